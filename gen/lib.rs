@@ -1,0 +1,21 @@
+#![doc = include_str!("../README.md")]
+
+// Floor 0
+pub mod number;
+pub mod params;
+// Floor 1
+pub mod device;
+pub mod exact;
+pub mod golden;
+pub mod graph;
+pub mod mesh;
+// Floor 2
+pub mod design;
+pub mod vhdl;
+// Floor 3
+pub mod artefact;
+pub mod scene;
+// Floor 4
+pub mod cosim;
+// Floor 5
+pub mod cli;
