@@ -1,1 +1,19 @@
-//! Room `design`.
+//! The design: builders of the paper's units, from the interval operators to the top.
+//!
+//! One file a unit, each a function from formats to a [`Unit`](crate::graph::Unit); the entity that is printed has the
+//! file's name. Reading order: [`interval`] (operators), [`cross_product`], [`projection`], [`comparator`] (one axis),
+//! [`transform_row`], [`renormalise`] (before the axes), [`pipeline`] (what is shared, and when), [`sequencer`] and
+//! [`top`] (handshakes).
+
+pub mod axes;
+pub mod comparator;
+pub mod cross_product;
+pub mod interval;
+pub mod pipeline;
+pub mod projection;
+pub mod renormalise;
+pub mod sequencer;
+pub mod top;
+pub mod transform_row;
+
+pub use top::Design;

@@ -1,1 +1,11 @@
-//! Room `vhdl`.
+//! Prints any module hierarchy as strict VHDL-93 with `std_logic_1164` and `numeric_std` alone.
+//!
+//! Everything is computed here; the template only prints. Ports are `std_logic` or `std_logic_vector`, signals inside
+//! are `signed` and `unsigned`.
+
+mod expression;
+mod names;
+mod view;
+
+pub use names::{check, Clash};
+pub use view::{entity, Entity};

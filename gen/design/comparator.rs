@@ -1,0 +1,106 @@
+//! The comparator network of one axis: from projections to *separated* and *surely overlapping* (equations 3 and 6, and
+//! the contract's section 6 in place of 7 to 9).
+
+use super::interval::{self, Bounds};
+use crate::graph::{Builder, NodeId, Op, Rate, Type, Unit};
+use crate::params::Projections;
+use std::rc::Rc;
+
+/// Codes of the `duplicates` ports: none, edge 0, 1, 2, all three projections equal.
+pub const DUPLICATE_BITS: u32 = 3;
+
+/// The comparator network for `points` projections of `bits` bits.
+///
+/// With [`Projections::Skip`] the first projections belong to A and the last to B; those in between change hands with
+/// the axis, by the ports `a_has_<i>` and `b_has_<i>`. With [`Projections::Intersect`] the ports `duplicates_a` and
+/// `duplicates_b` say which projections are equal in exact arithmetic.
+pub fn unit(bits: u32, bound: i128, points: usize, policy: Projections) -> Rc<Unit> {
+    let mut b = Builder::new(
+        "comparator_network",
+        1,
+        &[
+            "One axis decided: enclosures of the least and greatest projection of each triangle (equation 3), then",
+            "  separated   = b_min_lo > a_max_hi or a_min_lo > b_max_hi   (equation 6)",
+            "  overlapping = a_min_hi < b_max_lo and b_min_hi < a_max_lo  (sound in place of 7 to 9; strict)",
+        ],
+    );
+    let ty = Type::signed(bits, 0);
+    let p: Vec<Bounds> =
+        (0..points).map(|i| interval::input(&mut b, &format!("p{i}"), ty, interval::symmetric(bound))).collect();
+    let (a, others): (Vec<Bounds>, Vec<Bounds>) = match policy {
+        Projections::All => (p[..3].to_vec(), p[3..].to_vec()),
+        Projections::Intersect => {
+            let mut join = |name: &str, p: &[Bounds]| {
+                let ty = Type::unsigned(DUPLICATE_BITS);
+                let code = b.input(&format!("duplicates_{name}"), ty, (0, 4), Rate::Any);
+                intersected(&mut b, name, p, code)
+            };
+            (join("a", &p[..3]), join("b", &p[3..]))
+        }
+        Projections::Skip => {
+            let mut own = |name: &str, i: usize, first: usize| {
+                if i == first {
+                    return p[i];
+                }
+                let has = b.input(&format!("{name}_has_{i}"), Type::FLAG, (0, 1), Rate::Any);
+                let pick = |b: &mut Builder, end: &str, x, y| b.either(&format!("{name}_{i}_{end}"), has, x, y);
+                let lo = pick(&mut b, "lo", p[i].lo, p[first].lo);
+                let hi = pick(&mut b, "hi", p[i].hi, p[first].hi);
+                Bounds { lo, hi }
+            };
+            let last = points - 1;
+            let a = (0..3).map(|i| own("a", i, 0)).collect();
+            (a, (0..3).map(|i| own("b", last - i, last)).collect())
+        }
+    };
+    let mut extremes = |name: &str, p: &[Bounds]| {
+        let lo: Vec<NodeId> = p.iter().map(|x| x.lo).collect();
+        let hi: Vec<NodeId> = p.iter().map(|x| x.hi).collect();
+        let mut tree = |end: &str, op: Op, values: &[NodeId]| {
+            let id = b.tree(&format!("{name}_{end}"), op.clone(), values);
+            b.comment(id, "enclosure of an extreme projection (equation 3)");
+            id
+        };
+        [
+            tree("min_lo", Op::Minimum, &lo),
+            tree("min_hi", Op::Minimum, &hi),
+            tree("max_lo", Op::Maximum, &lo),
+            tree("max_hi", Op::Maximum, &hi),
+        ]
+    };
+    let [a_min_lo, a_min_hi, a_max_lo, a_max_hi] = extremes("a", &a);
+    let [b_min_lo, b_min_hi, b_max_lo, b_max_hi] = extremes("b", &others);
+    let mut less = |name: &str, x, y| b.op(name, Op::Less, &[x, y]);
+    let below = less("a_below_b", a_max_hi, b_min_lo);
+    let above = less("a_above_b", b_max_hi, a_min_lo);
+    let reaches_up = less("a_reaches_b", a_min_hi, b_max_lo);
+    let reaches_down = less("b_reaches_a", b_min_hi, a_max_lo);
+    let separated = b.op("is_separated", Op::Or, &[below, above]);
+    let overlapping = b.op("is_overlapping", Op::And, &[reaches_up, reaches_down]);
+    b.output("separated", separated);
+    b.output("overlapping", overlapping);
+    b.finish()
+}
+
+/// Projections with the duplicates replaced by their intersection.
+fn intersected(b: &mut Builder, name: &str, p: &[Bounds], code: NodeId) -> Vec<Bounds> {
+    let mut joint = |end: &str, op: Op, of: fn(&Bounds) -> NodeId| -> Vec<NodeId> {
+        let v: Vec<NodeId> = p.iter().map(of).collect();
+        let pair = |b: &mut Builder, k: usize| {
+            b.op(&format!("{name}_edge_{k}_{end}"), op.clone(), &[v[k], v[(k + 1) % 3]])
+        };
+        let edges = [pair(b, 0), pair(b, 1), pair(b, 2)];
+        let all = b.op(&format!("{name}_all_{end}"), op.clone(), &[edges[0], v[2]]);
+        (0..3)
+            .map(|i| {
+                // Vertex i lies on edge i and on edge i - 1.
+                let on = |k: usize| if k == i || (k + 1) % 3 == i { edges[k] } else { v[i] };
+                let id = b.op(&format!("{name}_{i}_{end}"), Op::Select, &[code, v[i], on(0), on(1), on(2), all]);
+                b.comment(id, "intersected with the projections equal to it")
+            })
+            .collect()
+    };
+    let lo = joint("lo", Op::Maximum, |x| x.lo);
+    let hi = joint("hi", Op::Minimum, |x| x.hi);
+    lo.into_iter().zip(hi).map(|(lo, hi)| Bounds { lo, hi }).collect()
+}

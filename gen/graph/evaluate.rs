@@ -1,0 +1,81 @@
+//! Untimed evaluation: every node of a graph in every phase, on integers.
+
+use super::flat::{Flat, Step};
+use super::{Op, Unit};
+use std::rc::Rc;
+
+/// Evaluates a unit; made once, used for many pairs.
+pub struct Evaluator {
+    flat: Flat,
+    values: Vec<i128>,
+}
+
+impl Evaluator {
+    /// Prepares the evaluation of `top`.
+    pub fn new(top: &Rc<Unit>) -> Self {
+        let flat = Flat::new(top);
+        let values = vec![0; flat.nodes.len() * flat.interval];
+        Self { flat, values }
+    }
+
+    /// The dissolved graph.
+    pub fn flat(&self) -> &Flat {
+        &self.flat
+    }
+
+    /// Computes every node from the values of the top's inputs, in port order.
+    ///
+    /// # Panics
+    /// If a lemma is violated, see [`Op::Assert`].
+    pub fn run(&mut self, inputs: &[i128]) {
+        let interval = self.flat.interval;
+        let steps = std::mem::take(&mut self.flat.steps);
+        let mut args = Vec::with_capacity(64);
+        let mut types = Vec::with_capacity(64);
+        for step in &steps {
+            let node = &self.flat.nodes[step.node];
+            let value = match &node.op {
+                Op::Input => {
+                    let port = self.flat.inputs.iter().position(|i| *i == step.node).expect("a top input");
+                    inputs[port]
+                }
+                Op::Phase(values, _) => values[step.phase].unwrap_or(0),
+                Op::Hold { .. } | Op::Choose { .. } => {
+                    let operand = self.flat.operands(*step)[0];
+                    self.values[operand.node * interval + operand.phase]
+                }
+                Op::ScanOr => {
+                    let fresh = self.at(node.args[0], step.phase);
+                    let first = self.at(node.args[1], step.phase) != 0 || step.phase == 0;
+                    fresh | if first { 0 } else { self.at(step.node, step.phase - 1) }
+                }
+                op => {
+                    args.clear();
+                    types.clear();
+                    for a in &node.args {
+                        args.push(self.at(*a, step.phase));
+                        types.push(self.flat.nodes[*a].ty);
+                    }
+                    op.apply(&args, &types, node.ty)
+                }
+            };
+            self.values[step.node * interval + step.phase] = value;
+        }
+        self.flat.steps = steps;
+    }
+
+    /// Value of a flat node in a phase, after [`Evaluator::run`].
+    pub fn at(&self, node: usize, phase: usize) -> i128 {
+        let Step { node, phase } = Step { node, phase: if self.flat.per_phase(node) { phase } else { 0 } };
+        self.values[node * self.flat.interval + phase]
+    }
+
+    /// Value of an output of the top (in phase 0 where it is per phase).
+    ///
+    /// # Panics
+    /// If there is no such output.
+    pub fn output(&self, name: &str) -> i128 {
+        let port = self.flat.units[0].output(name);
+        self.at(self.flat.outputs[port], 0)
+    }
+}

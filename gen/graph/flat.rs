@@ -1,0 +1,227 @@
+//! A unit with all its instances dissolved: one list of (node, phase) steps in an order in which operands come first.
+
+use super::{Op, Rate, Type, Unit};
+use std::collections::HashMap;
+use std::rc::Rc;
+
+/// A node of the dissolved graph.
+#[derive(Clone, Debug)]
+pub struct FlatNode {
+    /// What it computes.
+    pub op: Op,
+    /// Operands, as indices into [`Flat::nodes`].
+    pub args: Vec<usize>,
+    /// Type of the result.
+    pub ty: Type,
+    /// Rate, with [`Rate::Any`] only where a value is constant.
+    pub rate: Rate,
+    /// Path: instance names and node name, with dots.
+    pub path: String,
+    /// Index of the unit in [`Flat::units`], and of the node in it.
+    pub origin: (usize, usize),
+}
+
+/// One step of an evaluation.
+#[derive(Clone, Copy, Debug)]
+pub struct Step {
+    /// Index into [`Flat::nodes`].
+    pub node: usize,
+    /// Phase of the slot.
+    pub phase: usize,
+}
+
+/// The dissolved graph.
+#[derive(Clone, Debug)]
+pub struct Flat {
+    /// All nodes.
+    pub nodes: Vec<FlatNode>,
+    /// Every (node, phase) once, operands first.
+    pub steps: Vec<Step>,
+    /// The different units met, the top first.
+    pub units: Vec<Rc<Unit>>,
+    /// Flat nodes of the top's inputs, in order.
+    pub inputs: Vec<usize>,
+    /// Flat nodes of the top's outputs, in order.
+    pub outputs: Vec<usize>,
+    /// Number of phases.
+    pub interval: usize,
+    by_path: HashMap<String, usize>,
+    /// Instance inputs: flat operand, the unit's index, the input's index, path.
+    pub bindings: Vec<Binding>,
+}
+
+/// An operand bound to an input port of an instance.
+#[derive(Clone, Debug)]
+pub struct Binding {
+    /// Flat operand.
+    pub arg: usize,
+    /// Unit instantiated, as index into [`Flat::units`].
+    pub unit: usize,
+    /// Input port, as index into its inputs.
+    pub input: usize,
+    /// Path of the instance.
+    pub path: String,
+}
+
+impl Flat {
+    /// Dissolves `top`.
+    pub fn new(top: &Rc<Unit>) -> Self {
+        let mut flat = Self {
+            nodes: vec![],
+            steps: vec![],
+            units: vec![Rc::clone(top)],
+            inputs: vec![],
+            outputs: vec![],
+            interval: top.interval,
+            by_path: HashMap::new(),
+            bindings: vec![],
+        };
+        let own = flat.dissolve(top, 0, "", None);
+        flat.inputs = top.inputs.iter().map(|i| own[i.node.0]).collect();
+        flat.outputs = top.outputs.iter().map(|o| own[o.1 .0]).collect();
+        flat.resolve_rates();
+        flat.order();
+        flat.by_path = flat.nodes.iter().enumerate().map(|(i, n)| (n.path.clone(), i)).collect();
+        flat
+    }
+
+    /// The node at a path, if there is one.
+    pub fn find(&self, path: &str) -> Option<usize> {
+        self.by_path.get(path).copied()
+    }
+
+    /// Whether a node has a value of its own in each phase.
+    pub fn per_phase(&self, node: usize) -> bool {
+        self.nodes[node].rate == Rate::Phase
+    }
+
+    fn dissolve(&mut self, unit: &Rc<Unit>, index: usize, path: &str, args: Option<&[usize]>) -> Vec<usize> {
+        let mut own = vec![usize::MAX; unit.nodes.len()];
+        let mut instances: HashMap<usize, Vec<usize>> = HashMap::new();
+        let mut late: Vec<(usize, usize)> = vec![];
+        if let Some(args) = args {
+            for (input, arg) in unit.inputs.iter().zip(args) {
+                own[input.node.0] = *arg;
+            }
+        }
+        for (i, node) in unit.nodes.iter().enumerate() {
+            let node_path = format!("{path}{}", node.name);
+            match &node.op {
+                Op::Input if args.is_some() => {}
+                Op::Instance(child) => {
+                    let operands: Vec<usize> = node.args.iter().map(|a| own[a.0]).collect();
+                    let child_index = self.units.iter().position(|u| Rc::ptr_eq(u, child)).unwrap_or_else(|| {
+                        self.units.push(Rc::clone(child));
+                        self.units.len() - 1
+                    });
+                    for (input, arg) in operands.iter().enumerate() {
+                        self.bindings.push(Binding {
+                            arg: *arg,
+                            unit: child_index,
+                            input,
+                            path: node_path.clone(),
+                        });
+                    }
+                    let inner = self.dissolve(child, child_index, &format!("{node_path}."), Some(&operands));
+                    instances.insert(i, child.outputs.iter().map(|o| inner[o.1 .0]).collect());
+                }
+                Op::Output(port) => own[i] = instances[&node.args[0].0][*port],
+                op => {
+                    let args = node.args.iter().map(|a| own[a.0]).collect();
+                    own[i] = self.nodes.len();
+                    late.push((i, own[i]));
+                    self.nodes.push(FlatNode {
+                        op: op.clone(),
+                        args,
+                        ty: node.ty,
+                        rate: node.rate,
+                        path: node_path,
+                        origin: (index, i),
+                    });
+                }
+            }
+        }
+        // Lagged legs may refer to nodes that came later.
+        for (i, flat) in late {
+            self.nodes[flat].args = unit.nodes[i].args.iter().map(|a| own[a.0]).collect();
+        }
+        own
+    }
+
+    /// A node of a unit that does not care takes the rate of what it is given.
+    fn resolve_rates(&mut self) {
+        for i in 0..self.nodes.len() {
+            if self.nodes[i].rate == Rate::Any {
+                let joined = self.nodes[i].args.iter().filter(|a| **a < i).map(|a| self.nodes[*a].rate);
+                self.nodes[i].rate = joined.fold(Rate::Any, |r, a| r.join(a).unwrap_or(Rate::Phase));
+            }
+        }
+    }
+
+    /// Operands of a step: (node, phase).
+    pub fn operands(&self, step: Step) -> Vec<Step> {
+        let node = &self.nodes[step.node];
+        let at = |arg: usize, phase: usize| Step { node: arg, phase: if self.per_phase(arg) { phase } else { 0 } };
+        match &node.op {
+            Op::Hold { phase, .. } => vec![at(node.args[0], *phase)],
+            Op::Choose { .. } => {
+                let leg = self.leg(node, step.phase);
+                vec![at(node.args[1 + leg], step.phase)]
+            }
+            Op::ScanOr => {
+                let mut operands = vec![at(node.args[0], step.phase), at(node.args[1], step.phase)];
+                if step.phase > 0 {
+                    operands.push(Step { node: step.node, phase: step.phase - 1 });
+                }
+                operands
+            }
+            _ => node.args.iter().map(|a| at(*a, step.phase)).collect(),
+        }
+    }
+
+    fn leg(&self, choose: &FlatNode, phase: usize) -> usize {
+        pattern(&self.nodes[choose.args[0]].op, phase).unwrap_or(0)
+    }
+
+    fn order(&mut self) {
+        // Depth-first over (node, phase): 0 not seen, 1 open, 2 done.
+        let mut state = vec![0u8; self.nodes.len() * self.interval];
+        let mut steps = vec![];
+        for node in 0..self.nodes.len() {
+            for phase in 0..if self.per_phase(node) { self.interval } else { 1 } {
+                let mut stack = vec![Step { node, phase }];
+                while let Some(step) = stack.last().copied() {
+                    let key = step.node * self.interval + step.phase;
+                    match state[key] {
+                        0 => {
+                            state[key] = 1;
+                            let operands = self.operands(step);
+                            stack.extend(operands.iter().filter(|s| state[s.node * self.interval + s.phase] != 2));
+                        }
+                        1 => {
+                            state[key] = 2;
+                            steps.push(step);
+                            stack.pop();
+                        }
+                        _ => {
+                            stack.pop();
+                        }
+                    }
+                }
+            }
+        }
+        self.steps = steps;
+    }
+}
+
+/// The value of a phase pattern (or constant) in one phase; none where it does not matter.
+///
+/// # Panics
+/// If the operation is neither.
+pub fn pattern(op: &Op, phase: usize) -> Option<usize> {
+    match op {
+        Op::Phase(values, _) => values[phase].map(|v| v as usize),
+        Op::Constant(value) => Some(*value as usize),
+        other => panic!("a choice needs a phase pattern, found {other:?}"),
+    }
+}

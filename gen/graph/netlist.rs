@@ -1,0 +1,775 @@
+//! Clocked modules: what a scheduled unit becomes. One module is one entity of the printed design.
+//!
+//! A module is a list of signals, each with one driver: a combinational operation, a register, a memory or the output
+//! of an instance. Units are lowered to modules by [`Lowering`]; the little control logic there is (sequencer, top) is
+//! written with [`ModuleBuilder`] directly, because it has state that no dataflow graph has.
+//!
+//! Names: a value delayed by n clocks is `name_d<n>`, a per-pair value captured again n clocks later is `name_h<n>`,
+//! a phase pattern read from clock c on is `name_at_<c>`, the strobe of phase p is `strobe_<p>`.
+
+use super::range::Ranges;
+use super::schedule::{leg_phases, Schedule, Scheduler};
+use super::{Op, Range, Rate, Type, Unit};
+use std::collections::{BTreeMap, HashMap, HashSet};
+use std::rc::Rc;
+
+/// A signal of a module.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct SignalId(pub(crate) usize);
+
+/// What drives a signal.
+#[derive(Clone, Debug)]
+pub enum Driver {
+    /// An input port.
+    Port,
+    /// A combinational operation.
+    Combinational {
+        /// The operation.
+        op: Op,
+        /// Its operands.
+        args: Vec<SignalId>,
+    },
+    /// A register. Data registers have neither enable nor reset; all start at zero (or `reset`).
+    Register {
+        /// Operation in front of the register, none for a plain copy of the one operand.
+        op: Option<Op>,
+        /// Operands.
+        args: Vec<SignalId>,
+        /// Loads only where this flag is set.
+        enable: Option<SignalId>,
+        /// Synchronous reset: flag and value.
+        reset: Option<(SignalId, i128)>,
+    },
+    /// A memory with one synchronous write port and one asynchronous read port; this signal is what is read.
+    Memory {
+        /// Write flag.
+        write: SignalId,
+        /// Write address.
+        address: SignalId,
+        /// Write data.
+        data: SignalId,
+        /// Read address.
+        read: SignalId,
+        /// Words.
+        depth: usize,
+    },
+    /// An output of an instance.
+    Instance {
+        /// Index into [`Module::instances`].
+        instance: usize,
+        /// Index into its module's outputs.
+        port: usize,
+    },
+}
+
+/// A signal: name, type, driver and what a reader wants to know.
+#[derive(Clone, Debug)]
+pub struct Signal {
+    /// Name, unique in the module.
+    pub name: String,
+    /// Type.
+    pub ty: Type,
+    /// Driver.
+    pub driver: Driver,
+    /// Equation or source; may be empty.
+    pub comment: String,
+    /// Proven range, where known.
+    pub range: Option<Range>,
+    /// Clock of the pair's slot in which the value is first valid, where it has one.
+    pub clock: Option<i32>,
+}
+
+/// An instance of a module.
+#[derive(Clone, Debug)]
+pub struct Instance {
+    /// Label.
+    pub label: String,
+    /// Module.
+    pub module: Rc<Module>,
+    /// One signal an input port, in order.
+    pub inputs: Vec<SignalId>,
+}
+
+/// A module.
+#[derive(Clone, Debug)]
+pub struct Module {
+    /// Name, also of the entity.
+    pub name: String,
+    /// Header lines.
+    pub doc: Vec<String>,
+    /// All signals.
+    pub signals: Vec<Signal>,
+    /// Input ports, in order (clock excepted).
+    pub inputs: Vec<SignalId>,
+    /// Output ports: name and the signal behind it.
+    pub outputs: Vec<(String, SignalId)>,
+    /// Instances.
+    pub instances: Vec<Instance>,
+    /// Clocks from inputs to outputs, for lowered units.
+    pub latency: Option<i32>,
+}
+
+impl Module {
+    /// A signal.
+    pub fn signal(&self, id: SignalId) -> &Signal {
+        &self.signals[id.0]
+    }
+
+    /// Whether the module needs a clock.
+    pub fn clocked(&self) -> bool {
+        self.signals.iter().any(|s| matches!(s.driver, Driver::Register { .. } | Driver::Memory { .. }))
+            || self.instances.iter().any(|i| i.module.clocked())
+    }
+
+    /// The modules of the hierarchy, each once, instantiated ones before those that use them.
+    pub fn hierarchy(self: &Rc<Self>) -> Vec<Rc<Module>> {
+        fn visit(module: &Rc<Module>, seen: &mut HashSet<*const Module>, order: &mut Vec<Rc<Module>>) {
+            if seen.insert(Rc::as_ptr(module)) {
+                for instance in &module.instances {
+                    visit(&instance.module, seen, order);
+                }
+                order.push(Rc::clone(module));
+            }
+        }
+        let mut order = vec![];
+        visit(self, &mut HashSet::new(), &mut order);
+        order
+    }
+
+    /// Hardware multipliers in the hierarchy: products of operands that fit one.
+    pub fn multipliers(&self) -> usize {
+        let own = |s: &&Signal| match &s.driver {
+            Driver::Combinational { op, .. } => matches!(op, Op::Multiply),
+            Driver::Register { op, .. } => matches!(op, Some(Op::Multiply)),
+            _ => false,
+        };
+        self.signals.iter().filter(own).count()
+            + self.instances.iter().map(|i| i.module.multipliers()).sum::<usize>()
+    }
+
+    /// Register bits in the hierarchy.
+    pub fn register_bits(&self) -> u64 {
+        let own = self.signals.iter().filter(|s| matches!(s.driver, Driver::Register { .. }));
+        own.map(|s| u64::from(s.ty.bits)).sum::<u64>()
+            + self.instances.iter().map(|i| i.module.register_bits()).sum::<u64>()
+    }
+}
+
+/// Makes a module by hand.
+pub struct ModuleBuilder {
+    module: Module,
+    names: HashSet<String>,
+}
+
+impl ModuleBuilder {
+    /// An empty module.
+    pub fn new(name: impl Into<String>, doc: Vec<String>) -> Self {
+        let module = Module {
+            name: name.into(),
+            doc,
+            signals: vec![],
+            inputs: vec![],
+            outputs: vec![],
+            instances: vec![],
+            latency: None,
+        };
+        Self { module, names: HashSet::new() }
+    }
+
+    /// Type of a signal.
+    pub fn ty(&self, id: SignalId) -> Type {
+        self.module.signal(id).ty
+    }
+
+    fn push(&mut self, name: &str, ty: Type, driver: Driver) -> SignalId {
+        let module = &self.module.name;
+        assert!(self.names.insert(name.to_owned()), "module {module}: two signals are called {name}");
+        let name = name.to_owned();
+        self.module.signals.push(Signal { name, ty, driver, comment: String::new(), range: None, clock: None });
+        SignalId(self.module.signals.len() - 1)
+    }
+
+    /// Gives a signal its comment.
+    pub fn comment(&mut self, id: SignalId, comment: impl Into<String>) -> SignalId {
+        self.module.signals[id.0].comment = comment.into();
+        id
+    }
+
+    /// An input port.
+    pub fn input(&mut self, name: &str, ty: Type) -> SignalId {
+        let id = self.push(name, ty, Driver::Port);
+        self.module.inputs.push(id);
+        id
+    }
+
+    /// An output port.
+    pub fn output(&mut self, name: &str, id: SignalId) {
+        let module = &self.module.name;
+        assert!(self.names.insert(name.to_owned()), "module {module}: output {name} has the name of a signal");
+        self.module.outputs.push((name.to_owned(), id));
+    }
+
+    /// A combinational operation.
+    ///
+    /// # Panics
+    /// If the operands do not fit it.
+    pub fn op(&mut self, name: &str, op: Op, args: &[SignalId]) -> SignalId {
+        let ty = self.result(name, &op, args);
+        self.push(name, ty, Driver::Combinational { op, args: args.to_vec() })
+    }
+
+    fn result(&self, name: &str, op: &Op, args: &[SignalId]) -> Type {
+        let types: Vec<Type> = args.iter().map(|a| self.ty(*a)).collect();
+        op.result(&types).unwrap_or_else(|e| panic!("module {}, signal {name}: {e}", self.module.name))
+    }
+
+    /// A constant.
+    pub fn constant(&mut self, name: &str, value: i128, ty: Type) -> SignalId {
+        self.push(name, ty, Driver::Combinational { op: Op::Constant(value), args: vec![] })
+    }
+
+    /// A register whose input is connected later by [`ModuleBuilder::drive`].
+    pub fn register(&mut self, name: &str, ty: Type) -> SignalId {
+        self.push(name, ty, Driver::Register { op: None, args: vec![], enable: None, reset: None })
+    }
+
+    /// Connects a register.
+    ///
+    /// # Panics
+    /// If the types differ.
+    pub fn drive(&mut self, id: SignalId, d: SignalId, load: Option<SignalId>, zero: Option<(SignalId, i128)>) {
+        let (q, name) = (self.ty(id), &self.module.signals[id.0].name);
+        assert_eq!((q.signed, q.bits), (self.ty(d).signed, self.ty(d).bits), "register {name}");
+        let Driver::Register { args, enable, reset, .. } = &mut self.module.signals[id.0].driver else {
+            panic!("{} is no register", self.module.signals[id.0].name)
+        };
+        *args = vec![d];
+        *enable = load;
+        *reset = zero;
+    }
+
+    /// A memory; see [`Driver::Memory`].
+    pub fn memory(&mut self, name: &str, write: SignalId, address: SignalId, data: SignalId, read: SignalId) -> SignalId {
+        let depth = 1 << self.ty(address).bits;
+        let ty = self.ty(data);
+        self.push(name, ty, Driver::Memory { write, address, data, read, depth })
+    }
+
+    /// An instance; returns its outputs.
+    pub fn instance(&mut self, label: &str, module: &Rc<Module>, inputs: &[SignalId]) -> Vec<SignalId> {
+        assert_eq!(inputs.len(), module.inputs.len(), "instance {label} of {}", module.name);
+        for (given, port) in inputs.iter().zip(&module.inputs) {
+            let (given, port) = (self.module.signal(*given), module.signal(*port));
+            assert_eq!(
+                (given.ty.signed, given.ty.bits),
+                (port.ty.signed, port.ty.bits),
+                "instance {label}: {} at port {}",
+                given.name,
+                port.name
+            );
+        }
+        let instance = self.module.instances.len();
+        let module = Rc::clone(module);
+        let inputs = inputs.to_vec();
+        assert!(self.names.insert(label.to_owned()), "two things are called {label}");
+        self.module.instances.push(Instance { label: label.to_owned(), module: Rc::clone(&module), inputs });
+        let outputs = module.outputs.iter().enumerate();
+        outputs
+            .map(|(port, (name, signal))| {
+                let inner = module.signal(*signal);
+                let id = self.push(&format!("{label}_{name}"), inner.ty, Driver::Instance { instance, port });
+                self.module.signals[id.0].range = inner.range;
+                id
+            })
+            .collect()
+    }
+
+    /// The finished module, without signals that nothing depends on.
+    pub fn finish(self) -> Rc<Module> {
+        let mut module = self.module;
+        let mut used: Vec<bool> = module.signals.iter().map(|s| matches!(s.driver, Driver::Port)).collect();
+        let mut stack: Vec<SignalId> = module.outputs.iter().map(|o| o.1).collect();
+        let mut instances = vec![false; module.instances.len()];
+        while let Some(id) = stack.pop() {
+            if std::mem::replace(&mut used[id.0], true) {
+                continue;
+            }
+            match &module.signals[id.0].driver {
+                Driver::Port => {}
+                Driver::Combinational { args, .. } => stack.extend(args),
+                Driver::Register { args, enable, reset, .. } => {
+                    stack.extend(args);
+                    stack.extend(enable);
+                    stack.extend(reset.map(|r| r.0));
+                }
+                Driver::Memory { write, address, data, read, .. } => stack.extend([write, address, data, read]),
+                Driver::Instance { instance, .. } => {
+                    if !std::mem::replace(&mut instances[*instance], true) {
+                        stack.extend(&module.instances[*instance].inputs);
+                    }
+                }
+            }
+        }
+        assert!(instances.iter().all(|used| *used), "module {}: an instance is not used", module.name);
+        // Outputs of used instances stay, so that every port is connected.
+        let keep = |i: usize, s: &Signal| used[i] || matches!(s.driver, Driver::Instance { .. });
+        let mut place = vec![usize::MAX; module.signals.len()];
+        let mut kept = vec![];
+        for (i, signal) in module.signals.into_iter().enumerate() {
+            if keep(i, &signal) {
+                place[i] = kept.len();
+                kept.push(signal);
+            }
+        }
+        let moved = |id: &mut SignalId| id.0 = place[id.0];
+        for signal in &mut kept {
+            match &mut signal.driver {
+                Driver::Port | Driver::Instance { .. } => {}
+                Driver::Combinational { args, .. } => args.iter_mut().for_each(moved),
+                Driver::Register { args, enable, reset, .. } => {
+                    args.iter_mut().for_each(moved);
+                    enable.iter_mut().for_each(moved);
+                    reset.iter_mut().for_each(|r| moved(&mut r.0));
+                }
+                Driver::Memory { write, address, data, read, .. } => {
+                    [write, address, data, read].into_iter().for_each(moved);
+                }
+            }
+        }
+        module.signals = kept;
+        module.inputs.iter_mut().for_each(moved);
+        module.outputs.iter_mut().for_each(|o| moved(&mut o.1));
+        module.instances.iter_mut().for_each(|i| i.inputs.iter_mut().for_each(moved));
+        Rc::new(module)
+    }
+}
+
+/// Bits of a phase counter over that many phases.
+pub fn phase_bits(interval: usize) -> u32 {
+    usize::BITS - (interval.max(2) - 1).leading_zeros()
+}
+
+/// A node brought out for comparison.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Probe {
+    /// Name of the node.
+    pub name: String,
+    /// Type.
+    pub ty: Type,
+    /// Whether there is a value in each phase.
+    pub per_phase: bool,
+    /// Phases with a meaning, each with the clock of its value relative to phase 0 of the unit's inputs.
+    pub clocks: Vec<(usize, i32)>,
+}
+
+/// Lowers scheduled units to modules, each unit once.
+pub struct Lowering<'a> {
+    scheduler: &'a mut Scheduler,
+    ranges: &'a Ranges,
+    launch: f64,
+    fits: Box<dyn Fn(f64) -> bool>,
+    done: HashMap<*const Unit, Rc<Module>>,
+}
+
+impl<'a> Lowering<'a> {
+    /// Lowers for the scheduler's device and clock.
+    pub fn new(scheduler: &'a mut Scheduler, device: &'static crate::device::Device, ranges: &'a Ranges) -> Self {
+        let period = scheduler.period();
+        let fits = Box::new(move |ns: f64| ns + device.setup() <= period + 1e-9);
+        Self { scheduler, ranges, launch: device.launch(), fits, done: HashMap::new() }
+    }
+
+    /// The module of a unit; `probed` brings out the nodes the unit marks.
+    pub fn lower(&mut self, unit: &Rc<Unit>, probed: bool) -> (Rc<Module>, Vec<Probe>) {
+        let schedule = self.scheduler.schedule(unit);
+        let children = unit.nodes.iter().enumerate().filter_map(|(i, n)| match &n.op {
+            Op::Instance(child) => Some((i, Rc::clone(child))),
+            _ => None,
+        });
+        let mut modules = HashMap::new();
+        for (i, child) in children.collect::<Vec<_>>() {
+            let key = Rc::as_ptr(&child);
+            let module = match self.done.get(&key) {
+                Some(module) => Rc::clone(module),
+                None => {
+                    let module = self.lower(&child, false).0;
+                    self.done.insert(key, Rc::clone(&module));
+                    module
+                }
+            };
+            modules.insert(i, module);
+        }
+        let lowered = Lowered {
+            unit,
+            schedule: &schedule,
+            modules: &modules,
+            ranges: self.ranges.unit(unit),
+            launch: self.launch,
+            fits: self.fits.as_ref(),
+            out: ModuleBuilder::new(unit.name.clone(), unit.doc.clone()),
+            base: vec![None; unit.nodes.len()],
+            copies: BTreeMap::new(),
+            strobes: BTreeMap::new(),
+            patterns: BTreeMap::new(),
+            phase: None,
+            instances: HashMap::new(),
+        };
+        lowered.run(probed)
+    }
+}
+
+struct Lowered<'a> {
+    unit: &'a Rc<Unit>,
+    schedule: &'a Schedule,
+    modules: &'a HashMap<usize, Rc<Module>>,
+    ranges: Option<&'a [Option<Range>]>,
+    launch: f64,
+    fits: &'a dyn Fn(f64) -> bool,
+    out: ModuleBuilder,
+    base: Vec<Option<SignalId>>,
+    copies: BTreeMap<(usize, i32), SignalId>,
+    strobes: BTreeMap<i32, SignalId>,
+    patterns: BTreeMap<(usize, i32), SignalId>,
+    phase: Option<SignalId>,
+    instances: HashMap<usize, Vec<SignalId>>,
+}
+
+impl Lowered<'_> {
+    fn interval(&self) -> i32 {
+        self.unit.interval as i32
+    }
+
+    fn run(mut self, probed: bool) -> (Rc<Module>, Vec<Probe>) {
+        if self.unit.phased() {
+            let ty = Type::unsigned(phase_bits(self.unit.interval));
+            let phase = self.out.input("phase", ty);
+            self.out.comment(phase, "phase of the slot: 0 in the first clock of the inputs");
+            self.phase = Some(phase);
+        }
+        for input in &self.unit.inputs {
+            let node = self.unit.node(input.node);
+            let id = self.out.input(&node.name, node.ty);
+            self.describe(id, input.node.0, Some(0));
+            self.base[input.node.0] = Some(id);
+        }
+        // Lagged legs refer to nodes that come later: everything else first, choices with lagged legs connected last.
+        let mut pending = vec![];
+        for i in 0..self.unit.nodes.len() {
+            match &self.unit.nodes[i].op {
+                Op::Choose { lagged } if lagged.contains(&true) => pending.push((i, self.reserve_choose(i))),
+                _ => self.node(i),
+            }
+        }
+        for (i, id) in pending {
+            self.connect_choose(i, id);
+        }
+        let latency = self.schedule.latency;
+        let outputs: Vec<(String, SignalId)> =
+            self.unit.outputs.iter().map(|(name, node)| (name.clone(), self.fetch(node.0, latency))).collect();
+        for (name, id) in outputs {
+            self.out.output(&name, id);
+        }
+        let mut probes = vec![];
+        if probed {
+            for (node, phases) in &self.unit.probes {
+                let (i, slot) = (node.0, self.schedule.slots[node.0]);
+                let Some(id) = self.base[i] else { continue };
+                let node = &self.unit.nodes[i];
+                let per_phase = node.rate == Rate::Phase;
+                self.out.output(&format!("probe_{}", node.name), id);
+                let clock = |(phase, lagged): &(usize, bool)| {
+                    let lag = if *lagged { self.schedule.lag_clocks() } else { 0 };
+                    (*phase, slot.from + if per_phase { *phase as i32 + lag } else { 0 })
+                };
+                let clocks = phases.iter().map(clock).collect();
+                probes.push(Probe { name: node.name.clone(), ty: node.ty, per_phase, clocks });
+            }
+        }
+        let mut module = Rc::try_unwrap(self.out.finish()).expect("not shared yet");
+        module.latency = Some(latency);
+        (Rc::new(module), probes)
+    }
+
+    fn describe(&mut self, id: SignalId, node: usize, clock: Option<i32>) {
+        let signal = &mut self.out.module.signals[id.0];
+        signal.comment = self.unit.nodes[node].comment.clone();
+        if let Some(range) = self.ranges.and_then(|r| r[node]) {
+            signal.range = Some(range);
+        }
+        signal.clock = clock;
+    }
+
+    /// Computes node `i` and everything it needs.
+    fn node(&mut self, i: usize) {
+        let unit = Rc::clone(self.unit);
+        let node = &unit.nodes[i];
+        let slot = self.schedule.slots[i];
+        let id = match &node.op {
+            Op::Input | Op::Phase(..) => return,
+            Op::Assert(..) | Op::Fact(_) => {
+                // Knowledge, not hardware; what is known of the value is said where it is declared.
+                let id = self.base[node.args[0].0].expect("operands come first");
+                self.base[i] = Some(id);
+                if let Some(range) = self.ranges.and_then(|r| r[i]) {
+                    self.out.module.signals[id.0].range = Some(range);
+                }
+                if !node.comment.is_empty() {
+                    self.out.module.signals[id.0].comment = node.comment.clone();
+                }
+                return;
+            }
+            Op::Constant(value) => self.out.constant(&node.name, *value, node.ty),
+            Op::Hold { phase, lagged } => {
+                let arg = node.args[0].0;
+                let lag = if *lagged { self.schedule.lag_clocks() } else { 0 };
+                let clock = self.schedule.slots[arg].from + *phase as i32 + lag;
+                let args = vec![self.base[arg].expect("streams come first")];
+                let enable = self.strobe(clock);
+                self.out.push(&node.name, node.ty, Driver::Register { op: None, args, enable, reset: None })
+            }
+            Op::Choose { .. } => {
+                let id = self.reserve_choose(i);
+                self.connect_choose(i, id);
+                return;
+            }
+            Op::ScanOr => {
+                let args: Vec<SignalId> = node.args.iter().map(|a| self.fetch(a.0, slot.start)).collect();
+                let so_far = self.out.register(&format!("{}_so_far", node.name), node.ty);
+                let zero = self.out.constant(&format!("{}_zero", node.name), 0, node.ty);
+                let kept = self.out.op(&format!("{}_kept", node.name), Op::Select, &[args[1], so_far, zero]);
+                let id = self.out.op(&node.name, Op::Or, &[args[0], kept]);
+                self.out.drive(so_far, id, None, None);
+                id
+            }
+            Op::Instance(_) => {
+                let mut inputs: Vec<SignalId> = vec![];
+                for a in &node.args {
+                    inputs.push(self.operand(a.0, slot.start, slot.registered));
+                }
+                let module = Rc::clone(&self.modules[&i]);
+                let outputs = self.out.instance(&node.name, &module, &inputs);
+                self.instances.insert(i, outputs);
+                return;
+            }
+            Op::Output(port) => {
+                let id = self.instances[&node.args[0].0][*port];
+                self.describe_output(id, i, slot.from);
+                self.base[i] = Some(id);
+                return;
+            }
+            op => {
+                let args: Vec<SignalId> =
+                    node.args.iter().map(|a| self.operand(a.0, slot.start, slot.registered)).collect();
+                let op = op.clone();
+                let registers = if slot.from == i32::MIN { 0 } else { slot.from - slot.start };
+                if registers == 0 {
+                    self.out.push(&node.name, node.ty, Driver::Combinational { op, args })
+                } else {
+                    let first = Driver::Register { op: Some(op), args, enable: None, reset: None };
+                    let mut id = self.out.push(&node.name, node.ty, first);
+                    for r in 1..registers {
+                        self.describe(id, i, Some(slot.start + r));
+                        let copy = Driver::Register { op: None, args: vec![id], enable: None, reset: None };
+                        id = self.out.push(&format!("{}_r{r}", node.name), node.ty, copy);
+                    }
+                    id
+                }
+            }
+        };
+        self.describe(id, i, (slot.from != i32::MIN).then_some(slot.from));
+        self.base[i] = Some(id);
+    }
+
+    fn describe_output(&mut self, id: SignalId, node: usize, clock: i32) {
+        let signal = &mut self.out.module.signals[id.0];
+        signal.comment = self.unit.nodes[node].comment.clone();
+        signal.clock = Some(clock);
+    }
+
+    fn reserve_choose(&mut self, i: usize) -> SignalId {
+        let node = &self.unit.nodes[i];
+        let driver = Driver::Combinational { op: Op::Select, args: vec![] };
+        let id = self.out.push(&node.name, node.ty, driver);
+        self.describe(id, i, Some(self.schedule.slots[i].from));
+        self.base[i] = Some(id);
+        id
+    }
+
+    fn connect_choose(&mut self, i: usize, id: SignalId) {
+        let unit = Rc::clone(self.unit);
+        let node = &unit.nodes[i];
+        let Op::Choose { lagged } = &node.op else { unreachable!("only choices are connected") };
+        let slot = self.schedule.slots[i];
+        let lag_clocks = self.schedule.lag_clocks();
+        let mut legs = vec![];
+        for (leg, is_lagged) in lagged.iter().enumerate() {
+            let arg = node.args[1 + leg].0;
+            let Some((first, last)) = leg_phases(&unit, i, leg) else {
+                // Never read: any leg will do.
+                legs.push(None);
+                continue;
+            };
+            let lag = if *is_lagged { lag_clocks } else { 0 };
+            let (first, last) = (slot.start + first as i32 + lag, slot.start + last as i32 + lag);
+            legs.push(Some(self.leg(arg, first, last, *is_lagged, lagged.len())));
+        }
+        let any = legs.iter().flatten().next().copied().expect("some leg is read");
+        let legs: Vec<SignalId> = legs.into_iter().map(|l| l.unwrap_or(any)).collect();
+        let driver = if legs.iter().all(|l| *l == legs[0]) {
+            // One signal in all phases: a wire.
+            let ty = self.out.ty(legs[0]);
+            Driver::Combinational { op: Op::Resize(Type { bits: node.ty.bits, ..ty }), args: vec![legs[0]] }
+        } else {
+            let select = self.fetch(node.args[0].0, slot.start);
+            Driver::Combinational { op: Op::Select, args: std::iter::once(select).chain(legs).collect() }
+        };
+        self.out.module.signals[id.0].driver = driver;
+    }
+
+    /// A leg of a choice, read from clock `first` to clock `last`.
+    fn leg(&mut self, arg: usize, first: i32, last: i32, lagged: bool, legs: usize) -> SignalId {
+        let slot = self.schedule.slots[arg];
+        if slot.from == i32::MIN || slot.until == i32::MAX {
+            return self.fetch(arg, first);
+        }
+        let direct = if lagged { slot.ns <= self.launch } else { (self.fits)(slot.ns + self.mux_delay(legs)) };
+        if direct && slot.from <= first && last < slot.until {
+            return self.base[arg].expect("operands come first");
+        }
+        self.hold(arg, last - self.interval() + 1, first)
+    }
+
+    fn mux_delay(&self, legs: usize) -> f64 {
+        // The scheduler's own figure: a leg is direct exactly where the scheduler took it to be.
+        self.schedule.mux[legs.min(self.schedule.mux.len() - 1)]
+    }
+
+    /// An operand consumed in one clock.
+    fn operand(&mut self, arg: usize, clock: i32, registered: bool) -> SignalId {
+        let slot = self.schedule.slots[arg];
+        let per_pair = slot.from != i32::MIN && slot.until != i32::MAX;
+        if per_pair && registered && slot.ns > self.launch {
+            return self.hold(arg, clock, clock);
+        }
+        self.fetch(arg, clock)
+    }
+
+    /// The node that carries the value of node `i` in hardware.
+    fn carrier(&self, mut i: usize) -> usize {
+        while matches!(self.unit.nodes[i].op, Op::Assert(..) | Op::Fact(_)) {
+            i = self.unit.nodes[i].args[0].0;
+        }
+        i
+    }
+
+    /// The value of a node as it is in a clock.
+    fn fetch(&mut self, i: usize, clock: i32) -> SignalId {
+        let i = self.carrier(i);
+        let slot = self.schedule.slots[i];
+        if matches!(self.unit.nodes[i].op, Op::Phase(..)) {
+            return self.pattern(i, clock);
+        }
+        let base = self.base[i].expect("operands come first");
+        if slot.from == i32::MIN || clock == slot.from {
+            return base;
+        }
+        assert!(clock > slot.from, "{}: {} is read before it is there", self.unit.name, self.unit.nodes[i].name);
+        if slot.until == i32::MAX {
+            return self.delayed(i, clock - slot.from);
+        }
+        if clock < slot.until {
+            return base;
+        }
+        self.hold(i, clock, clock)
+    }
+
+    fn delayed(&mut self, i: usize, clocks: i32) -> SignalId {
+        if clocks == 0 {
+            return self.base[i].expect("operands come first");
+        }
+        if let Some(id) = self.copies.get(&(i, clocks)) {
+            return *id;
+        }
+        let before = self.delayed(i, clocks - 1);
+        let name = format!("{}_d{clocks}", self.unit.nodes[i].name);
+        self.copy(i, clocks, &name, before, None)
+    }
+
+    fn copy(&mut self, i: usize, clocks: i32, name: &str, from: SignalId, enable: Option<SignalId>) -> SignalId {
+        let driver = Driver::Register { op: None, args: vec![from], enable, reset: None };
+        let id = self.out.push(name, self.unit.nodes[i].ty, driver);
+        let clock = self.schedule.slots[i].from + clocks;
+        self.describe(id, i, Some(clock));
+        self.out.module.signals[id.0].comment = String::new();
+        self.copies.insert((i, clocks), id);
+        id
+    }
+
+    /// A per-pair value captured again so that its window begins in clock `earliest` to `latest`.
+    fn hold(&mut self, i: usize, earliest: i32, latest: i32) -> SignalId {
+        let i = self.carrier(i);
+        let slot = self.schedule.slots[i];
+        let known = self.copies.range((i, earliest - slot.from)..=(i, latest - slot.from)).next_back();
+        if let Some((_, id)) = known {
+            return *id;
+        }
+        let mut source = self.base[i].expect("operands come first");
+        let (mut from, mut until) = (slot.from, slot.until);
+        loop {
+            let at = until.min(latest);
+            assert!(at > from, "{}: {} cannot be held from {earliest} to {latest}: {slot:?}", self.unit.name, self.unit.nodes[i].name);
+            let clocks = at - slot.from;
+            source = match self.copies.get(&(i, clocks)) {
+                Some(id) => *id,
+                None => {
+                    let name = format!("{}_h{clocks}", self.unit.nodes[i].name);
+                    let enable = self.strobe(at - 1);
+                    self.copy(i, clocks, &name, source, enable)
+                }
+            };
+            if at >= earliest {
+                return source;
+            }
+            (from, until) = (at, at + self.interval());
+        }
+    }
+
+    /// A flag set in the clocks congruent to `clock`; none if that is always.
+    fn strobe(&mut self, clock: i32) -> Option<SignalId> {
+        let interval = self.interval();
+        if interval == 1 {
+            return None;
+        }
+        let at = clock.rem_euclid(interval);
+        if let Some(id) = self.strobes.get(&at) {
+            return Some(*id);
+        }
+        let table = (0..interval).map(|p| i128::from((p + 1).rem_euclid(interval) == at)).collect();
+        let id = self.table(&format!("strobe_{at}"), table, Type::FLAG);
+        self.out.comment(id, format!("set in phase {at}"));
+        self.strobes.insert(at, id);
+        Some(id)
+    }
+
+    /// The values of a phase pattern for a use that starts in `clock`.
+    fn pattern(&mut self, i: usize, clock: i32) -> SignalId {
+        let unit = Rc::clone(self.unit);
+        let interval = self.interval();
+        let at = clock.rem_euclid(interval);
+        if let Some(id) = self.patterns.get(&(i, at)) {
+            return *id;
+        }
+        let Op::Phase(values, ty) = &unit.nodes[i].op else { unreachable!("only phase patterns") };
+        let table = (0..interval).map(|p| values[(p + 1 - at).rem_euclid(interval) as usize].unwrap_or(0)).collect();
+        let id = self.table(&format!("{}_at_{at}", unit.nodes[i].name), table, *ty);
+        self.out.comment(id, unit.nodes[i].comment.clone());
+        self.patterns.insert((i, at), id);
+        id
+    }
+
+    fn table(&mut self, name: &str, table: Vec<i128>, ty: Type) -> SignalId {
+        let phase = self.phase.expect("a unit with phases has the port");
+        let op = Some(Op::Lookup(table, ty));
+        self.out.push(name, ty, Driver::Register { op, args: vec![phase], enable: None, reset: None })
+    }
+}
