@@ -1,1 +1,67 @@
-//! Room `cli`.
+//! The command line: one file per command. The only room that prints.
+//!
+//! Results go to standard output, everything else to standard error. Exit status: 0 done and everything agreed, 1 a
+//! check failed, 2 the command line or an input file is wrong.
+
+mod classify;
+mod cosim;
+mod error;
+mod generate;
+mod output;
+mod params;
+mod progress;
+mod source;
+
+use clap::{CommandFactory, Parser, Subcommand};
+use error::Failure;
+use std::process::ExitCode;
+
+/// Generates and proves synthesizable VHDL for EFSAT, an exact triangle-triangle intersection unit in fixed-point
+/// interval arithmetic
+#[derive(Debug, Parser)]
+#[command(name = "efsat", version, disable_help_subcommand = true, after_help = AFTER)]
+struct CommandLine {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const AFTER: &str =
+    "Exit status: 0 done and everything agreed; 1 a check failed (a mismatch, a wrong definite answer); \
+    2 the command line or an input file is wrong.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Generate(generate::Arguments),
+    Cosim(cosim::Arguments),
+    Classify(classify::Arguments),
+}
+
+/// Runs the command line of the process.
+pub fn main() -> ExitCode {
+    let result = match CommandLine::try_parse() {
+        Ok(CommandLine { command }) => match command {
+            Command::Generate(arguments) => generate::run(&arguments),
+            Command::Cosim(arguments) => cosim::run(&arguments),
+            Command::Classify(arguments) => classify::run(&arguments),
+        },
+        Err(e) if !e.use_stderr() => output::print(&e.render().to_string()),
+        Err(e) => {
+            let command = CommandLine::command();
+            let names: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_owned()).collect();
+            Err(error::from_clap(&e, &names))
+        }
+    };
+    match result {
+        // Whoever reads has seen enough: `| head`.
+        Ok(()) | Err(Failure::Closed) => ExitCode::SUCCESS,
+        Err(Failure::Check(message)) => report(&message, 1),
+        Err(Failure::Usage(message)) => report(&message, 2),
+    }
+}
+
+fn report(message: &str, status: u8) -> ExitCode {
+    // Names of files may hold anything; the message is one line.
+    let line: String = message.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    eprintln!("error: {line}");
+    ExitCode::from(status)
+}

@@ -1,1 +1,185 @@
-//! Room `cosim`.
+//! Co-simulation: the generated design against the reference model, on a simulator of choice.
+//!
+//! All simulators do the same thing clock for clock: the vectors at full speed, then some again with gaps and
+//! back-pressure. GHDL and nvc run the printed VHDL under the printed testbench; the built-in simulator runs the
+//! modules it is printed from.
+
+mod builtin;
+mod external;
+mod probe;
+mod wave;
+
+pub use builtin::Builtin;
+pub use probe::inputs;
+
+use crate::artefact::Stimulus;
+use crate::design::{top::DesignError, Design};
+use crate::params::Params;
+use std::path::PathBuf;
+use std::time::Instant;
+
+/// What runs the design.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Simulator {
+    /// GHDL, the fastest back end installed.
+    Ghdl,
+    /// nvc.
+    Nvc,
+    /// The simulator of this program.
+    Builtin,
+}
+
+/// How to run.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// What runs the design.
+    pub simulator: Simulator,
+    /// Where to leave design, vectors and logs; a temporary folder if none.
+    pub keep: Option<PathBuf>,
+    /// Waveform to write (`.ghw` or `.vcd`), with a GTKWave layout beside it.
+    pub wave: Option<PathBuf>,
+    /// Compare inner nodes too.
+    pub probe: bool,
+}
+
+/// What came out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Report {
+    /// Pairs sent to the unit.
+    pub vectors: u64,
+    /// Answers (of both passes) that differ from the reference model's, and differing inner nodes.
+    pub mismatches: u64,
+    /// Expected verdicts: separate, intersect, possibly incorrect.
+    pub verdicts: [u64; 3],
+    /// Clocks between pairs, measured (the schedule's where there is but one pair).
+    pub initiation_interval: u64,
+    /// Clocks from a pair to its verdict, measured.
+    pub latency: u64,
+    /// Clocks from the first accepted input to the last verdict at full speed.
+    pub cycles: u64,
+    /// Clocks of the whole run, both passes.
+    pub total_clocks: u64,
+    /// Name of the simulator that ran.
+    pub simulator: String,
+    /// Duration of the simulation, compilation included.
+    pub seconds: f64,
+    /// The first difference, in words.
+    pub first_mismatch: Option<String>,
+}
+
+/// Why there is no report.
+#[derive(Debug, thiserror::Error)]
+pub enum CosimError {
+    /// The design cannot be made.
+    #[error(transparent)]
+    Design(#[from] DesignError),
+    /// The simulator is not installed.
+    #[error("{0} is not installed: {1}")]
+    Missing(&'static str, &'static str),
+    /// An option that this simulator does not have.
+    #[error("{0}")]
+    Option(String),
+    /// A name of the design is no legal VHDL.
+    #[error("names: {0}")]
+    Names(#[from] crate::vhdl::Clash),
+    /// A file cannot be written or read.
+    #[error("{path}: {source}")]
+    File {
+        /// Which.
+        path: String,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// The simulator failed.
+    #[error("{tool}: {message}")]
+    Failed {
+        /// Which.
+        tool: String,
+        /// What it said.
+        message: String,
+    },
+}
+
+impl CosimError {
+    /// Whether the user can mend it on the command line or by installing something (exit status 2).
+    pub fn is_usage(&self) -> bool {
+        !matches!(self, CosimError::Failed { .. } | CosimError::Names(_))
+    }
+}
+
+/// What a simulator reports of a run.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+struct Run {
+    mismatches: u64,
+    clocks: u64,
+    latency: u64,
+    interval: u64,
+    total: u64,
+    simulator: String,
+    first: Option<String>,
+    /// One line a clock of the first pass: whether a pair was accepted, and the probe ports.
+    probes: Vec<(bool, Vec<i128>)>,
+}
+
+/// Generates the design and compares it with the reference model.
+///
+/// # Errors
+/// See [`CosimError`]; a mismatch is no error but part of the report.
+pub fn run(
+    params: &Params,
+    command_line: &str,
+    stimulus: &Stimulus,
+    options: &Options,
+) -> Result<Report, CosimError> {
+    let design = Design::new(params, options.probe)?;
+    run_design(&design, command_line, stimulus, options)
+}
+
+/// As [`run`], for a design that exists.
+///
+/// # Errors
+/// As [`run`].
+pub fn run_design(
+    design: &Design,
+    command_line: &str,
+    stimulus: &Stimulus,
+    options: &Options,
+) -> Result<Report, CosimError> {
+    let start = Instant::now();
+    let golden = crate::golden::Golden::new(&design.params);
+    let mut verdicts = [0; 3];
+    for (pose, pairs) in &stimulus.segments {
+        for pair in pairs {
+            verdicts[golden.verdict(pose, pair) as usize] += 1;
+        }
+    }
+    if options.simulator == Simulator::Builtin && options.wave.is_some() {
+        let message = "--wave needs --simulator ghdl or nvc: the built-in simulator keeps no waveform".to_owned();
+        return Err(CosimError::Option(message));
+    }
+    let mut run = match options.simulator {
+        Simulator::Builtin => {
+            let run = Builtin::new(design).run(stimulus, options.probe);
+            external::keep(design, command_line, stimulus, options)?;
+            run
+        }
+        Simulator::Ghdl | Simulator::Nvc => external::run(design, command_line, stimulus, options)?,
+    };
+    if options.probe {
+        let (count, first) = probe::compare(design, stimulus, &run.probes);
+        run.mismatches += count;
+        run.first = first.or(run.first);
+    }
+    Ok(Report {
+        vectors: stimulus.pairs() as u64,
+        mismatches: run.mismatches,
+        verdicts,
+        initiation_interval: if run.interval == 0 { design.interval as u64 } else { run.interval },
+        latency: run.latency,
+        cycles: run.clocks,
+        total_clocks: run.total,
+        simulator: run.simulator,
+        seconds: start.elapsed().as_secs_f64(),
+        first_mismatch: run.first,
+    })
+}

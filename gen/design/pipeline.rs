@@ -108,9 +108,11 @@ impl Pipeline<'_> {
         (self.b.phase(name, values, ty), legs)
     }
 
-    /// A constant of each phase.
+    /// A constant of each phase. Idle phases repeat the first busy one, as the operands of idle phases do, so that what
+    /// a unit computes there is in range too.
     fn control(&mut self, name: &str, values: &[Option<usize>], bits: u32) -> NodeId {
-        let values = values.iter().map(|v| v.map(|v| v as i128)).collect();
+        let first = values.iter().flatten().next().copied();
+        let values = values.iter().map(|v| v.or(first).map(|v| v as i128)).collect();
         self.b.phase(name, values, Type::unsigned(bits))
     }
 

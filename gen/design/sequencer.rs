@@ -11,7 +11,7 @@ use std::rc::Rc;
 /// Places in the result queue for a data path of that latency: enough for every pair in flight at full speed, and no
 /// fewer than one distributed memory holds.
 pub fn places(latency: i32, interval: usize) -> usize {
-    let in_flight = (latency as usize + 5).div_ceil(interval) + 1;
+    let in_flight = (latency as usize + 6).div_ceil(interval) + 1;
     in_flight.next_power_of_two().max(16)
 }
 

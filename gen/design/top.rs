@@ -85,7 +85,7 @@ impl Design {
             ranges,
             top,
             probes,
-            latency: schedule.latency as usize + 3,
+            latency: schedule.latency as usize + 4,
             interval,
             places: sequencer::places(schedule.latency, interval),
             schedule,
@@ -185,7 +185,7 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
     let interval = p.interval();
     let places = sequencer::places(latency, interval);
     let sequencer = sequencer::module(interval, latency);
-    let mut m = ModuleBuilder::new("efsat", header(p, latency as usize + 3, places));
+    let mut m = ModuleBuilder::new("efsat", header(p, latency as usize + 4, places));
     let reset = m.input("reset", Type::FLAG);
     let in_valid = m.input("in_valid", Type::FLAG);
     let tag = (p.tag_width > 0).then(|| m.input("in_tag", Type::unsigned(p.tag_width)));

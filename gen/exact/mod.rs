@@ -1,1 +1,46 @@
-//! Room `exact`.
+//! The exact answer for two triangles: the oracle that every other answer is measured against.
+//!
+//! Inputs are binary64 numbers, taken as exact reals; triangles are closed sets and may be segments or points. See
+//! `minkowski` for the decision and the argument that it is right for all of them, `filter` for the quick answer where
+//! binary64 arithmetic with an error bound suffices.
+
+mod filter;
+mod integers;
+mod minkowski;
+#[cfg(test)]
+mod tests;
+
+use std::fmt;
+
+/// How two closed triangles lie to each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Exact {
+    /// No common point.
+    Separate,
+    /// Common points, but the relative interiors are disjoint: some plane that does not contain both triangles has one
+    /// on each side. A vertex on a face, an edge on an edge, a common vertex.
+    Touch,
+    /// The relative interiors meet. Coplanar triangles that share area intersect; so does a segment that passes
+    /// through the inside of a triangle. The relative interior of a point is the point.
+    Intersect,
+}
+
+impl fmt::Display for Exact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Separate => "separate",
+            Self::Touch => "touch",
+            Self::Intersect => "intersect",
+        })
+    }
+}
+
+/// Decides the pair a0 a1 a2 b0 b1 b2 of finite points.
+pub fn pair(points: &[[f64; 3]; 6]) -> Exact {
+    filter::decide(points, 0.0).unwrap_or_else(|| integers::decide(points))
+}
+
+/// Decides the pair of A and the image of B under x to M * x + t, all numbers finite; `m` is indexed `[row][column]`.
+pub fn posed_pair(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
+    filter::decide_posed(a, b, m, t).unwrap_or_else(|| integers::decide_posed(a, b, m, t))
+}

@@ -45,7 +45,7 @@ pub struct Flat {
     pub outputs: Vec<usize>,
     /// Number of phases.
     pub interval: usize,
-    by_path: HashMap<String, usize>,
+    top_names: HashMap<String, usize>,
     /// Instance inputs: flat operand, the unit's index, the input's index, path.
     pub bindings: Vec<Binding>,
 }
@@ -73,21 +73,22 @@ impl Flat {
             inputs: vec![],
             outputs: vec![],
             interval: top.interval,
-            by_path: HashMap::new(),
+            top_names: HashMap::new(),
             bindings: vec![],
         };
         let own = flat.dissolve(top, 0, "", None);
         flat.inputs = top.inputs.iter().map(|i| own[i.node.0]).collect();
         flat.outputs = top.outputs.iter().map(|o| own[o.1 .0]).collect();
+        let names = top.nodes.iter().zip(&own).filter(|(_, flat)| **flat != usize::MAX);
+        flat.top_names = names.map(|(node, flat)| (node.name.clone(), *flat)).collect();
         flat.resolve_rates();
         flat.order();
-        flat.by_path = flat.nodes.iter().enumerate().map(|(i, n)| (n.path.clone(), i)).collect();
         flat
     }
 
-    /// The node at a path, if there is one.
-    pub fn find(&self, path: &str) -> Option<usize> {
-        self.by_path.get(path).copied()
+    /// The node behind a name in the top: its own nodes, and the outputs of its instances.
+    pub fn top_node(&self, name: &str) -> Option<usize> {
+        self.top_names.get(name).copied()
     }
 
     /// Whether a node has a value of its own in each phase.

@@ -461,7 +461,8 @@ impl Lowered<'_> {
             }
         }
         for (i, id) in pending {
-            self.connect_choose(i, id);
+            let legs = self.legs(i);
+            self.connect_choose(i, id, legs);
         }
         let latency = self.schedule.latency;
         let outputs: Vec<(String, SignalId)> =
@@ -506,7 +507,7 @@ impl Lowered<'_> {
         let slot = self.schedule.slots[i];
         let id = match &node.op {
             Op::Input | Op::Phase(..) => return,
-            Op::Assert(..) | Op::Fact(_) => {
+            _ if unit.renames(i) => {
                 // Knowledge, not hardware; what is known of the value is said where it is declared.
                 let id = self.base[node.args[0].0].expect("operands come first");
                 self.base[i] = Some(id);
@@ -528,8 +529,14 @@ impl Lowered<'_> {
                 self.out.push(&node.name, node.ty, Driver::Register { op: None, args, enable, reset: None })
             }
             Op::Choose { .. } => {
+                let legs = self.legs(i);
+                if legs.iter().all(|l| *l == legs[0]) {
+                    // One signal in all phases: no choice to be made.
+                    self.base[i] = Some(legs[0]);
+                    return;
+                }
                 let id = self.reserve_choose(i);
-                self.connect_choose(i, id);
+                self.connect_choose(i, id, legs);
                 return;
             }
             Op::ScanOr => {
@@ -595,10 +602,17 @@ impl Lowered<'_> {
         id
     }
 
-    fn connect_choose(&mut self, i: usize, id: SignalId) {
+    fn connect_choose(&mut self, i: usize, id: SignalId, legs: Vec<SignalId>) {
+        let select = self.fetch(self.unit.nodes[i].args[0].0, self.schedule.slots[i].start);
+        let args = std::iter::once(select).chain(legs).collect();
+        self.out.module.signals[id.0].driver = Driver::Combinational { op: Op::Select, args };
+    }
+
+    /// The legs of a choice, each as it is in the clocks in which it is read.
+    fn legs(&mut self, i: usize) -> Vec<SignalId> {
         let unit = Rc::clone(self.unit);
         let node = &unit.nodes[i];
-        let Op::Choose { lagged } = &node.op else { unreachable!("only choices are connected") };
+        let Op::Choose { lagged } = &node.op else { unreachable!("only choices have legs") };
         let slot = self.schedule.slots[i];
         let lag_clocks = self.schedule.lag_clocks();
         let mut legs = vec![];
@@ -611,28 +625,20 @@ impl Lowered<'_> {
             };
             let lag = if *is_lagged { lag_clocks } else { 0 };
             let (first, last) = (slot.start + first as i32 + lag, slot.start + last as i32 + lag);
-            legs.push(Some(self.leg(arg, first, last, *is_lagged, lagged.len())));
+            let registered = *is_lagged || slot.registered;
+            legs.push(Some(self.leg(arg, first, last, registered, lagged.len())));
         }
         let any = legs.iter().flatten().next().copied().expect("some leg is read");
-        let legs: Vec<SignalId> = legs.into_iter().map(|l| l.unwrap_or(any)).collect();
-        let driver = if legs.iter().all(|l| *l == legs[0]) {
-            // One signal in all phases: a wire.
-            let ty = self.out.ty(legs[0]);
-            Driver::Combinational { op: Op::Resize(Type { bits: node.ty.bits, ..ty }), args: vec![legs[0]] }
-        } else {
-            let select = self.fetch(node.args[0].0, slot.start);
-            Driver::Combinational { op: Op::Select, args: std::iter::once(select).chain(legs).collect() }
-        };
-        self.out.module.signals[id.0].driver = driver;
+        legs.into_iter().map(|l| l.unwrap_or(any)).collect()
     }
 
     /// A leg of a choice, read from clock `first` to clock `last`.
-    fn leg(&mut self, arg: usize, first: i32, last: i32, lagged: bool, legs: usize) -> SignalId {
+    fn leg(&mut self, arg: usize, first: i32, last: i32, registered: bool, legs: usize) -> SignalId {
         let slot = self.schedule.slots[arg];
         if slot.from == i32::MIN || slot.until == i32::MAX {
             return self.fetch(arg, first);
         }
-        let direct = if lagged { slot.ns <= self.launch } else { (self.fits)(slot.ns + self.mux_delay(legs)) };
+        let direct = if registered { slot.ns <= self.launch } else { (self.fits)(slot.ns + self.mux_delay(legs)) };
         if direct && slot.from <= first && last < slot.until {
             return self.base[arg].expect("operands come first");
         }
@@ -648,7 +654,9 @@ impl Lowered<'_> {
     fn operand(&mut self, arg: usize, clock: i32, registered: bool) -> SignalId {
         let slot = self.schedule.slots[arg];
         let per_pair = slot.from != i32::MIN && slot.until != i32::MAX;
-        if per_pair && registered && slot.ns > self.launch {
+        // The scheduler counts on a whole interval from here.
+        let lasts = slot.until >= clock.saturating_add(self.interval());
+        if per_pair && registered && (slot.ns > self.launch || !lasts) {
             return self.hold(arg, clock, clock);
         }
         self.fetch(arg, clock)
@@ -656,7 +664,7 @@ impl Lowered<'_> {
 
     /// The node that carries the value of node `i` in hardware.
     fn carrier(&self, mut i: usize) -> usize {
-        while matches!(self.unit.nodes[i].op, Op::Assert(..) | Op::Fact(_)) {
+        while self.unit.renames(i) {
             i = self.unit.nodes[i].args[0].0;
         }
         i

@@ -149,6 +149,7 @@ impl Pass<'_> {
         if !self.lagged_legs_arrive(&slots) {
             return None;
         }
+        self.move_later(&mut slots);
         let unit = self.unit;
         let latency = unit.outputs.iter().map(|o| slots[o.1 .0].from).max().unwrap_or(0).max(0);
         let late = unit.outputs.iter().map(|o| slots[o.1 .0]).filter(|s| s.from == latency);
@@ -188,7 +189,7 @@ impl Pass<'_> {
                 Slot { start: 0, from: 0, until, ns: self.launch(), registered: false }
             }
             Op::Constant(_) => Slot::ALWAYS,
-            Op::Assert(..) | Op::Fact(_) => slots[node.args[0].0],
+            _ if self.unit.renames(i) => slots[node.args[0].0],
             Op::Phase(..) => Slot { ns: self.launch(), ..Slot::ALWAYS },
             Op::Hold { phase, lagged } => {
                 let arg = slots[node.args[0].0];
@@ -295,6 +296,73 @@ impl Pass<'_> {
             }
             if clock == before {
                 return Slot { start: clock, from: clock, until: i32::MAX, ns: ns + delay, registered: false };
+            }
+        }
+    }
+
+    /// Moves nodes towards their uses where that saves register bits: choices, because a per-pair value waits for
+    /// less than a stream does, and operations whose result is wider than what it takes to keep their operands.
+    fn move_later(&self, slots: &mut [Slot]) {
+        let nodes = &self.unit.nodes;
+        let mut users: Vec<Vec<usize>> = vec![vec![]; nodes.len()];
+        for (i, node) in nodes.iter().enumerate() {
+            for arg in &node.args {
+                users[arg.0].push(i);
+            }
+        }
+        let latency = self.unit.outputs.iter().map(|o| slots[o.1 .0].from).max().unwrap_or(0);
+        let mut fixed = vec![false; nodes.len()];
+        for output in &self.unit.outputs {
+            fixed[output.1 .0] = true;
+        }
+        for probe in &self.unit.probes {
+            fixed[probe.0 .0] = true;
+        }
+        let passes_on = |op: &Op| !matches!(op, Op::Hold { .. } | Op::Choose { .. } | Op::ScanOr | Op::Output(_));
+        for i in (0..nodes.len()).rev() {
+            let slot = slots[i];
+            let movable = !fixed[i]
+                && slot.from != i32::MIN
+                && slot.until == i32::MAX
+                && slot.from == slot.start
+                && !users[i].is_empty()
+                && users[i].iter().all(|u| passes_on(&nodes[*u].op) && !self.unit.renames(*u));
+            if !movable {
+                continue;
+            }
+            let first_use = users[i].iter().map(|u| slots[*u].start).min().unwrap_or(latency);
+            match &nodes[i].op {
+                Op::Choose { lagged } => {
+                    // A value that is the same in all phases is read where it is used; a choice is made a clock before.
+                    let one = lagged.len() == 1;
+                    let start = first_use - i32::from(!one);
+                    if start > slot.start && !lagged.contains(&true) {
+                        let ns = self.launch() + self.device.mux(lagged.len());
+                        slots[i] = Slot { start, from: start, ns, registered: true, ..slot };
+                    }
+                }
+                Op::Input | Op::Instance(_) | Op::Multiply | Op::ScanOr | Op::Hold { .. } | Op::Output(_) => {}
+                _ if self.unit.renames(i) => {}
+                op => {
+                    let start = first_use - 1;
+                    let args = nodes[i].args.iter().map(|a| a.0).filter(|a| slots[*a].from != i32::MIN);
+                    let args: Vec<usize> = args.collect();
+                    if start <= slot.start || args.iter().any(|a| slots[*a].until != i32::MAX) {
+                        continue;
+                    }
+                    let kept = |a: usize| {
+                        let last = users[a].iter().map(|u| slots[*u].start).max().unwrap_or(0);
+                        let last = if fixed[a] { last.max(latency) } else { last };
+                        i64::from((start - last.max(slots[a].from)).max(0)) * i64::from(nodes[a].ty.bits)
+                    };
+                    let cost: i64 = args.iter().map(|a| kept(*a)).sum();
+                    let gain = i64::from(start - slot.start) * i64::from(nodes[i].ty.bits);
+                    if cost < gain {
+                        let types: Vec<Type> = nodes[i].args.iter().map(|a| self.unit.node(*a).ty).collect();
+                        let ns = self.launch() + delay(self.device, op, &types, nodes[i].ty);
+                        slots[i] = Slot { start, from: start, ns, registered: true, ..slot };
+                    }
+                }
             }
         }
     }

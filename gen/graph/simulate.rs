@@ -187,7 +187,8 @@ impl Simulation {
                 args[i] = self.lanes[*a].get(t);
                 types[i] = self.cells[*a].ty;
             }
-            return op.apply(&args[..c.args.len()], &types[..c.args.len()], c.ty);
+            let value = op.apply(&args[..c.args.len()], &types[..c.args.len()], c.ty);
+            return if matches!(op, Op::Resize(_)) { wrap(value, c.ty) } else { value };
         }
         let args: Vec<i128> = c.args.iter().map(|a| self.lanes[*a].get(t)).collect();
         let types: Vec<Type> = c.args.iter().map(|a| self.cells[*a].ty).collect();
@@ -304,7 +305,8 @@ impl Simulation {
                     Op::SignBit => each.for_each(|(z, a)| *z = i64::from(*a < 0)),
                     Op::AnyBit => each.for_each(|(z, a)| *z = i64::from(*a != 0)),
                     Op::Magnitude => each.for_each(|(z, a)| *z = a.abs()),
-                    Op::Resize(_) | Op::Reinterpret(_) => z.copy_from_slice(a),
+                    Op::Resize(to) => each.for_each(|(z, a)| *z = wrap(i128::from(*a), *to) as i64),
+                    Op::Reinterpret(_) => z.copy_from_slice(a),
                     Op::Floor(drop) => each.for_each(|(z, a)| *z = a >> drop),
                     Op::Append(zeros) => each.for_each(|(z, a)| *z = a << zeros),
                     Op::LowBits(bits) => each.for_each(|(z, a)| *z = a & ((1i64 << bits) - 1)),
@@ -339,6 +341,17 @@ impl Simulation {
             _ => return false,
         }
         true
+    }
+}
+
+/// The bits of a value in a type. Only in slots without a pair, or in phases that nobody reads, does this cut anything:
+/// elsewhere range analysis has shown that the value fits.
+fn wrap(value: i128, to: Type) -> i128 {
+    let low = value & ((1 << to.bits) - 1);
+    if to.signed && low >> (to.bits - 1) == 1 {
+        low - (1 << to.bits)
+    } else {
+        low
     }
 }
 

@@ -93,6 +93,19 @@ impl Unit {
             })
     }
 
+    /// Whether a node is its first operand under another name, format or bound: no hardware.
+    pub fn renames(&self, node: usize) -> bool {
+        let node = &self.nodes[node];
+        match &node.op {
+            Op::Assert(..) | Op::Fact(_) | Op::Reinterpret(_) => true,
+            Op::Resize(to) => {
+                let from = self.node(node.args[0]).ty;
+                (from.signed, from.bits) == (to.signed, to.bits)
+            }
+            _ => false,
+        }
+    }
+
     /// Index of the output port of that name.
     ///
     /// # Panics

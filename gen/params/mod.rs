@@ -4,9 +4,12 @@
 //! [`Formats`]; nothing else decides a width.
 
 mod formats;
+pub mod options;
 
 pub use crate::number::Upper;
 pub use formats::{AxisKind, Clamp, Formats, Row};
+
+use std::ops::RangeInclusive;
 
 /// Which separating axes are tested.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -118,19 +121,23 @@ impl Params {
     /// The first option outside its range, with the legal range.
     pub fn validate(&self) -> Result<(), ParamError> {
         let (n, k) = (self.width, self.int_bits);
-        let range = |option, found: u32, low: u32, high: u32, why: &str| {
-            if (low..=high).contains(&found) {
+        let range = |option, found: u32, legal: RangeInclusive<u32>, why: &str| {
+            if legal.contains(&found) {
                 return Ok(());
             }
-            Err(ParamError { option, found: found.to_string(), legal: format!("legal is {low} to {high}{why}") })
+            let legal = format!("legal is {} to {}{why}", legal.start(), legal.end());
+            Err(ParamError { option, found: found.to_string(), legal })
         };
-        range("width", n, 6, 32, "")?;
-        range("int-bits", k, 4, 8.min(n - 2), &format!(" (4 to 8, at most width - 2 = {})", n - 2))?;
-        range("transform-width", self.transform_width, n, 48, &format!(" (at least --width {n})"))?;
+        range("width", n, options::WIDTH, "")?;
+        let (least, most) = options::INT_BITS.into_inner();
+        let why = format!(" ({least} to {most}, at most width - 2 = {})", n - 2);
+        range("int-bits", k, least..=most.min(n - 2), &why)?;
+        let widths = n..=options::TRANSFORM_WIDTH;
+        range("transform-width", self.transform_width, widths, &format!(" (at least --width {n})"))?;
         let axes = self.axes.count() as u32;
-        range("axes-per-clock", self.axes_per_clock as u32, 1, axes, &format!(" (--axes {axes})"))?;
-        range("frequency", self.frequency, 20, 250, " MHz")?;
-        range("tag-width", self.tag_width, 0, 64, "")
+        range("axes-per-clock", self.axes_per_clock as u32, 1..=axes, &format!(" (--axes {axes})"))?;
+        range("frequency", self.frequency, options::FREQUENCY, " MHz")?;
+        range("tag-width", self.tag_width, options::TAG_WIDTH, "")
     }
 
     /// Initiation interval in clocks: one pair every ceil(axes / axes per clock).
@@ -192,7 +199,8 @@ mod tests {
 
     #[test]
     fn every_option_outside_its_range_is_named() {
-        let cases: [(fn(&mut Params), &str); 9] = [
+        type Change = fn(&mut Params);
+        let cases: [(Change, &str); 9] = [
             (|p| p.width = 5, "--width 5: legal is 6 to 32"),
             (|p| p.width = 33, "--width 33: legal is 6 to 32"),
             (|p| p.int_bits = 3, "--int-bits 3: legal is 4 to 8 (4 to 8, at most width - 2 = 16)"),

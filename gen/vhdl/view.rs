@@ -1,6 +1,6 @@
 //! What the entity template prints: ready text, in order.
 
-use super::expression::{literal, port_type, raw, type_name, Expression, Printer};
+use super::expression::{literal, port_type, type_name, Expression, Printer};
 use super::names::{self, Clash};
 use crate::graph::netlist::{Driver, Module, Signal, SignalId};
 use crate::graph::{Op, Type};
@@ -362,21 +362,4 @@ fn processes(printer: &Printer) -> Vec<Process> {
     }
     all.extend(memories);
     all
-}
-
-/// Whether a port's signal may be read where it stands (never an output).
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn outputs_are_never_read_back() {
-        let design = crate::design::Design::new(&crate::params::Params::default(), false).unwrap();
-        for module in design.top.hierarchy() {
-            for (name, id) in &module.outputs {
-                assert_ne!(*name, module.signal(*id).name);
-                assert!(!module.signals.iter().any(|s| s.name == *name && !raw(s)));
-            }
-        }
-    }
 }

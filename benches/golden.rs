@@ -1,0 +1,53 @@
+//! Speed of the reference model and of the exact oracle on random pairs: pairs per second on one core.
+
+use std::hint::black_box;
+
+use criterion::{criterion_group, criterion_main, Criterion, Throughput};
+use efsat::golden::host::{loose_pair, Host};
+use efsat::golden::{sample, Golden, Pair, Pose};
+use efsat::params::Params;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+
+const PAIRS: usize = 4096;
+
+fn verdict(c: &mut Criterion) {
+    let mut group = c.benchmark_group("golden");
+    group.throughput(Throughput::Elements(PAIRS as u64));
+    for (name, width, transform_width) in [("width 18", 18, 32), ("width 32", 32, 48)] {
+        let params = Params { width, transform_width, ..Params::default() };
+        let golden = Golden::new(&params);
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        let queries: Vec<(Pose, Pair)> = (0..PAIRS)
+            .map(|_| {
+                let pose = sample::random_pose(&mut rng, &params);
+                (pose, sample::random_pair_under(&mut rng, &params, &pose))
+            })
+            .collect();
+        group.bench_function(format!("verdict, {name}"), |b| {
+            b.iter(|| queries.iter().map(|(pose, pair)| golden.verdict(black_box(pose), pair) as u64).sum::<u64>());
+        });
+        group.bench_function(format!("outcome, {name}"), |b| {
+            b.iter(|| queries.iter().map(|(pose, pair)| golden.outcome(black_box(pose), pair).separated).max());
+        });
+    }
+    group.finish();
+}
+
+fn exact(c: &mut Criterion) {
+    let mut group = c.benchmark_group("points");
+    group.throughput(Throughput::Elements(PAIRS as u64));
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    let points: Vec<[[f64; 3]; 6]> = (0..PAIRS).map(|_| sample::random_points(&mut rng)).collect();
+    group.bench_function("exact::pair", |b| {
+        b.iter(|| points.iter().map(|p| efsat::exact::pair(black_box(p)) as u64).sum::<u64>());
+    });
+    let params = Params::default();
+    group.bench_function("host::loose_pair", |b| {
+        b.iter(|| points.iter().filter(|p| matches!(loose_pair(black_box(p), &params), Host::Unit(_))).count());
+    });
+    group.finish();
+}
+
+criterion_group!(benches, verdict, exact);
+criterion_main!(benches);

@@ -1,0 +1,105 @@
+//! The generated testbench: strict VHDL-93, driven by a [vector file](super::vectors).
+//!
+//! It runs all vectors at full speed, then the first [`PACED`] again with random gaps and back-pressure. Both passes
+//! are one clocked process, so that the built-in simulator can do the same, clock for clock.
+
+use super::vectors::{answer_word, formats_line, pair_word, pose_word, Word};
+use crate::design::top::{Channel, Design};
+use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
+use crate::params::Params;
+use askama::Template;
+
+/// Pairs of the second pass.
+pub const PACED: usize = 96;
+
+/// Clocks of reset.
+pub const RESET_CLOCKS: usize = 4;
+
+/// Name of the testbench entity.
+pub const NAME: &str = "efsat_tb";
+
+/// A port of the top and the part of a word behind it.
+struct Field {
+    port: String,
+    high: u32,
+    low: u32,
+    single: bool,
+}
+
+#[derive(Template)]
+#[template(path = "efsat_tb.vhd", escape = "none")]
+struct Testbench {
+    header: Vec<String>,
+    formats: String,
+    paced: usize,
+    reset_clocks: usize,
+    pair: Vec<Field>,
+    pair_high: u32,
+    pose: Vec<Field>,
+    pose_high: u32,
+    answer: Vec<Field>,
+    answer_high: u32,
+    tag_width: u32,
+    tags: u64,
+    half_period: String,
+    patience: usize,
+    latency: usize,
+    interval: usize,
+    probes: Vec<Field>,
+    probe_high: u32,
+}
+
+fn fields(word: &Word) -> Vec<Field> {
+    let mut low = 0;
+    word.fields
+        .iter()
+        .map(|(port, _, bits)| {
+            let field = Field { port: port.clone(), high: low + bits - 1, low, single: *bits == 1 };
+            low += bits;
+            field
+        })
+        .collect()
+}
+
+/// A pair of zeros, to ask for the shape of its word.
+fn blank(p: &Params) -> [Word; 3] {
+    let zero = Input { lo: 0, sticky: false };
+    let pair = Pair { a: [[zero; 3]; 3], b: [[zero; 3]; 3] };
+    let outcome = Outcome { verdict: Verdict::Separate, separated: 0, overlapping: 0 };
+    [pair_word(p, &pair), pose_word(p, &Pose::identity(p)), answer_word(p, &outcome)]
+}
+
+/// The probe ports as one word.
+pub fn probe_word(design: &Design) -> Word {
+    let ports = design.top.outputs.iter().filter(|(name, _)| Design::channel(name) == Channel::Probe);
+    Word { fields: ports.map(|(name, id)| (name.clone(), 0, design.top.signal(*id).ty.bits)).collect() }
+}
+
+/// The text of the testbench, `origin` on top.
+pub fn text(design: &Design, origin: &[String]) -> String {
+    let p = &design.params;
+    let [pair, pose, answer] = blank(p);
+    let probes = probe_word(design);
+    let last = |word: &Word| word.bits().saturating_sub(1);
+    let testbench = Testbench {
+        header: origin.to_vec(),
+        formats: formats_line(p),
+        paced: PACED,
+        reset_clocks: RESET_CLOCKS,
+        pair_high: last(&pair),
+        pose_high: last(&pose),
+        answer_high: last(&answer),
+        probe_high: last(&probes),
+        pair: fields(&pair),
+        pose: fields(&pose),
+        answer: fields(&answer),
+        probes: fields(&probes),
+        tag_width: p.tag_width,
+        tags: 1 << p.tag_width.min(30),
+        half_period: format!("{} ps", 500_000 / p.frequency),
+        patience: 4096 + 4 * design.latency,
+        latency: design.latency,
+        interval: design.interval,
+    };
+    testbench.render().expect("the template renders")
+}

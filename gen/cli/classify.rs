@@ -1,0 +1,246 @@
+//! `efsat classify`.
+
+use super::error::Failure;
+use super::output::{failure, print, print_json, Verdicts};
+use super::params::ParamArguments;
+use super::progress;
+use super::source::{Source, SourceArguments, Stage};
+use crate::exact::{self, Exact};
+use crate::golden::host::{loose_pair, Host};
+use crate::golden::pair_file::Points;
+use crate::golden::{sample, Golden, Pose, Verdict};
+use crate::params::Params;
+use crate::scene::Scene;
+use indicatif::ProgressBar;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+use serde::Serialize;
+use std::io::{self, BufWriter, StdoutLock, Write};
+
+/// Loose pairs that are in work at a time.
+const BATCH: usize = 1 << 14;
+
+/// Answers pairs with the reference model, which is what the unit answers
+///
+/// Prints CSV, `pair,verdict`, pairs counted from 0; the verdicts are separate, intersect and possibly-incorrect. Random
+/// pairs are near contact, coplanar, degenerate or far, at mixed scales, both triangles in one frame.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Pairs: .csv (18 numbers a row: a0 a1 a2 b0 b1 b2, each x y z; optional header), .f64 (the same as raw
+    /// little-endian binary64), - for CSV on standard input; or a scene, .toml
+    #[arg(value_name = "FILE", conflicts_with_all = ["scene", "random", "seed"])]
+    file: Option<String>,
+    #[command(flatten)]
+    source: SourceArguments,
+    /// Adds the exact rational answer (separate, touch or intersect) and fails if a definite verdict is wrong
+    #[arg(long)]
+    exact: bool,
+    /// Print one JSON object instead of rows
+    #[arg(long)]
+    json: bool,
+    /// Print a table of verdicts instead of rows
+    #[arg(long, conflicts_with = "json")]
+    summary: bool,
+    #[command(flatten)]
+    params: ParamArguments,
+}
+
+/// What is known of a pair.
+#[derive(Clone, Copy)]
+struct Answer {
+    verdict: Verdict,
+    host_decided: bool,
+    exact: Option<Exact>,
+}
+
+/// Exact answers as counts.
+#[derive(Default, Serialize)]
+struct ExactCounts {
+    separate: u64,
+    touch: u64,
+    intersect: u64,
+}
+
+/// All counts; also the JSON object.
+#[derive(Default, Serialize)]
+struct Counts {
+    pairs: u64,
+    verdicts: Verdicts,
+    host_decided: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exact: Option<ExactCounts>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    wrong: Option<u64>,
+    #[serde(skip)]
+    first_wrong: Option<u64>,
+}
+
+impl Counts {
+    fn new(exact: bool) -> Self {
+        Self { exact: exact.then(ExactCounts::default), wrong: exact.then_some(0), ..Self::default() }
+    }
+
+    fn add(&mut self, answer: Answer) {
+        self.verdicts.add(answer.verdict);
+        self.host_decided += u64::from(answer.host_decided);
+        if let (Some(exact), Some(counts), Some(wrong)) = (answer.exact, &mut self.exact, &mut self.wrong) {
+            match exact {
+                Exact::Separate => counts.separate += 1,
+                Exact::Touch => counts.touch += 1,
+                Exact::Intersect => counts.intersect += 1,
+            }
+            if answer.verdict != Verdict::PossiblyIncorrect
+                && (answer.verdict == Verdict::Separate) != (exact == Exact::Separate)
+            {
+                *wrong += 1;
+                self.first_wrong.get_or_insert(self.pairs);
+            }
+        }
+        self.pairs += 1;
+    }
+
+    fn table(&self) -> String {
+        let mut text = self.verdicts.table();
+        if self.host_decided > 0 {
+            text.push_str(&format!("{} of them decided on the host\n", self.host_decided));
+        }
+        if let (Some(exact), Some(wrong)) = (&self.exact, self.wrong) {
+            text.push_str(&format!(
+                "exact: {} separate, {} touch, {} intersect; {wrong} wrong definite verdicts\n",
+                exact.separate, exact.touch, exact.intersect
+            ));
+        }
+        text
+    }
+}
+
+/// Takes answers in the order of the pairs: counts them and prints their rows.
+struct Sink {
+    counts: Counts,
+    rows: Option<BufWriter<StdoutLock<'static>>>,
+}
+
+impl Sink {
+    fn new(exact: bool, rows: bool) -> Result<Self, Failure> {
+        let mut rows = rows.then(|| BufWriter::new(io::stdout().lock()));
+        if let Some(rows) = &mut rows {
+            writeln!(rows, "pair,verdict{}", if exact { ",exact" } else { "" }).map_err(failure)?;
+        }
+        Ok(Self { counts: Counts::new(exact), rows })
+    }
+
+    fn take(&mut self, answers: &[Answer]) -> Result<(), Failure> {
+        for answer in answers {
+            if let Some(rows) = &mut self.rows {
+                let (pair, verdict) = (self.counts.pairs, answer.verdict);
+                let written = match answer.exact {
+                    Some(exact) => writeln!(rows, "{pair},{verdict},{exact}"),
+                    None => writeln!(rows, "{pair},{verdict}"),
+                };
+                written.map_err(failure)?;
+            }
+            self.counts.add(*answer);
+        }
+        Ok(())
+    }
+}
+
+/// Answers pairs one by one.
+struct Classifier {
+    golden: Golden,
+    params: Params,
+    identity: Pose,
+    exact: bool,
+}
+
+impl Classifier {
+    fn answer(&self, pose: &Pose, pair: &Host, exact: impl FnOnce() -> Exact) -> Answer {
+        let (verdict, host_decided) = match pair {
+            Host::Unit(pair) => (self.golden.verdict(pose, pair), false),
+            Host::Decided(verdict) => (*verdict, true),
+        };
+        Answer { verdict, host_decided, exact: self.exact.then(exact) }
+    }
+
+    fn loose(&self, points: &[Points]) -> Vec<Answer> {
+        let one = |p: &Points| self.answer(&self.identity, &loose_pair(p, &self.params), || exact::pair(p));
+        points.par_iter().map(one).collect()
+    }
+
+    fn pairs(&self, pairs: &[Points], sink: &mut Sink, bar: &ProgressBar) -> Result<(), Failure> {
+        pairs.chunks(BATCH).try_for_each(|batch| {
+            bar.inc(batch.len() as u64);
+            sink.take(&self.loose(batch))
+        })
+    }
+
+    fn random(&self, count: u64, seed: u64, sink: &mut Sink, bar: &ProgressBar) -> Result<(), Failure> {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut left = count;
+        while left > 0 {
+            let batch: Vec<Points> = (0..left.min(BATCH as u64)).map(|_| sample::random_points(&mut rng)).collect();
+            left -= batch.len() as u64;
+            self.pairs(&batch, sink, bar)?;
+        }
+        Ok(())
+    }
+
+    /// Pose by pose, some poses at a time, so that memory does not grow with their number.
+    fn scene(&self, scene: &Scene, sink: &mut Sink, bar: &ProgressBar) -> Result<(), Failure> {
+        let stage = Stage::new(scene, &self.params);
+        let one = |pose: usize| -> Vec<Answer> {
+            let pairs = stage.broad_phase.pairs(pose);
+            if pairs.is_empty() {
+                return vec![];
+            }
+            let posed = stage.posed(pose);
+            let answer = |&pair: &(u32, u32)| self.answer(&posed.host.pose, &posed.pair(pair), || posed.exact(pair));
+            pairs.par_iter().map(answer).collect()
+        };
+        let poses: Vec<usize> = (0..stage.poses()).collect();
+        for batch in poses.chunks(4 * rayon::current_num_threads()) {
+            let answers: Vec<Vec<Answer>> = batch.par_iter().map(|&pose| one(pose)).collect();
+            answers.iter().try_for_each(|answers| sink.take(answers))?;
+            bar.inc(batch.len() as u64);
+        }
+        Ok(())
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let params = arguments.params.params()?;
+    let given = match (&arguments.file, &arguments.source) {
+        (Some(name), _) => Some(Source::file(name)?),
+        (None, SourceArguments { scene: Some(name), .. }) => Some(Source::scene(name)?),
+        (None, SourceArguments { random: Some(_), .. }) => None,
+        _ => return Err(Failure::Usage("no pairs: legal is one of FILE, --scene FILE and --random N".to_owned())),
+    };
+    let rows = !arguments.json && !arguments.summary;
+    let mut sink = Sink::new(arguments.exact, rows)?;
+    let classifier =
+        Classifier { golden: Golden::new(&params), identity: Pose::identity(&params), params, exact: arguments.exact };
+    let bar = |steps: u64, what| progress::bar(steps, what, rows);
+    match (&given, arguments.source.random) {
+        (Some(Source::Pairs(pairs)), _) => classifier.pairs(pairs, &mut sink, &bar(pairs.len() as u64, "pairs"))?,
+        (Some(Source::Scene(scene)), _) => {
+            classifier.scene(scene, &mut sink, &bar(scene.poses.len() as u64, "poses"))?;
+        }
+        (None, count) => {
+            let count = count.unwrap_or_default();
+            classifier.random(count, arguments.source.seed, &mut sink, &bar(count, "pairs"))?;
+        }
+    }
+    let Sink { counts, rows } = sink;
+    match rows {
+        Some(mut rows) => rows.flush().map_err(failure)?,
+        None if arguments.json => print_json(&counts)?,
+        None => print(&counts.table())?,
+    }
+    match (counts.wrong, counts.first_wrong) {
+        (Some(wrong), Some(first)) => {
+            Err(Failure::Check(format!("{wrong} wrong definite verdicts, the first is that of pair {first}")))
+        }
+        _ => Ok(()),
+    }
+}

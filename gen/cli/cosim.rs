@@ -1,0 +1,238 @@
+//! `efsat cosim`.
+
+use super::error::Failure;
+use super::output::{print, print_json, Verdicts};
+use super::params::{choice, whole, ParamArguments};
+use super::progress;
+use super::source::{count, Source, SourceArguments, Stage};
+use crate::artefact::Stimulus;
+use crate::cosim::{self, Options, Report, Simulator};
+use crate::golden::host::{loose_pair, Host};
+use crate::golden::pair_file::Points;
+use crate::golden::{Pair, Pose, Verdict};
+use crate::params::{options::Choice, Params};
+use crate::scene::Scene;
+use rayon::prelude::*;
+use serde::Serialize;
+use std::path::PathBuf;
+
+/// Random pairs where nothing else is asked for.
+const RANDOM: u64 = 1000;
+/// The most random pairs: they are in memory at once.
+const MOST_RANDOM: u32 = 1_000_000;
+/// Pairs of a scene where no limit is given.
+const SCENE_LIMIT: u64 = 2000;
+
+/// Generates the design, simulates it and compares every output bit with the reference model
+///
+/// Without a source of pairs: --random 1000 --seed 1. Random pairs are made as the unit reads them: 16 each under one
+/// random pose, about a quarter of pairs and poses at the corners of the declared ranges, the rest near contact under
+/// the pose.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Pairs of a file: .csv, .f64 or - as for classify, or a scene, .toml
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "random", "seed"])]
+    pairs: Option<String>,
+    #[command(flatten)]
+    source: SourceArguments,
+    /// Take an evenly spread sample of N pairs of a file or scene [default: 2000 of a scene, all of a file]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true, conflicts_with = "random")]
+    limit: Option<u64>,
+    /// What runs the design
+    #[arg(long, value_name = "NAME", default_value = "ghdl", value_parser = choice::<Simulator>())]
+    simulator: Simulator,
+    /// Leave design, vectors and logs in DIR
+    #[arg(long, value_name = "DIR")]
+    keep: Option<PathBuf>,
+    /// Write a waveform (.ghw or .vcd)
+    #[arg(long, value_name = "FILE")]
+    wave: Option<PathBuf>,
+    /// Compare inner nodes too
+    #[arg(long)]
+    probe: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    params: ParamArguments,
+}
+
+impl Choice for Simulator {
+    const ALL: &'static [Self] = &[Self::Ghdl, Self::Nvc, Self::Builtin];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Ghdl => "ghdl",
+            Self::Nvc => "nvc",
+            Self::Builtin => "builtin",
+        }
+    }
+}
+
+/// The JSON object.
+#[derive(Serialize)]
+struct Summary<'a> {
+    vectors: u64,
+    mismatches: u64,
+    host_decided: u64,
+    verdicts: Verdicts,
+    initiation_interval: u64,
+    latency: u64,
+    cycles: u64,
+    total_clocks: u64,
+    simulator: &'a str,
+    seconds: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    first_mismatch: Option<&'a str>,
+}
+
+/// What the unit is driven with, and what the host has decided before.
+#[derive(Default)]
+struct Job {
+    stimulus: Stimulus,
+    decided: Vec<Verdict>,
+}
+
+impl Job {
+    fn segment(&mut self, pose: Pose, hosts: impl Iterator<Item = Host>) {
+        let mut pairs: Vec<Pair> = vec![];
+        for host in hosts {
+            match host {
+                Host::Unit(pair) => pairs.push(pair),
+                Host::Decided(verdict) => self.decided.push(verdict),
+            }
+        }
+        if !pairs.is_empty() {
+            self.stimulus.segments.push((pose, pairs));
+        }
+    }
+
+    fn pairs(params: &Params, pairs: &[Points], limit: Option<u64>) -> Self {
+        let total = pairs.len() as u64;
+        let mut job = Self::default();
+        let chosen = spread(total, limit.unwrap_or(total));
+        job.segment(Pose::identity(params), chosen.map(|i| loose_pair(&pairs[i as usize], params)));
+        job
+    }
+
+    /// Counts the candidate pairs of all poses, chooses, and makes only those that are chosen.
+    fn scene(params: &Params, scene: &Scene, limit: u64) -> Self {
+        let stage = Stage::new(scene, params);
+        let poses = stage.poses();
+        let bar = progress::bar(poses as u64, "poses", false);
+        let counts: Vec<u64> = (0..poses)
+            .into_par_iter()
+            .map(|pose| {
+                bar.inc(1);
+                stage.broad_phase.pairs(pose).len() as u64
+            })
+            .collect();
+        let mut chosen = spread(counts.iter().sum(), limit).peekable();
+        let mut job = Self::default();
+        let mut start = 0;
+        for (pose, count) in counts.into_iter().enumerate() {
+            let here: Vec<u64> = std::iter::from_fn(|| chosen.next_if(|i| *i < start + count)).collect();
+            if !here.is_empty() {
+                let (pairs, posed) = (stage.broad_phase.pairs(pose), stage.posed(pose));
+                job.segment(posed.host.pose, here.into_iter().map(|i| posed.pair(pairs[(i - start) as usize])));
+            }
+            start += count;
+        }
+        job
+    }
+}
+
+/// `limit` numbers below `total`, evenly spread and ascending; all of them if there are no more.
+fn spread(total: u64, limit: u64) -> impl Iterator<Item = u64> {
+    let count = limit.min(total);
+    (0..count).map(move |i| (u128::from(i) * u128::from(total) / u128::from(count)) as u64)
+}
+
+fn job(arguments: &Arguments, params: &Params) -> Result<Job, Failure> {
+    let source = match (&arguments.pairs, &arguments.source.scene) {
+        (Some(name), _) => Source::file(name)?,
+        (None, Some(name)) => Source::scene(name)?,
+        (None, None) => {
+            let count = arguments.source.random.unwrap_or(RANDOM).to_string();
+            let count = whole(1..=MOST_RANDOM)(&count).map_err(|e| Failure::Usage(format!("--random {count}: {e}")))?;
+            let stimulus = Stimulus::random(params, count as usize, arguments.source.seed);
+            return Ok(Job { stimulus, decided: vec![] });
+        }
+    };
+    Ok(match source {
+        Source::Pairs(pairs) => Job::pairs(params, &pairs, arguments.limit),
+        Source::Scene(scene) => Job::scene(params, &scene, arguments.limit.unwrap_or(SCENE_LIMIT)),
+    })
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let params = arguments.params.params()?;
+    let Job { stimulus, decided } = job(arguments, &params)?;
+    let options = Options {
+        simulator: arguments.simulator,
+        keep: arguments.keep.clone(),
+        wave: arguments.wave.clone(),
+        probe: arguments.probe,
+    };
+    let spinner = progress::spinner("simulating");
+    let report = cosim::run(&params, &params.command_line(), &stimulus, &options)?;
+    spinner.finish_and_clear();
+
+    let [separate, intersect, possibly_incorrect] = report.verdicts;
+    let mut verdicts = Verdicts { separate, intersect, possibly_incorrect };
+    decided.iter().for_each(|verdict| verdicts.add(*verdict));
+    let host_decided = decided.len() as u64;
+    if arguments.json {
+        print_json(&Summary {
+            vectors: report.vectors,
+            mismatches: report.mismatches,
+            host_decided,
+            verdicts,
+            initiation_interval: report.initiation_interval,
+            latency: report.latency,
+            cycles: report.cycles,
+            total_clocks: report.total_clocks,
+            simulator: &report.simulator,
+            seconds: report.seconds,
+            first_mismatch: report.first_mismatch.as_deref(),
+        })?;
+    } else {
+        print(&text(&report, &verdicts, host_decided))?;
+    }
+    match report.mismatches {
+        0 => Ok(()),
+        n => {
+            let first = report.first_mismatch.unwrap_or_else(|| "unknown".to_owned());
+            Err(Failure::Check(format!("{n} mismatches in {} vectors, the first: {first}", report.vectors)))
+        }
+    }
+}
+
+fn text(report: &Report, verdicts: &Verdicts, host_decided: u64) -> String {
+    let mut text = verdicts.table();
+    if host_decided > 0 {
+        text.push_str(&format!("{host_decided} of them decided on the host\n"));
+    }
+    text.push_str(&format!(
+        "one pair every {} clocks, verdict after {} clocks; {} clocks at full speed, {:.1} s in {}\n",
+        report.initiation_interval, report.latency, report.cycles, report.seconds, report.simulator
+    ));
+    if report.mismatches == 0 {
+        text.push_str(&format!("All {} vectors agree bit for bit.\n", report.vectors));
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sample_is_evenly_spread() {
+        let all = |total, limit| spread(total, limit).collect::<Vec<_>>();
+        assert_eq!(all(10, 5), [0, 2, 4, 6, 8]);
+        assert_eq!(all(3, 5), [0, 1, 2]);
+        assert_eq!(all(7, 3), [0, 2, 4]);
+        assert!(all(0, 3).is_empty());
+    }
+}

@@ -1,0 +1,82 @@
+//! Why a command ends without success.
+
+use crate::artefact::FileSetError;
+use crate::cosim::CosimError;
+use crate::design::top::DesignError;
+use crate::golden::pair_file::PairFileError;
+use crate::scene::SceneError;
+use clap::error::ErrorKind;
+
+/// Why a command ends early or without success.
+#[derive(Debug)]
+pub(super) enum Failure {
+    /// A check failed: exit status 1.
+    Check(String),
+    /// The command line or an input file is wrong: exit status 2.
+    Usage(String),
+    /// Standard output was closed by its reader.
+    Closed,
+}
+
+impl From<DesignError> for Failure {
+    fn from(e: DesignError) -> Self {
+        match e {
+            DesignError::Param(_) | DesignError::Device(_) => Self::Usage(e.to_string()),
+            DesignError::Range(_) => Self::Check(e.to_string()),
+        }
+    }
+}
+
+impl From<CosimError> for Failure {
+    fn from(e: CosimError) -> Self {
+        match e {
+            CosimError::Design(e) => e.into(),
+            e if e.is_usage() => Self::Usage(e.to_string()),
+            e => Self::Check(e.to_string()),
+        }
+    }
+}
+
+impl From<FileSetError> for Failure {
+    fn from(e: FileSetError) -> Self {
+        Self::Usage(e.to_string())
+    }
+}
+
+impl From<PairFileError> for Failure {
+    fn from(e: PairFileError) -> Self {
+        Self::Usage(e.to_string())
+    }
+}
+
+impl From<SceneError> for Failure {
+    fn from(e: SceneError) -> Self {
+        Self::Usage(e.to_string())
+    }
+}
+
+/// What clap says, on one line: without its usage and its hint at `--help`.
+pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
+    if e.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
+        return Failure::Usage(format!("no command: legal is one of {}", commands.join(", ")));
+    }
+    let text = e.render().to_string();
+    let text = text.strip_prefix("error: ").unwrap_or(&text);
+    let told = |line: &&str| !line.is_empty() && !line.starts_with("For more information");
+    let lines = text.lines().map(str::trim).take_while(|line| !line.starts_with("Usage:")).filter(told);
+    let mut message = String::new();
+    for line in lines {
+        let values = line.strip_prefix("[possible values: ").and_then(|rest| rest.strip_suffix(']'));
+        match (values, message.is_empty()) {
+            (Some(values), _) => message.push_str(&format!(": legal is one of {values}")),
+            (None, true) => message.push_str(line),
+            (None, false) => message.push_str(&format!("; {line}")),
+        }
+    }
+    match e.kind() {
+        ErrorKind::UnknownArgument => message.push_str("; legal ones are listed by --help"),
+        ErrorKind::InvalidSubcommand => message.push_str(&format!("; legal is one of {}", commands.join(", "))),
+        _ => {}
+    }
+    Failure::Usage(message)
+}

@@ -1,0 +1,55 @@
+//! `efsat generate`.
+
+use super::error::Failure;
+use super::output::print;
+use super::params::ParamArguments;
+use crate::artefact::{design_files, FileSet};
+use crate::design::Design;
+use std::path::{Path, PathBuf};
+
+/// Writes the design: VHDL, testbench, vectors, ISE projects and a manifest
+///
+/// DIR may be absent, empty, or written by efsat before; files in it that efsat did not write stay. Everything or
+/// nothing is written.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Directory of the design
+    #[arg(long, value_name = "DIR", default_value = "rtl-out")]
+    out: PathBuf,
+    /// Write nothing; fail if DIR differs by a byte from what would be written
+    #[arg(long)]
+    check: bool,
+    #[command(flatten)]
+    params: ParamArguments,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let params = arguments.params.params()?;
+    let design = Design::new(&params, false)?;
+    let set = design_files(&design, &params.command_line()).map_err(|e| Failure::Check(e.to_string()))?;
+    if arguments.check {
+        return check(&set, &arguments.out);
+    }
+    set.write(&arguments.out)?;
+    print(&format!(
+        "{}: {} files\n{} multipliers, {} register bits on {} at {} MHz\none pair every {} clocks, verdict after {} \
+         clocks\n",
+        arguments.out.display(),
+        set.len(),
+        design.top.multipliers(),
+        design.top.register_bits(),
+        design.device.name,
+        params.frequency,
+        design.interval,
+        design.latency,
+    ))
+}
+
+fn check(set: &FileSet, dir: &Path) -> Result<(), Failure> {
+    let differences = set.check(dir)?;
+    if differences.is_empty() {
+        return print(&format!("{}: {} files, all as generated\n", dir.display(), set.len()));
+    }
+    let names: Vec<String> = differences.iter().map(ToString::to_string).collect();
+    Err(Failure::Check(format!("{} is not as generated: {}", dir.display(), names.join(", "))))
+}

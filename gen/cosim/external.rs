@@ -1,0 +1,211 @@
+//! GHDL and nvc: write design, testbench and vectors to a folder, run, read the result back.
+
+use super::{wave, CosimError, Options, Run, Simulator};
+use crate::artefact::{self, testbench, Stimulus};
+use crate::design::Design;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// The GHDL commands there may be, the fastest simulation first.
+const GHDLS: [&str; 4] = ["ghdl-llvm", "ghdl-gcc", "ghdl-mcode", "ghdl"];
+
+/// Up to so many vectors the back end that compiles fastest is taken, whatever its speed afterwards.
+const FEW: usize = 64;
+
+fn found(command: &str) -> bool {
+    Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success())
+}
+
+fn file_error(path: &Path) -> impl Fn(std::io::Error) -> CosimError + '_ {
+    move |source| CosimError::File { path: path.display().to_string(), source }
+}
+
+/// Writes what is to be kept of a run that needs no files.
+pub(super) fn keep(
+    design: &Design,
+    command_line: &str,
+    stimulus: &Stimulus,
+    options: &Options,
+) -> Result<(), CosimError> {
+    match &options.keep {
+        Some(dir) => write(design, command_line, stimulus, dir).map(|_| ()),
+        None => Ok(()),
+    }
+}
+
+/// Writes the sources into a folder; returns their names in dependency order.
+fn write(design: &Design, command_line: &str, stimulus: &Stimulus, dir: &Path) -> Result<Vec<String>, CosimError> {
+    std::fs::create_dir_all(dir).map_err(file_error(dir))?;
+    let mut sources = artefact::vhdl_files(design, command_line)?;
+    let origin = artefact::origin(command_line);
+    sources.push((format!("{}.vhd", testbench::NAME), testbench::text(design, &origin)));
+    let vectors = artefact::vectors::text(&design.params, stimulus);
+    let names = sources.iter().map(|(name, _)| name.clone()).collect();
+    sources.push((format!("{}.vec", testbench::NAME), vectors));
+    for (name, text) in sources {
+        let path = dir.join(name);
+        std::fs::write(&path, text).map_err(file_error(&path))?;
+    }
+    Ok(names)
+}
+
+/// Runs a command in a folder; its whole output if it succeeds or ran to the end.
+fn call(dir: &Path, command: &str, args: &[String], must: bool) -> Result<String, CosimError> {
+    let failed = |message: String| CosimError::Failed { tool: command.to_owned(), message };
+    let output =
+        Command::new(command).args(args).current_dir(dir).output().map_err(|e| failed(e.to_string()))?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    if must && !output.status.success() {
+        let line = text.lines().find(|l| l.contains("error")).or(text.lines().next()).unwrap_or("failed");
+        return Err(failed(line.to_owned()));
+    }
+    Ok(text)
+}
+
+pub(super) fn run(
+    design: &Design,
+    command_line: &str,
+    stimulus: &Stimulus,
+    options: &Options,
+) -> Result<Run, CosimError> {
+    let command = match options.simulator {
+        Simulator::Nvc if found("nvc") => "nvc",
+        Simulator::Nvc => return Err(CosimError::Missing("nvc", "see https://www.nickg.me.uk/nvc")),
+        _ if stimulus.pairs() <= FEW && found("ghdl-mcode") => "ghdl-mcode",
+        _ => *GHDLS.iter().find(|c| found(c)).ok_or(CosimError::Missing("GHDL", "apt-get install ghdl-llvm"))?,
+    };
+    let temporary;
+    let dir: PathBuf = match &options.keep {
+        Some(dir) => dir.clone(),
+        None => {
+            temporary = artefact::Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
+            temporary.path().to_owned()
+        }
+    };
+    let names = write(design, command_line, stimulus, &dir)?;
+    let dir = dir.canonicalize().map_err(file_error(&dir))?;
+    let wave = options.wave.as_ref().map(|w| absolute(w)).transpose()?;
+    let (text, simulator) = if command == "nvc" {
+        (nvc(&dir, &names, wave.as_deref())?, version(command))
+    } else {
+        (ghdl(command, &dir, &names, wave.as_deref())?, version(command))
+    };
+    if let Some(wave) = &wave {
+        let layout = wave.with_extension("gtkw");
+        std::fs::write(&layout, wave::layout(design, wave)).map_err(file_error(&layout))?;
+    }
+    if options.keep.is_some() {
+        let log = dir.join("simulation.log");
+        std::fs::write(&log, &text).map_err(file_error(&log))?;
+    }
+    let mut run = parse(&text, command)?;
+    run.simulator = simulator;
+    if options.probe {
+        run.probes = probes(design, &dir.join("efsat_tb.probe"))?;
+    }
+    Ok(run)
+}
+
+fn absolute(path: &Path) -> Result<PathBuf, CosimError> {
+    match path.extension().and_then(|e| e.to_str()) {
+        Some("ghw" | "vcd") => std::path::absolute(path).map_err(file_error(path)),
+        _ => Err(CosimError::Option(format!("--wave {}: legal is a file ending in .ghw or .vcd", path.display()))),
+    }
+}
+
+fn version(command: &str) -> String {
+    let output = Command::new(command).arg("--version").output().map(|o| o.stdout).unwrap_or_default();
+    let line = String::from_utf8_lossy(&output).lines().next().unwrap_or_default().to_owned();
+    let words: Vec<&str> = line.split_whitespace().take(2).collect();
+    format!("{command} ({})", words.join(" "))
+}
+
+/// Strict VHDL-93; metavalue warnings are let through from the first clock on.
+fn ghdl(command: &str, dir: &Path, names: &[String], wave: Option<&Path>) -> Result<String, CosimError> {
+    let strings = |args: &[&str]| args.iter().map(|a| (*a).to_owned()).collect::<Vec<_>>();
+    let mut analyse = strings(&["-a", "--std=93"]);
+    let optimise = command == "ghdl-llvm" || command == "ghdl-gcc";
+    if optimise {
+        analyse.push("-O2".to_owned());
+    }
+    analyse.extend(names.iter().cloned());
+    call(dir, command, &analyse, true)?;
+    call(dir, command, &strings(&["-e", "--std=93", testbench::NAME]), true)?;
+    let mut args = strings(&["-r", "--std=93", testbench::NAME, "--ieee-asserts=disable-at-0"]);
+    if let Some(wave) = wave {
+        let option = if wave.extension().is_some_and(|e| e == "vcd") { "--vcd" } else { "--wave" };
+        args.push(format!("{option}={}", wave.display()));
+    }
+    call(dir, command, &args, false)
+}
+
+fn nvc(dir: &Path, names: &[String], wave: Option<&Path>) -> Result<String, CosimError> {
+    let mut args = vec!["--std=1993".to_owned(), "-a".to_owned()];
+    args.extend(names.iter().cloned());
+    args.extend(["-e", testbench::NAME, "-r", "--ieee-warnings=off-at-0"].map(str::to_owned));
+    if let Some(wave) = wave {
+        if wave.extension().is_some_and(|e| e == "ghw") {
+            return Err(CosimError::Option("--wave: nvc writes .vcd, not .ghw".to_owned()));
+        }
+        args.extend(["--format=vcd".to_owned(), format!("--wave={}", wave.display())]);
+    }
+    call(dir, "nvc", &args, false)
+}
+
+/// Reads the testbench's lines.
+fn parse(text: &str, command: &str) -> Result<Run, CosimError> {
+    let failed = |message: &str| CosimError::Failed { tool: command.to_owned(), message: message.to_owned() };
+    let mut run = Run::default();
+    if let Some(line) = text.lines().find(|l| l.contains("metavalue")) {
+        return Err(failed(line));
+    }
+    let last = text.lines().find_map(|l| l.split_once("efsat_tb: vectors ").map(|x| x.1));
+    let Some(summary) = last else {
+        let line = text.lines().find(|l| l.contains("efsat_tb:") || l.contains("error")).or(text.lines().last());
+        return Err(failed(line.unwrap_or("the testbench said nothing")));
+    };
+    let words: Vec<&str> = summary.split_whitespace().collect();
+    let field = |name: &str| {
+        let place = words.iter().position(|w| *w == name)?;
+        words.get(place + 1)?.parse().ok()
+    };
+    let number = |name: &str| field(name).ok_or_else(|| failed(summary));
+    run.mismatches = number("mismatches")?;
+    run.clocks = number("clocks")?;
+    run.latency = number("latency")?;
+    run.interval = number("interval")?;
+    run.total = number("total")?;
+    let mismatch = text.lines().find_map(|l| l.split_once("efsat_tb: mismatch at ").map(|x| x.1));
+    run.first = mismatch.map(str::to_owned);
+    let complaint = text.lines().find(|l| l.contains("assertion error") || l.contains("Error:"));
+    if let (0, Some(line)) = (run.mismatches, complaint) {
+        return Err(failed(line));
+    }
+    Ok(run)
+}
+
+/// The log of the probe ports: one line a clock.
+fn probes(design: &Design, path: &Path) -> Result<Vec<(bool, Vec<i128>)>, CosimError> {
+    let text = std::fs::read_to_string(path).map_err(file_error(path))?;
+    let word = testbench::probe_word(design);
+    let widths: Vec<usize> = word.fields.iter().map(|f| f.2 as usize).collect();
+    let line = |line: &str| {
+        let (accepted, hex) = line.split_once(' ').unwrap_or((line, ""));
+        let bits: Vec<bool> = hex
+            .bytes()
+            .rev()
+            .flat_map(|c| {
+                let digit = (c as char).to_digit(16).unwrap_or(0);
+                (0..4).map(move |i| (digit >> i) & 1 == 1)
+            })
+            .collect();
+        let mut low = 0;
+        let values = widths.iter().map(|w| {
+            let value = (0..*w).fold(0i128, |v, i| v | (i128::from(bits.get(low + i) == Some(&true)) << i));
+            low += w;
+            value
+        });
+        (accepted == "1", values.collect())
+    };
+    Ok(text.lines().map(line).collect())
+}

@@ -1,0 +1,186 @@
+//! Two meshes under a pose: normalised once, posed per query, read per pair.
+
+use std::borrow::Cow;
+
+use super::boxes::Boxes;
+use super::dyadic::Dyadic;
+use super::Host;
+use crate::golden::{Input, Pair, Pose};
+use crate::params::{Params, Transform};
+
+/// Two meshes, each centred on the exact midpoint of its own box and both scaled by the largest power of two with
+/// which they fit [-1, 1]^3, quantised to the input format.
+#[derive(Clone, Debug)]
+pub struct SceneHost {
+    params: Params,
+    vertices: [Vec<[f64; 3]>; 2],
+    centres: [[Dyadic; 3]; 2],
+    /// The scale is 2^power.
+    power: i64,
+    inputs: [Vec<[Input; 3]>; 2],
+}
+
+/// A scene under one pose: what the unit loads, and every pair by its vertex indices.
+#[derive(Clone, Debug)]
+pub struct ScenePose<'a> {
+    /// The frame change of the unit; bypassed where the host has applied the pose itself.
+    pub pose: Pose,
+    a: &'a [[Input; 3]],
+    b: Cow<'a, [[Input; 3]]>,
+    outside: Outside,
+}
+
+/// Which pairs are outside the declared ranges.
+#[derive(Clone, Debug)]
+enum Outside {
+    None,
+    /// Those that use a marked vertex of B.
+    Vertices(Vec<bool>, Boxes),
+    /// All, because the pose itself is.
+    All(Boxes),
+}
+
+impl SceneHost {
+    /// Normalises and quantises the vertices of the meshes A and B; all coordinates must be finite.
+    pub fn new(a: &[[f64; 3]], b: &[[f64; 3]], params: &Params) -> Self {
+        let boxes = [a, b].map(bounds);
+        let centres = boxes.map(|mesh| mesh.map(|[low, high]| (&Dyadic::from(low) + &Dyadic::from(high)).scaled(-1)));
+        let half = |[low, high]: [f64; 2]| (&Dyadic::from(high) - &Dyadic::from(low)).scaled(-1);
+        let reach = boxes.into_iter().flatten().map(half).max().unwrap_or_else(Dyadic::zero);
+        let power = if reach.is_zero() { 0 } else { -reach.ceil_log2() };
+        let fraction = params.input().fraction as u32;
+        let inputs = [0, 1].map(|side: usize| {
+            let normalised = |vertex: &[f64; 3]| {
+                [0, 1, 2].map(|i| {
+                    (&Dyadic::from(vertex[i]) - &centres[side][i])
+                        .scaled(power)
+                        .quantised(fraction, params.one())
+                        .expect("a vertex lies in the box it was normalised by")
+                })
+            };
+            [a, b][side].iter().map(normalised).collect()
+        });
+        Self { params: params.clone(), vertices: [a.to_vec(), b.to_vec()], centres, power, inputs }
+    }
+
+    /// The scene with B at M * x + t in the frame of A, x a vertex as given; `m` is indexed `[row][column]`, all
+    /// numbers must be finite.
+    ///
+    /// In normalised coordinates the translation becomes t' = s (M c_B + t - c_A), exactly. A unit that cannot do the
+    /// pose (no transform, or a translation only) gets vertices of B to which it has been applied, exactly, before
+    /// quantisation.
+    pub fn pose(&self, m: &[[f64; 3]; 3], t: &[f64; 3]) -> ScenePose<'_> {
+        let unturned = (0..3).all(|i| (0..3).all(|j| m[i][j] == f64::from(i == j)));
+        let motion = Motion { m: m.map(|row| row.map(Dyadic::from)), t: t.map(Dyadic::from) };
+        let shift = self.normalised(&motion.apply(&self.centres[1]));
+        let identity = unturned && shift.iter().all(Dyadic::is_zero);
+        let capable = match self.params.transform {
+            Transform::On => true,
+            Transform::Translate => unturned,
+            Transform::Off => identity,
+        };
+        if !capable {
+            return self.moved(&motion);
+        }
+        let mut scene = ScenePose {
+            pose: Pose::identity(&self.params),
+            a: &self.inputs[0],
+            b: Cow::Borrowed(&self.inputs[1]),
+            outside: Outside::None,
+        };
+        if identity {
+            return scene;
+        }
+        match self.quantised(&motion.m, &shift) {
+            Some(pose) => scene.pose = pose,
+            None => scene.outside = Outside::All(self.boxes(&self.images(&motion))),
+        }
+        scene
+    }
+
+    /// The pose as the unit reads it, if it is inside the declared ranges.
+    fn quantised(&self, m: &[[Dyadic; 3]; 3], t: &[Dyadic; 3]) -> Option<Pose> {
+        let fraction = self.params.input().fraction as u32;
+        let mut pose = Pose::identity(&self.params);
+        pose.bypass = false;
+        for (to, entry) in pose.m.iter_mut().flatten().zip(m.iter().flatten()) {
+            *to = entry.quantised(fraction, self.params.one())?;
+        }
+        for (to, entry) in pose.t.iter_mut().zip(t) {
+            *to = entry.quantised(fraction, self.params.translation_bound())?;
+        }
+        Some(pose)
+    }
+
+    /// The scene with the pose applied to the vertices of B.
+    fn moved(&self, motion: &Motion) -> ScenePose<'_> {
+        let (fraction, bound) = (self.params.input().fraction as u32, self.params.coordinate_bound());
+        let images = self.images(motion);
+        let inputs: Vec<Option<[Input; 3]>> = images
+            .iter()
+            .map(|vertex| {
+                let [x, y, z] = self.normalised(vertex).map(|x| x.quantised(fraction, bound));
+                Some([x?, y?, z?])
+            })
+            .collect();
+        let marked: Vec<bool> = inputs.iter().map(Option::is_none).collect();
+        let outside =
+            if marked.contains(&true) { Outside::Vertices(marked, self.boxes(&images)) } else { Outside::None };
+        ScenePose {
+            pose: Pose::identity(&self.params),
+            a: &self.inputs[0],
+            b: inputs.into_iter().map(Option::unwrap_or_default).collect(),
+            outside,
+        }
+    }
+
+    /// s (x - c_A), for a point in the frame of A.
+    fn normalised(&self, point: &[Dyadic; 3]) -> [Dyadic; 3] {
+        [0, 1, 2].map(|i| (&point[i] - &self.centres[0][i]).scaled(self.power))
+    }
+
+    /// The vertices of B in the frame of A.
+    fn images(&self, motion: &Motion) -> Vec<[Dyadic; 3]> {
+        self.vertices[1].iter().map(|vertex| motion.apply(&vertex.map(Dyadic::from))).collect()
+    }
+
+    fn boxes(&self, images: &[[Dyadic; 3]]) -> Boxes {
+        let a: Vec<[Dyadic; 3]> = self.vertices[0].iter().map(|vertex| vertex.map(Dyadic::from)).collect();
+        Boxes::new(&a, images)
+    }
+}
+
+impl ScenePose<'_> {
+    /// The pair of the triangles with these vertex indices.
+    ///
+    /// # Panics
+    /// If an index is outside its mesh.
+    pub fn pair(&self, a: [u32; 3], b: [u32; 3]) -> Host {
+        let (a, b) = (a.map(|i| i as usize), b.map(|i| i as usize));
+        match &self.outside {
+            Outside::All(boxes) => Host::Decided(boxes.verdict(a, b)),
+            Outside::Vertices(marked, boxes) if b.iter().any(|&i| marked[i]) => Host::Decided(boxes.verdict(a, b)),
+            _ => Host::Unit(Pair { a: a.map(|i| self.a[i]), b: b.map(|i| self.b[i]) }),
+        }
+    }
+}
+
+/// x to M * x + t, exactly.
+struct Motion {
+    m: [[Dyadic; 3]; 3],
+    t: [Dyadic; 3],
+}
+
+impl Motion {
+    fn apply(&self, x: &[Dyadic; 3]) -> [Dyadic; 3] {
+        [0, 1, 2].map(|i| (0..3).fold(self.t[i].clone(), |sum, j| &sum + &(&self.m[i][j] * &x[j])))
+    }
+}
+
+/// Least and greatest coordinate along each axis; zeros for a mesh without vertices.
+fn bounds(mesh: &[[f64; 3]]) -> [[f64; 2]; 3] {
+    [0, 1, 2].map(|axis| {
+        let column = || mesh.iter().map(|vertex| vertex[axis]);
+        [column().reduce(f64::min).unwrap_or(0.0), column().reduce(f64::max).unwrap_or(0.0)]
+    })
+}

@@ -1,0 +1,217 @@
+//! Seeded inputs: ordinary, near contact, and at the corners of the declared ranges.
+//!
+//! Quantised inputs stay inside the declared ranges as mantissas: the real number that an [`Input`] stands for lies in
+//! [-bound, bound]. Numbers depend on the generator's state only, so a seed names its inputs on every machine.
+
+use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
+use rand::Rng;
+use rand_chacha::ChaCha8Rng;
+
+use super::{Input, Pair, Pose};
+use crate::params::Params;
+
+/// A pair of random triangles of mixed sizes, many of them near contact, in one frame (for a bypassed pose).
+pub fn random_pair(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
+    let points = shape(rng);
+    let bound = params.coordinate_bound();
+    quantised_pair(rng, &points, bound)
+}
+
+/// As [`random_pair`], with the relation between the triangles (near contact and so on) holding after the pose, as far
+/// as B~ then fits the declared range.
+pub fn random_pair_under(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose) -> Pair {
+    if pose.bypass {
+        return random_pair(rng, params);
+    }
+    let (bound, one) = (params.coordinate_bound() as f64, params.one() as f64);
+    let real = |x: Input| x.lo as f64 / one;
+    let m = Matrix3::from_fn(|i, j| real(pose.m[i][j]));
+    let t = Vector3::from(pose.t.map(real));
+    let inverse = m.try_inverse().unwrap_or_else(Matrix3::identity);
+    let mut points = shape(rng);
+    for point in &mut points[3..] {
+        let x = Vector3::from(*point) * (bound / one) - t;
+        *point = (inverse * x * (one / bound)).into();
+    }
+    quantised_pair(rng, &points, params.coordinate_bound())
+}
+
+/// A proper rotation with a translation in the declared range; sometimes axis-parallel, sometimes bypassed.
+pub fn random_pose(rng: &mut ChaCha8Rng, params: &Params) -> Pose {
+    let mut pose = Pose::identity(params);
+    if rng.random_range(0..8) == 0 {
+        return pose;
+    }
+    pose.bypass = false;
+    let q = match rng.random_range(0..6) {
+        0 => Quaternion::identity(),
+        // A half or quarter turn: exact entries 0 and +-1.
+        1 => [Quaternion::new(0.0, 1.0, 0.0, 0.0), Quaternion::new(1.0, 0.0, 0.0, 1.0)][rng.random_range(0..2)],
+        _ => Quaternion::new(signed(rng), signed(rng), signed(rng), signed(rng)),
+    };
+    let turn = if q.norm() > 0.0 { UnitQuaternion::from_quaternion(q) } else { UnitQuaternion::identity() };
+    let matrix = turn.to_rotation_matrix();
+    let scale = (-f64::from(rng.random_range(0..12u32))).exp2();
+    for i in 0..3 {
+        for j in 0..3 {
+            let entry = matrix[(i, j)];
+            let nearest = entry.round();
+            let exact = (entry - nearest).abs() < 1e-12;
+            pose.m[i][j] = if exact {
+                Input::exact(nearest as i64 * params.one() as i64)
+            } else {
+                quantised(rng, entry, params.one(), params.one())
+            };
+        }
+        let (entry, bound) = (signed(rng) * scale, params.translation_bound());
+        pose.t[i] = quantised(rng, entry, bound, bound);
+    }
+    pose
+}
+
+/// A pair whose every coordinate is at an end, at the middle or next to one of them in its declared range.
+pub fn corner_pair(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
+    let bound = params.coordinate_bound() as i64;
+    let mut triangle = || [(); 3].map(|()| [(); 3].map(|()| corner(rng, bound)));
+    Pair { a: triangle(), b: triangle() }
+}
+
+/// A pose whose every entry is at an end, at the middle or next to one of them in its declared range.
+pub fn corner_pose(rng: &mut ChaCha8Rng, params: &Params) -> Pose {
+    let (one, reach) = (params.one() as i64, params.translation_bound() as i64);
+    Pose {
+        m: [(); 3].map(|()| [(); 3].map(|()| corner(rng, one))),
+        t: [(); 3].map(|()| corner(rng, reach)),
+        bypass: rng.random_range(0..16) == 0,
+    }
+}
+
+/// A pair in real coordinates (a0 a1 a2 b0 b1 b2): near, far, touching, coplanar, degenerate, at mixed scales.
+pub fn random_points(rng: &mut ChaCha8Rng) -> [[f64; 3]; 6] {
+    let scale = signed(rng).abs().max(0.1) * f64::from(rng.random_range(-12..12i32)).exp2();
+    let shift = if rng.random() { [(); 3].map(|()| signed(rng) * scale) } else { [0.0; 3] };
+    shape(rng).map(|point| [0, 1, 2].map(|i| point[i] * scale + shift[i]))
+}
+
+/// Uniform in [-1, 1).
+fn signed(rng: &mut ChaCha8Rng) -> f64 {
+    rng.random_range(-1.0..1.0)
+}
+
+/// One of the numbers where a range is most likely to be handled wrongly, with either sticky bit.
+fn corner(rng: &mut ChaCha8Rng, bound: i64) -> Input {
+    let lo = match rng.random_range(0..9) {
+        0 => bound,
+        1 => bound - 1,
+        2 => -bound,
+        3 => -bound + 1,
+        4 => 0,
+        5 => 1,
+        6 => -1,
+        7 => bound / 2,
+        _ => rng.random_range(-bound..=bound),
+    };
+    Input { lo, sticky: lo < bound && rng.random() }
+}
+
+/// The floor of `x * unit`, held inside [-bound, bound], with a random sticky bit.
+fn quantised(rng: &mut ChaCha8Rng, x: f64, unit: i128, bound: i128) -> Input {
+    let bound = bound as i64;
+    let lo = ((x * unit as f64).floor() as i64).clamp(-bound, bound);
+    Input { lo, sticky: lo < bound && rng.random() }
+}
+
+/// Points in units of the bound; numbers on the grid are exact in half of the pairs.
+fn quantised_pair(rng: &mut ChaCha8Rng, points: &[[f64; 3]; 6], bound: i128) -> Pair {
+    let sticky: bool = rng.random();
+    let p = points.map(|point| {
+        point.map(|x| {
+            let mut input = quantised(rng, x, bound, bound);
+            input.sticky &= sticky;
+            input
+        })
+    });
+    Pair { a: [p[0], p[1], p[2]], b: [p[3], p[4], p[5]] }
+}
+
+type Point = Vector3<f64>;
+
+/// Two triangles in [-1, 1]^3: independent, near contact, coplanar, sharing vertices, or degenerate.
+fn shape(rng: &mut ChaCha8Rng) -> [[f64; 3]; 6] {
+    let a = triangle(rng);
+    let near = rng.random_range(0..10) != 0;
+    let size = if near { f64::from(rng.random_range(-3..3i32)) } else { 0.0 };
+    let extent = (1..3).map(|i| (a[i] - a[0]).amax()).fold(0.0, f64::max);
+    let mut b = if near { triangle_at(rng, a[0], extent * size.exp2()) } else { triangle(rng) };
+    match rng.random_range(0..10) {
+        // As it comes: the triangles overlap or are some of their sizes apart.
+        0..=2 => {}
+        // A point of B next to a point of A, both inside, on an edge or at a vertex.
+        3..=6 => {
+            let gap = extent * (-f64::from(rng.random_range(0..40u32))).exp2();
+            let offset = if rng.random_range(0..5) == 0 { Point::zeros() } else { random_point(rng) * gap };
+            let shift = point_of(rng, &a) + offset - point_of(rng, &b);
+            b = b.map(|vertex| vertex + shift);
+        }
+        // Coplanar but for the rounding.
+        7 => {
+            for vertex in &mut b {
+                *vertex = a[0] + (a[1] - a[0]) * signed(rng) * 2.0 + (a[2] - a[0]) * signed(rng) * 2.0;
+            }
+        }
+        // One or two common vertices.
+        8 => {
+            b[0] = a[rng.random_range(0..3)];
+            if rng.random() {
+                b[1] = a[rng.random_range(0..3)];
+            }
+        }
+        // A segment or a point.
+        _ => {
+            b[1] = if rng.random() { b[0] } else { b[2] };
+            if rng.random_range(0..3) == 0 {
+                b[2] = b[1];
+            }
+        }
+    }
+    let points = [a[0], a[1], a[2], b[0], b[1], b[2]];
+    let points = if rng.random() { points } else { [b[0], b[1], b[2], a[0], a[1], a[2]] };
+    let reach = points.iter().map(Point::amax).fold(1.0, f64::max);
+    points.map(|point| (point / reach).into())
+}
+
+fn random_point(rng: &mut ChaCha8Rng) -> Point {
+    Point::new(signed(rng), signed(rng), signed(rng))
+}
+
+/// A triangle anywhere, of a size from 1 down to 2^-14 or so.
+fn triangle(rng: &mut ChaCha8Rng) -> [Point; 3] {
+    let at = random_point(rng);
+    let size = (-rng.random_range(0.0..14.0f64)).exp2();
+    triangle_at(rng, at, size)
+}
+
+/// A triangle within `size` of a point, sometimes flat along a coordinate axis.
+fn triangle_at(rng: &mut ChaCha8Rng, at: Point, size: f64) -> [Point; 3] {
+    let mut vertices = [(); 3].map(|()| at + random_point(rng) * size);
+    if rng.random_range(0..8) == 0 {
+        let axis = rng.random_range(0..3);
+        for vertex in &mut vertices {
+            vertex[axis] = at[axis];
+        }
+    }
+    vertices
+}
+
+/// A point of a triangle: inside, on an edge or a vertex.
+fn point_of(rng: &mut ChaCha8Rng, x: &[Point; 3]) -> Point {
+    let (u, v): (f64, f64) = (rng.random(), rng.random());
+    match rng.random_range(0..3) {
+        0 => x[rng.random_range(0..3)],
+        1 => {
+            let k = rng.random_range(0..3);
+            x[k] + (x[(k + 1) % 3] - x[k]) * u
+        }
+        _ => x[0] + (x[1] - x[0]) * u + (x[2] - x[0]) * v * (1.0 - u),
+    }
+}

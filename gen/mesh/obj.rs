@@ -1,0 +1,90 @@
+//! Wavefront OBJ with the crate `tobj`: vertices and faces; everything else in such a file is skipped.
+
+use super::error::Fault;
+use super::lines::{line_before, LineReader};
+use super::Mesh;
+use nalgebra::Point3;
+use std::cell::Cell;
+use std::io::BufReader;
+
+const VERTEX: &str = "legal is 'v x y z' in finite numbers, then nothing, a weight other than 0, or a colour";
+const FACE: &str = "legal is 'f' and three or more vertices of the file, counted from 1, or back from -1";
+
+/// Reads the bytes of an OBJ file. A face of more than three corners becomes the triangle fan of its first one.
+pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Fault> {
+    if bytes.is_empty() {
+        return Err(Fault::new("empty file", "legal is an OBJ file with at least one face"));
+    }
+    let source = String::from_utf8_lossy(bytes);
+    let text = geometry(&source)?;
+    let position = Cell::new(0);
+    let mut reader = BufReader::new(LineReader::new("", &text, &position));
+    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
+    let loaded = tobj::load_obj_buf(&mut reader, &options, |_| Err(tobj::LoadError::GenericFailure));
+    let (models, _) = loaded.map_err(|e| {
+        let line = line_before(&text, position.get());
+        let legal = if keyword(&text, line) == Some("v") { VERTEX } else { FACE };
+        Fault::new(e.to_string(), legal).at(line)
+    })?;
+    // Without `o`, `g` and `usemtl` lines there is one model; none if there is no face.
+    let Some(model) = models.into_iter().map(|m| m.mesh).find(|m| !m.indices.is_empty()) else {
+        return Err(Fault::new("no face", "legal is at least one line 'f'"));
+    };
+    if model.positions.iter().any(|x| !x.is_finite()) {
+        return Err(non_finite(&text));
+    }
+    let vertices = model.positions.chunks_exact(3).map(Point3::from_slice).collect();
+    let faces = model.indices.chunks_exact(3).map(|f| [f[0], f[1], f[2]]).collect();
+    Ok(Mesh { vertices, faces })
+}
+
+/// The lines that carry geometry, every other one blank so that line numbers stay: vertices without colours, faces
+/// without references to texture coordinates and normals (the crate computes with those unchecked), whose vertices
+/// are checked here, where the line is known.
+fn geometry(source: &str) -> Result<String, Fault> {
+    let vertices = source.lines().filter(|line| line.split_whitespace().next() == Some("v")).count();
+    let mut seen = 0;
+    let mut text = String::with_capacity(source.len());
+    for (number, line) in source.lines().enumerate() {
+        let words: Vec<&str> = line.split('#').next().unwrap_or_default().split_whitespace().collect();
+        match words[..] {
+            ["v", x, y, z, _, _, _] => text.extend(["v ", x, " ", y, " ", z]),
+            ["v", ..] => text.push_str(&words.join(" ")),
+            ["f", ref corners @ ..] => {
+                let fault = |found: String| Fault::new(found, FACE).at(number + 1);
+                if corners.len() < 3 {
+                    return Err(fault(format!("a face of {} vertices", corners.len())));
+                }
+                text.push('f');
+                for corner in corners {
+                    let index = corner.split('/').next().unwrap_or_default();
+                    if !index.parse().is_ok_and(|i: i64| (1..=vertices as i64).contains(&i) || (-seen..0).contains(&i))
+                    {
+                        return Err(fault(format!("vertex '{corner}' in a file of {vertices}")));
+                    }
+                    text.extend([" ", index]);
+                }
+            }
+            _ => {}
+        }
+        seen += i64::from(words.first() == Some(&"v"));
+        text.push('\n');
+    }
+    Ok(text)
+}
+
+/// The first word of line `number`, counted from 1.
+fn keyword(text: &str, number: usize) -> Option<&str> {
+    text.lines().nth(number.saturating_sub(1))?.split_whitespace().next()
+}
+
+/// The fault of a file one of whose vertices is not finite: the line to blame is sought only now.
+fn non_finite(text: &str) -> Fault {
+    let is_bad = |word: &str| word.parse().is_ok_and(|x: f64| !x.is_finite());
+    let blamed = text.lines().enumerate().find(|(_, l)| l.starts_with("v ") && l.split_whitespace().any(is_bad));
+    match blamed {
+        Some((number, line)) => Fault::new(format!("'{line}'"), VERTEX).at(number + 1),
+        // The quotient of a coordinate and its weight.
+        None => Fault::new("a coordinate that overflows when divided by its weight", VERTEX),
+    }
+}

@@ -1,0 +1,255 @@
+//! Tests of scenes: the default one, scene files and their faults, poses, and that no pair is missed.
+
+use super::*;
+use crate::mesh;
+use nalgebra::{Matrix3, Point3, Vector3};
+use num_bigint::BigInt;
+use num_traits::Float;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use std::path::Path;
+
+fn scene_folder() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
+}
+
+/// A scene of the headlight with the given further lines.
+fn parse(lines: &str) -> Result<Scene, SceneError> {
+    let text = format!("name = 'x'\na.mesh = 'builtin:headlight'\nb.mesh = 'builtin:headlight'\n{lines}");
+    file::parse(&text, Path::new("x.toml"))
+}
+
+#[test]
+fn the_default_scene_is_its_file() {
+    let scene = Scene::default_scene();
+    assert_eq!(load(&scene_folder().join("headlight.toml")).unwrap(), scene);
+    assert_eq!((scene.name.as_str(), scene.poses.len()), ("headlight", 7 * 360));
+    assert!(Arc::ptr_eq(&scene.a, &scene.b));
+    let last = &scene.poses[6 * 360 + 90];
+    assert_eq!((last.label.as_str(), last.distance), ("distance 1.45 step 90", Some(1.45)));
+    assert_eq!(last.rotation, Matrix3::new(0., -1., 0., 0., 0., -1., 1., 0., 0.));
+    assert!(scene.poses.iter().all(|p| p.rotation.iter().all(|x| x.abs() <= 1.0)));
+}
+
+#[test]
+fn the_centres_of_a_tumbling_turn_are_at_the_distance() {
+    let scene = parse("[tumble]\nsteps = 7\ndistances = [0.5, 3]\ndirection = [3e200, 4e200, 0]").unwrap();
+    let centre = scene.a.bounds().centre();
+    for pose in &scene.poses {
+        let offset = pose.rotation * centre + pose.translation - centre;
+        let expected = Vector3::new(0.6, 0.8, 0.0) * 122.0 * pose.distance.unwrap();
+        assert!((offset - expected).norm() < 1e-12);
+        let square = pose.rotation * pose.rotation.transpose();
+        assert!((square - Matrix3::identity()).amax() < 1e-15 && pose.rotation.determinant() > 0.9);
+    }
+}
+
+#[test]
+fn the_second_scene_is_read() {
+    let scene = load(&scene_folder().join("bolt_nut.toml")).unwrap();
+    assert_eq!((scene.a.faces.len(), scene.b.faces.len(), scene.poses.len()), (9320, 4218, 9));
+}
+
+#[test]
+fn explicit_poses_and_scales_are_read() {
+    let scene = parse(
+        "b.scale = 0.5\n[[pose]]\n[[pose]]\nmatrix = [1, 2, 3, 4, 5, 6, 7, 8, 9]\ntranslation = [1, 2, 3]\n\
+         [[pose]]\nlabel = 'turn'\naxis = [0, 0, 1e300]\nangle_degrees = 450\n\
+         [[pose]]\nquaternion = [1e200, 0, 0, 1e200]\n\
+         [[pose]]\naxis = [1, 2, -2]\nangle_degrees = 120\n[[pose]]\nquaternion = [1.5, 1.5, 3, -3]",
+    )
+    .unwrap();
+    assert_eq!(scene.b.bounds().half_size(), 61.0);
+    assert_eq!(scene.a.bounds().half_size(), 122.0);
+    let [id, matrix, turn, quaternion, by_angle, by_quaternion] = &scene.poses[..] else { panic!("six poses") };
+    assert_eq!((id.label.as_str(), id.rotation, id.translation), ("pose 0", Matrix3::identity(), Vector3::zeros()));
+    assert_eq!(matrix.rotation[(0, 2)], 3.0);
+    assert_eq!(matrix.translation, Vector3::new(1.0, 2.0, 3.0));
+    assert_eq!((turn.label.as_str(), turn.rotation), ("turn", Matrix3::new(0., -1., 0., 1., 0., 0., 0., 0., 1.)));
+    assert_eq!(quaternion.rotation, turn.rotation);
+    // The quaternion is 1.5 (1 + 3 k) for the unit axis k, so the tangent of half its angle is 3.
+    let degrees = 2.0 * 3f64.atan().to_degrees();
+    let expected = pose::axis_angle(Vector3::new(1.0, 2.0, -2.0), degrees);
+    assert!((by_quaternion.rotation - expected).amax() < 1e-15);
+    assert!(by_angle.rotation.trace().abs() < 1e-15, "1 + 2 cos 120 degrees");
+}
+
+#[test]
+fn every_fault_of_a_scene_file_is_one_clear_line() {
+    let cases = [
+        ("", "x.toml: no pose: legal is"),
+        ("c = 1", "x.toml:4: unknown field `c`"),
+        ("[tumble", "x.toml:4: "),
+        ("[tumble]\nsteps = 3", "x.toml:4: missing field `distances`"),
+        ("[tumble]\nsteps = -3\ndistances = [1]", "x.toml:5: invalid value: integer `-3`, expected u32"),
+        ("[tumble]\nsteps = 0\ndistances = [1]", "x.toml:5: steps 0: legal is 1 to 1000000"),
+        ("[tumble]\nsteps = 500001\ndistances = [1, 2]", "x.toml:5: steps 500001: legal is 1 to 500000"),
+        ("[tumble]\nsteps = 1\n\ndistances = []", "x.toml:7: distances is empty"),
+        ("[tumble]\nsteps = 1\ndistances = [1, nan]", "x.toml:6: distances holds NaN: legal"),
+        ("[tumble]\nsteps = 1\ndistances = [1e308]", "x.toml: distance 100"),
+        ("[tumble]\nsteps = 1\ndistances = [1]\ndirection = [0, 0, 0]", "x.toml:7: direction of three zeros"),
+        ("[[pose]]\n[[pose]]\naxis = [1, 0, 0]", "x.toml:5: pose: legal is one of matrix"),
+        ("[[pose]]\naxis = [1, 0, 0]\nquaternion = [1, 0, 0, 0]", "x.toml:4: pose: legal is one of"),
+        ("[[pose]]\naxis = [0, 0, 0]\nangle_degrees = 1", "x.toml:5: axis of three zeros"),
+        ("[[pose]]\naxis = [0, 0, 1]\nangle_degrees = inf", "x.toml:6: angle_degrees inf: legal"),
+        ("[[pose]]\nquaternion = [0, 0, 0, 0]", "x.toml:5: quaternion of four zeros"),
+        ("[[pose]]\nmatrix = [1, 0, 0]", "x.toml:5: invalid length 3, expected an array of length 9"),
+        ("[[pose]]\ntranslation = [1, 0, 'a']", "x.toml:5: invalid type: string \"a\", expected f64"),
+        ("[[pose]]\ntranslation = [1, 0, -inf]", "x.toml:5: translation holds -inf"),
+        ("[[pose]]\nspeed = 1", "x.toml:5: unknown field `speed`"),
+        ("a.scale = -2", "x.toml:4: scale -2: legal is a positive number"),
+        ("a.scale = 1e307", "x.toml:4: scale 1"),
+    ];
+    for (lines, expected) in cases {
+        let found = parse(lines).unwrap_err().to_string();
+        assert!(found.starts_with(expected) && !found.contains('\n'), "{lines:?}: {found}");
+    }
+    let mesh = |m: &str| file::parse(&format!("name = ''\na.mesh = '{m}'\nb.mesh = 'b.stl'"), Path::new("d/x.toml"));
+    let absent = mesh("a.stl").unwrap_err().to_string();
+    let file = Path::new("d").join("a.stl");
+    assert!(absent.starts_with(&format!("d/x.toml:2: {}: cannot be read", file.display())), "{absent}");
+    let unknown = mesh("builtin:cow").unwrap_err().to_string();
+    assert_eq!(unknown, "d/x.toml:2: mesh 'builtin:cow': the only built-in one is builtin:headlight");
+    assert!(load(Path::new("no/such.toml")).unwrap_err().to_string().starts_with("no/such.toml: cannot be read ("));
+}
+
+/// Random bytes in a valid file never panic.
+#[test]
+fn damaged_scene_files_never_panic() {
+    let seed = include_str!("../../scenes/bolt_nut.toml").as_bytes();
+    let mut rng = ChaCha8Rng::seed_from_u64(2);
+    for _ in 0..300 {
+        let mut bytes = seed[seed.len() - rng.random_range(1..seed.len())..].to_vec();
+        for _ in 0..3 {
+            let at = rng.random_range(0..bytes.len());
+            bytes[at] = rng.random();
+        }
+        let _ = file::parse(&String::from_utf8_lossy(&bytes), Path::new("absent/x.toml"));
+    }
+}
+
+/// A binary64 number in units of 2^-1075, where it is an integer.
+fn exact(x: f64) -> BigInt {
+    let (mantissa, exponent, sign) = Float::integer_decode(x);
+    (BigInt::from(mantissa) << (exponent + 1075)) * sign
+}
+
+/// Exact boxes of B's triangles in A's frame, in units of 2^-2150.
+fn exact_boxes(mesh: &Mesh, m: &Matrix3<f64>, t: &Vector3<f64>) -> Vec<[(BigInt, BigInt); 3]> {
+    let row = |i: usize, x: &Point3<f64>| {
+        let translation = exact(t[i]) << 1075u32;
+        (0..3).fold(translation, |sum, j| sum + exact(m[(i, j)]) * exact(x[j]))
+    };
+    let side = |mut v: [BigInt; 3]| {
+        v.sort();
+        let [least, _, greatest] = v;
+        (least, greatest)
+    };
+    let corners = |face: usize, i: usize| mesh.triangle(face).map(|x| row(i, &x));
+    (0..mesh.faces.len()).map(|face| [0, 1, 2].map(|i| side(corners(face, i)))).collect()
+}
+
+/// A mesh of `count` triangles with corners on a coarse grid, so that boxes often touch exactly.
+fn random_mesh(rng: &mut ChaCha8Rng, count: u32, scale: f64) -> Mesh {
+    let mut corner = || Point3::from([0; 3].map(|_| f64::from(rng.random_range(-8..=8)) * scale));
+    let vertices = (0..3 * count).map(|_| corner()).collect();
+    Mesh { vertices, faces: (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect() }
+}
+
+#[test]
+fn no_pair_of_exact_boxes_is_missed() {
+    let mut rng = ChaCha8Rng::seed_from_u64(3);
+    let (mut touching, mut overlapping, mut more) = (0, 0, 0);
+    for round in 0..60 {
+        // Scales down to where products underflow and up to where they overflow or nearly so.
+        let scale = [1.0, 0.1, 1e-3, 1e-160, 1e150, 1e306][round % 6];
+        let (a, b) = (random_mesh(&mut rng, 12, scale), random_mesh(&mut rng, 12, scale));
+        let axis = Vector3::from([0; 3].map(|_| rng.random_range(-1.0..1.0)));
+        let m = match round % 4 {
+            0 => Matrix3::identity(),
+            1 => pose::axis_angle(axis, 90.0 * f64::from(rng.random_range(0..4))),
+            _ => pose::axis_angle(axis, rng.random_range(-180.0..180.0)),
+        };
+        let t = Vector3::from([0; 3].map(|_| f64::from(rng.random_range(-9..=9)) * scale));
+        let found = candidates(&Tree::new(&a), &Tree::new(&b), &m, &t);
+        let boxes = (exact_boxes(&a, &Matrix3::identity(), &Vector3::zeros()), exact_boxes(&b, &m, &t));
+        for (p, x) in (0..).zip(&boxes.0) {
+            for (q, y) in (0..).zip(&boxes.1) {
+                let overlap = x.iter().zip(y).all(|(x, y)| x.0 <= y.1 && y.0 <= x.1);
+                let is_found = found.binary_search(&(p, q)).is_ok();
+                assert!(is_found || !overlap, "round {round}: pair ({p}, {q})");
+                overlapping += u32::from(overlap);
+                touching += u32::from(overlap && x.iter().zip(y).any(|(x, y)| x.0 == y.1 || y.0 == x.1));
+                more += u32::from(is_found && !overlap && scale < 1e300);
+            }
+        }
+    }
+    assert!(touching > 100, "touching boxes are tested: {touching}");
+    assert!(more * 20 < overlapping, "and little else is found: {more} beside {overlapping}");
+}
+
+#[test]
+fn the_tree_agrees_with_brute_force_on_the_headlight() {
+    let scene = Scene::default_scene();
+    let broad_phase = scene.broad_phase();
+    // The fullest of some poses of the smallest distance.
+    let number = (6 * 360..7 * 360).step_by(20).max_by_key(|&i| broad_phase.pairs(i).len()).unwrap();
+    let pose = &scene.poses[number];
+    let moved = Mesh {
+        vertices: scene.b.vertices.iter().map(|v| pose.rotation * v + pose.translation).collect(),
+        faces: scene.b.faces.clone(),
+    };
+    let boxes = |mesh: &Mesh| (0..mesh.faces.len()).map(|i| mesh::Bounds::of(&mesh.triangle(i))).collect::<Vec<_>>();
+    let (a, b) = (boxes(&scene.a), boxes(&moved));
+    // Every fifth triangle of A: the rest would only cost time.
+    let tested = |p: usize| p % 5 == 0;
+    let pairs = broad_phase.pairs(number);
+    let found: std::collections::BTreeSet<_> = pairs.into_iter().filter(|&(p, _)| tested(p as usize)).collect();
+    assert!(!found.is_empty());
+    let mut count = 0;
+    for (p, x) in a.iter().enumerate().filter(|&(p, _)| tested(p)) {
+        for (q, _) in b.iter().enumerate().filter(|(_, y)| x.overlaps(y)) {
+            assert!(found.contains(&(p as u32, q as u32)));
+            count += 1;
+        }
+    }
+    assert!(found.len() - count <= 2, "{} found, {count} by brute force", found.len());
+}
+
+#[test]
+fn pairs_come_in_order_whatever_the_number_of_threads() {
+    let scene = parse("[tumble]\nsteps = 12\ndistances = [1.5, 1.4]").unwrap();
+    let run = |threads: usize| {
+        let mut seen = Vec::new();
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        pool.install(|| {
+            scene.broad_phase().try_for_each(|pose, pairs| {
+                seen.push((pose, pairs.to_vec()));
+                Ok::<(), ()>(())
+            })
+        })
+        .unwrap();
+        seen
+    };
+    let seen = run(1);
+    assert_eq!(seen, run(3));
+    assert!(seen.iter().map(|(pose, _)| *pose).eq(0..24) && seen.iter().any(|(_, pairs)| !pairs.is_empty()));
+    assert!(seen.iter().all(|(_, pairs)| pairs.windows(2).all(|w| w[0] < w[1])));
+    let mut calls = 0;
+    let stopped = scene.broad_phase().try_for_each(|pose, _| {
+        calls += 1;
+        if pose == 2 {
+            Err("enough")
+        } else {
+            Ok(())
+        }
+    });
+    assert_eq!((stopped, calls), (Err("enough"), 3));
+}
+
+#[test]
+fn a_mesh_without_triangles_has_no_pairs() {
+    let (empty, one) = (Mesh::default(), mesh::headlight());
+    let pairs = candidates(&Tree::new(&empty), &Tree::new(&one), &Matrix3::identity(), &Vector3::zeros());
+    assert!(pairs.is_empty());
+}

@@ -1,0 +1,122 @@
+//! Bounding-box tree over the triangles of a mesh, and the pairs of triangles whose boxes overlap.
+//!
+//! No pair of triangles with a common point is ever missed. A's boxes are made by comparisons of the given doubles, so
+//! they are exact. Mesh B is brought to A's frame vertex by vertex, each coordinate as an interval that surely
+//! holds the real number M x + t (see `transformed`); the box of a triangle is the box of its corners' intervals,
+//! hence holds the triangle, because an affine map keeps convex hulls; the box of an inner node holds those of its
+//! children.
+//! If two triangles have a common point, then it lies in both leaf boxes and in the boxes of all their ancestors, so
+//! that every test on the way down sees an overlap: touching boxes count.
+
+use crate::mesh::{Bounds, Mesh};
+use nalgebra::{Matrix3, Point3, Vector3};
+
+/// A node of the tree; nodes are stored parent first, left subtree before right.
+#[derive(Clone, Copy, Debug)]
+enum Node {
+    /// One triangle.
+    Leaf(u32),
+    /// Two subtrees: the left one follows its parent, the right one is at this index.
+    Inner(u32),
+}
+
+/// A binary tree of axis-aligned boxes over the triangles of a mesh, one triangle to a leaf.
+#[derive(Clone, Debug)]
+pub struct Tree<'a> {
+    mesh: &'a Mesh,
+    nodes: Vec<Node>,
+    boxes: Vec<Bounds>,
+}
+
+impl<'a> Tree<'a> {
+    /// Builds the tree: every node is split at the median of the triangles' centres along its longest edge, so that
+    /// the depth is the logarithm of the number of triangles.
+    pub fn new(mesh: &'a Mesh) -> Self {
+        let mut triangles: Vec<(u32, Point3<f64>)> = (0u32..)
+            .zip(&mesh.faces)
+            .map(|(index, face)| (index, Bounds::of(face.map(|v| &mesh.vertices[v as usize])).centre()))
+            .collect();
+        let mut nodes = Vec::with_capacity(2 * triangles.len());
+        if !triangles.is_empty() {
+            split(&mut triangles, &mut nodes);
+        }
+        let mut tree = Self { mesh, nodes, boxes: Vec::new() };
+        tree.boxes = tree.fit(&mesh.vertices.iter().map(|&v| Bounds { min: v, max: v }).collect::<Vec<_>>());
+        tree
+    }
+
+    /// The boxes of all nodes, from the leaves up, for given boxes of the vertices.
+    fn fit(&self, vertices: &[Bounds]) -> Vec<Bounds> {
+        let mut boxes = vec![Bounds::empty(); self.nodes.len()];
+        for (index, node) in self.nodes.iter().enumerate().rev() {
+            boxes[index] = match *node {
+                Node::Leaf(triangle) => self.mesh.faces[triangle as usize]
+                    .iter()
+                    .fold(Bounds::empty(), |b, &v| b.union(&vertices[v as usize])),
+                Node::Inner(right) => boxes[index + 1].union(&boxes[right as usize]),
+            };
+        }
+        boxes
+    }
+}
+
+/// Appends the subtree over `triangles`, of which there is at least one.
+fn split(triangles: &mut [(u32, Point3<f64>)], nodes: &mut Vec<Node>) {
+    if let [(triangle, _)] = *triangles {
+        nodes.push(Node::Leaf(triangle));
+        return;
+    }
+    let spread = Bounds::of(triangles.iter().map(|(_, centre)| centre));
+    let axis = (spread.max * 0.5 - spread.min * 0.5).imax();
+    let middle = triangles.len() / 2;
+    // The index breaks ties, so that the tree does not depend on the sorting algorithm.
+    triangles.select_nth_unstable_by(middle, |a, b| a.1[axis].total_cmp(&b.1[axis]).then(a.0.cmp(&b.0)));
+    let (left, right) = triangles.split_at_mut(middle);
+    let parent = nodes.len();
+    nodes.push(Node::Inner(0));
+    split(left, nodes);
+    nodes[parent] = Node::Inner(nodes.len() as u32);
+    split(right, nodes);
+}
+
+/// All pairs (triangle of A, triangle of B) whose boxes overlap in A's frame when B is at `x_A = m * x_B + t`, in
+/// ascending order. No pair with a common point is missing, whatever the doubles are.
+pub fn candidates(a: &Tree<'_>, b: &Tree<'_>, m: &Matrix3<f64>, t: &Vector3<f64>) -> Vec<(u32, u32)> {
+    let boxes = b.fit(&b.mesh.vertices.iter().map(|v| transformed(v, m, t)).collect::<Vec<_>>());
+    let mut pairs = Vec::new();
+    let mut stack = Vec::new();
+    if !a.nodes.is_empty() && !b.nodes.is_empty() {
+        stack.push((0, 0));
+    }
+    while let Some((i, j)) = stack.pop() {
+        if !a.boxes[i].overlaps(&boxes[j]) {
+            continue;
+        }
+        match (a.nodes[i], b.nodes[j]) {
+            (Node::Leaf(p), Node::Leaf(q)) => pairs.push((p, q)),
+            (Node::Leaf(_), Node::Inner(right)) => stack.extend([(i, j + 1), (i, right as usize)]),
+            (Node::Inner(right), Node::Leaf(_)) => stack.extend([(i + 1, j), (right as usize, j)]),
+            (Node::Inner(right), Node::Inner(other)) => {
+                let (right, other) = (right as usize, other as usize);
+                stack.extend([(i + 1, j + 1), (i + 1, other), (right, j + 1), (right, other)]);
+            }
+        }
+    }
+    pairs.sort_unstable();
+    pairs
+}
+
+/// A box that surely holds the real point `m * x + t`.
+///
+/// With u = 2^-53 and S = |m0 x0| + |m1 x1| + |m2 x2| + |t|, each coordinate is computed in binary64 as y with
+/// |y - exact| <= 4u/(1-4u) S + 3 * 2^-1075, the last term for products that underflow. The computed S is
+/// short of the real one by no more than that. The radius r = 2^-50 S + 2^-1022, rounded, therefore exceeds the error
+/// by more than 3u S + 2^-1023, and y - r and y + r are rounded by at most u |y +- r| <= 1.1 u S + 2^-1074. If S is
+/// too large for that argument (or not a number) the interval is all numbers.
+fn transformed(x: &Point3<f64>, m: &Matrix3<f64>, t: &Vector3<f64>) -> Bounds {
+    let y = m * x.coords + t;
+    let size = m.abs() * x.coords.abs() + t.abs();
+    let radius = size.map(|s| if s < f64::MAX / 4.0 { s * 2f64.powi(-50) + f64::MIN_POSITIVE } else { f64::INFINITY });
+    let bound = |sign: f64| y.zip_map(&radius, |y, r| if r.is_finite() { y + sign * r } else { sign * r });
+    Bounds { min: bound(-1.0).into(), max: bound(1.0).into() }
+}

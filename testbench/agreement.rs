@@ -1,0 +1,265 @@
+//! The three layers of truth agree: reference model = evaluated graph = built-in simulation = GHDL.
+//!
+//! Every option is varied over its range one at a time, then in seeded combinations. The comparison of answers includes
+//! the flags of every axis, so that a parameter set whose verdicts are all possibly-incorrect is checked too.
+
+use efsat::artefact::Stimulus;
+use efsat::cosim::{self, Options, Simulator};
+use efsat::design::Design;
+use efsat::golden::{Golden, Pair, Pose};
+use efsat::graph::evaluate::Evaluator;
+use efsat::params::{Axes, Params, Projections, Transform, Upper};
+use rand::{seq::IndexedRandom, SeedableRng};
+use rayon::prelude::*;
+use std::collections::{BTreeMap, HashSet};
+
+/// A parameter set and what it is there for.
+type Case = (String, Params);
+
+fn varied() -> Vec<Case> {
+    let mut cases: Vec<Case> = vec![("default".to_owned(), Params::default())];
+    let mut case = |name: String, change: &dyn Fn(&mut Params)| {
+        let mut p = Params::default();
+        change(&mut p);
+        p.validate().unwrap_or_else(|e| panic!("{name}: {e}"));
+        cases.push((name, p));
+    };
+    for width in [6, 7, 8, 12, 19, 24, 25, 32] {
+        case(format!("width {width}"), &|p| p.width = width);
+    }
+    for width in [6, 7, 18, 32] {
+        case(format!("transform-width = width {width}"), &|p| (p.width, p.transform_width) = (width, width));
+    }
+    for transform_width in [18, 19, 33, 35, 36, 48] {
+        case(format!("transform-width {transform_width}"), &|p| p.transform_width = transform_width);
+    }
+    for int_bits in 5..=8 {
+        case(format!("int-bits {int_bits}"), &|p| p.int_bits = int_bits);
+    }
+    for n in 2..=11 {
+        case(format!("axes-per-clock {n}"), &|p| p.axes_per_clock = n);
+    }
+    for n in [1, 2, 3, 5, 6, 9, 11, 12, 17] {
+        case(format!("axes 17, axes-per-clock {n}"), &|p| (p.axes, p.axes_per_clock) = (Axes::Seventeen, n));
+    }
+    for projections in [Projections::Skip, Projections::Intersect] {
+        case(format!("projections {projections:?}"), &|p| p.projections = projections);
+        case(format!("projections {projections:?}, axes 17"), &|p| {
+            (p.projections, p.axes, p.axes_per_clock) = (projections, Axes::Seventeen, 3);
+        });
+    }
+    case("upper sticky".to_owned(), &|p| p.upper = Upper::Sticky);
+    for (transform, renormalise) in [
+        (Transform::On, false),
+        (Transform::Translate, true),
+        (Transform::Translate, false),
+        (Transform::Off, true),
+        (Transform::Off, false),
+    ] {
+        case(format!("transform {transform:?}, renormalise {renormalise}"), &|p| {
+            (p.transform, p.renormalise) = (transform, renormalise);
+        });
+    }
+    for frequency in [20, 50, 133, 200, 250] {
+        case(format!("frequency {frequency}"), &|p| p.frequency = frequency);
+    }
+    for device in efsat::device::names() {
+        case(format!("device {device}"), &|p| p.device = device.to_owned());
+    }
+    for tag_width in [0, 1, 31, 33, 64] {
+        case(format!("tag-width {tag_width}"), &|p| p.tag_width = tag_width);
+    }
+    cases
+}
+
+fn combined(count: usize) -> Vec<Case> {
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(2009);
+    let mut cases = vec![];
+    while cases.len() < count {
+        let axes = *[Axes::Eleven, Axes::Seventeen].choose(&mut rng).unwrap();
+        let p = Params {
+            width: *[6, 7, 12, 18, 19, 24, 32].choose(&mut rng).unwrap(),
+            int_bits: *[4, 5, 6, 8].choose(&mut rng).unwrap(),
+            transform_width: *[18, 20, 32, 36, 48].choose(&mut rng).unwrap(),
+            axes,
+            axes_per_clock: *[1, 2, 3, 5, 11, 17].choose(&mut rng).unwrap(),
+            projections: *[Projections::All, Projections::Skip, Projections::Intersect].choose(&mut rng).unwrap(),
+            upper: *[Upper::Implied, Upper::Sticky].choose(&mut rng).unwrap(),
+            renormalise: *[true, false].choose(&mut rng).unwrap(),
+            transform: *[Transform::On, Transform::Translate, Transform::Off].choose(&mut rng).unwrap(),
+            device: (*efsat::device::names().choose(&mut rng).unwrap()).to_owned(),
+            frequency: *[20, 66, 100, 150, 250].choose(&mut rng).unwrap(),
+            tag_width: *[0, 8, 16].choose(&mut rng).unwrap(),
+        };
+        if p.validate().is_ok() {
+            cases.push((format!("combination {}", cases.len()), p));
+        }
+    }
+    cases
+}
+
+fn options(simulator: Simulator, probe: bool) -> Options {
+    Options { simulator, keep: None, wave: None, probe }
+}
+
+/// Panics unless the simulator agrees in every bit, latency and interval.
+fn agrees(name: &str, p: &Params, pairs: usize, simulator: Simulator, probe: bool) -> cosim::Report {
+    let stimulus = Stimulus::random(p, pairs, 7);
+    let report = cosim::run(p, "test", &stimulus, &options(simulator, probe))
+        .unwrap_or_else(|e| panic!("{name}: {e}\n{p:?}"));
+    assert_eq!(report.mismatches, 0, "{name}: {:?}\n{p:?}", report.first_mismatch);
+    assert_eq!(report.initiation_interval, p.interval() as u64, "{name}");
+    report
+}
+
+#[test]
+fn builtin_agrees_with_the_reference_model_in_every_option_value() {
+    varied().par_iter().for_each(|(name, p)| {
+        agrees(name, p, 150, Simulator::Builtin, true);
+    });
+}
+
+#[test]
+fn builtin_agrees_with_the_reference_model_in_combinations() {
+    combined(60).par_iter().for_each(|(name, p)| {
+        agrees(name, p, 100, Simulator::Builtin, true);
+    });
+}
+
+#[test]
+fn flags_tell_more_than_verdicts_where_all_verdicts_are_possibly_incorrect() {
+    // At small widths hardly a verdict is definite; the flags still take many values.
+    let p = Params { width: 8, ..Params::default() };
+    let golden = Golden::new(&p);
+    let stimulus = Stimulus::random(&p, 400, 3);
+    let outcomes = stimulus.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(|x| golden.outcome(pose, x)));
+    let flags: HashSet<(u32, u32)> = outcomes.map(|o| (o.separated, o.overlapping)).collect();
+    assert!(flags.len() > 20, "{} different flag words", flags.len());
+}
+
+/// The inputs of the data path, as port values.
+fn inputs(design: &Design, pose: &Pose, pair: &Pair) -> Vec<i128> {
+    cosim::inputs(design, pose, pair)
+}
+
+/// The name in the reference model's trace of a node of the data path, if it has one.
+fn traced(p: &Params, design: &Design) -> Vec<(usize, usize, String, bool)> {
+    // Node names of the data path follow a few patterns; phases come from the probes.
+    let evaluator = Evaluator::new(&design.pipeline);
+    let axes = efsat::design::axes::Axis::all(p.axes);
+    let mut found = vec![];
+    for probe in &design.probes {
+        let node = evaluator.flat().top_node(&probe.name).expect("a node");
+        let Some((stem, end)) = probe.name.rsplit_once('_') else { continue };
+        let upper = match end {
+            "lo" => false,
+            "hi" => true,
+            _ => continue,
+        };
+        let parts: Vec<&str> = stem.split('_').collect();
+        for (phase, _) in &probe.clocks {
+            let axis = |unit: &str| axes.get(phase * p.axes_per_clock + unit.parse::<usize>().expect("a number"));
+            let name = match parts.as_slice() {
+                [b, c] if b.starts_with('b') => format!("transform.w{}_{c}", &b[1..]),
+                [point, c] if point.starts_with(['v', 'w']) => format!("renormalise.{point}_{c}"),
+                ["e", edge, c] => format!("edge.{edge}_{c}"),
+                ["axis", unit, "cross", "l", c] => format!("axis.{}_{c}", axis(unit).expect("an axis").name()),
+                ["axis", unit, slot, "project", "p"] => {
+                    let axis = axis(unit).expect("an axis");
+                    let slot: usize = slot[1..].parse().expect("a number");
+                    let (a, b) = (axis.projected(0, p.projections), axis.projected(1, p.projections));
+                    let last = if p.projections == Projections::Skip { slots(p) - 1 } else { 5 };
+                    let point = match a.get(slot) {
+                        Some(k) => format!("v{k}"),
+                        None if p.projections == Projections::Skip => format!("w{}", b[last - slot]),
+                        None => format!("w{}", slot - 3),
+                    };
+                    format!("projection.{}.{point}", axis.name())
+                }
+                other => panic!("unknown node {other:?}"),
+            };
+            found.push((node, *phase, name, upper));
+        }
+    }
+    found
+}
+
+fn slots(p: &Params) -> usize {
+    let axes = efsat::design::axes::Axis::all(p.axes);
+    axes.iter().map(|a| a.projected(0, p.projections).len() + a.projected(1, p.projections).len()).max().unwrap()
+}
+
+#[test]
+fn graph_equals_reference_model_in_every_inner_signal() {
+    let mut cases = varied();
+    cases.extend(combined(20));
+    cases.par_iter().for_each(|(name, p)| {
+        let design = Design::new(p, true).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let golden = Golden::new(p);
+        let mut evaluator = Evaluator::new(&design.pipeline);
+        let nodes = traced(p, &design);
+        assert!(nodes.len() > 2 * (36 + 18 + 33 + 44), "{name}: {} signals compared", nodes.len());
+        for (pose, pairs) in &Stimulus::random(p, 40, 11).segments {
+            for pair in pairs {
+                evaluator.run(&inputs(&design, pose, pair));
+                let trace: BTreeMap<_, _> = golden.trace(pose, pair).into_iter().collect();
+                for (node, phase, signal, upper) in &nodes {
+                    let x = trace.get(signal).unwrap_or_else(|| panic!("{name}: the model has no {signal}"));
+                    let expected = if *upper { x.hi } else { x.lo };
+                    assert_eq!(evaluator.at(*node, *phase), expected, "{name}: {signal}, upper {upper}\n{p:?}");
+                }
+                let outcome = golden.outcome(pose, pair);
+                assert_eq!(evaluator.output("verdict"), outcome.verdict as i128, "{name}");
+                assert_eq!(evaluator.output("separated"), i128::from(outcome.separated), "{name}");
+                assert_eq!(evaluator.output("overlapping"), i128::from(outcome.overlapping), "{name}");
+            }
+        }
+    });
+}
+
+/// GHDL where it is installed; the test script installs it.
+fn ghdl_is_missing() -> bool {
+    let missing = ["ghdl-llvm", "ghdl-mcode", "ghdl-gcc", "ghdl"]
+        .iter()
+        .all(|c| std::process::Command::new(c).arg("--version").output().is_err());
+    if missing {
+        eprintln!("skipped: GHDL is not installed (apt-get install ghdl-llvm)");
+    }
+    missing
+}
+
+/// Runs GHDL and the built-in simulator on the same stimulus; answers, latency and clock counts must be the same.
+fn ghdl_equals_builtin(name: &str, p: &Params, pairs: usize, probe: bool) {
+    let ghdl = agrees(name, p, pairs, Simulator::Ghdl, probe);
+    let builtin = agrees(name, p, pairs, Simulator::Builtin, probe);
+    let numbers = |r: &cosim::Report| (r.cycles, r.latency, r.initiation_interval, r.total_clocks, r.vectors);
+    assert_eq!(numbers(&ghdl), numbers(&builtin), "{name}");
+}
+
+#[test]
+fn ghdl_agrees_in_every_option_value() {
+    if ghdl_is_missing() {
+        return;
+    }
+    varied().par_iter().for_each(|(name, p)| ghdl_equals_builtin(name, p, 20, true));
+}
+
+#[test]
+fn ghdl_agrees_in_combinations() {
+    if ghdl_is_missing() {
+        return;
+    }
+    combined(10).par_iter().for_each(|(name, p)| ghdl_equals_builtin(name, p, 20, true));
+}
+
+#[test]
+fn a_broken_design_is_caught_and_the_first_wrong_node_named() {
+    // The design of one parameter set against the vectors of another that has the same ports.
+    let p = Params::default();
+    let other = Params { projections: Projections::Intersect, ..p.clone() };
+    let design = Design::new(&other, false).unwrap();
+    let stimulus = Stimulus::random(&p, 200, 5);
+    let wrong = Design { params: p.clone(), ..design };
+    let report = cosim::run_design(&wrong, "test", &stimulus, &options(Simulator::Builtin, false)).unwrap();
+    assert!(report.mismatches > 0 && report.first_mismatch.unwrap().contains("expected"));
+}

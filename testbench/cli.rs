@@ -1,0 +1,361 @@
+//! The command line as others script against it: results, JSON fields, exit statuses, and one clear line for every
+//! error.
+
+use serde_json::Value;
+use std::fs;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+
+/// A pair that intersects, one that is separate, one that shares a vertex.
+const PAIRS: [[f64; 18]; 3] = [
+    [0., 0., 0., 4., 0., 0., 0., 4., 0., 1., 1., -1., 1.25, 1.5, 1., 2., 0.75, 1.5],
+    [0., 0., 0., 4., 0., 0., 0., 4., 0., 0., 0., 9., 1., 0., 9., 0., 1., 9.],
+    [0., 0., 0., 4., 0., 0., 0., 4., 0., 0., 0., 0., 1., 0., 9., 0., 1., 9.],
+];
+
+fn csv() -> String {
+    let row = |pair: &[f64; 18]| pair.map(|x| x.to_string()).join(",") + "\n";
+    PAIRS.iter().map(row).collect()
+}
+
+fn raw() -> Vec<u8> {
+    PAIRS.iter().flatten().flat_map(|x| x.to_le_bytes()).collect()
+}
+
+/// Runs the tool in `dir`, with `input` on its standard input.
+fn efsat_with(dir: &Path, arguments: &str, input: &[u8]) -> Output {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_efsat"))
+        .args(arguments.split_whitespace())
+        .current_dir(dir)
+        .stdin(Stdio::piped())
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    // It may end without reading.
+    let _ = child.stdin.take().unwrap().write_all(input);
+    child.wait_with_output().unwrap()
+}
+
+fn efsat(dir: &Path, arguments: &str) -> Output {
+    efsat_with(dir, arguments, b"")
+}
+
+/// Standard output of a run that succeeds and says nothing else.
+fn succeeds(dir: &Path, arguments: &str) -> String {
+    let output = efsat(dir, arguments);
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""), "efsat {arguments}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+/// Runs the tool and expects `status`, one line on standard error with `part` in it, and nothing on standard output.
+fn fails(dir: &Path, arguments: &str, status: i32, part: &str) {
+    let output = efsat(dir, arguments);
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(status), "efsat {arguments}: {errors}");
+    assert_eq!(errors.lines().count(), 1, "efsat {arguments}: {errors}");
+    assert!(errors.starts_with("error: ") && errors.contains(part), "efsat {arguments}: {errors}");
+    assert!(output.stdout.is_empty(), "efsat {arguments}");
+}
+
+fn object(text: &str) -> Value {
+    assert_eq!(text.lines().count(), 1);
+    serde_json::from_str(text).unwrap()
+}
+
+/// Names and bytes of all files below a directory.
+fn tree(dir: &Path) -> Vec<(String, Vec<u8>)> {
+    let mut files = vec![];
+    for entry in fs::read_dir(dir).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        if path.is_dir() {
+            files.extend(tree(&path).into_iter().map(|(below, bytes)| (format!("{name}/{below}"), bytes)));
+        } else {
+            files.push((name, fs::read(&path).unwrap()));
+        }
+    }
+    files.sort();
+    files
+}
+
+#[test]
+fn every_wrong_value_is_one_line_and_status_2() {
+    let home = tempfile::tempdir().unwrap();
+    let cases = [
+        ("--width 5", "'5' for '--width <N>': legal is a whole number from 6 to 32"),
+        ("--width 33", "legal is a whole number from 6 to 32"),
+        ("--width -8", "'-8'"),
+        ("--width wide", "'wide' for '--width <N>': legal is a whole number from 6 to 32"),
+        ("--width 4294967304", "legal is a whole number from 6 to 32"),
+        ("--int-bits 3", "legal is a whole number from 4 to 8"),
+        ("--int-bits 9", "legal is a whole number from 4 to 8"),
+        ("--width 8 --int-bits 7", "--int-bits 7: legal is 4 to 6"),
+        ("--transform-width 49", "legal is a whole number from 6 to 48"),
+        ("--transform-width 17", "--transform-width 17: legal is 18 to 48"),
+        ("--axes 12", "'12' for '--axes <SET>': legal is one of 11, 17"),
+        ("--axes-per-clock 0", "legal is a whole number from 1 to 17"),
+        ("--axes-per-clock 12", "--axes-per-clock 12: legal is 1 to 11"),
+        ("--projections some", "legal is one of all, skip, intersect"),
+        ("--upper lower", "legal is one of implied, sticky"),
+        ("--renormalise yes", "legal is one of on, off"),
+        ("--transform rotate", "legal is one of on, translate, off"),
+        ("--device xc7", "legal is one of xc2v6000-4, xc6slx150-3"),
+        ("--frequency 19", "legal is a whole number from 20 to 250"),
+        ("--frequency 100.5", "legal is a whole number from 20 to 250"),
+        ("--tag-width 65", "legal is a whole number from 0 to 64"),
+        ("--width", "a value is required for '--width <N>'"),
+        ("--axes", "legal is one of 11, 17"),
+        ("--widht 18", "unexpected argument '--widht'"),
+        ("--width 18 --width 18", "cannot be used multiple times"),
+    ];
+    for command in ["generate", "cosim --simulator builtin", "classify --random 1"] {
+        for (options, part) in cases {
+            fails(home.path(), &format!("{command} {options}"), 2, part);
+        }
+    }
+    let others = [
+        ("", "no command: legal is one of generate, cosim, classify"),
+        ("synthesise", "unrecognized subcommand 'synthesise'; legal is one of generate, cosim, classify"),
+        ("generate more", "unexpected argument 'more'"),
+        ("cosim --random 0", "legal is a whole number, 1 or greater"),
+        ("cosim --random 1000001", "--random 1000001: legal is a whole number from 1 to 1000000"),
+        ("cosim --seed -1", "legal is a whole number from 0 to 18446744073709551615"),
+        ("cosim --limit 0", "legal is a whole number, 1 or greater"),
+        ("cosim --simulator modelsim", "legal is one of ghdl, nvc, builtin"),
+        ("cosim --random 3 --scene headlight", "cannot be used with"),
+        ("cosim --random 3 --limit 2", "cannot be used with"),
+        ("cosim --scene headlight --seed 2", "cannot be used with"),
+        ("classify", "no pairs: legal is one of FILE, --scene FILE and --random N"),
+        ("classify - --random 3", "cannot be used with"),
+        ("classify - --json --summary", "cannot be used with"),
+    ];
+    for (arguments, part) in others {
+        fails(home.path(), arguments, 2, part);
+    }
+    assert!(tree(home.path()).is_empty(), "nothing is written");
+}
+
+#[test]
+fn wrong_input_files_are_one_line_and_status_2() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let row = csv().lines().next().unwrap().to_owned();
+    let mut infinite = raw();
+    infinite[144..152].copy_from_slice(&f64::INFINITY.to_le_bytes());
+    let files: [(&str, Vec<u8>, &str); 12] = [
+        ("empty.csv", vec![], "found no pair"),
+        ("header.csv", b"a,b,c\n".to_vec(), "found no pair"),
+        ("short.csv", row[..20].into(), "line 1: found"),
+        ("long.csv", format!("{row}\n{row},1\n").into(), "line 2: found 19 fields; legal is 18"),
+        ("nan.csv", format!("{row}\n{}\n", row.replacen('4', "NaN", 1)).into(), "line 2, column 4"),
+        ("inf.csv", format!("{row}\n{}\n", row.replacen('4', "1e999", 1)).into(), "found \"1e999\""),
+        ("garbage.csv", b"\xff\xfe\x00\n\x01\n\x02".to_vec(), "found 1 fields"),
+        ("empty.f64", vec![], "found no pair"),
+        ("cut.f64", raw()[..200].into(), "found 200 bytes; legal is a multiple of 144"),
+        ("inf.f64", infinite, "byte 144 (pair 1, number 1): found inf"),
+        ("pairs.txt", row.into(), "legal is .csv, .f64"),
+        ("broken.toml", b"name = \n".to_vec(), "broken.toml:1:"),
+    ];
+    for (name, bytes, part) in files {
+        fs::write(dir.join(name), bytes).unwrap();
+        fails(dir, &format!("classify {name} --exact"), 2, part);
+        fails(dir, &format!("cosim --pairs {name} --simulator builtin --keep kept"), 2, part);
+    }
+    fs::create_dir(dir.join("folder.csv")).unwrap();
+    for name in ["absent.csv", "folder.csv", "absent.f64", "absent.toml"] {
+        fails(dir, &format!("classify {name}"), 2, name);
+    }
+    fails(dir, "classify --scene absent.toml", 2, "absent.toml");
+    fails(dir, "classify -", 2, "standard input: found no pair");
+    assert!(!dir.join("kept").exists());
+}
+
+#[test]
+fn classify_prints_one_row_a_pair() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::write(dir.join("pairs.csv"), csv()).unwrap();
+    fs::write(dir.join("pairs.f64"), raw()).unwrap();
+    let expected = "pair,verdict\n0,intersect\n1,separate\n2,possibly-incorrect\n";
+    for name in ["pairs.csv", "pairs.f64"] {
+        assert_eq!(succeeds(dir, &format!("classify {name}")), expected);
+    }
+    let output = efsat_with(dir, "classify -", format!("{}\n{}", "x,".repeat(17), csv()).as_bytes());
+    assert_eq!(String::from_utf8(output.stdout).unwrap(), expected, "with a header, on standard input");
+    assert_eq!(
+        succeeds(dir, "classify pairs.csv --exact"),
+        "pair,verdict,exact\n0,intersect,intersect\n1,separate,separate\n2,possibly-incorrect,touch\n"
+    );
+    assert_eq!(
+        object(&succeeds(dir, "classify pairs.csv --json")),
+        serde_json::json!({"pairs": 3, "host_decided": 0,
+            "verdicts": {"separate": 1, "intersect": 1, "possibly_incorrect": 1}})
+    );
+    let exact = object(&succeeds(dir, "classify pairs.f64 --json --exact"));
+    assert_eq!(exact["exact"], serde_json::json!({"separate": 1, "touch": 1, "intersect": 1}));
+    assert_eq!(exact["wrong"], 0);
+    assert!(succeeds(dir, "classify pairs.csv --summary").contains("possibly-incorrect             1"));
+}
+
+#[test]
+fn classify_takes_scenes_and_random_pairs() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let scene = "name = \"s\"\n[a]\nmesh = \"builtin:headlight\"\n[b]\nmesh = \"builtin:headlight\"\n\
+                 [tumble]\nsteps = 4\ndistances = [1.6, 1.45]\n";
+    fs::write(dir.join("s.toml"), scene).unwrap();
+    let by_file = succeeds(dir, "classify s.toml --exact");
+    assert_eq!(by_file, succeeds(dir, "classify --scene s.toml --exact"));
+    let counts = object(&succeeds(dir, "classify --scene s.toml --exact --json"));
+    assert_eq!(counts["pairs"], by_file.lines().count() - 1);
+    assert!(counts["pairs"].as_u64().unwrap() > 100);
+    // Without a transform the host applies the pose and decides what then lies outside; nothing becomes wrong.
+    for options in ["--transform off", "--transform translate --axes 17 --upper sticky", "--width 6"] {
+        let other = object(&succeeds(dir, &format!("classify s.toml --exact --json {options}")));
+        assert_eq!((&other["pairs"], &other["exact"]), (&counts["pairs"], &counts["exact"]), "{options}");
+        assert_eq!(other["wrong"], 0, "{options}");
+    }
+    let random = succeeds(dir, "classify --random 500 --seed 7 --exact");
+    assert_eq!(random.lines().count(), 501);
+    assert_eq!(random, succeeds(dir, "classify --random 500 --seed 7 --exact"));
+    assert_ne!(random, succeeds(dir, "classify --random 500 --seed 8 --exact"));
+}
+
+#[test]
+fn a_reader_that_leaves_is_no_error() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_efsat"))
+        .args(["classify", "--random", "200000"])
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
+}
+
+#[test]
+fn generation_is_reproducible_and_checked_to_the_byte() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    succeeds(dir, "generate");
+    succeeds(dir, "generate --tag-width 16 --width=18 --out again/deep");
+    let files = tree(&dir.join("rtl-out"));
+    assert_eq!(files, tree(&dir.join("again/deep")), "however the options are typed");
+    succeeds(dir, "generate");
+    assert_eq!(files, tree(&dir.join("rtl-out")), "written over itself");
+    succeeds(dir, "generate --check");
+    fails(dir, "generate --check --width 17", 1, "differs manifest.json");
+    fails(dir, "generate --check --out absent", 1, "missing efsat.vhd");
+
+    for (name, bytes) in files.iter().filter(|(name, _)| name.starts_with("efsat") || name.contains('/')) {
+        let mut changed = bytes.clone();
+        changed[bytes.len() / 2] ^= 1;
+        let path = dir.join("rtl-out").join(name);
+        fs::write(&path, changed).unwrap();
+        fails(dir, "generate --check", 1, &format!("differs {name}"));
+        fs::write(&path, bytes).unwrap();
+    }
+    fs::write(dir.join("rtl-out/notes.txt"), "mine").unwrap();
+    fails(dir, "generate --check", 1, "extra notes.txt");
+    succeeds(dir, "generate --width 16");
+    assert_eq!(fs::read_to_string(dir.join("rtl-out/notes.txt")).unwrap(), "mine");
+}
+
+#[test]
+fn the_manifest_has_the_fields_of_the_contract() {
+    let home = tempfile::tempdir().unwrap();
+    succeeds(home.path(), "generate");
+    let text = fs::read_to_string(home.path().join("rtl-out/manifest.json")).unwrap();
+    let manifest: Value = serde_json::from_str(&text).unwrap();
+    let line = manifest["command_line"].as_str().unwrap();
+    assert!(line.starts_with("efsat generate --width 18 --int-bits 4 ") && line.ends_with(" --tag-width 16"));
+    assert_eq!((&manifest["initiation_interval"], &manifest["multipliers"]), (&Value::from(11), &Value::from(72)));
+    assert!(manifest["latency"].as_u64().unwrap() > 0);
+    assert_eq!(manifest["parameters"].as_object().unwrap().len(), 12);
+    let port = |name: &str| manifest["ports"].as_array().unwrap().iter().find(|port| port["name"] == name).unwrap();
+    assert_eq!(port("in_v0_x")["format"], "s4.28");
+    assert_eq!((&port("out_verdict")["direction"], &port("out_verdict")["bits"]), (&"out".into(), &2.into()));
+    for (name, bytes) in tree(&home.path().join("rtl-out")) {
+        let sum = &manifest["files"][&name];
+        assert_eq!(sum.is_string(), name != "manifest.json", "{name}");
+        assert!(bytes.is_ascii(), "{name}");
+    }
+}
+
+#[test]
+fn wrong_targets_are_refused_and_left_alone() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::write(dir.join("file"), "mine").unwrap();
+    fs::create_dir(dir.join("thesis")).unwrap();
+    fs::write(dir.join("thesis/chapter.tex"), "mine").unwrap();
+    fails(dir, "generate --out file", 2, "file: found a file; legal is a directory");
+    fails(dir, "generate --out file/below", 2, "file");
+    fails(dir, "generate --out thesis", 2, "thesis: found chapter.tex and no manifest.json of efsat");
+    fails(&dir.join("thesis"), "generate --out ..", 2, "found ");
+    fails(dir, "cosim --random 2 --simulator builtin --keep file", 2, "file");
+    let files = tree(dir);
+    let names: Vec<&str> = files.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(names, ["file", "thesis/chapter.tex"]);
+    assert!(files.iter().all(|(_, bytes)| bytes == b"mine"));
+}
+
+#[test]
+fn cosim_reports_the_fields_of_the_contract() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let report = object(&succeeds(dir, "cosim --random 20 --simulator builtin --json"));
+    assert_eq!(
+        (&report["vectors"], &report["mismatches"], &report["host_decided"]),
+        (&20.into(), &0.into(), &0.into())
+    );
+    let verdicts = report["verdicts"].as_object().unwrap();
+    assert_eq!(verdicts.keys().collect::<Vec<_>>(), ["intersect", "possibly_incorrect", "separate"]);
+    assert_eq!(verdicts.values().filter_map(Value::as_u64).sum::<u64>(), 20);
+    assert_eq!(report["initiation_interval"], 11);
+    for field in ["latency", "cycles"] {
+        assert!(report[field].as_u64().unwrap() > 0, "{field}");
+    }
+    assert!(report["simulator"].is_string() && report["seconds"].is_f64());
+    assert!(succeeds(dir, "cosim --random 20 --simulator builtin").contains("All 20 vectors agree bit for bit.\n"));
+
+    fs::write(dir.join("pairs.csv"), csv()).unwrap();
+    let report = object(&succeeds(dir, "cosim --pairs pairs.csv --limit 2 --simulator builtin --json"));
+    assert_eq!((&report["vectors"], &report["mismatches"]), (&2.into(), &0.into()));
+    assert_eq!(report["verdicts"], serde_json::json!({"separate": 1, "intersect": 1, "possibly_incorrect": 0}));
+}
+
+#[test]
+fn cosim_takes_pairs_that_the_host_decides() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    // Much farther apart than the transform's declared range.
+    let scene = "name = \"far\"\n[a]\nmesh = \"t.obj\"\n[b]\nmesh = \"t.obj\"\n[[pose]]\naxis = [0, 0, 1]\n\
+                 angle_degrees = 30\ntranslation = [0, 0, 0]\n[[pose]]\nmatrix = [3, 0, 0, 0, 3, 0, 0, 0, 3]\n";
+    fs::write(dir.join("far.toml"), scene).unwrap();
+    fs::write(dir.join("t.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n").unwrap();
+    let report = object(&succeeds(dir, "cosim --scene far.toml --simulator builtin --json"));
+    assert_eq!((&report["vectors"], &report["host_decided"]), (&1.into(), &1.into()));
+    let sum: u64 = report["verdicts"].as_object().unwrap().values().filter_map(Value::as_u64).sum();
+    assert_eq!(sum, 2, "both are counted");
+}
+
+#[test]
+fn help_and_version_go_to_standard_output() {
+    let home = tempfile::tempdir().unwrap();
+    assert_eq!(succeeds(home.path(), "--version"), format!("efsat {}\n", env!("CARGO_PKG_VERSION")));
+    for arguments in ["--help", "generate --help", "cosim -h", "classify --help"] {
+        assert!(succeeds(home.path(), arguments).contains("Usage: efsat"), "{arguments}");
+    }
+}
+
+#[test]
+fn the_committed_design_is_current() {
+    let output = efsat(Path::new(env!("CARGO_MANIFEST_DIR")), "generate --check");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "run `efsat generate` in the repository: {errors}");
+}
