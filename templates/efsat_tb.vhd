@@ -2,9 +2,9 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Testbench of efsat. Reads poses, pairs and expected answers from a vector file, drives all of them at full speed and
--- the first {{ paced }} again with random gaps and back-pressure, compares verdict, flags, tag and order of every answer, and
--- stops by itself. The last line it prints begins with "{{ "efsat_tb:" }}".
+-- Testbench of efsat. Reads poses, pairs and expected answers from a vector file and drives all of them at full speed,
+-- then the first {{ paced }} again: until the unit is full, then with random gaps and back-pressure. It compares verdict,
+-- flags, tag and order of every answer and stops by itself. The last line it prints begins with "efsat_tb:".
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -22,6 +22,7 @@ architecture simulation of efsat_tb is
   constant paced : natural := {{ paced }};  -- pairs of the second pass
   constant patience : natural := {{ patience }};  -- clocks without an answer before giving up
   constant in_flight : natural := 4096;  -- answers awaited at most
+  constant full_after : natural := {{ full_after }};  -- clocks of refusal after which the unit is full
 
   subtype pair_word is std_logic_vector({{ pair_high }} downto 0);
 {%- if pose.len() > 0 %}
@@ -165,6 +166,8 @@ begin
     variable clocks : natural := 0;
     variable random : unsigned(15 downto 0) := x"ace1";
     variable go : boolean;
+    variable waited : natural := 0;  -- clocks since a pair was offered and not accepted
+    variable filled : boolean := false;
     variable tag_fits : boolean;
 
     -- The next line that is no comment, into l; none leaves kind = '.'.
@@ -264,18 +267,23 @@ begin
           pose_valid <= '0';
         end if;
 {%- endif %}
-        -- Pace: full speed, then random.
+        -- Pace: full speed; in the second pass no answer is taken until the unit is full, then all is random.
         random := random(14 downto 0) & (random(15) xor random(13) xor random(12) xor random(10));
+        if in_valid = '1' and in_ready = '0' then
+          waited := waited + 1;
+        else
+          waited := 0;
+        end if;
         if pass = 1 then
           go := true;
           out_ready <= '1';
+        elsif not filled then
+          go := true;
+          out_ready <= '0';
+          filled := waited > full_after or (in_valid = '0' and (kind = '.' or offered = paced));
         else
-          go := random(3 downto 0) = 0 or (random(0) = '1' and (clock / 1024) mod 2 = 1);
-          if random(4) = '1' and (clock / 512) mod 2 = 1 then
-            out_ready <= '1';
-          else
-            out_ready <= '0';
-          end if;
+          go := random(3 downto 0) = 0 or (random(0) = '1' and (clock / 256) mod 2 = 1);
+          out_ready <= random(4);
         end if;
         -- The next record, once the one before is accepted.
         if go and (in_valid = '0' or in_ready = '1')

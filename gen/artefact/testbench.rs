@@ -1,6 +1,7 @@
 //! The generated testbench: strict VHDL-93, driven by a [vector file](super::vectors).
 //!
-//! It runs all vectors at full speed, then the first [`PACED`] again with random gaps and back-pressure. Both passes
+//! It runs all vectors at full speed, then the first [`PACED`] again: until the unit is full, then with
+//! random gaps and back-pressure. Both passes
 //! are one clocked process, so that the built-in simulator can do the same, clock for clock.
 
 use super::vectors::{answer_word, formats_line, pair_word, pose_word, Word};
@@ -11,6 +12,11 @@ use askama::Template;
 
 /// Pairs of the second pass.
 pub const PACED: usize = 96;
+
+/// Clocks of refusal after which the unit is full.
+pub fn full_after(interval: usize) -> usize {
+    2 * interval + 4
+}
 
 /// Clocks of reset.
 pub const RESET_CLOCKS: usize = 4;
@@ -43,6 +49,7 @@ struct Testbench {
     tags: u64,
     half_period: String,
     patience: usize,
+    full_after: usize,
     latency: usize,
     interval: usize,
     probes: Vec<Field>,
@@ -98,6 +105,7 @@ pub fn text(design: &Design, origin: &[String]) -> String {
         tags: 1 << p.tag_width.min(30),
         half_period: format!("{} ps", 500_000 / p.frequency),
         patience: 4096 + 4 * design.latency,
+        full_after: full_after(design.interval),
         latency: design.latency,
         interval: design.interval,
     };

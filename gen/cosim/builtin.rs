@@ -128,6 +128,8 @@ impl<'a> Builtin<'a> {
         }
         now.reset = false;
         let mut random: u16 = 0xace1;
+        let full_after = testbench::full_after(self.design.interval);
+        let (mut waited, mut filled) = (0, false);
         let (mut clock, mut first, mut previous) = (0u64, None, None);
         for pass in 1..=2u8 {
             let (mut next, mut offered, mut taken) = (0, 0usize, 0usize);
@@ -168,9 +170,16 @@ impl<'a> Builtin<'a> {
                 let bit = |i: u16| (random >> i) & 1;
                 random = (random << 1) | (bit(15) ^ bit(13) ^ bit(12) ^ bit(10));
                 let bit = |i: u16| (random >> i) & 1 == 1;
-                let go = pass == 1 || random & 15 == 0 || (bit(0) && (clock / 1024) % 2 == 1);
-                now.out_ready = pass == 1 || (bit(4) && (clock / 512) % 2 == 1);
+                waited = if seen.in_valid && !accepted { waited + 1 } else { 0 };
                 let left = next < records.len() && (pass == 1 || offered < PACED);
+                let mut go = true;
+                now.out_ready = pass == 1;
+                if pass == 2 && !filled {
+                    filled = waited > full_after || (!seen.in_valid && !left);
+                } else if pass == 2 {
+                    go = random & 15 == 0 || (bit(0) && (clock / 256) % 2 == 1);
+                    now.out_ready = bit(4);
+                }
                 let done = taken == offered && (next == records.len() || (pass == 2 && offered == PACED));
                 if go && !now.in_valid && !now.pose_valid && left {
                     match &records[next] {
@@ -248,7 +257,8 @@ impl<'a> Builtin<'a> {
                 if actual != *expected || !tag_fits {
                     run.mismatches += 1;
                     run.first.get_or_insert_with(|| {
-                        let show = |v: [i128; 3]| format!("verdict {:02b} separated {:b} overlapping {:b}", v[0], v[1], v[2]);
+                        let show =
+                            |v: [i128; 3]| format!("verdict {:02b} separated {:b} overlapping {:b}", v[0], v[1], v[2]);
                         let tag = if tag_fits { "" } else { " with a wrong tag" };
                         let (hex, expected, actual) = (word.hex(), show(*expected), show(actual));
                         format!("vector {number} pass {pass} pair {hex} expected {expected} actual {actual}{tag}")

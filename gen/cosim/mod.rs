@@ -125,12 +125,7 @@ struct Run {
 ///
 /// # Errors
 /// See [`CosimError`]; a mismatch is no error but part of the report.
-pub fn run(
-    params: &Params,
-    command_line: &str,
-    stimulus: &Stimulus,
-    options: &Options,
-) -> Result<Report, CosimError> {
+pub fn run(params: &Params, command_line: &str, stimulus: &Stimulus, options: &Options) -> Result<Report, CosimError> {
     let design = Design::new(params, options.probe)?;
     run_design(&design, command_line, stimulus, options)
 }

@@ -7,11 +7,7 @@ use crate::graph::evaluate::Evaluator;
 use crate::graph::netlist::Probe;
 
 /// Counts differing values and describes the first difference in data-flow order of the first pair that has one.
-pub(super) fn compare(
-    design: &Design,
-    stimulus: &Stimulus,
-    log: &[(bool, Vec<i128>)],
-) -> (u64, Option<String>) {
+pub(super) fn compare(design: &Design, stimulus: &Stimulus, log: &[(bool, Vec<i128>)]) -> (u64, Option<String>) {
     let mut evaluator = Evaluator::new(&design.pipeline);
     let accepted: Vec<usize> = (0..log.len()).filter(|t| log[*t].0).collect();
     let pairs = stimulus.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (pose, pair)));
@@ -62,7 +58,7 @@ fn interpret(bits: i128, probe: &Probe) -> i128 {
 pub fn inputs(design: &Design, pose: &crate::golden::Pose, pair: &crate::golden::Pair) -> Vec<i128> {
     let p = &design.params;
     // With the bypass the registers hold the exact identity.
-    let held = if pose.bypass { crate::golden::Pose::identity(p) } else { pose.clone() };
+    let held = if pose.bypass { crate::golden::Pose::identity(p) } else { *pose };
     let words = [pair_word(p, pair), pose_word(p, &held)];
     words.iter().flat_map(|w| w.fields.iter().map(|f| f.1)).collect()
 }

@@ -86,9 +86,8 @@ pub fn unit(bits: u32, bound: i128, points: usize, policy: Projections) -> Rc<Un
 fn intersected(b: &mut Builder, name: &str, p: &[Bounds], code: NodeId) -> Vec<Bounds> {
     let mut joint = |end: &str, op: Op, of: fn(&Bounds) -> NodeId| -> Vec<NodeId> {
         let v: Vec<NodeId> = p.iter().map(of).collect();
-        let pair = |b: &mut Builder, k: usize| {
-            b.op(&format!("{name}_edge_{k}_{end}"), op.clone(), &[v[k], v[(k + 1) % 3]])
-        };
+        let pair =
+            |b: &mut Builder, k: usize| b.op(&format!("{name}_edge_{k}_{end}"), op.clone(), &[v[k], v[(k + 1) % 3]]);
         let edges = [pair(b, 0), pair(b, 1), pair(b, 2)];
         let all = b.op(&format!("{name}_all_{end}"), op.clone(), &[edges[0], v[2]]);
         (0..3)

@@ -20,6 +20,8 @@ pub struct Spec<'a> {
     pub roundings: &'a [Rounding],
     /// Rule for upper bounds.
     pub upper: Upper,
+    /// Formats by kind of axis, for the header.
+    pub notes: &'a [String],
 }
 
 /// Unsigned bits that count to `ways`.
@@ -30,15 +32,13 @@ pub fn select_bits(ways: usize) -> u32 {
 /// `l = e x f`: component i is `e_j f_k - e_k f_j`, accumulated exactly and rounded once. Twelve multipliers at up to
 /// 18 bits.
 pub fn unit(spec: &Spec) -> Rc<Unit> {
-    let mut b = Builder::new(
-        "cross_product",
-        1,
-        &[
-            "One separating axis, l = e x f in interval arithmetic (equation 1).",
-            "Component i is e_j f_k - e_k f_j, exact, then rounded outward once.",
-            "Mantissas: the binary point of e, f and l depends on the kind of axis, which the scale of an axis may.",
-        ],
-    );
+    let mut doc = vec![
+        "One separating axis, l = e x f in interval arithmetic (equation 1).",
+        "Component i is e_j f_k - e_k f_j, exact, then rounded outward once.",
+        "Ports carry mantissas; where the binary point is depends on the kind of axis:",
+    ];
+    doc.extend(spec.notes.iter().map(String::as_str));
+    let mut b = Builder::new("cross_product", 1, &doc);
     let ty = Type::signed(spec.bits, 0);
     let vector = |b: &mut Builder, name: &str, bound| {
         COORDINATES.map(|c| interval::input(b, &format!("{name}_{c}"), ty, interval::symmetric(bound)))
@@ -53,8 +53,7 @@ pub fn unit(spec: &Spec) -> Rc<Unit> {
     let multiply = interval::multiply_unit("axis_multiply", (ty, spec.left), (ty, spec.right));
     let wide = multiply.node(multiply.outputs[0].1).ty;
     let product_range = interval::symmetric(spec.left * spec.right);
-    let subtract =
-        interval::subtract_unit("axis_subtract", (wide, product_range), (wide, product_range), None);
+    let subtract = interval::subtract_unit("axis_subtract", (wide, product_range), (wide, product_range), None);
     for (i, (j, k)) in [(1, 2), (2, 0), (0, 1)].into_iter().enumerate() {
         let names = COORDINATES;
         let times = |b: &mut Builder, j: usize, k: usize| {
@@ -65,7 +64,8 @@ pub fn unit(spec: &Spec) -> Rc<Unit> {
         let minus = times(&mut b, k, j);
         let name = format!("l_{}", names[i]);
         let exact = interval::instance(&mut b, &format!("{name}_exact"), &subtract, &[plus, minus], &[])[0];
-        let l = interval::round(&mut b, &format!("{name}_rounded"), exact, spec.roundings, select, spec.upper, spec.bits);
+        let l =
+            interval::round(&mut b, &format!("{name}_rounded"), exact, spec.roundings, select, spec.upper, spec.bits);
         let equation = format!("e_{} f_{} - e_{} f_{}", names[j], names[k], names[k], names[j]);
         b.comment(l.lo, format!("lower bound of {equation}"));
         b.comment(l.hi, format!("upper bound of {equation}"));

@@ -1,8 +1,8 @@
 //! Interval operators: add, subtract and multiply by sign cases, and the outward roundings.
 
+use crate::device::MULTIPLIER_BITS;
 use crate::graph::{Builder, Fact, NodeId, Op, Range, Rate, Type, Unit};
 use crate::number::Upper;
-use crate::device::MULTIPLIER_BITS;
 use std::rc::Rc;
 
 /// The two bounds of an interval in a graph.

@@ -146,11 +146,8 @@ impl Pipeline<'_> {
             let mut take = |path: &mut Self, name: String, select, numbers: Vec<Quantised>| {
                 let parts = [("", 0), ("_sticky", 1)];
                 for (suffix, part) in parts {
-                    let legs: Vec<(Option<NodeId>, bool)> = numbers
-                        .iter()
-                        .filter_map(|n| n.nodes().nth(part))
-                        .map(|n| (Some(n), false))
-                        .collect();
+                    let legs: Vec<(Option<NodeId>, bool)> =
+                        numbers.iter().filter_map(|n| n.nodes().nth(part)).map(|n| (Some(n), false)).collect();
                     if !legs.is_empty() {
                         args.push(path.b.choose(&format!("{name}{suffix}"), select, &legs));
                     }
@@ -161,7 +158,7 @@ impl Pipeline<'_> {
                     let column = components.iter().map(|i| pose.m[*i][j]).collect();
                     take(self, format!("{name}_m{j}"), component, column);
                 }
-                for j in 0..3 {
+                for j in [0, 1, 2] {
                     let column = vertices.iter().map(|k| w[*k][j]).collect();
                     take(self, format!("{name}_x{j}"), vertex, column);
                 }
@@ -322,8 +319,7 @@ impl Pipeline<'_> {
                         Source::Transformed(_) => None,
                     })
                     .collect();
-                let sticky =
-                    (!sticky.is_empty()).then(|| self.b.choose(&format!("{name}_sticky"), *select, &sticky));
+                let sticky = (!sticky.is_empty()).then(|| self.b.choose(&format!("{name}_sticky"), *select, &sticky));
                 // In phases of B the sum is not used; it must fit all the same.
                 Quantised { lo, sticky, bound: None }.bounds(&mut self.b, &format!("{name}_input"), p, None).hi
             });
@@ -339,9 +335,7 @@ impl Pipeline<'_> {
             });
             let hi = match (implied, computed) {
                 (Some(hi), None) | (None, Some(hi)) => hi,
-                (Some(implied), Some(computed)) => {
-                    self.b.either(&format!("{name}_hi"), from_input, implied, computed)
-                }
+                (Some(implied), Some(computed)) => self.b.either(&format!("{name}_hi"), from_input, implied, computed),
                 (None, None) => unreachable!("a lane has points"),
             };
             point.push(Bounds { lo, hi });
@@ -430,9 +424,8 @@ impl Pipeline<'_> {
         let p = self.p;
         let all = Axis::all(p.axes);
         let units = p.axes_per_clock;
-        let jobs: Vec<Vec<Option<Axis>>> = (0..units)
-            .map(|u| (0..self.interval).map(|s| all.get(s * units + u).copied()).collect())
-            .collect();
+        let jobs: Vec<Vec<Option<Axis>>> =
+            (0..units).map(|u| (0..self.interval).map(|s| all.get(s * units + u).copied()).collect()).collect();
         let shared = Shared::new(p, &self.formats, &all);
         let pure = |jobs: &[Option<Axis>]| jobs.iter().flatten().all(Axis::in_plane);
         // Units that test an in-plane axis and nothing else wait for the normals; the others come first.
@@ -448,9 +441,8 @@ impl Pipeline<'_> {
                 let l = crosses[u].expect("normals are tested early");
                 let name = all[i].name();
                 [0, 1, 2].map(|c| {
-                    let mut held = |end: &str, node| {
-                        self.b.hold(&format!("{name}_{}_{end}", COORDINATES[c]), node, s, false)
-                    };
+                    let mut held =
+                        |end: &str, node| self.b.hold(&format!("{name}_{}_{end}", COORDINATES[c]), node, s, false);
                     let lo = held("lo", l[c].lo);
                     Bounds { lo, hi: held("hi", l[c].hi) }
                 })
@@ -548,7 +540,11 @@ impl Pipeline<'_> {
         let rounding = several.then(|| {
             let values: Vec<Option<usize>> =
                 jobs.iter().map(|job| job.map(|axis| shared.projection_rounding(&self.formats, axis.kind))).collect();
-            self.control(&format!("{name}_projection_rounding"), &values, select_bits(shared.projection_roundings.len()))
+            self.control(
+                &format!("{name}_projection_rounding"),
+                &values,
+                select_bits(shared.projection_roundings.len()),
+            )
         });
         let mut results = vec![];
         for slot in 0..shared.slots {
@@ -667,18 +663,28 @@ impl Shared {
         let mut axis_roundings = vec![];
         let mut projection_roundings = vec![];
         let (mut left, mut right, mut axis_bound, mut projection_bound) = (0, 0, 0, 0);
+        let mut notes: [Vec<String>; 2] = Default::default();
+        let coordinate = formats.coordinate_a.format;
         for axis in axes {
             let (e, f) = (factor_row(formats, axis.left), factor_row(formats, axis.right));
             (left, right) = (e.bound.max(left), f.bound.max(right));
             axis_bound = formats.axis(axis.kind).bound.max(axis_bound);
             projection_bound = formats.projection(axis.kind).bound.max(projection_bound);
+            let (l, image) = (formats.axis(axis.kind), formats.projection(axis.kind));
+            let clamped = l.clamp.map_or(String::new(), |c| format!(", clamped by lemma {}", c.lemma));
+            let bounded = |row: &Row| format!("{}, |.| <= {} ulp", row.format, row.bound);
+            let (name, e, f) = (l.name, e.format, f.format);
+            remember(&mut notes[0], format!("  {name}: {e} x {f} -> {}{clamped}", bounded(l)));
+            remember(&mut notes[1], format!("  {}: {coordinate} . {} -> {}", image.name, l.format, bounded(image)));
             remember(&mut axis_roundings, axis_way(formats, axis.kind));
             remember(&mut projection_roundings, projection_way(formats, axis.kind));
         }
         let point = formats.coordinate_a.bound.max(formats.coordinate_b.bound);
         let (bits, upper) = (p.width, p.upper);
-        let cross = cross_product::unit(&cross_product::Spec { bits, left, right, roundings: &axis_roundings, upper });
-        let spec = projection::Spec { bits, point, axis: axis_bound, roundings: &projection_roundings, upper };
+        let spec = cross_product::Spec { bits, left, right, roundings: &axis_roundings, upper, notes: &notes[0] };
+        let cross = cross_product::unit(&spec);
+        let roundings = &projection_roundings;
+        let spec = projection::Spec { bits, point, axis: axis_bound, roundings, upper, notes: &notes[1] };
         let projection = projection::unit(&spec);
         let count = |a: &Axis| a.projected(0, p.projections).len() + a.projected(1, p.projections).len();
         let slots = axes.iter().map(count).max().unwrap_or(6);
@@ -708,9 +714,10 @@ impl Shared {
     }
 }
 
-fn remember(ways: &mut Vec<Rounding>, way: Rounding) {
-    if !ways.contains(&way) {
-        ways.push(way);
+/// Adds what is not there yet.
+fn remember<T: PartialEq>(all: &mut Vec<T>, one: T) {
+    if !all.contains(&one) {
+        all.push(one);
     }
 }
 

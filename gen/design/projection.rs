@@ -18,18 +18,19 @@ pub struct Spec<'a> {
     pub roundings: &'a [Rounding],
     /// Rule for upper bounds.
     pub upper: Upper,
+    /// Formats by kind of axis, for the header.
+    pub notes: &'a [String],
 }
 
 /// `p = v . l = (v_x l_x + v_y l_y) + v_z l_z`, accumulated exactly and rounded once. Six multipliers at up to 18 bits.
 pub fn unit(spec: &Spec) -> Rc<Unit> {
-    let mut b = Builder::new(
-        "projection",
-        1,
-        &[
-            "Projection of one point on the axis, p = v . l in interval arithmetic (equation 2).",
-            "(v_x l_x + v_y l_y) + v_z l_z, exact, then rounded outward once.",
-        ],
-    );
+    let mut doc = vec![
+        "Projection of one point on the axis, p = v . l in interval arithmetic (equation 2).",
+        "(v_x l_x + v_y l_y) + v_z l_z, exact, then rounded outward once.",
+        "Ports carry mantissas; where the binary point is depends on the kind of axis:",
+    ];
+    doc.extend(spec.notes.iter().map(String::as_str));
+    let mut b = Builder::new("projection", 1, &doc);
     let ty = Type::signed(spec.bits, 0);
     let vector = |b: &mut Builder, name: &str, bound| {
         COORDINATES.map(|c| interval::input(b, &format!("{name}_{c}"), ty, interval::symmetric(bound)))

@@ -39,10 +39,9 @@ pub fn offset_unit(p: &Params) -> Rc<Unit> {
     let ty = input_type(p);
     let reach = p.formats().transformed_bound().max(p.coordinate_bound() + 1);
     let (_, bits) = difference(p);
-    let points =
-        COORDINATES.map(|c| interval::input(&mut b, &format!("point_{c}"), ty, interval::symmetric(reach)));
-    let origins = COORDINATES
-        .map(|c| b.input(&format!("origin_{c}"), ty, interval::symmetric(p.coordinate_bound()), Rate::Any));
+    let points = COORDINATES.map(|c| interval::input(&mut b, &format!("point_{c}"), ty, interval::symmetric(reach)));
+    let origins =
+        COORDINATES.map(|c| b.input(&format!("origin_{c}"), ty, interval::symmetric(p.coordinate_bound()), Rate::Any));
     for (i, c) in COORDINATES.iter().enumerate() {
         let offset = |b: &mut Builder, end: &str, x| {
             let exact = b.subtract(&format!("difference_{c}_{end}"), x, origins[i]);
@@ -106,8 +105,7 @@ pub fn scale_unit(p: &Params) -> Rc<Unit> {
         ],
     );
     let ty = Type::signed(bits + 1, input_type(p).fraction);
-    let offsets =
-        COORDINATES.map(|c| interval::input(&mut b, &format!("offset_{c}"), ty, interval::symmetric(bound)));
+    let offsets = COORDINATES.map(|c| interval::input(&mut b, &format!("offset_{c}"), ty, interval::symmetric(bound)));
     let flags: Vec<Vec<NodeId>> = COORDINATES
         .iter()
         .map(|c| (0..stages(p)).map(|i| b.input(&format!("shift_{c}_{i}"), Type::FLAG, (0, 1), Rate::Any)).collect())

@@ -177,7 +177,9 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
 fn upper_rule(p: &Params) -> &'static str {
     match p.upper {
         Upper::Implied => "the upper bound is one ulp above, and every rounding up is floor + ulp",
-        Upper::Sticky => "the upper bound is one ulp above where the sticky bit is set, rounding up is the exact ceiling",
+        Upper::Sticky => {
+            "the upper bound is one ulp above where the sticky bit is set, rounding up is the exact ceiling"
+        }
     }
 }
 

@@ -27,8 +27,7 @@ impl Quantised {
     /// Ports for one number.
     pub fn input(b: &mut Builder, name: &str, p: &Params, bound: i128, rate: Rate) -> Self {
         let lo = b.input(name, input_type(p), interval::symmetric(bound), rate);
-        let sticky = (p.upper == Upper::Sticky)
-            .then(|| b.input(&format!("{name}_sticky"), Type::FLAG, (0, 1), rate));
+        let sticky = (p.upper == Upper::Sticky).then(|| b.input(&format!("{name}_sticky"), Type::FLAG, (0, 1), rate));
         Self { lo, sticky, bound: Some(bound) }
     }
 
@@ -78,8 +77,7 @@ pub fn unit(p: &Params) -> Rc<Unit> {
     };
     let mut b = Builder::new("transform_row", 1, doc);
     let bound = |b: i128| b + i128::from(p.upper == Upper::Implied);
-    let (one, coordinate, translation) =
-        (bound(p.one()), bound(p.coordinate_bound()), bound(p.translation_bound()));
+    let (one, coordinate, translation) = (bound(p.one()), bound(p.coordinate_bound()), bound(p.translation_bound()));
     let port = |b: &mut Builder, name: &str, bound| Quantised::input(b, name, p, bound, Rate::Any);
     let m: Vec<Quantised> =
         (0..if terms == 3 { 3 } else { 0 }).map(|j| port(&mut b, &format!("m{j}"), p.one())).collect();
@@ -89,7 +87,11 @@ pub fn unit(p: &Params) -> Rc<Unit> {
     let xs: Vec<Bounds> = x.iter().enumerate().map(|(j, x)| x.bounds(&mut b, &format!("x{j}"), p, None)).collect();
     let t = t.bounds(&mut b, "t", p, Some(bypass));
     if terms == 1 {
-        let add = interval::add_unit("translate_add", (ty, interval::symmetric(coordinate)), (ty, interval::symmetric(translation)));
+        let add = interval::add_unit(
+            "translate_add",
+            (ty, interval::symmetric(coordinate)),
+            (ty, interval::symmetric(translation)),
+        );
         let sum = interval::instance(&mut b, "x0_plus_t", &add, &[xs[0], t], &[])[0];
         let lo = b.resize("b_lo_bits", sum.lo, true, ty.bits);
         let hi = b.resize("b_hi_bits", sum.hi, true, ty.bits);

@@ -115,10 +115,10 @@ pub fn all() -> &'static [Device] {
 /// # Errors
 /// The name, with the legal ones.
 pub fn find(name: &str) -> Result<&'static Device, UnknownDevice> {
-    DEVICES.iter().find(|d| d.name == name).ok_or_else(|| UnknownDevice {
-        found: name.to_owned(),
-        legal: names().join(", "),
-    })
+    DEVICES
+        .iter()
+        .find(|d| d.name == name)
+        .ok_or_else(|| UnknownDevice { found: name.to_owned(), legal: names().join(", ") })
 }
 
 impl Device {

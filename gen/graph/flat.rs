@@ -116,12 +116,7 @@ impl Flat {
                         self.units.len() - 1
                     });
                     for (input, arg) in operands.iter().enumerate() {
-                        self.bindings.push(Binding {
-                            arg: *arg,
-                            unit: child_index,
-                            input,
-                            path: node_path.clone(),
-                        });
+                        self.bindings.push(Binding { arg: *arg, unit: child_index, input, path: node_path.clone() });
                     }
                     let inner = self.dissolve(child, child_index, &format!("{node_path}."), Some(&operands));
                     instances.insert(i, child.outputs.iter().map(|o| inner[o.1 .0]).collect());

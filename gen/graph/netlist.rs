@@ -143,8 +143,7 @@ impl Module {
             Driver::Register { op, .. } => matches!(op, Some(Op::Multiply)),
             _ => false,
         };
-        self.signals.iter().filter(own).count()
-            + self.instances.iter().map(|i| i.module.multipliers()).sum::<usize>()
+        self.signals.iter().filter(own).count() + self.instances.iter().map(|i| i.module.multipliers()).sum::<usize>()
     }
 
     /// Register bits in the hierarchy.
@@ -249,7 +248,14 @@ impl ModuleBuilder {
     }
 
     /// A memory; see [`Driver::Memory`].
-    pub fn memory(&mut self, name: &str, write: SignalId, address: SignalId, data: SignalId, read: SignalId) -> SignalId {
+    pub fn memory(
+        &mut self,
+        name: &str,
+        write: SignalId,
+        address: SignalId,
+        data: SignalId,
+        read: SignalId,
+    ) -> SignalId {
         let depth = 1 << self.ty(address).bits;
         let ty = self.ty(data);
         self.push(name, ty, Driver::Memory { write, address, data, read, depth })
@@ -725,7 +731,12 @@ impl Lowered<'_> {
         let (mut from, mut until) = (slot.from, slot.until);
         loop {
             let at = until.min(latest);
-            assert!(at > from, "{}: {} cannot be held from {earliest} to {latest}: {slot:?}", self.unit.name, self.unit.nodes[i].name);
+            assert!(
+                at > from,
+                "{}: {} cannot be held from {earliest} to {latest}: {slot:?}",
+                self.unit.name,
+                self.unit.nodes[i].name
+            );
             let clocks = at - slot.from;
             source = match self.copies.get(&(i, clocks)) {
                 Some(id) => *id,

@@ -156,9 +156,7 @@ impl Pass<'_> {
         let output_ns = late.map(|s| s.ns).fold(self.launch(), f64::max);
         // Every node that starts in clock 0 lies on a path from the inputs to the first register.
         let path = |i: usize| match self.children.get(&i) {
-            Some(child) if slots[i].start == 0 && child.latency > 0 => {
-                self.arrival(i, &slots).ns + child.input_path
-            }
+            Some(child) if slots[i].start == 0 && child.latency > 0 => self.arrival(i, &slots).ns + child.input_path,
             _ if slots[i].from == 0 => slots[i].ns,
             _ => self.launch(),
         };
@@ -209,7 +207,7 @@ impl Pass<'_> {
                 let (start, ns, registered) = self.start(&arrival, child.input_path);
                 let ns = if child.latency == 0 { ns } else { child.output_ns };
                 let until = arrival.until.saturating_add(child.latency);
-                let until = if registered { i32::MAX.min(start + interval + child.latency) } else { until };
+                let until = if registered { start + interval + child.latency } else { until };
                 Slot { start, from: start + child.latency, until, ns, registered }
             }
             op => {

@@ -132,15 +132,8 @@ impl Builder {
     /// An empty unit with `interval` phases.
     pub fn new(name: impl Into<String>, interval: usize, doc: &[&str]) -> Self {
         let doc = doc.iter().map(|line| (*line).to_owned()).collect();
-        let unit = Unit {
-            name: name.into(),
-            doc,
-            interval,
-            nodes: vec![],
-            inputs: vec![],
-            outputs: vec![],
-            probes: vec![],
-        };
+        let unit =
+            Unit { name: name.into(), doc, interval, nodes: vec![], inputs: vec![], outputs: vec![], probes: vec![] };
         Self { unit, names: HashSet::new() }
     }
 
@@ -280,9 +273,9 @@ impl Builder {
             );
             match port.rate {
                 Rate::Any => {
-                    free = free.join(given.rate).unwrap_or_else(|| {
-                        panic!("unit {}, instance {name}: operands of both rates", self.unit.name)
-                    });
+                    free = free
+                        .join(given.rate)
+                        .unwrap_or_else(|| panic!("unit {}, instance {name}: operands of both rates", self.unit.name));
                 }
                 rate => assert!(
                     given.rate == rate || given.rate == Rate::Any,

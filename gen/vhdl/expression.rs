@@ -157,10 +157,9 @@ impl Printer<'_> {
             Op::Or => simple(format!("{} or {}", self.value(args[0]), self.value(args[1]))),
             Op::Not => simple(format!("not {}", self.value(args[0]))),
             Op::AnyBit if is_flag(self.signal(args[0]).ty) => simple(self.value(args[0])),
-            Op::AnyBit => Expression::Choice(
-                vec![("'0'".to_owned(), format!("{} = 0", self.value(args[0])))],
-                "'1'".to_owned(),
-            ),
+            Op::AnyBit => {
+                Expression::Choice(vec![("'0'".to_owned(), format!("{} = 0", self.value(args[0])))], "'1'".to_owned())
+            }
             Op::SignBit => {
                 let s = self.signal(args[0]);
                 simple(format!("{}({})", s.name, s.ty.bits - 1))

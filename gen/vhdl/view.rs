@@ -303,7 +303,12 @@ fn processes(printer: &Printer) -> Vec<Process> {
                 title: describe(s),
                 lines: vec![
                     format!("if {} = '1' then", module.signal(*write).name),
-                    format!("  {}_memory(to_integer({})) <= {};", s.name, printer.value(*address), printer.value(*data)),
+                    format!(
+                        "  {}_memory(to_integer({})) <= {};",
+                        s.name,
+                        printer.value(*address),
+                        printer.value(*data)
+                    ),
                     "end if;".to_owned(),
                 ],
             }),
