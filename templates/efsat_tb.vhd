@@ -112,7 +112,7 @@ begin
       reset => reset,
       in_valid => in_valid,
 {%- if tag_width > 0 %}
-      in_tag => in_tag,
+      in_tag => in_tag{% if tag_width == 1 %}(0){% endif %},
 {%- endif %}
 {%- for field in pair %}
       {{ field.port }} => pair({% if field.single %}{{ field.low }}{% else %}{{ field.high }} downto {{ field.low }}{% endif %}),
@@ -128,7 +128,7 @@ begin
       in_ready => in_ready,
       out_valid => out_valid,
 {%- if tag_width > 0 %}
-      out_tag => out_tag,
+      out_tag => out_tag{% if tag_width == 1 %}(0){% endif %},
 {%- endif %}
 {%- for field in probes %}
       {{ field.port }} => probes({% if field.single %}{{ field.low }}{% else %}{{ field.high }} downto {{ field.low }}{% endif %}),

@@ -1,0 +1,206 @@
+//! The protocol of the top, clock by clock: which pose a pair gets, what reset does, what back-pressure does.
+
+use efsat::artefact::vectors::{answer_word, pair_word, pose_word, Word};
+use efsat::artefact::Stimulus;
+use efsat::design::Design;
+use efsat::golden::{sample, Golden, Pair, Pose};
+use efsat::graph::simulate::Simulation;
+use efsat::params::Params;
+use rand::SeedableRng;
+
+/// The top, driven one clock at a time.
+struct Unit {
+    design: Design,
+    simulation: Simulation,
+}
+
+impl Unit {
+    fn new(params: &Params) -> Self {
+        let design = Design::new(params, false).unwrap();
+        let simulation = Simulation::new(&design.top, 1);
+        let mut unit = Self { design, simulation };
+        unit.set("reset", 1);
+        unit.clock();
+        unit.clock();
+        unit.set("reset", 0);
+        unit.clock();
+        unit
+    }
+
+    fn set(&mut self, name: &str, value: i128) {
+        let top = &self.design.top;
+        let port = top.inputs.iter().position(|id| top.signal(*id).name == name);
+        self.simulation.set(port.unwrap_or_else(|| panic!("no input {name}")), 0, value);
+    }
+
+    fn put(&mut self, word: &Word) {
+        for (name, value, _) in &word.fields {
+            self.set(name, *value);
+        }
+    }
+
+    fn clock(&mut self) {
+        self.simulation.run();
+    }
+
+    /// An output in the clock just run.
+    fn get(&self, name: &str) -> i128 {
+        let port = self.design.top.outputs.iter().position(|(n, _)| n == name);
+        self.simulation.output(port.unwrap_or_else(|| panic!("no output {name}")), 0)
+    }
+
+    fn answer(&self) -> [i128; 3] {
+        ["out_verdict", "out_separated", "out_overlapping"].map(|n| self.get(n))
+    }
+
+    /// Offers a pair until it is accepted.
+    fn send(&mut self, pair: &Pair, tag: i128) {
+        self.put(&pair_word(&self.design.params, pair));
+        self.set("in_tag", tag);
+        self.set("in_valid", 1);
+        loop {
+            self.clock();
+            if self.get("in_ready") == 1 {
+                break;
+            }
+        }
+        self.set("in_valid", 0);
+    }
+
+    /// Waits for the next answer and takes it.
+    fn take(&mut self) -> (i128, [i128; 3]) {
+        self.set("out_ready", 1);
+        for _ in 0..10_000 {
+            self.clock();
+            if self.get("out_valid") == 1 {
+                let taken = (self.get("out_tag"), self.answer());
+                self.set("out_ready", 0);
+                return taken;
+            }
+        }
+        panic!("no answer");
+    }
+}
+
+fn expected(p: &Params, pose: &Pose, pair: &Pair) -> [i128; 3] {
+    let word = answer_word(p, &Golden::new(p).outcome(pose, pair));
+    [0, 1, 2].map(|i| word.fields[i].1)
+}
+
+/// Pairs that are answered differently under the two poses, and the poses.
+fn telling(p: &Params) -> (Pose, Pose, Vec<Pair>) {
+    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
+    let [first, second] = [0, 1].map(|_| loop {
+        let pose = sample::random_pose(&mut rng, p);
+        if !pose.bypass {
+            break pose;
+        }
+    });
+    let mut pairs = vec![];
+    while pairs.len() < 6 {
+        let pair = sample::random_pair(&mut rng, p);
+        let answers = [Pose::identity(p), first, second].map(|pose| expected(p, &pose, &pair));
+        if answers[0] != answers[1] && answers[1] != answers[2] && answers[0] != answers[2] {
+            pairs.push(pair);
+        }
+    }
+    (first, second, pairs)
+}
+
+#[test]
+fn a_pose_holds_for_pairs_accepted_in_a_later_clock() {
+    for axes_per_clock in [1, 3, 11] {
+        let p = Params { axes_per_clock, ..Params::default() };
+        let (first, second, pairs) = telling(&p);
+        let mut unit = Unit::new(&p);
+        // After reset: the bypass.
+        unit.send(&pairs[0], 1);
+        // A pose, then a pair in a later clock.
+        unit.put(&pose_word(&p, &first));
+        unit.set("pose_valid", 1);
+        unit.clock();
+        assert_eq!(unit.get("pose_ready"), 1, "no pose is pending");
+        unit.set("pose_valid", 0);
+        unit.send(&pairs[1], 2);
+        // A pose and a pair accepted in the very same clock: offer the pose only where the pair is accepted.
+        let mut same = Unit::new(&p);
+        same.put(&pair_word(&p, &pairs[2]));
+        same.set("in_tag", 3);
+        same.set("in_valid", 1);
+        same.put(&pose_word(&p, &second));
+        let mut clocks_to_ready = 0;
+        loop {
+            same.clock();
+            if same.get("in_ready") == 1 {
+                break;
+            }
+            clocks_to_ready += 1;
+        }
+        let mut same = Unit::new(&p);
+        for _ in 0..clocks_to_ready {
+            same.clock();
+        }
+        same.put(&pair_word(&p, &pairs[2]));
+        same.set("in_tag", 3);
+        same.set("in_valid", 1);
+        same.put(&pose_word(&p, &second));
+        same.set("pose_valid", 1);
+        same.clock();
+        assert_eq!((same.get("in_ready"), same.get("pose_ready")), (1, 1), "both accepted in one clock");
+        same.set("in_valid", 0);
+        same.set("pose_valid", 0);
+        same.send(&pairs[3], 4);
+
+        assert_eq!(unit.take(), (1, expected(&p, &Pose::identity(&p), &pairs[0])));
+        assert_eq!(unit.take(), (2, expected(&p, &first, &pairs[1])));
+        assert_eq!(same.take(), (3, expected(&p, &Pose::identity(&p), &pairs[2])), "the pair keeps the old pose");
+        assert_eq!(same.take(), (4, expected(&p, &second, &pairs[3])), "the next pair has the new one");
+    }
+}
+
+#[test]
+fn reset_empties_the_unit_and_restores_the_bypass() {
+    let p = Params::default();
+    let (first, _, pairs) = telling(&p);
+    let mut unit = Unit::new(&p);
+    unit.put(&pose_word(&p, &first));
+    unit.set("pose_valid", 1);
+    unit.clock();
+    unit.set("pose_valid", 0);
+    unit.send(&pairs[0], 1);
+    unit.send(&pairs[1], 2);
+    unit.set("reset", 1);
+    unit.clock();
+    unit.set("reset", 0);
+    unit.send(&pairs[2], 3);
+    assert_eq!(unit.take(), (3, expected(&p, &Pose::identity(&p), &pairs[2])), "nothing from before the reset");
+}
+
+#[test]
+fn a_full_unit_refuses_pairs_and_loses_none() {
+    for axes_per_clock in [1, 11] {
+        let p = Params { axes_per_clock, ..Params::default() };
+        let mut unit = Unit::new(&p);
+        let stimulus = Stimulus::random(&p, 400, 9);
+        let pairs: Vec<Pair> = stimulus.segments.iter().flat_map(|s| s.1.clone()).collect();
+        let mut accepted = 0;
+        let mut refused = 0;
+        while refused < 200 {
+            unit.put(&pair_word(&p, &pairs[accepted]));
+            unit.set("in_tag", accepted as i128);
+            unit.set("in_valid", 1);
+            unit.clock();
+            if unit.get("in_ready") == 1 {
+                accepted += 1;
+                refused = 0;
+            } else {
+                refused += 1;
+            }
+        }
+        unit.set("in_valid", 0);
+        assert!(accepted >= unit.design.places, "{accepted} pairs before the unit was full");
+        for (i, pair) in pairs.iter().enumerate().take(accepted) {
+            assert_eq!(unit.take(), (i as i128, expected(&p, &Pose::identity(&p), pair)));
+        }
+    }
+}
