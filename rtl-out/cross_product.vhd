@@ -4,7 +4,12 @@
 --
 -- One separating axis, l = e x f in interval arithmetic (equation 1).
 -- Component i is e_j f_k - e_k f_j, exact, then rounded outward once.
--- Mantissas: the binary point of e, f and l depends on the kind of axis, which the scale of an axis may.
+-- Ports carry mantissas; where the binary point is depends on the kind of axis:
+--   axis_n_a: s2.16 x s2.16 -> s3.15, |.| <= 65539 ulp
+--   axis_n_b: s3.15 x s3.15 -> s4.14, |.| <= 65536 ulp, clamped by lemma triangle-area
+--   axis_c_0: s2.16 x s3.15 -> s4.14, |.| <= 65539 ulp
+--   axis_c_1: s3.15 x s3.15 -> s5.13, |.| <= 65539 ulp
+--   axis_c_2: s2.16 x s3.15 -> s4.14, |.| <= 65539 ulp
 --
 -- Latency: 5 clocks.
 --------------------------------------------------------------------------------

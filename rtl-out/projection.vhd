@@ -4,6 +4,12 @@
 --
 -- Projection of one point on the axis, p = v . l in interval arithmetic (equation 2).
 -- (v_x l_x + v_y l_y) + v_z l_z, exact, then rounded outward once.
+-- Ports carry mantissas; where the binary point is depends on the kind of axis:
+--   projection_n_a: s2.16 . s3.15 -> s4.14, |.| <= 98309 ulp
+--   projection_n_b: s2.16 . s4.14 -> s5.13, |.| <= 98305 ulp
+--   projection_c_0: s2.16 . s4.14 -> s5.13, |.| <= 98309 ulp
+--   projection_c_1: s2.16 . s5.13 -> s6.12, |.| <= 98309 ulp
+--   projection_c_2: s2.16 . s4.14 -> s5.13, |.| <= 98309 ulp
 --
 -- Latency: 5 clocks.
 --------------------------------------------------------------------------------
