@@ -1,10 +1,10 @@
 #![doc = include_str!("../README.md")]
 
 // Floor 0
+pub mod device;
 pub mod number;
 pub mod params;
 // Floor 1
-pub mod device;
 pub mod exact;
 pub mod golden;
 pub mod graph;

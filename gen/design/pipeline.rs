@@ -675,7 +675,7 @@ impl Shared {
             let bounded = |row: &Row| format!("{}, |.| <= {} ulp", row.format, row.bound);
             let (name, e, f) = (l.name, e.format, f.format);
             remember(&mut notes[0], format!("  {name}: {e} x {f} -> {}{clamped}", bounded(l)));
-            remember(&mut notes[1], format!("  {}: {coordinate} . {} -> {}", image.name, l.format, bounded(image)));
+            remember(&mut notes[1], format!("  {}: {coordinate} * {} -> {}", image.name, l.format, bounded(image)));
             remember(&mut axis_roundings, axis_way(formats, axis.kind));
             remember(&mut projection_roundings, projection_way(formats, axis.kind));
         }

@@ -22,10 +22,10 @@ pub struct Spec<'a> {
     pub notes: &'a [String],
 }
 
-/// `p = v . l = (v_x l_x + v_y l_y) + v_z l_z`, accumulated exactly and rounded once. Six multipliers at up to 18 bits.
+/// `p = v * l = (v_x l_x + v_y l_y) + v_z l_z`, accumulated exactly and rounded once. Six multipliers at up to 18 bits.
 pub fn unit(spec: &Spec) -> Rc<Unit> {
     let mut doc = vec![
-        "Projection of one point on the axis, p = v . l in interval arithmetic (equation 2).",
+        "Projection of one point on the axis, p = v * l in interval arithmetic (equation 2).",
         "(v_x l_x + v_y l_y) + v_z l_z, exact, then rounded outward once.",
         "Ports carry mantissas; where the binary point is depends on the kind of axis:",
     ];
@@ -54,8 +54,8 @@ pub fn unit(spec: &Spec) -> Rc<Unit> {
     let two = interval::instance(&mut b, "x_plus_y", &add_two, &products[..2], &[])[0];
     let three = interval::instance(&mut b, "x_plus_y_plus_z", &add_three, &[two, products[2]], &[])[0];
     let p = interval::round(&mut b, "p_rounded", three, spec.roundings, select, spec.upper, spec.bits);
-    b.comment(p.lo, "lower bound of v . l");
-    b.comment(p.hi, "upper bound of v . l");
+    b.comment(p.lo, "lower bound of v * l");
+    b.comment(p.hi, "upper bound of v * l");
     interval::output(&mut b, "p", p);
     b.finish()
 }

@@ -163,17 +163,21 @@ fn declarations(module: &Module) -> Vec<Declaration> {
     let mut all = vec![];
     for s in &module.signals {
         let (name, ty) = (&s.name, type_name(s.ty));
+        let op = match &s.driver {
+            Driver::Combinational { op, .. } => Some(op),
+            Driver::Register { op, .. } => op.as_ref(),
+            _ => None,
+        };
+        if let Some(Op::Clamp(bound, _)) = op {
+            for (end, value) in bounds(name).into_iter().zip([-bound, *bound]) {
+                let text = format!("constant {end} : {ty} := {};", literal(value, s.ty));
+                all.push(Declaration { text, comment: String::new() });
+            }
+        }
         let text = match &s.driver {
             Driver::Port => continue,
             Driver::Combinational { op: Op::Constant(value), .. } => {
                 format!("constant {name} : {ty} := {};", literal(*value, s.ty))
-            }
-            Driver::Combinational { op: Op::Clamp(bound, _), .. } => {
-                for (end, value) in bounds(name).into_iter().zip([-bound, *bound]) {
-                    let text = format!("constant {end} : {ty} := {};", literal(value, s.ty));
-                    all.push(Declaration { text, comment: String::new() });
-                }
-                format!("signal {name} : {ty};")
             }
             Driver::Combinational { .. } => format!("signal {name} : {ty};"),
             Driver::Instance { .. } => format!("signal {name} : {};", port_type(s.ty)),
