@@ -6,12 +6,16 @@
 use efsat::artefact::Stimulus;
 use efsat::cosim::{self, Options, Simulator};
 use efsat::design::Design;
+use efsat::golden::host::{Host, SceneHost};
 use efsat::golden::{Golden, Pair, Pose};
 use efsat::graph::evaluate::Evaluator;
+use efsat::mesh::Mesh;
 use efsat::params::{Axes, Params, Projections, Transform, Upper};
+use efsat::scene::Scene;
 use rand::{seq::IndexedRandom, SeedableRng};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashSet};
+use std::sync::OnceLock;
 
 /// A parameter set and what it is there for.
 type Case = (String, Params);
@@ -102,10 +106,49 @@ fn options(simulator: Simulator, probe: bool) -> Options {
     Options { simulator, keep: None, wave: None, probe }
 }
 
+/// A few candidate pairs of the default scene in one of its poses, as the unit of a parameter set reads them.
+fn scene_segment(p: &Params) -> (Pose, Vec<Pair>) {
+    static CHOSEN: OnceLock<(Scene, usize, Vec<(u32, u32)>)> = OnceLock::new();
+    let (scene, pose, pairs) = CHOSEN.get_or_init(|| {
+        let scene = Scene::default_scene();
+        let broad_phase = scene.broad_phase();
+        let candidates = (0..scene.poses.len()).step_by(30).map(|pose| (pose, broad_phase.pairs(pose)));
+        let (pose, all) = candidates.max_by_key(|(_, pairs)| pairs.len()).expect("the scene has poses");
+        drop(broad_phase);
+        let step = (all.len() / 8).max(1);
+        let pairs = all.iter().copied().step_by(step).collect();
+        (scene, pose, pairs)
+    });
+    let points = |mesh: &Mesh| -> Vec<[f64; 3]> { mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect() };
+    let host = SceneHost::new(&points(&scene.a), &points(&scene.b), p);
+    let pose = &scene.poses[*pose];
+    let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)]));
+    let placed = host.pose(&m, &[pose.translation.x, pose.translation.y, pose.translation.z]);
+    let unit = |(a, b): &(u32, u32)| match placed.pair(scene.a.faces[*a as usize], scene.b.faces[*b as usize]) {
+        Host::Unit(pair) => Some(pair),
+        Host::Decided(_) => None,
+    };
+    (placed.pose, pairs.iter().filter_map(unit).collect())
+}
+
+/// Random and corner vectors, then vectors of the default scene.
+fn stimulus(p: &Params, pairs: usize) -> Stimulus {
+    let mut stimulus = Stimulus::random(p, pairs, 7);
+    let segment = scene_segment(p);
+    if !segment.1.is_empty() {
+        stimulus.segments.push(segment);
+    }
+    stimulus
+}
+
+#[test]
+fn scene_vectors_reach_the_unit() {
+    assert!(scene_segment(&Params::default()).1.len() >= 8);
+}
+
 /// The report of a run that agrees in every bit, and in the initiation interval; otherwise what differs.
 fn agrees(name: &str, p: &Params, pairs: usize, simulator: Simulator, probe: bool) -> Result<cosim::Report, String> {
-    let stimulus = Stimulus::random(p, pairs, 7);
-    let report = cosim::run(p, "test", &stimulus, &options(simulator, probe));
+    let report = cosim::run(p, "test", &stimulus(p, pairs), &options(simulator, probe));
     let report = report.map_err(|e| format!("{name}: {e}\n{p:?}"))?;
     if report.mismatches > 0 || report.initiation_interval != p.interval() as u64 {
         return Err(format!("{name}: {report:?}\n{p:?}"));
@@ -267,4 +310,15 @@ fn a_broken_design_is_caught_and_the_first_wrong_node_named() {
     let wrong = Design { params: p.clone(), ..design };
     let report = cosim::run_design(&wrong, "test", &stimulus, &options(Simulator::Builtin, false)).unwrap();
     assert!(report.mismatches > 0 && report.first_mismatch.unwrap().contains("expected"));
+}
+
+#[test]
+fn a_wrong_inner_node_is_named_with_both_values() {
+    // The modules of one format against the graph of another with the same ports and names.
+    let p = Params::default();
+    let other = Design::new(&Params { int_bits: 5, ..p.clone() }, true).unwrap();
+    let wrong = Design { pipeline: other.pipeline, ..Design::new(&p, true).unwrap() };
+    let report = cosim::run_design(&wrong, "test", &Stimulus::random(&p, 40, 5), &options(Simulator::Builtin, true));
+    let message = report.unwrap().first_mismatch.unwrap();
+    assert!(message.contains("node b") && message.contains("expected"), "{message}");
 }
