@@ -4,7 +4,7 @@ use crate::artefact::vectors::{pair_word, pose_word};
 use crate::artefact::Stimulus;
 use crate::design::Design;
 use crate::graph::evaluate::Evaluator;
-use crate::graph::netlist::Probe;
+use crate::graph::lower::Probe;
 
 /// Counts differing values and describes the first difference in data-flow order of the first pair that has one.
 pub(super) fn compare(design: &Design, stimulus: &Stimulus, log: &[(bool, Vec<i128>)]) -> (u64, Option<String>) {

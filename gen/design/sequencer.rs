@@ -4,7 +4,8 @@
 //! queue is free for it, so whatever back-pressure there is, every verdict finds its place. Three pointers walk the
 //! queue: accepted, decided, taken.
 
-use crate::graph::netlist::{phase_bits, Module, ModuleBuilder, SignalId};
+use crate::graph::lower::phase_bits;
+use crate::graph::netlist::{Module, ModuleBuilder, SignalId};
 use crate::graph::{Op, Type};
 use std::rc::Rc;
 

@@ -2,7 +2,8 @@
 
 use super::{cross_product::COORDINATES, interval::symmetric, pipeline, sequencer, transform_row::input_type};
 use crate::device::{self, Device, UnknownDevice};
-use crate::graph::netlist::{Lowering, Module, ModuleBuilder, Probe, SignalId};
+use crate::graph::lower::{Lowering, Probe};
+use crate::graph::netlist::{Module, ModuleBuilder, SignalId};
 use crate::graph::range::{self, Overflow, Ranges};
 use crate::graph::schedule::{Schedule, Scheduler};
 use crate::graph::{Op, Type, Unit};

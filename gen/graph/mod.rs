@@ -9,12 +9,13 @@
 //! Readers of one graph:
 //! * [`evaluate`]: untimed integers, every node in every phase;
 //! * [`range`]: static range analysis, the proof that nothing overflows;
-//! * [`schedule`] and [`netlist`]: clocks, registers, modules;
+//! * [`schedule`], [`lower`] and [`netlist`]: clocks, registers, modules;
 //! * [`simulate`]: the modules, clock by clock;
 //! * the `vhdl` room: the modules, as text.
 
 pub mod evaluate;
 pub mod flat;
+pub mod lower;
 pub mod netlist;
 pub mod op;
 pub mod range;
