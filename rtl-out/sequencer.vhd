@@ -71,9 +71,9 @@ architecture rtl of sequencer is
   signal decide_now : std_logic;
   signal decide_pair : std_logic;
   signal empty_if_still_now : std_logic;
-  signal empty_if_still : std_logic := '0';
+  signal empty_if_still : std_logic := '1';
   signal empty_if_moved_now : std_logic;
-  signal empty_if_moved : std_logic := '0';
+  signal empty_if_moved : std_logic := '1';
   signal empty : std_logic;
   signal waiting : std_logic;
   signal offered : std_logic := '0';
@@ -154,17 +154,6 @@ begin
   pose_stays <= pose_pending and pose_unloaded;
   pose_pending_next <= pose_stays or accept_pose;
 
-  -- Strobes, phase patterns and running state.
-  phases : process (clk)
-  begin
-    if rising_edge(clk) then
-      full_if_still <= full_if_still_now;
-      full_if_moved <= full_if_moved_now;
-      empty_if_still <= empty_if_still_now;
-      empty_if_moved <= empty_if_moved_now;
-    end if;
-  end process phases;
-
   -- State, reset synchronously.
   state : process (clk)
   begin
@@ -174,6 +163,10 @@ begin
         phase_count <= "0000";
         accepted_moved <= '0';
         taken_moved <= '0';
+        full_if_still <= '0';
+        full_if_moved <= '0';
+        empty_if_still <= '1';
+        empty_if_moved <= '1';
         offered <= '0';
         pose_pending <= '0';
       else
@@ -181,6 +174,10 @@ begin
         phase_count <= phase_next;
         accepted_moved <= accept_pair;
         taken_moved <= take_pair;
+        full_if_still <= full_if_still_now;
+        full_if_moved <= full_if_moved_now;
+        empty_if_still <= empty_if_still_now;
+        empty_if_moved <= empty_if_moved_now;
         offered <= offered_next;
         pose_pending <= pose_pending_next;
       end if;

@@ -177,6 +177,39 @@ fn reset_empties_the_unit_and_restores_the_bypass() {
 }
 
 #[test]
+fn one_clock_of_reset_forgets_verdicts_that_wait() {
+    for axes_per_clock in [1, 3, 11] {
+        for waiting in [1, 3, 1000] {
+            let p = Params { axes_per_clock, ..Params::default() };
+            let (_, _, pairs) = telling(&p);
+            let mut unit = Unit::new(&p);
+            // As many pairs as asked for, or as fit; nobody takes the verdicts.
+            unit.put(&pair_word(&p, &pairs[0]));
+            let (mut accepted, mut clocks) = (0, 0);
+            while clocks < 2000 {
+                unit.set("in_valid", i128::from(accepted < waiting));
+                unit.clock();
+                accepted += i32::from(unit.get("in_ready") == 1 && accepted < waiting);
+                clocks += 1;
+            }
+            unit.set("in_valid", 0);
+            assert_eq!(unit.get("out_valid"), 1, "verdicts wait");
+            unit.set("reset", 1);
+            unit.clock();
+            unit.set("reset", 0);
+            unit.set("out_ready", 1);
+            for _ in 0..500 {
+                unit.clock();
+                assert_eq!(unit.get("out_valid"), 0, "a verdict from before the reset");
+            }
+            unit.set("out_ready", 0);
+            unit.send(&pairs[1], 7);
+            assert_eq!(unit.take(), (7, expected(&p, &Pose::identity(&p), &pairs[1])));
+        }
+    }
+}
+
+#[test]
 fn a_full_unit_refuses_pairs_and_loses_none() {
     for axes_per_clock in [1, 11] {
         let p = Params { axes_per_clock, ..Params::default() };

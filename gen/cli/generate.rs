@@ -32,13 +32,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     set.write(&arguments.out)?;
     print(&format!(
-        "{}: {} files\n{} multipliers, {} register bits on {} at {} MHz\none pair every {} clocks, verdict after {} \
+        "{}: {} files\n{} multipliers ({} has {}), {} register bits, {} MHz\none pair every {} clocks, verdict after {} \
          clocks\n",
         arguments.out.display(),
         set.len(),
         design.top.multipliers(),
-        design.top.register_bits(),
         design.device.name,
+        design.device.multipliers,
+        design.top.register_bits(),
         params.frequency,
         design.interval,
         design.latency,

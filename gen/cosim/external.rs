@@ -33,6 +33,23 @@ pub(super) fn keep(
     }
 }
 
+/// Refuses a folder that holds files of somebody else: what is kept would mix with them or overwrite them.
+pub(super) fn check_keep(dir: &Path) -> Result<(), CosimError> {
+    if !dir.exists() {
+        return Ok(());
+    }
+    let mut entries = std::fs::read_dir(dir).map_err(file_error(dir))?;
+    let ours = dir.join(format!("{}.vec", testbench::NAME)).is_file();
+    if ours || entries.next().is_none() {
+        return Ok(());
+    }
+    let message = format!(
+        "--keep {}: holds files that efsat did not write; legal is a new or empty folder, or one of an earlier run",
+        dir.display()
+    );
+    Err(CosimError::Option(message))
+}
+
 /// Writes the sources into a folder; returns their names in dependency order.
 fn write(design: &Design, command_line: &str, stimulus: &Stimulus, dir: &Path) -> Result<Vec<String>, CosimError> {
     std::fs::create_dir_all(dir).map_err(file_error(dir))?;
@@ -81,9 +98,9 @@ pub(super) fn run(
             temporary.path().to_owned()
         }
     };
+    let wave = options.wave.as_ref().map(|w| absolute(w)).transpose()?;
     let names = write(design, command_line, stimulus, &dir)?;
     let dir = dir.canonicalize().map_err(file_error(&dir))?;
-    let wave = options.wave.as_ref().map(|w| absolute(w)).transpose()?;
     let (text, simulator) = if command == "nvc" {
         (nvc(&dir, &names, wave.as_deref())?, version(command))
     } else {
@@ -91,7 +108,11 @@ pub(super) fn run(
     };
     if let Some(wave) = &wave {
         let layout = wave.with_extension("gtkw");
-        std::fs::write(&layout, wave::layout(design, wave)).map_err(file_error(&layout))?;
+        // A layout that somebody has saved from GTKWave stays.
+        let text = std::fs::read_to_string(&layout).unwrap_or_else(|_| wave::MARK.to_owned());
+        if text.starts_with(wave::MARK) {
+            std::fs::write(&layout, wave::layout(design, wave)).map_err(file_error(&layout))?;
+        }
     }
     if options.keep.is_some() {
         let log = dir.join("simulation.log");
@@ -107,7 +128,15 @@ pub(super) fn run(
 
 fn absolute(path: &Path) -> Result<PathBuf, CosimError> {
     match path.extension().and_then(|e| e.to_str()) {
-        Some("ghw" | "vcd") => std::path::absolute(path).map_err(file_error(path)),
+        Some("ghw" | "vcd") => {
+            let path = std::path::absolute(path).map_err(file_error(path))?;
+            match path.parent() {
+                Some(parent) if !parent.is_dir() => {
+                    Err(CosimError::Option(format!("--wave {}: {} is no folder", path.display(), parent.display())))
+                }
+                _ => Ok(path),
+            }
+        }
         _ => Err(CosimError::Option(format!("--wave {}: legal is a file ending in .ghw or .vcd", path.display()))),
     }
 }

@@ -141,6 +141,9 @@ pub fn run_design(
     options: &Options,
 ) -> Result<Report, CosimError> {
     let start = Instant::now();
+    if let Some(dir) = &options.keep {
+        external::check_keep(dir)?;
+    }
     let golden = crate::golden::Golden::new(&design.params);
     let mut verdicts = [0; 3];
     for (pose, pairs) in &stimulus.segments {

@@ -3,11 +3,15 @@
 use crate::design::Design;
 use std::path::Path;
 
+/// First line of a layout that is ours to overwrite.
+pub(super) const MARK: &str = "[*] Layout by efsat";
+
 /// The layout file (`.gtkw`) for a waveform of the testbench: handshakes first, then data, phases and verdicts.
 pub(super) fn layout(design: &Design, wave: &Path) -> String {
     let vcd = wave.extension().is_some_and(|e| e == "vcd");
     let (scope, mark) = if vcd { ("efsat_tb.", "") } else { ("top.efsat_tb.", "") };
-    let mut lines = vec![format!("[dumpfile] \"{}\"", wave.file_name().unwrap_or_default().to_string_lossy())];
+    let mut lines =
+        vec![MARK.to_owned(), format!("[dumpfile] \"{}\"", wave.file_name().unwrap_or_default().to_string_lossy())];
     let mut group = |title: &str, names: Vec<(String, u32)>| {
         lines.push("@200".to_owned());
         lines.push(format!("-{title}"));

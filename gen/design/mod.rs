@@ -2,8 +2,8 @@
 //!
 //! One file a unit, each a function from formats to a [`Unit`](crate::graph::Unit); the entity that is printed has the
 //! file's name. Reading order: [`interval`] (operators), [`cross_product`], [`projection`], [`comparator`] (one axis),
-//! [`transform_row`], [`renormalise`] (before the axes), [`pipeline`] (what is shared, and when; its axes in `axis_stage`), [`sequencer`] and
-//! [`top`] (handshakes).
+//! [`transform_row`], [`renormalise`] (before the axes), [`pipeline`] (what is shared, and when; its axes in
+//! `axis_stage`), [`sequencer`] and [`top`] (handshakes).
 
 pub mod axes;
 mod axis_stage;

@@ -68,7 +68,7 @@ pub fn module(interval: usize, latency: i32) -> Rc<Module> {
     let beyond = m.op("taken_turned_sum", Op::Add, &[taken.count, turn]);
     let beyond = m.op("taken_turned", Op::LowBits(address + 1), &[beyond]);
     m.comment(beyond, "the accepted count at which every place is promised");
-    let full = accepted.meets(&mut m, "full", beyond);
+    let full = accepted.meets(&mut m, "full", beyond, (reset, 0));
     let room = m.op("room", Op::Not, &[full]);
     let open = m.op("slot_open", Op::And, &[running, last]);
     let in_ready = m.op("accepts", Op::And, &[open, room]);
@@ -91,7 +91,7 @@ pub fn module(interval: usize, latency: i32) -> Rc<Module> {
     } else {
         held
     };
-    let empty = taken.meets(&mut m, "empty", decided);
+    let empty = taken.meets(&mut m, "empty", decided, (reset, 1));
     let waiting = m.op("waiting", Op::Not, &[empty]);
     // The output register: filled from the queue when it is empty or just being taken.
     let offered = m.register("offered", Type::FLAG);
@@ -151,11 +151,12 @@ impl Pointer {
     }
 
     /// Whether the pointer equals `other` as it was in the last clock.
-    fn meets(&self, m: &mut ModuleBuilder, name: &str, other: SignalId) -> SignalId {
+    /// `at_reset` is what it is with all pointers at zero.
+    fn meets(&self, m: &mut ModuleBuilder, name: &str, other: SignalId, at_reset: (SignalId, i128)) -> SignalId {
         let mut registered = |case: &str, pointer| {
             let equal = m.op(&format!("{name}_if_{case}_now"), Op::Equal, &[pointer, other]);
             let q = m.register(&format!("{name}_if_{case}"), Type::FLAG);
-            m.drive(q, equal, None, None);
+            m.drive(q, equal, None, Some(at_reset));
             q
         };
         let (still, moved) = (registered("still", self.count), registered("moved", self.ahead));
