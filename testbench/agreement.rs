@@ -106,9 +106,12 @@ fn options(simulator: Simulator, probe: bool) -> Options {
     Options { simulator, keep: None, wave: None, probe }
 }
 
+/// The scene, a pose of it, and pairs of triangles that are candidates there.
+type SceneSample = (Scene, usize, Vec<(u32, u32)>);
+
 /// A few candidate pairs of the default scene in one of its poses, as the unit of a parameter set reads them.
 fn scene_segment(p: &Params) -> (Pose, Vec<Pair>) {
-    static CHOSEN: OnceLock<(Scene, usize, Vec<(u32, u32)>)> = OnceLock::new();
+    static CHOSEN: OnceLock<SceneSample> = OnceLock::new();
     let (scene, pose, pairs) = CHOSEN.get_or_init(|| {
         let scene = Scene::default_scene();
         let broad_phase = scene.broad_phase();
