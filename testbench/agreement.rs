@@ -186,11 +186,6 @@ fn flags_tell_more_than_verdicts_where_all_verdicts_are_possibly_incorrect() {
     assert!(flags.len() > 20, "{} different flag words", flags.len());
 }
 
-/// The inputs of the data path, as port values.
-fn inputs(design: &Design, pose: &Pose, pair: &Pair) -> Vec<i128> {
-    cosim::inputs(design, pose, pair)
-}
-
 /// The name in the reference model's trace of a node of the data path, if it has one.
 fn traced(p: &Params, design: &Design) -> Vec<(usize, usize, String, bool)> {
     // Node names of the data path follow a few patterns; phases come from the probes.
@@ -250,7 +245,7 @@ fn graph_equals_reference_model_in_every_inner_signal() {
         assert!(nodes.len() >= 2 * (18 + 18 + 33 + 44), "{name}: {} signals compared", nodes.len());
         for (pose, pairs) in &Stimulus::random(p, 40, 11).segments {
             for pair in pairs {
-                evaluator.run(&inputs(&design, pose, pair));
+                evaluator.run(&cosim::inputs(&design, pose, pair));
                 let trace: BTreeMap<_, _> = golden.trace(pose, pair).into_iter().collect();
                 for (node, phase, signal, upper) in &nodes {
                     let x = trace.get(signal).unwrap_or_else(|| panic!("{name}: the model has no {signal}"));

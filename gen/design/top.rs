@@ -1,6 +1,6 @@
 //! The top: input and pose registers, sequencer, data path, result queue; and the whole design as one value.
 
-use super::{cross_product::COORDINATES, interval::symmetric, pipeline, sequencer, transform_row::input_type};
+use super::{cross_product::COORDINATES, pipeline, sequencer, transform_row::input_type};
 use crate::device::{self, Device, UnknownDevice};
 use crate::graph::lower::{Lowering, Probe};
 use crate::graph::netlist::{Module, ModuleBuilder, SignalId};
@@ -281,15 +281,4 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
         }
     }
     m.finish()
-}
-
-/// Declared range of an input number by its port name.
-pub fn declared(p: &Params, port: &str) -> (i128, i128) {
-    if port.starts_with("pose_m") {
-        symmetric(p.one())
-    } else if port.starts_with("pose_t") {
-        symmetric(p.translation_bound())
-    } else {
-        symmetric(p.coordinate_bound())
-    }
 }

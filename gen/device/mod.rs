@@ -15,8 +15,6 @@ pub struct Device {
     pub part: Part,
     /// Hardware multipliers on the part.
     pub multipliers: u32,
-    /// Slices on the part.
-    pub slices: u32,
     /// Where the figures come from.
     pub source: &'static str,
     /// Clock to output of a flip-flop.
@@ -60,7 +58,6 @@ const DEVICES: [Device; 2] = [
         name: "xc2v6000-4",
         part: Part { family: "Virtex2", device: "xc2v6000", package: "bf957", speed: "-4" },
         multipliers: 144,
-        slices: 33_792,
         source: "public XST 10.1.03 reports for xc2v6000-4",
         clock_to_output: 0.568,
         setup: 0.370,
@@ -76,7 +73,6 @@ const DEVICES: [Device; 2] = [
         name: "xc6slx150-3",
         part: Part { family: "Spartan6", device: "xc6slx150", package: "fgg676", speed: "-3" },
         multipliers: 180,
-        slices: 23_038,
         source: "estimated after the Spartan-6 data sheet",
         clock_to_output: 0.45,
         setup: 0.40,

@@ -129,11 +129,6 @@ impl Simulation {
         Self { cells, lanes, states, memories, components, inputs, outputs, block }
     }
 
-    /// Clocks a block.
-    pub fn block(&self) -> usize {
-        self.block
-    }
-
     /// Sets input port `port` in clock `t` of the coming block.
     pub fn set(&mut self, port: usize, t: usize, value: i128) {
         self.lanes[self.inputs[port]].set(t, value);
