@@ -11,11 +11,16 @@ pub mod graph;
 pub mod mesh;
 // Floor 2
 pub mod design;
+pub mod software;
 pub mod vhdl;
 // Floor 3
 pub mod artefact;
 pub mod scene;
+pub mod stress;
+pub mod wall;
 // Floor 4
 pub mod cosim;
 // Floor 5
+pub mod mutation;
+// Floor 6
 pub mod cli;

@@ -4,13 +4,17 @@
 //! check failed, 2 the command line or an input file is wrong.
 
 mod classify;
+mod compare;
 mod cosim;
 mod error;
 mod generate;
+mod mutate;
 mod output;
 mod params;
 mod progress;
 mod source;
+mod stress;
+mod wall;
 
 use clap::{CommandFactory, Parser, Subcommand};
 use error::Failure;
@@ -34,6 +38,10 @@ enum Command {
     Generate(generate::Arguments),
     Cosim(cosim::Arguments),
     Classify(classify::Arguments),
+    Compare(compare::Arguments),
+    Stress(stress::Arguments),
+    Wall(wall::Arguments),
+    Mutate(mutate::Arguments),
 }
 
 /// Runs the command line of the process.
@@ -43,6 +51,10 @@ pub fn main() -> ExitCode {
             Command::Generate(arguments) => generate::run(&arguments),
             Command::Cosim(arguments) => cosim::run(&arguments),
             Command::Classify(arguments) => classify::run(&arguments),
+            Command::Compare(arguments) => compare::run(&arguments),
+            Command::Stress(arguments) => stress::run(&arguments),
+            Command::Wall(arguments) => wall::run(&arguments),
+            Command::Mutate(arguments) => mutate::run(&arguments),
         },
         Err(e) if !e.use_stderr() => output::print(&e.render().to_string()),
         Err(e) => {

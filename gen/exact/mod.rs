@@ -6,6 +6,7 @@
 
 mod filter;
 mod integers;
+pub mod linear_programme;
 mod minkowski;
 #[cfg(test)]
 mod tests;
@@ -43,4 +44,13 @@ pub fn pair(points: &[[f64; 3]; 6]) -> Exact {
 /// Decides the pair of A and the image of B under x to M * x + t, all numbers finite; `m` is indexed `[row][column]`.
 pub fn posed_pair(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
     filter::decide_posed(a, b, m, t).unwrap_or_else(|| integers::decide_posed(a, b, m, t))
+}
+
+/// How two closed triangles lie to each other, coplanar pairs told apart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Relation {
+    /// Separate, touch or intersect.
+    pub class: Exact,
+    /// Whether one plane holds all six points.
+    pub coplanar: bool,
 }
