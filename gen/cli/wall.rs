@@ -5,22 +5,21 @@ use super::output::{print, print_json};
 use super::params::ParamArguments;
 use super::progress;
 use crate::artefact::Scratch;
-use crate::exact;
-use crate::golden::host::{loose_pair, Host};
-use crate::golden::{Golden, Pose};
 use crate::params::Params;
-use crate::wall::{picture, Answer, Contact, Map, Report, Step, CONTACTS, SIZE};
+use crate::wall::{picture, Contact, Grid, Map, Report, Step, CONTACTS, SIZE};
 use clap::builder::PossibleValuesParser;
 use serde::Serialize;
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Draws the verdicts around a contact: one vertex moved over 256 x 256 cells
+/// Draws the verdicts around a contact, one vertex moved over 256 x 256 cells, beside the exact answers
 ///
-/// Beside each map of verdicts stands the exact one. separate is blue, possibly-incorrect yellow, touch black, intersect
-/// orange; upwards is away from the other triangle. The maps are checked: definite cells are right, nothing but
-/// possibly-incorrect cells lie between separate and intersect, and no group of cells is cut off from its like.
+/// separate is blue, possibly-incorrect yellow, touch black, intersect orange; upwards is away from the other triangle.
+/// Columns of the table: cells by verdict; least, median and greatest length of the possibly-incorrect runs at the wall,
+/// column by column; wrong cells; definite cells beside the other definite verdict; columns with possibly-incorrect cells
+/// apart from those at the wall, of all that cross it, and how far such cells reach; cut-off groups of cells, and how far
+/// they are from their like. A wrong cell fails, and so does one that strays farther than the band is wide.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// Which contacts; all of them if none is named
@@ -52,14 +51,9 @@ struct Drawn {
 }
 
 impl Drawn {
-    fn new(contact: &'static Contact, step: Step, params: &Params, golden: &Golden) -> Result<Self, Failure> {
-        let grid = contact.grid(step, params).map_err(|e| Failure::Usage(e.to_string()))?;
-        let identity = Pose::identity(params);
-        let verdicts = Map::of(&grid, |points| match loose_pair(points, params) {
-            Host::Unit(pair) => golden.verdict(&identity, &pair).into(),
-            Host::Decided(verdict) => verdict.into(),
-        });
-        let exact = Map::of(&grid, |points| Answer::from(exact::pair(points)));
+    fn new(contact: &'static Contact, step: Step, params: &Params) -> Result<Self, Failure> {
+        let grid = Grid::new(contact, step, params).map_err(|e| Failure::Usage(e.to_string()))?;
+        let (verdicts, exact) = (Map::verdicts(&grid, params), Map::exact(&grid));
         let report = Report::new(&verdicts, &exact);
         Ok(Self { contact, exponent: grid.exponent(), report, picture: picture::png(&[&verdicts, &exact]) })
     }
@@ -92,7 +86,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(dir) = &arguments.out {
         fs::create_dir_all(dir).map_err(|e| file_failure(dir, &e))?;
     }
-    let golden = Golden::new(&params);
     let chosen = |contact: &&Contact| {
         arguments.contacts.is_empty() || arguments.contacts.iter().any(|name| name == contact.name)
     };
@@ -100,7 +93,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let bar = progress::bar(chosen.len() as u64, "contacts", false);
     let mut maps = vec![];
     for contact in chosen {
-        maps.push(Drawn::new(contact, arguments.step, &params, &golden)?);
+        maps.push(Drawn::new(contact, arguments.step, &params)?);
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -121,7 +114,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         print(&table(&maps))?;
     }
-    let failed: Vec<String> = maps.iter().filter_map(fault).collect();
+    let failed: Vec<String> = maps
+        .iter()
+        .filter_map(|map| map.report.fault().map(|fault| format!("{}: {fault}", map.contact.name)))
+        .collect();
     if failed.is_empty() {
         Ok(())
     } else {
@@ -129,48 +125,35 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// What is wrong about a map, if anything is.
-fn fault(map: &Drawn) -> Option<String> {
-    (map.report.wrong > 0).then(|| format!("{}: {} wrong", map.contact.name, map.report.wrong))
-}
-
 fn table(maps: &[Drawn]) -> String {
-    let mut text = format!(
-        "{:<18}{:>6}{:>10}{:>8}{:>11}{:>16}{:>7}{:>11}{:>11}{:>8}{:>10}{:>7}{:>5}\n",
-        "contact",
-        "step",
-        "separate",
-        "p.i.",
-        "intersect",
-        "band",
-        "wrong",
-        "unguarded",
-        "disordered",
-        "ragged",
-        "speckles",
-        "cells",
-        "far"
-    );
+    let heads =
+        ["step", "separate", "p.i.", "intersect", "band", "wrong", "adjacent", "disorder", "fringe", "speckles"];
+    let mut text = line("contact", &heads.map(str::to_owned));
     for map in maps {
         let r = &map.report;
-        let band = r.band.map_or_else(|| "-".to_owned(), |b| format!("{} {} {}", b.min, b.median, b.max));
-        text.push_str(&format!(
-            "{:<18}{:>6}{:>10}{:>8}{:>11}{band:>16}{:>7}{:>11}{:>11}{:>8}{:>10}{:>7}{:>5}\n",
-            map.contact.name,
+        let speckles = format!("{} ({})", r.speckles, r.speckle_distance);
+        let cells = [
             format!("2^{}", map.exponent),
-            r.separate,
-            r.possibly_incorrect,
-            r.intersect,
-            r.wrong,
-            r.unguarded,
+            r.separate.to_string(),
+            r.possibly_incorrect.to_string(),
+            r.intersect.to_string(),
+            r.band.map_or_else(|| "-".to_owned(), |b| format!("{} {} {}", b.min, b.median, b.max)),
+            r.wrong.to_string(),
+            r.adjacent.to_string(),
             format!("{}/{}", r.disordered, r.lines),
-            r.ragged,
-            r.speckles,
-            r.speckle_cells,
-            r.speckle_distance
-        ));
+            r.fringe.to_string(),
+            speckles,
+        ];
+        text.push_str(&line(map.contact.name, &cells));
     }
     text
+}
+
+/// A row of the table.
+fn line(name: &str, cells: &[String; 10]) -> String {
+    let widths = [7, 10, 7, 11, 13, 7, 10, 10, 8, 10];
+    let cells = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:>width$}"));
+    format!("{name:<17}{}\n", cells.collect::<String>())
 }
 
 /// Puts the pictures into a folder, each as a whole.

@@ -1,5 +1,6 @@
 //! The pairs of a map's cells.
 
+use super::step::COARSEST;
 use super::{Contact, Step, WallError};
 use crate::params::Params;
 
@@ -15,20 +16,16 @@ pub struct Grid {
 }
 
 impl Grid {
-    pub(super) fn new(contact: &Contact, step: Step, params: &Params) -> Result<Self, WallError> {
+    /// The grid around a contact.
+    ///
+    /// # Errors
+    /// A step with which cells leave the contact.
+    pub fn new(contact: &Contact, step: Step, params: &Params) -> Result<Self, WallError> {
         let exponent = step.exponent(contact, params);
-        let found = (contact.name, step, exponent);
-        if exponent > -7 {
-            let (contact, step, exponent) = found;
-            return Err(WallError::Coarse { contact, step, exponent });
+        if exponent > COARSEST {
+            return Err(WallError::Coarse { contact: contact.name, step, exponent });
         }
-        let grid = Self { contact: *contact, points: contact.points(), exponent };
-        // All cells are multiples of the step if those of the corners are, and then rounding one step shows.
-        if !grid.exact() {
-            let (contact, step, exponent) = found;
-            return Err(WallError::Fine { contact, step, exponent });
-        }
-        Ok(grid)
+        Ok(Self { contact: *contact, points: contact.points(), exponent })
     }
 
     /// The binary exponent of the step.
@@ -54,16 +51,48 @@ impl Grid {
         let step = f64::from(self.exponent).exp2();
         [0, 1, 2].map(|i| (right * self.contact.along[i] + up * self.contact.through[i]) * step)
     }
+}
 
-    /// Whether no cell is rounded: a sum is exact if taking either term from it leaves the other.
-    fn exact(&self) -> bool {
-        let start = self.points[self.contact.moved];
-        (0..SIZE * SIZE).all(|cell| {
-            let offset = self.offset(cell / SIZE, cell % SIZE);
-            (0..3).all(|i| {
-                let sum = start[i] + offset[i];
-                sum - start[i] == offset[i] && sum - offset[i] == start[i]
-            })
-        })
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::wall::step::FINEST;
+    use crate::wall::CONTACTS;
+
+    /// A sum is exact if taking either term from it leaves the other.
+    #[test]
+    fn no_cell_is_rounded() {
+        for contact in &CONTACTS {
+            for step in [Step::Power(FINEST), Step::Binary64, Step::Working, Step::Power(COARSEST)] {
+                let grid = Grid::new(contact, step, &Params::default()).unwrap();
+                let start = grid.points[contact.moved];
+                let exact = |cell: usize| {
+                    let (offset, pair) = (grid.offset(cell / SIZE, cell % SIZE), grid.pair(cell / SIZE, cell % SIZE));
+                    (0..3).all(|i| {
+                        let sum = pair[contact.moved][i];
+                        sum - start[i] == offset[i] && sum - offset[i] == start[i]
+                    })
+                };
+                assert!((0..SIZE * SIZE).all(exact), "{} {step}", contact.name);
+            }
+        }
+    }
+
+    #[test]
+    fn cells_count_from_the_top_left() {
+        let contact = Contact::named("vertex-on-face").unwrap();
+        let grid = Grid::new(contact, Step::Power(-10), &Params::default()).unwrap();
+        assert_eq!(grid.pair(SIZE / 2, SIZE / 2), contact.points());
+        let moved = |row, column| grid.pair(row, column)[contact.moved];
+        assert_eq!(moved(0, 0), [0.5 - 0.125, 0.75, 0.625 + 0.125]);
+        assert_eq!(moved(SIZE / 2, SIZE / 2 + 1), [0.5 + 1.0 / 1024.0, 0.75, 0.625]);
+    }
+
+    #[test]
+    fn coarse_steps_are_refused() {
+        let params = Params { width: 13, ..Params::default() };
+        let contact = Contact::named("edge-on-edge").unwrap();
+        let error = Grid::new(contact, Step::Working, &params).unwrap_err();
+        assert_eq!(error, WallError::Coarse { contact: "edge-on-edge", step: Step::Working, exponent: -6 });
     }
 }

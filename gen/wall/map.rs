@@ -1,8 +1,10 @@
 //! What a test answers on the cells of a grid.
 
 use super::grid::{Grid, SIZE};
-use crate::exact::Exact;
-use crate::golden::Verdict;
+use crate::exact::{self, Exact};
+use crate::golden::host::{loose_pair, Host};
+use crate::golden::{Golden, Pose, Verdict};
+use crate::params::Params;
 use rayon::prelude::*;
 
 /// The answers that appear on maps.
@@ -47,6 +49,20 @@ impl Map {
     pub fn of(grid: &Grid, answer: impl Fn(&[[f64; 3]; 6]) -> Answer + Sync) -> Self {
         let cell = |cell: usize| answer(&grid.pair(cell / SIZE, cell % SIZE));
         Self((0..SIZE * SIZE).into_par_iter().map(cell).collect())
+    }
+
+    /// What the unit answers.
+    pub fn verdicts(grid: &Grid, params: &Params) -> Self {
+        let (golden, identity) = (Golden::new(params), Pose::identity(params));
+        Self::of(grid, |points| match loose_pair(points, params) {
+            Host::Unit(pair) => golden.verdict(&identity, &pair).into(),
+            Host::Decided(verdict) => verdict.into(),
+        })
+    }
+
+    /// What is true.
+    pub fn exact(grid: &Grid) -> Self {
+        Self::of(grid, |points| exact::pair(points).into())
     }
 
     /// A map by row and column.

@@ -1,7 +1,7 @@
 //! Wall maps: verdicts around a contact, one vertex moved over a grid of single units in the last place.
 //!
 //! A [`Contact`] is two triangles that just touch, with the vertex to move and two directions; a [`Grid`] holds the
-//! pairs of its cells, exactly; a [`Map`] is what some test answers on them. [`Report`] compares the map of a verdict
+//! pairs of its cells, exactly; a [`Map`] is what some test answers on them. [`Report`] compares the map of the verdicts
 //! with the exact one, and [`picture::png`] draws maps side by side.
 //!
 //! The idea is that of Kettner, Mehlhorn, Pion, Schirra and Yap, *Classroom examples of robustness problems in
@@ -9,6 +9,7 @@
 
 mod contact;
 mod grid;
+mod groups;
 mod map;
 pub mod picture;
 mod report;
@@ -29,16 +30,6 @@ pub enum WallError {
     /// Cells that leave the surroundings of the contact.
     #[error("contact {contact}: found a step of 2^{exponent} ({step}); legal is 2^-7 at most")]
     Coarse {
-        /// Name of the contact.
-        contact: &'static str,
-        /// What was asked for.
-        step: Step,
-        /// Binary exponent of the step.
-        exponent: i32,
-    },
-    /// Cells that are no binary64 numbers.
-    #[error("contact {contact}: found a step of 2^{exponent} ({step}), too fine for binary64 coordinates")]
-    Fine {
         /// Name of the contact.
         contact: &'static str,
         /// What was asked for.

@@ -51,3 +51,37 @@ pub fn png(maps: &[&Map]) -> Vec<u8> {
     writer.finish().expect("a vector takes all bytes");
     file
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_picture_shows_the_maps() {
+        let answers = [Answer::Separate, Answer::PossiblyIncorrect, Answer::Touch, Answer::Intersect];
+        let maps =
+            [Map::from_fn(|row, column| answers[(row / 3 + column) % 4]), Map::from_fn(|row, _| answers[row % 4])];
+        let file = png(&[&maps[0], &maps[1]]);
+        assert_eq!(png(&[&maps[0], &maps[1]]), file);
+
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(file));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        let info = reader.next_frame(&mut pixels).unwrap();
+        assert_eq!((info.width, info.height), (1040, 512));
+        let mut wrong = vec![];
+        for (at, pixel) in pixels.chunks(3).enumerate() {
+            let (x, y) = (at % 1040, at / 1040);
+            let expected = match x {
+                0..512 => PALETTE[colour(maps[0].at(y / 2, x / 2)) as usize],
+                512..528 => [255; 3],
+                _ => PALETTE[colour(maps[1].at(y / 2, (x - 528) / 2)) as usize],
+            };
+            if pixel != expected {
+                wrong.push((x, y));
+            }
+        }
+        assert_eq!((pixels.len(), wrong), (1040 * 512 * 3, vec![]));
+    }
+}

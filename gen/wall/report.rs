@@ -1,6 +1,7 @@
 //! A map of verdicts against the exact map.
 
 use super::grid::SIZE;
+use super::groups::{around, beside, distances, groups, Groups};
 use super::map::{Answer, Map};
 use serde::Serialize;
 
@@ -29,14 +30,14 @@ pub struct Report {
     pub intersect: usize,
     /// Definite cells that differ from the exact answer; a touch is an intersection.
     pub wrong: usize,
-    /// Cells with a neighbour, diagonals included, of the other definite verdict.
-    pub unguarded: usize,
+    /// Definite cells with a neighbour, diagonals included, of the other definite verdict.
+    pub adjacent: usize,
     /// Columns with a crossing.
     pub lines: usize,
     /// Of these, the ones where some run of possibly-incorrect cells has no crossing in it or at its end.
     pub disordered: usize,
-    /// The greatest distance, in cells, of such a run from the run at a crossing.
-    pub ragged: usize,
+    /// The greatest distance, in cells, from the end of a run at a crossing to the far end of such a run.
+    pub fringe: usize,
     /// Groups of cells of one verdict that are cut off: possibly-incorrect ones (joined by sides or corners) without a
     /// wall in them, and definite ones (joined by sides) that are not the greatest of their verdict on a piece of a side.
     pub speckles: usize,
@@ -63,6 +64,20 @@ impl Report {
         report
     }
 
+    /// What must not be, in words.
+    ///
+    /// No definite cell is wrong. Nothing strays farther from the band than the band is wide: its edges are where an
+    /// error bound decides, and that bound varies from cell to cell with the bits that are rounded away, between zero
+    /// and its greatest value, which is the band's own scale.
+    pub fn fault(&self) -> Option<String> {
+        if self.wrong > 0 {
+            return Some(format!("{} wrong definite cells", self.wrong));
+        }
+        let widest = self.band?.max;
+        let strayed = self.fringe.max(self.speckle_distance);
+        (strayed > widest).then(|| format!("a cell strays {strayed} cells from its like; the band is {widest} wide"))
+    }
+
     fn compare(&mut self, verdicts: &Map, exact: &Map) {
         for (i, (&verdict, &exact)) in verdicts.cells().iter().zip(exact.cells()).enumerate() {
             let wrong = match verdict {
@@ -75,7 +90,7 @@ impl Report {
                 let neighbour = verdicts.cells()[j];
                 neighbour != Answer::PossiblyIncorrect && neighbour != verdict
             };
-            self.unguarded += usize::from(around(i).any(other));
+            self.adjacent += usize::from(around(i).any(other));
         }
     }
 
@@ -94,19 +109,14 @@ impl Report {
             let at_wall = |&(from, to): &(usize, usize)| crossings.iter().any(|&row| from <= row + 1 && row < to);
             let (walls, strays): (Vec<_>, Vec<_>) = undecided.into_iter().partition(at_wall);
             self.disordered += usize::from(!strays.is_empty());
-            for &(from, to) in &strays {
-                let distance = |&(wall_from, wall_to): &(usize, usize)| {
-                    if to <= wall_from {
-                        wall_from - from
-                    } else {
-                        to - wall_to
-                    }
-                };
-                self.ragged = self.ragged.max(walls.iter().map(distance).min().unwrap_or(SIZE));
-            }
             // A crossing between two definite cells is a band without width.
-            let bare = |&&row: &&usize| !walls.iter().any(|&(from, to)| from <= row + 1 && row < to);
-            widths.extend(crossings.iter().filter(bare).map(|_| 0));
+            let bare = |row: &usize| !walls.iter().any(|&(from, to)| from <= row + 1 && *row < to);
+            let bare: Vec<_> = crossings.iter().filter(|row| bare(row)).map(|row| (row + 1, row + 1)).collect();
+            let walls = [walls, bare].concat();
+            for (from, to) in strays {
+                let beyond = |wall: &(usize, usize)| if to <= wall.0 { wall.0 - from } else { to - wall.1 };
+                self.fringe = self.fringe.max(walls.iter().map(beyond).min().unwrap_or(SIZE));
+            }
             widths.extend(walls.iter().map(|(from, to)| to - from));
         }
         widths.sort_unstable();
@@ -147,9 +157,6 @@ impl Report {
     }
 }
 
-/// Cells in groups.
-type Groups = Vec<Vec<usize>>;
-
 /// Whether an exact answer is `separate`.
 fn apart(answer: Answer) -> bool {
     answer == Answer::Separate
@@ -167,59 +174,95 @@ fn runs(holds: impl Fn(usize) -> bool) -> Vec<(usize, usize)> {
     runs
 }
 
-/// The up to eight cells around a cell, by index.
-fn around(cell: usize) -> impl Iterator<Item = usize> {
-    let (row, column) = (cell / SIZE, cell % SIZE);
-    let near = |x: usize| x.saturating_sub(1)..(x + 2).min(SIZE);
-    near(row).flat_map(move |r| near(column).map(move |c| r * SIZE + c)).filter(move |&other| other != cell)
-}
+#[cfg(test)]
+mod tests {
+    use super::*;
 
-/// The up to four cells that share a side with a cell, by index.
-fn beside(cell: usize) -> impl Iterator<Item = usize> {
-    around(cell).filter(move |&other| other / SIZE == cell / SIZE || other % SIZE == cell % SIZE)
-}
+    const WALL: usize = SIZE / 2;
 
-/// The cells that have a key, in groups of one key and joined by neighbourhood.
-fn groups<N: Iterator<Item = usize>>(key: impl Fn(usize) -> Option<u8>, neighbours: impl Fn(usize) -> N) -> Groups {
-    let mut seen = vec![false; SIZE * SIZE];
-    let mut groups = vec![];
-    for start in 0..SIZE * SIZE {
-        let Some(of_group) = key(start) else { continue };
-        if seen[start] {
-            continue;
-        }
-        seen[start] = true;
-        let mut group = vec![start];
-        let mut next = 0;
-        while next < group.len() {
-            for other in neighbours(group[next]) {
-                if !seen[other] && key(other) == Some(of_group) {
-                    seen[other] = true;
-                    group.push(other);
-                }
-            }
-            next += 1;
-        }
-        groups.push(group);
+    /// Separate above a horizontal wall of touches, intersect below.
+    fn exact() -> Map {
+        Map::from_fn(|row, _| match row {
+            0..WALL => Answer::Separate,
+            WALL => Answer::Touch,
+            _ => Answer::Intersect,
+        })
     }
-    groups
-}
 
-/// How many king's moves every cell is from the nearest of some cells; SIZE if there are none.
-fn distances(from: &[usize]) -> Vec<usize> {
-    let mut distance = vec![SIZE; SIZE * SIZE];
-    let mut reached = from.to_vec();
-    reached.iter().for_each(|&cell| distance[cell] = 0);
-    let mut next = 0;
-    while next < reached.len() {
-        let cell = reached[next];
-        for other in around(cell) {
-            if distance[other] > distance[cell] + 1 {
-                distance[other] = distance[cell] + 1;
-                reached.push(other);
-            }
-        }
-        next += 1;
+    /// A straight band: ten rows above the wall, the wall, nine below; but for some cells.
+    fn verdicts(planted: &[(usize, usize, Answer)]) -> Map {
+        Map::from_fn(|row, column| {
+            let straight = match row {
+                0..118 => Answer::Separate,
+                118..138 => Answer::PossiblyIncorrect,
+                _ => Answer::Intersect,
+            };
+            let here = planted.iter().find(|(r, c, _)| (*r, *c) == (row, column));
+            here.map_or(straight, |(_, _, answer)| *answer)
+        })
     }
-    distance
+
+    fn report(planted: &[(usize, usize, Answer)]) -> Report {
+        Report::new(&verdicts(planted), &exact())
+    }
+
+    #[test]
+    fn a_straight_band_is_in_order() {
+        let expected = Report {
+            separate: 118 * SIZE,
+            possibly_incorrect: 20 * SIZE,
+            intersect: 118 * SIZE,
+            lines: SIZE,
+            band: Some(Band { min: 20, median: 20, max: 20 }),
+            ..Report::default()
+        };
+        assert_eq!(report(&[]), expected);
+        assert_eq!(expected.fault(), None);
+    }
+
+    #[test]
+    fn a_wrong_cell_is_seen() {
+        for (row, answer) in [(WALL - 1, Answer::Intersect), (WALL, Answer::Separate), (WALL + 1, Answer::Separate)] {
+            let report = report(&[(row, 7, answer)]);
+            assert_eq!((report.wrong, report.fault().unwrap().as_str()), (1, "1 wrong definite cells"));
+        }
+        // Right, as a touch is an intersection.
+        assert_eq!(report(&[(WALL, 7, Answer::Intersect)]).wrong, 0);
+    }
+
+    #[test]
+    fn definite_verdicts_side_by_side_are_seen() {
+        let planted = [(WALL - 1, 7, Answer::Separate), (WALL, 8, Answer::Intersect)];
+        let report = report(&planted);
+        assert_eq!((report.adjacent, report.wrong), (2, 0));
+    }
+
+    #[test]
+    fn speckles_are_seen_with_their_distance() {
+        use Answer::{Intersect, PossiblyIncorrect, Separate};
+        // Near the band: possibly-incorrect in separate, and separate in the band.
+        let near = report(&[(115, 3, PossiblyIncorrect), (120, 9, Separate)]);
+        assert_eq!((near.speckles, near.speckle_cells, near.speckle_distance), (2, 2, 3));
+        assert_eq!((near.disordered, near.fringe, near.wrong), (2, 3, 0));
+        assert_eq!(near.fault(), None);
+        // Far from it.
+        for (row, distance) in [(90, 28), (166, 29)] {
+            let far = report(&[(row, 3, PossiblyIncorrect), (row, 4, PossiblyIncorrect)]);
+            assert_eq!((far.speckles, far.speckle_cells, far.speckle_distance, far.fringe), (1, 2, distance, distance));
+            assert!(far.fault().unwrap().starts_with(&format!("a cell strays {distance} cells")));
+        }
+        // Joined by a corner, a possibly-incorrect cell belongs to the band; a definite one is cut off.
+        let corner = [(117, 3, PossiblyIncorrect), (116, 4, PossiblyIncorrect)];
+        assert_eq!(report(&corner).speckles, 0);
+        let corner = [(137, 3, Intersect), (136, 4, Intersect)];
+        assert_eq!((report(&corner).speckles, report(&corner).speckle_distance), (1, 1));
+    }
+
+    #[test]
+    fn a_wall_without_a_band_has_width_zero() {
+        let sharp = Map::from_fn(|row, _| if row < WALL { Answer::Separate } else { Answer::Intersect });
+        let report = Report::new(&sharp, &exact());
+        assert_eq!(report.band, Some(Band { min: 0, median: 0, max: 0 }));
+        assert_eq!((report.wrong, report.adjacent, report.fault()), (0, 2 * SIZE, None));
+    }
 }

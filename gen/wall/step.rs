@@ -5,11 +5,15 @@ use crate::params::Params;
 use std::fmt;
 use std::str::FromStr;
 
+/// Binary exponents of the steps for which the contacts are made: no coordinate is rounded and none leaves the contact.
+pub(super) const FINEST: i32 = -53;
+pub(super) const COARSEST: i32 = -7;
+
 /// The distance of neighbouring cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step {
-    /// One ulp of the coordinates that the axis test sees at the contact, after re-normalisation; of the coarsest of
-    /// the three coordinate axes.
+    /// The least step that the axis test sees: one ulp of the coordinates after re-normalisation, on the coarsest of
+    /// the three coordinate axes, or one ulp of the input format if that is greater.
     Working,
     /// One ulp of the input format, after the host's scaling.
     Input,
@@ -32,17 +36,18 @@ impl Step {
             Self::Input => host_scale(&points) - params.input().fraction,
             Self::Working => {
                 let fraction = params.formats().coordinate_a.format.fraction;
-                if params.renormalise {
-                    // Contract section 4: from V0, each axis to the least power of two above.
-                    let reach = |x: &[f64; 3], i: usize| (x[i] - points[0][i]).abs();
-                    let greatest = |i: usize| points.iter().map(|x| reach(x, i)).fold(0.0, f64::max);
-                    above([0, 1, 2].map(greatest).into_iter().fold(0.0, f64::max)) - fraction
-                } else {
-                    host_scale(&points) - fraction
-                }
+                let scale = if params.renormalise { pair_scale(&points) } else { host_scale(&points) };
+                (scale - fraction).max(Self::Input.exponent(contact, params))
             }
         }
     }
+}
+
+/// The greatest of the three powers of two that re-normalisation divides by (contract section 4): above all distances
+/// from V0.
+fn pair_scale(points: &[[f64; 3]; 6]) -> i32 {
+    let reach = |x: &[f64; 3]| (0..3).map(|i| (x[i] - points[0][i]).abs()).fold(0.0, f64::max);
+    above(points.iter().map(reach).fold(0.0, f64::max))
 }
 
 /// The power of two that the host divides a loose pair by (contract section 2): the least that half the longest side
@@ -72,7 +77,7 @@ impl FromStr for Step {
             "binary64" => Ok(Self::Binary64),
             _ => {
                 let exponent = text.strip_prefix("2^").and_then(|exponent| exponent.parse().ok());
-                exponent.filter(|e| (-53..=-7).contains(e)).map(Self::Power).ok_or(WallError::UnknownStep)
+                exponent.filter(|e| (FINEST..=COARSEST).contains(e)).map(Self::Power).ok_or(WallError::UnknownStep)
             }
         }
     }
@@ -110,6 +115,9 @@ mod tests {
         let at = |step: Step| step.exponent(&CONTACTS[0], &params);
         // Reach 12 from V0: 2^4 over 16 fraction bits. Half the longest side 9.5: 2^4 over 28 fraction bits.
         assert_eq!([Step::Working, Step::Input, Step::Binary64].map(at), [4 - 16, 4 - 28, -53]);
+        // Wider than the input: its ulp is the greater one.
+        let wide = Params { width: 32, ..Params::default() };
+        assert_eq!(Step::Working.exponent(&CONTACTS[0], &wide), 4 - 28);
         let plain = Params { renormalise: false, ..Params::default() };
         assert_eq!(Step::Working.exponent(&CONTACTS[0], &plain), 4 - 14);
         assert_eq!([0.5, 0.75, 1.0, 12.0].map(above), [0, 0, 1, 4]);
