@@ -30,7 +30,7 @@ pub(super) struct Arguments {
     list: bool,
     /// Distance of two cells: one ulp of the axis test (working), of the input format (input) or of the moved vertex
     /// (binary64), or a power of two such as 2^-12
-    #[arg(long, value_name = "STEP", default_value_t = Step::Working)]
+    #[arg(long, value_name = "STEP", default_value_t = Step::Working, allow_negative_numbers = true)]
     step: Step,
     /// Write a picture of each contact, DIR/CONTACT.png
     #[arg(long, value_name = "DIR")]
@@ -83,9 +83,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return print(&CONTACTS.iter().map(line).collect::<String>());
     }
     let params = arguments.params.params()?;
-    if let Some(dir) = &arguments.out {
-        fs::create_dir_all(dir).map_err(|e| file_failure(dir, &e))?;
-    }
     let chosen = |contact: &&Contact| {
         arguments.contacts.is_empty() || arguments.contacts.iter().any(|name| name == contact.name)
     };
@@ -158,6 +155,7 @@ fn line(name: &str, cells: &[String; 10]) -> String {
 
 /// Puts the pictures into a folder, each as a whole.
 fn write(dir: &Path, maps: &[Drawn]) -> Result<(), Failure> {
+    fs::create_dir_all(dir).map_err(|e| file_failure(dir, &e))?;
     let scratch = Scratch::inside(dir).map_err(|e| file_failure(dir, &e))?;
     let names = || maps.iter().map(|map| format!("{}.png", map.contact.name));
     for (name, map) in names().zip(maps) {

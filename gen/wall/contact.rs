@@ -114,7 +114,7 @@ pub const CONTACTS: [Contact; 11] = [
     },
     Contact {
         name: "sliver-tip",
-        about: "the tip of a needle, 90 times as long as wide, inside the face of B",
+        about: "the tip of a needle, 100 times as long as wide, inside the face of B",
         at: AT,
         offsets: [[0., 0., 0.], [5., -4., 11.], [5.125, -4.0625, 11.], [12., -3., 5.], [-7., 11., 3.], [-5., -8., -8.]],
         moved: 0,
@@ -123,7 +123,7 @@ pub const CONTACTS: [Contact; 11] = [
     },
     Contact {
         name: "vertex-on-sliver",
-        about: "a vertex of A inside the face of a sliver",
+        about: "a vertex of A inside the face of a sliver, 10 times as long as wide",
         at: AT,
         offsets: [[0., 0., 0.], [-3., 2., 11.], [-7., -4., 9.], [10., -9., 9.], [-4.5, 5.5, -4.], [-5.5, 3.5, -5.]],
         moved: 0,
