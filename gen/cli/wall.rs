@@ -1,11 +1,174 @@
 //! `efsat wall`.
 
 use super::error::Failure;
+use super::output::{print, print_json};
+use super::params::ParamArguments;
+use super::progress;
+use crate::artefact::Scratch;
+use crate::params::Params;
+use crate::wall::{picture, Contact, Grid, Map, Report, Step, CONTACTS, SIZE};
+use clap::builder::PossibleValuesParser;
+use serde::Serialize;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
 
-/// To be written
+/// Draws the verdicts around a contact, one vertex moved over 256 x 256 cells, beside the exact answers
+///
+/// separate is blue, possibly-incorrect yellow, touch black, intersect orange; upwards is away from the other triangle.
+/// Columns of the table: cells by verdict; least, median and greatest length of the possibly-incorrect runs at the wall,
+/// column by column; wrong cells; definite cells beside the other definite verdict; columns with possibly-incorrect cells
+/// apart from those at the wall, of all that cross it, and how far such cells reach; cut-off groups of cells, and how far
+/// they are from their like. A wrong cell fails, and so does one that strays farther than the band is wide.
 #[derive(Debug, clap::Args)]
-pub(super) struct Arguments {}
+pub(super) struct Arguments {
+    /// Which contacts; all of them if none is named
+    #[arg(value_name = "CONTACT", value_parser = PossibleValuesParser::new(CONTACTS.map(|contact| contact.name)))]
+    contacts: Vec<String>,
+    /// Print names and descriptions of the contacts and nothing else
+    #[arg(long, conflicts_with_all = ["contacts", "step", "out", "json", "ParamArguments"])]
+    list: bool,
+    /// Distance of two cells: one ulp of the axis test (working), of the input format (input) or of the moved vertex
+    /// (binary64), or a power of two such as 2^-12
+    #[arg(long, value_name = "STEP", default_value_t = Step::Working, allow_negative_numbers = true)]
+    step: Step,
+    /// Write a picture of each contact, DIR/CONTACT.png
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print one JSON object instead of a table
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    params: ParamArguments,
+}
 
-pub(super) fn run(_arguments: &Arguments) -> Result<(), Failure> {
-    Err(Failure::Usage("not yet".to_owned()))
+/// The maps of a contact.
+struct Drawn {
+    contact: &'static Contact,
+    exponent: i32,
+    report: Report,
+    picture: Vec<u8>,
+}
+
+impl Drawn {
+    fn new(contact: &'static Contact, step: Step, params: &Params) -> Result<Self, Failure> {
+        let grid = Grid::new(contact, step, params).map_err(|e| Failure::Usage(e.to_string()))?;
+        let (verdicts, exact) = (Map::verdicts(&grid, params), Map::exact(&grid));
+        let report = Report::new(&verdicts, &exact);
+        Ok(Self { contact, exponent: grid.exponent(), report, picture: picture::png(&[&verdicts, &exact]) })
+    }
+}
+
+/// The JSON object.
+#[derive(Serialize)]
+struct Summary {
+    step: String,
+    cells: usize,
+    wrong: usize,
+    contacts: Vec<Row>,
+}
+
+/// A contact in the JSON object.
+#[derive(Serialize)]
+struct Row {
+    contact: &'static str,
+    step_exponent: i32,
+    #[serde(flatten)]
+    report: Report,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.list {
+        let line = |contact: &Contact| format!("{:<18}{}\n", contact.name, contact.about);
+        return print(&CONTACTS.iter().map(line).collect::<String>());
+    }
+    let params = arguments.params.params()?;
+    let chosen = |contact: &&Contact| {
+        arguments.contacts.is_empty() || arguments.contacts.iter().any(|name| name == contact.name)
+    };
+    let chosen: Vec<&'static Contact> = CONTACTS.iter().filter(chosen).collect();
+    let bar = progress::bar(chosen.len() as u64, "contacts", false);
+    let mut maps = vec![];
+    for contact in chosen {
+        maps.push(Drawn::new(contact, arguments.step, &params)?);
+        bar.inc(1);
+    }
+    bar.finish_and_clear();
+    if let Some(dir) = &arguments.out {
+        write(dir, &maps)?;
+    }
+    let wrong = maps.iter().map(|map| map.report.wrong).sum();
+    if arguments.json {
+        let row =
+            |map: &Drawn| Row { contact: map.contact.name, step_exponent: map.exponent, report: map.report.clone() };
+        let step = arguments.step.to_string();
+        print_json(&Summary {
+            step,
+            cells: SIZE * SIZE * maps.len(),
+            wrong,
+            contacts: maps.iter().map(row).collect(),
+        })?;
+    } else {
+        print(&table(&maps))?;
+    }
+    let failed: Vec<String> = maps
+        .iter()
+        .filter_map(|map| map.report.fault().map(|fault| format!("{}: {fault}", map.contact.name)))
+        .collect();
+    if failed.is_empty() {
+        Ok(())
+    } else {
+        Err(Failure::Check(failed.join("; ")))
+    }
+}
+
+fn table(maps: &[Drawn]) -> String {
+    let heads =
+        ["step", "separate", "p.i.", "intersect", "band", "wrong", "adjacent", "disorder", "fringe", "speckles"];
+    let mut text = line("contact", &heads.map(str::to_owned));
+    for map in maps {
+        let r = &map.report;
+        let speckles = format!("{} ({})", r.speckles, r.speckle_distance);
+        let cells = [
+            format!("2^{}", map.exponent),
+            r.separate.to_string(),
+            r.possibly_incorrect.to_string(),
+            r.intersect.to_string(),
+            r.band.map_or_else(|| "-".to_owned(), |b| format!("{} {} {}", b.min, b.median, b.max)),
+            r.wrong.to_string(),
+            r.adjacent.to_string(),
+            format!("{}/{}", r.disordered, r.lines),
+            r.fringe.to_string(),
+            speckles,
+        ];
+        text.push_str(&line(map.contact.name, &cells));
+    }
+    text
+}
+
+/// A row of the table.
+fn line(name: &str, cells: &[String; 10]) -> String {
+    let widths = [7, 10, 7, 11, 13, 7, 10, 10, 8, 10];
+    let cells = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:>width$}"));
+    format!("{name:<17}{}\n", cells.collect::<String>())
+}
+
+/// Puts the pictures into a folder, each as a whole.
+fn write(dir: &Path, maps: &[Drawn]) -> Result<(), Failure> {
+    fs::create_dir_all(dir).map_err(|e| file_failure(dir, &e))?;
+    let scratch = Scratch::inside(dir).map_err(|e| file_failure(dir, &e))?;
+    let names = || maps.iter().map(|map| format!("{}.png", map.contact.name));
+    for (name, map) in names().zip(maps) {
+        let path = scratch.path().join(name);
+        fs::write(&path, &map.picture).map_err(|e| file_failure(&path, &e))?;
+    }
+    for name in names() {
+        let path = dir.join(&name);
+        fs::rename(scratch.path().join(name), &path).map_err(|e| file_failure(&path, &e))?;
+    }
+    Ok(())
+}
+
+fn file_failure(path: &Path, e: &io::Error) -> Failure {
+    Failure::Usage(format!("{}: {e}", path.display()))
 }
