@@ -10,7 +10,7 @@
 //!   chance.
 //! * Coplanar: as edges and contained vertices.
 //! * Degenerate: B may be a segment that crosses the plane of A, or a point. If A is degenerate it has no plane: all of
-//!   B counts as coplanar, wherever it lies, and the projection may be wrong both ways.
+//!   B counts as coplanar, wherever it lies: errs to "intersect".
 
 use super::planar::{any_edges_meet, edges, inside, projected, segments_meet};
 use super::vector::{one_side, triangles, Plane};

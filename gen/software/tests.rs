@@ -198,7 +198,12 @@ fn degenerate_triangles_are_outside_of_most_methods() {
     let one = pairs(10, 3000, grid);
     let both: Vec<Points> = one.iter().map(|&[a, b, c, d, e, _]| [a, b, c, d, e, e]).collect();
     for &test in Test::ALL {
-        eprintln!("{} {:?} {:?}", test.name(), errors(test, &one), errors(test, &both));
+        let (of_one, of_both) = (errors(test, &one), errors(test, &both));
+        let misses = [Test::Moeller, Test::MoellerEpsilon].contains(&test);
+        let known = (of_one.0 > 0) == misses && (of_both.0 > 0) == misses && of_one.1 > 0 && of_both.1 > of_one.1 / 2;
+        assert!(known, "{}: {of_one:?} {of_both:?}", test.name());
+        // 17 axes lack little with one segment, the sign tests much.
+        assert!(!test.name().starts_with("sat") || of_one.1 < 10, "{}: {of_one:?}", test.name());
     }
 }
 
@@ -218,7 +223,19 @@ fn hard_cases() {
         };
         cases.iter().filter(fails).map(|case| case["name"].as_str().unwrap()).collect()
     };
-    for &test in Test::ALL {
-        eprintln!("{} {:?}", test.name(), failed(test));
+    for test in [Test::SeparatingAxes17F64, Test::SeparatingAxes17F32] {
+        assert_eq!(failed(test), Vec::<&str>::new(), "{}", test.name());
     }
+    // Coplanar but for the rounding, and far apart: no axis of the eleven, and signs of noise.
+    for test in [Test::SeparatingAxes11F64, Test::GuigueDevillers] {
+        assert!(failed(test).contains(&"contours-1"), "{}", test.name());
+    }
+    // The overlaps that the printed decision tree of the latter misses are found, in all orders.
+    let (axom, loki) = ("axom", "loki");
+    let missed = failed(Test::GuigueDevillers).into_iter().filter(|name| name.starts_with(axom) || name.starts_with(loki));
+    assert_eq!(missed.collect::<Vec<_>>(), Vec::<&str>::new());
+    assert!(cases.iter().filter(|case| case["name"].as_str().unwrap().starts_with(axom)).count() > 0);
+    // What the epsilon is for.
+    assert!(failed(Test::Moeller).contains(&"loki-almost-coplanar"));
+    assert!(!failed(Test::MoellerEpsilon).contains(&"loki-almost-coplanar"));
 }
