@@ -97,11 +97,14 @@ fn known_pairs_come_in_their_rows() {
         let truth = serde_json::json!({"separate": separate, "touch": touch, "intersect": intersect});
         assert_eq!(row(&report, words)["truth"], truth, "{words:?}");
     }
-    assert_eq!(software(&report, "moeller"), &serde_json::json!({"test": "moeller", "missed": 0, "false": 0,
-        "source": software(&report, "moeller-epsilon")["source"]}));
+    assert_eq!(
+        software(&report, "moeller"),
+        &serde_json::json!({"test": "moeller", "missed": 0, "false": 0,
+        "source": software(&report, "moeller-epsilon")["source"]})
+    );
     assert!(report.get("units").is_none() && report.get("rounding").is_none());
     // With 17 axes the unit finds the coplanar separation.
-    let more = object(dir, "pairs.csv --axes 17");
+    let more = object(dir, "pairs.csv --axes 17 --upper sticky");
     assert_eq!(row(&more, ["separate", "separate", "intersect"])["pairs"], 1);
     let text = succeeds(dir, "pairs.csv");
     assert!(text.contains("separate            intersect  separate            1   20.000 %"), "{text}");

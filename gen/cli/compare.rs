@@ -138,7 +138,9 @@ impl Arguments {
         let scene = Scene::against_itself(name, mesh, self.steps, &self.distances);
         let overflows = |pose: &&ScenePose| !pose.translation.iter().all(|x| x.is_finite());
         match scene.poses.iter().find(overflows) {
-            Some(pose) => Err(Failure::Usage(format!("{}: the translation overflows: legal are smaller ones", pose.label))),
+            Some(pose) => {
+                Err(Failure::Usage(format!("{}: the translation overflows: legal are smaller ones", pose.label)))
+            }
             None => Ok(scene),
         }
     }

@@ -36,9 +36,9 @@ pub(super) fn intersect(points: &Points) -> bool {
 /// The ends of the segment in which a triangle, its vertices at these distances, meets a plane; equal for a vertex.
 fn crossing(triangle: [[f64; 3]; 3], distance: [f64; 3]) -> [[f64; 3]; 2] {
     let on = (0..3).filter(|&i| distance[i] == 0.0).map(|i| triangle[i]);
-    let through = [(0, 1), (1, 2), (2, 0)].into_iter().filter(|&(i, j)| {
-        (distance[i] < 0.0 && distance[j] > 0.0) || (distance[i] > 0.0 && distance[j] < 0.0)
-    });
+    let through = [(0, 1), (1, 2), (2, 0)]
+        .into_iter()
+        .filter(|&(i, j)| (distance[i] < 0.0 && distance[j] > 0.0) || (distance[i] > 0.0 && distance[j] < 0.0));
     let cut = through.map(|(i, j)| {
         let share = distance[i] / (distance[i] - distance[j]);
         [0, 1, 2].map(|x| triangle[i][x] + (triangle[j][x] - triangle[i][x]) * share)

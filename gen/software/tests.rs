@@ -232,7 +232,8 @@ fn hard_cases() {
     }
     // The overlaps that the printed decision tree of the latter misses are found, in all orders.
     let (axom, loki) = ("axom", "loki");
-    let missed = failed(Test::GuigueDevillers).into_iter().filter(|name| name.starts_with(axom) || name.starts_with(loki));
+    let missed =
+        failed(Test::GuigueDevillers).into_iter().filter(|name| name.starts_with(axom) || name.starts_with(loki));
     assert_eq!(missed.collect::<Vec<_>>(), Vec::<&str>::new());
     assert!(cases.iter().filter(|case| case["name"].as_str().unwrap().starts_with(axom)).count() > 0);
     // What the epsilon is for.

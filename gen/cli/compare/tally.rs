@@ -147,11 +147,7 @@ impl Tally {
             rows,
             wrong: Wrong { efsat: self.wrong, moeller, sat },
             rounding: self.rounding,
-            software: Test::ALL
-                .iter()
-                .zip(self.software.iter().zip(&self.software_on_rounded))
-                .map(software)
-                .collect(),
+            software: Test::ALL.iter().zip(self.software.iter().zip(&self.software_on_rounded)).map(software).collect(),
         }
     }
 }
@@ -205,41 +201,56 @@ struct SoftwareErrors {
 impl Report {
     /// Both tables as text.
     pub fn table(&self) -> String {
-        let share = |count: u64| 100.0 * count as f64 / self.pairs.max(1) as f64;
         let mut text = format!("{}: {} pairs", self.source, self.pairs);
         if let Some(poses) = self.poses {
             text.push_str(&format!(" in {poses} poses"));
         }
-        if let Some(units) = self.units {
-            text.push_str(&format!(", software in units of the {units}"));
+        match self.units {
+            Some("cube") => text.push_str(", scaled to the cube [-1, 1]^3 for software"),
+            Some(_) => text.push_str(", in units of the mesh files for software"),
+            None => {}
         }
         if self.host_decided > 0 {
             text.push_str(&format!("; {} decided on the host", self.host_decided));
         }
-        text.push_str(&format!(
-            "\n\n{:<20}{:<11}{:<11}{:>10}{:>11}   |{:>10}{:>8}{:>11}\n",
-            "EFSAT", "Moeller", "SAT", "pairs", "share", "separate", "touch", "intersect (exact)"
-        ));
-        for Row { efsat, moeller, sat, pairs, truth } in &self.rows {
-            let Truths { separate, touch, intersect } = truth;
-            let share = share(*pairs);
-            text.push_str(&format!(
-                "{efsat:<20}{moeller:<11}{sat:<11}{pairs:>10}{share:>9.3} %   |{separate:>10}{touch:>8}{intersect:>11}\n"
-            ));
-        }
-        text.push_str(&format!("\n{:<31}{:>10}{:>10}{:>12}", "wrong", "missed", "false", "share"));
-        text.push_str(if self.rounding.is_some() { "   | on rounded vertices: missed, false\n" } else { "\n" });
-        let line = |name: &str, Errors { missed, seen }: &Errors, more: Option<Errors>| {
-            let more = more.map_or_else(String::new, |more| format!("   |{:>10}{:>10}", more.missed, more.seen));
-            format!("{name:<31}{missed:>10}{seen:>10}{:>10.4} %{more}\n", share(missed + seen))
+        format!("{text}\n\n{}\n{}", self.answers(), self.errors())
+    }
+
+    fn share(&self, count: u64) -> f64 {
+        100.0 * count as f64 / self.pairs.max(1) as f64
+    }
+
+    /// The paper's Table 1 beside the exact answers.
+    fn answers(&self) -> String {
+        let head = format!("{:<20}{:<11}{:<11}{:>10}{:>11}", "EFSAT", "Moeller", "SAT", "pairs", "share");
+        let exact = format!("{:>17}{:>9}{:>11}", "exact: separate", "touch", "intersect");
+        let row = |Row { efsat, moeller, sat, pairs, truth }: &Row| {
+            let share = self.share(*pairs);
+            let exact = format!("{:>17}{:>9}{:>11}", truth.separate, truth.touch, truth.intersect);
+            format!("{efsat:<20}{moeller:<11}{sat:<11}{pairs:>10}{share:>9.3} %{exact}\n")
         };
-        text.push_str(&format!("{:<31}{:>20}{:>10.4} %\n", "EFSAT, definite", self.wrong.efsat, share(self.wrong.efsat)));
+        format!("{head}{exact}\n{}", self.rows.iter().map(row).collect::<String>())
+    }
+
+    /// How often everything was wrong.
+    fn errors(&self) -> String {
+        let line = |name: &str, errors: &Errors, more: Option<Errors>| {
+            let Errors { missed, seen } = errors;
+            let share = self.share(missed + seen);
+            let more = more.map_or_else(String::new, |more| format!("{:>20}{:>10}", more.missed, more.seen));
+            format!("{name:<31}{missed:>10}{seen:>10}{share:>10.4} %{more}\n")
+        };
+        let mut text = format!("{:<31}{:>10}{:>10}{:>12}", "wrong", "missed", "false", "share");
+        if self.rounding.is_some() {
+            text.push_str(&format!("{:>20}{:>10}", "if rounded: missed", "false"));
+        }
+        let efsat = self.wrong.efsat;
+        text.push_str(&format!("\n{:<31}{efsat:>20}{:>10.4} %\n", "EFSAT, definite", self.share(efsat)));
         if let Some(rounding) = &self.rounding {
             text.push_str(&line("exact, on rounded vertices", rounding, Some(Errors::default())));
         }
-        for SoftwareErrors { test, errors, on_rounded_vertices, .. } in &self.software {
-            text.push_str(&line(test, errors, *on_rounded_vertices));
-        }
+        let software = self.software.iter().map(|s| line(s.test, &s.errors, s.on_rounded_vertices));
+        text.extend(software);
         text
     }
 }
