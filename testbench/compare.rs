@@ -143,6 +143,27 @@ fn scenes_and_meshes_are_counted_alike() {
     }
 }
 
+/// 0.1 * 0.35 is less as a binary64 number than as a product of the reals: an A that ends at the former is separate
+/// from a B that starts at the latter, and touches the B that software reads.
+#[test]
+fn the_rounding_of_the_pose_is_told_apart() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::write(dir.join("a.obj"), "v 0.034999999999999996 0 0\nv -1 -1 0\nv -1 1 0\nf 1 2 3\n").unwrap();
+    fs::write(dir.join("b.obj"), "v 0.35 0 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n").unwrap();
+    let pose = "[[pose]]\nmatrix = [0.1, 0, 0, 0, 1, 0, 0, 0, 1]\n";
+    let scene = format!("name = \"r\"\n[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n{pose}");
+    fs::write(dir.join("r.toml"), scene).unwrap();
+    let report = object(dir, "r.toml");
+    is_consistent(&report);
+    assert_eq!(report["pairs"], 1);
+    let one = serde_json::json!({"missed": 0, "false": 1});
+    let none = serde_json::json!({"missed": 0, "false": 0});
+    assert_eq!(report["rounding"], one);
+    let test = software(&report, "sat-17-f64");
+    assert_eq!((&test["false"], &test["on_rounded_vertices"]), (&1.into(), &none));
+}
+
 #[test]
 fn random_pairs_replay_and_eleven_axes_are_wrong_on_them() {
     let home = tempfile::tempdir().unwrap();

@@ -37,8 +37,8 @@ pub enum Test {
 }
 
 const MOELLER: &str = "T. Moeller, A fast triangle-triangle intersection test, Journal of Graphics Tools 2(2), 1997";
-const SEPARATING_AXES: &str =
-    "S. Gottschalk, M. C. Lin, D. Manocha, OBBTree: a hierarchical structure for rapid interference detection, 1996";
+const SEPARATING_AXES: &str = "S. Gottschalk, M. C. Lin, D. Manocha, OBBTree: a hierarchical structure for rapid \
+    interference detection, SIGGRAPH 1996";
 const HELD: &str =
     "M. Held, ERIT: a collection of efficient and reliable intersection tests, Journal of Graphics Tools 2(4), 1997";
 const GUIGUE_DEVILLERS: &str = "P. Guigue, O. Devillers, Fast and robust triangle-triangle overlap test using \
