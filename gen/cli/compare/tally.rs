@@ -254,3 +254,31 @@ impl Report {
         text
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn answer(verdict: Verdict, truth: Exact) -> Answer {
+        Answer { verdict, host_decided: false, truth, rounded: None, software: [truth != Exact::Separate; TESTS] }
+    }
+
+    #[test]
+    fn wrong_definite_verdicts_are_counted_and_the_first_is_named() {
+        let one = Tally::default()
+            .add(7, &answer(Verdict::Separate, Exact::Touch))
+            .add(8, &answer(Verdict::Intersect, Exact::Separate))
+            .add(9, &answer(Verdict::PossiblyIncorrect, Exact::Separate));
+        let other = Tally::default()
+            .add(4, &answer(Verdict::Separate, Exact::Separate))
+            .add(5, &answer(Verdict::Separate, Exact::Intersect))
+            .add(6, &answer(Verdict::Intersect, Exact::Touch));
+        for sum in [one.clone().merge(&other), other.clone().merge(&one)] {
+            assert_eq!(sum.first_wrong, Some(5));
+            let report = sum.report("x".to_owned(), None, None);
+            assert_eq!((report.wrong.efsat, report.pairs), (3, 6));
+            assert!(report.table().contains("EFSAT, definite                                   3   50.0000 %"));
+        }
+        assert_eq!(Tally::default().merge(&Tally::default()).first_wrong, None);
+    }
+}
