@@ -1,11 +1,260 @@
 //! `efsat compare`.
 
+mod tally;
+
 use super::error::Failure;
+use super::output::{print, print_json};
+use super::params::{whole, ParamArguments};
+use super::progress;
+use super::source::{Source, SourceArguments, Stage};
+use crate::exact::{self, Exact};
+use crate::golden::host::{loose_pair, Host};
+use crate::golden::pair_file::Points;
+use crate::golden::{sample, Golden, Pose};
+use crate::mesh;
+use crate::params::Params;
+use crate::scene::{Scene, ScenePose};
+use crate::software::Test;
+use indicatif::ProgressBar;
+use rand::SeedableRng;
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+use std::convert::Infallible;
+use std::path::PathBuf;
+use tally::{Answer, Tally, TESTS};
 
-/// To be written
+/// Loose pairs that are in work at a time.
+const BATCH: usize = 1 << 14;
+
+/// Compares the reference model with software tests: the paper's Table 1 beside the exact answers
+///
+/// The columns are EFSAT, Moeller 1997 as published (binary64, epsilon 1e-6) and eleven separating axes in binary64;
+/// a second table says how often these and other tests were wrong. Without a source of pairs it is the built-in scene.
+/// In scenes the software tests read B's vertices as transformed and rounded to binary64; the exact answer is that for
+/// the numbers of the pose as reals, and beside it stands the one for the rounded vertices.
 #[derive(Debug, clap::Args)]
-pub(super) struct Arguments {}
+#[command(mut_arg("seed", |seed| seed.requires("random")))]
+pub(super) struct Arguments {
+    /// Pairs: .csv (18 numbers a row: a0 a1 a2 b0 b1 b2, each x y z; optional header), .f64 (the same as raw
+    /// little-endian binary64), - for CSV on standard input; or a scene, .toml
+    #[arg(value_name = "FILE", conflicts_with_all = ["scene", "random", "seed", "mesh"])]
+    file: Option<String>,
+    #[command(flatten)]
+    source: SourceArguments,
+    /// A mesh against itself, .stl or .obj, tumbling like the built-in scene
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "random", "seed"])]
+    mesh: Option<PathBuf>,
+    /// Steps of a turn of the mesh
+    #[arg(long, value_name = "N", default_value_t = Scene::STEPS, value_parser = whole(1..=100_000), requires = "mesh")]
+    #[arg(allow_negative_numbers = true)]
+    steps: u32,
+    /// Distances between the centres of the mesh's boxes, in half-sizes of its cube
+    #[arg(long, value_name = "LIST", default_values_t = Scene::DISTANCES, value_parser = distance, requires = "mesh")]
+    #[arg(value_delimiter = ',', allow_negative_numbers = true)]
+    distances: Vec<f64>,
+    /// Unit of length in which the software tests read a scene, which only Moeller's epsilon depends on; cube if not
+    /// given
+    #[arg(long, value_name = "UNIT", conflicts_with = "random")]
+    units: Option<Units>,
+    /// Print one JSON object instead of tables
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    params: ParamArguments,
+}
 
-pub(super) fn run(_arguments: &Arguments) -> Result<(), Failure> {
-    Err(Failure::Usage("not yet".to_owned()))
+/// The unit of length of the software tests.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum Units {
+    /// The least power of two with which both meshes fit the cube [-1, 1]^3, as in the paper's benchmark
+    Cube,
+    /// That of the mesh files
+    File,
+}
+
+impl Units {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Cube => "cube",
+            Self::File => "file",
+        }
+    }
+
+    /// What the coordinates of a scene are multiplied by.
+    fn factor(self, scene: &Scene) -> f64 {
+        match self {
+            Self::File => 1.0,
+            Self::Cube => {
+                let half = scene.a.bounds().half_size().max(scene.b.bounds().half_size());
+                let (exponent, fraction) = ((half.to_bits() >> 52) as i32 - 1023, half.to_bits() << 12);
+                if half > 0.0 {
+                    (-f64::from(exponent + i32::from(fraction != 0))).exp2()
+                } else {
+                    1.0
+                }
+            }
+        }
+    }
+}
+
+fn distance(text: &str) -> Result<f64, String> {
+    let legal = |x: &f64| x.is_finite();
+    text.parse().ok().filter(legal).ok_or_else(|| "legal are finite numbers, separated by commas".to_owned())
+}
+
+/// The pairs of a run.
+enum Pairs {
+    Loose(Vec<Points>),
+    Random(u64, u64),
+    Scene(Scene, Units),
+}
+
+impl Arguments {
+    /// The name of the source and its pairs.
+    fn pairs(&self) -> Result<(String, Pairs), Failure> {
+        let units = self.units.unwrap_or(Units::Cube);
+        let given = match (&self.file, &self.source, &self.mesh) {
+            (Some(name), _, _) => Source::file(name)?,
+            (None, SourceArguments { random: Some(count), seed, .. }, _) => {
+                return Ok((format!("random {count}, seed {seed}"), Pairs::Random(*count, *seed)));
+            }
+            (None, _, Some(_)) => Source::Scene(self.tumbling_mesh()?),
+            (None, SourceArguments { scene: Some(name), .. }, None) => Source::scene(name)?,
+            (None, _, None) => Source::Scene(Scene::default_scene()),
+        };
+        match given {
+            Source::Scene(scene) => Ok((scene.name.clone(), Pairs::Scene(scene, units))),
+            Source::Pairs(_) if self.units.is_some() => {
+                Err(Failure::Usage("--units: found a file of pairs, which has no unit; legal with a scene".to_owned()))
+            }
+            Source::Pairs(pairs) => Ok((self.file.clone().unwrap_or_default(), Pairs::Loose(pairs))),
+        }
+    }
+
+    fn tumbling_mesh(&self) -> Result<Scene, Failure> {
+        let path = self.mesh.as_deref().unwrap_or("".as_ref());
+        let mesh = mesh::read(path).map_err(|e| Failure::Usage(e.to_string()))?;
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let scene = Scene::against_itself(name, mesh, self.steps, &self.distances);
+        let overflows = |pose: &&ScenePose| !pose.translation.iter().all(|x| x.is_finite());
+        match scene.poses.iter().find(overflows) {
+            Some(pose) => {
+                Err(Failure::Usage(format!("{}: the translation overflows: legal are smaller ones", pose.label)))
+            }
+            None => Ok(scene),
+        }
+    }
+}
+
+/// Answers pairs by the reference model, exactly and in software.
+struct Comparison {
+    golden: Golden,
+    params: Params,
+    identity: Pose,
+}
+
+impl Comparison {
+    fn answer(&self, pose: &Pose, pair: &Host, points: &Points, truth: Exact, rounded: Option<Exact>) -> Answer {
+        let (verdict, host_decided) = match pair {
+            Host::Unit(pair) => (self.golden.verdict(pose, pair), false),
+            Host::Decided(verdict) => (*verdict, true),
+        };
+        let mut software = [false; TESTS];
+        for (seen, test) in software.iter_mut().zip(Test::ALL) {
+            *seen = test.intersect(points);
+        }
+        Answer { verdict, host_decided, truth, rounded, software }
+    }
+
+    /// Pairs in one frame, the first of which is number `first`.
+    fn loose(&self, pairs: &[Points], first: u64) -> Tally {
+        let answer = |p: &Points| self.answer(&self.identity, &loose_pair(p, &self.params), p, exact::pair(p), None);
+        tally(pairs, first, answer)
+    }
+
+    fn random(&self, count: u64, seed: u64, bar: &ProgressBar) -> Tally {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut total = Tally::default();
+        let mut done = 0;
+        while done < count {
+            let size = (count - done).min(BATCH as u64);
+            let batch: Vec<Points> = (0..size).map(|_| sample::random_points(&mut rng)).collect();
+            total = total.merge(&self.loose(&batch, done));
+            done += size;
+            bar.inc(size);
+        }
+        total
+    }
+
+    fn scene(&self, scene: &Scene, units: Units, bar: &ProgressBar) -> Tally {
+        let stage = Stage::new(scene, &self.params);
+        let factor = units.factor(scene);
+        let mut total = Tally::default();
+        let mut done = 0;
+        let Ok(()) = stage.broad_phase.try_for_each(|number, pairs| {
+            bar.inc(1);
+            if pairs.is_empty() {
+                return Ok::<(), Infallible>(());
+            }
+            let posed = stage.posed(number);
+            let pose = &scene.poses[number];
+            // The factor is a power of two and rounds nothing.
+            let a = |vertex: u32| scene.a.vertices[vertex as usize].into();
+            let images: Vec<[f64; 3]> =
+                scene.b.vertices.iter().map(|x| (pose.rotation * x.coords + pose.translation).into()).collect();
+            let answer = |&pair: &(u32, u32)| {
+                let [p, q, r] = scene.a.faces[pair.0 as usize].map(a);
+                let [s, t, u] = scene.b.faces[pair.1 as usize].map(|vertex| images[vertex as usize]);
+                let points = [p, q, r, s, t, u].map(|point| point.map(|x: f64| factor * x));
+                let rounded = Some(exact::pair(&points));
+                self.answer(&posed.host.pose, &posed.pair(pair), &points, posed.exact(pair), rounded)
+            };
+            total = std::mem::take(&mut total).merge(&tally(pairs, done, answer));
+            done += pairs.len() as u64;
+            Ok(())
+        });
+        total
+    }
+}
+
+/// Answers pairs, the first of which is number `first`.
+fn tally<P: Sync>(pairs: &[P], first: u64, answer: impl Fn(&P) -> Answer + Sync) -> Tally {
+    let add = |tally: Tally, (index, pair): (usize, &P)| tally.add(first + index as u64, &answer(pair));
+    pairs.par_iter().enumerate().fold(Tally::default, add).reduce(Tally::default, |x, y| x.merge(&y))
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let params = arguments.params.params()?;
+    let (source, pairs) = arguments.pairs()?;
+    let comparison = Comparison { golden: Golden::new(&params), identity: Pose::identity(&params), params };
+    let bar = |steps: u64, what| progress::bar(steps, what, false);
+    let (tally, poses, units) = match &pairs {
+        Pairs::Loose(pairs) => {
+            let bar = bar(pairs.len() as u64, "pairs");
+            let batches = pairs.chunks(BATCH).enumerate();
+            let tally = batches.fold(Tally::default(), |total, (index, batch)| {
+                bar.inc(batch.len() as u64);
+                total.merge(&comparison.loose(batch, (index * BATCH) as u64))
+            });
+            (tally, None, None)
+        }
+        Pairs::Random(count, seed) => (comparison.random(*count, *seed, &bar(*count, "pairs")), None, None),
+        Pairs::Scene(scene, units) => {
+            let poses = scene.poses.len() as u64;
+            (comparison.scene(scene, *units, &bar(poses, "poses")), Some(poses), Some(units.name()))
+        }
+    };
+    let report = tally.report(source, poses, units);
+    if arguments.json {
+        print_json(&report)?;
+    } else {
+        print(&report.table())?;
+    }
+    match tally.first_wrong {
+        Some(first) => {
+            let wrong = report.wrong.efsat;
+            Err(Failure::Check(format!("{wrong} wrong definite verdicts, the first is that of pair {first}")))
+        }
+        None => Ok(()),
+    }
 }

@@ -70,6 +70,7 @@ pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
         match (values, message.is_empty()) {
             (Some(values), _) => message.push_str(&format!(": legal is one of {values}")),
             (None, true) => message.push_str(line),
+            (None, false) if message.ends_with(':') => message.push_str(&format!(" {line}")),
             (None, false) => message.push_str(&format!("; {line}")),
         }
     }

@@ -6,6 +6,7 @@
 mod angle;
 mod broad_phase;
 mod file;
+mod itself;
 mod pose;
 mod tree;
 

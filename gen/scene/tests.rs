@@ -32,6 +32,16 @@ fn the_default_scene_is_its_file() {
 }
 
 #[test]
+fn a_mesh_against_itself_tumbles_like_the_default_scene() {
+    let mesh = Mesh::clone(&mesh::headlight());
+    assert_eq!(
+        Scene::against_itself("headlight", mesh, Scene::STEPS, &Scene::DISTANCES),
+        Scene::default_scene(),
+        "scenes/headlight.toml has other steps, distances or another direction"
+    );
+}
+
+#[test]
 fn the_centres_of_a_tumbling_turn_are_at_the_distance() {
     let scene = parse("[tumble]\nsteps = 7\ndistances = [0.5, 3]\ndirection = [3e200, 4e200, 0]").unwrap();
     let centre = scene.a.bounds().centre();
