@@ -1,6 +1,9 @@
-//! The built-in scenes through the program: no definite verdict contradicts the exact answer, and re-normalisation is
-//! what makes most of them definite.
+//! The built-in scenes through the program: no definite verdict contradicts the exact answer, re-normalisation is what
+//! makes most of them definite, and both formulations of the exact answer agree on every pair.
 
+use efsat::exact::{linear_programme, posed_relation};
+use efsat::scene::{load, Scene};
+use rayon::prelude::*;
 use serde_json::Value;
 use std::process::Command;
 
@@ -32,8 +35,36 @@ fn default_scene() {
     assert!(sticky > default, "exact ceilings: {sticky}");
 }
 
+const BOLT_NUT: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/bolt_nut.toml");
+
 #[test]
 fn bolt_and_nut() {
-    let scene = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/bolt_nut.toml");
-    assert!(definite(&classify(&["--scene", scene])) > 0.98);
+    assert!(definite(&classify(&["--scene", BOLT_NUT])) > 0.98);
+}
+
+/// The pairs of a scene, and those on which the two formulations disagree, as pose and faces.
+fn disagreements(scene: &Scene) -> (usize, Vec<(usize, (u32, u32))>) {
+    let trees = scene.broad_phase();
+    let compared = |pose: usize| {
+        let (m, t) = (&scene.poses[pose].rotation, scene.poses[pose].translation.into());
+        let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)]));
+        let pairs = trees.pairs(pose);
+        let differ = |&(a, b): &(u32, u32)| {
+            let a = scene.a.faces[a as usize].map(|vertex| scene.a.vertices[vertex as usize].into());
+            let b = scene.b.faces[b as usize].map(|vertex| scene.b.vertices[vertex as usize].into());
+            posed_relation(&a, &b, &m, &t) != linear_programme::posed_relation(&a, &b, &m, &t)
+        };
+        (pairs.len(), pairs.into_iter().filter(differ).map(|pair| (pose, pair)).collect::<Vec<_>>())
+    };
+    let poses = (0..scene.poses.len()).into_par_iter().map(compared);
+    poses.reduce(Default::default, |x, y| (x.0 + y.0, [x.1, y.1].concat()))
+}
+
+#[test]
+fn both_formulations_agree_on_every_pair_of_both_scenes() {
+    for scene in [Scene::default_scene(), load(BOLT_NUT.as_ref()).expect("it is ours")] {
+        let (pairs, wrong) = disagreements(&scene);
+        assert!(pairs > 100_000, "{}: {pairs} pairs", scene.name);
+        assert!(wrong.is_empty(), "{}: {wrong:?}", scene.name);
+    }
 }
