@@ -1,8 +1,9 @@
 //! The exact answer for two triangles: the oracle that every other answer is measured against.
 //!
-//! Inputs are binary64 numbers, taken as exact reals; triangles are closed sets and may be segments or points. See
-//! `minkowski` for the decision and the argument that it is right for all of them, `filter` for the quick answer where
-//! binary64 arithmetic with an error bound suffices.
+//! Inputs are binary64 numbers, taken as exact reals; triangles are closed sets and may be segments or points. There
+//! are two formulations that share no code, so that each checks the other: the facets of the Minkowski difference
+//! (`minkowski`, over `integers`), which answers here, and a linear programme ([`linear_programme`], over `tableau`).
+//! Neither computes in floating point.
 
 mod integers;
 pub mod linear_programme;
