@@ -56,7 +56,7 @@ pub fn posed_relation(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t
 /// A finite number in units of 2^-UNIT.
 fn integer(x: f64) -> BigInt {
     let (mantissa, exponent, sign) = FloatCore::integer_decode(x);
-    BigInt::from(mantissa) * sign << (i32::from(exponent) + UNIT)
+    (BigInt::from(mantissa) * sign) << (i32::from(exponent) + UNIT)
 }
 
 fn solve(points: &[Point; 6]) -> Relation {
