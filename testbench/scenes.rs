@@ -16,6 +16,9 @@ use std::process::Command;
 
 type Triangle = [[f64; 3]; 3];
 
+/// A pair of triangles by their faces.
+type Faces = (u32, u32);
+
 /// Row by row.
 type Matrix = [[f64; 3]; 3];
 
@@ -74,20 +77,20 @@ fn pose(scene: &Scene, pose: usize) -> (Matrix, [f64; 3]) {
     ([0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)])), t)
 }
 
-/// A pair of triangles by their faces.
-fn triangles(scene: &Scene, (a, b): (u32, u32)) -> (Triangle, Triangle) {
+/// The triangles of a pair.
+fn triangles(scene: &Scene, (a, b): Faces) -> (Triangle, Triangle) {
     let of_a = |vertex: u32| scene.a.vertices[vertex as usize].into();
     let of_b = |vertex: u32| scene.b.vertices[vertex as usize].into();
     (scene.a.faces[a as usize].map(of_a), scene.b.faces[b as usize].map(of_b))
 }
 
 /// The pairs of a scene, and those on which the two formulations disagree, as pose and faces.
-fn disagreements(scene: &Scene) -> (usize, Vec<(usize, (u32, u32))>) {
+fn disagreements(scene: &Scene) -> (usize, Vec<(usize, Faces)>) {
     let trees = scene.broad_phase();
     let compared = |number: usize| {
         let (m, t) = pose(scene, number);
         let pairs = trees.pairs(number);
-        let differ = |&pair: &(u32, u32)| {
+        let differ = |&pair: &Faces| {
             let (a, b) = triangles(scene, pair);
             posed_relation(&a, &b, &m, &t) != linear_programme::posed_relation(&a, &b, &m, &t)
         };
@@ -162,7 +165,7 @@ fn weaker_on_scene(scene: &Scene, params: &Params) -> Weaker {
     let in_pose = |number: usize| {
         let (m, t) = pose(scene, number);
         let posed = host.pose(&m, &t);
-        let of_pair = |(a, b): (u32, u32)| match posed.pair(scene.a.faces[a as usize], scene.b.faces[b as usize]) {
+        let of_pair = |(a, b): Faces| match posed.pair(scene.a.faces[a as usize], scene.b.faces[b as usize]) {
             Host::Unit(pair) => Weaker::of(&golden, &posed.pose, &pair, || {
                 let (a, b) = triangles(scene, (a, b));
                 posed_relation(&a, &b, &m, &t).class
