@@ -195,7 +195,7 @@ fn classify_prints_one_row_a_pair() {
             "verdicts": {"separate": 1, "intersect": 1, "possibly_incorrect": 1}})
     );
     let exact = object(&succeeds(dir, "classify pairs.f64 --json --exact"));
-    assert_eq!(exact["exact"], serde_json::json!({"separate": 1, "touch": 1, "intersect": 1}));
+    assert_eq!(exact["exact"], serde_json::json!({"separate": 1, "touch": 1, "intersect": 1, "coplanar": 0}));
     assert_eq!(exact["wrong"], 0);
     assert!(succeeds(dir, "classify pairs.csv --summary").contains("possibly-incorrect             1"));
 }

@@ -5,7 +5,7 @@ use super::output::{failure, print, print_json, Verdicts};
 use super::params::ParamArguments;
 use super::progress;
 use super::source::{Source, SourceArguments, Stage};
-use crate::exact::{self, Exact};
+use crate::exact::{self, Exact, Relation};
 use crate::golden::host::{loose_pair, Host};
 use crate::golden::pair_file::Points;
 use crate::golden::{sample, Golden, Pose, Verdict};
@@ -51,15 +51,16 @@ pub(super) struct Arguments {
 struct Answer {
     verdict: Verdict,
     host_decided: bool,
-    exact: Option<Exact>,
+    exact: Option<Relation>,
 }
 
-/// Exact answers as counts.
+/// Exact answers as counts; coplanar pairs are counted once more.
 #[derive(Default, Serialize)]
 struct ExactCounts {
     separate: u64,
     touch: u64,
     intersect: u64,
+    coplanar: u64,
 }
 
 /// All counts; also the JSON object.
@@ -85,13 +86,14 @@ impl Counts {
         self.verdicts.add(answer.verdict);
         self.host_decided += u64::from(answer.host_decided);
         if let (Some(exact), Some(counts), Some(wrong)) = (answer.exact, &mut self.exact, &mut self.wrong) {
-            match exact {
+            counts.coplanar += u64::from(exact.coplanar);
+            match exact.class {
                 Exact::Separate => counts.separate += 1,
                 Exact::Touch => counts.touch += 1,
                 Exact::Intersect => counts.intersect += 1,
             }
             if answer.verdict != Verdict::PossiblyIncorrect
-                && (answer.verdict == Verdict::Separate) != (exact == Exact::Separate)
+                && (answer.verdict == Verdict::Separate) != (exact.class == Exact::Separate)
             {
                 *wrong += 1;
                 self.first_wrong.get_or_insert(self.pairs);
@@ -107,8 +109,8 @@ impl Counts {
         }
         if let (Some(exact), Some(wrong)) = (&self.exact, self.wrong) {
             text.push_str(&format!(
-                "exact: {} separate, {} touch, {} intersect; {wrong} wrong definite verdicts\n",
-                exact.separate, exact.touch, exact.intersect
+                "exact: {} separate, {} touch, {} intersect; {} coplanar; {wrong} wrong definite verdicts\n",
+                exact.separate, exact.touch, exact.intersect, exact.coplanar
             ));
         }
         text
@@ -135,7 +137,7 @@ impl Sink {
             if let Some(rows) = &mut self.rows {
                 let (pair, verdict) = (self.counts.pairs, answer.verdict);
                 let written = match answer.exact {
-                    Some(exact) => writeln!(rows, "{pair},{verdict},{exact}"),
+                    Some(exact) => writeln!(rows, "{pair},{verdict},{}", exact.class),
                     None => writeln!(rows, "{pair},{verdict}"),
                 };
                 written.map_err(failure)?;
@@ -155,7 +157,7 @@ struct Classifier {
 }
 
 impl Classifier {
-    fn answer(&self, pose: &Pose, pair: &Host, exact: impl FnOnce() -> Exact) -> Answer {
+    fn answer(&self, pose: &Pose, pair: &Host, exact: impl FnOnce() -> Relation) -> Answer {
         let (verdict, host_decided) = match pair {
             Host::Unit(pair) => (self.golden.verdict(pose, pair), false),
             Host::Decided(verdict) => (*verdict, true),
@@ -164,7 +166,7 @@ impl Classifier {
     }
 
     fn loose(&self, points: &[Points]) -> Vec<Answer> {
-        let one = |p: &Points| self.answer(&self.identity, &loose_pair(p, &self.params), || exact::pair(p));
+        let one = |p: &Points| self.answer(&self.identity, &loose_pair(p, &self.params), || exact::relation(p));
         points.par_iter().map(one).collect()
     }
 
@@ -195,7 +197,7 @@ impl Classifier {
                 return vec![];
             }
             let posed = stage.posed(pose);
-            let answer = |&pair: &(u32, u32)| self.answer(&posed.host.pose, &posed.pair(pair), || posed.exact(pair));
+            let answer = |&pair: &(u32, u32)| self.answer(&posed.host.pose, &posed.pair(pair), || posed.relation(pair));
             pairs.par_iter().map(answer).collect()
         };
         let poses: Vec<usize> = (0..stage.poses()).collect();

@@ -1,6 +1,7 @@
 //! Where pairs come from: files of pairs, scenes and seeded random numbers.
 
 use super::error::Failure;
+use crate::exact::{self, Relation};
 use crate::golden::host::{Host, SceneHost, ScenePose};
 use crate::golden::pair_file::{self, Points};
 use crate::params::Params;
@@ -112,11 +113,11 @@ impl Posed<'_> {
     }
 
     /// The exact answer for a pair of triangles.
-    pub fn exact(&self, pair: (u32, u32)) -> crate::exact::Exact {
+    pub fn relation(&self, pair: (u32, u32)) -> Relation {
         let [a, b] = self.stage.faces(pair);
         let [of_a, of_b] = &self.stage.vertices;
         let a = a.map(|vertex| of_a[vertex as usize]);
         let b = b.map(|vertex| of_b[vertex as usize]);
-        crate::exact::posed_pair(&a, &b, &self.m, &self.t)
+        exact::posed_relation(&a, &b, &self.m, &self.t)
     }
 }

@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 
-use super::{minkowski, Exact};
+use super::{minkowski, Relation};
 
 /// `mantissa * 2^exponent`, the mantissa odd or zero.
 #[derive(Clone, Debug)]
@@ -39,7 +39,7 @@ fn split(x: f64) -> (i64, i64) {
 const SMALL: i64 = 27;
 
 /// Decides the pair exactly.
-pub(super) fn decide(points: &[[f64; 3]; 6]) -> Exact {
+pub(super) fn decide(points: &[[f64; 3]; 6]) -> Relation {
     let parts = points.map(|point| point.map(split));
     let nonzero = || parts.iter().flatten().filter(|(mantissa, _)| *mantissa != 0);
     let grid = nonzero().map(|&(_, exponent)| exponent).min().unwrap_or(0);
@@ -59,7 +59,7 @@ pub(super) fn decide(points: &[[f64; 3]; 6]) -> Exact {
 }
 
 /// Decides the pair of A and the image of B, exactly.
-pub(super) fn decide_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
+pub(super) fn decide_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Relation {
     let exact = |x: &[f64; 3]| x.map(Scaled::from);
     let (m, t) = (m.map(|row| exact(&row)), exact(t));
     let image = |x: &[f64; 3]| {
@@ -74,7 +74,7 @@ pub(super) fn decide_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 
 }
 
 /// Decides points relative to a0, which makes the numbers of a small pair far from the origin small.
-fn from_a0(points: [[Scaled; 3]; 6]) -> Exact {
+fn from_a0(points: [[Scaled; 3]; 6]) -> Relation {
     let grid = grid(points.as_flattened());
     let points = points.map(|point| point.map(|x| x.at(grid)));
     let relative = |point: &[BigInt; 3]| [0, 1, 2].map(|i| &point[i] - &points[0][i]);

@@ -19,10 +19,14 @@
 //!
 //! The dimension is 3 if and only if some product is not orthogonal to all edges, that is, if on some of the 11 axes an
 //! image is longer than a point.
+//!
+//! The six points are coplanar never in dimension 3, always in dimensions 1 and 0 (two parallel lines, two points), and
+//! in dimension 2 if and only if 0 is in the plane of P. Where one of the 11 axes shows that 0 is not in P, they are
+//! not: that axis is not zero, so the dimension is 2 or 3, and if it is 2, the axis is n0.
 
 use std::ops::{Add, Mul, Sub};
 
-use super::Exact;
+use super::{Exact, Relation};
 
 /// An exact number.
 pub(super) trait Number: Clone + Ord + Default {
@@ -105,7 +109,7 @@ impl Evidence {
 }
 
 /// Decides the pair a0 a1 a2 b0 b1 b2.
-pub(super) fn decide<N: Number>(points: &[Vector<N>; 6]) -> Exact {
+pub(super) fn decide<N: Number>(points: &[Vector<N>; 6]) -> Relation {
     let edges = [0, 1, 2, 3, 4, 5].map(|i| {
         let next = if i % 3 == 2 { i - 2 } else { i + 1 };
         difference(&points[next], &points[i])
@@ -117,15 +121,15 @@ pub(super) fn decide<N: Number>(points: &[Vector<N>; 6]) -> Exact {
     for direction in normals.into_iter().chain(products).filter(|n| !is_zero(n)) {
         evidence.add(&direction, points);
         if evidence.apart {
-            return Exact::Separate;
+            return Relation { class: Exact::Separate, coplanar: false };
         }
         plane = Some(direction);
     }
     if evidence.extended {
-        return evidence.answer();
+        return Relation { class: evidence.answer(), coplanar: false };
     }
-    // From here all edges lie in one plane.
-    match (plane, edges.iter().find(|e| !is_zero(e))) {
+    // From here all edges lie in one plane, and all points do.
+    let class = match (plane, edges.iter().find(|e| !is_zero(e))) {
         (Some(normal), _) => {
             for edge in &edges {
                 evidence.add(&cross(&normal, edge), points);
@@ -142,5 +146,6 @@ pub(super) fn decide<N: Number>(points: &[Vector<N>; 6]) -> Exact {
         }
         (None, None) if points[0] == points[3] => Exact::Intersect,
         (None, None) => Exact::Separate,
-    }
+    };
+    Relation { class, coplanar: true }
 }

@@ -1,13 +1,14 @@
 //! The exact answer for two triangles: the oracle that every other answer is measured against.
 //!
-//! Inputs are binary64 numbers, taken as exact reals; triangles are closed sets and may be segments or points. See
-//! `minkowski` for the decision and the argument that it is right for all of them, `filter` for the quick answer where
-//! binary64 arithmetic with an error bound suffices.
+//! Inputs are binary64 numbers, taken as exact reals; triangles are closed sets and may be segments or points. There
+//! are two formulations that share no code, so that each checks the other: the facets of the Minkowski difference
+//! (`minkowski`, over `integers`), which answers here, and a linear programme ([`linear_programme`], over `tableau`).
+//! Neither computes in floating point.
 
-mod filter;
 mod integers;
 pub mod linear_programme;
 mod minkowski;
+mod tableau;
 #[cfg(test)]
 mod tests;
 
@@ -36,16 +37,6 @@ impl fmt::Display for Exact {
     }
 }
 
-/// Decides the pair a0 a1 a2 b0 b1 b2 of finite points.
-pub fn pair(points: &[[f64; 3]; 6]) -> Exact {
-    filter::decide(points, 0.0).unwrap_or_else(|| integers::decide(points))
-}
-
-/// Decides the pair of A and the image of B under x to M * x + t, all numbers finite; `m` is indexed `[row][column]`.
-pub fn posed_pair(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
-    filter::decide_posed(a, b, m, t).unwrap_or_else(|| integers::decide_posed(a, b, m, t))
-}
-
 /// How two closed triangles lie to each other, coplanar pairs told apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Relation {
@@ -53,4 +44,24 @@ pub struct Relation {
     pub class: Exact,
     /// Whether one plane holds all six points.
     pub coplanar: bool,
+}
+
+/// Decides the pair a0 a1 a2 b0 b1 b2 of finite points.
+pub fn relation(points: &[[f64; 3]; 6]) -> Relation {
+    integers::decide(points)
+}
+
+/// Decides the pair of A and the image of B under x to M * x + t, all numbers finite; `m` is indexed `[row][column]`.
+pub fn posed_relation(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Relation {
+    integers::decide_posed(a, b, m, t)
+}
+
+/// The class of [`relation`].
+pub fn pair(points: &[[f64; 3]; 6]) -> Exact {
+    relation(points).class
+}
+
+/// The class of [`posed_relation`].
+pub fn posed_pair(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
+    posed_relation(a, b, m, t).class
 }
