@@ -118,7 +118,7 @@ fn every_wrong_value_is_one_line_and_status_2() {
     }
     let others = [
         ("", "no command: legal is one of generate, cosim, classify"),
-        ("synthesise", "unrecognized subcommand 'synthesise'; legal is one of generate, cosim, classify"),
+        ("paint", "unrecognized subcommand 'paint'; legal is one of generate, cosim, classify"),
         ("generate more", "unexpected argument 'more'"),
         ("cosim --random 0", "legal is a whole number, 1 or greater"),
         ("cosim --random 1000001", "--random 1000001: legal is a whole number from 1 to 1000000"),

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 /// The commands of docs/walls.md that draw its pictures, and where they put them.
-const PICTURES: [(&str, &str); 9] = [
+const PICTURES: [(&str, &str); 10] = [
     ("wall", ""),
     ("wall vertex-on-edge --step 2^-10 --width 14", "width-14"),
     ("wall vertex-on-edge --step 2^-10 --width 16", "width-16"),
@@ -19,6 +19,7 @@ const PICTURES: [(&str, &str); 9] = [
     ("wall coplanar --axes 17", "axes-17"),
     ("wall edge-on-edge --upper sticky", "sticky"),
     ("wall edge-on-edge --upper sticky --projections intersect", "sticky-intersect"),
+    ("wall edge-on-edge --step binary64 --software guigue-devillers", "software"),
 ];
 
 fn efsat(dir: &Path, arguments: &str, threads: &str) -> Output {

@@ -207,7 +207,7 @@ impl Comparison {
                 let [s, t, u] = scene.b.faces[pair.1 as usize].map(|vertex| images[vertex as usize]);
                 let points = [p, q, r, s, t, u].map(|point| point.map(|x: f64| factor * x));
                 let rounded = Some(exact::pair(&points));
-                self.answer(&posed.host.pose, &posed.pair(pair), &points, posed.exact(pair), rounded)
+                self.answer(&posed.host.pose, &posed.pair(pair), &points, posed.relation(pair).class, rounded)
             };
             total = std::mem::take(&mut total).merge(&tally(pairs, done, answer));
             done += pairs.len() as u64;

@@ -6,8 +6,9 @@ use super::params::ParamArguments;
 use super::progress;
 use crate::artefact::Scratch;
 use crate::params::Params;
+use crate::software::Test;
 use crate::wall::{picture, Contact, Grid, Map, Report, Step, CONTACTS, SIZE};
-use clap::builder::PossibleValuesParser;
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use std::fs;
 use std::io;
@@ -26,7 +27,7 @@ pub(super) struct Arguments {
     #[arg(value_name = "CONTACT", value_parser = PossibleValuesParser::new(CONTACTS.map(|contact| contact.name)))]
     contacts: Vec<String>,
     /// Print names and descriptions of the contacts and nothing else
-    #[arg(long, conflicts_with_all = ["contacts", "step", "out", "json", "ParamArguments"])]
+    #[arg(long, conflicts_with_all = ["contacts", "step", "out", "software", "json", "ParamArguments"])]
     list: bool,
     /// Distance of two cells: one ulp of the axis test (working), of the input format (input) or of the moved vertex
     /// (binary64), or a power of two such as 2^-12
@@ -35,6 +36,9 @@ pub(super) struct Arguments {
     /// Write a picture of each contact, DIR/CONTACT.png
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
+    /// Draw what a test in software answers as a third map, and count its wrong cells; meant for --step binary64
+    #[arg(long, value_name = "TEST", value_parser = software())]
+    software: Option<Test>,
     /// Print one JSON object instead of a table
     #[arg(long)]
     json: bool,
@@ -42,20 +46,34 @@ pub(super) struct Arguments {
     params: ParamArguments,
 }
 
+/// The names of the tests in software.
+fn software() -> impl TypedValueParser<Value = Test> {
+    PossibleValuesParser::new(Test::ALL.iter().map(|test| test.name()))
+        .map(|name| *Test::ALL.iter().find(|test| test.name() == name).expect("clap lets names of the list through"))
+}
+
 /// The maps of a contact.
 struct Drawn {
     contact: &'static Contact,
     exponent: i32,
     report: Report,
+    software_wrong: Option<usize>,
     picture: Vec<u8>,
 }
 
 impl Drawn {
-    fn new(contact: &'static Contact, step: Step, params: &Params) -> Result<Self, Failure> {
-        let grid = Grid::new(contact, step, params).map_err(|e| Failure::Usage(e.to_string()))?;
+    fn new(contact: &'static Contact, arguments: &Arguments, params: &Params) -> Result<Self, Failure> {
+        let grid = Grid::new(contact, arguments.step, params).map_err(|e| Failure::Usage(e.to_string()))?;
         let (verdicts, exact) = (Map::verdicts(&grid, params), Map::exact(&grid));
-        let report = Report::new(&verdicts, &exact);
-        Ok(Self { contact, exponent: grid.exponent(), report, picture: picture::png(&[&verdicts, &exact]) })
+        let software = arguments.software.map(|test| Map::software(&grid, test));
+        let maps: Vec<&Map> = [&verdicts, &exact].into_iter().chain(&software).collect();
+        Ok(Self {
+            contact,
+            exponent: grid.exponent(),
+            report: Report::new(&verdicts, &exact),
+            software_wrong: software.as_ref().map(|map| map.wrong(&exact)),
+            picture: picture::png(&maps),
+        })
     }
 }
 
@@ -63,6 +81,8 @@ impl Drawn {
 #[derive(Serialize)]
 struct Summary {
     step: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    software: Option<&'static str>,
     cells: usize,
     wrong: usize,
     contacts: Vec<Row>,
@@ -75,6 +95,8 @@ struct Row {
     step_exponent: i32,
     #[serde(flatten)]
     report: Report,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    software_wrong: Option<usize>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -90,7 +112,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let bar = progress::bar(chosen.len() as u64, "contacts", false);
     let mut maps = vec![];
     for contact in chosen {
-        maps.push(Drawn::new(contact, arguments.step, &params)?);
+        maps.push(Drawn::new(contact, arguments, &params)?);
         bar.inc(1);
     }
     bar.finish_and_clear();
@@ -99,11 +121,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let wrong = maps.iter().map(|map| map.report.wrong).sum();
     if arguments.json {
-        let row =
-            |map: &Drawn| Row { contact: map.contact.name, step_exponent: map.exponent, report: map.report.clone() };
-        let step = arguments.step.to_string();
+        let row = |map: &Drawn| Row {
+            contact: map.contact.name,
+            step_exponent: map.exponent,
+            report: map.report.clone(),
+            software_wrong: map.software_wrong,
+        };
         print_json(&Summary {
-            step,
+            step: arguments.step.to_string(),
+            software: arguments.software.map(Test::name),
             cells: SIZE * SIZE * maps.len(),
             wrong,
             contacts: maps.iter().map(row).collect(),
@@ -125,10 +151,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn table(maps: &[Drawn]) -> String {
     let heads =
         ["step", "separate", "p.i.", "intersect", "band", "wrong", "adjacent", "disorder", "fringe", "speckles"];
-    let mut text = line("contact", &heads.map(str::to_owned));
+    let software = maps.iter().any(|map| map.software_wrong.is_some()).then_some("software wrong");
+    let mut text = line("contact", &heads.into_iter().chain(software).map(str::to_owned).collect::<Vec<_>>());
     for map in maps {
         let r = &map.report;
-        let speckles = format!("{} ({})", r.speckles, r.speckle_distance);
         let cells = [
             format!("2^{}", map.exponent),
             r.separate.to_string(),
@@ -139,16 +165,17 @@ fn table(maps: &[Drawn]) -> String {
             r.adjacent.to_string(),
             format!("{}/{}", r.disordered, r.lines),
             r.fringe.to_string(),
-            speckles,
+            format!("{} ({})", r.speckles, r.speckle_distance),
         ];
-        text.push_str(&line(map.contact.name, &cells));
+        let software = map.software_wrong.map(|wrong| wrong.to_string());
+        text.push_str(&line(map.contact.name, &cells.into_iter().chain(software).collect::<Vec<_>>()));
     }
     text
 }
 
 /// A row of the table.
-fn line(name: &str, cells: &[String; 10]) -> String {
-    let widths = [7, 10, 7, 11, 13, 7, 10, 10, 8, 10];
+fn line(name: &str, cells: &[String]) -> String {
+    let widths = [7, 10, 7, 11, 13, 7, 10, 10, 8, 10, 16];
     let cells = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:>width$}"));
     format!("{name:<17}{}\n", cells.collect::<String>())
 }

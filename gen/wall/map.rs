@@ -5,6 +5,7 @@ use crate::exact::{self, Exact};
 use crate::golden::host::{loose_pair, Host};
 use crate::golden::{Golden, Pose, Verdict};
 use crate::params::Params;
+use crate::software;
 use rayon::prelude::*;
 
 /// The answers that appear on maps.
@@ -65,6 +66,11 @@ impl Map {
         Self::of(grid, |points| exact::pair(points).into())
     }
 
+    /// What a test in software answers; it knows `separate` and `intersect` alone.
+    pub fn software(grid: &Grid, test: software::Test) -> Self {
+        Self::of(grid, |points| if test.intersect(points) { Answer::Intersect } else { Answer::Separate })
+    }
+
     /// A map by row and column.
     pub fn from_fn(answer: impl Fn(usize, usize) -> Answer) -> Self {
         Self((0..SIZE * SIZE).map(|cell| answer(cell / SIZE, cell % SIZE)).collect())
@@ -83,5 +89,14 @@ impl Map {
     /// How many cells have an answer.
     pub fn count(&self, answer: Answer) -> usize {
         self.0.iter().filter(|cell| **cell == answer).count()
+    }
+
+    /// How many definite cells differ from the exact map; a touch is an intersection.
+    pub fn wrong(&self, exact: &Self) -> usize {
+        let wrong = |(answer, exact): &(&Answer, &Answer)| match answer {
+            Answer::PossiblyIncorrect => false,
+            answer => (**answer == Answer::Separate) != (**exact == Answer::Separate),
+        };
+        self.0.iter().zip(&exact.0).filter(wrong).count()
     }
 }

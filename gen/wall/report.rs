@@ -56,9 +56,10 @@ impl Report {
             separate: verdicts.count(Answer::Separate),
             possibly_incorrect: verdicts.count(Answer::PossiblyIncorrect),
             intersect: verdicts.count(Answer::Intersect),
+            wrong: verdicts.wrong(exact),
             ..Self::default()
         };
-        report.compare(verdicts, exact);
+        report.look_around(verdicts);
         report.walk(verdicts, exact);
         report.isolate(verdicts, exact);
         report
@@ -78,19 +79,11 @@ impl Report {
         (strayed > widest).then(|| format!("a cell strays {strayed} cells from its like; the band is {widest} wide"))
     }
 
-    fn compare(&mut self, verdicts: &Map, exact: &Map) {
-        for (i, (&verdict, &exact)) in verdicts.cells().iter().zip(exact.cells()).enumerate() {
-            let wrong = match verdict {
-                Answer::PossiblyIncorrect => continue,
-                Answer::Separate => !apart(exact),
-                _ => apart(exact),
-            };
-            self.wrong += usize::from(wrong);
-            let other = |j: usize| {
-                let neighbour = verdicts.cells()[j];
-                neighbour != Answer::PossiblyIncorrect && neighbour != verdict
-            };
-            self.adjacent += usize::from(around(i).any(other));
+    /// Cell by cell.
+    fn look_around(&mut self, verdicts: &Map) {
+        for (cell, &verdict) in verdicts.cells().iter().enumerate() {
+            let other = |at: usize| ![Answer::PossiblyIncorrect, verdict].contains(&verdicts.cells()[at]);
+            self.adjacent += usize::from(verdict != Answer::PossiblyIncorrect && around(cell).any(other));
         }
     }
 
