@@ -135,8 +135,7 @@ fn table(plan: &Plan, report: &Report) -> String {
         let cells = cells.map(|cell| cell.to_string());
         line(name, [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| cells[i].as_str()))
     };
-    let titles =
-        ["pairs", "separate", "touch", "intersect", "answers", "separate", "intersect", "p.i.", "wrong"];
+    let titles = ["pairs", "separate", "touch", "intersect", "answers", "separate", "intersect", "p.i.", "wrong"];
     let rows: String = report.families.iter().map(|(family, counts)| row(family.name, counts)).collect();
     let total = report.total();
     format!(

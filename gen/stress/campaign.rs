@@ -66,7 +66,8 @@ impl<A: Answerer> Campaign<A> {
     fn case(&self, plan: &Plan, family: usize, index: u64, report: &mut Report) {
         let (family, counts) = &mut report.families[family];
         let (points, mut rng) = family.case(plan.seed, index);
-        let mut case = Case { counts, hash: fnv(fnv(BASIS, family.name.as_bytes()), &index.to_le_bytes()), found: None };
+        let mut case =
+            Case { counts, hash: fnv(fnv(BASIS, family.name.as_bytes()), &index.to_le_bytes()), found: None };
 
         let answers = truth::loose(&points);
         let exact = answers[0].1;
@@ -151,5 +152,26 @@ impl Case<'_> {
             let (variant, asked) = asked();
             (kind, variant, asked)
         });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The exact formulations agree, as far as is known, so that no case can show this.
+    #[test]
+    fn formulations_that_contradict_each_other_are_counted() {
+        let mut counts = Counts::default();
+        let mut case = Case { counts: &mut counts, hash: BASIS, found: None };
+        let asked = || ("as made".to_owned(), Asked::Loose([[0.0; 3]; 6]));
+        case.compare_formulations(&vec![("one", Exact::Touch), ("other", Exact::Touch)], asked);
+        assert_eq!(case.found, None);
+        case.compare_formulations(&vec![("one", Exact::Touch), ("other", Exact::Separate)], asked);
+        assert_eq!(
+            case.found.map(|(kind, ..)| kind.to_string()),
+            Some("disagreement: one touch, other separate".into())
+        );
+        assert_eq!(counts.disagreements, 1);
     }
 }

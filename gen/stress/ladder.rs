@@ -41,9 +41,7 @@ pub(super) fn rungs(params: &Params) -> Vec<Params> {
 
 /// Options that decide a verdict; the others are about speed.
 fn arithmetic(params: &Params) -> Vec<(&'static str, String)> {
-    let deciding = |(name, _): &(&str, String)| {
-        !["axes-per-clock", "device", "frequency", "tag-width"].contains(name)
-    };
+    let deciding = |(name, _): &(&str, String)| !["axes-per-clock", "device", "frequency", "tag-width"].contains(name);
     params.options().into_iter().filter(deciding).collect()
 }
 
@@ -66,8 +64,7 @@ mod tests {
         let transforms = [18, 20, 24, 40, 48, 31, 33].map(|n| format!("--transform-width {n}"));
         let others =
             ["--axes 17", "--projections skip", "--projections intersect", "--upper sticky", "--renormalise off"];
-        let expected: Vec<String> =
-            widths.into_iter().chain(transforms).chain(others.map(str::to_owned)).collect();
+        let expected: Vec<String> = widths.into_iter().chain(transforms).chain(others.map(str::to_owned)).collect();
         assert_eq!(names, expected);
     }
 

@@ -15,8 +15,6 @@ mod hash;
 mod ladder;
 mod posed;
 mod report;
-#[cfg(test)]
-mod tests;
 mod truth;
 mod variants;
 

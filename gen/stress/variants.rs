@@ -64,9 +64,10 @@ impl Variant {
                 vertices(order).map(|k| [0, 1, 2].map(|axis| sign(axis) * points[k][axes[axis]]))
             }
             Self::Scaled(power) => {
-                // Two factors, because one may be outside the range; the number in between is exact all the same.
-                let halves = [power / 2, power - power / 2].map(power_of_two);
-                points.map(|point| point.map(|x| x * halves[0] * halves[1]))
+                // Three factors, because fewer may be outside the range; the numbers in between are exact all the same.
+                let third = power / 3;
+                let factors = [third, third, power - 2 * third].map(power_of_two);
+                points.map(|point| point.map(|x| factors.iter().fold(x, |x, factor| x * factor)))
             }
             Self::Translated(by) => points.map(|point| [0, 1, 2].map(|axis| point[axis] + by[axis])),
         }
@@ -167,12 +168,16 @@ mod tests {
     fn scales_reach_both_ends_of_binary64_exactly() {
         let mut rng = ChaCha8Rng::seed_from_u64(2);
         let all = Variant::all(&POINTS, &mut rng);
-        let powers: Vec<i32> = all.iter().filter_map(|v| if let Variant::Scaled(p) = v { Some(*p) } else { None }).collect();
+        let powers: Vec<i32> =
+            all.iter().filter_map(|v| if let Variant::Scaled(p) = v { Some(*p) } else { None }).collect();
         assert_eq!((powers[0], powers[7]), (-1072, 1021));
         for power in powers {
             let scaled = Variant::Scaled(power).of(&POINTS);
             assert_eq!(Variant::Scaled(-power).of(&scaled), POINTS, "{power}");
         }
+        let least = POINTS.map(|point| point.map(|x| x * 4.0 * 5e-324));
+        let mut widest = Variant::all(&least, &mut rng).into_iter().filter(|v| matches!(v, Variant::Scaled(1000..)));
+        assert_eq!(widest.next().map(|v| v.of(&least)), Some(POINTS.map(|point| point.map(|x| x * 2f64.powi(1021)))));
         let ends = [[5e-324, 0.0, 0.0], [f64::MAX, 0.0, 0.0], [0.0; 3], [0.0; 3], [0.0; 3], [0.0; 3]];
         assert!(!Variant::all(&ends, &mut rng).iter().any(|v| matches!(v, Variant::Scaled(1.. | ..=-1))));
     }

@@ -29,7 +29,8 @@ pub(super) fn overflow(rng: &mut ChaCha8Rng) -> [Triangle; 2] {
 
 /// Contacts with every coordinate axis at a scale of its own.
 pub(super) fn stretched(rng: &mut ChaCha8Rng) -> [Triangle; 2] {
-    let scales = [(); 3].map(|()| power_of_two(rng.random_range(-1074..=1012)));
+    let reach: i32 = pick(rng, &[4, 14, 40, 1074]);
+    let scales = [(); 3].map(|()| power_of_two(rng.random_range(-reach..=reach.min(1012))));
     scaled(lattice_contact(rng), |axis| scales[axis])
 }
 

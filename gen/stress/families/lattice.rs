@@ -25,7 +25,7 @@ pub(super) fn of_seventeen(rng: &mut ChaCha8Rng) -> [Triangle; 2] {
 
 /// Right triangles with legs along coordinate axes, as in a voxel mesh.
 pub(super) fn right_triangles(rng: &mut ChaCha8Rng) -> [Triangle; 2] {
-    let reach = pick(rng, &[2, 4]);
+    let reach = pick(rng, &[1, 2]);
     [(); 2].map(|()| {
         let corner = lattice_point(rng, reach);
         let (axis, other) = (rng.random_range(0..3), rng.random_range(1..3));
