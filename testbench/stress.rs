@@ -185,7 +185,7 @@ fn a_campaign_is_the_sum_of_its_cases_on_any_number_of_threads() {
 }
 
 /// Of four cases of each family from 7 on, seed 5, default design.
-const DIGEST: &str = "?";
+const DIGEST: &str = "728c16edd9bf5a99";
 
 /// The reference model with its answers changed.
 struct Sabotaged {
