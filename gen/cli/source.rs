@@ -56,7 +56,7 @@ pub(super) fn count(text: &str) -> Result<u64, String> {
     text.parse().ok().filter(legal).ok_or_else(|| "legal is a whole number, 1 or greater".to_owned())
 }
 
-fn seed(text: &str) -> Result<u64, String> {
+pub(super) fn seed(text: &str) -> Result<u64, String> {
     text.parse().map_err(|_| format!("legal is a whole number from 0 to {}", u64::MAX))
 }
 

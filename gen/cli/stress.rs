@@ -1,11 +1,198 @@
 //! `efsat stress`.
 
 use super::error::Failure;
+use super::output::{print, print_json};
+use super::params::ParamArguments;
+use super::progress;
+use super::source;
+use crate::stress::{Campaign, Counts, Family, Model, Plan, Report, FAMILIES};
+use clap::builder::{PossibleValuesParser, TypedValueParser};
+use indicatif::{ProgressBar, ProgressStyle};
+use serde::Serialize;
 
-/// To be written
+/// Compares the reference model with the exact answer on named families of hard pairs
+///
+/// Every pair is asked in all 72 orders of vertices and roles, with permuted and mirrored axes, at exact scales and
+/// translations, on other widths and options, and under a pose. The exit status is 1 if a definite answer is wrong.
+/// Case i of a family depends on the seed, the family and i alone.
 #[derive(Debug, clap::Args)]
-pub(super) struct Arguments {}
+pub(super) struct Arguments {
+    /// Pairs of all families together, before they are written in other ways
+    #[arg(long, value_name = "N", default_value_t = 40_000, value_parser = source::count)]
+    #[arg(allow_negative_numbers = true)]
+    pairs: u64,
+    /// Seed of all pairs
+    #[arg(long, value_name = "S", default_value_t = 1, value_parser = source::seed, allow_negative_numbers = true)]
+    seed: u64,
+    /// Only this family; may be given several times
+    #[arg(long = "family", value_name = "NAME", value_parser = family())]
+    families: Vec<&'static Family>,
+    /// Index of the first pair of each family
+    #[arg(long, value_name = "INDEX", default_value_t = 0, value_parser = source::seed, allow_negative_numbers = true)]
+    first: u64,
+    /// List the families and do nothing else
+    #[arg(long, conflicts_with_all = ["pairs", "seed", "families", "first", "json"])]
+    list: bool,
+    /// Print one JSON object instead of a table
+    #[arg(long)]
+    json: bool,
+    #[command(flatten)]
+    params: ParamArguments,
+}
 
-pub(super) fn run(_arguments: &Arguments) -> Result<(), Failure> {
-    Err(Failure::Usage("not yet".to_owned()))
+fn family() -> impl TypedValueParser<Value = &'static Family> {
+    PossibleValuesParser::new(FAMILIES.iter().map(|family| family.name))
+        .map(|name| Family::by_name(&name).expect("clap lets names of the list through"))
+}
+
+/// A row of the JSON object.
+#[derive(Serialize)]
+struct Row {
+    family: &'static str,
+    #[serde(flatten)]
+    counts: Columns,
+}
+
+/// Counts as the JSON object names them.
+#[derive(Serialize)]
+struct Columns {
+    pairs: u64,
+    answers: u64,
+    separate: u64,
+    touch: u64,
+    intersect: u64,
+    definite: u64,
+    definite_separate: u64,
+    definite_intersect: u64,
+    possibly_incorrect: u64,
+    host_decided: u64,
+    wrong: u64,
+    disagreements: u64,
+    unstable: u64,
+}
+
+impl From<&Counts> for Columns {
+    fn from(counts: &Counts) -> Self {
+        Self {
+            pairs: counts.pairs,
+            answers: counts.answers,
+            separate: counts.separate,
+            touch: counts.touch,
+            intersect: counts.intersect,
+            definite: counts.definite(),
+            definite_separate: counts.answered_separate,
+            definite_intersect: counts.answered_intersect,
+            possibly_incorrect: counts.possibly_incorrect,
+            host_decided: counts.host_decided,
+            wrong: counts.wrong,
+            disagreements: counts.disagreements,
+            unstable: counts.unstable,
+        }
+    }
+}
+
+/// The JSON object.
+#[derive(Serialize)]
+struct Summary {
+    seed: u64,
+    first: u64,
+    #[serde(flatten)]
+    total: Columns,
+    digest: String,
+    families: Vec<Row>,
+}
+
+impl Summary {
+    fn new(plan: &Plan, report: &Report) -> Self {
+        let row = |(family, counts): &(&Family, Counts)| Row { family: family.name, counts: counts.into() };
+        Self {
+            seed: plan.seed,
+            first: plan.first,
+            total: (&report.total()).into(),
+            digest: format!("{:016x}", report.digest),
+            families: report.families.iter().map(row).collect(),
+        }
+    }
+}
+
+fn table(plan: &Plan, report: &Report) -> String {
+    let line = |name: &str, cells: [&str; 9]| {
+        let cells: String = cells.iter().map(|cell| format!("{cell:>12}")).collect();
+        format!("{name:<22}{cells}\n")
+    };
+    let row = |name: &str, counts: &Counts| {
+        let cells = [
+            counts.pairs,
+            counts.separate,
+            counts.touch,
+            counts.intersect,
+            counts.answers,
+            counts.answered_separate,
+            counts.answered_intersect,
+            counts.possibly_incorrect,
+            counts.wrong,
+        ];
+        let cells = cells.map(|cell| cell.to_string());
+        line(name, [0, 1, 2, 3, 4, 5, 6, 7, 8].map(|i| cells[i].as_str()))
+    };
+    let titles = ["pairs", "separate", "touch", "intersect", "answers", "separate", "intersect", "p.i.", "wrong"];
+    let rows: String = report.families.iter().map(|(family, counts)| row(family.name, counts)).collect();
+    let total = report.total();
+    format!(
+        "seed {}, pairs from {} on; digest of all answers {:016x}\n{}{}{rows}{}{} host-decided, {} disagreements of \
+         the exact formulations, {} unstable\n",
+        plan.seed,
+        plan.first,
+        report.digest,
+        line("", ["", "exactly", "", "", "", "answered", "", "", ""]),
+        line("family", titles),
+        row("all", &total),
+        total.host_decided,
+        total.disagreements,
+        total.unstable
+    )
+}
+
+fn list() -> String {
+    FAMILIES.iter().map(|family| format!("{:<22}{}\n", family.name, family.what)).collect()
+}
+
+/// The bar of a campaign shows its rate too.
+fn bar(pairs: u64) -> ProgressBar {
+    let bar = progress::bar(pairs, "pairs", false);
+    if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {per_sec} {eta}") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let params = arguments.params.params()?;
+    if arguments.list {
+        return print(&list());
+    }
+    let asked = |family: &&Family| arguments.families.is_empty() || arguments.families.contains(family);
+    let families: Vec<&Family> = FAMILIES.iter().filter(asked).collect();
+    let Arguments { pairs, first, seed, .. } = *arguments;
+    if first.checked_add(pairs.div_ceil(families.len() as u64) - 1).is_none() {
+        return Err(Failure::Usage(format!("--first {first}: legal is an index with --pairs {pairs} below 2^64")));
+    }
+    let plan = Plan { families, pairs, first, seed };
+    let bar = bar(pairs);
+    let report = Campaign::new(&params, Model::new).run(&plan, &|| bar.inc(1));
+    bar.finish_and_clear();
+    if arguments.json {
+        print_json(&Summary::new(&plan, &report))?;
+    } else {
+        print(&table(&plan, &report))?;
+    }
+    report.faults.iter().for_each(|fault| eprint!("{fault}"));
+    let total = report.total();
+    if total.faults() == 0 {
+        return Ok(());
+    }
+    Err(Failure::Check(format!(
+        "{} wrong definite answers, {} disagreements of the exact formulations, {} unstable answers",
+        total.wrong, total.disagreements, total.unstable
+    )))
 }
