@@ -24,9 +24,9 @@
 //! The *gap* of an axis is how far the images are apart, negative where they overlap. On e_k x f_l, doubled, it is
 //! `|t_kl| - |x_l| - |y_k|` with `t_kl = 2 s_kl - x_l - y_k`, and `sum_k t_kl = -x_l`, `sum_l t_kl = -y_k`.
 //!
-//! The triangles are separate if one gap is positive, and intersect if all eleven are negative: docs/proofs.md, section
-//! 6, which assumes nothing of the triangles. Then the relative interiors meet. Touching, coplanar and degenerate pairs
-//! are never called intersecting, because they have an axis with a gap of 0.
+//! The triangles are separate if one gap is positive. If all eleven are negative, 0 is interior to A - B: docs/proofs.md,
+//! section 6, which assumes nothing of the triangles; so their relative interiors meet. A pair that touches, lies in one
+//! plane, or has a segment or a point, has a gap that is not negative, and is never called intersecting.
 //!
 //! # Errors
 //!
@@ -92,31 +92,24 @@ impl WithSimd for Batch<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let lanes = S::F64_LANES;
-        let (pairs, answers) = (self.pairs.chunks_exact(lanes), self.answers.chunks_exact_mut(lanes));
-        let rest = pairs.remainder();
-        let mut last = 0;
-        for (pairs, answers) in pairs.zip(answers) {
+        for (pairs, answers) in self.pairs.chunks(lanes).zip(self.answers.chunks_mut(lanes)) {
             let mut found = [0.0; WIDEST];
-            S::as_mut_simd_f64s(&mut found).0[0] = evidence(simd, &transposed(simd, pairs));
-            for (to, x) in answers.iter_mut().zip(found) {
-                *to = answer(x);
+            if pairs.len() == lanes {
+                S::as_mut_simd_f64s(&mut found).0[0] = evidence(simd, &transposed(simd, pairs));
+            } else {
+                // The last pairs do not fill a vector.
+                found.iter_mut().zip(pairs).for_each(|(to, pair)| *to = evidence(Scalar, pair));
             }
-            last += lanes;
-        }
-        for (to, pair) in self.answers[last..].iter_mut().zip(rest) {
-            *to = decide(pair);
+            answers.iter_mut().zip(found).for_each(|(to, x)| *to = answer(x));
         }
     }
 }
 
-/// What evidence says.
+/// What evidence says; without branches, because which of the two it is cannot be foreseen.
 #[inline(always)]
 fn answer(evidence: f64) -> Option<Exact> {
-    match (evidence > 0.0, evidence < 0.0) {
-        (true, _) => Some(Exact::Separate),
-        (_, true) => Some(Exact::Intersect),
-        _ => None,
-    }
+    const ANSWERS: [Option<Exact>; 3] = [Some(Exact::Intersect), None, Some(Exact::Separate)];
+    ANSWERS[usize::from(evidence >= 0.0) + usize::from(evidence > 0.0)]
 }
 
 /// As many pairs as there are lanes, coordinate by coordinate.
@@ -232,8 +225,9 @@ fn product_gap<S: Simd>(
     let (x2, y2) = (simd.add_f64s(x[0], x[1]), simd.add_f64s(y[0], y[1]));
     let t22 = sum(y2, t20, t21);
 
-    let x = [x[0], x[1], x2].map(|x| simd.abs_f64s(x));
-    let y = [y[0], y[1], y2].map(|y| simd.abs_f64s(y));
+    // Written out, because a vector that crosses a call that is not inlined goes through memory.
+    let x = [simd.abs_f64s(x[0]), simd.abs_f64s(x[1]), simd.abs_f64s(x2)];
+    let y = [simd.abs_f64s(y[0]), simd.abs_f64s(y[1]), simd.abs_f64s(y2)];
     let gap = |t: S::f64s, k: usize, l: usize| simd.sub_f64s(simd.sub_f64s(simd.abs_f64s(t), x[l]), y[k]);
     let max = |a, b| simd.max_f64s(a, b);
     let first = max(max(gap(t00, 0, 0), gap(t01, 0, 1)), max(gap(t10, 1, 0), gap(t11, 1, 1)));

@@ -1,7 +1,7 @@
 //! The exact software retest: what becomes of pairs that the unit calls possibly incorrect.
 //!
 //! Three stages, each only for what the one before has left: separating axes in interval arithmetic
-//! ([`interval_axes`](super::interval_axes)), which decide nearly all pairs that do not touch; the signs of
+//! ([`interval_axes`](super::interval_axes)), which decide nearly all pairs that do not touch; boxes, and the signs of
 //! determinants ([`robbins_whitesides`](super::robbins_whitesides)), which decide all pairs whose products neither
 //! underflow nor overflow; and integers of any length ([`exact::pair`](crate::exact::pair)). Every stage is exact where
 //! it answers, so the order changes the time and never the answer.
@@ -47,7 +47,19 @@ pub fn retest_parallel(pairs: &[[[f64; 3]; 6]]) -> Vec<Exact> {
 /// Decides a pair that is too close to contact for the filter.
 #[cold]
 fn close(points: &[[f64; 3]; 6]) -> Exact {
+    if boxes_apart(points) {
+        return Exact::Separate;
+    }
     robbins_whitesides::decide(points).unwrap_or_else(|| exact::pair(points))
+}
+
+/// Whether a coordinate separates the triangles. The filter has no such axes, which separate many coplanar pairs.
+fn boxes_apart(points: &[[f64; 3]; 6]) -> bool {
+    let [a0, a1, a2, b0, b1, b2] = points;
+    (0..3).any(|i| {
+        a0[i].max(a1[i]).max(a2[i]) < b0[i].min(b1[i]).min(b2[i])
+            || b0[i].max(b1[i]).max(b2[i]) < a0[i].min(a1[i]).min(a2[i])
+    })
 }
 
 #[cfg(test)]

@@ -130,31 +130,27 @@ fn piercing(segment: &[Point; 3], heights: [i8; 3], triangle: &[Point; 3]) -> Ex
 
 /// Triangles each in the plane of the other; a segment or a point has none.
 fn in_plane(points: &[Point; 6]) -> Exact {
-    let (a, b) = (ends(&points[..3]), ends(&points[3..]));
-    if volume(&a[0], &a[1], &b[0], &b[1]) != 0 {
-        return Exact::Separate;
-    }
     for (i, j) in [(0, 1), (1, 2), (2, 0)] {
-        let projected = points.map(|x| [x[i], x[j]]);
-        let [least, greatest] = ends(&projected);
-        if projected.iter().any(|x| area(&least, &greatest, x) != 0) {
-            return in_coordinate_plane(&projected);
+        let [a0, a1, a2, b0, b1, b2] = points.map(|x| [x[i], x[j]]);
+        let (a, b) = ([a0, a1, a2], [b0, b1, b2]);
+        let turns = [area(&a0, &a1, &a2), area(&b0, &b1, &b2)];
+        if turns != [0; 2] {
+            return in_coordinate_plane(&a, &b, turns);
+        }
+        let [least, greatest] = ends(&[a0, a1, a2, b0, b1, b2]);
+        if a.iter().chain(&b).any(|x| area(&least, &greatest, x) != 0) {
+            let (a_ends, b_ends) = (ends(&points[..3]), ends(&points[3..]));
+            let skew = volume(&a_ends[0], &a_ends[1], &b_ends[0], &b_ends[1]) != 0;
+            return if skew { Exact::Separate } else { in_coordinate_plane(&a, &b, turns) };
         }
     }
-    if a[1] < b[0] || b[1] < a[0] {
-        return Exact::Separate;
-    }
-    let points_both = a[0] == a[1] && b[0] == b[1];
-    met(points_both || (a[1] > b[0] && b[1] > a[0]))
+    on_line(ends(&points[..3]), ends(&points[3..]))
 }
 
-/// Six points of a plane, not all on one line.
-fn in_coordinate_plane(points: &[[f64; 2]; 6]) -> Exact {
-    let [a0, a1, a2, b0, b1, b2] = *points;
-    let (a, b) = ([a0, a1, a2], [b0, b1, b2]);
+/// Triangles in a plane, not all on one line, that turn to the left or to the right or are segments.
+fn in_coordinate_plane(a: &[[f64; 2]; 3], b: &[[f64; 2]; 3], turns: [i8; 2]) -> Exact {
     let mut touching = false;
-    for (own, other) in [(&a, &b), (&b, &a)] {
-        let turn = area(&own[0], &own[1], &own[2]);
+    for (own, turn, other) in [(a, turns[0], b), (b, turns[1], a)] {
         for edge in 0..3 {
             let sides = [0, 1, 2].map(|i| area(&own[edge], &own[(edge + 1) % 3], &other[i]));
             let beyond = |sign: i8, limit: i8| sign * turn >= 0 && sides.iter().all(|side| sign * side <= limit);
@@ -166,6 +162,15 @@ fn in_coordinate_plane(points: &[[f64; 2]; 6]) -> Exact {
         }
     }
     met(!touching)
+}
+
+/// Segments on one line, or points.
+fn on_line(a: [Point; 2], b: [Point; 2]) -> Exact {
+    if a[1] < b[0] || b[1] < a[0] {
+        return Exact::Separate;
+    }
+    let both_points = a[0] == a[1] && b[0] == b[1];
+    met(both_points || (a[1] > b[0] && b[1] > a[0]))
 }
 
 /// What triangles with a common point are.

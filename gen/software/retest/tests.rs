@@ -213,7 +213,7 @@ fn a_batch_equals_single_pairs_in_every_lane_and_length() {
     // One pair that only the last stage decides, in every lane among pairs that the first one does.
     let tiny = f64::from_bits(1);
     let hard = [[0.0; 3], [tiny, 0.0, 0.0], [0.0, tiny, 0.0], [0.0, 0.0, tiny], [tiny, tiny, tiny], [tiny, tiny, 0.0]];
-    let easy = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.2, 0.2, -1.0], [0.2, 0.3, 1.0], [0.3, 0.2, 1.0]];
+    let easy = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.2, 0.2, -1.0], [0.2, 0.3, 1.0], [0.31, 0.2, 0.9]];
     assert_eq!((exact::pair(&hard), interval_axes::decide(&hard)), (Exact::Separate, None));
     assert_eq!((robbins_whitesides::decide(&hard), interval_axes::decide(&easy)), (None, Some(Exact::Intersect)));
     for at in 0..70 {
