@@ -1,1 +1,189 @@
-fn main() {}
+//! The exact retest beside its own stages, plain separating axes and the oracle: time per pair on one core.
+//!
+//! Divide a time by the number of pairs, which is the throughput's element.
+
+use std::hint::black_box;
+
+use criterion::{criterion_group, criterion_main, BenchmarkId, Criterion, Throughput};
+use efsat::exact;
+use efsat::golden::host::{Host, SceneHost};
+use efsat::golden::{Golden, Verdict};
+use efsat::params::Params;
+use efsat::scene::Scene;
+use efsat::software::retest::{retest, retest_batch};
+use efsat::software::robbins_whitesides;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+type Points = [[f64; 3]; 6];
+
+const PAIRS: usize = 4096;
+/// One pose in so many of the default scene.
+const POSE_STEP: usize = 6;
+
+/// Both triangles in the unit cube, B's moved by `distance` along x.
+fn random(rng: &mut ChaCha8Rng, distance: f64) -> Points {
+    let mut p = [(); 6].map(|()| [(); 3].map(|()| rng.random_range(0.0..1.0)));
+    p[3..].iter_mut().for_each(|x| x[0] += distance);
+    p
+}
+
+fn shared_vertex(rng: &mut ChaCha8Rng) -> Points {
+    let mut p = random(rng, 0.0);
+    p[3] = p[0];
+    p
+}
+
+fn shared_edge(rng: &mut ChaCha8Rng) -> Points {
+    let mut p = shared_vertex(rng);
+    p[4] = p[1];
+    p
+}
+
+/// On a grid that makes the contact exact.
+fn vertex_on_face(rng: &mut ChaCha8Rng) -> Points {
+    let mut p = random(rng, 0.0).map(|x| x.map(|x| (x * 1024.0).round()));
+    p[3] = [0, 1, 2].map(|i| p[0][i] + (p[1][i] - p[0][i]) * 0.25 + (p[2][i] - p[0][i]) * 0.5);
+    p
+}
+
+/// Rounded to the plane of the face, as vertices computed in binary64 are.
+fn vertex_near_face(rng: &mut ChaCha8Rng) -> Points {
+    let mut p = random(rng, 0.0);
+    let (u, v): (f64, f64) = (rng.random_range(0.0..0.5), rng.random_range(0.0..0.5));
+    p[3] = [0, 1, 2].map(|i| p[0][i] + (p[1][i] - p[0][i]) * u + (p[2][i] - p[0][i]) * v);
+    p
+}
+
+/// Edges that cross but for the rounding.
+fn edge_near_edge(rng: &mut ChaCha8Rng) -> Points {
+    let mut p = random(rng, 0.0);
+    let (u, v) = (rng.random_range(0.0..1.0), rng.random_range(0.0..1.0));
+    let at = |x: &[f64; 3], y: &[f64; 3], u: f64| [0, 1, 2].map(|i| x[i] + (y[i] - x[i]) * u);
+    let (on_a, on_b) = (at(&p[0], &p[1], u), at(&p[3], &p[4], v));
+    p[3..].iter_mut().for_each(|x| *x = [0, 1, 2].map(|i| x[i] + (on_a[i] - on_b[i])));
+    p
+}
+
+fn coplanar_lattice(rng: &mut ChaCha8Rng) -> Points {
+    let [u, v] = [(); 2].map(|()| [(); 3].map(|()| f64::from(rng.random_range(-9..=9))));
+    [(); 6].map(|()| {
+        let [s, t] = [(); 2].map(|()| f64::from(rng.random_range(-9..=9)));
+        [0, 1, 2].map(|i| s * u[i] + t * v[i])
+    })
+}
+
+fn coplanar_rounded(rng: &mut ChaCha8Rng) -> Points {
+    let [u, v] = [(); 2].map(|()| [(); 3].map(|()| rng.random_range(-1.0..1.0)));
+    [(); 6].map(|()| {
+        let [s, t] = [(); 2].map(|()| rng.random_range(-1.0..1.0));
+        [0, 1, 2].map(|i| s * u[i] + t * v[i])
+    })
+}
+
+/// Needles of a width of 2^-30, crossing or passing.
+fn slivers(rng: &mut ChaCha8Rng) -> Points {
+    let mut p = edge_near_edge(rng);
+    for i in [0, 3] {
+        p[i + 2] = [0, 1, 2].map(|x| p[i][x] + (p[i + 1][x] - p[i][x]) * 0.5 + p[i + 2][x] * (-30f64).exp2());
+    }
+    p
+}
+
+fn segments(rng: &mut ChaCha8Rng) -> Points {
+    let mut p = vertex_near_face(rng);
+    p[5] = p[4];
+    p
+}
+
+/// Triangles of the default scene that survive the broad phase, and those of them that the unit leaves undecided; the
+/// pose is applied in binary64, and the rounded points are the pairs.
+fn scene_pairs() -> [Vec<Points>; 2] {
+    let (scene, params) = (Scene::default_scene(), Params::default());
+    let [a, b] = [&scene.a, &scene.b].map(|mesh| mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect::<Vec<_>>());
+    let (host, golden, broad_phase) = (SceneHost::new(&a, &b, &params), Golden::new(&params), scene.broad_phase());
+    let [mut all, mut undecided] = [vec![], vec![]];
+    for pose in (0..scene.poses.len()).step_by(POSE_STEP) {
+        let (m, t) = (scene.poses[pose].rotation, scene.poses[pose].translation);
+        let rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)]));
+        let posed = host.pose(&rows, &t.into());
+        for (of_a, of_b) in broad_phase.pairs(pose) {
+            let (of_a, of_b) = (scene.a.faces[of_a as usize], scene.b.faces[of_b as usize]);
+            let [a0, a1, a2] = of_a.map(|i| a[i as usize]);
+            let [b0, b1, b2] = of_b.map(|i| (m * scene.b.vertices[i as usize] + t).into());
+            all.push([a0, a1, a2, b0, b1, b2]);
+            let verdict = match posed.pair(of_a, of_b) {
+                Host::Unit(pair) => golden.verdict(&posed.pose, &pair),
+                Host::Decided(verdict) => verdict,
+            };
+            if verdict == Verdict::PossiblyIncorrect {
+                undecided.push([a0, a1, a2, b0, b1, b2]);
+            }
+        }
+    }
+    [all, undecided]
+}
+
+/// Eleven separating axes in plain binary64, no bound of errors: what exactness is measured against.
+fn separating_axes(points: &Points) -> bool {
+    let difference = |a: &[f64; 3], b: &[f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
+    let cross =
+        |a: &[f64; 3], b: &[f64; 3]| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+    let apart = |axis: &[f64; 3]| {
+        let [a0, a1, a2, b0, b1, b2] = points.map(|x| x[0] * axis[0] + x[1] * axis[1] + x[2] * axis[2]);
+        a0.max(a1).max(a2) < b0.min(b1).min(b2) || b0.max(b1).max(b2) < a0.min(a1).min(a2)
+    };
+    let [a0, a1, a2, b0, b1, b2] = points;
+    let e = [difference(a1, a0), difference(a2, a1), difference(a0, a2)];
+    let f = [difference(b1, b0), difference(b2, b1), difference(b0, b2)];
+    !(apart(&cross(&e[0], &e[1]))
+        || apart(&cross(&f[0], &f[1]))
+        || e.iter().any(|e| f.iter().any(|f| apart(&cross(e, f)))))
+}
+
+fn bench(c: &mut Criterion) {
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    let mut set = |make: &dyn Fn(&mut ChaCha8Rng) -> Points| (0..PAIRS).map(|_| make(&mut rng)).collect::<Vec<_>>();
+    let mut sets = vec![
+        ("random, distance 0", set(&|rng| random(rng, 0.0))),
+        ("random, distance 1", set(&|rng| random(rng, 1.0))),
+        ("shared vertex", set(&shared_vertex)),
+        ("shared edge", set(&shared_edge)),
+        ("vertex on face", set(&vertex_on_face)),
+        ("vertex near face", set(&vertex_near_face)),
+        ("edge near edge", set(&edge_near_edge)),
+        ("coplanar, lattice", set(&coplanar_lattice)),
+        ("coplanar, rounded", set(&coplanar_rounded)),
+        ("slivers", set(&slivers)),
+        ("segments", set(&segments)),
+    ];
+    let [all, undecided] = scene_pairs();
+    sets.extend([("scene, all", all), ("scene, possibly incorrect", undecided)]);
+    for (name, pairs) in &sets {
+        let mut group = c.benchmark_group(*name);
+        group.throughput(Throughput::Elements(pairs.len() as u64)).sample_size(20);
+        group.warm_up_time(std::time::Duration::from_millis(200));
+        group.measurement_time(std::time::Duration::from_millis(800));
+        let mut answers = Vec::with_capacity(pairs.len());
+        group.bench_function(BenchmarkId::from_parameter("retest_batch"), |b| {
+            b.iter(|| {
+                answers.clear();
+                retest_batch(black_box(pairs), &mut answers);
+                answers.len()
+            });
+        });
+        let mut single = |what: &str, test: &dyn Fn(&Points) -> bool| {
+            group.bench_function(BenchmarkId::from_parameter(what), |b| {
+                b.iter(|| pairs.iter().filter(|p| test(black_box(p))).count());
+            });
+        };
+        single("retest", &|p| retest(p) != exact::Exact::Separate);
+        single("robbins_whitesides", &robbins_whitesides::intersect);
+        single("separating axes, binary64, inexact", &separating_axes);
+        single("exact::pair", &|p| exact::pair(p) != exact::Exact::Separate);
+        group.finish();
+    }
+}
+
+criterion_group!(benches, bench);
+criterion_main!(benches);

@@ -46,6 +46,12 @@ pub struct Relation {
     pub coplanar: bool,
 }
 
+impl fmt::Display for Relation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}{}", self.class, if self.coplanar { " and coplanar" } else { "" })
+    }
+}
+
 /// Decides the pair a0 a1 a2 b0 b1 b2 of finite points.
 pub fn relation(points: &[[f64; 3]; 6]) -> Relation {
     integers::decide(points)

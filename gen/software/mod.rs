@@ -2,15 +2,22 @@
 //!
 //! They answer whether two closed triangles have a common point, given as a0 a1 a2 b0 b1 b2. None of the plain
 //! floating-point ones is exact: what each answers on touching, coplanar and degenerate input stands in its module.
+//! [`robbins_whitesides`] is exact where no product leaves the range of binary64, [`retest`] everywhere: it is what becomes
+//! of pairs that the unit calls possibly incorrect.
 
 mod guigue_devillers;
 mod held;
+pub mod interval_axes;
 mod moeller;
 mod planar;
+pub mod retest;
+pub mod robbins_whitesides;
 mod separating_axes;
 #[cfg(test)]
 mod tests;
 mod vector;
+
+use crate::exact::Exact;
 
 /// A pair of triangles: a0 a1 a2 b0 b1 b2, each x y z, finite.
 pub type Points = [[f64; 3]; 6];
@@ -34,6 +41,10 @@ pub enum Test {
     Held,
     /// Guigue and Devillers 2003.
     GuigueDevillers,
+    /// Robbins and Whitesides 2003: exact orientation predicates.
+    RobbinsWhitesides,
+    /// Separating axes in binary64 interval arithmetic, exact arithmetic where they leave a doubt.
+    Retest,
 }
 
 const MOELLER: &str = "T. Moeller, A fast triangle-triangle intersection test, Journal of Graphics Tools 2(2), 1997";
@@ -43,6 +54,10 @@ const HELD: &str =
     "M. Held, ERIT: a collection of efficient and reliable intersection tests, Journal of Graphics Tools 2(4), 1997";
 const GUIGUE_DEVILLERS: &str = "P. Guigue, O. Devillers, Fast and robust triangle-triangle overlap test using \
     orientation predicates, Journal of Graphics Tools 8(1), 2003";
+const ROBBINS_WHITESIDES: &str = "S. Robbins, S. Whitesides, On the reliability of triangle intersection in 3D, \
+    ICCSA 2003";
+const RETEST: &str = "A. Raabe, J. Tietjen, J. K. Anlauf, EFSAT: an exact and efficient triangle intersection test \
+    hardware, section 5 (future work)";
 
 impl Test {
     /// All tests, in the order of their declaration.
@@ -55,6 +70,8 @@ impl Test {
         Self::SeparatingAxes17F64,
         Self::Held,
         Self::GuigueDevillers,
+        Self::RobbinsWhitesides,
+        Self::Retest,
     ];
 
     /// Name, publication and function.
@@ -68,6 +85,8 @@ impl Test {
             Self::SeparatingAxes17F64 => ("sat-17-f64", SEPARATING_AXES, separating_axes::seventeen_f64),
             Self::Held => ("held", HELD, held::intersect),
             Self::GuigueDevillers => ("guigue-devillers", GUIGUE_DEVILLERS, guigue_devillers::intersect),
+            Self::RobbinsWhitesides => ("robbins-whitesides", ROBBINS_WHITESIDES, robbins_whitesides::intersect),
+            Self::Retest => ("retest", RETEST, |points| retest::retest(points) != Exact::Separate),
         }
     }
 

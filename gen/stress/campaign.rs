@@ -70,7 +70,7 @@ impl<A: Answerer> Campaign<A> {
             Case { counts, hash: fnv(fnv(BASIS, family.name.as_bytes()), &index.to_le_bytes()), found: None };
 
         let answers = truth::loose(&points);
-        let exact = answers[0].1;
+        let exact = answers.class();
         case.counts.count_case(exact);
         case.compare_formulations(&answers, || ("as made".to_owned(), Asked::Loose(points)));
         let given = self.answerer.loose(&points);
@@ -91,7 +91,7 @@ impl<A: Answerer> Campaign<A> {
 
         let posed = Posed::random(&points, &mut rng);
         let answers = truth::posed(&posed);
-        let exact = answers[0].1;
+        let exact = answers.class();
         case.compare_formulations(&answers, || ("posed".to_owned(), Asked::Posed(posed)));
         for (answer, order) in self.answerer.posed(&posed, &self.orders).into_iter().zip(&self.orders) {
             case.take(answer, exact, || (format!("posed, vertices {order:?}"), Asked::Posed(posed)));
@@ -135,8 +135,8 @@ impl Case<'_> {
     }
 
     fn compare_formulations(&mut self, answers: &truth::Answers, asked: impl FnOnce() -> (String, Asked)) {
-        if answers.iter().any(|(_, answer)| *answer != answers[0].1) {
-            self.blame(Kind::Disagreement(answers.clone()), asked);
+        if !answers.agree() {
+            self.blame(Kind::Disagreement(*answers), asked);
         }
     }
 
@@ -158,6 +158,7 @@ impl Case<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::exact::Relation;
 
     /// The exact formulations agree, as far as is known, so that no case can show this.
     #[test]
@@ -165,13 +166,20 @@ mod tests {
         let mut counts = Counts::default();
         let mut case = Case { counts: &mut counts, hash: BASIS, found: None };
         let asked = || ("as made".to_owned(), Asked::Loose([[0.0; 3]; 6]));
-        case.compare_formulations(&vec![("one", Exact::Touch), ("other", Exact::Touch)], asked);
+        let touch = Relation { class: Exact::Touch, coplanar: false };
+        let one = truth::Answers { facets: touch, programme: touch, retest: Some(Exact::Touch) };
+        case.compare_formulations(&one, asked);
+        case.compare_formulations(&truth::Answers { retest: None, ..one }, asked);
         assert_eq!(case.found, None);
-        case.compare_formulations(&vec![("one", Exact::Touch), ("other", Exact::Separate)], asked);
-        assert_eq!(
-            case.found.map(|(kind, ..)| kind.to_string()),
-            Some("disagreement: one touch, other separate".into())
-        );
-        assert_eq!(counts.disagreements, 1);
+        for other in [
+            truth::Answers { programme: Relation { coplanar: true, ..touch }, ..one },
+            truth::Answers { programme: Relation { class: Exact::Separate, ..touch }, retest: None, ..one },
+            truth::Answers { retest: Some(Exact::Intersect), ..one },
+        ] {
+            case.compare_formulations(&other, asked);
+        }
+        let first = "disagreement: facets touch, linear programme touch and coplanar, retest touch";
+        assert_eq!(case.found.map(|(kind, ..)| kind.to_string()), Some(first.to_owned()));
+        assert_eq!(counts.disagreements, 3);
     }
 }

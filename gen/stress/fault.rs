@@ -58,10 +58,7 @@ impl fmt::Display for Kind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Wrong { verdict, truth } => write!(f, "wrong: {verdict}, exactly {truth}"),
-            Self::Disagreement(answers) => {
-                let all: Vec<String> = answers.iter().map(|(name, answer)| format!("{name} {answer}")).collect();
-                write!(f, "disagreement: {}", all.join(", "))
-            }
+            Self::Disagreement(answers) => write!(f, "disagreement: {answers}"),
             Self::Unstable { verdict, given } => write!(f, "unstable: {verdict}, as made {given}"),
         }
     }

@@ -24,3 +24,4 @@ pub use families::{Family, FAMILIES};
 pub use fault::{Asked, Fault, Kind};
 pub use posed::{Motion, Posed};
 pub use report::{Counts, Report};
+pub use truth::Answers;
