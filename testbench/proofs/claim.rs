@@ -89,10 +89,13 @@ impl Claim {
     /// A true number in the interval `of`: `{of}_lo <= name <= {of}_hi`.
     pub fn within(&mut self, name: &str, of: &str) -> &mut Self {
         let lower = format!("{of}_lo");
-        let all = self.subject.inputs.iter().chain(&self.cut);
-        let bits = all.filter(|w| w.name() == lower).map(|w| w.bits).next();
-        self.free(name, bits.unwrap_or_else(|| panic!("{}: no interval {of}", self.subject.name)));
-        self.given(format!("{lower} <= {name} && {name} <= {of}_hi"))
+        let bits = self.bits(&lower);
+        self.between(name, &lower, &format!("{of}_hi"), bits)
+    }
+
+    /// A true number between two expressions.
+    pub fn between(&mut self, name: &str, lo: &str, hi: &str, bits: u32) -> &mut Self {
+        self.free(name, bits).given(format!("{lo} <= {name} && {name} <= {hi}"))
     }
 
     /// The exact product of two ports, free numbers or signals, under a name.
@@ -134,8 +137,8 @@ impl Claim {
     }
 
     /// A mistake that the claim must refute.
-    pub fn mutant(&mut self, mistake: Mistake, signal: impl Into<String>) -> &mut Self {
-        self.mutants.push(Mutant { mistake, signal: signal.into() });
+    pub fn mutant(&mut self, mistake: Mistake, signal: impl AsRef<str>) -> &mut Self {
+        self.mutants.push(Mutant { mistake, signal: signal.as_ref().to_owned() });
         self
     }
 

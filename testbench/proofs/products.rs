@@ -5,7 +5,7 @@
 //! is multiplied and put together from tiles is the product of these factors.
 
 use super::claim::Claim;
-use super::settings::{label, Setting};
+use super::settings::Setting;
 use super::unit::Mistake::{NotStrict, WrongArm, WrongGate, WrongSign};
 use super::unit::Subject;
 use efsat::design::interval;
@@ -83,7 +83,7 @@ pub fn order_of_corners(bits: (u32, u32)) -> Claim {
 /// The factors taken at full width: those of the corners that are least and greatest.
 pub fn factors(setting: &Setting, name: &str) -> Claim {
     let subject = Subject::of_design(&setting.params, name);
-    let mut claim = Claim::new(subject, label(&setting.params), "factors of the least and the greatest corner");
+    let mut claim = Claim::new(subject, setting.label(), "factors of the least and the greatest corner");
     let bits = claim.subject.input("x_lo").bits + claim.subject.input("y_lo").bits;
     for (corner, _, _) in CORNERS {
         claim.free(corner, bits);
@@ -108,7 +108,7 @@ pub fn factors(setting: &Setting, name: &str) -> Claim {
 /// The bounds at full width are the products of the factors; `tiles` are the numbers of tiles of the factors.
 pub fn multiplied(setting: &Setting, name: &str) -> Claim {
     let subject = Subject::of_design(&setting.params, name);
-    let mut claim = Claim::new(subject, label(&setting.params), "bounds are the products of the factors");
+    let mut claim = Claim::new(subject, setting.label(), "bounds are the products of the factors");
     claim.seen(&["lo_x", "lo_y", "hi_x", "hi_y"]);
     claim.product("least", "lo_x", "lo_y").product("greatest", "hi_x", "hi_y");
     claim.shown("lo == least && hi == greatest");

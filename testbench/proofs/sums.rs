@@ -1,36 +1,40 @@
 //! Claims of additions, subtractions, edges and roundings.
 
 use super::claim::Claim;
-use super::rounding::{claim_rounded, Exact};
-use super::settings::{label, Setting};
-use super::unit::Mistake::{NoUlp, NotStrict, OtherBound, Reversed, WrongArm, WrongSign, WrongSlice};
+use super::rounding::claim_rounded;
+use super::settings::{rule, Setting};
+use super::unit::Mistake::{NoUlp, OtherBound, Reversed, WrongArm, WrongSign, WrongSlice};
 use super::unit::Subject;
 use efsat::design::interval::{self, Rounding};
-use efsat::graph::{Builder, Rate, Type};
+use efsat::graph::{Builder, Type};
 use efsat::number::Upper;
-use efsat::params::{Params, Row};
+use efsat::params::Row;
 
-/// Additions and subtractions: exact, and every sum of two numbers from the operands is inside.
+/// Additions and subtractions are exact; at small widths also, every sum of two numbers from the operands is inside.
 pub fn exact_sums(setting: &Setting) -> Vec<Claim> {
-    let params = &setting.params;
-    let adders = ["projection_add_two", "projection_add_three", "transform_add_two", "transform_add_t", "transform_add_all"];
-    let mut claims: Vec<Claim> = adders
-        .into_iter()
-        .map(|name| {
-            let mut claim = Claim::new(Subject::of_design(params, name), label(params), "exact sum, contains x + y");
-            claim.within("x", "x").within("y", "y").shown("lo <= x + y && x + y <= hi");
-            claim.shown("lo == x_lo + y_lo && hi == x_hi + y_hi");
-            claim.mutant(OtherBound, "sum_lo").mutant(OtherBound, "sum_hi").mutant(WrongSign, "sum_lo");
-            claim
-        })
-        .collect();
-    let subject = Subject::of_design(params, "axis_subtract");
-    let mut claim = Claim::new(subject, label(params), "exact difference, contains x - y");
-    claim.within("x", "x").within("y", "y").shown("lo <= x - y && x - y <= hi");
-    claim.shown("lo == x_lo - y_hi && hi == x_hi - y_lo");
-    claim.mutant(OtherBound, "difference_lo").mutant(OtherBound, "difference_hi").mutant(Reversed, "difference_lo");
-    claims.push(claim);
-    claims
+    let units = [
+        ("projection_add_two", "x + y", "sum"),
+        ("projection_add_three", "x + y", "sum"),
+        ("transform_add_two", "x + y", "sum"),
+        ("transform_add_t", "x + y", "sum"),
+        ("transform_add_all", "x + y", "sum"),
+        ("axis_subtract", "x - y", "difference"),
+    ];
+    let claim = |(name, result, signal): (&str, &str, &str)| {
+        let property = if setting.small { "exact, contains the result" } else { "exact" };
+        let mut claim = Claim::new(Subject::of_design(&setting.params, name), setting.label(), property);
+        if setting.small {
+            claim.within("x", "x").within("y", "y").shown(format!("lo <= {result} && {result} <= hi"));
+        }
+        claim.shown(match signal {
+            "sum" => "lo == x_lo + y_lo && hi == x_hi + y_hi",
+            _ => "lo == x_lo - y_hi && hi == x_hi - y_lo",
+        });
+        let (lo, hi) = (format!("{signal}_lo"), format!("{signal}_hi"));
+        claim.mutant(OtherBound, &lo).mutant(OtherBound, &hi).mutant(WrongSign, &lo).mutant(WrongSign, &hi);
+        claim
+    };
+    units.into_iter().map(claim).collect()
 }
 
 /// Edges: differences of coordinates in the format of their row.
@@ -39,16 +43,21 @@ pub fn edges(setting: &Setting) -> Vec<Claim> {
     let formats = params.formats();
     let grid = formats.coordinate_a.format.fraction;
     let edge = |name: &str, row: &Row, anchored: bool| {
-        let mut claim = Claim::new(Subject::of_design(params, name), label(params), "contains x - y, within an ulp");
-        claim.within("x", "x").within("y", "y");
+        let subject = Subject::of_design(params, name);
+        let mut claim = Claim::new(subject, setting.label(), "contains x - y, within an ulp");
+        claim.value("exact_lo", "x_lo - y_hi").value("exact_hi", "x_hi - y_lo");
+        if setting.small {
+            claim.within("x", "x").within("y", "y").value("truth", "x - y");
+        } else {
+            claim.between("truth", "exact_lo", "exact_hi", params.width + 1);
+        }
         if anchored {
             // Lemma anchored-edge: a bound on the computed difference.
             let most = (1i128 << grid) + 1;
-            claim.given(format!("-{most} <= x_lo - y_hi && x_hi - y_lo <= {most}"));
+            claim.given(format!("-{most} <= exact_lo && exact_hi <= {most}"));
         }
         let way = Rounding { drop: grid - row.format.fraction, clamp: row.clamp.map(|c| (c.bound, c.lemma)) };
-        let exact = Exact { lo: "(x_lo - y_hi)", hi: "(x_hi - y_lo)", truth: "(x - y)" };
-        claim_rounded(&mut claim, "1", "", &exact, way, params.upper);
+        claim_rounded(&mut claim, "1", "", "exact", way, params.upper);
         claim.mutant(OtherBound, "difference_lo").mutant(Reversed, "difference_hi");
         if way.drop > 0 {
             claim.mutant(NoUlp, "rounded_up").mutant(WrongSlice, "rounded_floor_lo");
@@ -58,8 +67,6 @@ pub fn edges(setting: &Setting) -> Vec<Claim> {
     let mut claims = vec![edge("edge_b", &formats.edge_b, false), edge("edge_a", &formats.edge_a[1], false)];
     if params.renormalise {
         claims.push(edge("edge_a_anchored", &formats.edge_a[0], true));
-    } else {
-        claims.pop();
     }
     claims
 }
@@ -77,10 +84,10 @@ pub fn roundings(bits: u32, most_dropped: u32) -> Vec<Claim> {
             let result = interval::round(&mut b, "rounded", x, &[way], None, upper, kept);
             interval::output(&mut b, "", result);
             let clamped = if clamp.is_some() { ", clamped" } else { "" };
-            let widths = format!("{bits} bits, {drop} dropped, {}{clamped}", super::settings::rule(upper));
+            let widths = format!("{bits} bits, {drop} dropped, {}{clamped}", rule(upper));
             let mut claim = Claim::new(Subject::of_unit(&b.finish()), widths, "contains x, within an ulp");
-            claim.within("x", "x");
-            claim_rounded(&mut claim, "1", "", &Exact { lo: "x_lo", hi: "x_hi", truth: "x" }, way, upper);
+            claim.value("exact_lo", "x_lo").value("exact_hi", "x_hi").within("truth", "x");
+            claim_rounded(&mut claim, "1", "", "exact", way, upper);
             if drop > 0 {
                 claim.mutant(OtherBound, "rounded_floor_lo").mutant(NoUlp, "rounded_up");
                 if drop > 1 {
