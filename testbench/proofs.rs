@@ -66,6 +66,7 @@ fn roundings() {
 #[test]
 fn products() {
     let mut claims = products::by_definition((4, 4));
+
     claims.push(products::order_of_corners((4, 4)));
     claims.push(products::in_tiles((19, 2)));
     claims.push(products::in_tiles((2, 19)));

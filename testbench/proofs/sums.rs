@@ -88,13 +88,12 @@ pub fn roundings(bits: u32, most_dropped: u32) -> Vec<Claim> {
             let mut claim = Claim::new(Subject::of_unit(&b.finish()), widths, "contains x, within an ulp");
             claim.value("exact_lo", "x_lo").value("exact_hi", "x_hi").within("truth", "x");
             claim_rounded(&mut claim, "1", "", "exact", way, upper);
+            claim.mutant(OtherBound, "lo");
             if drop > 0 {
                 claim.mutant(OtherBound, "rounded_floor_lo").mutant(NoUlp, "rounded_up");
-                if drop > 1 {
-                    claim.mutant(WrongSlice, "rounded_floor_hi");
-                }
+                claim.mutant(WrongSlice, "rounded_floor_hi");
             }
-            if drop > 0 && upper == Upper::Sticky {
+            if drop > 1 && upper == Upper::Sticky {
                 claim.mutant(WrongArm, "rounded_sticky");
             }
             claims.push(claim);

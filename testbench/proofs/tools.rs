@@ -68,7 +68,17 @@ pub fn verilog(ghdl: &str, files: &[(String, String)], top: &str) -> String {
     let text = call(dir.path(), ghdl, &args);
     // GHDL 2.0 forgets the last arm of a case; what efsat prints has none.
     assert!(!text.contains("endcase"), "{top}: a case");
-    text.split_inclusive("endmodule").map(signed_products).collect()
+    binary_literals(&text).split_inclusive("endmodule").map(signed_products).collect()
+}
+
+/// GHDL 2.0 writes constants of more than 32 bits as strings, which Verilog reads as characters.
+fn binary_literals(text: &str) -> String {
+    let part = |(i, part): (usize, &str)| match i % 2 {
+        0 => part.to_owned(),
+        _ if part.contains(|c| c != '0' && c != '1') => panic!("a string that is no constant: {part}"),
+        _ => format!("{}'b{part}", part.len()),
+    };
+    text.split('"').enumerate().map(part).collect()
 }
 
 /// GHDL writes a signed product as an unsigned one of operands extended to the width of the product. That is the same
@@ -123,6 +133,9 @@ select -assert-none t:$*dff* t:$*latch* t:$mem*
 prep -flatten -top claim
 opt -full
 opt_merge
+alumacc t:$mul
+maccmap
+opt -full
 select -assert-min 1 t:$assert
 sat -prove-asserts -set-assumes -show-inputs -timeout {PATIENCE}
 ",
@@ -134,6 +147,7 @@ sat -prove-asserts -set-assumes -show-inputs -timeout {PATIENCE}
     if text.contains("no model found: SUCCESS!") {
         Outcome::Proved
     } else if let Some((_, found)) = text.split_once("model found: FAIL!") {
+        if std::env::var("KEEPALL").is_ok() { eprintln!("{top} {:?}", dir.keep()); }
         Outcome::Refuted(found.lines().filter(|l| l.contains("\\")).collect::<Vec<_>>().join("\n"))
     } else {
         assert!(text.contains("TIMEOUT"), "yosys: {text}");
