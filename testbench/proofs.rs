@@ -5,6 +5,10 @@
 //! tests say so on standard error and prove nothing. `EFSAT_PROOFS=full` (what `scripts/prove full` sets) takes greater
 //! widths.
 
+#[path = "proofs/axes.rs"]
+mod axes;
+#[path = "proofs/before_axes.rs"]
+mod before_axes;
 #[path = "proofs/claim.rs"]
 mod claim;
 #[path = "proofs/products.rs"]
@@ -24,7 +28,7 @@ mod unit;
 
 use claim::Claim;
 use efsat::number::Upper;
-use efsat::params::Params;
+use efsat::params::{Params, Projections, Transform};
 use rayon::prelude::*;
 use settings::Setting;
 
@@ -78,4 +82,41 @@ fn products() {
         claims.push(products::multiplied(&setting, name));
     }
     prove("Products", claims);
+}
+
+#[test]
+fn cross_products_and_projections() {
+    let mut claims = vec![];
+    for setting in [Setting::small(Params::default()), Setting::full(Params::default())] {
+        claims.push(axes::cross_product(&setting));
+        claims.push(axes::projection(&setting));
+    }
+    let sticky = Setting::full(Params { upper: Upper::Sticky, ..Params::default() });
+    claims.push(axes::cross_product(&sticky));
+    claims.push(axes::projection(&sticky));
+    prove("Cross products and projections", claims);
+}
+
+#[test]
+fn comparators() {
+    let policies = [Projections::All, Projections::Skip, Projections::Intersect];
+    let claims = policies.map(|projections| axes::comparator(&Params { projections, ..Params::default() }));
+    prove("Comparators", claims.into());
+}
+
+#[test]
+fn transform_and_renormalisation() {
+    let mut claims = vec![];
+    for params in both_rules() {
+        let setting = Setting::full(params.clone());
+        claims.push(before_axes::transform_row(&setting));
+        claims.push(before_axes::scale(&setting));
+        let translate = Setting::full(Params { transform: Transform::Translate, ..params.clone() });
+        claims.push(before_axes::translated_row(&translate));
+        claims.push(before_axes::rounded_coordinates(&Setting::full(Params { renormalise: false, ..params })));
+    }
+    let setting = Setting::full(Params::default());
+    claims.push(before_axes::offset(&setting));
+    claims.push(before_axes::shift(&setting));
+    prove("Transform and re-normalisation", claims);
 }
