@@ -100,8 +100,11 @@ fn cross_products_and_projections() {
 #[test]
 fn comparators() {
     let policies = [Projections::All, Projections::Skip, Projections::Intersect];
-    let claims = policies.map(|projections| axes::comparator(&Params { projections, ..Params::default() }));
-    prove("Comparators", claims.into());
+    let claims = policies.into_iter().flat_map(|projections| {
+        let params = Params { projections, ..Params::default() };
+        [axes::comparator(&params), axes::sound_comparator(4, projections)]
+    });
+    prove("Comparators", claims.collect());
 }
 
 #[test]

@@ -5,6 +5,7 @@ use super::rounding::claim_rounded;
 use super::settings::Setting;
 use super::unit::Mistake::{NotStrict, NoUlp, OtherBound, WrongArm, WrongGate, WrongSlice};
 use super::unit::Subject;
+use efsat::design::comparator;
 use efsat::design::cross_product::COORDINATES;
 use efsat::design::interval::Rounding;
 use efsat::params::{AxisKind, Formats, Params, Projections, Row};
@@ -80,7 +81,7 @@ pub fn cross_product(setting: &Setting) -> Claim {
         claim_chosen(&mut claim, &format!("l_{i}"), &exact, &ways, params);
     }
     let way = |i: usize| if ways.len() == 1 { String::new() } else { format!("_way_{i}") };
-    claim.mutant(NoUlp, format!("l_x_rounded{}_up", way(0))).mutant(OtherBound, "l_z_lo");
+    claim.mutant(NoUlp, format!("l_x_rounded{}_up", way(0))).mutant(OtherBound, format!("l_z_rounded{}_floor_lo", way(0)));
     claim.mutant(WrongSlice, format!("l_y_rounded{}_floor_lo", way(0)));
     if ways.len() > 1 {
         claim.mutant(WrongArm, "l_z_rounded_chosen_lo").mutant(NoUlp, "l_y_rounded_way_1_up");
@@ -112,7 +113,7 @@ pub fn projection(setting: &Setting) -> Claim {
     }
     claim_chosen(&mut claim, "p", "exact", &ways, params);
     let way = if ways.len() == 1 { "" } else { "_way_0" };
-    claim.mutant(NoUlp, format!("p_rounded{way}_up")).mutant(OtherBound, "p_lo");
+    claim.mutant(NoUlp, format!("p_rounded{way}_up")).mutant(OtherBound, format!("p_rounded{way}_floor_lo"));
     claim.mutant(WrongSlice, format!("p_rounded{way}_floor_lo"));
     claim
 }
@@ -123,55 +124,79 @@ fn extreme(values: &[String], is: &str) -> String {
     rest.iter().fold(first.clone(), |found, value| format!("({found} {is} {value} ? {found} : {value})"))
 }
 
-/// The flags of the comparator network: sound for every choice of true projections, and equal to their definition by
-/// the bounds where every projection is computed.
+/// The flags of a design's comparator network are as defined by the bounds.
 pub fn comparator(params: &Params) -> Claim {
-    let policy = params.projections;
-    let setting = Setting::full(params.clone());
-    let subject = Subject::of_design(params, "comparator_network");
+    let label = Setting::full(params.clone()).label();
+    flags(Subject::of_design(params, "comparator_network"), params.projections, &label, false)
+}
+
+/// The same at few bits, and what the flags say holds for every choice of true projections.
+pub fn sound_comparator(bits: u32, policy: Projections) -> Claim {
+    let points = if policy == Projections::Skip { 4 } else { 6 };
+    let unit = comparator::unit(bits, (1 << (bits - 1)) - 1, points, policy);
+    flags(Subject::of_unit(&unit), policy, &format!("{bits} bits"), true)
+}
+
+fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Claim {
     let points = subject.inputs.iter().filter(|w| w.path.ends_with("_lo")).count();
-    let policy_name = format!("{policy:?}").to_lowercase();
-    let widths = format!("{}, projections {policy_name}", setting.label());
-    let property = match policy {
-        Projections::All => "flags sound and as defined",
-        Projections::Skip | Projections::Intersect => "flags sound",
-    };
+    let widths = format!("{widths}, projections {}", format!("{policy:?}").to_lowercase());
+    let property = if sound { "flags as defined, sound" } else { "flags as defined" };
     let mut claim = Claim::new(subject, widths, property);
-    for i in 0..points {
-        claim.within(&format!("t{i}"), &format!("p{i}"));
-    }
-    // The true projections of each triangle: with skipped ones by the flags that say whose they are.
-    let own = |i: usize, triangle: &str, first: usize| match policy {
-        Projections::Skip if i != first => format!("({triangle}_has_{i} ? t{i} : t{first})"),
-        _ => format!("t{i}"),
+    // What belongs to a triangle at its place i, counted from the first for A and from the last for B.
+    let own = |triangle: &str, i: usize, value: &dyn Fn(usize) -> String| {
+        let port = |i: usize| if triangle == "a" { i } else { points - 1 - i };
+        match policy {
+            Projections::Skip if i > 0 => format!("({triangle}_has_{} ? {} : {})", port(i), value(port(i)), value(port(0))),
+            _ => value(port(i)),
+        }
     };
-    let a = [0, 1, 2].map(|i| own(i, "a", 0));
-    let b = [0, 1, 2].map(|i| own(points - 1 - i, "b", points - 1));
-    for (name, values) in [("a", &a), ("b", &b)] {
-        claim.value(&format!("{name}_min"), extreme(values, "<")).value(&format!("{name}_max"), extreme(values, ">"));
-    }
-    if policy == Projections::Intersect {
-        // Which true projections are equal, by code: none, those of edge 0, 1 or 2, all.
-        for (triangle, first) in [("a", 0), ("b", 3)] {
-            let equal = |i: usize, j: usize| format!("t{} == t{}", first + i, first + j);
-            for (code, pairs) in [(1, vec![(0, 1)]), (2, vec![(1, 2)]), (3, vec![(2, 0)]), (4, vec![(0, 1), (1, 2)])] {
-                let all = pairs.into_iter().map(|(i, j)| equal(i, j)).collect::<Vec<_>>().join(" && ");
-                claim.given(format!("duplicates_{triangle} != {code} || ({all})"));
-            }
+    // Places that the code of duplicates makes equal; B's are counted from the last, so its edges run backwards.
+    let groups = |triangle: &str| match triangle {
+        "a" => [(1, vec![0, 1]), (2, vec![1, 2]), (3, vec![2, 0]), (4, vec![0, 1, 2])],
+        _ => [(1, vec![2, 1]), (2, vec![1, 0]), (3, vec![0, 2]), (4, vec![0, 1, 2])],
+    };
+    for triangle in ["a", "b"] {
+        for (end, is) in [("lo", ">"), ("hi", "<")] {
+            let bound = |i: usize| own(triangle, i, &|port| format!("p{port}_{end}"));
+            let joint = |i: usize| {
+                let mut value = bound(i);
+                if policy == Projections::Intersect {
+                    for (code, group) in groups(triangle).into_iter().filter(|(_, group)| group.contains(&i)) {
+                        let all: Vec<String> = group.into_iter().map(bound).collect();
+                        value = format!("(duplicates_{triangle} == {code} ? {} : {value})", extreme(&all, is));
+                    }
+                }
+                value
+            };
+            let all = [0, 1, 2].map(|i| {
+                let name = format!("{triangle}_{i}_{end}");
+                claim.value(&name, joint(i));
+                name
+            });
+            claim.value(&format!("{triangle}_min_{end}"), extreme(&all, "<"));
+            claim.value(&format!("{triangle}_max_{end}"), extreme(&all, ">"));
         }
     }
-    claim.shown("!separated || a_max < b_min || b_max < a_min");
-    claim.shown("!overlapping || (a_min < b_max && b_min < a_max)");
-    if policy == Projections::All {
-        for (name, first) in [("a", 0), ("b", 3)] {
-            for end in ["lo", "hi"] {
-                let bounds = [0, 1, 2].map(|i| format!("p{}_{end}", first + i));
-                claim.value(&format!("{name}_min_{end}"), extreme(&bounds, "<"));
-                claim.value(&format!("{name}_max_{end}"), extreme(&bounds, ">"));
+    claim.shown("separated == (b_min_lo > a_max_hi || a_min_lo > b_max_hi)");
+    claim.shown("overlapping == (a_min_hi < b_max_lo && b_min_hi < a_max_lo)");
+    if sound {
+        for i in 0..points {
+            claim.within(&format!("t{i}"), &format!("p{i}"));
+        }
+        for triangle in ["a", "b"] {
+            let all = [0, 1, 2].map(|i| own(triangle, i, &|port| format!("t{port}")));
+            claim.value(&format!("{triangle}_min"), extreme(&all, "<"));
+            claim.value(&format!("{triangle}_max"), extreme(&all, ">"));
+            if policy == Projections::Intersect {
+                for (code, group) in groups(triangle) {
+                    let same = group.windows(2).map(|pair| format!("{} == {}", all[pair[0]], all[pair[1]]));
+                    let same = same.collect::<Vec<_>>().join(" && ");
+                    claim.given(format!("duplicates_{triangle} != {code} || ({same})"));
+                }
             }
         }
-        claim.shown("separated == (b_min_lo > a_max_hi || a_min_lo > b_max_hi)");
-        claim.shown("overlapping == (a_min_hi < b_max_lo && b_min_hi < a_max_lo)");
+        claim.shown("!separated || a_max < b_min || b_max < a_min");
+        claim.shown("!overlapping || (a_min < b_max && b_min < a_max)");
     }
     claim.mutant(NotStrict, "a_below_b").mutant(NotStrict, "a_reaches_b").mutant(NotStrict, "b_reaches_a");
     claim.mutant(WrongArm, "a_max_hi").mutant(WrongGate, "is_overlapping");

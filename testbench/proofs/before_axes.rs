@@ -60,11 +60,12 @@ pub fn transform_row(setting: &Setting) -> Claim {
         "t == 0 && t_above == 0".to_owned(),
     ];
     claim.shown(format!("!(bypass && {}) || (b_lo == x0 && b_hi == x0_above)", identity.join(" && ")));
-    claim.mutant(OtherBound, "b_lo").mutant(WrongSlice, "b_floor_lo").mutant(NoUlp, "x1_above");
+    claim.mutant(NoUlp, "x1_above");
     if params.upper == Upper::Implied {
+        claim.mutant(OtherBound, "b_floor_lo").mutant(WrongSlice, "b_floor_lo");
         claim.mutant(NoUlp, "b_up_above").mutant(NotMissing, "b_up_inexact").mutant(NotMissing, "m0_inexact");
     } else {
-        claim.mutant(NoUlp, "b_rounded_up");
+        claim.mutant(OtherBound, "b_rounded_floor_lo").mutant(NoUlp, "b_rounded_up");
     }
     claim
 }
@@ -78,7 +79,7 @@ pub fn translated_row(setting: &Setting) -> Claim {
     host_bounds(&mut claim, params, "x0", false);
     host_bounds(&mut claim, params, "t", true);
     claim.shown("b_lo == x0 + t && b_hi == x0_above + t_above");
-    claim.mutant(OtherBound, "b_lo").mutant(NoUlp, "x0_above");
+    claim.mutant(OtherBound, "b_lo_bits").mutant(NoUlp, "x0_above");
     claim
 }
 

@@ -3,7 +3,6 @@
 use super::tools::{self, Outcome};
 use super::unit::{Mistake, Mutant, Subject, Wire};
 use std::fmt::Write;
-use std::time::Instant;
 
 /// What is claimed of a unit.
 ///
@@ -33,7 +32,7 @@ pub struct Claim {
 pub struct Row {
     /// Unit, widths and property.
     pub claim: [String; 3],
-    /// Seconds of the proof, mutants apart.
+    /// Seconds of Yosys' processor time for the proof, mutants apart.
     pub seconds: f64,
     /// `proved`, or what went wrong.
     pub verdict: String,
@@ -205,7 +204,7 @@ impl Claim {
         )
     }
 
-    fn ask(&self, ghdl: &str, files: &[(String, String)]) -> Outcome {
+    fn ask(&self, ghdl: &str, files: &[(String, String)]) -> (Outcome, f64) {
         let name = &self.subject.name;
         let paths = |wires: &[Wire]| wires.iter().map(|w| w.path.clone()).collect::<Vec<_>>();
         tools::solve(&tools::verilog(ghdl, files, name), name, &self.verilog(), &paths(&self.seen), &paths(&self.cut))
@@ -213,9 +212,7 @@ impl Claim {
 
     /// Proves the claim of the unit and refutes it of every mutant.
     pub fn run(&self, ghdl: &str) -> Row {
-        let start = Instant::now();
-        let outcome = self.ask(ghdl, &self.subject.files);
-        let seconds = start.elapsed().as_secs_f64();
+        let (outcome, seconds) = self.ask(ghdl, &self.subject.files);
         let mut failures = vec![];
         let verdict = match outcome {
             Outcome::Proved => "proved".to_owned(),
@@ -228,7 +225,7 @@ impl Claim {
                 "UNDECIDED".to_owned()
             }
         };
-        let alive = |mutant: &&Mutant| !matches!(self.ask(ghdl, &self.subject.mutated(mutant)), Outcome::Refuted(_));
+        let alive = |mutant: &&Mutant| !matches!(self.ask(ghdl, &self.subject.mutated(mutant)).0, Outcome::Refuted(_));
         let alive: Vec<&Mutant> = self.mutants.iter().filter(alive).collect();
         failures.extend(alive.iter().map(|mutant| format!("not refuted: {mutant:?}")));
         Row {

@@ -178,7 +178,11 @@ impl Mistake {
             }
             Self::WrongSign => exchanged(value, " + ", " - "),
             Self::NoUlp => Some(value.split_once(" + ")?.0.to_owned()),
-            Self::OtherBound => exchanged(value, "_lo", "_hi"),
+            Self::OtherBound => {
+                // The name of the type must not become another.
+                let value = value.replace("std_logic", "std\u{1}logic");
+                Some(exchanged(&value, "_lo", "_hi")?.replace('\u{1}', "_"))
+            }
             Self::WrongGate => exchanged(value, " and ", " or "),
             Self::NotMissing => value.contains("not ").then(|| value.replace("not ", "")),
             Self::WrongSlice => {
