@@ -118,10 +118,16 @@ pub fn projection(setting: &Setting) -> Claim {
     claim
 }
 
-/// A single choice by two expressions: the lesser or the greater of a list.
-fn extreme(values: &[String], is: &str) -> String {
+/// The least of some expressions.
+fn least(values: &[String]) -> String {
     let (first, rest) = values.split_first().expect("at least one");
-    rest.iter().fold(first.clone(), |found, value| format!("({found} {is} {value} ? {found} : {value})"))
+    rest.iter().fold(first.clone(), |found, value| format!("({found} < {value} ? {found} : {value})"))
+}
+
+/// The greatest of some expressions.
+fn greatest(values: &[String]) -> String {
+    let (first, rest) = values.split_first().expect("at least one");
+    rest.iter().fold(first.clone(), |found, value| format!("({value} < {found} ? {found} : {value})"))
 }
 
 /// The flags of a design's comparator network are as defined by the bounds.
@@ -142,11 +148,12 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
     let widths = format!("{widths}, projections {}", format!("{policy:?}").to_lowercase());
     let property = if sound { "flags as defined, sound" } else { "flags as defined" };
     let mut claim = Claim::new(subject, widths, property);
+    claim.compares_only();
     // What belongs to a triangle at its place i, counted from the first for A and from the last for B.
     let own = |triangle: &str, i: usize, value: &dyn Fn(usize) -> String| {
         let port = |i: usize| if triangle == "a" { i } else { points - 1 - i };
         match policy {
-            Projections::Skip if i > 0 => format!("({triangle}_has_{} ? {} : {})", port(i), value(port(i)), value(port(0))),
+            Projections::Skip if i > 0 => format!("(raw_{triangle}_has_{} ? {} : {})", port(i), value(port(i)), value(port(0))),
             _ => value(port(i)),
         }
     };
@@ -156,14 +163,14 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
         _ => [(1, vec![2, 1]), (2, vec![1, 0]), (3, vec![0, 2]), (4, vec![0, 1, 2])],
     };
     for triangle in ["a", "b"] {
-        for (end, is) in [("lo", ">"), ("hi", "<")] {
+        for (end, tightest) in [("lo", greatest as fn(&[String]) -> String), ("hi", least)] {
             let bound = |i: usize| own(triangle, i, &|port| format!("p{port}_{end}"));
             let joint = |i: usize| {
                 let mut value = bound(i);
                 if policy == Projections::Intersect {
                     for (code, group) in groups(triangle).into_iter().filter(|(_, group)| group.contains(&i)) {
                         let all: Vec<String> = group.into_iter().map(bound).collect();
-                        value = format!("(duplicates_{triangle} == {code} ? {} : {value})", extreme(&all, is));
+                        value = format!("(duplicates_{triangle} == {code} ? {} : {value})", tightest(&all));
                     }
                 }
                 value
@@ -173,8 +180,8 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
                 claim.value(&name, joint(i));
                 name
             });
-            claim.value(&format!("{triangle}_min_{end}"), extreme(&all, "<"));
-            claim.value(&format!("{triangle}_max_{end}"), extreme(&all, ">"));
+            claim.value(&format!("{triangle}_min_{end}"), least(&all));
+            claim.value(&format!("{triangle}_max_{end}"), greatest(&all));
         }
     }
     claim.shown("separated == (b_min_lo > a_max_hi || a_min_lo > b_max_hi)");
@@ -185,8 +192,8 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
         }
         for triangle in ["a", "b"] {
             let all = [0, 1, 2].map(|i| own(triangle, i, &|port| format!("t{port}")));
-            claim.value(&format!("{triangle}_min"), extreme(&all, "<"));
-            claim.value(&format!("{triangle}_max"), extreme(&all, ">"));
+            claim.value(&format!("{triangle}_min"), least(&all));
+            claim.value(&format!("{triangle}_max"), greatest(&all));
             if policy == Projections::Intersect {
                 for (code, group) in groups(triangle) {
                     let same = group.windows(2).map(|pair| format!("{} == {}", all[pair[0]], all[pair[1]]));

@@ -43,9 +43,10 @@ pub fn transform_row(setting: &Setting) -> Claim {
         claim.shown(format!("{product}_y_lo == x{j} && {product}_y_hi == x{j}_above"));
     }
     let fraction = params.input().fraction;
+    // In the order of the unit: to show that the order does not matter would be the solver's hardest work.
     let sum = |end: &str, t: &str| {
-        let products = products.each_ref().map(|product| format!("{product}_{end}")).join(" + ");
-        format!("{products} + ({t} <<< {fraction})")
+        let [first, second, third] = products.each_ref().map(|product| format!("{product}_{end}"));
+        format!("({first} + {second}) + ({third} + ({t} <<< {fraction}))")
     };
     claim.value("exact_lo", sum("lo", "t")).value("exact_hi", sum("hi", "t_above"));
     claim.between("exact_truth", "exact_lo", "exact_hi", 2 * params.transform_width + 3);

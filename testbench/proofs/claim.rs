@@ -15,6 +15,8 @@ pub struct Claim {
     pub widths: String,
     /// What stands in the table: the property.
     pub property: &'static str,
+    /// Bits that numbers have beyond the widest: room for sums of a few, and for their alignment.
+    slack: u32,
     /// Numbers that may have any value: name and bits, sign included.
     free: Vec<(String, u32)>,
     /// Exact products of raw operands: name, operands.
@@ -51,6 +53,7 @@ impl Claim {
             subject,
             widths,
             property,
+            slack: 16,
             free: vec![],
             products: vec![],
             values: vec![],
@@ -141,12 +144,18 @@ impl Claim {
         self
     }
 
-    /// Width of all numbers of the claim: room for sums of a few of the widest, and for their alignment.
+    /// Says that the claim only compares numbers: without slack the solver sees that it compares as the unit does.
+    pub fn compares_only(&mut self) -> &mut Self {
+        self.slack = 0;
+        self
+    }
+
+    /// Width of all numbers of the claim.
     fn room(&self) -> u32 {
         let wires = self.subject.inputs.iter().chain(&self.subject.outputs).chain(&self.seen).chain(&self.cut);
         let widest = wires.map(|w| w.bits).chain(self.free.iter().map(|f| f.1)).max().unwrap_or(1);
         let products = self.products.iter().map(|(_, x, y)| self.bits(x) + self.bits(y)).max().unwrap_or(0);
-        widest.max(products) + 16
+        widest.max(products) + self.slack
     }
 
     fn bits(&self, name: &str) -> u32 {
