@@ -69,11 +69,11 @@ fn roundings() {
 
 #[test]
 fn products() {
-    let mut claims = products::by_definition((4, 4));
-
-    claims.push(products::order_of_corners((4, 4)));
-    claims.push(products::in_tiles((19, 2)));
-    claims.push(products::in_tiles((2, 19)));
+    let small: &[(u32, u32)] = if settings::full() { &[(4, 4), (3, 6), (5, 5)] } else { &[(4, 4)] };
+    let mut claims: Vec<Claim> = small.iter().flat_map(|bits| products::by_definition(*bits)).collect();
+    claims.extend(small.iter().map(|bits| products::order_of_corners(*bits)));
+    let tiled: &[(u32, u32)] = if settings::full() { &[(19, 2), (2, 19), (19, 4), (36, 2)] } else { &[(19, 2), (2, 19)] };
+    claims.extend(tiled.iter().map(|bits| products::in_tiles(*bits)));
     let setting = Setting::full(Params::default());
     for name in ["axis_multiply", "projection_multiply", "transform_multiply"] {
         claims.push(products::factors(&setting, name));
@@ -86,15 +86,12 @@ fn products() {
 
 #[test]
 fn cross_products_and_projections() {
-    let mut claims = vec![];
-    for setting in [Setting::small(Params::default()), Setting::full(Params::default())] {
-        claims.push(axes::cross_product(&setting));
-        claims.push(axes::projection(&setting));
+    let mut settings: Vec<Setting> = both_rules().into_iter().map(Setting::full).collect();
+    if settings::full() {
+        settings.push(Setting::small(Params::default()));
     }
-    let sticky = Setting::full(Params { upper: Upper::Sticky, ..Params::default() });
-    claims.push(axes::cross_product(&sticky));
-    claims.push(axes::projection(&sticky));
-    prove("Cross products and projections", claims);
+    let claims = settings.iter().flat_map(|setting| [axes::cross_product(setting), axes::projection(setting)]);
+    prove("Cross products and projections", claims.collect());
 }
 
 #[test]

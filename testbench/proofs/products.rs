@@ -6,7 +6,7 @@
 
 use super::claim::Claim;
 use super::settings::Setting;
-use super::unit::Mistake::{NotStrict, WrongArm, WrongGate, WrongSign};
+use super::unit::Mistake::{NotStrict, OtherBound, WrongArm, WrongGate, WrongSign};
 use super::unit::Subject;
 use efsat::design::interval;
 use efsat::graph::Type;
@@ -53,9 +53,7 @@ pub fn by_definition(bits: (u32, u32)) -> Vec<Claim> {
     vec![equal, contains]
 }
 
-/// Monotonicity of products, on which the full width relies: at small widths by the solver.
-///
-/// The claim is of numbers, not of a unit; the multiplication serves as the carrier of two intervals.
+/// Monotonicity of products, on which the full width relies.
 fn ordered() -> [String; 8] {
     let rise = |sign: &str, x: &str, y: &str| [format!("!({sign} >= 0) || {x} <= {y}"), format!("!({sign} <= 0) || {y} <= {x}")];
     let [a, b] = rise("y_lo", "ll", "hl");
@@ -65,7 +63,8 @@ fn ordered() -> [String; 8] {
     [a, b, c, d, e, f, g, h]
 }
 
-/// The order of neighbouring corners holds of products.
+/// The order of neighbouring corners holds of products. The claim is of numbers, not of a unit: the multiplication
+/// brings the two intervals, and no mistake in it matters.
 pub fn order_of_corners(bits: (u32, u32)) -> Claim {
     let bound = |bits: u32| (1i128 << (bits - 1)) - 1;
     let (x, y) = ((Type::signed(bits.0, 0), bound(bits.0)), (Type::signed(bits.1, 0), bound(bits.1)));
@@ -105,13 +104,15 @@ pub fn factors(setting: &Setting, name: &str) -> Claim {
     claim
 }
 
-/// The bounds at full width are the products of the factors; `tiles` are the numbers of tiles of the factors.
+/// The bounds at full width are the products of the factors, where these fit one multiplier: both sides multiply the
+/// same signals, so the solver need not look into the multiplier.
 pub fn multiplied(setting: &Setting, name: &str) -> Claim {
     let subject = Subject::of_design(&setting.params, name);
     let mut claim = Claim::new(subject, setting.label(), "bounds are the products of the factors");
     claim.seen(&["lo_x", "lo_y", "hi_x", "hi_y"]);
     claim.product("least", "lo_x", "lo_y").product("greatest", "hi_x", "hi_y");
     claim.shown("lo == least && hi == greatest");
+    claim.mutant(OtherBound, "lo");
     claim
 }
 
