@@ -72,7 +72,8 @@ fn products() {
     let small: &[(u32, u32)] = if settings::full() { &[(4, 4), (3, 6), (5, 5)] } else { &[(4, 4)] };
     let mut claims: Vec<Claim> = small.iter().flat_map(|bits| products::by_definition(*bits)).collect();
     claims.extend(small.iter().map(|bits| products::order_of_corners(*bits)));
-    let tiled: &[(u32, u32)] = if settings::full() { &[(19, 2), (2, 19), (19, 4), (36, 2)] } else { &[(19, 2), (2, 19)] };
+    let tiled: &[(u32, u32)] =
+        if settings::full() { &[(19, 2), (2, 19), (19, 4), (36, 2)] } else { &[(19, 2), (2, 19)] };
     claims.extend(tiled.iter().map(|bits| products::in_tiles(*bits)));
     let setting = Setting::full(Params::default());
     for name in ["axis_multiply", "projection_multiply", "transform_multiply"] {

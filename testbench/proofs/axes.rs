@@ -3,7 +3,7 @@
 use super::claim::Claim;
 use super::rounding::claim_rounded;
 use super::settings::Setting;
-use super::unit::Mistake::{NotStrict, NoUlp, OtherBound, WrongArm, WrongGate, WrongSlice};
+use super::unit::Mistake::{NoUlp, NotStrict, OtherBound, WrongArm, WrongGate, WrongSlice};
 use super::unit::Subject;
 use efsat::design::comparator;
 use efsat::design::cross_product::COORDINATES;
@@ -81,7 +81,9 @@ pub fn cross_product(setting: &Setting) -> Claim {
         claim_chosen(&mut claim, &format!("l_{i}"), &exact, &ways, params);
     }
     let way = |i: usize| if ways.len() == 1 { String::new() } else { format!("_way_{i}") };
-    claim.mutant(NoUlp, format!("l_x_rounded{}_up", way(0))).mutant(OtherBound, format!("l_z_rounded{}_floor_lo", way(0)));
+    claim
+        .mutant(NoUlp, format!("l_x_rounded{}_up", way(0)))
+        .mutant(OtherBound, format!("l_z_rounded{}_floor_lo", way(0)));
     claim.mutant(WrongSlice, format!("l_y_rounded{}_floor_lo", way(0)));
     if ways.len() > 1 {
         claim.mutant(WrongArm, "l_z_rounded_chosen_lo").mutant(NoUlp, "l_y_rounded_way_1_up");
@@ -153,7 +155,9 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
     let own = |triangle: &str, i: usize, value: &dyn Fn(usize) -> String| {
         let port = |i: usize| if triangle == "a" { i } else { points - 1 - i };
         match policy {
-            Projections::Skip if i > 0 => format!("(raw_{triangle}_has_{} ? {} : {})", port(i), value(port(i)), value(port(0))),
+            Projections::Skip if i > 0 => {
+                format!("(raw_{triangle}_has_{} ? {} : {})", port(i), value(port(i)), value(port(0)))
+            }
             _ => value(port(i)),
         }
     };

@@ -55,7 +55,9 @@ pub fn by_definition(bits: (u32, u32)) -> Vec<Claim> {
 
 /// Monotonicity of products, on which the full width relies.
 fn ordered() -> [String; 8] {
-    let rise = |sign: &str, x: &str, y: &str| [format!("!({sign} >= 0) || {x} <= {y}"), format!("!({sign} <= 0) || {y} <= {x}")];
+    let rise = |sign: &str, x: &str, y: &str| {
+        [format!("!({sign} >= 0) || {x} <= {y}"), format!("!({sign} <= 0) || {y} <= {x}")]
+    };
     let [a, b] = rise("y_lo", "ll", "hl");
     let [c, d] = rise("y_hi", "lh", "hh");
     let [e, f] = rise("x_lo", "ll", "lh");
@@ -69,7 +71,8 @@ pub fn order_of_corners(bits: (u32, u32)) -> Claim {
     let bound = |bits: u32| (1i128 << (bits - 1)) - 1;
     let (x, y) = ((Type::signed(bits.0, 0), bound(bits.0)), (Type::signed(bits.1, 0), bound(bits.1)));
     let subject = Subject::of_unit(&interval::multiply_unit("interval_multiply", x, y));
-    let mut claim = Claim::new(subject, format!("{} x {} bits", bits.0, bits.1), "corner products are ordered by signs");
+    let mut claim =
+        Claim::new(subject, format!("{} x {} bits", bits.0, bits.1), "corner products are ordered by signs");
     for (name, x, y) in CORNERS {
         claim.product(name, x, y);
     }
@@ -94,9 +97,8 @@ pub fn factors(setting: &Setting, name: &str) -> Claim {
     claim.seen(&["lo_x", "lo_y", "hi_x", "hi_y"]);
     claim.value("x_most", "(-x_lo > x_hi ? -x_lo : x_hi)").value("y_most", "(-y_lo > y_hi ? -y_lo : y_hi)");
     for (end, extreme, sign) in [("lo", "least", "-"), ("hi", "greatest", "")] {
-        let corner = |(corner, x, y): (&str, &str, &str)| {
-            format!("({end}_x == {x} && {end}_y == {y} && {corner} == {extreme})")
-        };
+        let corner =
+            |(corner, x, y): (&str, &str, &str)| format!("({end}_x == {x} && {end}_y == {y} && {corner} == {extreme})");
         let corners = CORNERS.map(corner).join(" || ");
         claim.shown(format!("{BOTH_STRADDLE} ? {end}_x == {sign}x_most && {end}_y == y_most : {corners}"));
     }
