@@ -21,8 +21,11 @@ pub fn text(title: &str, rows: &[Row]) -> String {
     };
     let mut text = format!("\n{title}\n{}", line(&head, "seconds  claim   mutants"));
     for row in rows {
-        let [refuted, tried] = row.refuted;
-        let rest = format!("{:7.1}  {}  {refuted} of {tried} refuted", row.seconds, row.verdict);
+        let mutants = match row.refuted {
+            [_, 0] => "none".to_owned(),
+            [refuted, tried] => format!("{refuted} of {tried} refuted"),
+        };
+        let rest = format!("{:7.1}  {}  {mutants}", row.seconds, row.verdict);
         text += &line(&row.claim, &rest);
     }
     text

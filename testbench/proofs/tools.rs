@@ -11,7 +11,7 @@ use tempfile::TempDir;
 const GHDLS: [&str; 4] = ["ghdl-mcode", "ghdl-llvm", "ghdl-gcc", "ghdl"];
 
 /// Most seconds for one question to the solver.
-const PATIENCE: u32 = 120;
+const PATIENCE: u32 = 3600;
 
 /// A pipeline without feedback, seen after its latency: every register hands on what it reads.
 const WIRES: &str = "module \\$dff (CLK, D, Q);
