@@ -6,7 +6,7 @@
 
 use super::claim::Claim;
 use super::settings::Setting;
-use super::unit::Mistake::{NotStrict, OtherBound, WrongArm, WrongGate, WrongSign};
+use super::unit::Mistake::{Inverted, NotStrict, WrongArm, WrongGate, WrongSign};
 use super::unit::Subject;
 use efsat::design::interval;
 use efsat::graph::Type;
@@ -114,7 +114,7 @@ pub fn multiplied(setting: &Setting, name: &str) -> Claim {
     claim.seen(&["lo_x", "lo_y", "hi_x", "hi_y"]);
     claim.product("least", "lo_x", "lo_y").product("greatest", "hi_x", "hi_y");
     claim.shown("lo == least && hi == greatest");
-    claim.mutant(OtherBound, "lo");
+    claim.mutant(Inverted, "lo_x_d1");
     claim
 }
 

@@ -11,6 +11,7 @@ use efsat::number::Upper;
 use efsat::params::Row;
 
 /// Additions and subtractions are exact; at small widths also, every sum of two numbers from the operands is inside.
+/// The transform's, which are twice as wide, are left out at small widths: that is the slowest proof, and the same one.
 pub fn exact_sums(setting: &Setting) -> Vec<Claim> {
     let units = [
         ("projection_add_two", "x + y", "sum"),
@@ -34,7 +35,8 @@ pub fn exact_sums(setting: &Setting) -> Vec<Claim> {
         claim.mutant(OtherBound, &lo).mutant(OtherBound, &hi).mutant(WrongSign, &lo).mutant(WrongSign, &hi);
         claim
     };
-    units.into_iter().map(claim).collect()
+    let taken = |unit: &(&str, &str, &str)| !setting.small || !unit.0.starts_with("transform");
+    units.into_iter().filter(taken).map(claim).collect()
 }
 
 /// Edges: differences of coordinates in the format of their row.
@@ -88,8 +90,9 @@ pub fn roundings(bits: u32, most_dropped: u32) -> Vec<Claim> {
             let mut claim = Claim::new(Subject::of_unit(&b.finish()), widths, "contains x, within an ulp");
             claim.value("exact_lo", "x_lo").value("exact_hi", "x_hi").within("truth", "x");
             claim_rounded(&mut claim, "1", "", "exact", way, upper);
-            claim.mutant(OtherBound, "lo");
-            if drop > 0 {
+            if drop <= 0 {
+                claim.mutant(OtherBound, "lo");
+            } else {
                 claim.mutant(OtherBound, "rounded_floor_lo").mutant(NoUlp, "rounded_up");
                 claim.mutant(WrongSlice, "rounded_floor_hi");
             }

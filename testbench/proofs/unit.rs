@@ -134,6 +134,8 @@ pub enum Mistake {
     WrongGate,
     /// `not` is missing.
     NotMissing,
+    /// Every bit is inverted.
+    Inverted,
     /// The slice lies one bit too low.
     WrongSlice,
 }
@@ -150,8 +152,10 @@ pub struct Mutant {
 impl Mutant {
     /// The text with the mistake; `None` if the signal's assignment does not allow it.
     fn apply(&self, text: &str) -> Option<String> {
-        let head = format!("\n  {} <=", self.signal);
-        let start = text.find(&head)? + head.len();
+        // After the line's indentation: a statement of a process is indented more.
+        let head = format!(" {} <=", self.signal);
+        let starts_line = |at: &usize| text[..*at].trim_end_matches(' ').ends_with('\n');
+        let start = text.match_indices(&head).map(|(at, _)| at).find(starts_line)? + head.len();
         let end = start + text[start..].find(';')?;
         let wrong = self.mistake.make(&text[start..end])?;
         Some(format!("{}{wrong}{}", &text[..start], &text[end..]))
@@ -185,6 +189,7 @@ impl Mistake {
             }
             Self::WrongGate => exchanged(value, " and ", " or "),
             Self::NotMissing => value.contains("not ").then(|| value.replace("not ", "")),
+            Self::Inverted => Some(format!(" not ({value})")),
             Self::WrongSlice => {
                 let (left, right) = value.split_once(" downto ")?;
                 let high = left.rsplit_once('(')?.1;
