@@ -1,1 +1,126 @@
-//! To be written.
+//! Machine proofs on the generated VHDL, for all inputs: GHDL synthesizes the printed text, Yosys' SAT solver looks for
+//! a counterexample. `docs/machine-proofs.md` says what is proved and what follows from it.
+//!
+//! Every claim is also tried on units with one mistake in their text, which it must refute. Without Yosys or GHDL the
+//! tests say so on standard error and prove nothing. `EFSAT_PROOFS=full` (what `scripts/prove full` sets) takes greater
+//! widths.
+
+#[path = "proofs/axes.rs"]
+mod axes;
+#[path = "proofs/before_axes.rs"]
+mod before_axes;
+#[path = "proofs/claim.rs"]
+mod claim;
+#[path = "proofs/products.rs"]
+mod products;
+#[path = "proofs/rounding.rs"]
+mod rounding;
+#[path = "proofs/settings.rs"]
+mod settings;
+#[path = "proofs/sums.rs"]
+mod sums;
+#[path = "proofs/table.rs"]
+mod table;
+#[path = "proofs/tools.rs"]
+mod tools;
+#[path = "proofs/unit.rs"]
+mod unit;
+
+use claim::Claim;
+use efsat::number::Upper;
+use efsat::params::{Params, Projections, Transform};
+use rayon::prelude::*;
+use settings::Setting;
+
+/// Proves all claims; prints the table and fails if one is refuted or a mutant survives.
+fn prove(title: &str, claims: Vec<Claim>) {
+    let ghdl = match tools::ghdl() {
+        Ok(ghdl) => ghdl,
+        Err(missing) => return table::print(&format!("{title}: skipped: {missing}\n")),
+    };
+    let rows: Vec<claim::Row> = claims.par_iter().map(|claim| claim.run(ghdl)).collect();
+    table::print(&table::text(title, &rows));
+    let failures: Vec<String> = rows.iter().flat_map(table::failures).collect();
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// Both rules for upper bounds, the other options as they are by default.
+fn both_rules() -> Vec<Params> {
+    [Upper::Implied, Upper::Sticky].map(|upper| Params { upper, ..Params::default() }).into()
+}
+
+#[test]
+fn sums_and_edges() {
+    let mut claims = vec![];
+    for setting in [Setting::small(Params::default()), Setting::full(Params::default())] {
+        claims.extend(sums::exact_sums(&setting));
+    }
+    for params in both_rules() {
+        claims.extend(sums::edges(&Setting::small(params.clone())));
+        claims.extend(sums::edges(&Setting::full(params)));
+    }
+    prove("Sums and edges", claims);
+}
+
+#[test]
+fn roundings() {
+    prove("Roundings", sums::roundings(37, 17));
+}
+
+#[test]
+fn products() {
+    let small: &[(u32, u32)] = if settings::full() { &[(4, 4), (3, 6), (5, 5)] } else { &[(4, 4)] };
+    let mut claims: Vec<Claim> = small.iter().flat_map(|bits| products::by_definition(*bits)).collect();
+    claims.extend(small.iter().map(|bits| products::order_of_corners(*bits)));
+    let tiled: &[(u32, u32)] =
+        if settings::full() { &[(19, 2), (2, 19), (19, 4), (36, 2)] } else { &[(19, 2), (2, 19)] };
+    claims.extend(tiled.iter().map(|bits| products::in_tiles(*bits)));
+    let setting = Setting::full(Params::default());
+    for name in ["axis_multiply", "projection_multiply", "transform_multiply"] {
+        claims.push(products::factors(&setting, name));
+    }
+    for name in ["axis_multiply", "projection_multiply"] {
+        claims.push(products::multiplied(&setting, name));
+    }
+    prove("Products", claims);
+}
+
+#[test]
+fn cross_products_and_projections() {
+    let mut settings: Vec<Setting> = both_rules().into_iter().map(Setting::full).collect();
+    if settings::full() {
+        settings.push(Setting::small(Params::default()));
+    }
+    let claims = settings.iter().flat_map(|setting| [axes::cross_product(setting), axes::projection(setting)]);
+    prove("Cross products and projections", claims.collect());
+}
+
+#[test]
+fn comparators() {
+    let of_design = |projections| axes::comparator(&Params { projections, ..Params::default() });
+    let policies = [Projections::All, Projections::Skip, Projections::Intersect];
+    let bits = if settings::full() { 5 } else { 3 };
+    let mut claims: Vec<Claim> = policies.map(|policy| axes::sound_comparator(bits, policy)).into();
+    claims.extend([Projections::All, Projections::Skip].map(of_design));
+    if settings::full() {
+        claims.push(of_design(Projections::Intersect));
+    }
+    prove("Comparators", claims);
+}
+
+#[test]
+fn transform_and_renormalisation() {
+    let mut claims = vec![];
+    for params in both_rules() {
+        let setting = Setting::full(params.clone());
+        claims.push(before_axes::transform_row(&setting));
+        claims.push(before_axes::scale(&setting));
+        let translate = Setting::full(Params { transform: Transform::Translate, ..params.clone() });
+        claims.push(before_axes::translated_row(&translate));
+        claims.push(before_axes::rounded_coordinates(&Setting::full(Params { renormalise: false, ..params })));
+    }
+    let setting = Setting::full(Params::default());
+    claims.push(before_axes::offset(&setting));
+    claims.push(before_axes::shift(&setting));
+    prove("Transform and re-normalisation", claims);
+}

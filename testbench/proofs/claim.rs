@@ -1,0 +1,255 @@
+//! A claim about a unit, as a Verilog module: the unit, free true numbers, what is given and what is shown.
+
+use super::tools::{self, Outcome};
+use super::unit::{Mistake, Mutant, Subject, Wire};
+use std::fmt::Write;
+
+/// What is claimed of a unit.
+///
+/// Expressions are Verilog over the names of the unit's ports, of `free` numbers and of `seen` and `cut` signals, all of
+/// them signed and so wide that no sum of theirs overflows.
+pub struct Claim {
+    /// The unit.
+    pub subject: Subject,
+    /// What stands in the table: widths and options.
+    pub widths: String,
+    /// What stands in the table: the property.
+    pub property: &'static str,
+    /// Bits that numbers have beyond the widest: room for sums of a few, and for their alignment.
+    slack: u32,
+    /// Numbers that may have any value: name and bits, sign included.
+    free: Vec<(String, u32)>,
+    /// Exact products of raw operands: name, operands.
+    products: Vec<(String, String, String)>,
+    /// Named expressions.
+    values: Vec<(String, String)>,
+    given: Vec<String>,
+    shown: Vec<String>,
+    seen: Vec<Wire>,
+    cut: Vec<Wire>,
+    mutants: Vec<Mutant>,
+}
+
+/// A line of the table.
+pub struct Row {
+    /// Unit, widths and property.
+    pub claim: [String; 3],
+    /// Seconds of Yosys' processor time for the proof, mutants apart.
+    pub seconds: f64,
+    /// `proved`, or what went wrong.
+    pub verdict: String,
+    /// Mutants refuted and tried.
+    pub refuted: [usize; 2],
+    /// What must not be: the counterexample, or the mutants that were not refuted.
+    pub failures: Vec<String>,
+}
+
+impl Claim {
+    /// A claim that has only what holds by declaration: inputs within their ranges, and lower bounds not above upper
+    /// ones.
+    pub fn new(subject: Subject, widths: impl Into<String>, property: &'static str) -> Self {
+        let widths = widths.into();
+        let mut claim = Self {
+            subject,
+            widths,
+            property,
+            slack: 16,
+            free: vec![],
+            products: vec![],
+            values: vec![],
+            given: vec![],
+            shown: vec![],
+            seen: vec![],
+            cut: vec![],
+            mutants: vec![],
+        };
+        let inputs = claim.subject.inputs.clone();
+        claim.declared(&inputs);
+        claim
+    }
+
+    /// Assumes declared ranges, and the order of bounds.
+    fn declared(&mut self, wires: &[Wire]) {
+        for wire in wires {
+            let name = wire.name();
+            if let Some((min, max)) = wire.range {
+                self.given.push(format!("{} <= {name} && {name} <= {}", number(min), number(max)));
+            }
+            let upper = wire.path.strip_suffix("lo").map(|stem| format!("{stem}hi"));
+            if let Some(upper) = upper.and_then(|upper| wires.iter().find(|w| w.path == upper)) {
+                self.given.push(format!("{name} <= {}", upper.name()));
+            }
+        }
+    }
+
+    /// A true number with its name and bits, sign included.
+    pub fn free(&mut self, name: &str, bits: u32) -> &mut Self {
+        self.free.push((name.to_owned(), bits));
+        self
+    }
+
+    /// A true number in the interval `of`: `{of}_lo <= name <= {of}_hi`.
+    pub fn within(&mut self, name: &str, of: &str) -> &mut Self {
+        let lower = format!("{of}_lo");
+        let bits = self.bits(&lower);
+        self.between(name, &lower, &format!("{of}_hi"), bits)
+    }
+
+    /// A true number between two expressions.
+    pub fn between(&mut self, name: &str, lo: &str, hi: &str, bits: u32) -> &mut Self {
+        self.free(name, bits).given(format!("{lo} <= {name} && {name} <= {hi}"))
+    }
+
+    /// The exact product of two ports, free numbers or signals, under a name.
+    pub fn product(&mut self, name: &str, x: &str, y: &str) -> &mut Self {
+        self.products.push((name.to_owned(), x.to_owned(), y.to_owned()));
+        self
+    }
+
+    /// A named expression.
+    pub fn value(&mut self, name: &str, expression: impl Into<String>) -> &mut Self {
+        self.values.push((name.to_owned(), expression.into()));
+        self
+    }
+
+    /// Assumes.
+    pub fn given(&mut self, condition: impl Into<String>) -> &mut Self {
+        self.given.push(condition.into());
+        self
+    }
+
+    /// Claims.
+    pub fn shown(&mut self, condition: impl Into<String>) -> &mut Self {
+        self.shown.push(condition.into());
+        self
+    }
+
+    /// Looks at inner signals of the unit; a dot stands between an instance and its port.
+    pub fn seen(&mut self, paths: &[impl AsRef<str>]) -> &mut Self {
+        self.seen.extend(paths.iter().map(|path| self.subject.signal(path.as_ref()).clone()));
+        self
+    }
+
+    /// Replaces inner signals of the unit by any value of their declared range; what drives them is not looked at.
+    pub fn cut(&mut self, paths: &[impl AsRef<str>]) -> &mut Self {
+        let wires: Vec<Wire> = paths.iter().map(|path| self.subject.signal(path.as_ref()).clone()).collect();
+        self.declared(&wires);
+        self.cut.extend(wires);
+        self
+    }
+
+    /// A mistake that the claim must refute.
+    pub fn mutant(&mut self, mistake: Mistake, signal: impl AsRef<str>) -> &mut Self {
+        self.mutants.push(Mutant { mistake, signal: signal.as_ref().to_owned() });
+        self
+    }
+
+    /// Says that the claim only compares numbers: without slack the solver sees that it compares as the unit does.
+    pub fn compares_only(&mut self) -> &mut Self {
+        self.slack = 0;
+        self
+    }
+
+    /// Width of all numbers of the claim.
+    fn room(&self) -> u32 {
+        let wires = self.subject.inputs.iter().chain(&self.subject.outputs).chain(&self.seen).chain(&self.cut);
+        let widest = wires.map(|w| w.bits).chain(self.free.iter().map(|f| f.1)).max().unwrap_or(1);
+        let products = self.products.iter().map(|(_, x, y)| self.bits(x) + self.bits(y)).max().unwrap_or(0);
+        widest.max(products) + self.slack
+    }
+
+    fn bits(&self, name: &str) -> u32 {
+        let all = self.subject.inputs.iter().chain(&self.seen).chain(&self.cut);
+        let of_wire = all.filter(|w| w.name() == name).map(|w| w.bits).next();
+        let of_free = self.free.iter().find(|f| f.0 == name).map(|f| f.1);
+        of_wire.or(of_free).unwrap_or_else(|| panic!("{}: nothing of the name {name}", self.subject.name))
+    }
+
+    /// The Verilog module `claim`. Names with `raw_` in front have their own width, the others have room.
+    fn verilog(&self) -> String {
+        let unit = &self.subject;
+        let room = self.room();
+        let (mut ports, mut connections, mut body) = (vec![], vec![], String::new());
+        let mut signal = |raw: &str, name: &str, bits: u32, signed: bool| {
+            let value = if signed { format!("$signed({raw})") } else { format!("$signed({{1'b0, {raw}}})") };
+            let _ = writeln!(body, "  wire signed [{}:0] {name} = {value};", room - 1);
+            format!("[{}:0] {raw}", bits - 1)
+        };
+        for wire in unit.inputs.iter().chain(&self.cut) {
+            let (name, raw) = (wire.name(), format!("raw_{}", wire.name()));
+            ports.push(format!("input {}", signal(&raw, &name, wire.bits, wire.signed)));
+        }
+        for (name, bits) in &self.free {
+            ports.push(format!("input {}", signal(&format!("raw_{name}"), name, *bits, true)));
+        }
+        let mut outputs = vec![];
+        for wire in unit.outputs.iter().chain(&self.seen) {
+            let (name, raw) = (wire.name(), format!("raw_{}", wire.name()));
+            outputs.push(format!("  wire {};\n", signal(&raw, &name, wire.bits, wire.signed)));
+        }
+        if unit.clocked {
+            connections.push(".clk(1'b0)".to_owned());
+        }
+        let all = unit.inputs.iter().chain(&unit.outputs).chain(&self.seen);
+        connections.extend(all.map(|w| format!(".\\{} (raw_{})", w.path, w.name())));
+        connections.extend(self.cut.iter().map(|w| format!(".\\{}__i (raw_{})", w.path, w.name())));
+        for (name, x, y) in &self.products {
+            let bits = self.bits(x) + self.bits(y);
+            let _ = writeln!(body, "  wire signed [{}:0] raw_{name} = $signed(raw_{x}) * $signed(raw_{y});", bits - 1);
+            let _ = writeln!(body, "  wire signed [{}:0] {name} = raw_{name};", room - 1);
+        }
+        for (name, expression) in &self.values {
+            let _ = writeln!(body, "  wire signed [{}:0] {name} = {expression};", room - 1);
+        }
+        let lines = |word: &str, all: &[String]| all.iter().map(|c| format!("    {word}({c});\n")).collect::<String>();
+        format!(
+            "module claim({});\n{}  {} unit({});\n{body}  always @* begin\n{}{}  end\nendmodule\n",
+            ports.join(", "),
+            outputs.concat(),
+            unit.name,
+            connections.join(", "),
+            lines("assume", &self.given),
+            lines("assert", &self.shown),
+        )
+    }
+
+    fn ask(&self, ghdl: &str, files: &[(String, String)]) -> (Outcome, f64) {
+        let name = &self.subject.name;
+        let paths = |wires: &[Wire]| wires.iter().map(|w| w.path.clone()).collect::<Vec<_>>();
+        tools::solve(&tools::verilog(ghdl, files, name), name, &self.verilog(), &paths(&self.seen), &paths(&self.cut))
+    }
+
+    /// Proves the claim of the unit and refutes it of every mutant.
+    pub fn run(&self, ghdl: &str) -> Row {
+        let (outcome, seconds) = self.ask(ghdl, &self.subject.files);
+        let mut failures = vec![];
+        let verdict = match outcome {
+            Outcome::Proved => "proved".to_owned(),
+            Outcome::Refuted(found) => {
+                failures.push(format!("counterexample:\n{found}"));
+                "REFUTED".to_owned()
+            }
+            Outcome::Undecided => {
+                failures.push("no answer in the time allowed".to_owned());
+                "UNDECIDED".to_owned()
+            }
+        };
+        let alive = |mutant: &&Mutant| !matches!(self.ask(ghdl, &self.subject.mutated(mutant)).0, Outcome::Refuted(_));
+        let alive: Vec<&Mutant> = self.mutants.iter().filter(alive).collect();
+        failures.extend(alive.iter().map(|mutant| format!("not refuted: {mutant:?}")));
+        Row {
+            claim: [self.subject.name.clone(), self.widths.clone(), self.property.to_owned()],
+            seconds,
+            verdict,
+            refuted: [self.mutants.len() - alive.len(), self.mutants.len()],
+            failures,
+        }
+    }
+}
+
+/// A signed literal of any size.
+pub fn number(x: i128) -> String {
+    let sign = if x < 0 { "-" } else { "" };
+    let bits = 130 - x.unsigned_abs().leading_zeros();
+    format!("({sign}{bits}'sd{})", x.unsigned_abs())
+}
