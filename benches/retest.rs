@@ -11,7 +11,7 @@ use efsat::golden::{Golden, Verdict};
 use efsat::params::Params;
 use efsat::scene::Scene;
 use efsat::software::retest::{retest, retest_batch};
-use efsat::software::robbins_whitesides;
+use efsat::software::{robbins_whitesides, Test};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -124,23 +124,6 @@ fn scene_pairs() -> [Vec<Points>; 2] {
     [all, undecided]
 }
 
-/// Eleven separating axes in plain binary64, no bound of errors: what exactness is measured against.
-fn separating_axes(points: &Points) -> bool {
-    let difference = |a: &[f64; 3], b: &[f64; 3]| [a[0] - b[0], a[1] - b[1], a[2] - b[2]];
-    let cross =
-        |a: &[f64; 3], b: &[f64; 3]| [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
-    let apart = |axis: &[f64; 3]| {
-        let [a0, a1, a2, b0, b1, b2] = points.map(|x| x[0] * axis[0] + x[1] * axis[1] + x[2] * axis[2]);
-        a0.max(a1).max(a2) < b0.min(b1).min(b2) || b0.max(b1).max(b2) < a0.min(a1).min(a2)
-    };
-    let [a0, a1, a2, b0, b1, b2] = points;
-    let e = [difference(a1, a0), difference(a2, a1), difference(a0, a2)];
-    let f = [difference(b1, b0), difference(b2, b1), difference(b0, b2)];
-    !(apart(&cross(&e[0], &e[1]))
-        || apart(&cross(&f[0], &f[1]))
-        || e.iter().any(|e| f.iter().any(|f| apart(&cross(e, f)))))
-}
-
 fn bench(c: &mut Criterion) {
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     let mut set = |make: &dyn Fn(&mut ChaCha8Rng) -> Points| (0..PAIRS).map(|_| make(&mut rng)).collect::<Vec<_>>();
@@ -179,7 +162,7 @@ fn bench(c: &mut Criterion) {
         };
         single("retest", &|p| retest(p) != exact::Exact::Separate);
         single("robbins_whitesides", &robbins_whitesides::intersect);
-        single("separating axes, binary64, inexact", &separating_axes);
+        single("separating axes, binary64, inexact", &|points| Test::SeparatingAxes11F64.intersect(points));
         single("exact::pair", &|p| exact::pair(p) != exact::Exact::Separate);
         group.finish();
     }

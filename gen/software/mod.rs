@@ -57,7 +57,7 @@ const GUIGUE_DEVILLERS: &str = "P. Guigue, O. Devillers, Fast and robust triangl
 const ROBBINS_WHITESIDES: &str = "S. Robbins, S. Whitesides, On the reliability of triangle intersection in 3D, \
     ICCSA 2003";
 const RETEST: &str = "A. Raabe, J. Tietjen, J. K. Anlauf, EFSAT: an exact and efficient triangle intersection test \
-    hardware, section 5 (future work)";
+    hardware, GRAPP 2009, section 5 (future work)";
 
 impl Test {
     /// All tests, in the order of their declaration.
