@@ -1,8 +1,9 @@
 //! Runs mutants of the generated VHDL: few vectors first, more for those that survive.
 
 use super::{vectors, vhdl, Fate, Mutant};
-use crate::artefact::testbench;
+use crate::artefact::{self, testbench};
 use crate::cosim::{Bench, CosimError, Simulator, Trial};
+use crate::design::Design;
 use crate::params::Params;
 use std::collections::HashMap;
 
@@ -22,12 +23,25 @@ pub struct Options {
     pub seed: u64,
 }
 
+/// All mutants of all files of a design, in the order of files and lines.
+///
+/// # Errors
+/// As [`Bench::new`].
+pub fn mutants(params: &Params) -> Result<Vec<Mutant>, CosimError> {
+    let files = artefact::vhdl_files(&Design::new(params, false)?, &params.command_line())?;
+    Ok(enumerate(&files, params))
+}
+
+fn enumerate(files: &[(String, String)], params: &Params) -> Vec<Mutant> {
+    let late = 3 * testbench::half_period(params);
+    files.iter().flat_map(|(name, text)| vhdl::mutants(name.trim_end_matches(".vhd"), text, late)).collect()
+}
+
 /// The unchanged design and the runs that a mutant has to survive.
 pub struct Campaign {
     few: Bench,
     probed: Bench,
     many: Bench,
-    late: u32,
     /// The mutants of the design with probes, by name: their lines are at other places.
     twins: HashMap<String, Mutant>,
 }
@@ -44,14 +58,8 @@ impl Campaign {
         let few = bench(FEW, options.seed, false)?;
         let probed = bench(PROBED, options.seed.wrapping_add(1), true)?;
         let many = bench(options.vectors, options.seed.wrapping_add(2), false)?;
-        let late = 3 * testbench::half_period(params);
-        let twins = enumerate(&probed, late).into_iter().map(|mutant| (mutant.name(), mutant)).collect();
-        Ok(Self { few, probed, many, late, twins })
-    }
-
-    /// All mutants of all files, in the order of files and lines.
-    pub fn mutants(&self) -> Vec<Mutant> {
-        enumerate(&self.few, self.late)
+        let twins = enumerate(probed.files(), params).into_iter().map(|mutant| (mutant.name(), mutant)).collect();
+        Ok(Self { few, probed, many, twins })
     }
 
     /// Runs a mutant until something kills it.
@@ -77,9 +85,4 @@ impl Campaign {
         }
         Ok(Fate::Survived)
     }
-}
-
-fn enumerate(bench: &Bench, late: u32) -> Vec<Mutant> {
-    let unit = |name: &str| name.trim_end_matches(".vhd").to_owned();
-    bench.files().iter().flat_map(|(name, text)| vhdl::mutants(&unit(name), text, late)).collect()
 }

@@ -8,6 +8,9 @@
 
 pub mod campaign;
 pub mod explained;
+pub mod model;
+pub mod rust;
+pub mod score;
 pub mod text;
 pub mod vectors;
 pub mod vhdl;
