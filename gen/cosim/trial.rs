@@ -182,4 +182,3 @@ impl Bench {
         CosimError::Failed { tool: self.command.to_owned(), message: message.to_owned() }
     }
 }
-

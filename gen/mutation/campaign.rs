@@ -52,9 +52,8 @@ impl Campaign {
     /// # Errors
     /// As [`Bench::new`].
     pub fn new(params: &Params, options: &Options) -> Result<Self, CosimError> {
-        let bench = |count, seed, probed| {
-            Bench::new(params, vectors::stimulus(params, count, seed), options.simulator, probed)
-        };
+        let bench =
+            |count, seed, probed| Bench::new(params, vectors::stimulus(params, count, seed), options.simulator, probed);
         let few = bench(FEW, options.seed, false)?;
         let probed = bench(PROBED, options.seed.wrapping_add(1), true)?;
         let many = bench(options.vectors, options.seed.wrapping_add(2), false)?;
@@ -67,7 +66,8 @@ impl Campaign {
     /// # Errors
     /// As [`Bench::run`].
     pub fn fate(&self, mutant: &Mutant) -> Result<Fate, CosimError> {
-        let runs = [(&self.few, Some(mutant)), (&self.probed, self.twins.get(&mutant.name())), (&self.many, Some(mutant))];
+        let runs =
+            [(&self.few, Some(mutant)), (&self.probed, self.twins.get(&mutant.name())), (&self.many, Some(mutant))];
         for (bench, mutant) in runs {
             let Some(mutant) = mutant else { continue };
             let file = format!("{}.vhd", mutant.unit);

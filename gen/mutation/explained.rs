@@ -9,11 +9,43 @@ pub struct Explanation {
     pub reason: &'static str,
 }
 
+const EQUAL: &str = "of two equal numbers either is the least and the greatest";
+const ZERO: &str = "the two differ where the factor is 0, and 0 times either bound is 0";
+const AT_BOUND: &str = "the two differ where the number is the bound itself, and both arms give the bound";
+const OVERWRITTEN: &str = "a first value that is always overwritten";
+const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 bits in either case";
+
 /// Mutants of the generated VHDL.
-pub const VHDL: &[Explanation] = &[];
+pub const VHDL: &[Explanation] = &[
+    Explanation { pattern: "*_multiply:*_wide:comparison:< -> <=", reason: EQUAL },
+    Explanation { pattern: "comparator_network:a_m*:comparison:< -> <=", reason: EQUAL },
+    Explanation { pattern: "comparator_network:b_m*:comparison:< -> <=", reason: EQUAL },
+    Explanation { pattern: "cross_product:*_clamp_*:comparison:> -> >=", reason: AT_BOUND },
+    Explanation { pattern: "cross_product:*_clamp_*:comparison:< -> <=", reason: AT_BOUND },
+];
 
 /// Mutants of the reference model.
-pub const MODEL: &[Explanation] = &[];
+pub const MODEL: &[Explanation] = &[
+    Explanation { pattern: "golden/interval.rs:product_by:comparison:>= -> >*", reason: ZERO },
+    Explanation { pattern: "golden/interval.rs:product_by:constant:0 -> 1*", reason: ZERO },
+    Explanation { pattern: "golden/transform.rs:new:constant:2 -> 3", reason: FASTER },
+    Explanation { pattern: "golden/transform.rs:new:comparison:<= -> <", reason: FASTER },
+    Explanation { pattern: "golden/transform.rs:new:constant:62 -> 63", reason: FASTER },
+    Explanation { pattern: "golden/projection.rs:images:constant:0 -> 1", reason: OVERWRITTEN },
+    Explanation { pattern: "golden/projection.rs:images:constant:0 -> 1 #2", reason: OVERWRITTEN },
+    Explanation {
+        pattern: "params/formats.rs:row:constant:1 -> 2",
+        reason: "every quantity of the table reaches 1, so no format has one integral digit",
+    },
+    Explanation {
+        pattern: "params/formats.rs:row:comparison:> -> >=",
+        reason: "no bound is the greatest number of a format",
+    },
+    Explanation {
+        pattern: "params/formats.rs:Formats:constant:0 -> 1",
+        reason: "takes another name for a row, and names are for messages",
+    },
+];
 
 /// The explanation of a mutant.
 pub fn find(table: &'static [Explanation], name: &str) -> Option<&'static Explanation> {

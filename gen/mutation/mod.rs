@@ -38,15 +38,8 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order in which they are listed.
-    pub const ALL: [Self; 7] = [
-        Self::Bound,
-        Self::Rounding,
-        Self::Comparison,
-        Self::Case,
-        Self::Operand,
-        Self::Delay,
-        Self::Constant,
-    ];
+    pub const ALL: [Self; 7] =
+        [Self::Bound, Self::Rounding, Self::Comparison, Self::Case, Self::Operand, Self::Delay, Self::Constant];
 }
 
 impl fmt::Display for Kind {
@@ -88,7 +81,13 @@ impl Mutant {
 
     /// The whole file with the line changed.
     pub fn apply(&self, original: &str) -> String {
-        let change = |(i, line): (usize, &str)| if i + 1 == self.line { format!("{}\n", self.text) } else { format!("{line}\n") };
+        let change = |(i, line): (usize, &str)| {
+            if i + 1 == self.line {
+                format!("{}\n", self.text)
+            } else {
+                format!("{line}\n")
+            }
+        };
         original.lines().enumerate().map(change).collect()
     }
 }

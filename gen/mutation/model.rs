@@ -103,7 +103,13 @@ fn sets() -> Vec<(&'static str, Params)> {
         ),
         ("no renormalisation, no transform", with(&|p| (p.renormalise, p.transform) = (false, Transform::Off))),
         ("widest", with(&|p| (p.width, p.transform_width, p.int_bits) = (32, 48, 5))),
+        ("wide rows", with(&|p| p.transform_width = 37)),
         ("narrow", with(&|p| (p.width, p.transform_width, p.axes) = (8, 10, Axes::Seventeen))),
+        ("narrowest", with(&|p| (p.width, p.transform_width, p.axes) = (6, 18, Axes::Seventeen))),
+        (
+            "no renormalisation, no transform, input as wide as the axis test",
+            with(&|p| (p.renormalise, p.transform, p.transform_width) = (false, Transform::Off, p.width)),
+        ),
     ]
 }
 

@@ -119,7 +119,10 @@ impl Score {
     /// The tables by kind and by unit.
     pub fn table(&self) -> String {
         let head = |what: &str| {
-            format!("{what:<24}{:>9}{:>9}{:>12}{:>12}{:>9}{:>9}\n", "mutants", "killed", "equivalent", "survived", "invalid", "score")
+            format!(
+                "{what:<24}{:>9}{:>9}{:>12}{:>12}{:>9}{:>9}\n",
+                "mutants", "killed", "equivalent", "survived", "invalid", "score"
+            )
         };
         let row = |name: &str, t: &Tally| {
             let score = format!("{:.1} %", t.score());
@@ -151,7 +154,8 @@ mod tests {
         const TABLE: &[Explanation] = &[Explanation { pattern: "u:x:case:c", reason: "because" }];
         let killed = || Fate::Killed("answer".to_owned());
         let invalid = Fate::Invalid("refused".to_owned());
-        let cases = [(killed(), &[][..]), (Fate::Survived, TABLE), (Fate::Survived, &[]), (killed(), TABLE), (invalid, TABLE)];
+        let cases =
+            [(killed(), &[][..]), (Fate::Survived, TABLE), (Fate::Survived, &[]), (killed(), TABLE), (invalid, TABLE)];
         let mut score = Score::default();
         let standings = cases.map(|(fate, table)| {
             let entry = Entry::new(mutant.clone(), fate, table);

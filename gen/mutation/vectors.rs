@@ -1,41 +1,77 @@
 //! Vectors chosen to kill: pairs on whose axes a comparison is decided by a single ulp.
 //!
 //! A bound that is one ulp off shows in a flag only where that bound is at the edge of flipping it. Random pairs
-//! near contact seldom have such an axis, so the pairs are chosen: from many random ones those that together have most
-//! axes, comparisons and vertices at the edge.
+//! near contact seldom have such an axis, so half of the pairs are chosen: from many random ones those that together
+//! have most axes, comparisons and vertices at the edge. A quarter fills the working grid to its ends, where clamps act.
 
 use crate::artefact::Stimulus;
-use crate::golden::{Golden, Pair, Pose};
+use crate::golden::{Golden, Input, Pair, Pose};
 use crate::params::Params;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashSet};
 
 /// Random pairs to choose from, for each one chosen.
-const CHOICE: usize = 64;
+const CHOICE: usize = 32;
+/// The fewest and the most random pairs to choose from.
+const SMALLEST: usize = 512;
+const LARGEST: usize = 8192;
+/// The most pairs that are chosen.
+const MOST_CHOSEN: usize = 128;
 
 /// A comparison at the edge: axis, which of the four, what is lacking (0 or 1 ulp), and the vertices of A and of B.
 type Edge = (usize, usize, i128, usize, usize);
 
-/// `count` pairs: every other one chosen, the rest random and at the corners of the declared ranges.
+/// `count` pairs: of four two chosen, one at the ends of the working grid, and one random.
 pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
-    let random = Stimulus::random(params, count / 2 * CHOICE, seed);
+    let pool = Stimulus::random(params, (count * CHOICE).clamp(SMALLEST, LARGEST), seed);
     let all: Vec<(Pose, Pair)> =
-        random.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (*pose, *pair))).collect();
+        pool.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (*pose, *pair))).collect();
     let golden = Golden::new(params);
     let edges: Vec<Vec<Edge>> = all.par_iter().map(|(pose, pair)| edges(&golden, pose, pair)).collect();
-    let chosen = cover(&edges, count / 2).into_iter().map(|i| all[i]);
-    // One of every segment in turn, so that few pairs see many poses.
-    let rest = (0..count - count / 2).map(|i| all[(i * 17) % all.len().max(1)]);
+    let chosen = cover(&edges, (count / 2).min(MOST_CHOSEN));
+    let mut chosen = chosen.into_iter().map(|i| all[i]);
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    // Strides through the pool, so that few pairs see many poses.
+    let mut random = (0..).map(|i| all[(i * 17) % all.len()]);
     let mut segments: Vec<(Pose, Vec<Pair>)> = vec![];
-    let mut rest = rest.fuse();
-    let mixed = chosen.flat_map(|pair| [Some(pair), rest.next()]).flatten().collect::<Vec<_>>();
-    for (pose, pair) in mixed.into_iter().chain(rest) {
+    for number in 0..count {
+        let next = match number % 4 {
+            0 | 2 => chosen.next(),
+            1 => Some((Pose::identity(params), extreme(&mut rng, params))),
+            _ => None,
+        };
+        let Some((pose, pair)) = next.or_else(|| random.next()) else { break };
         match segments.last_mut() {
             Some((last, pairs)) if *last == pose => pairs.push(pair),
             _ => segments.push((pose, vec![pair])),
         }
     }
     Stimulus { segments }
+}
+
+/// A pair that fills its box to the last ulp: V0 at or near the origin, the rest next to the same power of two, so that
+/// edges and areas reach what the formats allow.
+fn extreme(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
+    let bound = params.coordinate_bound() as i64;
+    let bits = rng.random_range(2..=i64::BITS - bound.leading_zeros());
+    let reach = ((1 << bits) - 1).min(bound);
+    let mut number = || {
+        let lo = match rng.random_range(0..8) {
+            0..=2 => reach - rng.random_range(0..2),
+            3..=5 => 1 - reach - rng.random_range(0..2),
+            6 => 0,
+            _ => rng.random_range(-reach..=reach),
+        };
+        Input { lo: lo.clamp(-bound, bound), sticky: lo < bound && rng.random() }
+    };
+    let mut triangle = || [(); 3].map(|()| [(); 3].map(|()| number()));
+    let mut pair = Pair { a: triangle(), b: triangle() };
+    if params.renormalise {
+        pair.a[0] = [Input::exact(0); 3];
+    }
+    pair
 }
 
 /// Greedy: each time the entry with most that is new; once all is covered, from the beginning.
@@ -59,7 +95,8 @@ fn cover(entries: &[Vec<Edge>], count: usize) -> Vec<usize> {
 /// The comparisons of a pair that one ulp decides, where no other comparison hides it.
 fn edges(golden: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
     let trace = golden.trace(pose, pair);
-    let mut axes: Vec<&str> = trace.iter().filter_map(|(name, _)| name.strip_prefix("axis.")?.strip_suffix("_x")).collect();
+    let mut axes: Vec<&str> =
+        trace.iter().filter_map(|(name, _)| name.strip_prefix("axis.")?.strip_suffix("_x")).collect();
     axes.dedup();
     let values: BTreeMap<&str, _> = trace.iter().map(|(name, x)| (name.as_str(), *x)).collect();
     let mut found = vec![];
@@ -107,7 +144,7 @@ mod tests {
         let chosen = stimulus(&params, 16, 1);
         assert_eq!(chosen.pairs(), 16);
         let random = count(&Stimulus::random(&params, 16, 1));
-        assert!(count(&chosen) > 20 + 2 * random, "{} against {random}", count(&chosen));
+        assert!(count(&chosen) > 2 * random.max(10), "{} against {random}", count(&chosen));
         assert_eq!(chosen.segments, stimulus(&params, 16, 1).segments);
     }
 }

@@ -368,10 +368,7 @@ end architecture rtl;
     #[test]
     fn lines_yield_the_mutants_that_their_forms_allow() {
         assert_eq!(changes("up_ulp"), ["10 rounding: ulp dropped"]);
-        assert_eq!(
-            changes("low"),
-            ["18 bound: x_lo -> x_hi", "18 constant: (4 downto 1) -> (3 downto 0)"]
-        );
+        assert_eq!(changes("low"), ["18 bound: x_lo -> x_hi", "18 constant: (4 downto 1) -> (3 downto 0)"]);
         let below = changes("below");
         for change in ["19 comparison: < -> <=", "19 comparison: < -> >", "19 case: arms swapped"] {
             assert!(below.iter().any(|b| b == change), "{below:?}");
@@ -394,8 +391,13 @@ end architecture rtl;
         assert!(all.len() > 12);
         for mutant in &all {
             let changed = mutant.apply(TEXT);
-            let differ: Vec<usize> =
-                TEXT.lines().zip(changed.lines()).enumerate().filter(|(_, (a, b))| a != b).map(|(i, _)| i + 1).collect();
+            let differ: Vec<usize> = TEXT
+                .lines()
+                .zip(changed.lines())
+                .enumerate()
+                .filter(|(_, (a, b))| a != b)
+                .map(|(i, _)| i + 1)
+                .collect();
             assert_eq!((differ, changed.lines().count()), (vec![mutant.line], TEXT.lines().count()), "{mutant:?}");
         }
         let mut names: Vec<String> = all.iter().map(Mutant::name).collect();
