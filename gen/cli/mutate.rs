@@ -224,7 +224,8 @@ fn results(
             }
             Ok(entries)
         });
-        let outcome = chosen.into_par_iter().enumerate().try_for_each_with(sender, run);
+        // Handed out one by one, so that the list grows from its top.
+        let outcome = chosen.into_iter().enumerate().par_bridge().try_for_each_with(sender, run);
         let entries = printer.join().expect("the printer does not panic");
         outcome.and(entries)
     })
