@@ -24,7 +24,7 @@ pub enum Trial {
     Invalid(String),
     /// An answer or a tag differs.
     Answer(String),
-    /// All answers are right, but latency or interval are not.
+    /// All answers are right, but latency, interval or the clocks of the whole run are not.
     Timing(String),
     /// An inner node differs, and no answer does.
     Node(String),
@@ -43,8 +43,8 @@ pub struct Bench {
     /// Sources in dependency order, the testbench last.
     sources: Vec<(String, String)>,
     vectors: String,
-    /// When a run that still goes on is given up, in picoseconds.
-    stop: Option<u64>,
+    /// Clocks of the whole run of the unchanged design.
+    total: Option<u64>,
 }
 
 impl Bench {
@@ -57,13 +57,13 @@ impl Bench {
         let command = external::command(simulator, true)?;
         let sources = external::sources(&Design::new(params, probed)?, &params.command_line())?;
         let vectors = crate::artefact::vectors::text(params, &stimulus);
-        let mut bench = Self { params: params.clone(), probed, stimulus, command, sources, vectors, stop: None };
+        let mut bench = Self { params: params.clone(), probed, stimulus, command, sources, vectors, total: None };
         let (trial, total) = bench.simulate(None)?;
         if trial != Trial::Agrees {
             let message = format!("the unchanged design does not agree: {trial:?}");
             return Err(CosimError::Failed { tool: command.to_owned(), message });
         }
-        bench.stop = Some((total + GRACE) * 2 * u64::from(testbench::half_period(params)));
+        bench.total = Some(total);
         Ok(bench)
     }
 
@@ -121,7 +121,7 @@ impl Bench {
         let log = dir.join("errors.log");
         let errors = std::fs::File::create(&log).map_err(file_error(&log))?;
         let mut child = Command::new(self.command)
-            .args(external::simulate(self.command, self.stop.map(|stop| format!("--stop-time={stop}ps"))))
+            .args(external::simulate(self.command, self.total.map(|total| self.stop_time(total))))
             .current_dir(dir)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
@@ -147,6 +147,12 @@ impl Bench {
         Ok(lines)
     }
 
+    /// The option that gives up a run that still goes on when the unchanged design has long been done.
+    fn stop_time(&self, total: u64) -> String {
+        let period = 2 * u64::from(testbench::half_period(&self.params));
+        format!("--stop-time={}ps", (total + GRACE) * period)
+    }
+
     /// What the lines of a simulation say, and its clocks if it went to its end.
     fn judge(&self, lines: &[String], dir: &Path) -> Result<(Trial, u64), CosimError> {
         let after = |mark: &str| lines.iter().find_map(|line| line.split_once(mark)).map(|(_, rest)| rest.to_owned());
@@ -158,6 +164,10 @@ impl Bench {
             return Ok((Trial::Invalid(invalid.clone()), 0));
         }
         let broken = match external::parse(&lines.join("\n"), self.command) {
+            Ok(run) if self.total.is_some_and(|total| total != run.total) => {
+                let total = self.total.unwrap_or_default();
+                return Ok((Trial::Timing(format!("{} clocks in all instead of {total}", run.total)), run.total));
+            }
             Ok(run) if self.probed => {
                 // A design is not to be shared by threads, so every run has its own.
                 let design = Design::new(&self.params, true)?;
