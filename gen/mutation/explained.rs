@@ -12,12 +12,16 @@ pub struct Explanation {
 const EQUAL: &str = "of two equal numbers either is the least and the greatest";
 const ZERO: &str = "the two differ where the factor is 0, and 0 times either bound is 0";
 const AT_BOUND: &str = "the two differ where the number is the bound itself, and both arms give the bound";
+const NARROW: &str = "entries of M and coordinates are at most one ulp wide, so no factor of the transform straddles 0";
 const OVERWRITTEN: &str = "a first value that is always overwritten";
 const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 bits in either case";
 
 /// Mutants of the generated VHDL.
 pub const VHDL: &[Explanation] = &[
     Explanation { pattern: "*_multiply:*_wide:comparison:< -> <=", reason: EQUAL },
+    Explanation { pattern: "transform_multiply:*_zero:constant:last bit of a literal -> 1", reason: NARROW },
+    Explanation { pattern: "transform_multiply:*_positive:case:not dropped", reason: NARROW },
+    Explanation { pattern: "transform_multiply:*_hi_above:comparison:< -> <=", reason: ZERO },
     Explanation { pattern: "comparator_network:a_m*:comparison:< -> <=", reason: EQUAL },
     Explanation { pattern: "comparator_network:b_m*:comparison:< -> <=", reason: EQUAL },
     Explanation { pattern: "cross_product:*_clamp_*:comparison:> -> >=", reason: AT_BOUND },

@@ -6,7 +6,7 @@
 
 use crate::artefact::Stimulus;
 use crate::golden::{Golden, Input, Pair, Pose};
-use crate::params::Params;
+use crate::params::{Params, Transform};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -39,6 +39,7 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     for number in 0..count {
         let next = match number % 4 {
             0 | 2 => chosen.next(),
+            1 if number == 1 && params.transform != Transform::Off => Some(farthest(params)),
             1 => Some((Pose::identity(params), extreme(&mut rng, params))),
             _ => None,
         };
@@ -51,11 +52,20 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     Stimulus { segments }
 }
 
+/// B as far from A as the declared ranges allow, where magnitudes are greatest.
+fn farthest(params: &Params) -> (Pose, Pair) {
+    let (one, bound) = (Input::exact(params.one() as i64), params.coordinate_bound() as i64);
+    let t = Input::exact(params.translation_bound() as i64);
+    let pose = Pose { m: [[one; 3]; 3], t: [t; 3], bypass: false };
+    (pose, Pair { a: [[Input::exact(-bound); 3]; 3], b: [[Input::exact(bound); 3]; 3] })
+}
+
 /// A pair that fills its box to the last ulp: V0 at or near the origin, the rest next to the same power of two, so that
 /// edges and areas reach what the formats allow.
 fn extreme(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
     let bound = params.coordinate_bound() as i64;
-    let bits = rng.random_range(2..=i64::BITS - bound.leading_zeros());
+    let most = i64::BITS - bound.leading_zeros();
+    let bits = if rng.random() { most } else { rng.random_range(2..=most) };
     let reach = ((1 << bits) - 1).min(bound);
     let mut number = || {
         let lo = match rng.random_range(0..8) {
