@@ -56,7 +56,7 @@ impl Campaign {
             |count, seed, probed| Bench::new(params, vectors::stimulus(params, count, seed), options.simulator, probed);
         let few = bench(FEW, options.seed, false)?;
         let probed = bench(PROBED, options.seed.wrapping_add(1), true)?;
-        let many = bench(options.vectors, options.seed.wrapping_add(2), false)?;
+        let many = bench(options.vectors, options.seed.wrapping_add(2), true)?;
         let twins = enumerate(probed.files(), params).into_iter().map(|mutant| (mutant.name(), mutant)).collect();
         Ok(Self { few, probed, many, twins })
     }
@@ -66,8 +66,8 @@ impl Campaign {
     /// # Errors
     /// As [`Bench::run`].
     pub fn fate(&self, mutant: &Mutant) -> Result<Fate, CosimError> {
-        let runs =
-            [(&self.few, Some(mutant)), (&self.probed, self.twins.get(&mutant.name())), (&self.many, Some(mutant))];
+        let twin = self.twins.get(&mutant.name());
+        let runs = [(&self.few, Some(mutant)), (&self.probed, twin), (&self.many, twin)];
         for (bench, mutant) in runs {
             let Some(mutant) = mutant else { continue };
             let file = format!("{}.vhd", mutant.unit);

@@ -13,6 +13,14 @@ const EQUAL: &str = "of two equal numbers either is the least and the greatest";
 const ZERO: &str = "the two differ where the factor is 0, and 0 times either bound is 0";
 const AT_BOUND: &str = "the two differ where the number is the bound itself, and both arms give the bound";
 const NARROW: &str = "entries of M and coordinates are at most one ulp wide, so no factor of the transform straddles 0";
+const RANGE: &str = "the proven range leaves the two top bits equal";
+const DROPPED: &str = "the bit stays among those that are dropped, and floor + ulp does not look at them";
+const NEVER_ZERO: &str = "an upper bound is one ulp above the lower one, so the OR of the magnitudes is never 0";
+const BELOW: &str = "a lower bound is never above, and an upper bound never below, what the true value can be";
+const LATER: &str = "V0 is first read some clocks after it is taken";
+const UNFELT: &str =
+    "moves a bound of the table by an ulp or two, and under the parameters run no format and no clamp that is \
+    reached depends on it";
 const OVERWRITTEN: &str = "a first value that is always overwritten";
 const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 bits in either case";
 
@@ -22,6 +30,22 @@ pub const VHDL: &[Explanation] = &[
     Explanation { pattern: "transform_multiply:*_zero:constant:last bit of a literal -> 1", reason: NARROW },
     Explanation { pattern: "transform_multiply:*_positive:case:not dropped", reason: NARROW },
     Explanation { pattern: "transform_multiply:*_hi_above:comparison:< -> <=", reason: ZERO },
+    Explanation { pattern: "transform_multiply:*_greatest*:*", reason: NARROW },
+    Explanation { pattern: "transform_multiply:*_least*:*", reason: NARROW },
+    Explanation { pattern: "transform_multiply:*_minus_*:*", reason: NARROW },
+    Explanation { pattern: "transform_multiply:*_takes_*_straddle:operand:*_positive -> *", reason: NARROW },
+    Explanation { pattern: "transform_multiply:*_takes_*_straddle:operand:*_negative -> *", reason: NARROW },
+    Explanation { pattern: "transform_multiply:*_takes_*_straddle:case:not *_positive", reason: NARROW },
+    Explanation { pattern: "transform_multiply:*_takes_*_straddle:case:not *_negative", reason: NARROW },
+    Explanation { pattern: "renormalise_offset:magnitude_*_lo_bits:constant:(*", reason: RANGE },
+    Explanation { pattern: "renormalise_scale:moved_*:constant:last bit of a literal -> 1", reason: DROPPED },
+    Explanation { pattern: "pair_pipeline:magnitude*_zero:constant:last bit of a literal -> 1", reason: NEVER_ZERO },
+    Explanation { pattern: "cross_product:*_clamp_lo:case:*_most -> *_least, the next arm", reason: BELOW },
+    Explanation { pattern: "efsat:pair_v0_*:delay:a register too many", reason: LATER },
+    Explanation {
+        pattern: "sequencer:running:delay:a register too many",
+        reason: "pose_ready rises one clock later after reset; no pose is loaded before the end of the slot either way",
+    },
     Explanation { pattern: "comparator_network:a_m*:comparison:< -> <=", reason: EQUAL },
     Explanation { pattern: "comparator_network:b_m*:comparison:< -> <=", reason: EQUAL },
     Explanation { pattern: "cross_product:*_clamp_*:comparison:> -> >=", reason: AT_BOUND },
@@ -37,6 +61,9 @@ pub const MODEL: &[Explanation] = &[
     Explanation { pattern: "golden/transform.rs:new:constant:62 -> 63", reason: FASTER },
     Explanation { pattern: "golden/projection.rs:images:constant:0 -> 1", reason: OVERWRITTEN },
     Explanation { pattern: "golden/projection.rs:images:constant:0 -> 1 #2", reason: OVERWRITTEN },
+    Explanation { pattern: "params/mod.rs:coordinate_bound:constant:2 -> 3", reason: UNFELT },
+    Explanation { pattern: "params/formats.rs:input_bound:rounding:+ -> -", reason: UNFELT },
+    Explanation { pattern: "params/formats.rs:input_bound:rounding:1 -> 2", reason: UNFELT },
     Explanation {
         pattern: "params/formats.rs:row:constant:1 -> 2",
         reason: "every quantity of the table reaches 1, so no format has one integral digit",
