@@ -74,25 +74,24 @@ fn unchanged_and_equivalent_text_is_not_killed_and_wrong_text_is() {
     assert_eq!(bench.run(name, text).unwrap(), Trial::Agrees);
     // Of two equal numbers either is the greater.
     assert_eq!(try_line(" < x_minus_lo else ", " <= x_minus_lo else "), Trial::Agrees);
-    assert!(matches!(
-        try_line("both_straddle <= x_straddles and", "both_straddle <= x_straddles or"),
-        Trial::Answer(_)
-    ));
+    assert!(matches!(try_line("  lo <= std_logic_vector(", "  lo <= not std_logic_vector("), Trial::Answer(_)));
     assert!(matches!(try_line("end architecture rtl;", "end architecture;;"), Trial::Invalid(_)));
     assert!(matches!(
         try_line("x_positive <= not x_lo_below", "x_positive <= not x_lo(4 downto 0)"),
         Trial::Invalid(_)
     ));
-    // An entity that never lets a pair in is silent.
+    // A unit that never offers an answer is silent.
     let (name, text) = bench.files().iter().find(|(name, _)| name == "sequencer.vhd").unwrap();
-    let closed = text.replace("in_ready <= accepts;", "in_ready <= '0';");
+    let closed = text.replace("out_valid <= offered;", "out_valid <= '0';");
     assert!(closed != *text);
     assert!(matches!(bench.run(name, &closed).unwrap(), Trial::Silent(_)));
 }
 
 /// What an explanation of the table of equivalent mutants relies on.
 #[test]
-fn no_bound_is_the_greatest_number_of_its_format() {
+fn no_bound_that_may_be_clamped_is_the_greatest_number_of_its_format() {
+    // The rows for which a bound on the true value is known.
+    let clamped = ["edge", "axis_n_"];
     let mut wrong = vec![];
     for width in 6..=32 {
         for transform_width in [width, width + 1, 40, 48].map(|t| t.max(width)) {
@@ -110,7 +109,11 @@ fn no_bound_is_the_greatest_number_of_its_format() {
                         ..Params::default()
                     };
                     let rows = p.formats();
-                    let equal = rows.rows().filter(|r| r.clamp.is_none() && r.bound == r.format.max());
+                    let equal = rows.rows().filter(|r| {
+                        clamped.iter().any(|name| r.name.starts_with(name))
+                            && r.clamp.is_none()
+                            && r.bound == r.format.max()
+                    });
                     wrong.extend(equal.map(|r| format!("{} of {p:?}", r.name)));
                 }
             }

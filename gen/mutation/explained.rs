@@ -13,11 +13,17 @@ const EQUAL: &str = "of two equal numbers either is the least and the greatest";
 const ZERO: &str = "the two differ where the factor is 0, and 0 times either bound is 0";
 const AT_BOUND: &str = "the two differ where the number is the bound itself, and both arms give the bound";
 const NARROW: &str = "entries of M and coordinates are at most one ulp wide, so no factor of the transform straddles 0";
-const RANGE: &str = "the proven range leaves the two top bits equal";
+const RANGE: &str = "the proven range leaves the two top bits equal, but for one number that is its own negative there";
 const DROPPED: &str = "the bit stays among those that are dropped, and floor + ulp does not look at them";
 const NEVER_ZERO: &str = "an upper bound is one ulp above the lower one, so the OR of the magnitudes is never 0";
 const BELOW: &str = "a lower bound is never above, and an upper bound never below, what the true value can be";
 const LATER: &str = "V0 is first read some clocks after it is taken";
+const SLOT: &str = "held for a slot, and first read more than a clock after it is taken";
+const IDLE: &str = "the bypass changes between slots only, and there the row is idle for two clocks";
+const SHIFTED: &str =
+    "all points go into one OR: the lower bound that is lost is V0's own, 0, and the one that is gained \
+    is the last point's again";
+const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
 const UNFELT: &str =
     "moves a bound of the table by an ulp or two, and under the parameters run no format and no clamp that is \
     reached depends on it";
@@ -37,7 +43,19 @@ pub const VHDL: &[Explanation] = &[
     Explanation { pattern: "transform_multiply:*_takes_*_straddle:operand:*_negative -> *", reason: NARROW },
     Explanation { pattern: "transform_multiply:*_takes_*_straddle:case:not *_positive", reason: NARROW },
     Explanation { pattern: "transform_multiply:*_takes_*_straddle:case:not *_negative", reason: NARROW },
-    Explanation { pattern: "renormalise_offset:magnitude_*_lo_bits:constant:(*", reason: RANGE },
+    Explanation { pattern: "transform_multiply:both_straddle_d1:delay:a register too many", reason: NARROW },
+    Explanation { pattern: "transform_multiply:product_lo_x_*:operand:lo_x -> lo_x_bound", reason: NARROW },
+    Explanation { pattern: "transform_multiply:product_lo_y_*:operand:lo_y -> lo_y_bound", reason: NARROW },
+    Explanation { pattern: "transform_multiply:product_hi_x_*:operand:hi_x -> hi_x_bound", reason: NARROW },
+    Explanation { pattern: "transform_multiply:product_hi_y_*:operand:hi_y -> hi_y_bound", reason: NARROW },
+    Explanation { pattern: "transform_row:b_up_inexact_d*:delay:*", reason: IDLE },
+    Explanation {
+        pattern: "renormalise_offset:magnitudes_*:delay:magnitude_*_lo_d1 -> magnitude_*_lo",
+        reason: SHIFTED,
+    },
+    Explanation { pattern: "renormalise_shift:*:delay:*_d1 -> *", reason: STEADY },
+    Explanation { pattern: "sequencer:slot_*_holds:delay:a register too many", reason: SLOT },
+    Explanation { pattern: "renormalise_offset:magnitude_*_bits:constant:(*", reason: RANGE },
     Explanation { pattern: "renormalise_scale:moved_*:constant:last bit of a literal -> 1", reason: DROPPED },
     Explanation { pattern: "pair_pipeline:magnitude*_zero:constant:last bit of a literal -> 1", reason: NEVER_ZERO },
     Explanation { pattern: "cross_product:*_clamp_lo:case:*_most -> *_least, the next arm", reason: BELOW },

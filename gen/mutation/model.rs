@@ -6,7 +6,7 @@ use crate::artefact::{Scratch, Stimulus};
 use crate::cosim::inputs;
 use crate::design::top::DesignError;
 use crate::design::Design;
-use crate::golden::{Input, Pair, Pose};
+use crate::golden::{Golden, Input, Pair, Pose};
 use crate::graph::evaluate::Evaluator;
 use crate::params::{Axes, Params, Projections, Transform, Upper};
 use rayon::prelude::*;
@@ -19,12 +19,13 @@ use std::time::{Duration, Instant};
 /// The longest that a mutant may run: it has a loop without an end.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Ranges and names of options: the model reads nothing of it.
-const OPTIONS: &str = "params/options.rs";
+/// Sources that belong to the program around the model: ranges and names of options, and names of inner signals.
+const UNCHANGED: [&str; 2] = ["params/options.rs", "golden/trace.rs"];
 
 /// The sources of the reference model, as this program was built from them.
-const SOURCES: [(&str, &str); 12] = [
-    (OPTIONS, include_str!("../params/options.rs")),
+const SOURCES: [(&str, &str); 13] = [
+    ("params/options.rs", include_str!("../params/options.rs")),
+    ("golden/trace.rs", include_str!("../golden/trace.rs")),
     ("number.rs", include_str!("../number.rs")),
     ("params/mod.rs", include_str!("../params/mod.rs")),
     ("params/formats.rs", include_str!("../params/formats.rs")),
@@ -39,11 +40,10 @@ const SOURCES: [(&str, &str); 12] = [
 ];
 
 /// What the model does without: the host side, files, samples, and errors with words.
-const LEFT_OUT: [&str; 6] = [
+const LEFT_OUT: [&str; 5] = [
     "pub mod host;",
     "pub mod pair_file;",
     "pub mod sample;",
-    "mod trace;",
     "#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]",
     "#[error(\"--{option} {found}: {legal}\")]",
 ];
@@ -196,7 +196,12 @@ impl ModelCampaign {
         for (expected, (set, pair)) in self.expected.iter().zip(&self.places) {
             match lines.next() {
                 Some(line) if line == expected => {}
-                Some(_) => return Ok(Fate::Killed(format!("answer: pair {pair}, {set}"))),
+                Some(line) => {
+                    // The last word stands for the inner signals.
+                    let answer = |line: &str| line.rsplit_once(' ').map(|(answer, _)| answer.to_owned());
+                    let what = if answer(line) == answer(expected) { "node" } else { "answer" };
+                    return Ok(Fate::Killed(format!("{what}: pair {pair}, {set}")));
+                }
                 None => return Ok(Fate::Killed(format!("panic: at pair {pair} or before, {set}, {status}"))),
             }
         }
@@ -206,7 +211,7 @@ impl ModelCampaign {
 
 /// All mutants of all sources, in the order of files and lines.
 pub fn mutants() -> Vec<Mutant> {
-    let sources = SOURCES.iter().filter(|(name, _)| *name != OPTIONS);
+    let sources = SOURCES.iter().filter(|(name, _)| !UNCHANGED.contains(name));
     sources.flat_map(|(name, text)| rust::mutants(name, text)).collect()
 }
 
@@ -228,17 +233,31 @@ fn input(p: &Params, stimulus: &Stimulus) -> String {
     lines.join("\n")
 }
 
-/// The answers of the evaluated graph.
+/// The answers of the evaluated graph, and a digest of the inner signals of the unchanged model, which are those of the
+/// graph (`testbench/agreement.rs`).
 fn expected(p: &Params, stimulus: &Stimulus) -> Result<Vec<String>, DesignError> {
     let design = Design::new(p, false)?;
+    let golden = Golden::new(p);
     let mut evaluator = Evaluator::new(&design.pipeline);
     let mut answer = |pose: &Pose, pair: &Pair| {
         evaluator.run(&inputs(&design, pose, pair));
-        ["verdict", "separated", "overlapping"].map(|name| evaluator.output(name).to_string()).join(" ")
+        let [verdict, separated, overlapping] =
+            ["verdict", "separated", "overlapping"].map(|name| evaluator.output(name).to_string());
+        format!("{verdict} {separated} {overlapping} {}", digest(&golden, pose, pair))
     };
     let mut answers = vec![];
     for (pose, pairs) in &stimulus.segments {
         answers.extend(pairs.iter().map(|pair| answer(pose, pair)));
     }
     Ok(answers)
+}
+
+/// All inner signals that are nodes of the graph, in one number; the program around the model computes the same.
+fn digest(golden: &Golden, pose: &Pose, pair: &Pair) -> u64 {
+    let trace = golden.trace(pose, pair);
+    let nodes = trace.iter().filter(|(name, _)| !name.starts_with("enclosure."));
+    nodes.fold(0, |sum: u64, (_, x)| {
+        let mix = |sum: u64, bound: i128| (sum ^ bound as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
+        mix(mix(sum, x.lo), x.hi)
+    })
 }
