@@ -54,6 +54,7 @@ pub const VHDL: &[Explanation] = &[
         reason: SHIFTED,
     },
     Explanation { pattern: "renormalise_shift:*:delay:*_d1 -> *", reason: STEADY },
+    Explanation { pattern: "renormalise_scale:*:delay:shift_*_d1 -> *", reason: STEADY },
     Explanation { pattern: "sequencer:slot_*_holds:delay:a register too many", reason: SLOT },
     Explanation { pattern: "renormalise_offset:magnitude_*_bits:constant:(*", reason: RANGE },
     Explanation { pattern: "renormalise_scale:moved_*:constant:last bit of a literal -> 1", reason: DROPPED },

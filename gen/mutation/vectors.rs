@@ -81,6 +81,15 @@ fn extreme(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
     if params.renormalise {
         pair.a[0] = [Input::exact(0); 3];
     }
+    if rng.random() {
+        // Half of a face of the box: the greatest area that there is.
+        let (i, sign) = (rng.random_range(0..3), if rng.random() { 1 } else { -1 });
+        let end = |sign: i64| Input::exact(sign * (reach - 1).max(0));
+        for (k, (x, y)) in [(1, 1), (-1, 1), (1, -1)].into_iter().enumerate() {
+            pair.b[k][(i + 1) % 3] = end(x * sign);
+            pair.b[k][(i + 2) % 3] = end(y);
+        }
+    }
     pair
 }
 
