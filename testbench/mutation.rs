@@ -1,1 +1,165 @@
-//! To be written.
+//! The checks themselves are checked: a slice of what `efsat mutate` does in full.
+
+use efsat::artefact::Stimulus;
+use efsat::cosim::{Bench, Simulator, Trial};
+use efsat::mutation::campaign::{self, Campaign, Options};
+use efsat::mutation::model::{self, ModelCampaign};
+use efsat::mutation::score::{Entry, Standing};
+use efsat::mutation::{capped, explained, spread, Kind, Mutant};
+use efsat::params::{Axes, Params, Transform, Upper};
+use rayon::prelude::*;
+use std::collections::HashSet;
+
+/// A small design, quick to simulate, with every unit of the default one.
+fn small() -> Params {
+    Params { width: 8, transform_width: 10, frequency: 40, ..Params::default() }
+}
+
+/// GHDL where it is installed; the test script installs it.
+fn ghdl_is_missing() -> bool {
+    let missing = ["ghdl-llvm", "ghdl-mcode", "ghdl-gcc", "ghdl"]
+        .iter()
+        .all(|c| std::process::Command::new(c).arg("--version").output().is_err());
+    if missing {
+        eprintln!("skipped: GHDL is not installed (apt-get install ghdl-llvm)");
+    }
+    missing
+}
+
+#[test]
+fn every_mutant_of_the_default_design_changes_one_line_and_has_a_name_of_its_own() {
+    let params = Params::default();
+    let all = campaign::mutants(&params).unwrap();
+    let design = efsat::design::Design::new(&params, false).unwrap();
+    let files = efsat::artefact::vhdl_files(&design, &params.command_line()).unwrap();
+    let names: HashSet<String> = all.iter().map(Mutant::name).collect();
+    assert!(all.len() > 3000 && names.len() == all.len(), "{} names of {} mutants", names.len(), all.len());
+    for (name, text) in &files {
+        let mutants: Vec<&Mutant> = all.iter().filter(|mutant| format!("{}.vhd", mutant.unit) == *name).collect();
+        assert!(mutants.len() >= 4, "{name} has {} mutants", mutants.len());
+        let wrong = mutants.par_iter().find_any(|mutant| {
+            let changed = mutant.apply(text);
+            let differ = text.lines().zip(changed.lines()).filter(|(a, b)| a != b).count();
+            differ != 1 || changed.lines().count() != text.lines().count()
+        });
+        assert_eq!(wrong, None);
+    }
+    for kind in Kind::ALL {
+        let units: HashSet<&str> = all.iter().filter(|m| m.kind == kind).map(|m| m.unit.as_str()).collect();
+        assert!(units.len() >= 5, "{kind} in {units:?}");
+    }
+}
+
+#[test]
+fn sticky_bits_yield_mutants_of_rounding_too() {
+    let all = campaign::mutants(&Params { upper: Upper::Sticky, ..Params::default() }).unwrap();
+    for change in ["sticky bit dropped", "sticky bit forced", "ulp dropped"] {
+        let found = all.iter().filter(|m| m.kind == Kind::Rounding && m.change.starts_with(change)).count();
+        assert!(found > 5, "{found} times {change}");
+    }
+}
+
+#[test]
+fn unchanged_and_equivalent_text_is_not_killed_and_wrong_text_is() {
+    if ghdl_is_missing() {
+        return;
+    }
+    let params = small();
+    let bench = Bench::new(&params, Stimulus::random(&params, 12, 1), Simulator::Ghdl, false).unwrap();
+    let (name, text) = bench.files().iter().find(|(name, _)| name == "axis_multiply.vhd").unwrap();
+    let try_line = |from: &str, to: &str| {
+        assert!(text.contains(from), "{text}");
+        bench.run(name, &text.replace(from, to)).unwrap()
+    };
+    assert_eq!(bench.run(name, text).unwrap(), Trial::Agrees);
+    // Of two equal numbers either is the greater.
+    assert_eq!(try_line(" < x_minus_lo else ", " <= x_minus_lo else "), Trial::Agrees);
+    assert!(matches!(try_line("  lo <= std_logic_vector(", "  lo <= not std_logic_vector("), Trial::Answer(_)));
+    assert!(matches!(try_line("end architecture rtl;", "end architecture;;"), Trial::Invalid(_)));
+    assert!(matches!(
+        try_line("x_positive <= not x_lo_below", "x_positive <= not x_lo(4 downto 0)"),
+        Trial::Invalid(_)
+    ));
+    // A unit that never offers an answer is silent.
+    let (name, text) = bench.files().iter().find(|(name, _)| name == "sequencer.vhd").unwrap();
+    let closed = text.replace("out_valid <= offered;", "out_valid <= '0';");
+    assert!(closed != *text);
+    assert!(matches!(bench.run(name, &closed).unwrap(), Trial::Silent(_)));
+}
+
+/// What an explanation of the table of equivalent mutants relies on.
+#[test]
+fn no_bound_that_may_be_clamped_is_the_greatest_number_of_its_format() {
+    // The rows for which a bound on the true value is known.
+    let clamped = ["edge", "axis_n_"];
+    let mut wrong = vec![];
+    for width in 6..=32 {
+        for transform_width in [width, width + 1, 40, 48].map(|t| t.max(width)) {
+            for transform in [Transform::On, Transform::Translate, Transform::Off] {
+                for (renormalise, upper) in
+                    [(true, Upper::Implied), (true, Upper::Sticky), (false, Upper::Implied), (false, Upper::Sticky)]
+                {
+                    let p = Params {
+                        width,
+                        transform_width,
+                        transform,
+                        renormalise,
+                        upper,
+                        axes: Axes::Seventeen,
+                        ..Params::default()
+                    };
+                    let rows = p.formats();
+                    let equal = rows.rows().filter(|r| {
+                        clamped.iter().any(|name| r.name.starts_with(name))
+                            && r.clamp.is_none()
+                            && r.bound == r.format.max()
+                    });
+                    wrong.extend(equal.map(|r| format!("{} of {p:?}", r.name)));
+                }
+            }
+        }
+    }
+    assert!(wrong.is_empty(), "{}: {}", wrong.len(), wrong[0]);
+}
+
+/// Everything that is neither killed nor explained, in words.
+fn holes(entries: Vec<Entry>) -> Vec<String> {
+    let fine = |entry: &Entry| matches!(entry.standing(), Standing::Killed | Standing::Equivalent);
+    entries
+        .into_iter()
+        .filter(|entry| !fine(entry))
+        .map(|entry| format!("{} {:?}", entry.mutant.name(), entry.fate))
+        .collect()
+}
+
+#[test]
+fn co_simulation_kills_mutants_of_every_kind() {
+    if ghdl_is_missing() {
+        return;
+    }
+    let params = small();
+    let all = campaign::mutants(&params).unwrap();
+    let of_kind = |kind: Kind| spread(all.iter().filter(|m| m.kind == kind).cloned().collect(), 2);
+    let slice: Vec<Mutant> = Kind::ALL.into_iter().flat_map(of_kind).collect();
+    assert_eq!(slice.len(), 14);
+    let campaign = Campaign::new(&params, &Options { simulator: Simulator::Ghdl, vectors: 64, seed: 1 }).unwrap();
+    let run = |mutant: Mutant| {
+        let fate = campaign.fate(&mutant).unwrap();
+        Entry::new(mutant, fate, explained::VHDL)
+    };
+    assert_eq!(holes(slice.into_par_iter().map(run).collect()), Vec::<String>::new());
+}
+
+#[test]
+fn the_evaluated_graph_kills_mutants_of_the_reference_model() {
+    let all = model::mutants();
+    let files: HashSet<&str> = all.iter().map(|m| m.unit.as_str()).collect();
+    assert!(all.len() > 200 && files.len() >= 10, "{} in {files:?}", all.len());
+    let slice = spread(capped(all, 1), 5);
+    let campaign = ModelCampaign::new(64, 1).unwrap();
+    let run = |mutant: Mutant| {
+        let fate = campaign.fate(&mutant).unwrap();
+        Entry::new(mutant, fate, explained::MODEL)
+    };
+    assert_eq!(holes(slice.into_par_iter().map(run).collect()), Vec::<String>::new());
+}

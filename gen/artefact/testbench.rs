@@ -21,6 +21,11 @@ pub fn full_after(interval: usize) -> usize {
 /// Clocks of reset.
 pub const RESET_CLOCKS: usize = 4;
 
+/// Half a period of the clock, in picoseconds.
+pub fn half_period(p: &Params) -> u32 {
+    500_000 / p.frequency
+}
+
 /// Name of the testbench entity.
 pub const NAME: &str = "efsat_tb";
 
@@ -103,7 +108,7 @@ pub fn text(design: &Design, origin: &[String]) -> String {
         probes: fields(&probes),
         tag_width: p.tag_width,
         tags: 1 << p.tag_width.min(30),
-        half_period: format!("{} ps", 500_000 / p.frequency),
+        half_period: format!("{} ps", half_period(p)),
         patience: 4096 + 4 * design.latency,
         full_after: full_after(design.interval),
         latency: design.latency,

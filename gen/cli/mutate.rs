@@ -1,11 +1,259 @@
 //! `efsat mutate`.
 
 use super::error::Failure;
+use super::output::{print, print_json};
+use super::params::{choice, whole, ParamArguments};
+use super::progress;
+use crate::cosim::Simulator;
+use crate::mutation::campaign::{self, Campaign, Options};
+use crate::mutation::explained::{self, Explanation};
+use crate::mutation::model::{self, ModelCampaign, ModelError};
+use crate::mutation::score::{Entry, Score, Standing, Tally};
+use crate::mutation::{capped, spread, Fate, Mutant};
+use crate::params::options::Choice;
+use rayon::prelude::*;
+use serde::Serialize;
+use std::collections::BTreeMap;
+use std::sync::mpsc;
+use std::time::Instant;
 
-/// To be written
+/// Changes the generated VHDL or the reference model, one line at a time, and shows that the checks notice it
+///
+/// Every mutant of the VHDL is run on 16 chosen pairs, then on 48 with inner nodes compared, then on --vectors pairs,
+/// until an answer, a flag, a tag, the latency or a node differs: killed. Every mutant of the reference model
+/// (--target golden) is compiled with rustc and compared with the evaluated graph under several parameter sets. Mutants
+/// that no compiler takes are listed and do not count. Survivors have to be explained by the program's table of
+/// equivalent mutants: one that is not makes exit status 1, and so does an explained mutant that is killed.
 #[derive(Debug, clap::Args)]
-pub(super) struct Arguments {}
+pub(super) struct Arguments {
+    /// What is changed: the generated VHDL, or the sources of the reference model under parameters of its own
+    #[arg(long, value_name = "TARGET", default_value = "vhdl", value_parser = choice::<Target>())]
+    target: Target,
+    /// Print the mutants and run none
+    #[arg(long)]
+    list: bool,
+    /// Only mutants of this entity or source file
+    #[arg(long, value_name = "NAME")]
+    unit: Option<String>,
+    /// At most N mutants of each kind in each unit, evenly spread
+    #[arg(long, value_name = "N", default_value_t = 4, value_parser = whole(COUNT), allow_negative_numbers = true)]
+    each: u32,
+    /// Of these N in all, evenly spread
+    #[arg(long, value_name = "N", value_parser = whole(COUNT), allow_negative_numbers = true)]
+    limit: Option<u32>,
+    /// What runs the changed VHDL: ghdl or nvc
+    #[arg(long, value_name = "NAME", default_value = "ghdl", value_parser = choice::<Simulator>())]
+    simulator: Simulator,
+    /// Pairs for mutants that the first runs do not kill; for --target golden pairs for each parameter set
+    #[arg(long, value_name = "N", default_value_t = 128, value_parser = whole(COUNT), allow_negative_numbers = true)]
+    vectors: u32,
+    /// Seed of the pairs
+    #[arg(long, value_name = "S", default_value_t = 1)]
+    seed: u64,
+    /// Print one JSON object
+    #[arg(long, conflicts_with = "list")]
+    json: bool,
+    #[command(flatten)]
+    params: ParamArguments,
+}
 
-pub(super) fn run(_arguments: &Arguments) -> Result<(), Failure> {
-    Err(Failure::Usage("not yet".to_owned()))
+const COUNT: std::ops::RangeInclusive<u32> = 1..=100_000;
+
+/// What is changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Target {
+    Vhdl,
+    Golden,
+}
+
+impl Choice for Target {
+    const ALL: &'static [Self] = &[Self::Vhdl, Self::Golden];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Vhdl => "vhdl",
+            Self::Golden => "golden",
+        }
+    }
+}
+
+/// A mutant in the JSON object.
+#[derive(Serialize)]
+struct Row {
+    name: String,
+    unit: String,
+    line: usize,
+    kind: String,
+    fate: &'static str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    by: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reason: Option<&'static str>,
+}
+
+/// The JSON object.
+#[derive(Serialize)]
+struct Summary {
+    target: &'static str,
+    /// All that the forms of the text allow.
+    existing: usize,
+    #[serde(flatten)]
+    all: Tally,
+    score: f64,
+    kinds: BTreeMap<String, Tally>,
+    units: BTreeMap<String, Tally>,
+    seconds: f64,
+    results: Vec<Row>,
+}
+
+impl From<ModelError> for Failure {
+    fn from(e: ModelError) -> Self {
+        match e {
+            ModelError::Baseline(_) => Self::Check(e.to_string()),
+            ModelError::Design(e) => e.into(),
+            e => Self::Usage(e.to_string()),
+        }
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let params = arguments.params.params()?;
+    if arguments.simulator == Simulator::Builtin {
+        let message = "--simulator builtin: runs the graph, not the text; legal is one of ghdl, nvc";
+        return Err(Failure::Usage(message.to_owned()));
+    }
+    let start = Instant::now();
+    let all = match arguments.target {
+        Target::Vhdl => campaign::mutants(&params)?,
+        Target::Golden => model::mutants(),
+    };
+    let existing = all.len();
+    let chosen = choose(arguments, all)?;
+    if arguments.list {
+        return print(&chosen.iter().map(|mutant| format!("{}\n", place(mutant))).collect::<String>());
+    }
+    let vectors = arguments.vectors as usize;
+    let spinner = progress::spinner("unchanged");
+    let entries = match arguments.target {
+        Target::Vhdl => {
+            let options = Options { simulator: arguments.simulator, vectors, seed: arguments.seed };
+            let campaign = Campaign::new(&params, &options)?;
+            spinner.finish_and_clear();
+            results(arguments, chosen, explained::VHDL, |mutant| Ok(campaign.fate(mutant)?))?
+        }
+        Target::Golden => {
+            let campaign = ModelCampaign::new(vectors, arguments.seed)?;
+            spinner.finish_and_clear();
+            results(arguments, chosen, explained::MODEL, |mutant| Ok(campaign.fate(mutant)?))?
+        }
+    };
+    let mut score = Score::default();
+    entries.iter().for_each(|entry| score.add(entry));
+    let seconds = start.elapsed().as_secs_f64();
+    if arguments.json {
+        let kinds = score.kinds.iter().map(|(kind, tally)| (kind.to_string(), *tally)).collect();
+        print_json(&Summary {
+            target: arguments.target.name(),
+            existing,
+            all: score.all,
+            score: score.all.score(),
+            kinds,
+            units: score.units.iter().cloned().collect(),
+            seconds,
+            results: entries.iter().map(row).collect(),
+        })?;
+    } else {
+        let run = score.all.mutants;
+        print(&format!("\n{}\n{run} of {existing} mutants run in {seconds:.0} s\n", score.table()))?;
+    }
+    let mut faults = vec![];
+    if score.all.unexplained > 0 {
+        faults.push(format!("{} survivors without an explanation", score.all.unexplained));
+    }
+    if score.all.stale > 0 {
+        faults.push(format!("{} mutants killed that are explained as equivalent", score.all.stale));
+    }
+    if faults.is_empty() {
+        return Ok(());
+    }
+    Err(Failure::Check(faults.join(", ")))
+}
+
+/// The mutants that the options ask for.
+fn choose(arguments: &Arguments, mut all: Vec<Mutant>) -> Result<Vec<Mutant>, Failure> {
+    if let Some(unit) = &arguments.unit {
+        let mut units: Vec<String> = all.iter().map(|mutant| mutant.unit.clone()).collect();
+        units.dedup();
+        if !units.contains(unit) {
+            return Err(Failure::Usage(format!("--unit {unit}: legal is one of {}", units.join(", "))));
+        }
+        all.retain(|mutant| mutant.unit == *unit);
+    }
+    let chosen = capped(all, arguments.each as usize);
+    Ok(spread(chosen, arguments.limit.map_or(usize::MAX, |limit| limit as usize)))
+}
+
+/// Runs the mutants on all cores; each is printed as soon as it and those before it are done.
+fn results(
+    arguments: &Arguments,
+    chosen: Vec<Mutant>,
+    table: &'static [Explanation],
+    fate: impl Fn(&Mutant) -> Result<Fate, Failure> + Sync,
+) -> Result<Vec<Entry>, Failure> {
+    let bar = progress::bar(chosen.len() as u64, "mutants", !arguments.json);
+    let (sender, receiver) = mpsc::channel();
+    let run = |sender: &mut mpsc::Sender<_>, (number, mutant): (usize, Mutant)| {
+        let fate = fate(&mutant)?;
+        bar.inc(1);
+        // Nobody listens once printing has failed.
+        let _ = sender.send((number, Entry::new(mutant, fate, table)));
+        Ok::<_, Failure>(())
+    };
+    std::thread::scope(|scope| {
+        let printer = scope.spawn(move || {
+            let mut early = BTreeMap::new();
+            let mut entries: Vec<Entry> = vec![];
+            for (number, entry) in receiver {
+                early.insert(number, entry);
+                while let Some(entry) = early.remove(&entries.len()) {
+                    if !arguments.json {
+                        print(&line(&entry))?;
+                    }
+                    entries.push(entry);
+                }
+            }
+            Ok(entries)
+        });
+        // Handed out one by one, so that the list grows from its top.
+        let outcome = chosen.into_iter().enumerate().par_bridge().try_for_each_with(sender, run);
+        let entries = printer.join().expect("the printer does not panic");
+        outcome.and(entries)
+    })
+}
+
+fn place(mutant: &Mutant) -> String {
+    format!("{:>5} {}", mutant.line, mutant.name())
+}
+
+/// One line of the list: place, name, what became of it and why.
+fn line(entry: &Entry) -> String {
+    let place = place(&entry.mutant);
+    let reason = entry.reason.unwrap_or_default();
+    match (entry.standing(), &entry.fate) {
+        (Standing::Killed, Fate::Killed(by)) => format!("{place}  killed by {by}\n"),
+        (Standing::Stale, Fate::Killed(by)) => format!("{place}  KILLED by {by}, but explained: {reason}\n"),
+        (Standing::Equivalent, _) => format!("{place}  equivalent: {reason}\n"),
+        (Standing::Invalid, Fate::Invalid(why)) => format!("{place}  invalid: {why}\n"),
+        _ => format!("{place}  SURVIVED\n"),
+    }
+}
+
+fn row(entry: &Entry) -> Row {
+    let (fate, by) = match &entry.fate {
+        Fate::Killed(by) => ("killed", Some(by.clone())),
+        Fate::Invalid(why) => ("invalid", Some(why.clone())),
+        Fate::Survived => ("survived", None),
+    };
+    let Mutant { unit, line, kind, .. } = entry.mutant.clone();
+    Row { name: entry.mutant.name(), unit, line, kind: kind.to_string(), fate, by, reason: entry.reason }
 }

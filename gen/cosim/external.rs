@@ -9,14 +9,14 @@ use std::process::Command;
 /// The GHDL commands there may be, the fastest simulation first.
 const GHDLS: [&str; 4] = ["ghdl-llvm", "ghdl-gcc", "ghdl-mcode", "ghdl"];
 
-/// Up to so many vectors the back end that compiles fastest is taken, whatever its speed afterwards.
+/// Up to so many vectors the back end that compiles fastest is taken.
 const FEW: usize = 64;
 
 fn found(command: &str) -> bool {
     Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success())
 }
 
-fn file_error(path: &Path) -> impl Fn(std::io::Error) -> CosimError + '_ {
+pub(super) fn file_error(path: &Path) -> impl Fn(std::io::Error) -> CosimError + '_ {
     move |source| CosimError::File { path: path.display().to_string(), source }
 }
 
@@ -50,12 +50,28 @@ pub(super) fn check_keep(dir: &Path) -> Result<(), CosimError> {
     Err(CosimError::Option(message))
 }
 
-/// Writes the sources into a folder; returns their names in dependency order.
-fn write(design: &Design, command_line: &str, stimulus: &Stimulus, dir: &Path) -> Result<Vec<String>, CosimError> {
-    std::fs::create_dir_all(dir).map_err(file_error(dir))?;
+/// The command of a simulator; with `short` the one that compiles fastest, whatever its speed afterwards.
+pub(super) fn command(simulator: Simulator, short: bool) -> Result<&'static str, CosimError> {
+    match simulator {
+        Simulator::Nvc if found("nvc") => Ok("nvc"),
+        Simulator::Nvc => Err(CosimError::Missing("nvc", "see https://www.nickg.me.uk/nvc")),
+        _ if short && found("ghdl-mcode") => Ok("ghdl-mcode"),
+        _ => GHDLS.iter().find(|c| found(c)).copied().ok_or(CosimError::Missing("GHDL", "apt-get install ghdl-llvm")),
+    }
+}
+
+/// Name and text of every source in dependency order, the testbench last.
+pub(super) fn sources(design: &Design, command_line: &str) -> Result<Vec<(String, String)>, CosimError> {
     let mut sources = artefact::vhdl_files(design, command_line)?;
     let origin = artefact::origin(command_line);
     sources.push((format!("{}.vhd", testbench::NAME), testbench::text(design, &origin)));
+    Ok(sources)
+}
+
+/// Writes the sources into a folder; returns their names in dependency order.
+fn write(design: &Design, command_line: &str, stimulus: &Stimulus, dir: &Path) -> Result<Vec<String>, CosimError> {
+    std::fs::create_dir_all(dir).map_err(file_error(dir))?;
+    let mut sources = sources(design, command_line)?;
     let vectors = artefact::vectors::text(&design.params, stimulus);
     let names = sources.iter().map(|(name, _)| name.clone()).collect();
     sources.push((format!("{}.vec", testbench::NAME), vectors));
@@ -84,12 +100,7 @@ pub(super) fn run(
     stimulus: &Stimulus,
     options: &Options,
 ) -> Result<Run, CosimError> {
-    let command = match options.simulator {
-        Simulator::Nvc if found("nvc") => "nvc",
-        Simulator::Nvc => return Err(CosimError::Missing("nvc", "see https://www.nickg.me.uk/nvc")),
-        _ if stimulus.pairs() <= FEW && found("ghdl-mcode") => "ghdl-mcode",
-        _ => *GHDLS.iter().find(|c| found(c)).ok_or(CosimError::Missing("GHDL", "apt-get install ghdl-llvm"))?,
-    };
+    let command = command(options.simulator, stimulus.pairs() <= FEW)?;
     let temporary;
     let dir: PathBuf = match &options.keep {
         Some(dir) => dir.clone(),
@@ -101,11 +112,8 @@ pub(super) fn run(
     let wave = options.wave.as_ref().map(|w| absolute(w)).transpose()?;
     let names = write(design, command_line, stimulus, &dir)?;
     let dir = dir.canonicalize().map_err(file_error(&dir))?;
-    let (text, simulator) = if command == "nvc" {
-        (nvc(&dir, &names, wave.as_deref())?, version(command))
-    } else {
-        (ghdl(command, &dir, &names, wave.as_deref())?, version(command))
-    };
+    let text = execute(command, &dir, &names, wave.as_deref())?;
+    let simulator = version(command);
     if let Some(wave) = &wave {
         let layout = wave.with_extension("gtkw");
         // A layout that somebody has saved from GTKWave stays.
@@ -148,40 +156,65 @@ fn version(command: &str) -> String {
     format!("{command} ({})", words.join(" "))
 }
 
-/// Strict VHDL-93; metavalue warnings are let through from the first clock on.
-fn ghdl(command: &str, dir: &Path, names: &[String], wave: Option<&Path>) -> Result<String, CosimError> {
-    let strings = |args: &[&str]| args.iter().map(|a| (*a).to_owned()).collect::<Vec<_>>();
-    let mut analyse = strings(&["-a", "--std=93"]);
-    let optimise = command == "ghdl-llvm" || command == "ghdl-gcc";
-    if optimise {
-        analyse.push("-O2".to_owned());
-    }
+/// The calls that bring the sources from text to a design ready to run, in strict VHDL-93.
+pub(super) fn build(command: &str, names: &[String]) -> Vec<Vec<String>> {
+    let optimised = command == "ghdl-llvm" || command == "ghdl-gcc";
+    let analyse = match command {
+        "nvc" => "--std=1993 -a",
+        _ if optimised => "-a --std=93 -O2",
+        _ => "-a --std=93",
+    };
+    let elaborate = if command == "nvc" { "--std=1993 -e" } else { "-e --std=93" };
+    let mut analyse = words(analyse);
     analyse.extend(names.iter().cloned());
-    call(dir, command, &analyse, true)?;
-    call(dir, command, &strings(&["-e", "--std=93", testbench::NAME]), true)?;
-    let mut args = strings(&["-r", "--std=93", testbench::NAME, "--ieee-asserts=disable-at-0"]);
-    if let Some(wave) = wave {
-        let option = if wave.extension().is_some_and(|e| e == "vcd") { "--vcd" } else { "--wave" };
-        args.push(format!("{option}={}", wave.display()));
-    }
-    call(dir, command, &args, false)
+    let mut elaborate = words(elaborate);
+    elaborate.push(testbench::NAME.to_owned());
+    vec![analyse, elaborate]
 }
 
-fn nvc(dir: &Path, names: &[String], wave: Option<&Path>) -> Result<String, CosimError> {
-    let mut args = vec!["--std=1993".to_owned(), "-a".to_owned()];
-    args.extend(names.iter().cloned());
-    args.extend(["-e", testbench::NAME, "-r", "--ieee-warnings=off-at-0"].map(str::to_owned));
-    if let Some(wave) = wave {
-        if wave.extension().is_some_and(|e| e == "ghw") {
-            return Err(CosimError::Option("--wave: nvc writes .vcd, not .ghw".to_owned()));
-        }
-        args.extend(["--format=vcd".to_owned(), format!("--wave={}", wave.display())]);
+/// The call that runs a design, with some options more; metavalue warnings are let through from the first clock on.
+pub(super) fn simulate(command: &str, options: impl IntoIterator<Item = String>) -> Vec<String> {
+    let name = testbench::NAME.to_owned();
+    let mut args;
+    if command == "nvc" {
+        args = words("--std=1993 -r --ieee-warnings=off-at-0");
+        args.extend(options);
+        args.push(name);
+    } else {
+        args = words("-r --std=93");
+        args.push(name);
+        args.push("--ieee-asserts=disable-at-0".to_owned());
+        args.extend(options);
     }
-    call(dir, "nvc", &args, false)
+    args
+}
+
+fn words(text: &str) -> Vec<String> {
+    text.split_whitespace().map(str::to_owned).collect()
+}
+
+/// Builds and runs; the simulation's lines.
+fn execute(command: &str, dir: &Path, names: &[String], wave: Option<&Path>) -> Result<String, CosimError> {
+    let vcd = wave.is_some_and(|wave| wave.extension().is_some_and(|e| e == "vcd"));
+    if command == "nvc" && wave.is_some() && !vcd {
+        return Err(CosimError::Option("--wave: nvc writes .vcd, not .ghw".to_owned()));
+    }
+    for args in build(command, names) {
+        call(dir, command, &args, true)?;
+    }
+    let mut options = vec![];
+    if let Some(wave) = wave {
+        if command == "nvc" {
+            options.push("--format=vcd".to_owned());
+        }
+        let option = if vcd && command != "nvc" { "--vcd" } else { "--wave" };
+        options.push(format!("{option}={}", wave.display()));
+    }
+    call(dir, command, &simulate(command, options), false)
 }
 
 /// Reads the testbench's lines.
-fn parse(text: &str, command: &str) -> Result<Run, CosimError> {
+pub(super) fn parse(text: &str, command: &str) -> Result<Run, CosimError> {
     let failed = |message: &str| CosimError::Failed { tool: command.to_owned(), message: message.to_owned() };
     let mut run = Run::default();
     if let Some(line) = text.lines().find(|l| l.contains("metavalue")) {
@@ -213,7 +246,7 @@ fn parse(text: &str, command: &str) -> Result<Run, CosimError> {
 }
 
 /// The log of the probe ports: one line a clock.
-fn probes(design: &Design, path: &Path) -> Result<Vec<(bool, Vec<i128>)>, CosimError> {
+pub(super) fn probes(design: &Design, path: &Path) -> Result<Vec<(bool, Vec<i128>)>, CosimError> {
     let text = std::fs::read_to_string(path).map_err(file_error(path))?;
     let word = testbench::probe_word(design);
     let widths: Vec<usize> = word.fields.iter().map(|f| f.2 as usize).collect();

@@ -7,10 +7,12 @@
 mod builtin;
 mod external;
 mod probe;
+mod trial;
 mod wave;
 
 pub use builtin::Builtin;
 pub use probe::inputs;
+pub use trial::{Bench, Trial};
 
 use crate::artefact::Stimulus;
 use crate::design::{top::DesignError, Design};

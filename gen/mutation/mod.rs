@@ -1,1 +1,123 @@
-//! Mutation: small changes of the generated VHDL and of the reference model that co-simulation has to notice.
+//! Mutation: the checks themselves are checked.
+//!
+//! A *mutant* is a small change of one line of the generated VHDL ([`vhdl`]) or of the reference model ([`model`]):
+//! bounds swapped, a rounding direction, a comparison, a sign case, an operand, a delay, a constant. Co-simulation, or
+//! the comparison with the evaluated graph, must notice it, which *kills* the mutant. One that survives is either
+//! *equivalent*, that is, no input whatever tells it from the original, and then [`explained`] says why; or it shows a
+//! hole in the checks. Mutants are enumerated, never drawn, so that a score can be repeated.
+
+pub mod campaign;
+pub mod explained;
+pub mod model;
+pub mod rust;
+pub mod score;
+pub mod text;
+pub mod vectors;
+pub mod vhdl;
+
+use std::fmt;
+
+/// What is changed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum Kind {
+    /// A lower bound in place of an upper one, or the reverse.
+    Bound,
+    /// An ulp dropped, added or added twice, a sticky bit dropped or forced.
+    Rounding,
+    /// `<` in place of `<=`, a comparison reversed or negated.
+    Comparison,
+    /// Arms of a choice swapped, a condition negated, `and` in place of `or`.
+    Case,
+    /// Operands exchanged, `+` in place of `-`, a sign dropped, another signal of the same type.
+    Operand,
+    /// A register too many or too few.
+    Delay,
+    /// A constant, an index or a shift off by one.
+    Constant,
+}
+
+impl Kind {
+    /// All kinds, in the order in which they are listed.
+    pub const ALL: [Self; 7] =
+        [Self::Bound, Self::Rounding, Self::Comparison, Self::Case, Self::Operand, Self::Delay, Self::Constant];
+}
+
+impl fmt::Display for Kind {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Bound => "bound",
+            Self::Rounding => "rounding",
+            Self::Comparison => "comparison",
+            Self::Case => "case",
+            Self::Operand => "operand",
+            Self::Delay => "delay",
+            Self::Constant => "constant",
+        })
+    }
+}
+
+/// A changed line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Mutant {
+    /// Entity of the design, or source file of the model.
+    pub unit: String,
+    /// Line of the file, from 1.
+    pub line: usize,
+    /// What the line assigns or defines.
+    pub target: String,
+    /// What is changed.
+    pub kind: Kind,
+    /// How, in a few words: `x_hi -> x_lo`.
+    pub change: String,
+    /// The new line.
+    pub text: String,
+}
+
+impl Mutant {
+    /// The name by which explanations know it: unit, target and change.
+    pub fn name(&self) -> String {
+        format!("{}:{}:{}:{}", self.unit, self.target, self.kind, self.change)
+    }
+
+    /// The whole file with the line changed.
+    pub fn apply(&self, original: &str) -> String {
+        let change = |(i, line): (usize, &str)| {
+            if i + 1 == self.line {
+                format!("{}\n", self.text)
+            } else {
+                format!("{line}\n")
+            }
+        };
+        original.lines().enumerate().map(change).collect()
+    }
+}
+
+/// What became of a mutant.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Fate {
+    /// Noticed; by what.
+    Killed(String),
+    /// Nothing noticed it.
+    Survived,
+    /// The text is refused by the compiler: no mutant at all.
+    Invalid(String),
+}
+
+/// `limit` of the mutants, evenly spread; all of them if there are no more.
+pub fn spread<T>(all: Vec<T>, limit: usize) -> Vec<T> {
+    let (total, count) = (all.len(), limit.min(all.len()));
+    let mut chosen = (0..count).map(|i| i * total / count).peekable();
+    all.into_iter().enumerate().filter(|(i, _)| chosen.next_if_eq(i).is_some()).map(|(_, item)| item).collect()
+}
+
+/// At most `each` mutants of every kind in every unit, evenly spread among those of their kind, in their order.
+pub fn capped(all: Vec<Mutant>, each: usize) -> Vec<Mutant> {
+    let mut groups = std::collections::BTreeMap::<_, Vec<usize>>::new();
+    for (i, mutant) in all.iter().enumerate() {
+        groups.entry((mutant.unit.clone(), mutant.kind)).or_default().push(i);
+    }
+    let mut chosen: Vec<usize> = groups.into_values().flat_map(|group| spread(group, each)).collect();
+    chosen.sort_unstable();
+    let mut chosen = chosen.into_iter().peekable();
+    all.into_iter().enumerate().filter(|(i, _)| chosen.next_if_eq(i).is_some()).map(|(_, mutant)| mutant).collect()
+}

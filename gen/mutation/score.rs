@@ -1,0 +1,172 @@
+//! The score of a campaign: killed mutants among those that are not equivalent.
+
+use super::explained::{self, Explanation};
+use super::{Fate, Kind, Mutant};
+use std::collections::BTreeMap;
+
+/// A mutant, what became of it and what is known of it.
+#[derive(Clone, Debug)]
+pub struct Entry {
+    /// Which.
+    pub mutant: Mutant,
+    /// What became of it.
+    pub fate: Fate,
+    /// Why it is equivalent, if somebody has said so.
+    pub reason: Option<&'static str>,
+}
+
+/// How a mutant counts.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// Noticed.
+    Killed,
+    /// Survived, and it is explained why nothing can notice it.
+    Equivalent,
+    /// Survived, and nobody knows why: a hole in the checks.
+    Unexplained,
+    /// Killed although it is called equivalent: a wrong explanation.
+    Stale,
+    /// No mutant: the compiler refuses it.
+    Invalid,
+}
+
+impl Entry {
+    /// Looks the mutant up in a table of explanations.
+    pub fn new(mutant: Mutant, fate: Fate, table: &'static [Explanation]) -> Self {
+        let reason = explained::find(table, &mutant.name()).map(|explanation| explanation.reason);
+        Self { mutant, fate, reason }
+    }
+
+    /// How it counts.
+    pub fn standing(&self) -> Standing {
+        match (&self.fate, self.reason) {
+            (Fate::Invalid(_), _) => Standing::Invalid,
+            (Fate::Killed(_), None) => Standing::Killed,
+            (Fate::Killed(_), Some(_)) => Standing::Stale,
+            (Fate::Survived, Some(_)) => Standing::Equivalent,
+            (Fate::Survived, None) => Standing::Unexplained,
+        }
+    }
+}
+
+/// Counts of some mutants.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+pub struct Tally {
+    /// All that were run.
+    pub mutants: usize,
+    /// Noticed, whatever was said of them.
+    pub killed: usize,
+    /// Survived and explained.
+    pub equivalent: usize,
+    /// Survived and not explained.
+    pub unexplained: usize,
+    /// Killed although explained; among `killed`.
+    pub stale: usize,
+    /// Refused by the compiler.
+    pub invalid: usize,
+}
+
+impl Tally {
+    /// Counts one more.
+    pub fn add(&mut self, standing: Standing) {
+        self.mutants += 1;
+        match standing {
+            Standing::Killed => self.killed += 1,
+            Standing::Equivalent => self.equivalent += 1,
+            Standing::Unexplained => self.unexplained += 1,
+            Standing::Stale => {
+                self.killed += 1;
+                self.stale += 1;
+            }
+            Standing::Invalid => self.invalid += 1,
+        }
+    }
+
+    /// Killed among all that are neither equivalent nor invalid, in percent; all of none.
+    pub fn score(&self) -> f64 {
+        match self.killed + self.unexplained {
+            0 => 100.0,
+            all => 100.0 * self.killed as f64 / all as f64,
+        }
+    }
+}
+
+/// The tally of all, by kind, and by unit in their order.
+#[derive(Clone, Debug, Default)]
+pub struct Score {
+    /// All.
+    pub all: Tally,
+    /// By kind of change.
+    pub kinds: BTreeMap<Kind, Tally>,
+    /// By entity or source file.
+    pub units: Vec<(String, Tally)>,
+}
+
+impl Score {
+    /// Counts one more.
+    pub fn add(&mut self, entry: &Entry) {
+        let standing = entry.standing();
+        self.all.add(standing);
+        self.kinds.entry(entry.mutant.kind).or_default().add(standing);
+        if self.units.last().is_none_or(|(unit, _)| *unit != entry.mutant.unit) {
+            self.units.push((entry.mutant.unit.clone(), Tally::default()));
+        }
+        if let Some((_, tally)) = self.units.last_mut() {
+            tally.add(standing);
+        }
+    }
+
+    /// The tables by kind and by unit.
+    pub fn table(&self) -> String {
+        let head = |what: &str| {
+            format!(
+                "{what:<24}{:>9}{:>9}{:>12}{:>12}{:>9}{:>9}\n",
+                "mutants", "killed", "equivalent", "survived", "invalid", "score"
+            )
+        };
+        let row = |name: &str, t: &Tally| {
+            let score = format!("{:.1} %", t.score());
+            format!(
+                "{name:<24}{:>9}{:>9}{:>12}{:>12}{:>9}{score:>9}\n",
+                t.mutants, t.killed, t.equivalent, t.unexplained, t.invalid
+            )
+        };
+        let kinds: String = self.kinds.iter().map(|(kind, tally)| row(&kind.to_string(), tally)).collect();
+        let units: String = self.units.iter().map(|(unit, tally)| row(unit, tally)).collect();
+        format!("{}{kinds}\n{}{units}{}", head("kind"), head("unit"), row("all", &self.all))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn equivalent_and_invalid_mutants_do_not_count_and_wrong_explanations_are_seen() {
+        let mutant = Mutant {
+            unit: "u".to_owned(),
+            line: 1,
+            target: "x".to_owned(),
+            kind: Kind::Case,
+            change: "c".to_owned(),
+            text: String::new(),
+        };
+        const TABLE: &[Explanation] = &[Explanation { pattern: "u:x:case:c", reason: "because" }];
+        let killed = || Fate::Killed("answer".to_owned());
+        let invalid = Fate::Invalid("refused".to_owned());
+        let cases =
+            [(killed(), &[][..]), (Fate::Survived, TABLE), (Fate::Survived, &[]), (killed(), TABLE), (invalid, TABLE)];
+        let mut score = Score::default();
+        let standings = cases.map(|(fate, table)| {
+            let entry = Entry::new(mutant.clone(), fate, table);
+            score.add(&entry);
+            entry.standing()
+        });
+        use Standing::*;
+        assert_eq!(standings, [Killed, Equivalent, Unexplained, Stale, Invalid]);
+        assert_eq!((score.all.mutants, score.all.killed, score.all.stale), (5, 2, 1));
+        assert!((score.all.score() - 200.0 / 3.0).abs() < 1e-9);
+        assert!((Tally::default().score() - 100.0).abs() < 1e-9);
+        assert!(score.table().contains("66.7 %"));
+    }
+}
