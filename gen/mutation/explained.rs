@@ -81,8 +81,6 @@ pub const MODEL: &[Explanation] = &[
     Explanation { pattern: "golden/projection.rs:images:constant:0 -> 1", reason: OVERWRITTEN },
     Explanation { pattern: "golden/projection.rs:images:constant:0 -> 1 #2", reason: OVERWRITTEN },
     Explanation { pattern: "params/mod.rs:coordinate_bound:constant:2 -> 3", reason: UNFELT },
-    Explanation { pattern: "params/formats.rs:input_bound:rounding:+ -> -", reason: UNFELT },
-    Explanation { pattern: "params/formats.rs:input_bound:rounding:1 -> 2", reason: UNFELT },
     Explanation {
         pattern: "params/formats.rs:row:constant:1 -> 2",
         reason: "every quantity of the table reaches 1, so no format has one integral digit",

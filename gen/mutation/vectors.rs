@@ -23,12 +23,13 @@ const MOST_CHOSEN: usize = 128;
 /// A comparison at the edge: axis, which of the four, what is lacking (0 or 1 ulp), and the vertices of A and of B.
 type Edge = (usize, usize, i128, usize, usize);
 
-/// `count` pairs: of four two chosen, one at the ends of the working grid, and one random.
+/// `count` pairs: of four two chosen, one at the ends of the working grid, and one random, every other time with an edge
+/// of one ulp.
 pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     let pool = Stimulus::random(params, (count * CHOICE).clamp(SMALLEST, LARGEST), seed);
     let all: Vec<(Pose, Pair)> =
         pool.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (*pose, *pair))).collect();
-    let golden = Golden::new(params);
+    let (golden, bound) = (Golden::new(params), params.coordinate_bound() as i64);
     let edges: Vec<Vec<Edge>> = all.par_iter().map(|(pose, pair)| edges(&golden, pose, pair)).collect();
     let chosen = cover(&edges, (count / 2).min(MOST_CHOSEN));
     let mut chosen = chosen.into_iter().map(|i| all[i]);
@@ -43,7 +44,12 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
             1 => Some((Pose::identity(params), extreme(&mut rng, params))),
             _ => None,
         };
-        let Some((pose, pair)) = next.or_else(|| random.next()) else { break };
+        let Some((pose, mut pair)) = next.or_else(|| random.next()) else { break };
+        if number % 8 == 3 {
+            // V1 next to V0, so that coordinates and n_A straddle 0.
+            let near = |x: Input| Input { lo: (x.lo - 1).max(-bound), sticky: x.sticky };
+            pair.a[1] = pair.a[0].map(near);
+        }
         match segments.last_mut() {
             Some((last, pairs)) if *last == pose => pairs.push(pair),
             _ => segments.push((pose, vec![pair])),
@@ -64,9 +70,10 @@ fn farthest(params: &Params) -> (Pose, Pair) {
 /// edges and areas reach what the formats allow.
 fn extreme(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
     let bound = params.coordinate_bound() as i64;
-    let most = i64::BITS - bound.leading_zeros();
+    // With re-normalisation upper bounds must stay below a power of two, or the pair is scaled down.
+    let most = bound.ilog2();
     let bits = if rng.random() { most } else { rng.random_range(2..=most) };
-    let reach = ((1 << bits) - 1).min(bound);
+    let reach = if params.renormalise { (1 << bits) - 1 } else { bound };
     let mut number = || {
         let lo = match rng.random_range(0..8) {
             0..=2 => reach - rng.random_range(0..2),
