@@ -50,7 +50,7 @@ pub(super) struct Arguments {
     steps: u32,
     /// Distances between the centres of the mesh's boxes, in half-sizes of its cube
     #[arg(long, value_name = "LIST", default_values_t = Scene::DISTANCES, value_parser = distance, requires = "mesh")]
-    #[arg(value_delimiter = ',', allow_negative_numbers = true)]
+    #[arg(value_delimiter = ',', allow_hyphen_values = true)]
     distances: Vec<f64>,
     /// Unit of length in which the software tests read a scene, which only Moeller's epsilon depends on; cube if not
     /// given

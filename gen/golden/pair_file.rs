@@ -68,7 +68,7 @@ pub enum PairFileError {
         found: usize,
     },
     /// A field that is no finite number.
-    #[error("{file}: line {line}, column {column}: found \"{found}\"; legal is a finite number")]
+    #[error("{file}: line {line}, column {column}: found \"{found}\"; legal is a finite number that binary64 does not round to 0")]
     Field {
         /// The file as named by the user.
         file: String,
@@ -98,7 +98,8 @@ pub fn read(name: &str) -> Result<Vec<Points>, PairFileError> {
     }
 }
 
-/// Reads CSV: 18 numbers a row, a first row whose first field is no number is a header, empty lines are skipped.
+/// Reads CSV: 18 numbers a row, a first row whose first field is no number is a header, empty lines are skipped. A
+/// decimal stands for the nearest binary64 number.
 ///
 /// `name` is used in messages.
 ///
@@ -127,7 +128,7 @@ pub fn read_csv(mut source: impl Read, name: &str) -> Result<Vec<Points>, PairFi
         let mut points = Points::default();
         for (i, field) in fields.into_iter().enumerate() {
             match number(field) {
-                Some(x) if x.is_finite() => points[i / 3][i % 3] = x,
+                Some(x) if x.is_finite() && !(x == 0.0 && has_digits(field)) => points[i / 3][i % 3] = x,
                 _ => return Err(PairFileError::Field { file: file(), line, column: i + 1, found: shown(field) }),
             }
         }
@@ -185,6 +186,11 @@ fn number(field: &[u8]) -> Option<f64> {
     std::str::from_utf8(field).ok()?.parse().ok()
 }
 
+/// Whether a number's decimals, its exponent left aside, are not all zero.
+fn has_digits(field: &[u8]) -> bool {
+    field.iter().take_while(|c| !matches!(c, b'e' | b'E')).any(|c| matches!(c, b'1'..=b'9'))
+}
+
 /// A field for a message: readable and short.
 fn shown(field: &[u8]) -> String {
     String::from_utf8_lossy(field).chars().take(40).flat_map(char::escape_debug).collect()
@@ -223,13 +229,12 @@ mod tests {
             "p.csv: line 2: found 19 fields; legal is 18 (a0 a1 a2 b0 b1 b2, each x y z)"
         );
         assert_eq!(message(b"1,2,3\n"), "p.csv: line 1: found 3 fields; legal is 18 (a0 a1 a2 b0 b1 b2, each x y z)");
-        for (bad, shown) in [("nan", "nan"), ("inf", "inf"), ("1e999", "1e999"), ("1.5x", "1.5x"), ("", "")] {
+        let legal = "legal is a finite number that binary64 does not round to 0";
+        for bad in ["nan", "inf", "1e999", "1e-400", "-0.003E-330", "1.5x", ""] {
             let text = format!("{ROW}\n\n{}\n", ROW.replacen(" 1,", &format!("{bad},"), 1));
-            assert_eq!(
-                message(text.as_bytes()),
-                format!("p.csv: line 3, column 4: found \"{shown}\"; legal is a finite number")
-            );
+            assert_eq!(message(text.as_bytes()), format!("p.csv: line 3, column 4: found \"{bad}\"; {legal}"));
         }
+        assert!(read_csv(ROW.replacen(" 1,", "-0.00E7,", 1).as_bytes(), "").is_ok());
         // Not a header: NaN in the first field is a number, though no legal one.
         assert!(message(ROW.replacen('0', "NaN", 1).as_bytes()).contains("line 1, column 1"));
         let mut garbage = format!("{ROW}\n").into_bytes();

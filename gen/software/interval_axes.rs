@@ -1,6 +1,6 @@
 //! Eleven separating axes in binary64 interval arithmetic: a filter whose answers are certain.
 //!
-//! The future work of the EFSAT paper (Raabe, Tietjen, Anlauf, section 6): "separate" and "intersect" are proven, what
+//! The future work of the EFSAT paper (Raabe, Tietjen, Anlauf, section 5): "separate" and "intersect" are proven, what
 //! is left is undecided. Intervals are midpoints and radii: midpoints in plain binary64, and instead of a radius carried
 //! through each operation one bound per kind of axis, from the lengths of the pair's edges.
 //!
@@ -25,7 +25,7 @@
 //! `|t_kl| - |x_l| - |y_k|` with `t_kl = 2 s_kl - x_l - y_k`, and `sum_k t_kl = -x_l`, `sum_l t_kl = -y_k`.
 //!
 //! The triangles are separate if one gap is positive. If all eleven are negative, 0 is interior to A - B: docs/proofs.md,
-//! section 6, which assumes nothing of the triangles; so their relative interiors meet. A pair that touches, lies in one
+//! section 7, which assumes nothing of the triangles; so their relative interiors meet. A pair that touches, lies in one
 //! plane, or has a segment or a point, has a gap that is not negative, and is never called intersecting.
 //!
 //! # Errors
