@@ -35,6 +35,7 @@ const ZERO: &str = "the two differ where the factor is 0, and 0 times either bou
 const AT_BOUND: &str = "the two differ where the number is the bound itself, and both arms give the bound";
 const NARROW: &str = "entries of M and coordinates are at most one ulp wide, so no factor of the transform straddles 0";
 const RANGE: &str = "the proven range leaves the two top bits equal, but for one number that is its own negative there";
+const UNUSED: &str = "coordinates leave the two top bits equal";
 const DROPPED: &str = "the bit stays among those that are dropped, and floor + ulp does not look at them";
 const NEVER_ZERO: &str = "an upper bound is one ulp above the lower one, so the OR of the magnitudes is never 0";
 const BELOW: &str = "a lower bound is never above, and an upper bound never below, what the true value can be";
@@ -54,6 +55,9 @@ const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 b
 /// Mutants of the generated VHDL.
 pub const VHDL: &[Explanation] = &[
     same("*_multiply:*_wide:comparison:< -> <=", EQUAL),
+    same("*_multiply:*_takes_*:operand:x_negative -> x_hi_not_above", ZERO),
+    same("*_multiply:*_takes_*:operand:y_negative -> y_hi_not_above", ZERO),
+    same("projection_multiply:x_lo_below:constant:(*", UNUSED),
     same("transform_multiply:*_zero:constant:last bit of a literal -> 1", NARROW),
     same("transform_multiply:*_positive:case:not dropped", NARROW),
     same("transform_multiply:*_hi_above:comparison:< -> <=", ZERO),
