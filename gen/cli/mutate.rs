@@ -19,11 +19,11 @@ use std::time::Instant;
 
 /// Changes the generated VHDL or the reference model, one line at a time, and shows that the checks notice it
 ///
-/// Every mutant of the VHDL is run on 16 chosen pairs, then on 48 with inner nodes compared, then on --vectors pairs,
+/// Every mutant of the VHDL is run on 16 chosen pairs, then with inner nodes compared on 48 and on --vectors pairs,
 /// until an answer, a flag, a tag, the latency or a node differs: killed. Every mutant of the reference model
 /// (--target golden) is compiled with rustc and compared with the evaluated graph under several parameter sets. Mutants
-/// that no compiler takes are listed and do not count. Survivors have to be explained by the program's table of
-/// equivalent mutants: one that is not makes exit status 1, and so does an explained mutant that is killed.
+/// that no compiler takes are listed and do not count. Survivors are explained by a table of the program, most of them
+/// as equivalent: one that is not explained makes exit status 1, and so does an equivalent one that is killed.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// What is changed: the generated VHDL, or the sources of the reference model under parameters of its own
@@ -45,7 +45,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NAME", default_value = "ghdl", value_parser = choice::<Simulator>())]
     simulator: Simulator,
     /// Pairs for mutants that the first runs do not kill; for --target golden pairs for each parameter set
-    #[arg(long, value_name = "N", default_value_t = 128, value_parser = whole(COUNT), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 192, value_parser = whole(COUNT), allow_negative_numbers = true)]
     vectors: u32,
     /// Seed of the pairs
     #[arg(long, value_name = "S", default_value_t = 1)]
@@ -238,11 +238,12 @@ fn place(mutant: &Mutant) -> String {
 /// One line of the list: place, name, what became of it and why.
 fn line(entry: &Entry) -> String {
     let place = place(&entry.mutant);
-    let reason = entry.reason.unwrap_or_default();
+    let reason = entry.explanation.map(|explanation| explanation.reason).unwrap_or_default();
     match (entry.standing(), &entry.fate) {
         (Standing::Killed, Fate::Killed(by)) => format!("{place}  killed by {by}\n"),
         (Standing::Stale, Fate::Killed(by)) => format!("{place}  KILLED by {by}, but explained: {reason}\n"),
         (Standing::Equivalent, _) => format!("{place}  equivalent: {reason}\n"),
+        (Standing::Hidden, _) => format!("{place}  survived: {reason}\n"),
         (Standing::Invalid, Fate::Invalid(why)) => format!("{place}  invalid: {why}\n"),
         _ => format!("{place}  SURVIVED\n"),
     }
@@ -255,5 +256,6 @@ fn row(entry: &Entry) -> Row {
         Fate::Survived => ("survived", None),
     };
     let Mutant { unit, line, kind, .. } = entry.mutant.clone();
-    Row { name: entry.mutant.name(), unit, line, kind: kind.to_string(), fate, by, reason: entry.reason }
+    let reason = entry.explanation.map(|explanation| explanation.reason);
+    Row { name: entry.mutant.name(), unit, line, kind: kind.to_string(), fate, by, reason }
 }

@@ -1,10 +1,12 @@
 //! Runs mutants of the generated VHDL: few vectors first, more for those that survive.
 
 use super::{vectors, vhdl, Fate, Mutant};
+use crate::artefact::testbench::PACED;
 use crate::artefact::{self, testbench};
 use crate::cosim::{Bench, CosimError, Simulator, Trial};
 use crate::design::Design;
 use crate::params::Params;
+use rayon::prelude::*;
 use std::collections::HashMap;
 
 /// Pairs that most mutants do not survive.
@@ -17,7 +19,7 @@ const PROBED: usize = 48;
 pub struct Options {
     /// What runs the mutants: GHDL or nvc.
     pub simulator: Simulator,
-    /// Pairs for the last run of a mutant that nothing has killed.
+    /// Pairs for the last runs of a mutant that nothing has killed.
     pub vectors: usize,
     /// Names the vectors.
     pub seed: u64,
@@ -41,7 +43,7 @@ fn enumerate(files: &[(String, String)], params: &Params) -> Vec<Mutant> {
 pub struct Campaign {
     few: Bench,
     probed: Bench,
-    many: Bench,
+    many: Vec<Bench>,
     /// The mutants of the design with probes, by name: their lines are at other places.
     twins: HashMap<String, Mutant>,
 }
@@ -56,7 +58,13 @@ impl Campaign {
             |count, seed, probed| Bench::new(params, vectors::stimulus(params, count, seed), options.simulator, probed);
         let few = bench(FEW, options.seed, false)?;
         let probed = bench(PROBED, options.seed.wrapping_add(1), true)?;
-        let many = bench(options.vectors, options.seed.wrapping_add(2), true)?;
+        // A testbench runs no more pairs than these with gaps and back-pressure.
+        let runs: Vec<usize> = (0..options.vectors).step_by(PACED).collect();
+        let many = runs.into_par_iter().map(|from| {
+            let seed = options.seed.wrapping_add(2 + from as u64);
+            bench((options.vectors - from).min(PACED), seed, true)
+        });
+        let many = many.collect::<Result<_, _>>()?;
         let twins = enumerate(probed.files(), params).into_iter().map(|mutant| (mutant.name(), mutant)).collect();
         Ok(Self { few, probed, many, twins })
     }
@@ -67,8 +75,8 @@ impl Campaign {
     /// As [`Bench::run`].
     pub fn fate(&self, mutant: &Mutant) -> Result<Fate, CosimError> {
         let twin = self.twins.get(&mutant.name());
-        let runs = [(&self.few, Some(mutant)), (&self.probed, twin), (&self.many, twin)];
-        for (bench, mutant) in runs {
+        let probed = [&self.probed].into_iter().chain(&self.many).map(|bench| (bench, twin));
+        for (bench, mutant) in [(&self.few, Some(mutant))].into_iter().chain(probed) {
             let Some(mutant) = mutant else { continue };
             let file = format!("{}.vhd", mutant.unit);
             let original = bench.files().iter().find(|(name, _)| *name == file);

@@ -1,6 +1,6 @@
 //! The score of a campaign: killed mutants among those that are not equivalent.
 
-use super::explained::{self, Explanation};
+use super::explained::{self, Claim, Explanation};
 use super::{Fate, Kind, Mutant};
 use std::collections::BTreeMap;
 
@@ -11,8 +11,8 @@ pub struct Entry {
     pub mutant: Mutant,
     /// What became of it.
     pub fate: Fate,
-    /// Why it is equivalent, if somebody has said so.
-    pub reason: Option<&'static str>,
+    /// Why it survives, if somebody has said so.
+    pub explanation: Option<&'static Explanation>,
 }
 
 /// How a mutant counts.
@@ -22,6 +22,8 @@ pub enum Standing {
     Killed,
     /// Survived, and it is explained why nothing can notice it.
     Equivalent,
+    /// Survived, and it is explained why hardly anything notices it.
+    Hidden,
     /// Survived, and nobody knows why: a hole in the checks.
     Unexplained,
     /// Killed although it is called equivalent: a wrong explanation.
@@ -33,17 +35,18 @@ pub enum Standing {
 impl Entry {
     /// Looks the mutant up in a table of explanations.
     pub fn new(mutant: Mutant, fate: Fate, table: &'static [Explanation]) -> Self {
-        let reason = explained::find(table, &mutant.name()).map(|explanation| explanation.reason);
-        Self { mutant, fate, reason }
+        let explanation = explained::find(table, &mutant.name());
+        Self { mutant, fate, explanation }
     }
 
     /// How it counts.
     pub fn standing(&self) -> Standing {
-        match (&self.fate, self.reason) {
+        match (&self.fate, self.explanation.map(|explanation| explanation.claim)) {
             (Fate::Invalid(_), _) => Standing::Invalid,
-            (Fate::Killed(_), None) => Standing::Killed,
-            (Fate::Killed(_), Some(_)) => Standing::Stale,
-            (Fate::Survived, Some(_)) => Standing::Equivalent,
+            (Fate::Killed(_), None | Some(Claim::Hidden)) => Standing::Killed,
+            (Fate::Killed(_), Some(Claim::Equivalent)) => Standing::Stale,
+            (Fate::Survived, Some(Claim::Equivalent)) => Standing::Equivalent,
+            (Fate::Survived, Some(Claim::Hidden)) => Standing::Hidden,
             (Fate::Survived, None) => Standing::Unexplained,
         }
     }
@@ -56,8 +59,10 @@ pub struct Tally {
     pub mutants: usize,
     /// Noticed, whatever was said of them.
     pub killed: usize,
-    /// Survived and explained.
+    /// Survived, and equivalent.
     pub equivalent: usize,
+    /// Survived, and shown by hardly any input.
+    pub hidden: usize,
     /// Survived and not explained.
     pub unexplained: usize,
     /// Killed although explained; among `killed`.
@@ -73,6 +78,7 @@ impl Tally {
         match standing {
             Standing::Killed => self.killed += 1,
             Standing::Equivalent => self.equivalent += 1,
+            Standing::Hidden => self.hidden += 1,
             Standing::Unexplained => self.unexplained += 1,
             Standing::Stale => {
                 self.killed += 1;
@@ -84,7 +90,7 @@ impl Tally {
 
     /// Killed among all that are neither equivalent nor invalid, in percent; all of none.
     pub fn score(&self) -> f64 {
-        match self.killed + self.unexplained {
+        match self.killed + self.hidden + self.unexplained {
             0 => 100.0,
             all => 100.0 * self.killed as f64 / all as f64,
         }
@@ -120,15 +126,15 @@ impl Score {
     pub fn table(&self) -> String {
         let head = |what: &str| {
             format!(
-                "{what:<24}{:>9}{:>9}{:>12}{:>12}{:>9}{:>9}\n",
-                "mutants", "killed", "equivalent", "survived", "invalid", "score"
+                "{what:<24}{:>9}{:>9}{:>12}{:>8}{:>13}{:>9}{:>9}\n",
+                "mutants", "killed", "equivalent", "hidden", "unexplained", "invalid", "score"
             )
         };
         let row = |name: &str, t: &Tally| {
             let score = format!("{:.1} %", t.score());
             format!(
-                "{name:<24}{:>9}{:>9}{:>12}{:>12}{:>9}{score:>9}\n",
-                t.mutants, t.killed, t.equivalent, t.unexplained, t.invalid
+                "{name:<24}{:>9}{:>9}{:>12}{:>8}{:>13}{:>9}{score:>9}\n",
+                t.mutants, t.killed, t.equivalent, t.hidden, t.unexplained, t.invalid
             )
         };
         let kinds: String = self.kinds.iter().map(|(kind, tally)| row(&kind.to_string(), tally)).collect();
@@ -151,11 +157,22 @@ mod tests {
             change: "c".to_owned(),
             text: String::new(),
         };
-        const TABLE: &[Explanation] = &[Explanation { pattern: "u:x:case:c", reason: "because" }];
+        const fn said(claim: Claim) -> Explanation {
+            Explanation { pattern: "u:x:case:c", claim, reason: "because" }
+        }
+        const SAME: &[Explanation] = &[said(Claim::Equivalent)];
+        const HIDDEN: &[Explanation] = &[said(Claim::Hidden)];
         let killed = || Fate::Killed("answer".to_owned());
         let invalid = Fate::Invalid("refused".to_owned());
-        let cases =
-            [(killed(), &[][..]), (Fate::Survived, TABLE), (Fate::Survived, &[]), (killed(), TABLE), (invalid, TABLE)];
+        let cases = [
+            (killed(), &[][..]),
+            (Fate::Survived, SAME),
+            (Fate::Survived, HIDDEN),
+            (Fate::Survived, &[]),
+            (killed(), SAME),
+            (killed(), HIDDEN),
+            (invalid, SAME),
+        ];
         let mut score = Score::default();
         let standings = cases.map(|(fate, table)| {
             let entry = Entry::new(mutant.clone(), fate, table);
@@ -163,10 +180,10 @@ mod tests {
             entry.standing()
         });
         use Standing::*;
-        assert_eq!(standings, [Killed, Equivalent, Unexplained, Stale, Invalid]);
-        assert_eq!((score.all.mutants, score.all.killed, score.all.stale), (5, 2, 1));
-        assert!((score.all.score() - 200.0 / 3.0).abs() < 1e-9);
+        assert_eq!(standings, [Killed, Equivalent, Hidden, Unexplained, Stale, Killed, Invalid]);
+        assert_eq!((score.all.mutants, score.all.killed, score.all.hidden, score.all.stale), (7, 3, 1, 1));
+        assert!((score.all.score() - 60.0).abs() < 1e-9);
         assert!((Tally::default().score() - 100.0).abs() < 1e-9);
-        assert!(score.table().contains("66.7 %"));
+        assert!(score.table().contains("60.0 %"));
     }
 }
