@@ -1,9 +1,9 @@
 //! The exact software retest: what becomes of pairs that the unit calls possibly incorrect.
 //!
 //! Three stages, each only for what the one before has left: separating axes in interval arithmetic
-//! ([`interval_axes`](super::interval_axes)), which decide nearly all pairs that do not touch; boxes, and the signs of
-//! determinants ([`robbins_whitesides`](super::robbins_whitesides)), which decide all pairs whose products neither
-//! underflow nor overflow; and integers of any length ([`exact::pair`](crate::exact::pair)). Every stage is exact where
+//! ([`interval_axes`]), which decide nearly all pairs that do not touch; boxes, and the signs of
+//! determinants ([`robbins_whitesides`]), which decide all pairs whose products neither
+//! underflow nor overflow; and integers of any length ([`exact::pair`]). Every stage is exact where
 //! it answers, so the order changes the time and never the answer.
 
 use rayon::prelude::*;
