@@ -4,6 +4,7 @@ use super::error::Failure;
 use super::output::{print, print_json};
 use super::params::{choice, whole, ParamArguments};
 use super::progress;
+use super::source::seed;
 use crate::cosim::Simulator;
 use crate::mutation::campaign::{self, Campaign, Options};
 use crate::mutation::explained::{self, Explanation};
@@ -48,7 +49,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "N", default_value_t = 192, value_parser = whole(COUNT), allow_negative_numbers = true)]
     vectors: u32,
     /// Seed of the pairs
-    #[arg(long, value_name = "S", default_value_t = 1)]
+    #[arg(long, value_name = "S", default_value_t = 1, value_parser = seed, allow_negative_numbers = true)]
     seed: u64,
     /// Print one JSON object
     #[arg(long, conflicts_with = "list")]
