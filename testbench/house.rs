@@ -7,8 +7,8 @@ use std::path::{Path, PathBuf};
 const FLOORS: [&[&str]; 7] = [
     &["number", "params", "device"],
     &["graph", "golden", "exact", "mesh"],
-    &["design", "vhdl", "software"],
-    &["scene", "artefact", "stress", "wall"],
+    &["design", "vhdl", "software", "diagram", "verilog"],
+    &["scene", "artefact", "stress", "wall", "driver"],
     &["cosim", "report", "synth"],
     &["mutation"],
     &["cli"],

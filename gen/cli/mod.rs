@@ -14,6 +14,7 @@ mod params;
 mod progress;
 mod source;
 mod stress;
+mod synth;
 mod wall;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -42,6 +43,7 @@ enum Command {
     Stress(stress::Arguments),
     Wall(wall::Arguments),
     Mutate(mutate::Arguments),
+    Synth(synth::Arguments),
 }
 
 /// Runs the command line of the process.
@@ -55,6 +57,7 @@ pub fn main() -> ExitCode {
             Command::Stress(arguments) => stress::run(&arguments),
             Command::Wall(arguments) => wall::run(&arguments),
             Command::Mutate(arguments) => mutate::run(&arguments),
+            Command::Synth(arguments) => synth::run(&arguments),
         },
         Err(e) if !e.use_stderr() => output::print(&e.render().to_string()),
         Err(e) => {

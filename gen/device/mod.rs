@@ -6,6 +6,10 @@
 //! and clock-to-output was never published in such a report; a product therefore takes as many registers as its
 //! combinational delay needs. The other parts are estimates after their data sheets and say so.
 
+pub mod resources;
+
+pub use resources::Resources;
+
 /// A target part.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Device {

@@ -13,6 +13,7 @@
 //! * [`simulate`]: the modules, clock by clock;
 //! * the `vhdl` room: the modules, as text.
 
+pub mod estimate;
 pub mod evaluate;
 pub mod flat;
 pub mod lower;

@@ -1,0 +1,53 @@
+//! What a circuit takes of a device.
+
+use std::iter::Sum;
+use std::ops::{Add, Mul};
+
+/// Cells of a circuit.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Resources {
+    /// Hardware multipliers.
+    pub multipliers: u64,
+    /// Look-up tables used for logic.
+    pub luts: u64,
+    /// Look-up tables used as shift registers or memory.
+    pub memory_luts: u64,
+    /// Flip-flops outside multipliers.
+    pub flip_flops: u64,
+    /// Bits of carry chains.
+    pub carry: u64,
+}
+
+impl Add for Resources {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            multipliers: self.multipliers + other.multipliers,
+            luts: self.luts + other.luts,
+            memory_luts: self.memory_luts + other.memory_luts,
+            flip_flops: self.flip_flops + other.flip_flops,
+            carry: self.carry + other.carry,
+        }
+    }
+}
+
+impl Mul<u64> for Resources {
+    type Output = Self;
+
+    fn mul(self, n: u64) -> Self {
+        Self {
+            multipliers: self.multipliers * n,
+            luts: self.luts * n,
+            memory_luts: self.memory_luts * n,
+            flip_flops: self.flip_flops * n,
+            carry: self.carry * n,
+        }
+    }
+}
+
+impl Sum for Resources {
+    fn sum<I: Iterator<Item = Self>>(all: I) -> Self {
+        all.fold(Self::default(), Add::add)
+    }
+}

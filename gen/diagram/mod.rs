@@ -1,0 +1,1 @@
+//! Pictures of a scheduled unit: clocks as columns, formats on the edges, the critical path marked.
