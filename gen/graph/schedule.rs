@@ -383,7 +383,7 @@ impl Pass<'_> {
 fn delay(device: &Device, op: &Op, args: &[Type], result: Type) -> f64 {
     let widest = args.iter().map(|a| a.bits).max().unwrap_or(0);
     match op {
-        Op::Add | Op::Subtract | Op::Negate | Op::Magnitude => device.chain(result.bits),
+        Op::Add | Op::Subtract | Op::Negate | Op::NegateIf | Op::Magnitude => device.chain(result.bits),
         Op::Less | Op::Equal => device.chain(widest.div_ceil(2)),
         Op::Minimum | Op::Maximum | Op::Clamp(..) => device.chain(widest.div_ceil(2)) + device.mux(2),
         Op::Multiply => device.product(result.bits),
