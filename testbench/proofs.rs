@@ -76,11 +76,14 @@ fn products() {
         if settings::full() { &[(19, 2), (2, 19), (19, 4), (36, 2)] } else { &[(19, 2), (2, 19)] };
     claims.extend(tiled.iter().map(|bits| products::in_tiles(*bits)));
     let setting = Setting::full(Params::default());
-    for name in ["axis_multiply", "projection_multiply", "transform_multiply"] {
-        claims.push(products::factors(&setting, name));
-    }
+    claims.push(products::sign_cases(&setting));
     for name in ["axis_multiply", "projection_multiply"] {
+        claims.push(products::factors(&setting, name));
         claims.push(products::multiplied(&setting, name));
+    }
+    claims.push(products::quantised_by_definition(if settings::full() { 5 } else { 4 }));
+    for params in both_rules() {
+        claims.push(products::quantised_factors(&Setting::full(params)));
     }
     prove("Products", claims);
 }
