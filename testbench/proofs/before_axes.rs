@@ -3,7 +3,7 @@
 use super::claim::{number, Claim};
 use super::rounding::claim_rounded;
 use super::settings::Setting;
-use super::unit::Mistake::{NoUlp, NotMissing, OtherBound, Reversed, WrongArm, WrongGate, WrongSlice};
+use super::unit::Mistake::{NoUlp, NotMissing, OtherBound, Reversed, WrongArm, WrongGate, WrongSign, WrongSlice};
 use super::unit::Subject;
 use efsat::design::cross_product::COORDINATES;
 use efsat::design::interval::Rounding;
@@ -100,7 +100,7 @@ pub fn offset(setting: &Setting) -> Claim {
         claim.shown(format!("magnitude_{c} == (size_{c}_lo | size_{c}_hi)"));
     }
     claim.mutant(Reversed, "difference_x_lo").mutant(OtherBound, "difference_y_hi");
-    claim.mutant(WrongGate, "magnitudes_z").mutant(WrongArm, "magnitude_z_hi_bits");
+    claim.mutant(WrongGate, "magnitudes_z").mutant(WrongSign, "magnitude_z_hi_bits");
     claim
 }
 
