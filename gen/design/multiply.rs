@@ -46,8 +46,12 @@ pub fn sign_case_unit(ty: Type, bound: i128) -> Rc<Unit> {
     );
     let x = interval::input(&mut b, "x", ty, symmetric(bound));
     let below = b.op("lo_below", Op::SignBit, &[x.lo]);
-    let zero = b.constant("zero", 0, ty);
-    let above = b.op("hi_above", Op::Less, &[zero, x.hi]);
+    let hi_below = b.op("hi_below", Op::SignBit, &[x.hi]);
+    let hi_not_below = b.op("hi_not_below", Op::Not, &[hi_below]);
+    let magnitude = b.op("hi_bits", Op::LowBits(ty.bits - 1), &[x.hi]);
+    let hi_not_zero = b.op("hi_not_zero", Op::AnyBit, &[magnitude]);
+    let above = b.and("hi_above", hi_not_below, hi_not_zero);
+    b.comment(above, "0 < hi");
     let straddles = b.and("straddles", below, above);
     b.comment(straddles, "lo < 0 < hi");
     let sum = b.add("sum", x.lo, x.hi);

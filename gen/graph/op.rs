@@ -70,14 +70,8 @@ pub enum Op {
     NegateIf,
     /// Exact product, as wide as both operands together: one hardware multiplier if both fit it.
     Multiply,
-    /// Flag: first operand strictly less than the second.
-    Less,
     /// Flag: both operands equal.
     Equal,
-    /// The lesser operand.
-    Minimum,
-    /// The greater operand.
-    Maximum,
     /// Bitwise conjunction of unsigned operands of one width.
     And,
     /// Bitwise disjunction of unsigned operands of one width.
@@ -207,9 +201,7 @@ impl Op {
                 }
                 Ok(Type::signed(a.bits + b.bits, a.fraction + b.fraction))
             }
-            Op::Less => same_kind("comparison", args).map(|_| Type::FLAG),
             Op::Equal => same_kind("comparison", args).map(|_| Type::FLAG),
-            Op::Minimum | Op::Maximum => same_kind("minimum or maximum", args),
             Op::And => unsigned("and"),
             Op::Or => unsigned("or"),
             Op::Not => unsigned("not"),
@@ -268,10 +260,7 @@ impl Op {
             Op::NegateIf if args[0] == 1 => -args[1],
             Op::NegateIf => args[1],
             Op::Multiply => args[0] * args[1],
-            Op::Less => i128::from(args[0] < args[1]),
             Op::Equal => i128::from(args[0] == args[1]),
-            Op::Minimum => args[0].min(args[1]),
-            Op::Maximum => args[0].max(args[1]),
             Op::And => args[0] & args[1],
             Op::Or => args[0] | args[1],
             Op::Not => ((1 << result.bits) - 1) - args[0],
@@ -328,11 +317,7 @@ impl Op {
                 }
             }
             Op::Multiply => corners(&|a, b| a * b),
-            Op::Less if args[0].1 < args[1].0 => (1, 1),
-            Op::Less if args[0].0 >= args[1].1 => (0, 0),
-            Op::Less | Op::Equal => (0, 1),
-            Op::Minimum => (args[0].0.min(args[1].0), args[0].1.min(args[1].1)),
-            Op::Maximum => (args[0].0.max(args[1].0), args[0].1.max(args[1].1)),
+            Op::Equal => (0, 1),
             Op::And => (0, args[0].1.min(args[1].1)),
             Op::Or => (args[0].0.max(args[1].0), fill(args[0].1.max(args[1].1))),
             Op::Not => (result.limits().1 - args[0].1, result.limits().1 - args[0].0),

@@ -384,8 +384,8 @@ fn delay(device: &Device, op: &Op, args: &[Type], result: Type) -> f64 {
     let widest = args.iter().map(|a| a.bits).max().unwrap_or(0);
     match op {
         Op::Add | Op::Subtract | Op::Negate | Op::NegateIf | Op::Magnitude => device.chain(result.bits),
-        Op::Less | Op::Equal => device.chain(widest.div_ceil(2)),
-        Op::Minimum | Op::Maximum | Op::Clamp(..) => device.chain(widest.div_ceil(2)) + device.mux(2),
+        Op::Equal => device.chain(widest.div_ceil(2)),
+        Op::Clamp(..) => device.chain(widest.div_ceil(2)) + device.mux(2),
         Op::Multiply => device.product(result.bits),
         Op::And | Op::Or | Op::Not | Op::ScanOr => device.tree(2),
         Op::AnyBit => device.tree(widest),

@@ -322,10 +322,7 @@ impl Simulation {
                     Op::Subtract => pairs.for_each(|((z, a), b)| *z = a - b),
                     Op::Multiply => pairs.for_each(|((z, a), b)| *z = a * b),
                     Op::NegateIf => pairs.for_each(|((z, a), b)| *z = if *a == 1 { -b } else { *b }),
-                    Op::Less => pairs.for_each(|((z, a), b)| *z = i64::from(a < b)),
                     Op::Equal => pairs.for_each(|((z, a), b)| *z = i64::from(a == b)),
-                    Op::Minimum => pairs.for_each(|((z, a), b)| *z = *a.min(b)),
-                    Op::Maximum => pairs.for_each(|((z, a), b)| *z = *a.max(b)),
                     Op::And => pairs.for_each(|((z, a), b)| *z = a & b),
                     Op::Or => pairs.for_each(|((z, a), b)| *z = a | b),
                     Op::Select => {

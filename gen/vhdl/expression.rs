@@ -145,19 +145,9 @@ impl Printer<'_> {
                 simple(format!("({} xor ({top} downto 0 => {flag})) + {one}", self.value(args[1])))
             }
             Op::Multiply => simple(format!("{} * {}", self.value(args[0]), self.value(args[1]))),
-            Op::Less => {
-                let t = joint();
-                flag(format!("{} < {}", self.resized(args[0], t), self.resized(args[1], t)))
-            }
             Op::Equal => {
                 let t = joint();
                 flag(format!("{} = {}", self.resized(args[0], t), self.resized(args[1], t)))
-            }
-            Op::Minimum | Op::Maximum => {
-                let t = joint();
-                let (a, b) = (self.resized(args[0], t), self.resized(args[1], t));
-                let condition = if matches!(op, Op::Minimum) { format!("{a} < {b}") } else { format!("{b} < {a}") };
-                Expression::Choice(vec![(self.resized(args[0], to), condition)], self.resized(args[1], to))
             }
             Op::And => simple(format!("{} and {}", self.value(args[0]), self.value(args[1]))),
             Op::Or => simple(format!("{} or {}", self.value(args[0]), self.value(args[1]))),

@@ -217,7 +217,9 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
         claim.shown("!separated || a_max < b_min || b_max < a_min");
         claim.shown("!overlapping || (a_min < b_max && b_min < a_max)");
     }
-    claim.mutant(NotStrict, "a_below_b").mutant(NotStrict, "a_reaches_b").mutant(NotStrict, "b_reaches_a");
+    for relation in ["a_below_b", "a_reaches_b", "b_reaches_a"] {
+        claim.mutant(NotStrict, format!("{relation}_difference"));
+    }
     claim.mutant(WrongArm, "a_max_hi").mutant(WrongGate, "is_overlapping");
     claim
 }

@@ -6,7 +6,7 @@
 
 use super::claim::Claim;
 use super::settings::Setting;
-use super::unit::Mistake::{Inverted, NoUlp, NotStrict, WrongArm, WrongGate, WrongSign};
+use super::unit::Mistake::{Inverted, NoUlp, WrongArm, WrongGate, WrongSign};
 use super::unit::Subject;
 use efsat::design::multiply::{self, case, Span};
 use efsat::graph::Type;
@@ -34,7 +34,7 @@ pub fn sign_cases(setting: &Setting) -> Claim {
     let subject = Subject::of_design(&setting.params, "sign_case");
     let mut claim = Claim::new(subject, setting.label(), "sign case as defined");
     claim.shown(format!("x_sign_case == {}", sign_case("x")));
-    claim.mutant(NotStrict, "hi_above").mutant(WrongGate, "straddles").mutant(WrongSign, "sum");
+    claim.mutant(WrongGate, "hi_above").mutant(WrongGate, "straddles").mutant(WrongSign, "sum");
     claim
 }
 
