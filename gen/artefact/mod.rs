@@ -7,6 +7,7 @@ mod design_files;
 mod file_set;
 mod ise;
 mod manifest;
+mod programmes;
 mod scratch;
 pub mod sources;
 mod stimulus;
@@ -15,6 +16,7 @@ pub mod vectors;
 
 pub use design_files::design_files;
 pub use file_set::{Difference, FileSet, FileSetError};
+pub use programmes::programme_files;
 pub use scratch::{interrupted, Scratch};
 pub use sources::{origin, vhdl_files};
 pub use vectors::Stimulus;

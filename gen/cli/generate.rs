@@ -3,7 +3,7 @@
 use super::error::Failure;
 use super::output::print;
 use super::params::ParamArguments;
-use crate::artefact::{design_files, FileSet};
+use crate::artefact::{design_files, programme_files, FileSet};
 use crate::design::Design;
 use std::path::{Path, PathBuf};
 
@@ -19,6 +19,9 @@ pub(super) struct Arguments {
     /// Write nothing; fail if DIR differs by a byte from what would be written
     #[arg(long)]
     check: bool,
+    /// Write to DIR the schedule of every unit as a linear programme in CPLEX LP format, and nothing else
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "check"])]
+    lp: Option<PathBuf>,
     #[command(flatten)]
     params: ParamArguments,
 }
@@ -26,6 +29,11 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     let design = Design::new(&params, false)?;
+    if let Some(dir) = &arguments.lp {
+        let set = programme_files(&design, &params.command_line());
+        set.write(dir)?;
+        return print(&format!("{}: {} files\n", dir.display(), set.len()));
+    }
     let set = design_files(&design, &params.command_line()).map_err(|e| Failure::Check(e.to_string()))?;
     if arguments.check {
         return check(&set, &arguments.out);

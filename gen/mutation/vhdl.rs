@@ -303,7 +303,8 @@ impl<'a> Editor<'a> {
                     _ => continue,
                 },
             };
-            self.replace(Kind::Constant, place, &moved, format!("({inside}) -> ({moved})"));
+            let kind = if name.ends_with("_line") { Kind::Delay } else { Kind::Constant };
+            self.replace(kind, place, &moved, format!("({inside}) -> ({moved})"));
         }
     }
 

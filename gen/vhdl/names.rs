@@ -1,6 +1,6 @@
 //! Legal names: the rules of VHDL-93 and the keywords of every language a design may meet.
 
-use crate::graph::netlist::Module;
+use crate::graph::netlist::{DelayLine, Module};
 use std::collections::HashSet;
 
 /// Keywords of VHDL-87 to VHDL-2019 and PSL.
@@ -53,6 +53,12 @@ fn fault(name: &str) -> Option<&'static str> {
     reserved.into_iter().any(|k| k == name).then_some("is a keyword or a library name")
 }
 
+/// Names of the signal and of the type of a delay line, after its last register.
+pub fn delay_line(module: &Module, line: &DelayLine) -> [String; 2] {
+    let last = line.registers.last().map_or("", |id| &module.signal(*id).name);
+    [format!("{last}_line"), format!("{last}_words")]
+}
+
 /// Checks every name of a module: legal, no keyword, unique (all names are lower case).
 ///
 /// # Errors
@@ -67,7 +73,8 @@ pub fn check(module: &Module) -> Result<(), Clash> {
     if let Some(why) = fault(&module.name) {
         return Err(clash(&module.name, why));
     }
-    for name in signals.chain(outputs).chain(labels) {
+    let lines: Vec<[String; 2]> = module.delay_lines().iter().map(|line| delay_line(module, line)).collect();
+    for name in signals.chain(outputs).chain(labels).chain(lines.iter().flatten().map(String::as_str)) {
         if let Some(why) = fault(name) {
             return Err(clash(name, why));
         }
