@@ -13,7 +13,7 @@ mod stimulus;
 pub mod testbench;
 pub mod vectors;
 
-pub use design_files::design_files;
+pub use design_files::{design_files, DesignFilesError};
 pub use file_set::{Difference, FileSet, FileSetError};
 pub use scratch::{interrupted, Scratch};
 pub use sources::{origin, vhdl_files};
