@@ -1,5 +1,6 @@
 //! `efsat generate`.
 
+use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::print;
 use super::params::ParamArguments;
@@ -20,12 +21,17 @@ pub(super) struct Arguments {
     #[arg(long)]
     check: bool,
     #[command(flatten)]
+    diagram: DiagramArguments,
+    #[command(flatten)]
     params: ParamArguments,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     let design = Design::new(&params, false)?;
+    if arguments.diagram.wanted() {
+        return arguments.diagram.run(&design);
+    }
     let set = design_files(&design, &params.command_line()).map_err(|e| Failure::Check(e.to_string()))?;
     if arguments.check {
         return check(&set, &arguments.out);
