@@ -2,11 +2,23 @@
 
 use super::{ise, manifest, origin, testbench, vectors, vhdl_files, FileSet, Stimulus};
 use crate::design::Design;
+use crate::vhdl::lint::{lint, Finding};
 use crate::vhdl::Clash;
 use askama::Template;
 
 /// Pairs in the vector file: some seconds of simulation.
 const PAIRS: usize = 256;
+
+/// Why a design cannot be printed: a defect of the generator, never of the parameters.
+#[derive(Debug, thiserror::Error)]
+pub enum DesignFilesError {
+    /// A name that is no legal VHDL.
+    #[error("names: {0}")]
+    Name(#[from] Clash),
+    /// A text that the target's tools would not take.
+    #[error("lint: {0}")]
+    Lint(Finding),
+}
 
 /// A line of the table of files.
 struct Described {
@@ -35,8 +47,8 @@ struct Readme<'a> {
 /// bytes.
 ///
 /// # Errors
-/// A name in the design that is no legal VHDL.
-pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, Clash> {
+/// A name in the design that is no legal VHDL, or a breach of the [rules](crate::vhdl::lint) of the target.
+pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, DesignFilesError> {
     let mut set = FileSet::default();
     let mut described = vec![];
     let mut sources = vec![];
@@ -45,6 +57,11 @@ pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, Clas
         described.push(Described { name: name.clone(), what: first_sentence(&module.doc) });
         set.insert(name.clone(), text);
         sources.push(name);
+    }
+    let texts: Vec<(&str, &str)> =
+        sources.iter().filter_map(|name| set.get(name).map(|text| (name.as_str(), text))).collect();
+    if let Some(finding) = lint(&texts).into_iter().next() {
+        return Err(DesignFilesError::Lint(finding));
     }
     ise::add(&mut set, design, command_line, &sources);
 

@@ -14,7 +14,7 @@ mod stimulus;
 pub mod testbench;
 pub mod vectors;
 
-pub use design_files::design_files;
+pub use design_files::{design_files, DesignFilesError};
 pub use file_set::{Difference, FileSet, FileSetError};
 pub use programmes::programme_files;
 pub use scratch::{interrupted, Scratch};

@@ -1,5 +1,6 @@
 //! `efsat generate`.
 
+use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::print;
 use super::params::ParamArguments;
@@ -23,6 +24,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "check"])]
     lp: Option<PathBuf>,
     #[command(flatten)]
+    diagram: DiagramArguments,
+    #[command(flatten)]
     params: ParamArguments,
 }
 
@@ -33,6 +36,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let set = programme_files(&design, &params.command_line());
         set.write(dir)?;
         return print(&format!("{}: {} files\n", dir.display(), set.len()));
+    }
+    if arguments.diagram.wanted() {
+        return arguments.diagram.run(&design);
     }
     let set = design_files(&design, &params.command_line()).map_err(|e| Failure::Check(e.to_string()))?;
     if arguments.check {
