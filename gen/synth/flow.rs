@@ -1,0 +1,80 @@
+//! Families that the open tools know, each with its tools.
+
+use crate::device::{self, Device};
+
+/// A family and the tools for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Flow {
+    /// Virtex-II, counted by Yosys.
+    Virtex2,
+    /// Spartan-6, counted by Yosys.
+    Spartan6,
+    /// 7-series, counted by Yosys.
+    Series7,
+    /// ECP5, counted by Yosys, placed and routed by nextpnr.
+    Ecp5,
+}
+
+impl Flow {
+    /// All flows.
+    pub const ALL: [Self; 4] = [Self::Virtex2, Self::Spartan6, Self::Series7, Self::Ecp5];
+
+    /// Name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Virtex2 => "yosys-xc2v",
+            Self::Spartan6 => "yosys-xc6s",
+            Self::Series7 => "yosys-xc7",
+            Self::Ecp5 => "ecp5",
+        }
+    }
+
+    /// The flow for a device, by the beginning of its name; none for a family that the tools do not know.
+    pub fn of(device: &Device) -> Option<Self> {
+        Self::ALL.into_iter().find(|flow| device.name.starts_with(flow.family()))
+    }
+
+    fn family(self) -> &'static str {
+        match self {
+            Self::Virtex2 => "xc2v",
+            Self::Spartan6 => "xc6s",
+            Self::Series7 => "xc7",
+            Self::Ecp5 => "lfe5u",
+        }
+    }
+
+    /// The device that cells are predicted for: the given one if it is of the flow's family, else the family's first.
+    pub fn device(self, given: &'static Device) -> &'static Device {
+        let mut family = device::all().iter().filter(|device| device.name.starts_with(self.family()));
+        if given.name.starts_with(self.family()) {
+            given
+        } else {
+            family.next().unwrap_or(given)
+        }
+    }
+
+    /// Whether placement and routing follow.
+    pub fn routes(self) -> bool {
+        self == Self::Ecp5
+    }
+
+    /// The Yosys commands that map the design read before to the family, one netlist an entity. `top` is its top.
+    pub(super) fn units(self, top: &str) -> String {
+        let xilinx = |family: &str| format!("synth_xilinx -family {family} -top {top} -noiopad -noclkbuf -nowidelut");
+        match self {
+            Self::Virtex2 => {
+                // Yosys infers no SRL16 for this family by itself. A register behind a multiplier is not for a shift
+                // register: it becomes part of the MULT18X18S.
+                let command = xilinx("xc2v");
+                format!(
+                    "{command} -run begin:map_ffs\n\
+                     xilinx_srl -fixed -minlen 3 * t:MULT18X18 %co2 %d\n\
+                     {command} -run map_ffs:\n"
+                )
+            }
+            Self::Spartan6 => xilinx("xc6s") + "\n",
+            Self::Series7 => xilinx("xc7") + "\n",
+            Self::Ecp5 => format!("synth_ecp5 -top {top} -noflatten\n"),
+        }
+    }
+}
