@@ -1,6 +1,7 @@
 //! Families that the open tools know, each with its tools.
 
 use crate::device::{self, Device};
+use crate::verilog::yosys;
 
 /// A family and the tools for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,20 +61,10 @@ impl Flow {
 
     /// The Yosys commands that map the design read before to the family, one netlist an entity. `top` is its top.
     pub(super) fn units(self, top: &str) -> String {
-        let xilinx = |family: &str| format!("synth_xilinx -family {family} -top {top} -noiopad -noclkbuf -nowidelut");
         match self {
-            Self::Virtex2 => {
-                // Yosys infers no SRL16 for this family by itself. A register behind a multiplier is not for a shift
-                // register: it becomes part of the MULT18X18S.
-                let command = xilinx("xc2v");
-                format!(
-                    "{command} -run begin:map_ffs\n\
-                     xilinx_srl -fixed -minlen 3 * t:MULT18X18 %co2 %d\n\
-                     {command} -run map_ffs:\n"
-                )
-            }
-            Self::Spartan6 => xilinx("xc6s") + "\n",
-            Self::Series7 => xilinx("xc7") + "\n",
+            Self::Virtex2 => yosys::virtex2(top),
+            Self::Spartan6 => yosys::xilinx("xc6s", top) + "\n",
+            Self::Series7 => yosys::xilinx("xc7", top) + "\n",
             Self::Ecp5 => format!("synth_ecp5 -top {top} -noflatten\n"),
         }
     }

@@ -10,9 +10,7 @@ mod flow;
 mod harness;
 mod netlist;
 mod route;
-pub mod tools;
 mod units;
-mod yosys;
 
 pub use cells::Cells;
 pub use critical_path::{CriticalPath, Step};
@@ -25,8 +23,7 @@ use crate::artefact::{self, Scratch};
 use crate::design::Design;
 use crate::device::Device;
 use crate::params::Params;
-use crate::verilog;
-use error::file_error;
+use crate::verilog::{self, yosys, ToolError};
 use std::path::{Path, PathBuf};
 
 /// The Verilog of the whole design; also the mark of a folder that is ours to overwrite.
@@ -100,7 +97,7 @@ pub fn run(
             dir
         }
         None => {
-            temporary = Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
+            temporary = Scratch::new().map_err(ToolError::file(&std::env::temp_dir()))?;
             temporary.path()
         }
     };
@@ -108,9 +105,9 @@ pub fn run(
     let sources = artefact::vhdl_files(&design, command_line)?;
     let text = verilog::from_vhdl(&sources, TOP, dir)?;
     let path = dir.join(VERILOG);
-    std::fs::write(&path, text).map_err(file_error(&path))?;
+    std::fs::write(&path, text).map_err(ToolError::file(&path))?;
     step("Yosys, unit by unit");
-    let netlist = yosys::units(&yosys, flow, dir)?;
+    let netlist = units::netlist(&yosys, flow, dir)?;
     let counted_for = flow.device(design.device);
     let top = units::tree(&design, counted_for, &netlist, flow);
     let mut tools = vec![yosys.version.clone()];
@@ -118,7 +115,7 @@ pub fn run(
         Some(nextpnr) => {
             tools.push(nextpnr.version.clone());
             step("Yosys, the whole");
-            yosys::whole(&yosys, &harness::text(&design.top), dir)?;
+            route::whole(&yosys, &design, dir)?;
             Some(route::run(nextpnr, &design, options.seeds, dir, step)?)
         }
         None => None,
@@ -129,8 +126,8 @@ pub fn run(
 
 /// Makes a folder ours, unless it holds files of somebody else.
 fn claim(dir: &Path) -> Result<(), SynthError> {
-    std::fs::create_dir_all(dir).map_err(file_error(dir))?;
-    let mut entries = std::fs::read_dir(dir).map_err(file_error(dir))?;
+    std::fs::create_dir_all(dir).map_err(ToolError::file(dir))?;
+    let mut entries = std::fs::read_dir(dir).map_err(ToolError::file(dir))?;
     if entries.next().is_none() || dir.join(VERILOG).is_file() {
         return Ok(());
     }

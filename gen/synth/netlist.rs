@@ -1,6 +1,6 @@
 //! A netlist as Yosys writes it (`write_json`).
 
-use super::error::{file_error, SynthError};
+use crate::verilog::ToolError;
 use serde::Deserialize;
 use std::collections::HashMap;
 use std::io::BufReader;
@@ -80,9 +80,9 @@ impl Netlist {
     ///
     /// # Errors
     /// What cannot be read.
-    pub fn read(path: &Path) -> Result<Self, SynthError> {
-        let file = std::fs::File::open(path).map_err(file_error(path))?;
-        let failed = |e: serde_json::Error| SynthError::Failed { tool: "Yosys".to_owned(), message: e.to_string() };
+    pub fn read(path: &Path) -> Result<Self, ToolError> {
+        let file = std::fs::File::open(path).map_err(ToolError::file(path))?;
+        let failed = |e: serde_json::Error| ToolError::failed("Yosys", e.to_string());
         serde_json::from_reader(BufReader::new(file)).map_err(failed)
     }
 }

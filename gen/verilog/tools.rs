@@ -1,6 +1,6 @@
 //! Where synthesis tools are found, and how they are run.
 
-use super::error::SynthError;
+use super::ToolError;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -15,7 +15,7 @@ const INSTALLED: &str = "target/tools/bin";
 pub struct Tool {
     /// The program.
     pub path: PathBuf,
-    /// First line of what it says of its version.
+    /// Its name and version, as it says.
     pub version: String,
 }
 
@@ -30,10 +30,10 @@ pub fn find(names: &[&str], option: &str) -> Option<Tool> {
     candidates.filter(|path| path.is_file()).find_map(|path| {
         let path = std::path::absolute(path).ok()?;
         let output = Command::new(&path).arg(option).output().ok().filter(|o| o.status.success())?;
-        // nextpnr tells its version on standard error; the first start of a WebAssembly build tells other things too.
+        // nextpnr tells its version on standard error, and the first start of a WebAssembly build tells other things.
         let said = String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
-        let version = said.lines().find(|line| line.contains("ersion") || line.starts_with("Yosys"));
-        Some(Tool { version: shorten(version.or(said.lines().next()).unwrap_or_default()), path })
+        let version = said.lines().find(|line| line.contains(char::is_numeric));
+        Some(Tool { version: shorten(version.unwrap_or_default()), path })
     })
 }
 
@@ -41,7 +41,7 @@ pub fn find(names: &[&str], option: &str) -> Option<Tool> {
 fn shorten(line: &str) -> String {
     match line.split_once("(Version ") {
         Some((_, version)) => format!("nextpnr {}", version.trim_end_matches(')').trim_start_matches("nextpnr-")),
-        None => line.split(" (").next().unwrap_or_default().trim().to_owned(),
+        None => line.split_whitespace().take(2).collect::<Vec<_>>().join(" "),
     }
 }
 
@@ -49,13 +49,13 @@ fn shorten(line: &str) -> String {
 ///
 /// # Errors
 /// The last error it printed.
-pub fn call(tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<(), SynthError> {
+pub fn call(tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<(), ToolError> {
     let name = tool.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let failed = |message: String| SynthError::Failed { tool: name.clone(), message };
+    let failed = |message: String| ToolError::failed(&name, message);
     let output = Command::new(tool).args(args).current_dir(dir).output().map_err(|e| failed(e.to_string()))?;
     let said = String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
     let path = dir.join(log);
-    std::fs::write(&path, said.as_bytes()).map_err(super::error::file_error(&path))?;
+    std::fs::write(&path, said.as_bytes()).map_err(ToolError::file(&path))?;
     if output.status.success() {
         return Ok(());
     }
