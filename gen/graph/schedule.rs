@@ -383,9 +383,10 @@ impl Pass<'_> {
 fn delay(device: &Device, op: &Op, args: &[Type], result: Type) -> f64 {
     let widest = args.iter().map(|a| a.bits).max().unwrap_or(0);
     match op {
-        Op::Add | Op::Subtract | Op::Negate | Op::Magnitude => device.chain(result.bits),
-        Op::Less | Op::Equal => device.chain(widest.div_ceil(2)),
-        Op::Minimum | Op::Maximum | Op::Clamp(..) => device.chain(widest.div_ceil(2)) + device.mux(2),
+        Op::Add | Op::Subtract | Op::Negate => device.chain(result.bits),
+        Op::Magnitude => device.conditional_negation(result.bits),
+        Op::Less | Op::Equal => device.comparison(widest),
+        Op::Minimum | Op::Maximum | Op::Clamp(..) => device.comparison(widest) + device.mux(2),
         Op::Multiply => device.product(result.bits),
         Op::And | Op::Or | Op::Not | Op::ScanOr => device.tree(2),
         Op::AnyBit => device.tree(widest),
