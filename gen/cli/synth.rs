@@ -54,10 +54,7 @@ impl Choice for Flow {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     let device = device::find(&params.device).map_err(|e| Failure::Usage(e.to_string()))?;
-    let flow = match arguments.flow.or(Flow::of(device)) {
-        Some(flow) => flow,
-        None => return Err(Failure::Usage(format!("--device {}: no open tools for it; give a --flow", device.name))),
-    };
+    let flow = arguments.flow.unwrap_or(Flow::of(device));
     if !flow.routes() && (arguments.no_route || arguments.seeds.is_some()) {
         let option = if arguments.no_route { "--no-route" } else { "--seeds" };
         return Err(Failure::Usage(format!("{option}: flow {} ends after Yosys; legal with ecp5", flow.name())));

@@ -1,6 +1,6 @@
 //! Families that the open tools know, each with its tools.
 
-use crate::device::{self, Device};
+use crate::device::{self, Device, Family};
 use crate::verilog::yosys;
 
 /// A family and the tools for it.
@@ -30,28 +30,20 @@ impl Flow {
         }
     }
 
-    /// The flow for a device, by the beginning of its name; none for a family that the tools do not know.
-    pub fn of(device: &Device) -> Option<Self> {
-        Self::ALL.into_iter().find(|flow| device.name.starts_with(flow.family()))
-    }
-
-    fn family(self) -> &'static str {
-        match self {
-            Self::Virtex2 => "xc2v",
-            Self::Spartan6 => "xc6s",
-            Self::Series7 => "xc7",
-            Self::Ecp5 => "lfe5u",
+    /// The flow for a device.
+    pub fn of(device: &Device) -> Self {
+        match device.family {
+            Family::Virtex2 => Self::Virtex2,
+            Family::Spartan6 => Self::Spartan6,
+            Family::Series7 => Self::Series7,
+            Family::Ecp5 => Self::Ecp5,
         }
     }
 
     /// The device that cells are predicted for: the given one if it is of the flow's family, else the family's first.
     pub fn device(self, given: &'static Device) -> &'static Device {
-        let mut family = device::all().iter().filter(|device| device.name.starts_with(self.family()));
-        if given.name.starts_with(self.family()) {
-            given
-        } else {
-            family.next().unwrap_or(given)
-        }
+        let mut candidates = std::iter::once(given).chain(device::all());
+        candidates.find(|device| Self::of(device) == self).unwrap_or(given)
     }
 
     /// Whether placement and routing follow.

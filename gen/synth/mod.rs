@@ -10,6 +10,7 @@ mod flow;
 mod harness;
 mod netlist;
 mod route;
+pub mod slices;
 mod units;
 
 pub use cells::Cells;
@@ -17,6 +18,7 @@ pub use critical_path::{CriticalPath, Step};
 pub use error::SynthError;
 pub use flow::Flow;
 pub use route::{Routed, Seed};
+pub use slices::Slices;
 pub use units::Unit;
 
 use crate::artefact::{self, Scratch};
@@ -61,6 +63,13 @@ pub struct Report {
 }
 
 impl Report {
+    /// Slices of a Virtex-II, estimated; none for the other families.
+    pub fn slices(&self) -> Option<Slices> {
+        let cells = self.top.actual.resources;
+        let estimate = || slices::estimate(cells.luts + cells.memory_luts, cells.flip_flops, None);
+        (self.flow == Flow::Virtex2).then(estimate)
+    }
+
     /// What the prediction and the tools disagree about beyond what is tolerated, in words: any difference in
     /// multipliers, and a target clock (in MHz) that is missed after routing.
     pub fn faults(&self, target: u32) -> Vec<String> {

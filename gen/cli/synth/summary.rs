@@ -14,6 +14,9 @@ pub(super) struct Summary<'a> {
     device: &'a str,
     counted_for: &'a str,
     units: Branch<'a>,
+    capacity: Prediction,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    slices: Option<Slices>,
     clock: Clock<'a>,
     faults: &'a [String],
 }
@@ -45,6 +48,14 @@ struct Branch<'a> {
     predicted: Prediction,
     actual: Mapped,
     parts: Vec<Branch<'a>>,
+}
+
+/// Slices of a Virtex-II by the fitted rule and by the two limits of packing.
+#[derive(Serialize)]
+struct Slices {
+    estimate: u64,
+    dense: u64,
+    related_only: u64,
 }
 
 /// Frequencies in MHz.
@@ -132,6 +143,12 @@ impl<'a> Summary<'a> {
             device: &params.device,
             counted_for: report.counted_for.name,
             units: (&report.top).into(),
+            capacity: report.counted_for.capacity.into(),
+            slices: report.slices().map(|s| Slices {
+                estimate: s.fitted,
+                dense: s.dense,
+                related_only: s.related_only,
+            }),
             clock: Clock {
                 target: params.frequency,
                 scheduled: *scheduled,

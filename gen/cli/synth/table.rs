@@ -4,7 +4,10 @@ use crate::params::Params;
 use crate::synth::{CriticalPath, Report, Routed, Unit};
 use std::fmt::Write;
 
-/// Bits of the name column.
+/// Slices of the part that estimates are for, an XC2V6000.
+const SLICES: u64 = 33_792;
+
+/// Width of the name column.
 const NAME: usize = 36;
 
 /// The tree of units, totals, shares of the part, clock and critical path.
@@ -70,12 +73,32 @@ fn difference(predicted: u64, actual: u64) -> String {
 }
 
 fn shares(text: &mut String, report: &Report) {
-    let cells = report.top.actual;
+    let (cells, capacity) = (report.top.actual, report.counted_for.capacity);
+    let share = |used: u64, all: u64| format!("{used} of {all} ({:.1} %)", 100.0 * used as f64 / all as f64);
+    let luts = cells.resources.luts + cells.resources.memory_luts;
+    let _ = writeln!(
+        text,
+        "{}: {} multipliers, {} LUTs with shift registers and memory, {} flip-flops",
+        report.counted_for.name,
+        share(cells.resources.multipliers, capacity.multipliers),
+        share(luts, capacity.luts),
+        share(cells.resources.flip_flops, capacity.flip_flops),
+    );
     if cells.registered_multipliers > 0 {
         let _ = writeln!(
             text,
             "{} of the multipliers are MULT18X18S and take up {} flip-flops, which are not counted above",
             cells.registered_multipliers, cells.absorbed_flip_flops
+        );
+    }
+    if let Some(slices) = report.slices() {
+        let all = SLICES;
+        let _ = writeln!(
+            text,
+            "slices, estimated: {}; {} packed densely, {} if only related logic shares a slice",
+            share(slices.fitted, all),
+            slices.dense,
+            slices.related_only
         );
     }
 }

@@ -80,7 +80,8 @@ impl<'a> Reader<'a> {
         let mut next = 0;
         loop {
             let Some(i) = ready.pop_front() else {
-                let waiting = |i: &usize| self.bits[*i].is_none() && matches!(signals[*i].driver, Driver::Register { .. });
+                let waiting =
+                    |i: &usize| self.bits[*i].is_none() && matches!(signals[*i].driver, Driver::Register { .. });
                 let Some(i) = (next..signals.len()).find(waiting) else { break };
                 next = i + 1;
                 let first = self.registers.all.len();
@@ -160,7 +161,8 @@ impl<'a> Reader<'a> {
         resources.multipliers = products as u64;
         for (chain, bits) in self.words.chains.iter().zip(&live.chains) {
             let carries = if chain.sums { bits.saturating_sub(1) } else { *bits };
-            resources.carry += fabric.carry_bits(if fabric.chains == Chains::Complete { *bits } else { carries }) as u64;
+            resources.carry +=
+                fabric.carry_bits(if fabric.chains == Chains::Complete { *bits } else { carries }) as u64;
         }
         roots.sort_unstable();
         let delays = self.registers.count(&live.registers, &roots, &self.words);
