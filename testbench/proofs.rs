@@ -34,11 +34,10 @@ use settings::Setting;
 
 /// Proves all claims; prints the table and fails if one is refuted or a mutant survives.
 fn prove(title: &str, claims: Vec<Claim>) {
-    let ghdl = match tools::ghdl() {
-        Ok(ghdl) => ghdl,
-        Err(missing) => return table::print(&format!("{title}: skipped: {missing}\n")),
-    };
-    let rows: Vec<claim::Row> = claims.par_iter().map(|claim| claim.run(ghdl)).collect();
+    if let Some(missing) = tools::missing() {
+        return table::print(&format!("{title}: skipped: {missing}\n"));
+    }
+    let rows: Vec<claim::Row> = claims.par_iter().map(|claim| claim.run()).collect();
     table::print(&table::text(title, &rows));
     let failures: Vec<String> = rows.iter().flat_map(table::failures).collect();
     assert!(failures.is_empty(), "{}", failures.join("\n"));

@@ -1,8 +1,9 @@
-//! Project files for ISE, one folder a device: the last release with Virtex-II is 10.1, Spartan-6 ends with 14.7.
+//! Project files for ISE, one folder a device that ISE knows: the last release with Virtex-II is 10.1, Spartan-6 ends
+//! with 14.7. Other families have other tools and no project here.
 
 use super::{origin, FileSet};
 use crate::design::Design;
-use crate::device::{self, Device};
+use crate::device::{self, Device, Family};
 use askama::Template;
 
 #[derive(Template)]
@@ -54,34 +55,36 @@ pub(super) struct Project {
 }
 
 impl Project {
-    fn new(device: &'static Device) -> Self {
+    /// The project of a device, if ISE knows its family.
+    fn new(device: &'static Device) -> Option<Self> {
         let part = device.part;
-        let (releases, project, options): (_, _, &[&str]) = match part.family {
-            "Virtex2" => (
+        let (releases, project, options): (_, _, &[&str]) = match device.family {
+            Family::Virtex2 => (
                 "ISE 8.1 to 10.1",
                 "efsat.ise",
                 &["-glob_opt AllClockNets", "-mult_style auto", "-max_fanout 500", "-slice_utilization_ratio 100"],
             ),
-            _ => (
+            Family::Spartan6 => (
                 "ISE 14.7",
                 "efsat.xise",
                 &["-glob_opt AllClockNets", "-use_dsp48 Auto", "-max_fanout 100000", "-shreg_min_size 2"],
             ),
+            Family::Series7 | Family::Ecp5 => return None,
         };
-        Self {
+        Some(Self {
             part: format!("{}{}-{}", part.device, part.speed, part.package),
             folder: format!("ise/{}", part.family.to_lowercase()),
             releases,
             project,
             options,
             device,
-        }
+        })
     }
 }
 
-/// One project a device.
+/// One project a device of ISE.
 pub(super) fn projects() -> Vec<Project> {
-    device::all().iter().map(Project::new).collect()
+    device::all().iter().filter_map(Project::new).collect()
 }
 
 /// Adds all projects; `sources` are the synthesizable files in dependency order.

@@ -1,13 +1,17 @@
 //! Device models: what an operation of a given width takes on a target part, in nanoseconds and in parts.
 //!
-//! The Virtex-II figures are read from public XST 10.1.03 reports for xc2v6000-4 (speed data PRODUCTION 1.121): LUT
-//! 0.439 ns, carry 0.053 ns a bit, flip-flop 0.568 ns clock to output and 0.370 ns set-up, nets of fan-out 1 and 2-3
-//! 0.61 and 0.83 ns, multiplier output bit k after 3.111 + 0.207 k ns. The split of a pipelined MULT18X18S in set-up
-//! and clock-to-output was never published in such a report; a product therefore takes as many registers as its
-//! combinational delay needs. The other parts are estimates after their data sheets and say so.
+//! One file a family; each says where its figures come from and which of them are not known (docs/devices.md says the
+//! same to readers). Delays serve the scheduler, which counts in nets, look-up tables, carry chains and multipliers;
+//! the [`Fabric`] serves predictions of parts.
 
+mod ecp5;
+mod fabric;
 pub mod resources;
+mod series7;
+mod spartan6;
+pub mod virtex2;
 
+pub use fabric::{Chains, Fabric, MultiplierRegisters};
 pub use resources::Resources;
 
 /// A target part.
@@ -15,12 +19,18 @@ pub use resources::Resources;
 pub struct Device {
     /// Name on the command line.
     pub name: &'static str,
-    /// What the project files call it: family, device, package, speed grade.
+    /// Family.
+    pub family: Family,
+    /// What project files call it.
     pub part: Part,
+    /// What there is on the part.
+    pub capacity: Resources,
     /// Hardware multipliers on the part.
     pub multipliers: u32,
-    /// Where the figures come from.
+    /// Where the delays come from.
     pub source: &'static str,
+    /// How logic is mapped to it.
+    pub fabric: &'static Fabric,
     /// Clock to output of a flip-flop.
     clock_to_output: f64,
     /// Set-up of a flip-flop.
@@ -37,58 +47,38 @@ pub struct Device {
     carry_bit: f64,
     /// A product's bit k: base + k * step.
     product: (f64, f64),
-    /// Inputs of a LUT.
-    lut_inputs: u32,
+}
+
+/// Families, by the tools that serve them.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Family {
+    /// Virtex-II: ISE up to 10.1.
+    Virtex2,
+    /// Spartan-6: ISE up to 14.7.
+    Spartan6,
+    /// 7-series: Vivado.
+    Series7,
+    /// ECP5: nextpnr, Diamond.
+    Ecp5,
 }
 
 /// Names of a part in vendor project files.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Part {
-    /// Family, as `xtclsh` takes it.
+    /// Family.
     pub family: &'static str,
     /// Device.
     pub device: &'static str,
     /// Package.
     pub package: &'static str,
-    /// Speed grade with its dash.
+    /// Speed grade, with its dash.
     pub speed: &'static str,
 }
 
 /// A multiplier takes signed operands of at most this many bits.
 pub const MULTIPLIER_BITS: u32 = 18;
 
-const DEVICES: [Device; 2] = [
-    Device {
-        name: "xc2v6000-4",
-        part: Part { family: "Virtex2", device: "xc2v6000", package: "bf957", speed: "-4" },
-        multipliers: 144,
-        source: "public XST 10.1.03 reports for xc2v6000-4",
-        clock_to_output: 0.568,
-        setup: 0.370,
-        lut: 0.439,
-        net: 0.83,
-        wide_net: 1.5,
-        carry: 2.011,
-        carry_bit: 0.053,
-        product: (3.111, 0.207),
-        lut_inputs: 4,
-    },
-    Device {
-        name: "xc6slx150-3",
-        part: Part { family: "Spartan6", device: "xc6slx150", package: "fgg676", speed: "-3" },
-        multipliers: 180,
-        source: "estimated after the Spartan-6 data sheet",
-        clock_to_output: 0.45,
-        setup: 0.40,
-        lut: 0.21,
-        net: 0.85,
-        wide_net: 1.3,
-        carry: 0.70,
-        carry_bit: 0.025,
-        product: (3.2, 0.03),
-        lut_inputs: 6,
-    },
-];
+const DEVICES: [Device; 4] = [virtex2::XC2V6000, spartan6::XC6SLX150, series7::XC7A200T, ecp5::LFE5U_85];
 
 /// A device name that is not known.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -132,15 +122,31 @@ impl Device {
         self.setup
     }
 
-    /// Delay of a carry chain of that many bits (adder, or comparator at two bits a stage), the net before it
-    /// included.
+    /// Delay of a carry chain of that many bits, the net before it included.
     pub fn chain(&self, bits: u32) -> f64 {
         self.net + self.carry + self.carry_bit * f64::from(bits.saturating_sub(2))
     }
 
+    /// Delay of a comparison of two words: a carry chain of two bits a stage; where the chain is [`Chains::Complete`], one
+    /// of all bits, and the flag from two of its carries and the sign.
+    pub fn comparison(&self, bits: u32) -> f64 {
+        match self.fabric.chains {
+            Chains::WithTables => self.chain(bits.div_ceil(2)),
+            Chains::Complete => self.chain(bits) + self.chain(2) + self.tree(2),
+        }
+    }
+
+    /// Delay of a negation under a flag: a chain, and a LUT of its own in front of a complete one.
+    pub fn conditional_negation(&self, bits: u32) -> f64 {
+        match self.fabric.chains {
+            Chains::WithTables => self.chain(bits),
+            Chains::Complete => self.tree(2) + self.chain(bits),
+        }
+    }
+
     /// Delay of a tree of LUTs over that many inputs.
     pub fn tree(&self, inputs: u32) -> f64 {
-        let levels = f64::from(inputs.max(2)).log(f64::from(self.lut_inputs)).ceil();
+        let levels = f64::from(inputs.max(2)).log(self.fabric.lut_inputs() as f64).ceil();
         levels * (self.net + self.lut)
     }
 
@@ -173,6 +179,9 @@ mod tests {
 
     #[test]
     fn an_unknown_device_names_the_known() {
-        assert_eq!(find("xc7").unwrap_err().to_string(), "--device xc7: legal is one of xc2v6000-4, xc6slx150-3");
+        assert_eq!(
+            find("xc7").unwrap_err().to_string(),
+            "--device xc7: legal is one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6"
+        );
     }
 }

@@ -11,18 +11,15 @@ pub(super) fn operation(unit: &Unit, i: usize) -> String {
     let arg = |k: usize| node.args.get(k).map_or(String::new(), |a| operand(unit, a.0));
     let both = |sign: &str| (format!("{} {sign} {}", arg(0), arg(1)), format!("a {sign} b"));
     let one = |name: &str| (format!("{name}({})", arg(0)), name.to_owned());
-    let two = |name: &str| (format!("{name}({}, {})", arg(0), arg(1)), name.to_owned());
     let plain = |text: String| (text.clone(), text);
     let (long, short) = match &node.op {
         Op::Input => plain("input".to_owned()),
         Op::Add => both("+"),
         Op::Subtract => both("\u{2212}"),
         Op::Negate => (format!("\u{2212}{}", arg(0)), "\u{2212}a".to_owned()),
+        Op::NegateIf => (format!("{} ? \u{2212}{1} : {1}", arg(0), arg(1)), "c ? \u{2212}a : a".to_owned()),
         Op::Multiply => both("\u{d7}"),
-        Op::Less => both("<"),
         Op::Equal => both("="),
-        Op::Minimum => two("min"),
-        Op::Maximum => two("max"),
         Op::And => both("and"),
         Op::Or => both("or"),
         Op::Not => (format!("not {}", arg(0)), "not".to_owned()),

@@ -410,9 +410,10 @@ fn users(unit: &Unit) -> Vec<Vec<usize>> {
 pub(super) fn delay(device: &Device, op: &Op, args: &[Type], result: Type) -> f64 {
     let widest = args.iter().map(|a| a.bits).max().unwrap_or(0);
     match op {
-        Op::Add | Op::Subtract | Op::Negate | Op::NegateIf | Op::Magnitude => device.chain(result.bits),
-        Op::Equal => device.chain(widest.div_ceil(2)),
-        Op::Clamp(..) => device.chain(widest.div_ceil(2)) + device.mux(2),
+        Op::Add | Op::Subtract | Op::Negate => device.chain(result.bits),
+        Op::NegateIf | Op::Magnitude => device.conditional_negation(result.bits),
+        Op::Equal => device.comparison(widest),
+        Op::Clamp(..) => device.comparison(widest) + device.mux(2),
         Op::Multiply => device.product(result.bits),
         Op::And | Op::Or | Op::Not | Op::ScanOr => device.tree(2),
         Op::AnyBit => device.tree(widest),

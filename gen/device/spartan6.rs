@@ -1,0 +1,27 @@
+//! Spartan-6, speed grade 3.
+//!
+//! The delays are estimates after the data sheet (DS162) and reports of XST; none of them was checked by a run of the
+//! vendor's tools. What is on the part is from the family overview (DS160): 92,152 look-up tables, 184,304 flip-flops,
+//! 180 multipliers (DSP48A1), 23,038 slices. Not known: how DS162's set-up and clock-to-output of the multiplier's
+//! registers divide its delay; a product takes registers for the delay without them.
+
+use super::{fabric, Device, Family, Part, Resources};
+
+/// The largest of the family.
+pub(super) const XC6SLX150: Device = Device {
+    name: "xc6slx150-3",
+    family: Family::Spartan6,
+    part: Part { family: "Spartan6", device: "xc6slx150", package: "fgg676", speed: "-3" },
+    capacity: Resources { multipliers: 180, luts: 92_152, memory_luts: 21_680, flip_flops: 184_304, carry: 46_076 },
+    multipliers: 180,
+    source: "estimated after the Spartan-6 data sheet",
+    fabric: &fabric::SIX_INPUTS,
+    clock_to_output: 0.45,
+    setup: 0.40,
+    lut: 0.21,
+    net: 0.85,
+    wide_net: 1.3,
+    carry: 0.70,
+    carry_bit: 0.025,
+    product: (3.2, 0.03),
+};

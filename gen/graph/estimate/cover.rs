@@ -1,0 +1,179 @@
+//! Covering gates by look-up tables: cuts of at most k leaves, first the shallowest, then the cheapest by area flow.
+//!
+//! A cut of a gate is a set of gates from which it can be computed; one look-up table does it if the set has at most k
+//! members. As synthesis does, the first cover makes every gate as early as it can be; the ones after it take cheaper
+//! cuts where no root gets later than the latest of the first. Area flow shares the price of a leaf among its users,
+//! which are those of the gates at first and afterwards those of the cover found before.
+
+use super::gates::{Bit, Gate, Gates};
+
+/// Cuts kept for a gate.
+const CUTS: usize = 12;
+
+/// Covers tried, each from the users of the one before.
+const ROUNDS: usize = 4;
+
+#[derive(Clone)]
+struct Cut {
+    leaves: Vec<u32>,
+    flow: f64,
+    /// Tables in a row.
+    depth: u32,
+}
+
+/// The look-up tables that compute `roots`, by their number of inputs (entry i: those with i inputs), at `prices[i]`
+/// for a table of i inputs; at most as many inputs as there are prices, less one.
+pub(super) fn cover(gates: &Gates, roots: &[Bit], prices: &[f64]) -> Vec<u64> {
+    let mut users = vec![0u32; gates.all.len()];
+    for gate in needed(gates, roots) {
+        gates.all[gate].operands().for_each(|o| users[o] += 1);
+    }
+    roots.iter().for_each(|r| users[r.gate()] += 1);
+    let mut required: Vec<u32> = vec![0; gates.all.len()];
+    let mut latest = None;
+    let mut best: Option<(f64, Vec<u64>)> = None;
+    for _ in 0..ROUNDS {
+        let cuts = choose(gates, &users, prices, &required);
+        let end = *latest.get_or_insert_with(|| roots.iter().map(|r| cuts[r.gate()].depth).max().unwrap_or(0));
+        let mut tables = vec![0; prices.len()];
+        users.iter_mut().for_each(|n| *n = 0);
+        required.iter_mut().for_each(|r| *r = u32::MAX);
+        for root in roots {
+            users[root.gate()] += 1;
+            required[root.gate()] = end;
+        }
+        // Gates are in order, so that the users of each come after it.
+        for gate in (0..gates.all.len()).rev().filter(|g| !matches!(gates.all[*g], Gate::Zero | Gate::Leaf)) {
+            if users[gate] == 0 {
+                continue;
+            }
+            let leaves = &cuts[gate].leaves;
+            tables[leaves.len()] += 1;
+            for leaf in leaves {
+                users[*leaf as usize] += 1;
+                let earlier = required[gate].saturating_sub(1);
+                required[*leaf as usize] = required[*leaf as usize].min(earlier);
+            }
+        }
+        let price = tables.iter().zip(prices).map(|(n, price)| *n as f64 * price).sum();
+        if best.as_ref().is_none_or(|b| price < b.0) {
+            best = Some((price, tables));
+        }
+    }
+    best.map_or(vec![], |b| b.1)
+}
+
+/// The gates on which the roots depend.
+fn needed(gates: &Gates, roots: &[Bit]) -> Vec<usize> {
+    let mut seen = vec![false; gates.all.len()];
+    let mut open: Vec<usize> = roots.iter().map(|r| r.gate()).collect();
+    let mut all = vec![];
+    while let Some(gate) = open.pop() {
+        if !std::mem::replace(&mut seen[gate], true) {
+            all.push(gate);
+            open.extend(gates.all[gate].operands());
+        }
+    }
+    all
+}
+
+/// The best cut of every gate: the cheapest that is not later than required, else the shallowest.
+fn choose(gates: &Gates, users: &[u32], prices: &[f64], required: &[u32]) -> Vec<Cut> {
+    let most = prices.len() - 1;
+    let mut cuts: Vec<Vec<Cut>> = vec![];
+    for (i, gate) in gates.all.iter().enumerate() {
+        if matches!(gate, Gate::Zero | Gate::Leaf) {
+            let leaves = if *gate == Gate::Leaf { vec![i as u32] } else { vec![] };
+            cuts.push(vec![Cut { leaves, flow: 0.0, depth: 0 }]);
+            continue;
+        }
+        let unions = gate.operands().fold(vec![vec![]], |unions: Vec<Vec<u32>>, operand| {
+            let pairs = unions.iter().flat_map(|u| cuts[operand].iter().map(move |c| union(u, &c.leaves)));
+            pairs.filter(|u| u.len() <= most).collect()
+        });
+        let price = |leaves: Vec<u32>| {
+            let below: f64 = leaves.iter().map(|l| cuts[*l as usize][0].flow).sum();
+            let depth = leaves.iter().map(|l| cuts[*l as usize][0].depth).max().unwrap_or(0) + 1;
+            Cut { flow: below + prices[leaves.len()], leaves, depth }
+        };
+        let mut own: Vec<Cut> = unions.into_iter().map(price).collect();
+        let key = |cut: &Cut| if cut.depth <= required[i] { 0 } else { cut.depth };
+        own.sort_by(|a, b| {
+            let by_depth = key(a).cmp(&key(b));
+            by_depth.then(a.flow.total_cmp(&b.flow)).then_with(|| a.leaves.cmp(&b.leaves))
+        });
+        own.dedup_by(|a, b| a.leaves == b.leaves);
+        // The shallowest stays, whatever its price.
+        let shallowest = own.iter().min_by_key(|cut| cut.depth).cloned();
+        own.truncate(CUTS);
+        own.extend(shallowest);
+        // What users of this gate pay when they take it as a leaf; the cut that computes it comes first.
+        own[0].flow /= f64::from(users[i].max(1));
+        let itself = Cut { leaves: vec![i as u32], ..own[0].clone() };
+        own.push(itself);
+        cuts.push(own);
+    }
+    cuts.into_iter().map(|mut own| own.swap_remove(0)).collect()
+}
+
+/// The union of two sorted sets.
+fn union(a: &[u32], b: &[u32]) -> Vec<u32> {
+    let mut all = [a, b].concat();
+    all.sort_unstable();
+    all.dedup();
+    all
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FOUR: [f64; 5] = [0.0, 1.0, 1.0, 1.0, 1.0];
+
+    fn tables(gates: &Gates, roots: &[Bit]) -> u64 {
+        cover(gates, roots, &FOUR).iter().sum()
+    }
+
+    #[test]
+    fn a_table_takes_what_has_four_inputs() {
+        let mut gates = Gates::new();
+        let x: Vec<Bit> = (0..8).map(|_| gates.leaf()).collect();
+        let four = gates.any(&x[..4]);
+        let eight = gates.any(&x);
+        assert_eq!(tables(&gates, &[four]), 1);
+        assert_eq!(tables(&gates, &[!four]), 1, "complements are absorbed");
+        assert_eq!(tables(&gates, &[eight]), 3);
+        assert_eq!(tables(&gates, &[eight, four]), 3, "what is there already is used");
+        assert_eq!(tables(&gates, &[x[0], !x[1], Bit::ONE]), 0, "copies take none");
+    }
+
+    #[test]
+    fn a_choice_before_an_exclusive_disjunction_is_one_table() {
+        let mut gates = Gates::new();
+        let [s, a, b, c] = [0; 4].map(|_| gates.leaf());
+        let mux = gates.mux(s, a, b);
+        let sum = gates.xor(mux, c);
+        assert_eq!(tables(&gates, &[sum]), 1);
+        assert_eq!(tables(&gates, &[sum, mux]), 2, "the choice is needed as well");
+    }
+
+    #[test]
+    fn a_table_as_dear_as_three_is_taken_where_it_is_earlier() {
+        let mut gates = Gates::new();
+        let x: Vec<Bit> = (0..6).map(|_| gates.leaf()).collect();
+        let low = gates.mux(x[0], x[2], x[3]);
+        let high = gates.mux(x[0], x[4], x[5]);
+        let four_to_one = gates.mux(x[1], low, high);
+        let prices = [0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 4.0];
+        assert_eq!(cover(&gates, &[four_to_one], &prices)[6], 1);
+        // One root that is late anyway takes the haste away.
+        let late = x.iter().fold(four_to_one, |chain, bit| {
+            let other = gates.leaf();
+            let and = gates.and(chain, *bit);
+            gates.xor(and, other)
+        });
+        let deep = gates.any(&[late, x[0]]);
+        let _ = deep;
+        assert_eq!(cover(&gates, &[four_to_one, late], &prices)[6], 0);
+    }
+}
