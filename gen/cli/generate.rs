@@ -2,12 +2,14 @@
 
 use super::error::Failure;
 use super::output::print;
-use super::params::ParamArguments;
-use crate::artefact::{design_files, FileSet};
+use super::params::{choice, ParamArguments};
+use crate::artefact::{design_files_with, FileSet};
 use crate::design::Design;
+use crate::params::options::Choice;
+use crate::params::stream::StreamWidth;
 use std::path::{Path, PathBuf};
 
-/// Writes the design: VHDL, testbench, vectors, ISE projects and a manifest
+/// Writes the design: VHDL, stream wrapper, example, testbenches, vectors, projects for tools and a manifest
 ///
 /// DIR may be absent, empty, or written by efsat before; files in it that efsat did not write stay. Everything or
 /// nothing is written.
@@ -19,6 +21,10 @@ pub(super) struct Arguments {
     /// Write nothing; fail if DIR differs by a byte from what would be written
     #[arg(long)]
     check: bool,
+    /// Bits of a word into the AXI4-Stream wrapper
+    #[arg(long, value_name = "BITS", default_value = StreamWidth::default().name())]
+    #[arg(value_parser = choice::<StreamWidth>(), allow_negative_numbers = true)]
+    stream_width: StreamWidth,
     #[command(flatten)]
     params: ParamArguments,
 }
@@ -26,7 +32,9 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     let design = Design::new(&params, false)?;
-    let set = design_files(&design, &params.command_line()).map_err(|e| Failure::Check(e.to_string()))?;
+    let command_line = format!("{} --stream-width {}", params.command_line(), arguments.stream_width.name());
+    let set =
+        design_files_with(&design, arguments.stream_width, &command_line).map_err(|e| Failure::Check(e.to_string()))?;
     if arguments.check {
         return check(&set, &arguments.out);
     }
