@@ -3,12 +3,14 @@
 use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::print;
-use super::params::ParamArguments;
-use crate::artefact::{design_files, programme_files, FileSet};
+use super::params::{choice, ParamArguments};
+use crate::artefact::{design_files_with, programme_files, FileSet};
 use crate::design::Design;
+use crate::params::options::Choice;
+use crate::params::stream::StreamWidth;
 use std::path::{Path, PathBuf};
 
-/// Writes the design: VHDL, testbench, vectors, ISE projects and a manifest
+/// Writes the design: VHDL, stream wrapper, example, testbenches, vectors, projects for tools and a manifest
 ///
 /// DIR may be absent, empty, or written by efsat before; files in it that efsat did not write stay. Everything or
 /// nothing is written.
@@ -25,6 +27,10 @@ pub(super) struct Arguments {
     lp: Option<PathBuf>,
     #[command(flatten)]
     diagram: DiagramArguments,
+    /// Bits of a word into the AXI4-Stream wrapper
+    #[arg(long, value_name = "BITS", default_value = StreamWidth::default().name())]
+    #[arg(value_parser = choice::<StreamWidth>(), allow_negative_numbers = true)]
+    stream_width: StreamWidth,
     #[command(flatten)]
     params: ParamArguments,
 }
@@ -40,7 +46,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.diagram.wanted() {
         return arguments.diagram.run(&design);
     }
-    let set = design_files(&design, &params.command_line()).map_err(|e| Failure::Check(e.to_string()))?;
+    let command_line = format!("{} --stream-width {}", params.command_line(), arguments.stream_width.name());
+    let set =
+        design_files_with(&design, arguments.stream_width, &command_line).map_err(|e| Failure::Check(e.to_string()))?;
     if arguments.check {
         return check(&set, &arguments.out);
     }

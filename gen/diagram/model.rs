@@ -242,8 +242,8 @@ fn kind(op: &Op) -> Kind {
     match op {
         Op::Input => Kind::Port,
         Op::Multiply => Kind::Product,
-        Op::Add | Op::Subtract | Op::Negate | Op::Magnitude => Kind::Sum,
-        Op::Less | Op::Equal | Op::Minimum | Op::Maximum | Op::Clamp(..) => Kind::Comparison,
+        Op::Add | Op::Subtract | Op::Negate | Op::NegateIf | Op::Magnitude => Kind::Sum,
+        Op::Equal | Op::Clamp(..) => Kind::Comparison,
         Op::Select | Op::Choose { .. } => Kind::Choice,
         Op::And | Op::Or | Op::Not | Op::AnyBit | Op::Lookup(..) | Op::ScanOr => Kind::Logic,
         Op::Instance(_) => Kind::Instance,
