@@ -59,11 +59,7 @@ pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, Desi
 ///
 /// # Errors
 /// As [`design_files`].
-pub fn design_files_with(
-    design: &Design,
-    width: StreamWidth,
-    command_line: &str,
-) -> Result<FileSet, DesignFilesError> {
+pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str) -> Result<FileSet, DesignFilesError> {
     let mut set = FileSet::default();
     let mut described = vec![];
     let mut core = vec![];

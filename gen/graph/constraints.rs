@@ -132,9 +132,8 @@ impl<'a> Constraints<'a> {
                 });
                 let sources: Vec<(bool, Vec<Window>)> = sources.map(|(open, w)| (open, w.clone())).collect();
                 let open = sources.iter().filter(|s| s.0 && !slot.registered).flat_map(|s| &s.1);
-                let mut windows: Vec<Window> = open
-                    .map(|w| Window { from: w.from.later(registers), until: w.until.later(registers) })
-                    .collect();
+                let mut windows: Vec<Window> =
+                    open.map(|w| Window { from: w.from.later(registers), until: w.until.later(registers) }).collect();
                 if slot.registered || sources.iter().any(|s| !s.0) {
                     // Operands captured again in the clock in which the node starts.
                     let start = self.variable(i);
