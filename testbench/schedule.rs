@@ -77,7 +77,8 @@ fn modules_have_the_registers_that_the_programme_counts() {
                     // Uses of a per-pair value share its captures where they can, which no programme counts.
                     let most = if schedule.programme.held.is_empty() { counted } else { counted * 4 / 3 };
                     let least = if schedule.programme.held.is_empty() { counted } else { counted * 3 / 4 };
-                    (own > most || own < least).then(|| format!("{}: {name}: {own}, counted {counted}", params.command_line()))
+                    (own > most || own < least)
+                        .then(|| format!("{}: {name}: {own}, counted {counted}", params.command_line()))
                 })
                 .collect::<Vec<_>>()
         })

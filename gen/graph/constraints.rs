@@ -89,7 +89,7 @@ impl<'a> Constraints<'a> {
                 }
                 Valid::Pair(windows) => {
                     let reading = Reading { first: out, last: out, captured: false };
-                    all.hold(node.0, &windows, reading, true);
+                    all.hold(node.0, &windows, reading);
                 }
             }
         }
@@ -124,10 +124,12 @@ impl<'a> Constraints<'a> {
             Op::Input if slot.until == i32::MAX => Valid::Stream(PORTS),
             Op::Input => Valid::Pair(vec![Window { from: PORTS, until: PORTS.later(interval) }]),
             Op::Constant(_) | Op::Phase(..) => Valid::Always,
+            // What no output depends on is no hardware and follows the others.
+            _ if !self.live[i] => Valid::Always,
             _ if unit.renames(i) => self.valid[node.args[0].0].clone(),
             Op::Output(_) => self.valid[node.args[0].0].clone(),
             Op::Hold { phase, lagged } => {
-                self.programme.fixed += if self.live[i] { bits } else { 0 };
+                self.programme.fixed += bits;
                 let lag = if *lagged { self.pass.lag_clocks() } else { 0 };
                 let Valid::Stream(from) = self.valid[node.args[0].0] else { return Valid::Always };
                 let from = from.later(*phase as i32 + 1 + lag);
@@ -138,7 +140,6 @@ impl<'a> Constraints<'a> {
                 let registers = slot.from - slot.start;
                 match op {
                     Op::Instance(_) => {}
-                    _ if !self.live[i] => {}
                     Op::ScanOr => self.programme.fixed += bits,
                     _ => self.programme.fixed += bits * registers as u64,
                 }
@@ -185,7 +186,7 @@ impl<'a> Constraints<'a> {
     fn uses(&mut self, i: usize) {
         let (unit, slot) = (self.pass.unit, self.earliest[i]);
         let Some(variable) = self.variables[i] else { return };
-        let (start, live) = (Event { variable, offset: 0 }, self.live[i]);
+        let start = Event { variable, offset: 0 };
         if let Op::Choose { lagged } = &unit.nodes[i].op {
             let limit = slot.ns - self.pass.device.mux(lagged.len());
             for (leg, lagged) in lagged.iter().enumerate() {
@@ -197,14 +198,12 @@ impl<'a> Constraints<'a> {
                     Valid::Always => {}
                     Valid::Stream(from) => {
                         self.order(from, start);
-                        if live {
-                            self.carry(arg, start);
-                        }
+                        self.carry(arg, start);
                     }
                     Valid::Pair(windows) => {
                         let captured = self.earliest[arg].ns > limit + 1e-9;
                         let (first, last) = (start.later(first as i32 + lag), start.later(last as i32 + lag));
-                        self.hold(arg, &windows, Reading { first, last, captured }, live);
+                        self.hold(arg, &windows, Reading { first, last, captured });
                     }
                 }
             }
@@ -215,14 +214,14 @@ impl<'a> Constraints<'a> {
                 Valid::Always => {}
                 Valid::Stream(from) => {
                     self.order(from, start);
-                    if live {
-                        self.carry(arg, start);
-                    }
+                    self.carry(arg, start);
                 }
+                // What is open and not captured passes its window on.
+                Valid::Pair(_) if !slot.registered && self.earliest[arg].until > slot.start => {}
                 Valid::Pair(windows) => {
                     let captured = slot.registered && self.earliest[arg].ns > self.pass.launch();
                     let last = start.later(self.pass.interval() - 1);
-                    self.hold(arg, &windows, Reading { first: start, last, captured }, live);
+                    self.hold(arg, &windows, Reading { first: start, last, captured });
                 }
             }
         }
@@ -251,14 +250,11 @@ impl<'a> Constraints<'a> {
         }
     }
 
-    /// A per-pair value is used; where the user is live that may cost captures.
-    fn hold(&mut self, i: usize, windows: &[Window], reading: Reading, live: bool) {
+    /// A per-pair value is used.
+    fn hold(&mut self, i: usize, windows: &[Window], reading: Reading) {
         let i = self.carrier(i);
         for w in windows {
             self.order(w.from.later(i32::from(reading.captured)), reading.first);
-        }
-        if !live {
-            return;
         }
         let held = &mut self.programme.held;
         let place = *self.held[i].get_or_insert_with(|| {

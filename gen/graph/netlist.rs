@@ -175,7 +175,8 @@ impl Module {
         };
         let mut reads = vec![0; self.signals.len()];
         let read = self.signals.iter().flat_map(|s| s.driver.operands());
-        let read = read.chain(self.outputs.iter().map(|o| o.1)).chain(self.instances.iter().flat_map(|i| i.inputs.clone()));
+        let read =
+            read.chain(self.outputs.iter().map(|o| o.1)).chain(self.instances.iter().flat_map(|i| i.inputs.clone()));
         read.for_each(|id| reads[id.0] += 1);
         // A register goes on in the one register that alone reads it.
         let inner = |id: SignalId| copied(id).is_some() && reads[id.0] == 1;

@@ -125,7 +125,14 @@ impl Scheduler {
         let lagged = unit.nodes.iter().any(|n| matches!(&n.op, Op::Choose { lagged } if lagged.contains(&true)));
         let lags = if lagged { 0..MOST_LAG } else { 0..1 };
         let schedule = lags
-            .map(|lag| Pass { device: self.device, period: self.period, unit, children: &children, users: users(unit), lag })
+            .map(|lag| Pass {
+                device: self.device,
+                period: self.period,
+                unit,
+                children: &children,
+                users: users(unit),
+                lag,
+            })
             .find_map(|pass| pass.run())
             .unwrap_or_else(|| panic!("unit {}: lagged legs depend on themselves", unit.name));
         let schedule = Rc::new(schedule);
@@ -202,7 +209,8 @@ impl Pass<'_> {
         let slots = self.slots(&wishes);
         let as_wished = slots.iter().zip(&variables).all(|(slot, v)| v.is_none_or(|v| slot.start == best[v]));
         // What the programme does not see (windows of values made from many) may push a node back: then nothing moves.
-        let (slots, starts) = if as_wished && self.lagged_legs_arrive(&slots) { (slots, best) } else { (earliest, starts) };
+        let (slots, starts) =
+            if as_wished && self.lagged_legs_arrive(&slots) { (slots, best) } else { (earliest, starts) };
         let register_bits = programme.cost(&starts);
         Some(self.schedule(slots, programme, register_bits))
     }
@@ -230,9 +238,7 @@ impl Pass<'_> {
         let (latency, output_ns) = self.latency(&slots);
         // Every node that starts in clock 0 lies on a path from the inputs to the first register.
         let path = |i: usize| match self.children.get(&i) {
-            Some(child) if slots[i].start == 0 && child.latency > 0 => {
-                self.arrival(i, &slots, 0).ns + child.input_path
-            }
+            Some(child) if slots[i].start == 0 && child.latency > 0 => self.arrival(i, &slots, 0).ns + child.input_path,
             _ if slots[i].from == 0 => slots[i].ns,
             // With registers behind it an operation leaves nothing of the period to what comes before.
             None if slots[i].start == 0 && !matches!(unit.nodes[i].op, Op::Hold { .. } | Op::Output(_)) => self.period,
