@@ -165,7 +165,7 @@ fn every_generated_file_is_taken_without_a_warning() {
 const BAD: [(&str, &str, &str); 6] = [
     ("latch", "signal q : std_logic;", "process (a, b) begin if a = '1' then q <= b; end if; end process; y <= q;"),
     ("", "signal q : std_logic;", "q <= a; q <= b; y <= q;"),
-    ("driver", "signal q : std_logic;", "y <= q and a;"),
+    ("", "signal q : std_logic;", "y <= q and a;"),
     (
         "bound",
         "component nothing is port (a : in std_logic; y : out std_logic); end component;",
