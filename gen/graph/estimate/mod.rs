@@ -240,3 +240,6 @@ fn operands(driver: &Driver) -> Vec<SignalId> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
