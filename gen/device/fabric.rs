@@ -85,7 +85,6 @@ impl Fabric {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
     use crate::device;
 
     #[test]
