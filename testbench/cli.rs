@@ -102,7 +102,7 @@ fn every_wrong_value_is_one_line_and_status_2() {
         ("--upper lower", "legal is one of implied, sticky"),
         ("--renormalise yes", "legal is one of on, off"),
         ("--transform rotate", "legal is one of on, translate, off"),
-        ("--device xc7", "legal is one of xc2v6000-4, xc6slx150-3"),
+        ("--device xc7", "legal is one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6"),
         ("--frequency 19", "legal is a whole number from 20 to 250"),
         ("--frequency 100.5", "legal is a whole number from 20 to 250"),
         ("--tag-width 65", "legal is a whole number from 0 to 64"),

@@ -1,4 +1,19 @@
-//! ECP5, speed grade 6.
+//! ECP5, speed grade 6 (the slowest): the open relative of Virtex-II, with 18 x 18 multipliers of its own.
+//!
+//! Cell delays are those of nextpnr-ecp5 0.11.1 (Project Trellis' timing data), read from its reports: flip-flop 0.52 ns
+//! clock to output and no set-up, LUT4 0.24, CCU2C from operand to carry 0.45, 0.07 for every cell of two bits, 0.44
+//! from carry to sum, MULT18X18D 3.93 from operand to product. Nets in these reports take 0.1 to 1.5 ns in small units;
+//! the model takes 1.3, and 2.0 for many loads, because the whole design is placed less well. What is on the part is
+//! from the family's data sheet (FPGA-DS-02012).
+//!
+//! `synth_ecp5` (Yosys 0.23) leaves the registers of MULT18X18D unused: operands come from flip-flops outside, the
+//! product goes to flip-flops outside, and both nets and the whole multiplier lie in one clock, 8 ns with this model. It
+//! moves no register either, so a second one behind a product delays and does not help.
+//!
+//! A comparison is a chain of all its bits. Signed ones need two carries and the sum of the top bit; the carries leave
+//! through a cell more ([`Device::comparison`]).
+//!
+//! Not known: nets before placement. No vendor tool was run.
 
 use super::{Chains, Device, Fabric, Family, MultiplierRegisters, Part, Resources};
 
@@ -23,7 +38,7 @@ pub(super) const LFE5U_85: Device = Device {
     part: Part { family: "ECP5U", device: "LFE5U-85F", package: "CABGA756", speed: "-6" },
     capacity: Resources { multipliers: 156, luts: 83_640, memory_luts: 41_820, flip_flops: 83_640, carry: 83_640 },
     multipliers: 156,
-    source: "nextpnr's timing data",
+    source: "nextpnr-ecp5 0.11.1 (Project Trellis), nets after routing",
     fabric: &FABRIC,
     clock_to_output: 0.52,
     setup: 0.0,
@@ -32,5 +47,6 @@ pub(super) const LFE5U_85: Device = Device {
     wide_net: 2.0,
     carry: 0.45 + 0.44,
     carry_bit: 0.07 / 2.0,
-    product: (4.0, 0.0),
+    // The net behind it included: the flip-flops are outside.
+    product: (3.93 + 1.3, 0.0),
 };

@@ -242,3 +242,6 @@ fn operands(driver: &Driver) -> Vec<SignalId> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;
