@@ -179,6 +179,9 @@ mod tests {
 
     #[test]
     fn an_unknown_device_names_the_known() {
-        assert_eq!(find("xc7").unwrap_err().to_string(), "--device xc7: legal is one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6");
+        assert_eq!(
+            find("xc7").unwrap_err().to_string(),
+            "--device xc7: legal is one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6"
+        );
     }
 }

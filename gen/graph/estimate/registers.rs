@@ -136,7 +136,8 @@ impl Registers {
             words.products.iter().flatten().flatten().for_each(|b| *operands.entry(b.gate()).or_default() += 1);
             for (i, register) in self.all.iter().enumerate().filter(|(i, _)| used[*i]) {
                 let gate = register.output.gate();
-                inside[i] |= data(i).is_some() && operands.contains_key(&gate) && operands.get(&gate) == readers.get(&gate);
+                inside[i] |=
+                    data(i).is_some() && operands.contains_key(&gate) && operands.get(&gate) == readers.get(&gate);
             }
         }
         inside
