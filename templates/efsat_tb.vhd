@@ -15,6 +15,9 @@ entity efsat_tb is
   generic (
     vectors : string := "efsat_tb.vec"
   );
+  port (
+    finished : out boolean
+  );
 end entity efsat_tb;
 
 architecture simulation of efsat_tb is
@@ -105,6 +108,7 @@ architecture simulation of efsat_tb is
   end procedure write_word;
 begin
   clk <= not clk after {{ half_period }} when not done else '0';
+  finished <= done;
 
   unit : entity work.efsat
     port map (

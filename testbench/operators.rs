@@ -5,6 +5,7 @@ use efsat::artefact::Stimulus;
 use efsat::cosim;
 use efsat::design::cross_product::COORDINATES;
 use efsat::design::interval::{self, Narrowing, Rounding};
+use efsat::design::multiply::{self, case, Span};
 use efsat::design::transform_row::{self, Quantised};
 use efsat::design::{comparator, cross_product, projection, renormalise, Design};
 use efsat::graph::evaluate::Evaluator;
@@ -91,6 +92,22 @@ impl Bench {
     }
 }
 
+/// The sign case of an interval, by its definition.
+fn sign_case(x: Bounds) -> i128 {
+    let case = match () {
+        () if 0 <= x.lo => case::POSITIVE,
+        () if x.hi <= 0 => case::NEGATIVE,
+        () if -x.lo <= x.hi => case::UPPER,
+        () => case::LOWER,
+    };
+    case as i128
+}
+
+/// The sign cases of some intervals, for the ports behind their bounds.
+fn sign_cases(x: &[Bounds]) -> Vec<i128> {
+    x.iter().map(|x| sign_case(*x)).collect()
+}
+
 /// Section 5 of the contract: four products, but [-P, P] where both factors straddle zero.
 fn product(x: Bounds, y: Bounds) -> Bounds {
     let straddles = |x: Bounds| x.lo < 0 && 0 < x.hi;
@@ -131,13 +148,45 @@ fn within_one_ulp(r: Bounds, x: Bounds, drop: i32, upper: Upper) -> bool {
 fn multiplication_is_the_contracts_on_all_small_intervals() {
     for (bits, x_bound, y_bound) in [(4, 7, 7), (5, 8, 8), (5, 15, 15), (5, 3, 15), (6, 16, 1)] {
         let ty = Type::signed(bits, 0);
-        let mut unit = Bench::new(&interval::multiply_unit("multiply", (ty, x_bound), (ty, y_bound)));
+        let mut unit = Bench::new(&multiply::multiply_unit("multiply", (ty, x_bound), (ty, y_bound)));
         for x in intervals(-x_bound..=x_bound) {
             for y in intervals(-y_bound..=y_bound) {
-                unit.run(&[x, y], &[]);
+                unit.run(&[x, y], &sign_cases(&[x, y]));
                 let found = unit.interval("");
                 assert_eq!(found, product(x, y), "{x:?} {y:?}");
                 assert!(values(x).all(|a| values(y).all(|b| contains(found, a * b))), "{x:?} {y:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn sign_cases_are_as_defined() {
+    let mut unit = Bench::new(&multiply::sign_case_unit(Type::signed(5, 0), 15));
+    for x in intervals(-15..=15) {
+        unit.run(&[x], &[]);
+        assert_eq!(unit.evaluator.output("x_sign_case"), sign_case(x), "{x:?}");
+    }
+}
+
+#[test]
+fn multiplication_of_quantised_numbers_is_the_contracts() {
+    // Upper bounds one ulp above the range (implied), or within it (sticky); one multiplier, and tiles.
+    for (m_lo, x_lo) in [(7, 5), (8, 8), (1 << 17, 3), (3, 1 << 35)] {
+        for beyond in [0, 1] {
+            let span = |lo: i128| Span { ty: Type::signed(48, 3), lo, hi: lo + beyond };
+            let mut unit = Bench::new(&multiply::quantised_multiply_unit("multiply", span(m_lo), span(x_lo)));
+            let numbers = |most: i128| {
+                let near = move |x: i128| (x - 9..=x + 9).filter(move |x| x.abs() <= most);
+                let lower: HashSet<i128> = [-most, -1 << 17, 0, 1 << 17, most].into_iter().flat_map(near).collect();
+                let ulps = lower.into_iter().flat_map(|lo| [at(lo, lo), at(lo, lo + 1)]);
+                ulps.filter(move |x| x.hi <= most + beyond).collect::<Vec<_>>()
+            };
+            for m in numbers(m_lo) {
+                for x in numbers(x_lo) {
+                    unit.run(&[], &[m.lo, m.hi - m.lo, x.lo, x.hi - x.lo]);
+                    assert_eq!(unit.interval(""), product(m, x), "{m:?} {x:?}");
+                }
             }
         }
     }
@@ -150,7 +199,7 @@ fn multiplication_in_tiles_is_exact() {
         let bound = |bits: u32| (1i128 << (bits - 1)) - 1;
         let (x_bound, y_bound) = (bound(x_bits), bound(y_bits));
         let (x_type, y_type) = (Type::signed(x_bits, 4), Type::signed(y_bits, -3));
-        let mut unit = Bench::new(&interval::multiply_unit("multiply", (x_type, x_bound), (y_type, y_bound)));
+        let mut unit = Bench::new(&multiply::multiply_unit("multiply", (x_type, x_bound), (y_type, y_bound)));
         // Values at the seams of tiles of 17 bits.
         let corners = |bound: i128| -> Vec<i128> {
             let seams = [0, 1, 1 << 16, (1 << 17) - 1, 1 << 17, (1 << 17) + 1, 1 << 33, (1 << 34) - 1, 1 << 34, bound];
@@ -159,7 +208,7 @@ fn multiplication_in_tiles_is_exact() {
         };
         let (x_corners, y_corners) = (corners(x_bound), corners(y_bound));
         let mut check = |x: Bounds, y: Bounds| {
-            unit.run(&[x, y], &[]);
+            unit.run(&[x, y], &sign_cases(&[x, y]));
             assert_eq!(unit.interval(""), product(x, y), "{x:?} {y:?}");
         };
         for &x in &x_corners {
@@ -276,7 +325,9 @@ fn sums_and_differences_are_contained_within_one_ulp() {
 fn cross_products_contain_every_cross_product() {
     let roundings = [Rounding { drop: 1, clamp: None }, Rounding { drop: 0, clamp: None }];
     for upper in UPPERS {
-        let spec = cross_product::Spec { bits: 4, left: 1, right: 1, roundings: &roundings, upper, notes: &[] };
+        let sign_case = &multiply::sign_case_unit(Type::signed(4, 0), 2);
+        let spec =
+            cross_product::Spec { bits: 4, left: 1, right: 1, roundings: &roundings, upper, notes: &[], sign_case };
         let mut unit = Bench::new(&cross_product::unit(&spec));
         tuples(&intervals(-1..=1), 6, |x| {
             let (e, f) = x.split_at(3);
@@ -306,7 +357,7 @@ fn projections_contain_every_dot_product() {
         let mut unit = Bench::new(&projection::unit(&spec));
         tuples(&intervals(-1..=1), 6, |x| {
             let (v, l) = x.split_at(3);
-            unit.run(x, &[]);
+            unit.run(x, &sign_cases(x));
             let found = unit.interval("p");
             let exact = (0..3).map(|i| product(v[i], l[i])).reduce(plus).unwrap();
             assert_eq!(found, rounded(exact, 1, upper), "{x:?}");
@@ -653,6 +704,7 @@ fn clamped_edges_and_normals_contain_the_true_ones() {
                 roundings: &[rounding],
                 upper,
                 notes: &[],
+                sign_case: &multiply::sign_case_unit(Type::signed(p.width, 0), edge_row.bound),
             };
             let mut cross = Bench::new(&cross_product::unit(&spec));
             // Half an ulp, so that the true numbers lie on and off the grid; the box is the lemma's.
@@ -781,6 +833,7 @@ fn every_row_has_the_least_integral_digits() {
                             roundings,
                             upper,
                             notes: &[],
+                            sign_case: &multiply::sign_case_unit(Type::signed(width, 0), left.max(right)),
                         })
                     });
                     let (point, axis) = (f.coordinate_a.bound.max(f.coordinate_b.bound), row.bound);
@@ -988,11 +1041,12 @@ fn an_overflow_is_reported_with_its_path() {
     assert!(overflow.path.starts_with("twice, port x"), "{overflow}");
     // A multiplier is as wide as the declared bounds of its factors; what exceeds them does not fit.
     let ty = Type::signed(6, 0);
-    assert!(analyse(&interval::multiply_unit("multiply", (ty, 31), (ty, 31))).is_ok());
+    assert!(analyse(&multiply::multiply_unit("multiply", (ty, 31), (ty, 31))).is_ok());
     let mut b = Builder::new("wrapper", 1, &[]);
     let x = interval::input(&mut b, "x", ty, (-32, 31));
-    let unit = interval::multiply_unit("multiply", (ty, 31), (ty, 31));
-    let out = interval::instance(&mut b, "product", &unit, &[x, x], &[])[0];
+    let unit = multiply::multiply_unit("multiply", (ty, 31), (ty, 31));
+    let x = multiply::Factor { bounds: x, sign_case: b.constant("x_sign_case", 0, multiply::SIGN_CASE) };
+    let out = multiply::instance(&mut b, "product", &unit, x, x);
     interval::output(&mut b, "", out);
     assert!(analyse(&b.finish()).unwrap_err().path.starts_with("product"));
 }
@@ -1002,48 +1056,42 @@ fn an_overflow_is_reported_with_its_path() {
 fn ranges_of_operations_enclose_their_values() {
     let signed = Type::signed(4, 0);
     let unsigned = Type::unsigned(3);
-    let two: [(Op, Type); 10] = [
-        (Op::Add, signed),
-        (Op::Subtract, signed),
-        (Op::Multiply, signed),
-        (Op::Less, signed),
-        (Op::Equal, signed),
-        (Op::Minimum, signed),
-        (Op::Maximum, signed),
-        (Op::And, unsigned),
-        (Op::Or, unsigned),
-        (Op::Concatenate, unsigned),
+    let alike = |op: Op, ty: Type, count: usize| (op, vec![ty; count]);
+    let all = [
+        alike(Op::Add, signed, 2),
+        alike(Op::Subtract, signed, 2),
+        alike(Op::Multiply, signed, 2),
+        alike(Op::Equal, signed, 2),
+        alike(Op::And, unsigned, 2),
+        alike(Op::Or, unsigned, 2),
+        alike(Op::Concatenate, unsigned, 2),
+        (Op::Concatenate, vec![unsigned, signed]),
+        (Op::NegateIf, vec![Type::FLAG, signed]),
+        alike(Op::Negate, signed, 1),
+        alike(Op::Magnitude, signed, 1),
+        alike(Op::SignBit, signed, 1),
+        alike(Op::Floor(2), signed, 1),
+        alike(Op::Append(2), signed, 1),
+        alike(Op::LowBits(2), signed, 1),
+        alike(Op::Clamp(3, "edge-extent"), signed, 1),
+        alike(Op::Not, unsigned, 1),
+        alike(Op::AnyBit, unsigned, 1),
     ];
-    let one: [(Op, Type); 9] = [
-        (Op::Negate, signed),
-        (Op::Magnitude, signed),
-        (Op::SignBit, signed),
-        (Op::Floor(2), signed),
-        (Op::Append(2), signed),
-        (Op::LowBits(2), signed),
-        (Op::Clamp(3, "edge-extent"), signed),
-        (Op::Not, unsigned),
-        (Op::AnyBit, unsigned),
-    ];
-    let operands = |count: usize, ops: &[(Op, Type)]| {
-        for (op, ty) in ops {
-            let types = vec![*ty; count];
-            let result = op.result(&types).unwrap();
-            let (min, max) = ty.limits();
-            tuples(&intervals(min..=max), count as u32, |x| {
-                let ranges: Vec<(i128, i128)> = x.iter().map(|x| (x.lo, x.hi)).collect();
-                let range = op.range(&ranges, &types, result);
-                let limits = result.limits();
-                assert!(limits.0 <= range.0 && range.1 <= limits.1, "{op:?} {ranges:?}: {range:?} in {result}");
-                for a in values(x[0]) {
-                    for b in x.get(1).map_or(0..=0, |x| values(*x)) {
-                        let value = op.apply(&[a, b][..count], &types, result);
-                        assert!(range.0 <= value && value <= range.1, "{op:?} {a} {b}: {value} in {range:?}");
-                    }
+    for (op, types) in all {
+        let result = op.result(&types).unwrap();
+        // The least number of a type has no negative in it, and the range says so.
+        let fits = |range: (i128, i128)| result.limits().0 <= range.0 && range.1 <= result.limits().1;
+        let operands: Vec<Vec<Bounds>> = types.iter().map(|t| intervals(t.limits().0..=t.limits().1)).collect();
+        let none = vec![at(0, 0)];
+        for x in &operands[0] {
+            for y in operands.get(1).unwrap_or(&none) {
+                let range = op.range(&[(x.lo, x.hi), (y.lo, y.hi)][..types.len()], &types, result);
+                assert!(fits(range) || matches!(op, Op::NegateIf) && y.lo == signed.limits().0, "{op:?} {x:?} {y:?}");
+                for (a, b) in values(*x).flat_map(|a| values(*y).map(move |b| (a, b))) {
+                    let value = op.apply(&[a, b][..types.len()], &types, result);
+                    assert!(range.0 <= value && value <= range.1, "{op:?} {a} {b}: {value} in {range:?}");
                 }
-            });
+            }
         }
-    };
-    operands(1, &one);
-    operands(2, &two);
+    }
 }

@@ -34,11 +34,10 @@ use settings::Setting;
 
 /// Proves all claims; prints the table and fails if one is refuted or a mutant survives.
 fn prove(title: &str, claims: Vec<Claim>) {
-    let ghdl = match tools::ghdl() {
-        Ok(ghdl) => ghdl,
-        Err(missing) => return table::print(&format!("{title}: skipped: {missing}\n")),
-    };
-    let rows: Vec<claim::Row> = claims.par_iter().map(|claim| claim.run(ghdl)).collect();
+    if let Some(missing) = tools::missing() {
+        return table::print(&format!("{title}: skipped: {missing}\n"));
+    }
+    let rows: Vec<claim::Row> = claims.par_iter().map(|claim| claim.run()).collect();
     table::print(&table::text(title, &rows));
     let failures: Vec<String> = rows.iter().flat_map(table::failures).collect();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
@@ -76,11 +75,14 @@ fn products() {
         if settings::full() { &[(19, 2), (2, 19), (19, 4), (36, 2)] } else { &[(19, 2), (2, 19)] };
     claims.extend(tiled.iter().map(|bits| products::in_tiles(*bits)));
     let setting = Setting::full(Params::default());
-    for name in ["axis_multiply", "projection_multiply", "transform_multiply"] {
-        claims.push(products::factors(&setting, name));
-    }
+    claims.push(products::sign_cases(&setting));
     for name in ["axis_multiply", "projection_multiply"] {
+        claims.push(products::factors(&setting, name));
         claims.push(products::multiplied(&setting, name));
+    }
+    claims.push(products::quantised_by_definition(if settings::full() { 5 } else { 4 }));
+    for params in both_rules() {
+        claims.push(products::quantised_factors(&Setting::full(params)));
     }
     prove("Products", claims);
 }

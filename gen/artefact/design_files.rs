@@ -1,12 +1,27 @@
 //! All files of a generated design, as one value.
 
-use super::{ise, manifest, origin, testbench, vectors, vhdl_files, FileSet, Stimulus};
+use super::file_lists::FileLists;
+use super::{drop_in, example, ise, manifest, stream, stream_vectors, testbench, vectors};
+use super::{origin, vhdl_files, FileSet, Stimulus};
 use crate::design::Design;
+use crate::params::stream::{StreamFormat, StreamWidth};
+use crate::vhdl::lint::{lint, Finding};
 use crate::vhdl::Clash;
 use askama::Template;
 
 /// Pairs in the vector file: some seconds of simulation.
 const PAIRS: usize = 256;
+
+/// Why a design cannot be printed: a defect of the generator, never of the parameters.
+#[derive(Debug, thiserror::Error)]
+pub enum DesignFilesError {
+    /// A name that is no legal VHDL.
+    #[error("names: {0}")]
+    Name(#[from] Clash),
+    /// A text that the target's tools would not take.
+    #[error("lint: {0}")]
+    Lint(Finding),
+}
 
 /// A line of the table of files.
 struct Described {
@@ -31,36 +46,66 @@ struct Readme<'a> {
     projects: Vec<ise::Project>,
 }
 
-/// Sources, testbench, vectors, ISE projects, a README and the manifest. Equal designs and command lines give equal
-/// bytes.
+/// As [`design_files_with`], with the default width of the stream.
 ///
 /// # Errors
-/// A name in the design that is no legal VHDL.
-pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, Clash> {
+/// A name in the design that is no legal VHDL, or a breach of the [rules](crate::vhdl::lint) of the target.
+pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, DesignFilesError> {
+    design_files_with(design, StreamWidth::default(), command_line)
+}
+
+/// Sources, stream wrapper, example, testbenches, vectors, projects, a README and the manifest. Equal designs and command
+/// lines give equal bytes.
+///
+/// # Errors
+/// As [`design_files`].
+pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str) -> Result<FileSet, DesignFilesError> {
     let mut set = FileSet::default();
     let mut described = vec![];
-    let mut sources = vec![];
+    let mut core = vec![];
+    let (params, origin) = (&design.params, origin(command_line));
     let modules = design.top.hierarchy();
     for ((name, text), module) in vhdl_files(design, command_line)?.into_iter().zip(&modules) {
         described.push(Described { name: name.clone(), what: first_sentence(&module.doc) });
         set.insert(name.clone(), text);
-        sources.push(name);
+        core.push(name);
     }
-    ise::add(&mut set, design, command_line, &sources);
-
-    let bench = format!("{}.vhd", testbench::NAME);
-    let vector_file = format!("{}.vec", testbench::NAME);
-    set.insert(&bench, testbench::text(design, &origin(command_line)));
-    set.insert(&vector_file, vectors::text(&design.params, &Stimulus::random(&design.params, PAIRS, 1)));
-    sources.push(bench.clone());
-    set.insert("files.txt", sources.join("\n"));
-
+    let lists = FileLists::new(core);
+    let format = StreamFormat::new(params, width);
     let mut describe =
         |name: &str, what: &str| described.push(Described { name: name.to_owned(), what: what.to_owned() });
-    describe(&bench, "Testbench, for simulation only.");
-    describe(&vector_file, &format!("{PAIRS} random pairs under random poses, with the reference model's answers."));
-    describe("files.txt", "All VHDL files in dependency order, the testbench last.");
+    set.insert(lists.wrapper, stream::wrapper(design, &format, &origin));
+    describe(lists.wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
+    example::add(&mut set, design, &format, &lists, command_line);
+    describe("example", "The wrapped unit behind a UART, a whole design, and its testbench.");
+
+    let synthesised = lists.synthesised();
+    let texts: Vec<(&str, &str)> =
+        synthesised.iter().filter_map(|name| set.get(name).map(|text| (name.as_ref(), text))).collect();
+    if let Some(finding) = lint(&texts).into_iter().next() {
+        return Err(DesignFilesError::Lint(finding));
+    }
+
+    let [unit_bench, stream_bench, _] = &lists.benches;
+    set.insert(&unit_bench.file, testbench::text(design, &origin));
+    set.insert(unit_bench.vectors, vectors::text(params, &Stimulus::random(params, PAIRS, 1)));
+    describe(&unit_bench.file, "Testbench of the unit, for simulation only.");
+    describe(
+        unit_bench.vectors,
+        &format!("{PAIRS} random pairs under random poses, with the reference model's answers."),
+    );
+    set.insert(&stream_bench.file, stream::bench(design, &format, &origin));
+    let mixed = stream_vectors::mixed(params, &format);
+    set.insert(stream_bench.vectors, stream_vectors::text(params, &format, &mixed));
+    describe(&stream_bench.file, "Testbench of the wrapper, for simulation only.");
+    describe(stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the answers due.");
+    set.insert("files.txt", lists.all().join("\n"));
+    describe("files.txt", "All VHDL files in dependency order, the testbenches last.");
     describe(manifest::NAME, "Parameters, ports, number formats, latency, and a SHA-256 per file, for programs.");
+    for (name, what) in drop_in::add(&mut set, design, &format, &lists, command_line) {
+        describe(name, what);
+    }
+    ise::add(&mut set, design, command_line, &lists.synthesised());
     for project in ise::projects() {
         describe(&project.folder, &format!("Project for {} ({}).", project.part, project.releases));
     }
@@ -102,6 +147,7 @@ fn readme(design: &Design, command_line: &str, files: Vec<Described>) -> String 
 mod tests {
     use super::*;
     use crate::params::Params;
+    use std::collections::BTreeSet;
 
     fn default_files() -> FileSet {
         let params = Params::default();
@@ -130,18 +176,30 @@ mod tests {
     fn lists_are_in_dependency_order() {
         let set = default_files();
         let order: Vec<&str> = set.get("files.txt").unwrap().lines().collect();
-        assert_eq!(order[order.len() - 2..], ["efsat.vhd", "efsat_tb.vhd"]);
+        let benches = ["efsat_tb.vhd", "efsat_stream_tb.vhd", "example/efsat_uart_tb.vhd"];
+        assert_eq!(order[order.len() - 3..], benches);
+        let stem = |name: &str| name.rsplit('/').next().unwrap().trim_end_matches(".vhd").to_owned();
         for (i, name) in order.iter().enumerate() {
             let text = set.get(name).unwrap();
             for later in &order[i..] {
-                let entity = later.trim_end_matches(".vhd");
-                assert!(!text.contains(&format!("entity work.{entity}\n")), "{name} uses {entity}");
+                assert!(!text.contains(&format!("entity work.{}\n", stem(later))), "{name} uses {later}");
             }
         }
-        let list = set.get("ise/virtex2/efsat.prj").unwrap();
-        let named: Vec<String> =
-            order[..order.len() - 1].iter().map(|name| format!("vhdl work \"../../{name}\"")).collect();
-        assert_eq!(list.lines().collect::<Vec<_>>(), named);
+        let end = order.iter().position(|name| *name == "efsat_stream.vhd").unwrap();
+        assert_eq!(order[end - 1], "efsat.vhd");
+        for (list, line) in [
+            ("ise/virtex2/efsat.prj", "vhdl work \"../../NAME\""),
+            ("vivado/project.tcl", "  [file join $here .. NAME] \\"),
+            ("quartus/efsat.qsf", "set_global_assignment -name VHDL_FILE ../NAME"),
+            ("efsat.core", "      - NAME"),
+        ] {
+            let lines: Vec<&str> = set.get(list).unwrap().lines().filter(|line| line.contains(".vhd")).collect();
+            let named: Vec<String> = order[..=end].iter().map(|name| line.replace("NAME", name)).collect();
+            assert_eq!(lines[..=end], named, "{list}");
+            assert!(list == "efsat.core" || lines.len() == named.len(), "{list}");
+        }
+        let all: BTreeSet<&str> = set.iter().map(|(name, _)| name).filter(|name| name.ends_with(".vhd")).collect();
+        assert_eq!(all, order.into_iter().collect(), "every VHDL file is in the list");
     }
 
     #[test]

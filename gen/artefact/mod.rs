@@ -1,20 +1,27 @@
-//! The set of generated files, as values: VHDL, testbench, vectors, ISE projects and the manifest.
+//! The set of generated files, as values: VHDL, testbenches, vectors, projects for tools and the manifest.
 //!
 //! [`design_files`] makes the whole set of a design, [`FileSet`] writes or compares it as a whole. Texts are printed by
 //! templates from ready values; nothing here decides a number of the design.
 
 mod design_files;
+mod drop_in;
+mod example;
+pub mod file_lists;
 mod file_set;
 mod ise;
 mod manifest;
+mod programmes;
 mod scratch;
 pub mod sources;
 mod stimulus;
+pub mod stream;
+pub mod stream_vectors;
 pub mod testbench;
 pub mod vectors;
 
-pub use design_files::design_files;
+pub use design_files::{design_files, design_files_with, DesignFilesError};
 pub use file_set::{Difference, FileSet, FileSetError};
+pub use programmes::programme_files;
 pub use scratch::{interrupted, Scratch};
 pub use sources::{origin, vhdl_files};
 pub use vectors::Stimulus;

@@ -18,6 +18,11 @@ pub fn full_after(interval: usize) -> usize {
     2 * interval + 4
 }
 
+/// Clocks without an answer after which there will be none.
+pub fn patience(design: &Design) -> usize {
+    4096 + 4 * design.latency
+}
+
 /// Clocks of reset.
 pub const RESET_CLOCKS: usize = 4;
 
@@ -73,8 +78,8 @@ fn fields(word: &Word) -> Vec<Field> {
         .collect()
 }
 
-/// A pair of zeros, to ask for the shape of its word.
-fn blank(p: &Params) -> [Word; 3] {
+/// Words of zeros: pair, pose and answer, to ask for their shape.
+pub fn blank(p: &Params) -> [Word; 3] {
     let zero = Input { lo: 0, sticky: false };
     let pair = Pair { a: [[zero; 3]; 3], b: [[zero; 3]; 3] };
     let outcome = Outcome { verdict: Verdict::Separate, separated: 0, overlapping: 0 };
@@ -109,7 +114,7 @@ pub fn text(design: &Design, origin: &[String]) -> String {
         tag_width: p.tag_width,
         tags: 1 << p.tag_width.min(30),
         half_period: format!("{} ps", half_period(p)),
-        patience: 4096 + 4 * design.latency,
+        patience: patience(design),
         full_after: full_after(design.interval),
         latency: design.latency,
         interval: design.interval,

@@ -6,7 +6,7 @@ use super::params::{choice, whole, ParamArguments};
 use super::progress;
 use super::source::{count, Source, SourceArguments, Stage};
 use crate::artefact::Stimulus;
-use crate::cosim::{self, Options, Report, Simulator};
+use crate::cosim::{self, Netlist, Options, Report, Simulator};
 use crate::golden::host::{loose_pair, Host};
 use crate::golden::pair_file::Points;
 use crate::golden::{Pair, Pose, Verdict};
@@ -41,6 +41,9 @@ pub(super) struct Arguments {
     /// What runs the design
     #[arg(long, value_name = "NAME", default_value = "ghdl", value_parser = choice::<Simulator>())]
     simulator: Simulator,
+    /// What Verilator runs: rtl, as GHDL infers it, or mapped to Virtex-II cells by Yosys [default: rtl]
+    #[arg(long, value_name = "KIND", value_parser = choice::<Netlist>())]
+    netlist: Option<Netlist>,
     /// Leave design, vectors and logs in DIR
     #[arg(long, value_name = "DIR")]
     keep: Option<PathBuf>,
@@ -58,14 +61,23 @@ pub(super) struct Arguments {
 }
 
 impl Choice for Simulator {
-    const ALL: &'static [Self] = &[Self::Ghdl, Self::Nvc, Self::Builtin];
+    const ALL: &'static [Self] = &[Self::Ghdl, Self::Nvc, Self::Builtin, Self::Verilator(Netlist::Rtl)];
 
     fn name(self) -> &'static str {
         match self {
             Self::Ghdl => "ghdl",
             Self::Nvc => "nvc",
             Self::Builtin => "builtin",
+            Self::Verilator(_) => "verilator",
         }
+    }
+}
+
+impl Choice for Netlist {
+    const ALL: &'static [Self] = &[Self::Rtl, Self::Mapped];
+
+    fn name(self) -> &'static str {
+        Netlist::name(self)
     }
 }
 
@@ -82,6 +94,7 @@ struct Summary<'a> {
     total_clocks: u64,
     simulator: &'a str,
     seconds: f64,
+    simulation_seconds: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     first_mismatch: Option<&'a str>,
 }
@@ -168,12 +181,16 @@ fn job(arguments: &Arguments, params: &Params) -> Result<Job, Failure> {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     let Job { stimulus, decided } = job(arguments, &params)?;
-    let options = Options {
-        simulator: arguments.simulator,
-        keep: arguments.keep.clone(),
-        wave: arguments.wave.clone(),
-        probe: arguments.probe,
+    let simulator = match (arguments.simulator, arguments.netlist) {
+        (Simulator::Verilator(_), Some(netlist)) => Simulator::Verilator(netlist),
+        (simulator, None) => simulator,
+        (simulator, Some(_)) => {
+            let message = format!("--netlist needs --simulator verilator, not {}", Choice::name(simulator));
+            return Err(Failure::Usage(message));
+        }
     };
+    let options =
+        Options { simulator, keep: arguments.keep.clone(), wave: arguments.wave.clone(), probe: arguments.probe };
     let spinner = progress::spinner("simulating");
     let report = cosim::run(&params, &params.command_line(), &stimulus, &options)?;
     spinner.finish_and_clear();
@@ -194,6 +211,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             total_clocks: report.total_clocks,
             simulator: &report.simulator,
             seconds: report.seconds,
+            simulation_seconds: report.simulation_seconds,
             first_mismatch: report.first_mismatch.as_deref(),
         })?;
     } else {

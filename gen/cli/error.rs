@@ -5,6 +5,7 @@ use crate::cosim::CosimError;
 use crate::design::top::DesignError;
 use crate::golden::pair_file::PairFileError;
 use crate::scene::SceneError;
+use crate::synth::SynthError;
 use clap::error::ErrorKind;
 
 /// Why a command ends early or without success.
@@ -31,6 +32,16 @@ impl From<CosimError> for Failure {
     fn from(e: CosimError) -> Self {
         match e {
             CosimError::Design(e) => e.into(),
+            e if e.is_usage() => Self::Usage(e.to_string()),
+            e => Self::Check(e.to_string()),
+        }
+    }
+}
+
+impl From<SynthError> for Failure {
+    fn from(e: SynthError) -> Self {
+        match e {
+            SynthError::Design(e) => e.into(),
             e if e.is_usage() => Self::Usage(e.to_string()),
             e => Self::Check(e.to_string()),
         }

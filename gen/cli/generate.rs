@@ -1,13 +1,16 @@
 //! `efsat generate`.
 
+use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::print;
-use super::params::ParamArguments;
-use crate::artefact::{design_files, FileSet};
+use super::params::{choice, ParamArguments};
+use crate::artefact::{design_files_with, programme_files, FileSet};
 use crate::design::Design;
+use crate::params::options::Choice;
+use crate::params::stream::StreamWidth;
 use std::path::{Path, PathBuf};
 
-/// Writes the design: VHDL, testbench, vectors, ISE projects and a manifest
+/// Writes the design: VHDL, stream wrapper, example, testbenches, vectors, projects for tools and a manifest
 ///
 /// DIR may be absent, empty, or written by efsat before; files in it that efsat did not write stay. Everything or
 /// nothing is written.
@@ -19,6 +22,15 @@ pub(super) struct Arguments {
     /// Write nothing; fail if DIR differs by a byte from what would be written
     #[arg(long)]
     check: bool,
+    /// Write to DIR the schedule of every unit as a linear programme in CPLEX LP format, and nothing else
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "check"])]
+    lp: Option<PathBuf>,
+    #[command(flatten)]
+    diagram: DiagramArguments,
+    /// Bits of a word into the AXI4-Stream wrapper
+    #[arg(long, value_name = "BITS", default_value = StreamWidth::default().name())]
+    #[arg(value_parser = choice::<StreamWidth>(), allow_negative_numbers = true)]
+    stream_width: StreamWidth,
     #[command(flatten)]
     params: ParamArguments,
 }
@@ -26,7 +38,17 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     let design = Design::new(&params, false)?;
-    let set = design_files(&design, &params.command_line()).map_err(|e| Failure::Check(e.to_string()))?;
+    if let Some(dir) = &arguments.lp {
+        let set = programme_files(&design, &params.command_line());
+        set.write(dir)?;
+        return print(&format!("{}: {} files\n", dir.display(), set.len()));
+    }
+    if arguments.diagram.wanted() {
+        return arguments.diagram.run(&design);
+    }
+    let command_line = format!("{} --stream-width {}", params.command_line(), arguments.stream_width.name());
+    let set =
+        design_files_with(&design, arguments.stream_width, &command_line).map_err(|e| Failure::Check(e.to_string()))?;
     if arguments.check {
         return check(&set, &arguments.out);
     }

@@ -6,6 +6,7 @@
 mod classify;
 mod compare;
 mod cosim;
+mod diagram;
 mod error;
 mod generate;
 mod mutate;

@@ -119,9 +119,13 @@ impl From<ModelError> for Failure {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
-    if arguments.simulator == Simulator::Builtin {
-        let message = "--simulator builtin: runs the graph, not the text; legal is one of ghdl, nvc";
-        return Err(Failure::Usage(message.to_owned()));
+    let refused = match arguments.simulator {
+        Simulator::Ghdl | Simulator::Nvc => None,
+        Simulator::Builtin => Some("builtin: runs the graph, not the text"),
+        Simulator::Verilator(_) => Some("verilator: runs a netlist, not the text"),
+    };
+    if let Some(refused) = refused {
+        return Err(Failure::Usage(format!("--simulator {refused}; legal is one of ghdl, nvc")));
     }
     let start = Instant::now();
     let all = match arguments.target {

@@ -1,16 +1,80 @@
 //! `efsat synth`.
 
+mod summary;
+mod table;
+
 use super::error::Failure;
-use super::params::ParamArguments;
+use super::output::{print, print_json};
+use super::params::{choice, whole, ParamArguments};
+use super::progress;
+use crate::device;
+use crate::params::options::Choice;
+use crate::synth::{self, Flow, Options};
+use std::path::PathBuf;
+use summary::Summary;
+
+/// Placements where nothing else is asked for.
+const SEEDS: u32 = 3;
 
 /// Synthesises the design with open tools and compares with what the device model predicts
+///
+/// GHDL and Yosys map the VHDL entity by entity to a family's cells; flow ecp5 also places and routes the whole with
+/// nextpnr for an LFE5U-85 of speed grade 6. Tools are looked for in the folder that EFSAT_TOOLS names, on PATH, and in
+/// target/tools/bin, where scripts/setup --synth installs them. Fails if the multipliers are not those predicted, or if
+/// the target clock is missed after routing.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
+    /// Family and tools [default: those for --device]
+    #[arg(long, value_name = "NAME", value_parser = choice::<Flow>())]
+    flow: Option<Flow>,
+    /// Placements, two at a time, each with its own seed; the median counts [default: 3]
+    #[arg(long, value_name = "N", value_parser = whole(1..=32), allow_negative_numbers = true)]
+    seeds: Option<u32>,
+    /// Stop after Yosys: no placement, no clock
+    #[arg(long, conflicts_with = "seeds")]
+    no_route: bool,
+    /// Leave sources, netlists, logs and reports in DIR
+    #[arg(long, value_name = "DIR")]
+    keep: Option<PathBuf>,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
     #[command(flatten)]
     params: ParamArguments,
 }
 
+impl Choice for Flow {
+    const ALL: &'static [Self] = &Flow::ALL;
+
+    fn name(self) -> &'static str {
+        Flow::name(self)
+    }
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    arguments.params.params()?;
-    Ok(())
+    let params = arguments.params.params()?;
+    let device = device::find(&params.device).map_err(|e| Failure::Usage(e.to_string()))?;
+    let flow = arguments.flow.unwrap_or(Flow::of(device));
+    if !flow.routes() && (arguments.no_route || arguments.seeds.is_some()) {
+        let option = if arguments.no_route { "--no-route" } else { "--seeds" };
+        return Err(Failure::Usage(format!("{option}: flow {} ends after Yosys; legal with ecp5", flow.name())));
+    }
+    let seeds = if arguments.no_route { 0 } else { arguments.seeds.unwrap_or(SEEDS) };
+    let options = Options { flow, seeds, keep: arguments.keep.clone() };
+    let spinner = progress::spinner("synthesising");
+    let step = |what: &str| spinner.set_message(what.to_owned());
+    let report = synth::run(&params, &params.command_line(), &options, &step)?;
+    spinner.finish_and_clear();
+
+    let faults = report.faults(params.frequency);
+    if arguments.json {
+        print_json(&Summary::new(&report, &params, &faults))?;
+    } else {
+        print(&table::text(&report, &params))?;
+    }
+    if faults.is_empty() {
+        Ok(())
+    } else {
+        Err(Failure::Check(faults.join("; ")))
+    }
 }

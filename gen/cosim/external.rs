@@ -5,6 +5,7 @@ use crate::artefact::{self, testbench, Stimulus};
 use crate::design::Design;
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::time::{Duration, Instant};
 
 /// The GHDL commands there may be, the fastest simulation first.
 const GHDLS: [&str; 4] = ["ghdl-llvm", "ghdl-gcc", "ghdl-mcode", "ghdl"];
@@ -83,7 +84,7 @@ fn write(design: &Design, command_line: &str, stimulus: &Stimulus, dir: &Path) -
 }
 
 /// Runs a command in a folder; its whole output if it succeeds or ran to the end.
-fn call(dir: &Path, command: &str, args: &[String], must: bool) -> Result<String, CosimError> {
+pub(super) fn call(dir: &Path, command: &str, args: &[String], must: bool) -> Result<String, CosimError> {
     let failed = |message: String| CosimError::Failed { tool: command.to_owned(), message };
     let output = Command::new(command).args(args).current_dir(dir).output().map_err(|e| failed(e.to_string()))?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
@@ -112,7 +113,7 @@ pub(super) fn run(
     let wave = options.wave.as_ref().map(|w| absolute(w)).transpose()?;
     let names = write(design, command_line, stimulus, &dir)?;
     let dir = dir.canonicalize().map_err(file_error(&dir))?;
-    let text = execute(command, &dir, &names, wave.as_deref())?;
+    let (text, simulation) = execute(command, &dir, &names, wave.as_deref())?;
     let simulator = version(command);
     if let Some(wave) = &wave {
         let layout = wave.with_extension("gtkw");
@@ -128,6 +129,7 @@ pub(super) fn run(
     }
     let mut run = parse(&text, command)?;
     run.simulator = simulator;
+    run.simulation = simulation;
     if options.probe {
         run.probes = probes(design, &dir.join("efsat_tb.probe"))?;
     }
@@ -193,8 +195,8 @@ fn words(text: &str) -> Vec<String> {
     text.split_whitespace().map(str::to_owned).collect()
 }
 
-/// Builds and runs; the simulation's lines.
-fn execute(command: &str, dir: &Path, names: &[String], wave: Option<&Path>) -> Result<String, CosimError> {
+/// Builds and runs; the simulation's lines and its duration.
+fn execute(command: &str, dir: &Path, names: &[String], wave: Option<&Path>) -> Result<(String, Duration), CosimError> {
     let vcd = wave.is_some_and(|wave| wave.extension().is_some_and(|e| e == "vcd"));
     if command == "nvc" && wave.is_some() && !vcd {
         return Err(CosimError::Option("--wave: nvc writes .vcd, not .ghw".to_owned()));
@@ -210,7 +212,9 @@ fn execute(command: &str, dir: &Path, names: &[String], wave: Option<&Path>) -> 
         let option = if vcd && command != "nvc" { "--vcd" } else { "--wave" };
         options.push(format!("{option}={}", wave.display()));
     }
-    call(dir, command, &simulate(command, options), false)
+    let start = Instant::now();
+    let text = call(dir, command, &simulate(command, options), false)?;
+    Ok((text, start.elapsed()))
 }
 
 /// Reads the testbench's lines.

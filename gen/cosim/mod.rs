@@ -2,12 +2,13 @@
 //!
 //! All simulators do the same thing clock for clock: the vectors at full speed, then some again with gaps and
 //! back-pressure. GHDL and nvc run the printed VHDL under the printed testbench; the built-in simulator runs the
-//! modules it is printed from.
+//! modules it is printed from; Verilator runs a netlist synthesised from the printed text.
 
 mod builtin;
 mod external;
 mod probe;
 mod trial;
+mod verilator;
 mod wave;
 
 pub use builtin::Builtin;
@@ -18,7 +19,7 @@ use crate::artefact::Stimulus;
 use crate::design::{top::DesignError, Design};
 use crate::params::Params;
 use std::path::PathBuf;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 /// What runs the design.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +30,27 @@ pub enum Simulator {
     Nvc,
     /// The simulator of this program.
     Builtin,
+    /// Verilator, on a netlist synthesised from the printed VHDL.
+    Verilator(Netlist),
+}
+
+/// What is simulated where it is not the VHDL itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Netlist {
+    /// What GHDL infers from the VHDL.
+    Rtl,
+    /// That mapped to Virtex-II cells by Yosys.
+    Mapped,
+}
+
+impl Netlist {
+    /// Name on the command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rtl => "rtl",
+            Self::Mapped => "mapped",
+        }
+    }
 }
 
 /// How to run.
@@ -63,8 +85,10 @@ pub struct Report {
     pub total_clocks: u64,
     /// Name of the simulator that ran.
     pub simulator: String,
-    /// Duration of the simulation, compilation included.
+    /// Duration of everything: reference model, vectors, compilation, simulation.
     pub seconds: f64,
+    /// Duration of the simulation itself.
+    pub simulation_seconds: f64,
     /// The first difference, in words.
     pub first_mismatch: Option<String>,
 }
@@ -92,6 +116,9 @@ pub enum CosimError {
         /// Why.
         source: std::io::Error,
     },
+    /// A tool on the way to the simulator failed.
+    #[error(transparent)]
+    Tool(#[from] crate::verilog::ToolError),
     /// The simulator failed.
     #[error("{tool}: {message}")]
     Failed {
@@ -105,7 +132,11 @@ pub enum CosimError {
 impl CosimError {
     /// Whether the user can mend it on the command line or by installing something (exit status 2).
     pub fn is_usage(&self) -> bool {
-        !matches!(self, CosimError::Failed { .. } | CosimError::Names(_))
+        match self {
+            CosimError::Failed { .. } | CosimError::Names(_) => false,
+            CosimError::Tool(e) => e.is_usage(),
+            _ => true,
+        }
     }
 }
 
@@ -118,6 +149,7 @@ struct Run {
     interval: u64,
     total: u64,
     simulator: String,
+    simulation: Duration,
     first: Option<String>,
     /// One line a clock of the first pass: whether a pair was accepted, and the probe ports.
     probes: Vec<(bool, Vec<i128>)>,
@@ -153,17 +185,25 @@ pub fn run_design(
             verdicts[golden.verdict(pose, pair) as usize] += 1;
         }
     }
-    if options.simulator == Simulator::Builtin && options.wave.is_some() {
-        let message = "--wave needs --simulator ghdl or nvc: the built-in simulator keeps no waveform".to_owned();
+    let vhdl = matches!(options.simulator, Simulator::Ghdl | Simulator::Nvc);
+    if !vhdl && options.wave.is_some() {
+        let message = "--wave needs --simulator ghdl or nvc: no other writes a waveform".to_owned();
+        return Err(CosimError::Option(message));
+    }
+    if options.probe && matches!(options.simulator, Simulator::Verilator(_)) {
+        let message = "--probe needs --simulator ghdl, nvc or builtin".to_owned();
         return Err(CosimError::Option(message));
     }
     let mut run = match options.simulator {
         Simulator::Builtin => {
-            let run = Builtin::new(design).run(stimulus, options.probe);
+            let start = Instant::now();
+            let mut run = Builtin::new(design).run(stimulus, options.probe);
+            run.simulation = start.elapsed();
             external::keep(design, command_line, stimulus, options)?;
             run
         }
         Simulator::Ghdl | Simulator::Nvc => external::run(design, command_line, stimulus, options)?,
+        Simulator::Verilator(netlist) => verilator::run(design, command_line, stimulus, netlist, options)?,
     };
     if options.probe {
         let (count, first) = probe::compare(design, stimulus, &run.probes);
@@ -180,6 +220,7 @@ pub fn run_design(
         total_clocks: run.total,
         simulator: run.simulator,
         seconds: start.elapsed().as_secs_f64(),
+        simulation_seconds: run.simulation.as_secs_f64(),
         first_mismatch: run.first,
     })
 }

@@ -3,9 +3,10 @@
 use super::axes::{Axis, Duplicates, Factor};
 use super::cross_product::{self, select_bits, COORDINATES};
 use super::interval::{Bounds, Rounding};
+use super::multiply::{self, Factor as Signed};
 use super::pipeline::{rounding, Edges, Flags, Pipeline, Point};
 use super::{comparator, projection};
-use crate::graph::{NodeId, Unit};
+use crate::graph::{NodeId, Type, Unit};
 use crate::params::{AxisKind, Formats, Params, Projections, Row};
 use std::rc::Rc;
 
@@ -46,10 +47,14 @@ impl Pipeline<'_> {
                 crosses[u] = Some(self.cross(u, &jobs[u], &shared, edges, Some(&normals), &mut vec![]));
             }
         }
+        let names = ["v0", "v1", "v2", "w0", "w1", "w2"];
+        let points: Vec<[Signed; 3]> =
+            names.iter().zip(points).map(|(name, x)| self.signed(name, &shared, *x)).collect();
         let mut flags: Vec<Option<(NodeId, NodeId)>> = vec![None; all.len()];
         for (u, jobs) in jobs.iter().enumerate() {
             let l = crosses[u].expect("every unit has axes");
-            let (separated, overlapping) = self.decide(u, jobs, &shared, points, l);
+            let l = self.signed(&format!("axis_{u}_l"), &shared, l);
+            let (separated, overlapping) = self.decide(u, jobs, &shared, &points, l);
             for (s, axis) in jobs.iter().enumerate() {
                 let Some(axis) = axis else { continue };
                 let lagged = lagged(jobs, axis);
@@ -116,14 +121,19 @@ impl Pipeline<'_> {
         [0, 1, 2].map(|c| Bounds { lo: l[2 * c], hi: l[2 * c + 1] })
     }
 
+    /// A vector with the sign cases of its components, found once for all its products.
+    fn signed(&mut self, name: &str, shared: &Shared, x: Point) -> [Signed; 3] {
+        [0, 1, 2].map(|c| multiply::factor(&mut self.b, &format!("{name}_{}", COORDINATES[c]), &shared.sign_case, x[c]))
+    }
+
     /// Projections and comparators of unit `u`.
     fn decide(
         &mut self,
         u: usize,
         jobs: &[Option<Axis>],
         shared: &Shared,
-        points: &[Point],
-        l: Point,
+        points: &[[Signed; 3]],
+        l: [Signed; 3],
     ) -> (NodeId, NodeId) {
         let p = self.p;
         let name = format!("axis_{u}");
@@ -153,16 +163,20 @@ impl Pipeline<'_> {
                 continue;
             }
             let (select, legs) = self.pattern(&format!("{slot_name}_point"), &phases);
-            let mut args = vec![];
-            for (c, coordinate) in COORDINATES.iter().enumerate() {
-                for end in ["lo", "hi"] {
-                    let value = |i: usize| if end == "lo" { points[i][c].lo } else { points[i][c].hi };
-                    let nodes: Vec<(Option<NodeId>, bool)> =
-                        legs.iter().map(|(i, lagged): &(usize, bool)| (Some(value(*i)), *lagged)).collect();
-                    args.push(self.b.choose(&format!("{slot_name}_{coordinate}_{end}"), select, &nodes));
-                }
-            }
-            args.extend(l.iter().flat_map(|x| x.nodes()));
+            let mut chosen = |what: &str, of: fn(&Signed) -> NodeId| {
+                [0, 1, 2].map(|c| {
+                    let leg = |(i, lagged): &(usize, bool)| (Some(of(&points[*i][c])), *lagged);
+                    let nodes: Vec<(Option<NodeId>, bool)> = legs.iter().map(leg).collect();
+                    self.b.choose(&format!("{slot_name}_{}_{what}", COORDINATES[c]), select, &nodes)
+                })
+            };
+            let lo = chosen("lo", |x| x.bounds.lo);
+            let hi = chosen("hi", |x| x.bounds.hi);
+            let sign_cases = chosen("sign_case", |x| x.sign_case);
+            let mut args: Vec<NodeId> = (0..3).flat_map(|c| [lo[c], hi[c]]).collect();
+            args.extend(l.iter().flat_map(|x| x.bounds.nodes()));
+            args.extend(sign_cases);
+            args.extend(l.iter().map(|x| x.sign_case));
             args.extend(rounding);
             let out = self.b.instance(&format!("{slot_name}_project"), &shared.projection, &args);
             for node in &out {
@@ -218,6 +232,7 @@ fn meaningful(jobs: &[Option<Axis>]) -> Vec<(usize, bool)> {
 
 /// The units that all axis units share, and their roundings.
 struct Shared {
+    sign_case: Rc<Unit>,
     cross: Rc<Unit>,
     projection: Rc<Unit>,
     compare: Rc<Unit>,
@@ -249,7 +264,17 @@ impl Shared {
         }
         let point = formats.coordinate_a.bound.max(formats.coordinate_b.bound);
         let (bits, upper) = (p.width, p.upper);
-        let spec = cross_product::Spec { bits, left, right, roundings: &axis_roundings, upper, notes: &notes[0] };
+        let widest = left.max(right).max(axis_bound).max(point);
+        let sign_case = multiply::sign_case_unit(Type::signed(bits, 0), widest);
+        let spec = cross_product::Spec {
+            bits,
+            left,
+            right,
+            roundings: &axis_roundings,
+            upper,
+            notes: &notes[0],
+            sign_case: &sign_case,
+        };
         let cross = cross_product::unit(&spec);
         let roundings = &projection_roundings;
         let spec = projection::Spec { bits, point, axis: axis_bound, roundings, upper, notes: &notes[1] };
@@ -257,7 +282,7 @@ impl Shared {
         let count = |a: &Axis| a.projected(0, p.projections).len() + a.projected(1, p.projections).len();
         let slots = axes.iter().map(count).max().unwrap_or(6);
         let compare = comparator::unit(p.width, projection_bound, slots, p.projections);
-        Self { cross, projection, compare, axis_roundings, projection_roundings, slots }
+        Self { sign_case, cross, projection, compare, axis_roundings, projection_roundings, slots }
     }
 
     fn axis_rounding(&self, formats: &Formats, kind: AxisKind) -> usize {

@@ -53,28 +53,12 @@ pub fn unit(bits: u32, bound: i128, points: usize, policy: Projections) -> Rc<Un
             (a, (0..3).map(|i| own("b", last - i, last)).collect())
         }
     };
-    let mut extremes = |name: &str, p: &[Bounds]| {
-        let lo: Vec<NodeId> = p.iter().map(|x| x.lo).collect();
-        let hi: Vec<NodeId> = p.iter().map(|x| x.hi).collect();
-        let mut tree = |end: &str, op: Op, values: &[NodeId]| {
-            let id = b.tree(&format!("{name}_{end}"), op.clone(), values);
-            b.comment(id, "enclosure of an extreme projection (equation 3)");
-            id
-        };
-        [
-            tree("min_lo", Op::Minimum, &lo),
-            tree("min_hi", Op::Minimum, &hi),
-            tree("max_lo", Op::Maximum, &lo),
-            tree("max_hi", Op::Maximum, &hi),
-        ]
-    };
-    let [a_min_lo, a_min_hi, a_max_lo, a_max_hi] = extremes("a", &a);
-    let [b_min_lo, b_min_hi, b_max_lo, b_max_hi] = extremes("b", &others);
-    let mut less = |name: &str, x, y| b.op(name, Op::Less, &[x, y]);
-    let below = less("a_below_b", a_max_hi, b_min_lo);
-    let above = less("a_above_b", b_max_hi, a_min_lo);
-    let reaches_up = less("a_reaches_b", a_min_hi, b_max_lo);
-    let reaches_down = less("b_reaches_a", b_min_hi, a_max_lo);
+    let [a_min, a_max] = extremes(&mut b, "a", &a);
+    let [b_min, b_max] = extremes(&mut b, "b", &others);
+    let below = b.less("a_below_b", a_max.hi, b_min.lo);
+    let above = b.less("a_above_b", b_max.hi, a_min.lo);
+    let reaches_up = b.less("a_reaches_b", a_min.hi, b_max.lo);
+    let reaches_down = b.less("b_reaches_a", b_min.hi, a_max.lo);
     let separated = b.op("is_separated", Op::Or, &[below, above]);
     let overlapping = b.op("is_overlapping", Op::And, &[reaches_up, reaches_down]);
     b.output("separated", separated);
@@ -82,14 +66,33 @@ pub fn unit(bits: u32, bound: i128, points: usize, policy: Projections) -> Rc<Un
     b.finish()
 }
 
+/// Enclosures of the least and the greatest of three projections (equation 3): bounds by bounds, the order of the first
+/// two found once for both.
+fn extremes(b: &mut Builder, name: &str, p: &[Bounds]) -> [Bounds; 2] {
+    let mut of_end = |end: &str, of: fn(&Bounds) -> NodeId| {
+        let [first, second, third] = [of(&p[0]), of(&p[1]), of(&p[2])];
+        let order = b.less(&format!("{name}_{end}_order"), first, second);
+        let lesser = b.either(&format!("{name}_lesser_{end}"), order, first, second);
+        let greater = b.either(&format!("{name}_greater_{end}"), order, second, first);
+        let least = b.least(&format!("{name}_min_{end}"), lesser, third);
+        let greatest = b.greatest(&format!("{name}_max_{end}"), greater, third);
+        b.comment(least, "enclosure of the least projection (equation 3)");
+        b.comment(greatest, "enclosure of the greatest projection (equation 3)");
+        (least, greatest)
+    };
+    let (min_lo, max_lo) = of_end("lo", |x| x.lo);
+    let (min_hi, max_hi) = of_end("hi", |x| x.hi);
+    [Bounds { lo: min_lo, hi: min_hi }, Bounds { lo: max_lo, hi: max_hi }]
+}
+
 /// Projections with the duplicates replaced by their intersection.
 fn intersected(b: &mut Builder, name: &str, p: &[Bounds], code: NodeId) -> Vec<Bounds> {
-    let mut joint = |end: &str, op: Op, of: fn(&Bounds) -> NodeId| -> Vec<NodeId> {
+    type Choice = fn(&mut Builder, &str, NodeId, NodeId) -> NodeId;
+    let mut joint = |end: &str, choice: Choice, of: fn(&Bounds) -> NodeId| -> Vec<NodeId> {
         let v: Vec<NodeId> = p.iter().map(of).collect();
-        let pair =
-            |b: &mut Builder, k: usize| b.op(&format!("{name}_edge_{k}_{end}"), op.clone(), &[v[k], v[(k + 1) % 3]]);
+        let pair = |b: &mut Builder, k: usize| choice(b, &format!("{name}_edge_{k}_{end}"), v[k], v[(k + 1) % 3]);
         let edges = [pair(b, 0), pair(b, 1), pair(b, 2)];
-        let all = b.op(&format!("{name}_all_{end}"), op.clone(), &[edges[0], v[2]]);
+        let all = choice(b, &format!("{name}_all_{end}"), edges[0], v[2]);
         (0..3)
             .map(|i| {
                 // Vertex i lies on edge i and on edge i - 1.
@@ -99,7 +102,7 @@ fn intersected(b: &mut Builder, name: &str, p: &[Bounds], code: NodeId) -> Vec<B
             })
             .collect()
     };
-    let lo = joint("lo", Op::Maximum, |x| x.lo);
-    let hi = joint("hi", Op::Minimum, |x| x.hi);
+    let lo = joint("lo", Builder::greatest, |x| x.lo);
+    let hi = joint("hi", Builder::least, |x| x.hi);
     lo.into_iter().zip(hi).map(|(lo, hi)| Bounds { lo, hi }).collect()
 }

@@ -1,6 +1,7 @@
 //! The cross product of two interval vectors: one axis (equation 1).
 
-use super::interval::{self, Rounding};
+use super::interval::{self, Bounds, Rounding};
+use super::multiply;
 use crate::graph::{Builder, Rate, Type, Unit};
 use crate::number::Upper;
 use std::rc::Rc;
@@ -22,6 +23,8 @@ pub struct Spec<'a> {
     pub upper: Upper,
     /// Formats by kind of axis, for the header.
     pub notes: &'a [String],
+    /// The [sign case](multiply::sign_case_unit) of an operand.
+    pub sign_case: &'a Rc<Unit>,
 }
 
 /// Unsigned bits that count to `ways`.
@@ -50,7 +53,11 @@ pub fn unit(spec: &Spec) -> Rc<Unit> {
         let ty = Type::unsigned(select_bits(spec.roundings.len()));
         b.input("rounding", ty, (0, spec.roundings.len() as i128 - 1), Rate::Any)
     });
-    let multiply = interval::multiply_unit("axis_multiply", (ty, spec.left), (ty, spec.right));
+    let mut factors = |side: &str, x: [Bounds; 3]| {
+        [0, 1, 2].map(|i| multiply::factor(&mut b, &format!("{side}_{}", COORDINATES[i]), spec.sign_case, x[i]))
+    };
+    let (e, f) = (factors("e", e), factors("f", f));
+    let multiply = multiply::multiply_unit("axis_multiply", (ty, spec.left), (ty, spec.right));
     let wide = multiply.node(multiply.outputs[0].1).ty;
     let product_range = interval::symmetric(spec.left * spec.right);
     let subtract = interval::subtract_unit("axis_subtract", (wide, product_range), (wide, product_range), None);
@@ -58,7 +65,7 @@ pub fn unit(spec: &Spec) -> Rc<Unit> {
         let names = COORDINATES;
         let times = |b: &mut Builder, j: usize, k: usize| {
             let name = format!("e_{}_f_{}", names[j], names[k]);
-            interval::instance(b, &name, &multiply, &[e[j], f[k]], &[])[0]
+            multiply::instance(b, &name, &multiply, e[j], f[k])
         };
         let plus = times(&mut b, j, k);
         let minus = times(&mut b, k, j);

@@ -1,7 +1,8 @@
 //! The projection of one point on an axis: an interval dot product (equation 2).
 
 use super::cross_product::{select_bits, COORDINATES};
-use super::interval::{self, Rounding};
+use super::interval::{self, Bounds, Rounding};
+use super::multiply::{self, Factor, SIGN_CASE};
 use crate::graph::{Builder, Rate, Type, Unit};
 use crate::number::Upper;
 use std::rc::Rc;
@@ -37,11 +38,18 @@ pub fn unit(spec: &Spec) -> Rc<Unit> {
     };
     let v = vector(&mut b, "v", spec.point);
     let l = vector(&mut b, "l", spec.axis);
+    let mut factors = |name: &str, x: [Bounds; 3]| {
+        [0, 1, 2].map(|i| {
+            let name = format!("{name}_{}_sign_case", COORDINATES[i]);
+            Factor { bounds: x[i], sign_case: b.input(&name, SIGN_CASE, SIGN_CASE.limits(), Rate::Any) }
+        })
+    };
+    let (v, l) = (factors("v", v), factors("l", l));
     let select = (spec.roundings.len() > 1).then(|| {
         let ty = Type::unsigned(select_bits(spec.roundings.len()));
         b.input("rounding", ty, (0, spec.roundings.len() as i128 - 1), Rate::Any)
     });
-    let multiply = interval::multiply_unit("projection_multiply", (ty, spec.point), (ty, spec.axis));
+    let multiply = multiply::multiply_unit("projection_multiply", (ty, spec.point), (ty, spec.axis));
     let wide = multiply.node(multiply.outputs[0].1).ty;
     let range = |terms: i128| interval::symmetric(terms * spec.point * spec.axis);
     let add_two = interval::add_unit("projection_add_two", (wide, range(1)), (wide, range(1)));
@@ -49,7 +57,7 @@ pub fn unit(spec: &Spec) -> Rc<Unit> {
     let add_three = interval::add_unit("projection_add_three", (sum, range(2)), (wide, range(1)));
     let products = [0, 1, 2].map(|i| {
         let name = format!("v_{0}_l_{0}", COORDINATES[i]);
-        interval::instance(&mut b, &name, &multiply, &[v[i], l[i]], &[])[0]
+        multiply::instance(&mut b, &name, &multiply, v[i], l[i])
     });
     let two = interval::instance(&mut b, "x_plus_y", &add_two, &products[..2], &[])[0];
     let three = interval::instance(&mut b, "x_plus_y_plus_z", &add_three, &[two, products[2]], &[])[0];

@@ -1,6 +1,7 @@
 //! One row of the frame transform, B = M * B~ + t (section 3 of the contract).
 
 use super::interval::{self, Bounds, Rounding};
+use super::multiply::{self, Span};
 use crate::graph::{Builder, NodeId, Op, Rate, Type, Unit};
 use crate::number::Upper;
 use crate::params::{Params, Transform};
@@ -31,18 +32,20 @@ impl Quantised {
         Self { lo, sticky, bound: Some(bound) }
     }
 
+    /// Flag: the upper bound is one ulp above the lower; not so where `exact` is set.
+    fn is_inexact(self, b: &mut Builder, name: &str, exact: Option<NodeId>) -> NodeId {
+        match (self.sticky, exact) {
+            (Some(sticky), _) => sticky,
+            (None, None) => b.constant(&format!("{name}_inexact"), 1, Type::FLAG),
+            (None, Some(exact)) => b.op(&format!("{name}_inexact"), Op::Not, &[exact]),
+        }
+    }
+
     /// The interval: the upper bound is one ulp above the lower, or a sticky bit; exact where `exact` is set.
     pub fn bounds(self, b: &mut Builder, name: &str, p: &Params, exact: Option<NodeId>) -> Bounds {
         let ty = b.ty(self.lo);
-        let flag = Type { fraction: ty.fraction, ..Type::FLAG };
-        let ulp = match (self.sticky, exact) {
-            (Some(sticky), _) => b.op(&format!("{name}_sticky_ulp"), Op::Reinterpret(ty.fraction), &[sticky]),
-            (None, None) => b.constant(&format!("{name}_ulp"), 1, flag),
-            (None, Some(exact)) => {
-                let inexact = b.op(&format!("{name}_inexact"), Op::Not, &[exact]);
-                b.op(&format!("{name}_ulp"), Op::Reinterpret(ty.fraction), &[inexact])
-            }
-        };
+        let inexact = self.is_inexact(b, name, exact);
+        let ulp = b.op(&format!("{name}_ulp"), Op::Reinterpret(ty.fraction), &[inexact]);
         let mut above = b.add(&format!("{name}_above"), self.lo, ulp);
         if let (Some(bound), Some(_)) = (self.bound, self.sticky) {
             // The ceiling of a number within the bound is within it too.
@@ -84,7 +87,6 @@ pub fn unit(p: &Params) -> Rc<Unit> {
     let x: Vec<Quantised> = (0..terms).map(|j| port(&mut b, &format!("x{j}"), p.coordinate_bound())).collect();
     let t = port(&mut b, "t", p.translation_bound());
     let bypass = b.input("bypass", Type::FLAG, (0, 1), Rate::Any);
-    let xs: Vec<Bounds> = x.iter().enumerate().map(|(j, x)| x.bounds(&mut b, &format!("x{j}"), p, None)).collect();
     let t = t.bounds(&mut b, "t", p, Some(bypass));
     if terms == 1 {
         let add = interval::add_unit(
@@ -92,15 +94,19 @@ pub fn unit(p: &Params) -> Rc<Unit> {
             (ty, interval::symmetric(coordinate)),
             (ty, interval::symmetric(translation)),
         );
-        let sum = interval::instance(&mut b, "x0_plus_t", &add, &[xs[0], t], &[])[0];
+        let x = x[0].bounds(&mut b, "x0", p, None);
+        let sum = interval::instance(&mut b, "x0_plus_t", &add, &[x, t], &[])[0];
         let lo = b.resize("b_lo_bits", sum.lo, true, ty.bits);
         let hi = b.resize("b_hi_bits", sum.hi, true, ty.bits);
         interval::output(&mut b, "b", Bounds { lo, hi });
         return b.finish();
     }
-    let ms: Vec<Bounds> =
-        m.iter().enumerate().map(|(j, m)| m.bounds(&mut b, &format!("m{j}"), p, Some(bypass))).collect();
-    let multiply = interval::multiply_unit("transform_multiply", (ty, one), (ty, coordinate));
+    let span = |lo, hi| Span { ty, lo, hi };
+    let multiply = multiply::quantised_multiply_unit(
+        "transform_multiply",
+        span(p.one(), one),
+        span(p.coordinate_bound(), coordinate),
+    );
     let wide = multiply.node(multiply.outputs[0].1).ty;
     let product = one * coordinate;
     let fraction = ty.fraction;
@@ -124,8 +130,13 @@ pub fn unit(p: &Params) -> Rc<Unit> {
         (two, interval::symmetric(2 * product)),
         (with_t, interval::symmetric(product + (translation << fraction))),
     );
-    let products: Vec<Bounds> =
-        (0..3).map(|j| interval::instance(&mut b, &format!("m{j}_x{j}"), &multiply, &[ms[j], xs[j]], &[])[0]).collect();
+    let products: Vec<Bounds> = (0..3)
+        .map(|j| {
+            let m_ulp = m[j].is_inexact(&mut b, &format!("m{j}"), Some(bypass));
+            let x_ulp = x[j].is_inexact(&mut b, &format!("x{j}"), None);
+            interval::instance(&mut b, &format!("m{j}_x{j}"), &multiply, &[], &[m[j].lo, m_ulp, x[j].lo, x_ulp])[0]
+        })
+        .collect();
     let left = interval::instance(&mut b, "sum_01", &add_two, &products[..2], &[])[0];
     let right = interval::instance(&mut b, "sum_2t", &add_t, &[products[2], t], &[])[0];
     let sum = interval::instance(&mut b, "sum", &add_all, &[left, right], &[])[0];

@@ -33,16 +33,13 @@ pub struct Lowering<'a> {
     scheduler: &'a mut Scheduler,
     ranges: &'a Ranges,
     launch: f64,
-    fits: Box<dyn Fn(f64) -> bool>,
     done: HashMap<*const Unit, Rc<Module>>,
 }
 
 impl<'a> Lowering<'a> {
     /// Lowers for the scheduler's device and clock.
     pub fn new(scheduler: &'a mut Scheduler, device: &'static crate::device::Device, ranges: &'a Ranges) -> Self {
-        let period = scheduler.period();
-        let fits = Box::new(move |ns: f64| ns + device.setup() <= period + 1e-9);
-        Self { scheduler, ranges, launch: device.launch(), fits, done: HashMap::new() }
+        Self { scheduler, ranges, launch: device.launch(), done: HashMap::new() }
     }
 
     /// The module of a unit; `probed` brings out the nodes the unit marks.
@@ -71,7 +68,6 @@ impl<'a> Lowering<'a> {
             modules: &modules,
             ranges: self.ranges.unit(unit),
             launch: self.launch,
-            fits: self.fits.as_ref(),
             out: ModuleBuilder::new(unit.name.clone(), unit.doc.clone()),
             base: vec![None; unit.nodes.len()],
             copies: BTreeMap::new(),
@@ -90,7 +86,6 @@ struct Lowered<'a> {
     modules: &'a HashMap<usize, Rc<Module>>,
     ranges: Option<&'a [Option<Range>]>,
     launch: f64,
-    fits: &'a dyn Fn(f64) -> bool,
     out: ModuleBuilder,
     base: Vec<Option<SignalId>>,
     copies: BTreeMap<(usize, i32), SignalId>,
@@ -291,28 +286,28 @@ impl Lowered<'_> {
             };
             let lag = if *is_lagged { lag_clocks } else { 0 };
             let (first, last) = (slot.start + first as i32 + lag, slot.start + last as i32 + lag);
-            let registered = *is_lagged || slot.registered;
-            legs.push(Some(self.leg(arg, first, last, registered, lagged.len())));
+            // The scheduler's own figure: a leg is direct exactly where the scheduler took it to be.
+            let limit = if *is_lagged { self.launch } else { slot.ns - self.mux_delay(lagged.len()) };
+            legs.push(Some(self.leg(arg, slot.start, first, last, limit)));
         }
         let any = legs.iter().flatten().next().copied().expect("some leg is read");
         legs.into_iter().map(|l| l.unwrap_or(any)).collect()
     }
 
-    /// A leg of a choice, read from clock `first` to clock `last`.
-    fn leg(&mut self, arg: usize, first: i32, last: i32, registered: bool, legs: usize) -> SignalId {
+    /// A leg of a choice that starts in clock `start`, read from clock `first` to clock `last`; values that arrive
+    /// after `limit` nanoseconds are captured first.
+    fn leg(&mut self, arg: usize, start: i32, first: i32, last: i32, limit: f64) -> SignalId {
         let slot = self.schedule.slots[arg];
         if slot.from == i32::MIN || slot.until == i32::MAX {
-            return self.fetch(arg, first);
+            return self.fetch(arg, start);
         }
-        let direct = if registered { slot.ns <= self.launch } else { (self.fits)(slot.ns + self.mux_delay(legs)) };
-        if direct && slot.from <= first && last < slot.until {
+        if slot.ns <= limit + 1e-9 && slot.from <= first && last < slot.until {
             return self.base[arg].expect("operands come first");
         }
         self.hold(arg, last - self.interval() + 1, first)
     }
 
     fn mux_delay(&self, legs: usize) -> f64 {
-        // The scheduler's own figure: a leg is direct exactly where the scheduler took it to be.
         self.schedule.mux[legs.min(self.schedule.mux.len() - 1)]
     }
 

@@ -13,12 +13,15 @@
 //! * [`simulate`]: the modules, clock by clock;
 //! * the `vhdl` room: the modules, as text.
 
+mod constraints;
+mod cut;
 pub mod estimate;
 pub mod evaluate;
 pub mod flat;
 pub mod lower;
 pub mod netlist;
 pub mod op;
+pub mod programme;
 pub mod range;
 pub mod schedule;
 pub mod simulate;

@@ -57,6 +57,20 @@ pub enum Driver {
     },
 }
 
+impl Driver {
+    /// All signals it reads.
+    pub fn operands(&self) -> Vec<SignalId> {
+        match self {
+            Driver::Port | Driver::Instance { .. } => vec![],
+            Driver::Combinational { args, .. } => args.clone(),
+            Driver::Register { args, enable, reset, .. } => {
+                args.iter().copied().chain(*enable).chain(reset.map(|r| r.0)).collect()
+            }
+            Driver::Memory { write, address, data, read, .. } => vec![*write, *address, *data, *read],
+        }
+    }
+}
+
 /// A signal: name, type, driver and what a reader wants to know.
 #[derive(Clone, Debug)]
 pub struct Signal {
@@ -84,6 +98,18 @@ pub struct Instance {
     /// One signal an input port, in order.
     pub inputs: Vec<SignalId>,
 }
+
+/// Registers in a row of which only the last is read: a shift register.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct DelayLine {
+    /// What is delayed.
+    pub source: SignalId,
+    /// The registers, in order.
+    pub registers: Vec<SignalId>,
+}
+
+/// Registers that make a delay line: fewer are cheaper apart.
+pub const LEAST_DELAY_LINE: usize = 3;
 
 /// A module.
 #[derive(Clone, Debug)]
@@ -139,6 +165,42 @@ impl Module {
             _ => false,
         };
         self.signals.iter().filter(own).count() + self.instances.iter().map(|i| i.module.multipliers()).sum::<usize>()
+    }
+
+    /// The delay lines of the module itself, in the order of their last registers.
+    pub fn delay_lines(&self) -> Vec<DelayLine> {
+        let copied = |id: SignalId| match &self.signal(id).driver {
+            Driver::Register { op: None, args, enable: None, reset: None } => Some(args[0]),
+            _ => None,
+        };
+        let mut reads = vec![0; self.signals.len()];
+        let read = self.signals.iter().flat_map(|s| s.driver.operands());
+        let read =
+            read.chain(self.outputs.iter().map(|o| o.1)).chain(self.instances.iter().flat_map(|i| i.inputs.clone()));
+        read.for_each(|id| reads[id.0] += 1);
+        // A register goes on in the one register that alone reads it.
+        let inner = |id: SignalId| copied(id).is_some() && reads[id.0] == 1;
+        let mut goes_on = vec![false; self.signals.len()];
+        let all = || (0..self.signals.len()).map(SignalId);
+        for id in all() {
+            if let Some(before) = copied(id).filter(|before| inner(*before)) {
+                goes_on[before.0] = true;
+            }
+        }
+        let mut lines = vec![];
+        for last in all().filter(|id| copied(*id).is_some() && !goes_on[id.0]) {
+            let mut registers = vec![last];
+            let mut source = copied(last).expect("a copy");
+            while inner(source) {
+                registers.push(source);
+                source = copied(source).expect("a copy");
+            }
+            registers.reverse();
+            if registers.len() >= LEAST_DELAY_LINE {
+                lines.push(DelayLine { source, registers });
+            }
+        }
+        lines
     }
 
     /// Register bits in the hierarchy.
@@ -295,19 +357,11 @@ impl ModuleBuilder {
             if std::mem::replace(&mut used[id.0], true) {
                 continue;
             }
-            match &module.signals[id.0].driver {
-                Driver::Port => {}
-                Driver::Combinational { args, .. } => stack.extend(args),
-                Driver::Register { args, enable, reset, .. } => {
-                    stack.extend(args);
-                    stack.extend(enable);
-                    stack.extend(reset.map(|r| r.0));
-                }
-                Driver::Memory { write, address, data, read, .. } => stack.extend([write, address, data, read]),
-                Driver::Instance { instance, .. } => {
-                    if !std::mem::replace(&mut instances[*instance], true) {
-                        stack.extend(&module.instances[*instance].inputs);
-                    }
+            let driver = &module.signals[id.0].driver;
+            stack.extend(driver.operands());
+            if let Driver::Instance { instance, .. } = driver {
+                if !std::mem::replace(&mut instances[*instance], true) {
+                    stack.extend(&module.instances[*instance].inputs);
                 }
             }
         }

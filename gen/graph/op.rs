@@ -66,16 +66,12 @@ pub enum Op {
     Subtract,
     /// Exact negation, signed, one bit wider.
     Negate,
+    /// The second operand, negated where the first, a flag, is set; range analysis must show that it fits.
+    NegateIf,
     /// Exact product, as wide as both operands together: one hardware multiplier if both fit it.
     Multiply,
-    /// Flag: first operand strictly less than the second.
-    Less,
     /// Flag: both operands equal.
     Equal,
-    /// The lesser operand.
-    Minimum,
-    /// The greater operand.
-    Maximum,
     /// Bitwise conjunction of unsigned operands of one width.
     And,
     /// Bitwise disjunction of unsigned operands of one width.
@@ -110,7 +106,7 @@ pub enum Op {
     Lookup(Vec<i128>, Type),
     /// The operand chosen by an unsigned first operand: 0 takes the first of the others.
     Select,
-    /// Unsigned operands side by side, the first in the low bits.
+    /// Operands side by side, the first in the low bits and with its binary point; only the last may be signed.
     Concatenate,
     /// A constant that depends on the phase of the pair's slot: entry s in phase s; none where it does not matter.
     Phase(Vec<Option<i128>>, Type),
@@ -196,6 +192,8 @@ impl Op {
             }
             Op::Subtract => Ok(wider(same_kind("difference", args)?, true)),
             Op::Negate => Ok(wider(args[0], true)),
+            Op::NegateIf if args[0] == Type::FLAG && args[1].signed => Ok(args[1]),
+            Op::NegateIf => Err(format!("{} cannot be negated by {}", args[1], args[0])),
             Op::Multiply => {
                 let [a, b] = [args[0], args[1]];
                 if !(a.signed && b.signed) {
@@ -203,9 +201,7 @@ impl Op {
                 }
                 Ok(Type::signed(a.bits + b.bits, a.fraction + b.fraction))
             }
-            Op::Less => same_kind("comparison", args).map(|_| Type::FLAG),
             Op::Equal => same_kind("comparison", args).map(|_| Type::FLAG),
-            Op::Minimum | Op::Maximum => same_kind("minimum or maximum", args),
             Op::And => unsigned("and"),
             Op::Or => unsigned("or"),
             Op::Not => unsigned("not"),
@@ -236,7 +232,14 @@ impl Op {
                 Ok(*t)
             }
             Op::Select => same_kind("select", &args[1..]),
-            Op::Concatenate => Ok(Type::unsigned(args.iter().map(|a| a.bits).sum())),
+            Op::Concatenate => {
+                let (last, low) = args.split_last().ok_or("no operands")?;
+                if let Some(signed) = low.iter().find(|a| a.signed) {
+                    return Err(format!("{signed} below other bits"));
+                }
+                let fraction = args[0].fraction;
+                Ok(Type { signed: last.signed, bits: args.iter().map(|a| a.bits).sum(), fraction })
+            }
             Op::Phase(_, t) => Ok(*t),
             Op::Hold { .. } => Ok(args[0]),
             Op::ScanOr => same_kind("scan", &args[..1]),
@@ -254,11 +257,10 @@ impl Op {
             Op::Add => args[0] + args[1],
             Op::Subtract => args[0] - args[1],
             Op::Negate => -args[0],
+            Op::NegateIf if args[0] == 1 => -args[1],
+            Op::NegateIf => args[1],
             Op::Multiply => args[0] * args[1],
-            Op::Less => i128::from(args[0] < args[1]),
             Op::Equal => i128::from(args[0] == args[1]),
-            Op::Minimum => args[0].min(args[1]),
-            Op::Maximum => args[0].max(args[1]),
             Op::And => args[0] & args[1],
             Op::Or => args[0] | args[1],
             Op::Not => ((1 << result.bits) - 1) - args[0],
@@ -305,12 +307,17 @@ impl Op {
             Op::Add => (args[0].0 + args[1].0, args[0].1 + args[1].1),
             Op::Subtract => (args[0].0 - args[1].1, args[0].1 - args[1].0),
             Op::Negate => (-args[0].1, -args[0].0),
+            Op::NegateIf if args[0] == (0, 0) => args[1],
+            Op::NegateIf => {
+                let negated = (-args[1].1, -args[1].0);
+                if args[0] == (1, 1) {
+                    negated
+                } else {
+                    hull(&[args[1], negated])
+                }
+            }
             Op::Multiply => corners(&|a, b| a * b),
-            Op::Less if args[0].1 < args[1].0 => (1, 1),
-            Op::Less if args[0].0 >= args[1].1 => (0, 0),
-            Op::Less | Op::Equal => (0, 1),
-            Op::Minimum => (args[0].0.min(args[1].0), args[0].1.min(args[1].1)),
-            Op::Maximum => (args[0].0.max(args[1].0), args[0].1.max(args[1].1)),
+            Op::Equal => (0, 1),
             Op::And => (0, args[0].1.min(args[1].1)),
             Op::Or => (args[0].0.max(args[1].0), fill(args[0].1.max(args[1].1))),
             Op::Not => (result.limits().1 - args[0].1, result.limits().1 - args[0].0),

@@ -4,16 +4,19 @@
 //! end after the period it starts a clock later from registers, and where even that is too long it is followed by as
 //! many registers as its delay spans periods (for products that is the rule, and the synthesiser moves the first into
 //! the multiplier). Units are scheduled by themselves, their inputs arriving from registers in clock 0, and all outputs
-//! leave at one latency; an instance then is one operation of its parent.
+//! leave at one latency; an instance then is one operation of its parent. That fixes the latency; within it nodes then
+//! start where they take the fewest register bits (see [`programme`](super::programme)).
 //!
 //! A per-pair value is valid in a *window* of clocks, at most one interval long. Uses inside the window need no
 //! register at all; a use beyond it captures the value again (a *hold*), which costs one register an interval whatever
 //! the distance. A per-phase value moves by one register a clock.
 
+use super::constraints::Constraints;
 use super::flat::pattern;
+use super::programme::Programme;
 use super::{Op, Rate, Type, Unit};
 use crate::device::Device;
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
 /// When a node's value is there.
@@ -55,9 +58,29 @@ pub struct Schedule {
     pub mux: Vec<f64>,
     /// The longest path between registers in the unit and its instances, ns, with the name of its last node.
     pub critical: (f64, String),
+    /// All schedules of this latency as a linear programme.
+    pub programme: Programme,
+    /// Register bits of this one by the programme.
+    pub register_bits: u64,
+    /// Schedules of the instances, by node.
+    pub children: BTreeMap<usize, Rc<Schedule>>,
 }
 
 impl Schedule {
+    /// The schedules of the unit and of all units in it, instantiated ones first, each with its number of instances.
+    pub fn hierarchy(self: &Rc<Self>) -> Vec<(Rc<Schedule>, usize)> {
+        fn visit(schedule: &Rc<Schedule>, all: &mut Vec<(Rc<Schedule>, usize)>) {
+            schedule.children.values().for_each(|child| visit(child, all));
+            match all.iter_mut().find(|(known, _)| Rc::ptr_eq(known, schedule)) {
+                Some((_, count)) => *count += 1,
+                None => all.push((Rc::clone(schedule), 1)),
+            }
+        }
+        let mut all = vec![];
+        visit(self, &mut all);
+        all
+    }
+
     /// Clocks by which lagged phases follow the others.
     pub fn lag_clocks(&self) -> i32 {
         self.lag * self.unit.interval as i32
@@ -90,7 +113,7 @@ impl Scheduler {
         if let Some(schedule) = self.done.get(&Rc::as_ptr(unit)) {
             return Rc::clone(schedule);
         }
-        let children: HashMap<usize, Rc<Schedule>> = unit
+        let children: BTreeMap<usize, Rc<Schedule>> = unit
             .nodes
             .iter()
             .enumerate()
@@ -102,7 +125,14 @@ impl Scheduler {
         let lagged = unit.nodes.iter().any(|n| matches!(&n.op, Op::Choose { lagged } if lagged.contains(&true)));
         let lags = if lagged { 0..MOST_LAG } else { 0..1 };
         let schedule = lags
-            .map(|lag| Pass { device: self.device, period: self.period, unit, children: &children, lag })
+            .map(|lag| Pass {
+                device: self.device,
+                period: self.period,
+                unit,
+                children: &children,
+                users: users(unit),
+                lag,
+            })
             .find_map(|pass| pass.run())
             .unwrap_or_else(|| panic!("unit {}: lagged legs depend on themselves", unit.name));
         let schedule = Rc::new(schedule);
@@ -111,11 +141,14 @@ impl Scheduler {
     }
 }
 
-struct Pass<'a> {
-    device: &'static Device,
+/// The making of one schedule.
+pub(super) struct Pass<'a> {
+    pub(super) device: &'static Device,
     period: f64,
-    unit: &'a Rc<Unit>,
-    children: &'a HashMap<usize, Rc<Schedule>>,
+    pub(super) unit: &'a Rc<Unit>,
+    pub(super) children: &'a BTreeMap<usize, Rc<Schedule>>,
+    /// The nodes that have each node as operand.
+    pub(super) users: Vec<Vec<usize>>,
     lag: i32,
 }
 
@@ -126,37 +159,79 @@ struct Arrival {
     until: i32,
 }
 
+/// What is asked of a node beyond its operands: a start that is not earlier, and for choices legs that arrive no later.
+#[derive(Clone, Copy)]
+struct Wish {
+    start: i32,
+    ns: f64,
+}
+
+const NO_WISH: Wish = Wish { start: i32::MIN, ns: f64::INFINITY };
+
 impl Pass<'_> {
-    fn launch(&self) -> f64 {
+    pub(super) fn launch(&self) -> f64 {
         self.device.launch()
     }
 
-    fn fits(&self, ns: f64) -> bool {
+    pub(super) fn fits(&self, ns: f64) -> bool {
         ns + self.device.setup() <= self.period + 1e-9
     }
 
-    fn interval(&self) -> i32 {
+    pub(super) fn interval(&self) -> i32 {
         self.unit.interval as i32
+    }
+
+    pub(super) fn lag_clocks(&self) -> i32 {
+        self.lag * self.interval()
     }
 
     /// Runs the pass; none if a lagged leg is not there in time.
     fn run(&self) -> Option<Schedule> {
-        let mut slots: Vec<Slot> = vec![];
-        for i in 0..self.unit.nodes.len() {
-            let slot = self.place(i, &slots);
-            slots.push(slot);
-        }
-        if !self.lagged_legs_arrive(&slots) {
+        let earliest = self.slots(&vec![NO_WISH; self.unit.nodes.len()]);
+        if !self.lagged_legs_arrive(&earliest) {
             return None;
         }
-        self.move_later(&mut slots);
+        let (latency, output_ns) = self.latency(&earliest);
+        let (programme, variables) = Constraints::collect(self, &earliest, latency, output_ns);
+        let mut starts = vec![0; programme.variables.len()];
+        for (slot, variable) in earliest.iter().zip(&variables) {
+            variable.iter().for_each(|v| starts[*v] = slot.start);
+        }
+        let best = programme.optimise(&starts);
+        let wishes = earliest.iter().zip(&variables).map(|(slot, variable)| {
+            // Captured operands of a per-pair value are awaited in the clock before.
+            let before = i32::from(slot.registered && slot.until != i32::MAX);
+            Wish { start: variable.map_or(i32::MIN, |v| best[v] - before), ns: slot.ns }
+        });
+        let slots = self.slots(&wishes.collect::<Vec<_>>());
+        let register_bits = programme.cost(&best);
+        Some(self.schedule(slots, programme, register_bits))
+    }
+
+    /// All slots, operands before their uses.
+    fn slots(&self, wishes: &[Wish]) -> Vec<Slot> {
+        let mut slots: Vec<Slot> = vec![];
+        for (i, wish) in wishes.iter().enumerate() {
+            let slot = self.place(i, &slots, *wish);
+            slots.push(slot);
+        }
+        slots
+    }
+
+    /// Clocks to the last output, and its arrival.
+    fn latency(&self, slots: &[Slot]) -> (i32, f64) {
+        let outputs = || self.unit.outputs.iter().map(|o| slots[o.1 .0]);
+        let latency = outputs().map(|s| s.from).max().unwrap_or(0).max(0);
+        let late = outputs().filter(|s| s.from == latency);
+        (latency, late.map(|s| s.ns).fold(self.launch(), f64::max))
+    }
+
+    fn schedule(&self, slots: Vec<Slot>, programme: Programme, register_bits: u64) -> Schedule {
         let unit = self.unit;
-        let latency = unit.outputs.iter().map(|o| slots[o.1 .0].from).max().unwrap_or(0).max(0);
-        let late = unit.outputs.iter().map(|o| slots[o.1 .0]).filter(|s| s.from == latency);
-        let output_ns = late.map(|s| s.ns).fold(self.launch(), f64::max);
+        let (latency, output_ns) = self.latency(&slots);
         // Every node that starts in clock 0 lies on a path from the inputs to the first register.
         let path = |i: usize| match self.children.get(&i) {
-            Some(child) if slots[i].start == 0 && child.latency > 0 => self.arrival(i, &slots).ns + child.input_path,
+            Some(child) if slots[i].start == 0 && child.latency > 0 => self.arrival(i, &slots, 0).ns + child.input_path,
             _ if slots[i].from == 0 => slots[i].ns,
             _ => self.launch(),
         };
@@ -174,11 +249,22 @@ impl Pass<'_> {
         }
         let legs = unit.nodes.iter().map(|n| n.args.len()).max().unwrap_or(0).min(64);
         let mux = (0..=legs.max(1)).map(|n| self.device.mux(n)).collect();
-        let lag = self.lag;
-        Some(Schedule { unit: Rc::clone(unit), slots, latency, input_path, output_ns, lag, mux, critical })
+        Schedule {
+            unit: Rc::clone(unit),
+            slots,
+            latency,
+            input_path,
+            output_ns,
+            lag: self.lag,
+            mux,
+            critical,
+            programme,
+            register_bits,
+            children: self.children.clone(),
+        }
     }
 
-    fn place(&self, i: usize, slots: &[Slot]) -> Slot {
+    fn place(&self, i: usize, slots: &[Slot], wish: Wish) -> Slot {
         let node = &self.unit.nodes[i];
         let interval = self.interval();
         match &node.op {
@@ -195,7 +281,7 @@ impl Pass<'_> {
                 let from = arg.from + *phase as i32 + 1 + lag;
                 Slot { start: from - 1, from, until: from + interval, ns: self.launch(), registered: false }
             }
-            Op::Choose { lagged } => self.place_choose(i, lagged, slots),
+            Op::Choose { lagged } => self.place_choose(i, lagged, slots, wish),
             Op::Output(_) => {
                 let instance = slots[node.args[0].0];
                 let until = if node.rate == Rate::Pair { instance.until } else { i32::MAX };
@@ -203,17 +289,18 @@ impl Pass<'_> {
             }
             Op::Instance(_) => {
                 let child = &self.children[&i];
-                let arrival = self.arrival(i, slots);
+                let arrival = self.arrival(i, slots, wish.start);
                 let (start, ns, registered) = self.start(&arrival, child.input_path);
                 let ns = if child.latency == 0 { ns } else { child.output_ns };
                 let until = arrival.until.saturating_add(child.latency);
-                let until = if registered { start + interval + child.latency } else { until };
+                let captured = registered && arrival.until != i32::MAX;
+                let until = if captured { start + interval + child.latency } else { until };
                 Slot { start, from: start + child.latency, until, ns, registered }
             }
             op => {
                 let types: Vec<Type> = node.args.iter().map(|a| self.unit.node(*a).ty).collect();
                 let delay = delay(self.device, op, &types, node.ty);
-                let arrival = self.arrival(i, slots);
+                let arrival = self.arrival(i, slots, wish.start);
                 if arrival.clock == i32::MIN {
                     return Slot { ns: self.launch() + delay, ..Slot::ALWAYS };
                 }
@@ -248,11 +335,11 @@ impl Pass<'_> {
         }
     }
 
-    /// When the last operand of a node arrives.
-    fn arrival(&self, i: usize, slots: &[Slot]) -> Arrival {
+    /// When the last operand of a node arrives, or where that is later, clock `least`.
+    fn arrival(&self, i: usize, slots: &[Slot], least: i32) -> Arrival {
         let node = &self.unit.nodes[i];
         let args: Vec<Slot> = node.args.iter().map(|a| slots[a.0]).collect();
-        let clock = args.iter().map(|s| s.from).max().unwrap_or(i32::MIN);
+        let clock = args.iter().map(|s| s.from).max().unwrap_or(i32::MIN).max(least);
         let mut arrival = Arrival { clock, ns: self.launch(), until: i32::MAX };
         for s in args {
             let (ns, until) = if s.from == i32::MIN {
@@ -270,13 +357,12 @@ impl Pass<'_> {
         arrival
     }
 
-    fn place_choose(&self, i: usize, lagged: &[bool], slots: &[Slot]) -> Slot {
+    fn place_choose(&self, i: usize, lagged: &[bool], slots: &[Slot], wish: Wish) -> Slot {
         let node = &self.unit.nodes[i];
         let delay = self.device.mux(lagged.len());
-        let mut clock = 0;
-        let mut ns = self.launch();
+        let mut clock = wish.start.max(0);
         loop {
-            let before = clock;
+            let (mut ready, mut ns) = (clock, self.launch());
             for (leg, is_lagged) in lagged.iter().enumerate() {
                 let Some((first, last)) = leg_phases(self.unit, i, leg).filter(|_| !is_lagged) else { continue };
                 let slot = slots[node.args[1 + leg].0];
@@ -287,81 +373,16 @@ impl Pass<'_> {
                 // A value that leaves too little of the period for the choice, or of its window for the last phase
                 // it is read in, is captured first.
                 let outlives = !per_pair || clock + (last as i32) < slot.until;
-                let direct = self.fits(slot.ns + delay) && outlives;
-                let ready = slot.from + i32::from(!direct) - if per_pair { first as i32 } else { 0 };
-                clock = clock.max(ready);
+                let in_time = self.fits(slot.ns + delay) && slot.ns + delay <= wish.ns + 1e-9;
+                let direct = in_time && outlives;
+                ready = ready.max(slot.from + i32::from(!direct) - if per_pair { first as i32 } else { 0 });
                 ns = ns.max(if direct { slot.ns } else { self.launch() });
             }
-            if clock == before {
-                return Slot { start: clock, from: clock, until: i32::MAX, ns: ns + delay, registered: false };
+            if ready == clock {
+                let ns = ns + delay;
+                return Slot { start: clock, from: clock, until: i32::MAX, ns, registered: false };
             }
-        }
-    }
-
-    /// Moves nodes towards their uses where that saves register bits: choices, because a per-pair value waits for
-    /// less than a stream does, and operations whose result is wider than what it takes to keep their operands.
-    fn move_later(&self, slots: &mut [Slot]) {
-        let nodes = &self.unit.nodes;
-        let mut users: Vec<Vec<usize>> = vec![vec![]; nodes.len()];
-        for (i, node) in nodes.iter().enumerate() {
-            for arg in &node.args {
-                users[arg.0].push(i);
-            }
-        }
-        let latency = self.unit.outputs.iter().map(|o| slots[o.1 .0].from).max().unwrap_or(0);
-        let mut fixed = vec![false; nodes.len()];
-        for output in &self.unit.outputs {
-            fixed[output.1 .0] = true;
-        }
-        for probe in &self.unit.probes {
-            fixed[probe.0 .0] = true;
-        }
-        let passes_on = |op: &Op| !matches!(op, Op::Hold { .. } | Op::Choose { .. } | Op::ScanOr | Op::Output(_));
-        for i in (0..nodes.len()).rev() {
-            let slot = slots[i];
-            let movable = !fixed[i]
-                && slot.from != i32::MIN
-                && slot.until == i32::MAX
-                && slot.from == slot.start
-                && !users[i].is_empty()
-                && users[i].iter().all(|u| passes_on(&nodes[*u].op) && !self.unit.renames(*u));
-            if !movable {
-                continue;
-            }
-            let first_use = users[i].iter().map(|u| slots[*u].start).min().unwrap_or(latency);
-            match &nodes[i].op {
-                Op::Choose { lagged } => {
-                    // A value that is the same in all phases is read where it is used; a choice is made a clock before.
-                    let one = lagged.len() == 1;
-                    let start = first_use - i32::from(!one);
-                    if start > slot.start && !lagged.contains(&true) {
-                        let ns = self.launch() + self.device.mux(lagged.len());
-                        slots[i] = Slot { start, from: start, ns, registered: true, ..slot };
-                    }
-                }
-                Op::Input | Op::Instance(_) | Op::Multiply | Op::ScanOr | Op::Hold { .. } | Op::Output(_) => {}
-                _ if self.unit.renames(i) => {}
-                op => {
-                    let start = first_use - 1;
-                    let args = nodes[i].args.iter().map(|a| a.0).filter(|a| slots[*a].from != i32::MIN);
-                    let args: Vec<usize> = args.collect();
-                    if start <= slot.start || args.iter().any(|a| slots[*a].until != i32::MAX) {
-                        continue;
-                    }
-                    let kept = |a: usize| {
-                        let last = users[a].iter().map(|u| slots[*u].start).max().unwrap_or(0);
-                        let last = if fixed[a] { last.max(latency) } else { last };
-                        i64::from((start - last.max(slots[a].from)).max(0)) * i64::from(nodes[a].ty.bits)
-                    };
-                    let cost: i64 = args.iter().map(|a| kept(*a)).sum();
-                    let gain = i64::from(start - slot.start) * i64::from(nodes[i].ty.bits);
-                    if cost < gain {
-                        let types: Vec<Type> = nodes[i].args.iter().map(|a| self.unit.node(*a).ty).collect();
-                        let ns = self.launch() + delay(self.device, op, &types, nodes[i].ty);
-                        slots[i] = Slot { start, from: start, ns, registered: true, ..slot };
-                    }
-                }
-            }
+            clock = ready;
         }
     }
 
@@ -379,14 +400,25 @@ impl Pass<'_> {
     }
 }
 
+/// The nodes that have each node as operand.
+fn users(unit: &Unit) -> Vec<Vec<usize>> {
+    let mut users = vec![vec![]; unit.nodes.len()];
+    for (i, node) in unit.nodes.iter().enumerate() {
+        for arg in &node.args {
+            users[arg.0].push(i);
+        }
+    }
+    users
+}
+
 /// Delay of an operation from its inputs to its output, nets before it included, ns. Wires take no time.
-fn delay(device: &Device, op: &Op, args: &[Type], result: Type) -> f64 {
+pub(super) fn delay(device: &Device, op: &Op, args: &[Type], result: Type) -> f64 {
     let widest = args.iter().map(|a| a.bits).max().unwrap_or(0);
     match op {
         Op::Add | Op::Subtract | Op::Negate => device.chain(result.bits),
-        Op::Magnitude => device.conditional_negation(result.bits),
-        Op::Less | Op::Equal => device.comparison(widest),
-        Op::Minimum | Op::Maximum | Op::Clamp(..) => device.comparison(widest) + device.mux(2),
+        Op::NegateIf | Op::Magnitude => device.conditional_negation(result.bits),
+        Op::Equal => device.comparison(widest),
+        Op::Clamp(..) => device.comparison(widest) + device.mux(2),
         Op::Multiply => device.product(result.bits),
         Op::And | Op::Or | Op::Not | Op::ScanOr => device.tree(2),
         Op::AnyBit => device.tree(widest),

@@ -305,6 +305,9 @@ impl Simulation {
                     Op::Floor(drop) => each.for_each(|(z, a)| *z = a >> drop),
                     Op::Append(zeros) => each.for_each(|(z, a)| *z = a << zeros),
                     Op::LowBits(bits) => each.for_each(|(z, a)| *z = a & ((1i64 << bits) - 1)),
+                    Op::Lookup(table, _) => each.for_each(|(z, a)| {
+                        *z = table.get(*a as usize).map_or(0, |value| *value as i64);
+                    }),
                     Op::Not => {
                         let ones = (1i64 << self.cells[cell].ty.bits) - 1;
                         each.for_each(|(z, a)| *z = ones - a);
@@ -318,10 +321,8 @@ impl Simulation {
                     Op::Add => pairs.for_each(|((z, a), b)| *z = a + b),
                     Op::Subtract => pairs.for_each(|((z, a), b)| *z = a - b),
                     Op::Multiply => pairs.for_each(|((z, a), b)| *z = a * b),
-                    Op::Less => pairs.for_each(|((z, a), b)| *z = i64::from(a < b)),
+                    Op::NegateIf => pairs.for_each(|((z, a), b)| *z = if *a == 1 { -b } else { *b }),
                     Op::Equal => pairs.for_each(|((z, a), b)| *z = i64::from(a == b)),
-                    Op::Minimum => pairs.for_each(|((z, a), b)| *z = *a.min(b)),
-                    Op::Maximum => pairs.for_each(|((z, a), b)| *z = *a.max(b)),
                     Op::And => pairs.for_each(|((z, a), b)| *z = a & b),
                     Op::Or => pairs.for_each(|((z, a), b)| *z = a | b),
                     Op::Select => {

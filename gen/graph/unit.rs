@@ -327,6 +327,27 @@ impl Builder {
         self.op(name, Op::Subtract, &[a, b])
     }
 
+    /// Flag: `a < b`, the sign of their difference. One carry chain on every device, which synthesisers do not all make
+    /// of a comparison.
+    pub fn less(&mut self, name: &str, a: NodeId, b: NodeId) -> NodeId {
+        let difference = self.subtract(&format!("{name}_difference"), a, b);
+        let flag = self.op(name, Op::SignBit, &[difference]);
+        let comment = format!("{} < {}", self.unit.node(a).name, self.unit.node(b).name);
+        self.comment(flag, comment)
+    }
+
+    /// The lesser of two values.
+    pub fn least(&mut self, name: &str, a: NodeId, b: NodeId) -> NodeId {
+        let less = self.less(&format!("{name}_order"), a, b);
+        self.either(name, less, a, b)
+    }
+
+    /// The greater of two values.
+    pub fn greatest(&mut self, name: &str, a: NodeId, b: NodeId) -> NodeId {
+        let less = self.less(&format!("{name}_order"), a, b);
+        self.either(name, less, b, a)
+    }
+
     /// `if_set` where the flag is set, else `if_clear`.
     pub fn either(&mut self, name: &str, flag: NodeId, if_set: NodeId, if_clear: NodeId) -> NodeId {
         self.op(name, Op::Select, &[flag, if_clear, if_set])

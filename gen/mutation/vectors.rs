@@ -1,11 +1,13 @@
 //! Vectors chosen to kill: pairs on whose axes a comparison is decided by a single ulp.
 //!
 //! A bound that is one ulp off shows in a flag only where that bound is at the edge of flipping it. Random pairs
-//! near contact seldom have such an axis, so half of the pairs are chosen: from many random ones those that together
-//! have most axes, comparisons and vertices at the edge. A quarter fills the working grid to its ends, where clamps act.
+//! near contact seldom have such an axis, so half of the pairs are made and chosen: in many random ones B is moved until
+//! one ulp decides, and of these are taken those that together have most axes, comparisons and vertices at the edge. A
+//! quarter fills the working grid to its ends, where clamps act.
 
 use crate::artefact::Stimulus;
 use crate::golden::{Golden, Input, Pair, Pose};
+use crate::number::Interval;
 use crate::params::{Params, Transform};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -20,22 +22,36 @@ const LARGEST: usize = 8192;
 /// The most pairs that are chosen.
 const MOST_CHOSEN: usize = 128;
 
-/// A comparison at the edge: axis, which of the four, what is lacking (0 or 1 ulp), and the vertices of A and of B.
-type Edge = (usize, usize, i128, usize, usize);
+/// A comparison at the edge: axis, which of the four, what is lacking (0 or 1 ulp), and the ends of A and of B: the vertex
+/// that has the bound, and the set of those that nearly have it.
+type Edge = (usize, usize, i128, (usize, u8), (usize, u8));
+
+/// What the four comparisons of section 6 lack on an axis, in ulps: each holds where its number is positive.
+type Lacking = [i128; 4];
 
 /// `count` pairs: of four two chosen, one at the ends of the working grid, and one random, every other time with an edge
 /// of one ulp.
 pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     let pool = Stimulus::random(params, (count * CHOICE).clamp(SMALLEST, LARGEST), seed);
-    let all: Vec<(Pose, Pair)> =
+    let random: Vec<(Pose, Pair)> =
         pool.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (*pose, *pair))).collect();
     let (golden, bound) = (Golden::new(params), params.coordinate_bound() as i64);
+    let near = |x: Input, by: i64| Input { lo: (x.lo + by).clamp(-bound, bound), sticky: x.sticky };
+    let at_edge = |(i, (pose, pair)): (usize, &(Pose, Pair))| {
+        let mut pair = *pair;
+        // Vertices next to each other: enclosures overlap, and which of them is taken matters.
+        let (one, other, by) = (i % 3, (i / 3) % 3, (i / 9) as i64 % 5 - 2);
+        let triangle = if i % 2 == 0 { &mut pair.a } else { &mut pair.b };
+        triangle[one] = triangle[other].map(|x| near(x, by));
+        (*pose, moved_to_edge(&golden, bound, pose, pair, i / 2))
+    };
+    let all: Vec<(Pose, Pair)> = random.par_iter().enumerate().map(at_edge).chain(random.par_iter().copied()).collect();
     let edges: Vec<Vec<Edge>> = all.par_iter().map(|(pose, pair)| edges(&golden, pose, pair)).collect();
     let chosen = cover(&edges, (count / 2).min(MOST_CHOSEN));
     let mut chosen = chosen.into_iter().map(|i| all[i]);
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     // Strides through the pool, so that few pairs see many poses.
-    let mut random = (0..).map(|i| all[(i * 17) % all.len()]);
+    let mut random = (0..).map(|i| random[(i * 17) % random.len()]);
     let mut segments: Vec<(Pose, Vec<Pair>)> = vec![];
     for number in 0..count {
         let next = match number % 4 {
@@ -47,8 +63,7 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
         let Some((pose, mut pair)) = next.or_else(|| random.next()) else { break };
         if number % 8 == 3 {
             // V1 next to V0, so that coordinates and n_A straddle 0.
-            let near = |x: Input| Input { lo: (x.lo - 1).max(-bound), sticky: x.sticky };
-            pair.a[1] = pair.a[0].map(near);
+            pair.a[1] = pair.a[0].map(|x| near(x, -1));
         }
         match segments.last_mut() {
             Some((last, pairs)) if *last == pose => pairs.push(pair),
@@ -118,37 +133,94 @@ fn cover(entries: &[Vec<Edge>], count: usize) -> Vec<usize> {
     chosen
 }
 
+/// The pair with B moved along one coordinate until one ulp decides the comparison that `number` stands for, if some
+/// such place is found by halving.
+fn moved_to_edge(golden: &Golden, bound: i64, pose: &Pose, pair: Pair, number: usize) -> Pair {
+    let moved = |by: i64| {
+        let mut pair = pair;
+        let coordinate = (number / 4) % 3;
+        for w in &mut pair.b {
+            w[coordinate].lo = (w[coordinate].lo + by).clamp(-bound, bound);
+        }
+        pair
+    };
+    let lacking = |by: i64| {
+        let axes = Axes::new(golden, pose, &moved(by));
+        let axis = (number / 12) % axes.names().len();
+        axes.lacking(axis)[number % 4]
+    };
+    let (mut from, mut to) = (-bound, bound);
+    let rising = lacking(from) <= 0;
+    if rising == (lacking(to) <= 0) {
+        return pair;
+    }
+    while to - from > 1 {
+        let middle = from + (to - from) / 2;
+        if (lacking(middle) <= 0) == rising {
+            from = middle;
+        } else {
+            to = middle;
+        }
+    }
+    moved(if number % 8 < 4 { from } else { to })
+}
+
+/// What the reference model computes on the axes of a pair.
+struct Axes(BTreeMap<String, Interval>);
+
+impl Axes {
+    fn new(golden: &Golden, pose: &Pose, pair: &Pair) -> Self {
+        Self(golden.trace(pose, pair).into_iter().collect())
+    }
+
+    /// The names of the axes, in one order for all pairs of a parameter set.
+    fn names(&self) -> Vec<&str> {
+        self.0.keys().filter_map(|name| name.strip_prefix("axis.")?.strip_suffix("_x")).collect()
+    }
+
+    fn enclosure(&self, axis: &str, end: &str) -> Interval {
+        self.0[&format!("enclosure.{axis}.{end}")]
+    }
+
+    fn lacking(&self, axis: usize) -> Lacking {
+        let axis = self.names()[axis];
+        let [a_min, a_max, b_min, b_max] = ["a_min", "a_max", "b_min", "b_max"].map(|end| self.enclosure(axis, end));
+        [b_min.lo - a_max.hi, a_min.lo - b_max.hi, b_max.lo - a_min.hi, a_max.lo - b_min.hi]
+    }
+
+    /// The vertex whose projection has this bound (3: none has), and those of the same triangle whose enclosures overlap its.
+    fn end(&self, axis: &str, side: char, bound: fn(&Interval) -> i128, value: i128) -> (usize, u8) {
+        let images = [0, 1, 2].map(|k| self.0.get(&format!("projection.{axis}.{side}{k}")).copied());
+        let Some(k) = (0..3).find(|k| images[*k].is_some_and(|x| bound(&x) == value)) else { return (3, 0) };
+        let overlaps = |other: &Interval| images[k].is_some_and(|x| x.lo <= other.hi && other.lo <= x.hi);
+        let near = (0..3).filter(|i| *i != k && images[*i].as_ref().is_some_and(overlaps));
+        (k, near.fold(0, |set, i| set | 1 << i))
+    }
+}
+
 /// The comparisons of a pair that one ulp decides, where no other comparison hides it.
 fn edges(golden: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
-    let trace = golden.trace(pose, pair);
-    let mut axes: Vec<&str> =
-        trace.iter().filter_map(|(name, _)| name.strip_prefix("axis.")?.strip_suffix("_x")).collect();
-    axes.dedup();
-    let values: BTreeMap<&str, _> = trace.iter().map(|(name, x)| (name.as_str(), *x)).collect();
+    let axes = Axes::new(golden, pose, pair);
+    let (lo, hi): (fn(&Interval) -> i128, fn(&Interval) -> i128) = (|x| x.lo, |x| x.hi);
     let mut found = vec![];
-    for (number, axis) in axes.iter().enumerate() {
-        let image = |side: char, k: usize| values.get(format!("projection.{axis}.{side}{k}").as_str()).copied();
-        let of = |end: &str| values[format!("enclosure.{axis}.{end}").as_str()];
-        let vertex = |side, bound: &dyn Fn(crate::number::Interval) -> i128, value| {
-            (0..3).find(|k| image(side, *k).is_some_and(|x| bound(x) == value)).unwrap_or(3)
-        };
-        let (lo, hi) = (|x: crate::number::Interval| x.lo, |x: crate::number::Interval| x.hi);
-        let (a_min, a_max, b_min, b_max) = (of("a_min"), of("a_max"), of("b_min"), of("b_max"));
-        // Each is positive where the comparison of section 6 holds.
-        let apart = [b_min.lo - a_max.hi, a_min.lo - b_max.hi];
-        let reach = [b_max.lo - a_min.hi, a_max.lo - b_min.hi];
+    for (number, axis) in axes.names().into_iter().enumerate() {
+        let lacking = axes.lacking(number);
+        // The bound of A, and that of B, that each comparison looks at.
         let ends = [
-            (vertex('v', &hi, a_max.hi), vertex('w', &lo, b_min.lo)),
-            (vertex('v', &lo, a_min.lo), vertex('w', &hi, b_max.hi)),
-            (vertex('v', &hi, a_min.hi), vertex('w', &lo, b_max.lo)),
-            (vertex('v', &lo, a_max.lo), vertex('w', &hi, b_min.hi)),
+            (("a_max", hi), ("b_min", lo)),
+            (("a_min", lo), ("b_max", hi)),
+            (("a_min", hi), ("b_max", lo)),
+            (("a_max", lo), ("b_min", hi)),
         ];
-        for i in 0..2 {
-            if matches!(apart[i], 0 | 1) && apart[1 - i] <= 0 {
-                found.push((number, i, apart[i], ends[i].0, ends[i].1));
-            }
-            if matches!(reach[i], 0 | 1) && reach[1 - i] > 0 {
-                found.push((number, 2 + i, reach[i], ends[2 + i].0, ends[2 + i].1));
+        for (i, (a, b)) in ends.into_iter().enumerate() {
+            // Either says separated, both together overlapping.
+            let other = lacking[i ^ 1];
+            let seen = if i < 2 { other <= 0 } else { other > 0 };
+            if seen && matches!(lacking[i], 0 | 1) {
+                let end = |side, (name, bound): (&str, fn(&Interval) -> i128)| {
+                    axes.end(axis, side, bound, bound(&axes.enclosure(axis, name)))
+                };
+                found.push((number, i, lacking[i], end('v', a), end('w', b)));
             }
         }
     }

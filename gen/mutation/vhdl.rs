@@ -249,6 +249,9 @@ impl<'a> Editor<'a> {
         if let Some((left, right)) = part.split_once(" - ") {
             self.rewrite(Kind::Operand, &format!("{right} - {left}"), "operands exchanged");
             self.rewrite(Kind::Operand, &format!("{left} + {right}"), "- -> +");
+            if self.statement.target.ends_with("_difference") {
+                self.rewrite(Kind::Comparison, &format!("{part} - 1"), "< -> <=");
+            }
         }
         if let Some((left, right)) = part.split_once(" + ") {
             self.rewrite(Kind::Operand, &format!("{left} - {right}"), "+ -> -");
@@ -300,7 +303,8 @@ impl<'a> Editor<'a> {
                     _ => continue,
                 },
             };
-            self.replace(Kind::Constant, place, &moved, format!("({inside}) -> ({moved})"));
+            let kind = if name.ends_with("_line") { Kind::Delay } else { Kind::Constant };
+            self.replace(kind, place, &moved, format!("({inside}) -> ({moved})"));
         }
     }
 

@@ -5,6 +5,7 @@
 
 mod formats;
 pub mod options;
+pub mod stream;
 
 pub use crate::number::Upper;
 pub use formats::{AxisKind, Clamp, Formats, Row};

@@ -1,4 +1,145 @@
 //! Open synthesis tools on the generated VHDL: Yosys' counts and nextpnr's clock beside what the device model predicts.
+//!
+//! VHDL, then GHDL, then Verilog, then Yosys with one synthesis an entity (so that every count belongs to a unit of
+//! ours), and for the ECP5 a second synthesis of the whole, placed and routed with several seeds.
 
+mod cells;
+mod critical_path;
+mod error;
+mod flow;
+mod harness;
+mod netlist;
+mod route;
 pub mod slices;
 pub mod static_timing;
+mod units;
+
+pub use cells::Cells;
+pub use critical_path::{CriticalPath, Step};
+pub use error::SynthError;
+pub use flow::Flow;
+pub use route::{Routed, Seed};
+pub use slices::Slices;
+pub use units::Unit;
+
+use crate::artefact::{self, Scratch};
+use crate::design::Design;
+use crate::device::Device;
+use crate::params::Params;
+use crate::verilog::{self, yosys, ToolError};
+use std::path::{Path, PathBuf};
+
+/// The Verilog of the whole design; also the mark of a folder that is ours to overwrite.
+pub const VERILOG: &str = "efsat.v";
+
+/// Name of the top entity.
+pub const TOP: &str = "efsat";
+
+/// How to synthesise.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Tools and family.
+    pub flow: Flow,
+    /// Placements to try, each with its own seed from 1 up; 0 stops after Yosys.
+    pub seeds: u32,
+    /// Where to leave sources, netlists, logs and reports; a temporary folder if none.
+    pub keep: Option<PathBuf>,
+}
+
+/// What came out.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Tools and family.
+    pub flow: Flow,
+    /// The device that cells are predicted for; the scheduled one if it is of the flow's family.
+    pub counted_for: &'static Device,
+    /// The tools that ran, with their versions.
+    pub tools: Vec<String>,
+    /// The design's units with predicted and actual cells, the top first.
+    pub top: Unit,
+    /// Clock that the schedule expects to reach, in MHz, and the signal its longest path ends at.
+    pub scheduled: (f64, String),
+    /// What placement and routing reached, where the flow has them.
+    pub routed: Option<Routed>,
+}
+
+impl Report {
+    /// Slices of a Virtex-II, estimated; none for the other families.
+    pub fn slices(&self) -> Option<Slices> {
+        let cells = self.top.actual.resources;
+        let estimate = || slices::estimate(cells.luts + cells.memory_luts, cells.flip_flops, None);
+        (self.flow == Flow::Virtex2).then(estimate)
+    }
+
+    /// What the prediction and the tools disagree about beyond what is tolerated, in words: any difference in
+    /// multipliers, and a target clock (in MHz) that is missed after routing.
+    pub fn faults(&self, target: u32) -> Vec<String> {
+        let mut faults = vec![];
+        let (predicted, actual) = (self.top.predicted.multipliers, self.top.actual.resources.multipliers);
+        if predicted != actual {
+            faults.push(format!("{actual} multipliers instead of {predicted}"));
+        }
+        if let Some(routed) = self.routed.as_ref().filter(|routed| routed.median() < f64::from(target)) {
+            faults.push(format!("{:.1} MHz instead of {target} (median of the seeds)", routed.median()));
+        }
+        faults
+    }
+}
+
+/// Synthesises a design. `step` is told what is going on.
+///
+/// # Errors
+/// See [`SynthError`]; counts or a clock that differ from the prediction are no error but part of the report.
+pub fn run(
+    params: &Params,
+    command_line: &str,
+    options: &Options,
+    step: &(dyn Fn(&str) + Sync),
+) -> Result<Report, SynthError> {
+    let design = Design::new(params, false)?;
+    let flow = options.flow;
+    let yosys = yosys::find()?;
+    let nextpnr = if flow.routes() && options.seeds > 0 { Some(route::find()?) } else { None };
+    let temporary;
+    let dir: &Path = match &options.keep {
+        Some(dir) => {
+            claim(dir)?;
+            dir
+        }
+        None => {
+            temporary = Scratch::new().map_err(ToolError::file(&std::env::temp_dir()))?;
+            temporary.path()
+        }
+    };
+    step("GHDL reads the VHDL");
+    let sources = artefact::vhdl_files(&design, command_line)?;
+    let text = verilog::from_vhdl(&sources, TOP, dir)?;
+    let path = dir.join(VERILOG);
+    std::fs::write(&path, text).map_err(ToolError::file(&path))?;
+    step("Yosys, unit by unit");
+    let netlist = units::netlist(&yosys, flow, dir)?;
+    let counted_for = flow.device(design.device);
+    let top = units::tree(&design, counted_for, &netlist, flow);
+    let mut tools = vec![yosys.version.clone()];
+    let routed = match &nextpnr {
+        Some(nextpnr) => {
+            tools.push(nextpnr.version.clone());
+            step("Yosys, the whole");
+            route::whole(&yosys, &design, dir)?;
+            Some(route::run(nextpnr, &design, options.seeds, dir, step)?)
+        }
+        None => None,
+    };
+    let (ns, end) = &design.schedule.critical;
+    Ok(Report { flow, counted_for, tools, top, scheduled: (1000.0 / ns, end.clone()), routed })
+}
+
+/// Makes a folder ours, unless it holds files of somebody else.
+fn claim(dir: &Path) -> Result<(), SynthError> {
+    std::fs::create_dir_all(dir).map_err(ToolError::file(dir))?;
+    let mut entries = std::fs::read_dir(dir).map_err(ToolError::file(dir))?;
+    if entries.next().is_none() || dir.join(VERILOG).is_file() {
+        return Ok(());
+    }
+    Err(SynthError::Keep(dir.display().to_string()))
+}

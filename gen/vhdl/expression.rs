@@ -138,20 +138,16 @@ impl Printer<'_> {
             Op::Add => simple(both("+")),
             Op::Subtract => simple(both("-")),
             Op::Negate => simple(format!("-{}", self.resized(args[0], to))),
-            Op::Multiply => simple(format!("{} * {}", self.value(args[0]), self.value(args[1]))),
-            Op::Less => {
-                let t = joint();
-                flag(format!("{} < {}", self.resized(args[0], t), self.resized(args[1], t)))
+            Op::NegateIf => {
+                // Complement and carry: one look-up table a bit, together with a choice in front of it.
+                let (flag, top) = (&self.signal(args[0]).name, to.bits - 1);
+                let one = self.resized(args[0], to);
+                simple(format!("({} xor ({top} downto 0 => {flag})) + {one}", self.value(args[1])))
             }
+            Op::Multiply => simple(format!("{} * {}", self.value(args[0]), self.value(args[1]))),
             Op::Equal => {
                 let t = joint();
                 flag(format!("{} = {}", self.resized(args[0], t), self.resized(args[1], t)))
-            }
-            Op::Minimum | Op::Maximum => {
-                let t = joint();
-                let (a, b) = (self.resized(args[0], t), self.resized(args[1], t));
-                let condition = if matches!(op, Op::Minimum) { format!("{a} < {b}") } else { format!("{b} < {a}") };
-                Expression::Choice(vec![(self.resized(args[0], to), condition)], self.resized(args[1], to))
             }
             Op::And => simple(format!("{} and {}", self.value(args[0]), self.value(args[1]))),
             Op::Or => simple(format!("{} or {}", self.value(args[0]), self.value(args[1]))),
@@ -166,9 +162,10 @@ impl Printer<'_> {
             }
             Op::Magnitude => {
                 let s = self.signal(args[0]);
-                let negative = format!("{}({}) = '1'", s.name, s.ty.bits - 1);
-                let value = self.value(args[0]);
-                Expression::Choice(vec![(format!("unsigned(-{value})"), negative)], format!("unsigned({value})"))
+                let (top, sign) = (s.ty.bits - 1, format!("{}({})", s.name, s.ty.bits - 1));
+                let (value, bits) = (self.value(args[0]), s.ty.bits);
+                let one = format!("resize(signed'('0' & {sign}), {bits})");
+                simple(format!("unsigned(({value} xor ({top} downto 0 => {sign})) + {one})"))
             }
             Op::Floor(drop) => {
                 let s = self.signal(args[0]);
@@ -206,8 +203,17 @@ impl Printer<'_> {
                 Expression::Choice((0..last).map(|i| (value(i), self.is(args[0], i))).collect(), value(last))
             }
             Op::Concatenate => {
-                let parts: Vec<String> = args.iter().rev().map(|a| self.value(*a)).collect();
-                simple(parts.join(" & "))
+                let kind = if to.signed { "signed" } else { "unsigned" };
+                let part = |id: &SignalId| {
+                    let t = self.signal(*id).ty;
+                    let value = self.value(*id);
+                    if t.signed == to.signed || is_flag(t) {
+                        value
+                    } else {
+                        format!("{kind}({value})")
+                    }
+                };
+                simple(args.iter().rev().map(part).collect::<Vec<_>>().join(" & "))
             }
             Op::Input
             | Op::Assert(..)

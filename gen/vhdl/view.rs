@@ -2,10 +2,10 @@
 
 use super::expression::{literal, port_type, type_name, Expression, Printer};
 use super::names::{self, Clash};
-use crate::graph::netlist::{Driver, Module, Signal, SignalId};
+use crate::graph::netlist::{DelayLine, Driver, Module, Signal, SignalId};
 use crate::graph::{Op, Type};
 use askama::Template;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// One port.
 struct Port {
@@ -87,6 +87,7 @@ impl Entity {
 pub fn entity(module: &Module, origin: &[String]) -> Result<Entity, Clash> {
     names::check(module)?;
     let printer = Printer(module);
+    let lines = Lines::of(module);
     let mut header = origin.to_vec();
     header.push(String::new());
     header.extend(module.doc.iter().cloned());
@@ -102,12 +103,39 @@ pub fn entity(module: &Module, origin: &[String]) -> Result<Entity, Clash> {
         name: module.name.clone(),
         header,
         ports: ports(module),
-        declarations: declarations(module),
-        stages: stages(&printer),
+        declarations: declarations(module, &lines),
+        stages: stages(&printer, &lines),
         instances: instances(&printer),
-        processes: processes(&printer),
+        processes: processes(&printer, &lines),
         outputs: module.outputs.iter().map(|(name, id)| format!("{name} <= {};", printer.port_value(*id))).collect(),
     })
+}
+
+/// The delay lines of a module, and which signals are in them.
+struct Lines {
+    all: Vec<DelayLine>,
+    /// Registers inside a line: they have no name of their own.
+    inner: HashSet<SignalId>,
+    /// The last register of each line, as index into `all`.
+    last: HashMap<SignalId, usize>,
+}
+
+impl Lines {
+    fn of(module: &Module) -> Self {
+        let all = module.delay_lines();
+        let (mut inner, mut last) = (HashSet::new(), HashMap::new());
+        for (i, line) in all.iter().enumerate() {
+            if let Some((end, before)) = line.registers.split_last() {
+                inner.extend(before);
+                last.insert(*end, i);
+            }
+        }
+        Self { all, inner, last }
+    }
+
+    fn contains(&self, id: SignalId) -> bool {
+        self.inner.contains(&id) || self.last.contains_key(&id)
+    }
 }
 
 fn ports(module: &Module) -> Vec<Port> {
@@ -159,9 +187,12 @@ fn zeros(t: Type) -> &'static str {
     }
 }
 
-fn declarations(module: &Module) -> Vec<Declaration> {
+fn declarations(module: &Module, lines: &Lines) -> Vec<Declaration> {
     let mut all = vec![];
-    for s in &module.signals {
+    for (i, s) in module.signals.iter().enumerate() {
+        if lines.inner.contains(&SignalId(i)) {
+            continue;
+        }
         let (name, ty) = (&s.name, type_name(s.ty));
         let op = match &s.driver {
             Driver::Combinational { op, .. } => Some(op),
@@ -175,6 +206,16 @@ fn declarations(module: &Module) -> Vec<Declaration> {
             }
         }
         let text = match &s.driver {
+            _ if lines.last.contains_key(&SignalId(i)) => {
+                let line = &lines.all[lines.last[&SignalId(i)]];
+                let [signal, words] = names::delay_line(module, line);
+                let text = format!("type {words} is array (1 to {}) of {ty};", line.registers.len());
+                all.push(Declaration { text, comment: String::new() });
+                let text = format!("signal {signal} : {words} := (others => {});", zeros(s.ty));
+                let comment = format!("delay line of {}", module.signal(line.source).name);
+                all.push(Declaration { text, comment });
+                format!("signal {name} : {ty};")
+            }
             Driver::Port => continue,
             Driver::Combinational { op: Op::Constant(value), .. } => {
                 format!("constant {name} : {ty} := {};", literal(*value, s.ty))
@@ -238,10 +279,15 @@ fn sequential(name: &str, expression: Expression) -> Vec<String> {
     }
 }
 
-fn stages(printer: &Printer) -> Vec<Stage> {
+fn stages(printer: &Printer, delays: &Lines) -> Vec<Stage> {
     let mut by_clock: BTreeMap<Option<i32>, Vec<Assignment>> = BTreeMap::new();
-    for s in &printer.0.signals {
+    for (i, s) in printer.0.signals.iter().enumerate() {
         let lines = match &s.driver {
+            _ if delays.last.contains_key(&SignalId(i)) => {
+                let line = &delays.all[delays.last[&SignalId(i)]];
+                let [signal, _] = names::delay_line(printer.0, line);
+                vec![format!("{} <= {signal}({});", s.name, line.registers.len())]
+            }
             Driver::Combinational { op: Op::Constant(_), .. } => continue,
             Driver::Combinational { op, args } => {
                 concurrent(&s.name, printer.expression(op, args, s.ty, &bounds(&s.name)))
@@ -291,13 +337,14 @@ fn instances(printer: &Printer) -> Vec<Instance> {
 }
 
 /// Registers in one process each: by clock where they run free, by enable and reset where they do not.
-fn processes(printer: &Printer) -> Vec<Process> {
+fn processes(printer: &Printer, lines: &Lines) -> Vec<Process> {
     let module = printer.0;
     type Key = (Option<SignalId>, Option<SignalId>, Option<i32>);
     let mut groups: BTreeMap<Key, Vec<usize>> = BTreeMap::new();
     let mut memories = vec![];
     for (i, s) in module.signals.iter().enumerate() {
         match &s.driver {
+            _ if lines.contains(SignalId(i)) => {}
             Driver::Register { enable, reset, .. } => {
                 let clock = if enable.is_none() && reset.is_none() { s.clock } else { None };
                 groups.entry((reset.map(|r| r.0), *enable, clock)).or_default().push(i);
@@ -368,6 +415,18 @@ fn processes(printer: &Printer) -> Vec<Process> {
             }
         };
         all.push(Process { label, title, lines });
+    }
+    if !lines.all.is_empty() {
+        let shift = |line: &DelayLine| {
+            let [signal, _] = names::delay_line(module, line);
+            let kept = line.registers.len() - 1;
+            format!("{signal} <= {} & {signal}(1 to {kept});", printer.value(line.source))
+        };
+        all.push(Process {
+            label: "delay_lines".to_owned(),
+            title: "Delay lines: shift registers without reset, for SRL16.".to_owned(),
+            lines: lines.all.iter().map(shift).collect(),
+        });
     }
     all.extend(memories);
     all

@@ -1,6 +1,7 @@
 //! Claims of the axis units: cross product and projection around their multipliers, and the comparator network.
 
 use super::claim::Claim;
+use super::products::{given_sign_cases, sign_case};
 use super::rounding::claim_rounded;
 use super::settings::Setting;
 use super::unit::Mistake::{NoUlp, NotStrict, OtherBound, WrongArm, WrongGate, WrongSlice};
@@ -47,12 +48,17 @@ fn claim_chosen(claim: &mut Claim, out: &str, exact: &str, ways: &[Rounding], pa
     }
 }
 
-/// Claims that the instance `label` of the multiplication multiplies the intervals `x` and `y`; its product is cut.
+/// Claims that the instance `label` of the multiplication multiplies the intervals `x` and `y`, knowing their sign
+/// cases; its product is cut.
 fn claim_operands(claim: &mut Claim, label: &str, x: &str, y: &str) {
     claim.cut(&[format!("{label}_lo"), format!("{label}_hi")]);
     claim.seen(&["x_lo", "x_hi", "y_lo", "y_hi"].map(|port| format!("{label}.{port}")));
     let same = |factor: &str, of: &str| format!("{label}_{factor}_lo == {of}_lo && {label}_{factor}_hi == {of}_hi");
     claim.shown(same("x", x)).shown(same("y", y));
+    for (factor, of) in [("x", x), ("y", y)] {
+        claim.seen(&[format!("{label}.{factor}_sign_case")]);
+        claim.shown(format!("{label}_{factor}_sign_case == {}", sign_case(of)));
+    }
 }
 
 /// `l = e x f` from any enclosures of its six products: the right operands are multiplied, and every component is
@@ -101,7 +107,9 @@ pub fn projection(setting: &Setting) -> Claim {
     let mut claim = Claim::new(subject, setting.label(), "contains v * l, within an ulp; operands");
     let products = COORDINATES.map(|c| format!("v_{c}_l_{c}"));
     for (product, c) in products.iter().zip(COORDINATES) {
-        claim_operands(&mut claim, product, &format!("v_{c}"), &format!("l_{c}"));
+        let (v, l) = (format!("v_{c}"), format!("l_{c}"));
+        given_sign_cases(&mut claim, &[&v, &l]);
+        claim_operands(&mut claim, product, &v, &l);
     }
     let sum = |end: &str| products.each_ref().map(|product| format!("{product}_{end}")).join(" + ");
     claim.value("exact_lo", sum("lo")).value("exact_hi", sum("hi"));
@@ -209,7 +217,9 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
         claim.shown("!separated || a_max < b_min || b_max < a_min");
         claim.shown("!overlapping || (a_min < b_max && b_min < a_max)");
     }
-    claim.mutant(NotStrict, "a_below_b").mutant(NotStrict, "a_reaches_b").mutant(NotStrict, "b_reaches_a");
+    for relation in ["a_below_b", "a_reaches_b", "b_reaches_a"] {
+        claim.mutant(NotStrict, format!("{relation}_difference"));
+    }
     claim.mutant(WrongArm, "a_max_hi").mutant(WrongGate, "is_overlapping");
     claim
 }

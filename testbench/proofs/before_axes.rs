@@ -3,7 +3,7 @@
 use super::claim::{number, Claim};
 use super::rounding::claim_rounded;
 use super::settings::Setting;
-use super::unit::Mistake::{NoUlp, NotMissing, OtherBound, Reversed, WrongArm, WrongGate, WrongSlice};
+use super::unit::Mistake::{NoUlp, NotMissing, OtherBound, Reversed, WrongArm, WrongGate, WrongSign, WrongSlice};
 use super::unit::Subject;
 use efsat::design::cross_product::COORDINATES;
 use efsat::design::interval::Rounding;
@@ -38,9 +38,12 @@ pub fn transform_row(setting: &Setting) -> Claim {
     let products = [0, 1, 2].map(|j| format!("m{j}_x{j}"));
     for (j, product) in products.iter().enumerate() {
         claim.cut(&[format!("{product}_lo"), format!("{product}_hi")]);
-        claim.seen(&["x_lo", "x_hi", "y_lo", "y_hi"].map(|port| format!("{product}.{port}")));
-        claim.shown(format!("{product}_x_lo == m{j} && {product}_x_hi == m{j}_above"));
-        claim.shown(format!("{product}_y_lo == x{j} && {product}_y_hi == x{j}_above"));
+        claim.seen(&["m", "m_ulp", "x", "x_ulp"].map(|port| format!("{product}.{port}")));
+        for factor in ["m", "x"] {
+            let port = format!("{product}_{factor}");
+            let above = format!("{port} + {port}_ulp == {factor}{j}_above");
+            claim.shown(format!("{port} == {factor}{j} && {above}"));
+        }
     }
     let fraction = params.input().fraction;
     // In the order of the unit: to show that the order does not matter would be the solver's hardest work.
@@ -61,7 +64,7 @@ pub fn transform_row(setting: &Setting) -> Claim {
         "t == 0 && t_above == 0".to_owned(),
     ];
     claim.shown(format!("!(bypass && {}) || (b_lo == x0 && b_hi == x0_above)", identity.join(" && ")));
-    claim.mutant(NoUlp, "x1_above");
+    claim.mutant(NoUlp, "t_above");
     if params.upper == Upper::Implied {
         claim.mutant(OtherBound, "b_floor_lo").mutant(WrongSlice, "b_floor_lo");
         claim.mutant(NoUlp, "b_up_above").mutant(NotMissing, "b_up_inexact").mutant(NotMissing, "m0_inexact");
@@ -97,7 +100,7 @@ pub fn offset(setting: &Setting) -> Claim {
         claim.shown(format!("magnitude_{c} == (size_{c}_lo | size_{c}_hi)"));
     }
     claim.mutant(Reversed, "difference_x_lo").mutant(OtherBound, "difference_y_hi");
-    claim.mutant(WrongGate, "magnitudes_z").mutant(WrongArm, "magnitude_z_hi_bits");
+    claim.mutant(WrongGate, "magnitudes_z").mutant(WrongSign, "magnitude_z_hi_bits");
     claim
 }
 

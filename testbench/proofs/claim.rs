@@ -213,15 +213,15 @@ impl Claim {
         )
     }
 
-    fn ask(&self, ghdl: &str, files: &[(String, String)]) -> (Outcome, f64) {
+    fn ask(&self, files: &[(String, String)]) -> (Outcome, f64) {
         let name = &self.subject.name;
         let paths = |wires: &[Wire]| wires.iter().map(|w| w.path.clone()).collect::<Vec<_>>();
-        tools::solve(&tools::verilog(ghdl, files, name), name, &self.verilog(), &paths(&self.seen), &paths(&self.cut))
+        tools::solve(&tools::verilog(files, name), name, &self.verilog(), &paths(&self.seen), &paths(&self.cut))
     }
 
     /// Proves the claim of the unit and refutes it of every mutant.
-    pub fn run(&self, ghdl: &str) -> Row {
-        let (outcome, seconds) = self.ask(ghdl, &self.subject.files);
+    pub fn run(&self) -> Row {
+        let (outcome, seconds) = self.ask(&self.subject.files);
         let mut failures = vec![];
         let verdict = match outcome {
             Outcome::Proved => "proved".to_owned(),
@@ -234,7 +234,7 @@ impl Claim {
                 "UNDECIDED".to_owned()
             }
         };
-        let alive = |mutant: &&Mutant| !matches!(self.ask(ghdl, &self.subject.mutated(mutant)).0, Outcome::Refuted(_));
+        let alive = |mutant: &&Mutant| !matches!(self.ask(&self.subject.mutated(mutant)).0, Outcome::Refuted(_));
         let alive: Vec<&Mutant> = self.mutants.iter().filter(alive).collect();
         failures.extend(alive.iter().map(|mutant| format!("not refuted: {mutant:?}")));
         Row {

@@ -1,14 +1,11 @@
 //! The tools of a machine proof: GHDL turns the generated VHDL into Verilog, Yosys joins it with a claim and asks its
 //! SAT solver.
 
-use std::collections::HashMap;
+use efsat::verilog;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 use tempfile::TempDir;
-
-/// The GHDL commands there may be; any back end synthesizes.
-const GHDLS: [&str; 4] = ["ghdl-mcode", "ghdl-llvm", "ghdl-gcc", "ghdl"];
 
 /// Most seconds for one question to the solver.
 const PATIENCE: u32 = 3600;
@@ -33,16 +30,15 @@ pub enum Outcome {
 }
 
 fn works(command: &str) -> bool {
-    Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success())
-        || Command::new(command).arg("-V").output().is_ok_and(|o| o.status.success())
+    Command::new(command).arg("-V").output().is_ok_and(|o| o.status.success())
 }
 
-/// The GHDL command, or which tool is missing.
-pub fn ghdl() -> Result<&'static str, &'static str> {
+/// Which tool is missing, if one is.
+pub fn missing() -> Option<String> {
     if !works("yosys") {
-        return Err("yosys is not installed");
+        return Some("yosys is not installed".to_owned());
     }
-    GHDLS.into_iter().find(|command| works(command)).ok_or("ghdl is not installed")
+    verilog::ghdl().err().map(|e| e.to_string())
 }
 
 /// Runs a command to its end; what it printed.
@@ -52,55 +48,13 @@ fn call(dir: &Path, command: &str, args: &[&str]) -> String {
     let text = String::from_utf8_lossy(&output.stdout).into_owned();
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{command} {}: {errors}\n{text}", args.join(" "));
-    assert!(!errors.contains("latch") && !errors.contains("not bound"), "{command}: {errors}");
     text
 }
 
 /// VHDL files (name and text, in dependency order) as Verilog.
-pub fn verilog(ghdl: &str, files: &[(String, String)], top: &str) -> String {
+pub fn verilog(files: &[(String, String)], top: &str) -> String {
     let dir = TempDir::new().expect("a folder for GHDL");
-    let mut args = vec!["--synth", "--std=93c", "--out=verilog"];
-    for (name, text) in files {
-        fs::write(dir.path().join(name), text).expect("a source for GHDL");
-        args.push(name);
-    }
-    args.extend(["-e", top]);
-    let text = call(dir.path(), ghdl, &args);
-    // GHDL 2.0 forgets the last arm of a case; what efsat prints has none.
-    assert!(!text.contains("endcase"), "{top}: a case");
-    binary_literals(&text).split_inclusive("endmodule").map(signed_products).collect()
-}
-
-/// GHDL 2.0 writes constants of more than 32 bits as strings, which Verilog reads as characters.
-fn binary_literals(text: &str) -> String {
-    let part = |(i, part): (usize, &str)| match i % 2 {
-        0 => part.to_owned(),
-        _ if part.contains(|c| c != '0' && c != '1') => panic!("a string that is no constant: {part}"),
-        _ => format!("{}'b{part}", part.len()),
-    };
-    text.split('"').enumerate().map(part).collect()
-}
-
-/// GHDL writes a signed product as an unsigned one of operands extended to the width of the product. That is the same
-/// number on twice the bits, four times the work of a solver; this writes it as it was meant.
-fn signed_products(module: &str) -> String {
-    let assignment = |line: &str, end: &str| -> Option<(String, String)> {
-        let (name, value) = line.trim().strip_prefix("assign ")?.split_once(" = ")?;
-        Some((name.to_owned(), value.strip_suffix(end)?.to_owned()))
-    };
-    let extended: HashMap<String, String> = module
-        .lines()
-        .filter_map(|line| {
-            let (name, value) = assignment(line, "}; // sext")?;
-            Some((name, value.rsplit_once("}, ")?.1.to_owned()))
-        })
-        .collect();
-    let product = |line: &str| -> Option<String> {
-        let (name, value) = assignment(line, "; // smul")?;
-        let (x, y) = value.split_once(" * ")?;
-        Some(format!("  assign {name} = $signed({}) * $signed({});", extended.get(x)?, extended.get(y)?))
-    };
-    module.lines().map(|line| product(line).unwrap_or_else(|| line.to_owned()) + "\n").collect()
+    verilog::from_vhdl(files, top, dir.path()).unwrap_or_else(|e| panic!("{top}: {e}"))
 }
 
 /// Asks whether the module `claim` holds of the unit `top`; `seen` are wires of the unit that the claim looks at, `cut`

@@ -120,7 +120,7 @@ impl Subject {
 pub enum Mistake {
     /// The arms of a choice are exchanged.
     WrongArm,
-    /// `<` has become `<=`.
+    /// A difference is one less: the comparison that its sign is holds of equal operands too.
     NotStrict,
     /// `-` has its operands exchanged.
     Reversed,
@@ -175,7 +175,7 @@ impl Mistake {
                 let (condition, second) = rest.split_once(" else")?;
                 Some(format!("{second} when {condition} else {first}"))
             }
-            Self::NotStrict => value.contains(" < ").then(|| value.replace(" < ", " <= ")),
+            Self::NotStrict => value.contains(" - ").then(|| format!("{value} - 1")),
             Self::Reversed => {
                 let (x, y) = value.split_once(" - ")?;
                 Some(format!(" {y} - {x}"))

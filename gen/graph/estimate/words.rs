@@ -93,6 +93,7 @@ impl Words {
                 let minus: Vec<Bit> = word(0, to.bits).into_iter().map(|b| !b).collect();
                 self.add(&number(0, to.bits), &minus, Bit::ONE)
             }
+            Op::NegateIf => self.negate_if(args[0].0[0], &args[1].0),
             Op::Magnitude => {
                 let value = &args[0].0;
                 self.negate_if(value[value.len() - 1], value)
@@ -102,14 +103,7 @@ impl Words {
                 self.products.push([args[0].0.clone(), args[1].0.clone()]);
                 self.leaves(to.bits, |_| Source::Product(product))
             }
-            Op::Less => vec![self.less(&word(0, joint), &word(1, joint), args[0].1.signed)],
             Op::Equal => vec![self.gates.equal(&word(0, joint), &word(1, joint))],
-            Op::Minimum | Op::Maximum => {
-                let (a, b) = (word(0, joint), word(1, joint));
-                let (x, y) = if matches!(op, Op::Minimum) { (&a, &b) } else { (&b, &a) };
-                let takes_a = self.less(x, y, args[0].1.signed);
-                self.choose(takes_a, &a, &b)
-            }
             Op::And => self.bitwise(args, Gates::and),
             Op::Or => self.bitwise(args, Gates::or),
             Op::Not => args[0].0.iter().map(|b| !*b).collect(),

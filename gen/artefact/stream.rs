@@ -1,0 +1,206 @@
+//! The AXI4-Stream wrapper of a design and its testbench: strict VHDL-93 from the layout in [`StreamFormat`].
+
+use super::{stream_vectors, testbench};
+use crate::design::top::{pair_numbers, pose_numbers};
+use crate::design::Design;
+use crate::params::stream::{Kind, StreamFormat, BYPASS_AT, TAG_AT};
+use crate::params::{Params, Upper};
+use askama::Template;
+
+/// Name of the wrapper's entity.
+pub const NAME: &str = "efsat_stream";
+/// Name of the testbench entity.
+pub const TESTBENCH: &str = "efsat_stream_tb";
+
+/// An input port of the unit and its bits in the assembled record.
+struct Field {
+    port: String,
+    place: String,
+}
+
+#[derive(Template)]
+#[template(path = "stream/efsat_stream.vhd", escape = "none")]
+struct Wrapper {
+    header: Vec<String>,
+    width: u32,
+    width_bytes: u32,
+    answer_width: u32,
+    answer_bytes: u32,
+    pairs_header: String,
+    pose_header: String,
+    has_pose: bool,
+    pair_words: u32,
+    pose_words: u32,
+    assembly_high: u32,
+    places: usize,
+    place_bits: u32,
+    tag_width: u32,
+    axes: u32,
+    unit_inputs: Vec<Field>,
+    unused: u32,
+    unused_zeros: String,
+}
+
+#[derive(Template)]
+#[template(path = "stream/efsat_stream_tb.vhd", escape = "none")]
+struct Testbench<'a> {
+    header: &'a [String],
+    formats: String,
+    width: u32,
+    width_bytes: u32,
+    answer_width: u32,
+    answer_bytes: u32,
+    patience: usize,
+    full_after: usize,
+    half_period: String,
+}
+
+/// Where the inputs of the unit are in the assembled record, whose latest word is in the high bits.
+fn unit_inputs(p: &Params, format: &StreamFormat, assembly: u32) -> Vec<Field> {
+    let mut fields = vec![];
+    let mut field = |port: &str, low: u32, bits: u32| {
+        let place = if bits == 1 { low.to_string() } else { format!("{} downto {low}", low + bits - 1) };
+        fields.push(Field { port: port.to_owned(), place });
+    };
+    let mut numbers = |kind: Kind, names: &[String], base: u32| {
+        for (i, name) in (0..).zip(names) {
+            field(name, base + format.number_at(i), p.transform_width);
+            if p.upper == Upper::Sticky {
+                field(&format!("{name}_sticky"), base + i, 1);
+            }
+        }
+        if kind == Kind::Pose {
+            field("pose_bypass", base + BYPASS_AT, 1);
+        } else if p.tag_width > 0 {
+            field("in_tag", base + TAG_AT, p.tag_width);
+        }
+    };
+    let base = |kind| assembly - format.record_words(kind) * format.width.bits();
+    numbers(Kind::Pairs, &pair_numbers(), base(Kind::Pairs));
+    if format.has_pose() {
+        let names: Vec<String> = pose_numbers(p).into_iter().map(|(name, _)| name).collect();
+        numbers(Kind::Pose, &names, base(Kind::Pose));
+    }
+    fields
+}
+
+/// What the header of the wrapper says: the format of both streams.
+fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
+    let (width, lane) = (format.width.bits(), format.lane());
+    let tag_high = TAG_AT + p.tag_width.max(1) - 1;
+    let mut lines = vec![
+        "AXI4-Stream wrapper of efsat. A word that lacks bytes by its TKEEP makes its packet malformed.".to_owned(),
+        String::new(),
+        format!(
+            "In: packets of {width}-bit words, the last with TLAST. The first word is the header, in its low 32 bits:"
+        ),
+        format!("  16#{:08x}#  pairs: any number of records follow, at least one", format.header(Kind::Pairs)),
+    ];
+    if format.has_pose() {
+        lines.push(format!("  16#{:08x}#  pose: one record follows", format.header(Kind::Pose)));
+    }
+    lines.extend([
+        format!("A record is {} words for a pair, the first in the low bits:", format.record_words(Kind::Pairs)),
+        match p.upper {
+            Upper::Sticky => "  31 downto 0  bit i is the sticky bit of number i".to_owned(),
+            Upper::Implied => "  31 downto 0  not read".to_owned(),
+        },
+        match p.tag_width {
+            0 => "  63 downto 32  not read: there is no tag".to_owned(),
+            _ => format!("  {tag_high} downto {TAG_AT}  tag"),
+        },
+        format!(
+            "  from bit {} on, each in the low {} of {lane} bits: v0_x v0_y v0_z v1_x ... w2_z",
+            format.number_at(0),
+            p.transform_width
+        ),
+    ]);
+    if format.has_pose() {
+        let names: Vec<String> = pose_numbers(p).iter().map(|(name, _)| name[5..].to_owned()).collect();
+        lines.extend([
+            format!(
+                "and {} words for a pose, in the same places: bit 31 bypass, no tag, numbers",
+                format.record_words(Kind::Pose)
+            ),
+            format!("  {}", names.join(" ")),
+            "A pose holds for the packets after it; before the first one B = B~.".to_owned(),
+        ]);
+    }
+    let (tag, axes) = (p.tag_width, format.axes);
+    let status = "  7 downto 0  status; bits 1..0: 00 separate, 01 intersect, 10 possibly incorrect, 11 report";
+    lines.extend([
+        String::new(),
+        format!("Out: one packet of {}-bit words for every packet, in order: one word a pair, or", format.answer_width()),
+        "one report; TLAST with the last. From bit 0 on:".to_owned(),
+        status.to_owned(),
+        if tag > 0 { format!("  {} downto 8  tag", tag + 7) } else { "  (no tag)".to_owned() },
+        format!("  {} downto {}  out_separated, bit i for axis i", tag + axes + 7, tag + 8),
+        format!("  {} downto {}  out_overlapping, bit i for axis i", tag + 2 * axes + 7, tag + axes + 8),
+        "A report has its reason in bits 3..2: 0 pose taken, 1 unknown header, 2 packet too short (or not whole".to_owned(),
+        "records), 3 pose packet too long. Bit 7 is set in 1 to 3: the packet was malformed and none of the verdicts".to_owned(),
+        "that it may have had before the report counts; a malformed pose is not taken. The next packet is read as ever."
+            .to_owned(),
+        String::new(),
+        format!(
+            "Full back-pressure both ways: neither ready depends on a valid or ready of the other side. A pair every {} clocks.",
+            pair_period(p, format)
+        ),
+    ]);
+    lines
+}
+
+/// Clocks from pair to pair inside a long packet: as many as it has words, in whole slots of the unit.
+pub fn pair_period(p: &Params, format: &StreamFormat) -> usize {
+    (format.record_words(Kind::Pairs) as usize).next_multiple_of(p.interval())
+}
+
+/// The text of the wrapper, `origin` on top.
+pub fn wrapper(design: &Design, format: &StreamFormat, origin: &[String]) -> String {
+    let p = &design.params;
+    let mut header = origin.to_vec();
+    header.push(String::new());
+    header.extend(description(p, format));
+    let [pair_words, pose_words] = [Kind::Pairs, Kind::Pose].map(|kind| format.record_words(kind));
+    let assembly = format.width.bits() * if format.has_pose() { pair_words.max(pose_words) } else { pair_words };
+    // More than the unit holds, so that it is never the first to be full.
+    let places = 2 * design.places;
+    let unused = format.answer_width() - format.answer_bits();
+    let wrapper = Wrapper {
+        header,
+        width: format.width.bits(),
+        width_bytes: format.width.bits() / 8,
+        answer_width: format.answer_width(),
+        answer_bytes: format.answer_width() / 8,
+        pairs_header: format!("{:08x}", format.header(Kind::Pairs)),
+        pose_header: format!("{:08x}", format.header(Kind::Pose)),
+        has_pose: format.has_pose(),
+        pair_words,
+        pose_words,
+        assembly_high: assembly - 1,
+        places,
+        place_bits: places.trailing_zeros(),
+        tag_width: p.tag_width,
+        axes: format.axes,
+        unit_inputs: unit_inputs(p, format, assembly),
+        unused,
+        unused_zeros: "0".repeat(unused as usize),
+    };
+    wrapper.render().expect("the template renders")
+}
+
+/// The text of the testbench, `origin` on top.
+pub fn bench(design: &Design, format: &StreamFormat, origin: &[String]) -> String {
+    let p = &design.params;
+    let bench = Testbench {
+        header: origin,
+        formats: stream_vectors::formats_line(p, format),
+        width: format.width.bits(),
+        width_bytes: format.width.bits() / 8,
+        answer_width: format.answer_width(),
+        answer_bytes: format.answer_width() / 8,
+        patience: 4096 + 4 * design.latency,
+        full_after: testbench::full_after(design.interval) + 64,
+        half_period: format!("{} ps", testbench::half_period(p)),
+    };
+    bench.render().expect("the template renders")
+}

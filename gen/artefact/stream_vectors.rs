@@ -1,0 +1,217 @@
+//! Words for the stream wrapper and the answers they must get, from the reference model.
+//!
+//! The file begins with the line of formats, which the testbench compares with its own. Then, in hexadecimal with the
+//! TLAST of each word: `I <word> <last> <whole>` into the wrapper, `O <word> <last>` out of it; other lines are comments.
+//! A word that is not whole lacks its highest byte by TKEEP.
+
+use super::{vectors, Stimulus};
+use crate::golden::{Golden, Input, Pair, Pose};
+use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat};
+use crate::params::Params;
+
+/// Pairs of the first and longest packet: enough to fill the unit.
+const FIRST: usize = 24;
+/// Pairs of the packets after it, each under a pose of its own.
+const OTHERS: [usize; 3] = [1, 7, 2];
+
+/// A word in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct WordIn {
+    /// TDATA.
+    pub data: u128,
+    /// TLAST.
+    pub last: bool,
+    /// Whether TKEEP is set for every byte.
+    pub whole: bool,
+}
+
+/// Words in and answers out.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct StreamVectors {
+    /// Words in.
+    pub words: Vec<WordIn>,
+    /// Answers out, each with its TLAST.
+    pub answers: Vec<(u128, bool)>,
+}
+
+/// The first line of a file, also a constant of the testbench.
+pub fn formats_line(p: &Params, format: &StreamFormat) -> String {
+    let vectors = vectors::formats_line(p);
+    format!("{vectors} tag {} stream {} to {}", p.tag_width, format.width.bits(), format.answer_width())
+}
+
+fn plain(x: &Input) -> (i64, bool) {
+    (x.lo, x.sticky)
+}
+
+/// Makes vectors packet by packet.
+struct Maker<'a> {
+    golden: Golden,
+    format: &'a StreamFormat,
+    pose: Pose,
+    tag: u64,
+    vectors: StreamVectors,
+}
+
+impl<'a> Maker<'a> {
+    fn new(p: &Params, format: &'a StreamFormat) -> Self {
+        let vectors = StreamVectors::default();
+        Self { golden: Golden::new(p), format, pose: Pose::identity(p), tag: 0, vectors }
+    }
+
+    fn header(&self, kind: Kind) -> Vec<u128> {
+        vec![u128::from(self.format.header(kind))]
+    }
+
+    /// Sends words as one packet.
+    fn send(&mut self, words: Vec<u128>) {
+        let end = words.len() - 1;
+        self.vectors.words.extend(words.into_iter().enumerate().map(|(i, data)| WordIn {
+            data,
+            last: i == end,
+            whole: true,
+        }));
+    }
+
+    /// Takes a byte from a word of the packet sent last, counted from its end.
+    fn lacks_byte(&mut self, from_end: usize) {
+        let end = self.vectors.words.len() - 1;
+        self.vectors.words[end - from_end].whole = false;
+    }
+
+    fn report(&mut self, report: Report) {
+        self.vectors.answers.push((self.format.answer(&AnswerFields::report(report)), true));
+    }
+
+    /// The words of a pair; its answer is awaited.
+    fn pair(&mut self, pair: &Pair, last: bool) -> Vec<u128> {
+        let outcome = self.golden.outcome(&self.pose, pair);
+        // Some tag that uses all bits.
+        self.tag = self.tag.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let tag = self.tag & u64::MAX.checked_shr(64 - self.format.tag_width).unwrap_or(0);
+        let fields = AnswerFields {
+            status: outcome.verdict as u8,
+            tag,
+            separated: outcome.separated,
+            overlapping: outcome.overlapping,
+        };
+        self.vectors.answers.push((self.format.answer(&fields), last));
+        self.format.pair_record(tag, pair.a.iter().chain(&pair.b).flatten().map(plain))
+    }
+
+    fn pairs(&mut self, pairs: &[Pair]) {
+        let mut words = self.header(Kind::Pairs);
+        for (i, pair) in pairs.iter().enumerate() {
+            words.extend(self.pair(pair, i + 1 == pairs.len()));
+        }
+        self.send(words);
+    }
+
+    fn pose_words(&self, pose: &Pose) -> Vec<u128> {
+        let mut words = self.header(Kind::Pose);
+        words.extend(self.format.pose_record(pose.bypass, pose.m.iter().flatten().chain(&pose.t).map(plain)));
+        words
+    }
+
+    fn pose(&mut self, pose: &Pose) {
+        if self.format.has_pose() {
+            let words = self.pose_words(pose);
+            self.send(words);
+            self.report(Report::PoseTaken);
+            self.pose = *pose;
+        }
+    }
+
+    /// Packets that are none, with what is to be said of each.
+    fn malformed(&mut self, pair: &Pair, pose: &Pose) {
+        self.send(vec![0]);
+        self.report(Report::UnknownHeader);
+        // A header of another design, with a pair after it.
+        let record = self.format.pair_record(0, pair.a.iter().chain(&pair.b).flatten().map(plain));
+        let other = u128::from(self.format.header(Kind::Pairs) ^ 1 << 8);
+        self.send([vec![other], record.clone()].concat());
+        self.report(Report::UnknownHeader);
+        self.send(self.header(Kind::Pairs));
+        self.report(Report::TooShort);
+        // A pair, and then another that lacks its last word.
+        let mut words = self.header(Kind::Pairs);
+        words.extend(self.pair(pair, false));
+        words.extend_from_within(1..words.len() - 1);
+        self.send(words);
+        self.report(Report::TooShort);
+        // A pair that lacks a byte, in its last word and elsewhere; a header that does.
+        let words = [self.header(Kind::Pairs), record.clone()].concat();
+        let size = words.len();
+        for (from_end, report) in [(0, Report::TooShort), (1, Report::TooShort), (size - 1, Report::UnknownHeader)] {
+            self.send(words.clone());
+            self.lacks_byte(from_end);
+            self.report(report);
+        }
+        if self.format.has_pose() {
+            let words = self.pose_words(pose);
+            self.send(words.clone());
+            self.lacks_byte(0);
+            self.report(Report::TooShort);
+            self.send([words.clone(), vec![0]].concat());
+            self.report(Report::TooLong);
+            self.send([words.clone(), words.clone()].concat());
+            self.report(Report::TooLong);
+            self.send(words[..words.len() - 1].to_vec());
+            self.report(Report::TooShort);
+            self.send(words[..1].to_vec());
+            self.report(Report::TooShort);
+        } else {
+            // A pose for a unit that has none.
+            self.send([self.header(Kind::Pose), vec![0; 3]].concat());
+            self.report(Report::UnknownHeader);
+        }
+    }
+}
+
+/// Packets of every kind: before any pose, under several poses, every way to be malformed, and good ones after that.
+pub fn mixed(p: &Params, format: &StreamFormat) -> StreamVectors {
+    let mut maker = Maker::new(p, format);
+    let pairs = |count: usize, seed: u64| Stimulus::random(p, count, seed).segments;
+    let flat = |count, seed| pairs(count, seed).into_iter().flat_map(|s| s.1).collect::<Vec<Pair>>();
+    let first = flat(FIRST, 1);
+    maker.pairs(&first);
+    for (seed, count) in (2..).zip(OTHERS) {
+        for (pose, pairs) in pairs(count, seed) {
+            maker.pose(&pose);
+            maker.pairs(&pairs);
+        }
+    }
+    let other = pairs(1, 9)[0].0;
+    maker.malformed(&first[0], &other);
+    // The old pose still holds.
+    maker.pairs(&first[1..4]);
+    maker.pose(&Pose::identity(p));
+    maker.pairs(&first[4..6]);
+    maker.vectors
+}
+
+/// One packet of random pairs, to measure the speed.
+pub fn one_packet(p: &Params, format: &StreamFormat, pairs: usize) -> StreamVectors {
+    let mut maker = Maker::new(p, format);
+    let pairs: Vec<Pair> = Stimulus::random(p, pairs, 1).segments.into_iter().flat_map(|s| s.1).collect();
+    maker.pairs(&pairs);
+    maker.vectors
+}
+
+/// The file; without answers the testbench compares none.
+pub fn text(p: &Params, format: &StreamFormat, vectors: &StreamVectors) -> String {
+    let line = |kind: char, width: u32, word: u128, last: bool| {
+        format!("{kind} {word:0digits$x} {}", u8::from(last), digits = width as usize / 4)
+    };
+    let (width, answer_width) = (format.width.bits(), format.answer_width());
+    let mut lines = vec![
+        formats_line(p, format),
+        "# I <word> <last> <whole> into the wrapper, O <word> <last> out of it; answers from the reference model"
+            .to_owned(),
+    ];
+    let words = vectors.words.iter();
+    lines.extend(words.map(|w| format!("{} {}", line('I', width, w.data, w.last), u8::from(w.whole))));
+    lines.extend(vectors.answers.iter().map(|&(word, last)| line('O', answer_width, word, last)));
+    lines.push(String::new());
+    lines.join("\n")
+}

@@ -1,0 +1,161 @@
+//! The JSON object of `efsat synth`.
+
+use crate::device::Resources;
+use crate::params::Params;
+use crate::synth::{Cells, CriticalPath, Report, Routed, Unit};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// The object.
+#[derive(Serialize)]
+pub(super) struct Summary<'a> {
+    flow: &'a str,
+    tools: &'a [String],
+    device: &'a str,
+    counted_for: &'a str,
+    units: Branch<'a>,
+    capacity: Prediction,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    slices: Option<Slices>,
+    clock: Clock<'a>,
+    faults: &'a [String],
+}
+
+/// Cells as predicted, or as there are on the part.
+#[derive(Serialize)]
+struct Prediction {
+    multipliers: u64,
+    luts: u64,
+    memory_luts: u64,
+    flip_flops: u64,
+    carry: u64,
+}
+
+/// Cells as mapped.
+#[derive(Serialize)]
+struct Mapped {
+    #[serde(flatten)]
+    cells: Prediction,
+    registered_multipliers: u64,
+    absorbed_flip_flops: u64,
+}
+
+/// A unit; counts are of one instance with everything in it.
+#[derive(Serialize)]
+struct Branch<'a> {
+    entity: &'a str,
+    instances: u64,
+    predicted: Prediction,
+    actual: Mapped,
+    parts: Vec<Branch<'a>>,
+}
+
+/// Slices of a Virtex-II by the fitted rule and by the two limits of packing.
+#[derive(Serialize)]
+struct Slices {
+    estimate: u64,
+    dense: u64,
+    related_only: u64,
+}
+
+/// Frequencies in MHz.
+#[derive(Serialize)]
+struct Clock<'a> {
+    target: u32,
+    scheduled: f64,
+    scheduled_end: &'a str,
+    #[serde(flatten)]
+    routed: Option<After<'a>>,
+}
+
+/// After routing.
+#[derive(Serialize)]
+struct After<'a> {
+    median: f64,
+    met: bool,
+    seeds: BTreeMap<u32, f64>,
+    critical_path: Path<'a>,
+    used: &'a BTreeMap<String, u64>,
+}
+
+/// Delays in ns.
+#[derive(Serialize)]
+struct Path<'a> {
+    logic: f64,
+    routing: f64,
+    steps: Vec<Step<'a>>,
+}
+
+#[derive(Serialize)]
+struct Step<'a> {
+    signal: &'a str,
+    logic: f64,
+    routing: f64,
+}
+
+impl From<Resources> for Prediction {
+    fn from(r: Resources) -> Self {
+        let Resources { multipliers, luts, memory_luts, flip_flops, carry } = r;
+        Self { multipliers, luts, memory_luts, flip_flops, carry }
+    }
+}
+
+impl From<Cells> for Mapped {
+    fn from(c: Cells) -> Self {
+        let Cells { resources, registered_multipliers, absorbed_flip_flops } = c;
+        Self { cells: resources.into(), registered_multipliers, absorbed_flip_flops }
+    }
+}
+
+impl<'a> From<&'a Unit> for Branch<'a> {
+    fn from(unit: &'a Unit) -> Self {
+        Self {
+            entity: &unit.entity,
+            instances: unit.instances,
+            predicted: unit.predicted.into(),
+            actual: unit.actual.into(),
+            parts: unit.parts.iter().map(Branch::from).collect(),
+        }
+    }
+}
+
+impl<'a> From<&'a CriticalPath> for Path<'a> {
+    fn from(path: &'a CriticalPath) -> Self {
+        let step = |s: &'a crate::synth::Step| Step { signal: &s.signal, logic: s.logic, routing: s.routing };
+        Self { logic: path.logic(), routing: path.routing(), steps: path.steps.iter().map(step).collect() }
+    }
+}
+
+impl<'a> Summary<'a> {
+    /// The object of a report.
+    pub fn new(report: &'a Report, params: &'a Params, faults: &'a [String]) -> Self {
+        let after = |routed: &'a Routed| After {
+            median: routed.median(),
+            met: routed.median() >= f64::from(params.frequency),
+            seeds: routed.seeds.iter().map(|seed| (seed.seed, seed.megahertz)).collect(),
+            critical_path: (&routed.middle().critical).into(),
+            used: &routed.middle().used,
+        };
+        let (scheduled, scheduled_end) = &report.scheduled;
+        Self {
+            flow: report.flow.name(),
+            tools: &report.tools,
+            device: &params.device,
+            counted_for: report.counted_for.name,
+            units: (&report.top).into(),
+            capacity: report.counted_for.capacity.into(),
+            slices: report.slices().map(|s| Slices {
+                estimate: s.fitted,
+                dense: s.dense,
+                related_only: s.related_only,
+            }),
+            clock: Clock {
+                target: params.frequency,
+                scheduled: *scheduled,
+                scheduled_end,
+                routed: report.routed.as_ref().map(after),
+            },
+            faults,
+        }
+    }
+}

@@ -1,0 +1,138 @@
+//! The text of `efsat synth`.
+
+use crate::params::Params;
+use crate::synth::{CriticalPath, Report, Routed, Unit};
+use std::fmt::Write;
+
+/// Slices of the part that estimates are for, an XC2V6000.
+const SLICES: u64 = 33_792;
+
+/// Width of the name column.
+const NAME: usize = 36;
+
+/// The tree of units, totals, shares of the part, clock and critical path.
+pub(super) fn text(report: &Report, params: &Params) -> String {
+    let (counted, tools) = (report.counted_for, report.tools.join(", "));
+    let mut text =
+        format!("Scheduled for {} at {} MHz; cells of {} by {tools}\n", params.device, params.frequency, counted.name);
+    if counted.name != params.device {
+        text.push_str("The device is of another family than the flow: registers stand where that one needs them\n");
+    }
+    text.push('\n');
+    head(&mut text);
+    row(&mut text, &report.top, 0);
+    text.push('\n');
+    shares(&mut text, report);
+    let (scheduled, end) = &report.scheduled;
+    let _ =
+        writeln!(text, "clock: {scheduled:.1} MHz by the schedule for {} (longest path ends at {end})", params.device);
+    if let Some(routed) = &report.routed {
+        clock(&mut text, routed, params.frequency);
+    }
+    text
+}
+
+/// The columns, each predicted, actual and difference.
+fn head(text: &mut String) {
+    let _ = write!(text, "{:NAME$}", "unit, predicted | actual");
+    for column in ["multipliers", "LUTs", "memory LUTs", "flip-flops", "carry bits"] {
+        let _ = write!(text, "{column:>22}");
+    }
+    text.push('\n');
+}
+
+/// A unit and those in it, counts of all its instances in the unit around it.
+fn row(text: &mut String, unit: &Unit, depth: usize) {
+    let times = if unit.instances > 1 { format!(" x {}", unit.instances) } else { String::new() };
+    let name = format!("{:1$}{2}{times}", "", 2 * depth, unit.entity);
+    let _ = write!(text, "{name:NAME$}");
+    let (p, a) = (unit.predicted * unit.instances, unit.actual.resources * unit.instances);
+    let columns = [
+        (p.multipliers, a.multipliers),
+        (p.luts, a.luts),
+        (p.memory_luts, a.memory_luts),
+        (p.flip_flops, a.flip_flops),
+        (p.carry, a.carry),
+    ];
+    for (predicted, actual) in columns {
+        let _ = write!(text, "{predicted:>7} |{actual:>6}{:>7}", difference(predicted, actual));
+    }
+    text.push('\n');
+    for part in &unit.parts {
+        row(text, part, depth + 1);
+    }
+}
+
+/// By how much the prediction is above what there is, in per cent of the latter.
+fn difference(predicted: u64, actual: u64) -> String {
+    match (predicted, actual) {
+        (p, a) if p == a => String::new(),
+        (_, 0) => "new".to_owned(),
+        (p, a) => format!("{:+.0} %", 100.0 * (p as f64 - a as f64) / a as f64),
+    }
+}
+
+fn shares(text: &mut String, report: &Report) {
+    let (cells, capacity) = (report.top.actual, report.counted_for.capacity);
+    let share = |used: u64, all: u64| format!("{used} of {all} ({:.1} %)", 100.0 * used as f64 / all as f64);
+    let luts = cells.resources.luts + cells.resources.memory_luts;
+    let _ = writeln!(
+        text,
+        "{}: {} multipliers, {} LUTs with shift registers and memory, {} flip-flops",
+        report.counted_for.name,
+        share(cells.resources.multipliers, capacity.multipliers),
+        share(luts, capacity.luts),
+        share(cells.resources.flip_flops, capacity.flip_flops),
+    );
+    if cells.registered_multipliers > 0 {
+        let _ = writeln!(
+            text,
+            "{} of the multipliers are MULT18X18S and take up {} flip-flops, which are not counted above",
+            cells.registered_multipliers, cells.absorbed_flip_flops
+        );
+    }
+    if let Some(slices) = report.slices() {
+        let all = SLICES;
+        let _ = writeln!(
+            text,
+            "slices, estimated: {}; {} packed densely, {} if only related logic shares a slice",
+            share(slices.fitted, all),
+            slices.dense,
+            slices.related_only
+        );
+    }
+}
+
+fn clock(text: &mut String, routed: &Routed, target: u32) {
+    let seeds: Vec<String> = routed.seeds.iter().map(|seed| format!("{:.1}", seed.megahertz)).collect();
+    let median = routed.median();
+    let met = if median >= f64::from(target) { "met" } else { "missed" };
+    let _ = writeln!(
+        text,
+        "clock: {median:.1} MHz after routing, median of {} (seeds 1 to {}); {target} MHz {met}",
+        seeds.join(", "),
+        seeds.len()
+    );
+    path(text, &routed.middle().critical);
+}
+
+fn path(text: &mut String, path: &CriticalPath) {
+    let _ = writeln!(text, "critical path: {:.2} ns in cells, {:.2} ns in nets", path.logic(), path.routing());
+    for (i, step) in path.steps.iter().enumerate() {
+        let arrow = if i == 0 { "  " } else { "->" };
+        let _ = writeln!(text, "  {arrow} {:<60}{:>7.2}{:>7.2}", step.signal, step.logic, step.routing);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn differences_are_of_what_there_is() {
+        assert_eq!(difference(5, 5), "");
+        assert_eq!(difference(5, 0), "new");
+        assert_eq!(difference(110, 100), "+10 %");
+        assert_eq!(difference(0, 100), "-100 %");
+    }
+}

@@ -1,0 +1,264 @@
+//! What is to be seen of a schedule: boxes in clocks, and the values between them.
+
+use super::{critical, label};
+use crate::graph::schedule::{Schedule, Slot};
+use crate::graph::{Op, Rate, Type, Unit};
+use std::collections::HashSet;
+
+/// What a box stands for; it sets the colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// An input or output of the unit.
+    Port,
+    /// A product.
+    Product,
+    /// A sum, difference or negation.
+    Sum,
+    /// A comparison, minimum or maximum.
+    Comparison,
+    /// A choice.
+    Choice,
+    /// Logic on single bits, tables.
+    Logic,
+    /// Wires alone: rounding down, slices.
+    Wire,
+    /// An instance of another unit.
+    Instance,
+}
+
+/// A box.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Place {
+    /// Name of the node.
+    pub name: String,
+    /// What it computes.
+    pub operation: String,
+    /// Its kind.
+    pub kind: Kind,
+    /// Clock in which its operands are consumed.
+    pub start: i32,
+    /// Clock in which its value is first there.
+    pub from: i32,
+    /// Arrival of its value in that clock, ns after the edge.
+    pub ns: f64,
+    /// Whether it lies on the critical path.
+    pub critical: bool,
+}
+
+/// A value on its way from a box to another.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Edge {
+    /// Box it comes from.
+    pub from: usize,
+    /// Box it goes to.
+    pub to: usize,
+    /// Name of the output, where the box is an instance with several.
+    pub port: String,
+    /// Format.
+    pub format: String,
+    /// Registers on the way.
+    pub registers: i32,
+    /// Whether it is read an interval or more later, by a phase that comes before it in the picture.
+    pub lagged: bool,
+    /// Whether it lies on the critical path.
+    pub critical: bool,
+}
+
+/// A unit as a picture.
+#[derive(Clone, Debug)]
+pub struct Picture {
+    /// Name of the unit.
+    pub name: String,
+    /// What it is, one line.
+    pub what: String,
+    /// Clocks from inputs to outputs.
+    pub latency: i32,
+    /// The longest path between registers in words.
+    pub longest: String,
+    /// Boxes.
+    pub places: Vec<Place>,
+    /// Edges, by the box they go to.
+    pub edges: Vec<Edge>,
+}
+
+impl Picture {
+    /// The picture of a scheduled unit for a clock of `period` ns.
+    pub fn new(schedule: &Schedule, period: f64) -> Self {
+        Maker::new(schedule).picture(period)
+    }
+
+    /// The first and the last clock.
+    pub fn clocks(&self) -> (i32, i32) {
+        let first = self.places.iter().map(|p| p.start).min().unwrap_or(0);
+        (first, self.places.iter().map(|p| p.from).max().unwrap_or(0).max(self.latency))
+    }
+}
+
+struct Maker<'a> {
+    schedule: &'a Schedule,
+    path: HashSet<usize>,
+    /// Nodes that some output depends on; the others are not built.
+    used: Vec<bool>,
+    /// The box of each node, where it has one.
+    boxes: Vec<Option<usize>>,
+    picture: Picture,
+}
+
+impl<'a> Maker<'a> {
+    fn new(schedule: &'a Schedule) -> Self {
+        let unit = &schedule.unit;
+        let picture = Picture {
+            name: unit.name.clone(),
+            what: first_sentence(&unit.doc),
+            latency: schedule.latency,
+            longest: String::new(),
+            places: vec![],
+            edges: vec![],
+        };
+        let path = critical::path(schedule).into_iter().collect();
+        Self { schedule, path, used: used(unit), boxes: vec![None; unit.nodes.len()], picture }
+    }
+
+    fn picture(mut self, period: f64) -> Picture {
+        let unit = &self.schedule.unit;
+        let shown: Vec<usize> = (0..unit.nodes.len()).filter(|i| self.shown(*i) && self.used[*i]).collect();
+        for i in &shown {
+            self.boxes[*i] = Some(self.picture.places.len());
+            let slot = self.schedule.slots[*i];
+            let node = &unit.nodes[*i];
+            let place = Place {
+                name: node.name.clone(),
+                operation: label::operation(unit, *i),
+                kind: kind(&node.op),
+                start: if slot.start == i32::MIN { 0 } else { slot.start },
+                from: if slot.from == i32::MIN { 0 } else { slot.from },
+                ns: slot.ns,
+                critical: self.path.contains(i),
+            };
+            self.picture.places.push(place);
+        }
+        for i in &shown {
+            let node = &unit.nodes[*i];
+            let (start, registered) = (self.schedule.slots[*i].start, self.schedule.slots[*i].registered);
+            for (place, arg) in node.args.iter().enumerate() {
+                let lagged = matches!(&node.op, Op::Choose { lagged } if place > 0 && lagged[place - 1]);
+                self.edge(arg.0, *i, start, registered, lagged);
+            }
+        }
+        for (name, node) in &unit.outputs {
+            let to = self.picture.places.len();
+            let (latency, ns) = (self.schedule.latency, 0.0);
+            let (name, operation) = (name.clone(), "output".to_owned());
+            let (start, from, kind, critical) = (latency, latency, Kind::Port, false);
+            self.picture.places.push(Place { name, operation, kind, start, from, ns, critical });
+            self.connect(node.0, to, latency, false, false, false);
+        }
+        let (ns, at) = &self.schedule.critical;
+        self.picture.longest = format!("longest path {ns:.2} ns of {period:.2} ns, to {at}");
+        self.picture
+    }
+
+    /// Whether a node has a box: constants, patterns of phases and what costs nothing have none.
+    fn shown(&self, i: usize) -> bool {
+        let unit = &self.schedule.unit;
+        let hidden = matches!(unit.nodes[i].op, Op::Constant(_) | Op::Phase(..) | Op::Resize(_) | Op::Output(_));
+        !hidden && !unit.renames(i)
+    }
+
+    /// The node that has the box of node `i`, and the outputs and resizes on the way to it.
+    fn carrier(&self, mut i: usize) -> (usize, Type, String) {
+        let unit = &self.schedule.unit;
+        let ty = unit.nodes[i].ty;
+        let mut port = String::new();
+        while !self.shown(i) && !unit.nodes[i].args.is_empty() {
+            let node = &unit.nodes[i];
+            if let (Op::Output(k), Op::Instance(child)) = (&node.op, &unit.node(node.args[0]).op) {
+                port = child.outputs[*k].0.clone();
+            }
+            i = node.args[0].0;
+        }
+        (i, ty, port)
+    }
+
+    fn edge(&mut self, from: usize, to: usize, start: i32, registered: bool, lagged: bool) {
+        let critical = self.path.contains(&from) && self.path.contains(&to);
+        let Some(to) = self.boxes[to] else { return };
+        self.connect(from, to, start, registered, lagged, critical);
+    }
+
+    fn connect(&mut self, from: usize, to: usize, start: i32, registered: bool, lagged: bool, critical: bool) {
+        let (carrier, ty, port) = self.carrier(from);
+        let Some(place) = self.boxes[carrier] else { return };
+        let slot = self.schedule.slots[from];
+        let rate = self.schedule.unit.nodes[from].rate;
+        let registers = if lagged { 0 } else { registers(slot, rate, start, registered, self.schedule.unit.interval) };
+        let critical = critical && registers == 0;
+        let edge = Edge { from: place, to, port, format: ty.to_string(), registers, lagged, critical };
+        if !self
+            .picture
+            .edges
+            .iter()
+            .any(|known| (known.from, known.to, &known.port) == (edge.from, edge.to, &edge.port))
+        {
+            self.picture.edges.push(edge);
+        }
+    }
+}
+
+/// The first sentence of a description.
+fn first_sentence(doc: &[String]) -> String {
+    let paragraph: Vec<&str> = doc.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
+    let text = paragraph.join(" ");
+    text.split_once(". ").map_or(text.clone(), |(sentence, _)| format!("{sentence}."))
+}
+
+/// Which nodes some output depends on, and the inputs.
+fn used(unit: &Unit) -> Vec<bool> {
+    let mut used: Vec<bool> = unit.nodes.iter().map(|node| matches!(node.op, Op::Input)).collect();
+    let mut open: Vec<usize> = unit.outputs.iter().map(|output| output.1 .0).collect();
+    while let Some(i) = open.pop() {
+        if !std::mem::replace(&mut used[i], true) {
+            open.extend(unit.nodes[i].args.iter().map(|a| a.0));
+        }
+    }
+    used
+}
+
+/// Registers between a value and a use of it that starts in a clock.
+fn registers(slot: Slot, rate: Rate, start: i32, registered: bool, interval: usize) -> i32 {
+    if slot.from == i32::MIN {
+        0
+    } else if slot.until == i32::MAX || rate == Rate::Phase {
+        (start - slot.from).max(0)
+    } else if start < slot.until {
+        i32::from(registered && start > slot.from)
+    } else {
+        // Captured again once an interval.
+        (start - slot.until) / interval.max(1) as i32 + 1
+    }
+}
+
+fn kind(op: &Op) -> Kind {
+    match op {
+        Op::Input => Kind::Port,
+        Op::Multiply => Kind::Product,
+        Op::Add | Op::Subtract | Op::Negate | Op::NegateIf | Op::Magnitude => Kind::Sum,
+        Op::Equal | Op::Clamp(..) => Kind::Comparison,
+        Op::Select | Op::Choose { .. } => Kind::Choice,
+        Op::And | Op::Or | Op::Not | Op::AnyBit | Op::Lookup(..) | Op::ScanOr => Kind::Logic,
+        Op::Instance(_) => Kind::Instance,
+        Op::Constant(_)
+        | Op::SignBit
+        | Op::Floor(_)
+        | Op::Append(_)
+        | Op::LowBits(_)
+        | Op::Resize(_)
+        | Op::Reinterpret(_)
+        | Op::Assert(..)
+        | Op::Fact(_)
+        | Op::Concatenate
+        | Op::Phase(..)
+        | Op::Hold { .. }
+        | Op::Output(_) => Kind::Wire,
+    }
+}

@@ -1,0 +1,127 @@
+//! The driver against the exact oracle, with the stand-in as the unit.
+
+use super::{Answer, Driver, DriverError, StandIn, Transfer};
+use crate::exact::{self, Exact};
+use crate::golden::sample;
+use crate::params::stream::{Report, StreamWidth};
+use crate::params::{Axes, Params, Transform, Upper};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+const WIDTHS: [StreamWidth; 3] = [StreamWidth::Bits32, StreamWidth::Bits64, StreamWidth::Bits128];
+
+fn variants() -> Vec<Params> {
+    let base = Params::default();
+    vec![
+        base.clone(),
+        Params { upper: Upper::Sticky, tag_width: 64, axes: Axes::Seventeen, ..base.clone() },
+        Params { transform_width: 48, tag_width: 0, ..base.clone() },
+        Params { transform: Transform::Off, tag_width: 1, upper: Upper::Sticky, ..base.clone() },
+        Params { width: 8, transform_width: 10, transform: Transform::Translate, ..base },
+    ]
+}
+
+fn pairs(count: usize) -> Vec<[[f64; 3]; 6]> {
+    let mut rng = ChaCha8Rng::seed_from_u64(3);
+    (0..count).map(|_| sample::random_points(&mut rng)).collect()
+}
+
+#[test]
+fn final_answers_of_loose_pairs_are_exact() {
+    let pairs = pairs(150);
+    for params in variants() {
+        for width in WIDTHS {
+            let driver = Driver::new(&params, width).unwrap();
+            let job = driver.loose(&pairs);
+            let answers = StandIn::new(&params, width).unwrap().answer(job.transfers());
+            assert_eq!(answers.len(), job.answers_due());
+            let results = job.finish(&answers).unwrap();
+            let expected: Vec<Exact> = pairs.iter().map(exact::pair).collect();
+            assert_eq!(results.answers, expected, "{}", params.command_line());
+            let s = results.statistics;
+            assert_eq!((s.host_separate, s.unit_separate + s.unit_intersect + s.retested), (0, pairs.len()));
+            assert!(s.unit_separate > 10 && s.retested > 10, "{s:?}");
+        }
+    }
+}
+
+#[test]
+fn final_answers_of_posed_meshes_are_exact() {
+    let mut rng = ChaCha8Rng::seed_from_u64(5);
+    let mut mesh = |count: usize| -> Vec<[f64; 3]> {
+        (0..count).map(|_| [0, 1, 2].map(|_| rng.random_range(-1.0..1.0))).collect()
+    };
+    let (a, b) = (mesh(12), mesh(12));
+    let triangles: Vec<([u32; 3], [u32; 3])> =
+        (0..10).flat_map(|i| (0..10).map(move |j| ([i, i + 1, i + 2], [j, j + 1, j + 2]))).collect();
+    let turn = [[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
+    let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let poses = [(turn, [0.3, 0.2, 0.1]), (identity, [0.5, 0.0, 0.0]), (turn, [40.0, 0.0, 0.0])];
+    let mut host_separate = 0;
+    for params in variants() {
+        let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
+        let meshes = driver.meshes(&a, &b);
+        let mut unit = StandIn::new(&params, StreamWidth::Bits64).unwrap();
+        for (m, t) in &poses {
+            let job = meshes.pose(m, t, &triangles);
+            let answers = unit.answer(job.transfers());
+            let results = job.finish(&answers).unwrap();
+            let corners = |mesh: &[[f64; 3]], triangle: [u32; 3]| triangle.map(|i| mesh[i as usize]);
+            let exact = |(i, j): &([u32; 3], [u32; 3])| exact::posed_pair(&corners(&a, *i), &corners(&b, *j), m, t);
+            assert_eq!(results.answers, triangles.iter().map(exact).collect::<Vec<_>>(), "{}", params.command_line());
+            host_separate += results.statistics.host_separate;
+        }
+    }
+    assert!(host_separate > 100, "the far pose is outside the declared ranges");
+}
+
+#[test]
+fn answers_that_do_not_fit_are_refused() {
+    let params = Params::default();
+    let width = StreamWidth::Bits64;
+    let driver = Driver::new(&params, width).unwrap();
+    let pairs = pairs(3);
+    let good = StandIn::new(&params, width).unwrap().answer(driver.loose(&pairs).transfers());
+    let finish = |answers: &[Transfer]| driver.loose(&pairs).finish(answers).map(|_| ());
+    assert_eq!(finish(&good), Ok(()));
+    assert_eq!(finish(&good[..3]), Err(DriverError::Count { expected: 4, found: 3 }));
+    assert_eq!(finish(&[&good[..], &good[3..]].concat()), Err(DriverError::Count { expected: 4, found: 5 }));
+    let swapped = [good[0], good[2], good[1], good[3]];
+    assert_eq!(finish(&swapped), Err(DriverError::Order { at: 1 }));
+    assert_eq!(finish(&good[1..]), Err(DriverError::Order { at: 0 }), "the pose was not answered");
+    let mut late = good.clone();
+    late[2].last = true;
+    assert_eq!(finish(&late), Err(DriverError::Order { at: 2 }));
+    let mut unknown = good.clone();
+    unknown[1].data |= 1 << 63;
+    assert!(matches!(finish(&unknown), Err(DriverError::Word { at: 1, .. })));
+
+    // A word is lost on the way: the unit notices.
+    let mut lost = driver.loose(&pairs).transfers().to_vec();
+    lost.remove(12);
+    let answers = StandIn::new(&params, width).unwrap().answer(&lost);
+    assert!(finish(&answers).is_err());
+    assert_eq!(driver.unpack(answers.last().unwrap().data), Some(Answer::Report(Report::TooShort)));
+}
+
+#[test]
+fn a_design_refuses_what_was_packed_for_another() {
+    let pairs = pairs(2);
+    for params in &variants()[1..] {
+        let packed = Driver::new(params, StreamWidth::Bits64).unwrap().loose(&pairs).transfers().to_vec();
+        let driver = Driver::new(&Params::default(), StreamWidth::Bits64).unwrap();
+        for answer in StandIn::new(&Params::default(), StreamWidth::Bits64).unwrap().answer(&packed) {
+            assert_eq!(driver.unpack(answer.data), Some(Answer::Report(Report::UnknownHeader)));
+        }
+    }
+}
+
+#[test]
+fn bytes_are_little_endian_words() {
+    let driver = Driver::new(&Params::default(), StreamWidth::Bits64).unwrap();
+    let words = [Transfer { data: 0x0102, last: false }, Transfer { data: 3, last: true }];
+    let bytes = driver.bytes(&words);
+    assert_eq!(bytes, [2, 1, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0]);
+    assert_eq!(driver.packet(&bytes).unwrap(), words, "answers of this design have 64 bits too");
+    assert_eq!(driver.packet(&bytes[1..]), Err(DriverError::Bytes { found: 15, word: 8 }));
+}

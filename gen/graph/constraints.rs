@@ -1,0 +1,297 @@
+//! From a unit and its earliest schedule to the programme of all schedules of the same latency.
+
+use super::programme::{Event, Held, Programme, Reading, Stream};
+use super::schedule::{delay, leg_phases, Pass, Slot};
+use super::{Op, Type};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// When a per-pair value is there, as far as one of its sources goes: from one event until before another.
+#[derive(Clone, Copy)]
+struct Window {
+    from: Event,
+    until: Event,
+}
+
+/// When the value of a node is there.
+#[derive(Clone)]
+enum Valid {
+    /// At any time.
+    Always,
+    /// In every phase, that of phase 0 from this event on.
+    Stream(Event),
+    /// While all of these windows are open.
+    Pair(Vec<Window>),
+}
+
+/// The programme in the making.
+pub(super) struct Constraints<'a> {
+    pass: &'a Pass<'a>,
+    earliest: &'a [Slot],
+    programme: Programme,
+    valid: Vec<Valid>,
+    /// The variable of each node that has a start of its own.
+    pub(super) variables: Vec<Option<usize>>,
+    /// Place of each node's value among the streams or the held values.
+    streams: Vec<Option<usize>>,
+    held: Vec<Option<usize>>,
+}
+
+const PORTS: Event = Event { variable: 0, offset: 0 };
+
+impl<'a> Constraints<'a> {
+    /// The programme, and the variable of each node that has one.
+    pub(super) fn collect(
+        pass: &'a Pass<'a>,
+        earliest: &'a [Slot],
+        latency: i32,
+        output_ns: f64,
+    ) -> (Programme, Vec<Option<usize>>) {
+        let count = pass.unit.nodes.len();
+        let programme = Programme {
+            variables: vec!["ports".to_owned()],
+            interval: pass.interval(),
+            constraints: BTreeMap::new(),
+            streams: vec![],
+            held: vec![],
+            fixed: 0,
+        };
+        let none = vec![None; count];
+        let (streams, held) = (none.clone(), none.clone());
+        let mut all = Self { pass, earliest, programme, valid: vec![], variables: none, streams, held };
+        for i in 0..count {
+            let valid = all.node(i);
+            all.valid.push(valid);
+        }
+        for i in 0..count {
+            all.uses(i);
+        }
+        for (_, node) in &pass.unit.outputs {
+            let out = PORTS.later(latency);
+            match all.valid[node.0].clone() {
+                Valid::Always => {}
+                Valid::Stream(from) => {
+                    all.order(from, out);
+                    all.carry(node.0, out);
+                }
+                Valid::Pair(windows) => all.hold(node.0, &windows, out, out, false),
+            }
+        }
+        for i in 0..count {
+            all.paths(i, latency, output_ns);
+        }
+        (all.programme, all.variables)
+    }
+
+    fn order(&mut self, earlier: Event, later: Event) {
+        self.programme.order(earlier, later);
+    }
+
+    /// A start for a node.
+    fn variable(&mut self, i: usize) -> Event {
+        let variable = self.programme.variables.len();
+        self.programme.variables.push(self.pass.unit.nodes[i].name.clone());
+        self.variables[i] = Some(variable);
+        let start = Event { variable, offset: 0 };
+        self.order(PORTS, start);
+        start
+    }
+
+    /// When the value of a node is there; operands come first.
+    fn node(&mut self, i: usize) -> Valid {
+        let (unit, slot) = (self.pass.unit, self.earliest[i]);
+        let node = &unit.nodes[i];
+        let interval = self.pass.interval();
+        let bits = u64::from(node.ty.bits);
+        match &node.op {
+            Op::Input if slot.until == i32::MAX => Valid::Stream(PORTS),
+            Op::Input => Valid::Pair(vec![Window { from: PORTS, until: PORTS.later(interval) }]),
+            Op::Constant(_) | Op::Phase(..) => Valid::Always,
+            _ if unit.renames(i) => self.valid[node.args[0].0].clone(),
+            Op::Output(_) => self.valid[node.args[0].0].clone(),
+            Op::Hold { phase, lagged } => {
+                self.programme.fixed += bits;
+                let lag = if *lagged { self.pass.lag_clocks() } else { 0 };
+                let Valid::Stream(from) = self.valid[node.args[0].0] else { return Valid::Always };
+                let from = from.later(*phase as i32 + 1 + lag);
+                Valid::Pair(vec![Window { from, until: from.later(interval) }])
+            }
+            _ if slot.from == i32::MIN => Valid::Always,
+            op => {
+                let registers = slot.from - slot.start;
+                match op {
+                    Op::Instance(_) => {}
+                    Op::ScanOr => self.programme.fixed += bits,
+                    _ => self.programme.fixed += bits * registers as u64,
+                }
+                if slot.until == i32::MAX {
+                    return Valid::Stream(self.variable(i).later(registers));
+                }
+                let sources = node.args.iter().filter_map(|a| match &self.valid[a.0] {
+                    Valid::Pair(windows) => Some((self.earliest[a.0].until > slot.start, windows)),
+                    _ => None,
+                });
+                let sources: Vec<(bool, Vec<Window>)> = sources.map(|(open, w)| (open, w.clone())).collect();
+                let open = sources.iter().filter(|s| s.0 && !slot.registered).flat_map(|s| &s.1);
+                let mut windows: Vec<Window> =
+                    open.map(|w| Window { from: w.from.later(registers), until: w.until.later(registers) }).collect();
+                if slot.registered || sources.iter().any(|s| !s.0) {
+                    // Operands captured again in the clock in which the node starts.
+                    let start = self.variable(i);
+                    for w in sources.iter().flat_map(|s| &s.1) {
+                        self.order(w.from.later(i32::from(slot.registered)), start);
+                    }
+                    let from = start.later(registers);
+                    windows.push(Window { from, until: from.later(interval) });
+                }
+                Valid::Pair(windows)
+            }
+        }
+    }
+
+    /// What node `i` needs of its operands.
+    fn uses(&mut self, i: usize) {
+        let (unit, slot) = (self.pass.unit, self.earliest[i]);
+        let Some(variable) = self.variables[i] else { return };
+        let start = Event { variable, offset: 0 };
+        if let Op::Choose { lagged } = &unit.nodes[i].op {
+            let limit = slot.ns - self.pass.device.mux(lagged.len());
+            for (leg, lagged) in lagged.iter().enumerate() {
+                let Some((first, last)) = leg_phases(unit, i, leg) else { continue };
+                let lag = if *lagged { self.pass.lag_clocks() } else { 0 };
+                let limit = if *lagged { self.pass.launch() } else { limit };
+                let arg = unit.nodes[i].args[1 + leg].0;
+                match self.valid[arg].clone() {
+                    Valid::Always => {}
+                    Valid::Stream(from) => {
+                        self.order(from, start);
+                        self.carry(arg, start);
+                    }
+                    Valid::Pair(windows) => {
+                        let captured = self.earliest[arg].ns > limit + 1e-9;
+                        let (first, last) = (start.later(first as i32 + lag), start.later(last as i32 + lag));
+                        self.hold(arg, &windows, first, last, captured);
+                    }
+                }
+            }
+            return;
+        }
+        for arg in unit.nodes[i].args.iter().map(|a| a.0) {
+            match self.valid[arg].clone() {
+                Valid::Always => {}
+                Valid::Stream(from) => {
+                    self.order(from, start);
+                    self.carry(arg, start);
+                }
+                Valid::Pair(windows) => {
+                    let captured = slot.registered && self.earliest[arg].ns > self.pass.launch();
+                    self.hold(arg, &windows, start, start.later(self.pass.interval() - 1), captured);
+                }
+            }
+        }
+    }
+
+    /// The node that carries the value of node `i` in hardware.
+    fn carrier(&self, mut i: usize) -> usize {
+        while self.pass.unit.renames(i) {
+            i = self.pass.unit.nodes[i].args[0].0;
+        }
+        i
+    }
+
+    /// A value of every phase is used in a clock.
+    fn carry(&mut self, i: usize, at: Event) {
+        let i = self.carrier(i);
+        let Valid::Stream(from) = self.valid[i] else { return };
+        let streams = &mut self.programme.streams;
+        let place = *self.streams[i].get_or_insert_with(|| {
+            let node = &self.pass.unit.nodes[i];
+            streams.push(Stream { name: node.name.clone(), bits: node.ty.bits, from, uses: vec![] });
+            streams.len() - 1
+        });
+        if !streams[place].uses.contains(&at) {
+            streams[place].uses.push(at);
+        }
+    }
+
+    /// A per-pair value is used from clock `first` to clock `last`.
+    fn hold(&mut self, i: usize, windows: &[Window], first: Event, last: Event, captured: bool) {
+        let i = self.carrier(i);
+        for w in windows {
+            self.order(w.from.later(i32::from(captured)), first);
+        }
+        let held = &mut self.programme.held;
+        let place = *self.held[i].get_or_insert_with(|| {
+            let node = &self.pass.unit.nodes[i];
+            let windows = windows.iter().map(|w| (w.from, w.until)).collect();
+            held.push(Held { name: node.name.clone(), bits: node.ty.bits, windows, uses: vec![] });
+            held.len() - 1
+        });
+        let reading = Reading { first, last, captured };
+        if !held[place].uses.contains(&reading) {
+            held[place].uses.push(reading);
+        }
+    }
+
+    /// Two nodes on a path that does not fit in one clock are at least one clock apart.
+    fn paths(&mut self, origin: usize, latency: i32, output_ns: f64) {
+        let Valid::Stream(from) = self.valid[origin] else { return };
+        let node = &self.pass.unit.nodes[origin];
+        if matches!(node.op, Op::Output(_)) || self.pass.unit.renames(origin) {
+            return;
+        }
+        let arrival = match &node.op {
+            Op::Instance(_) if from.offset > 0 => self.pass.children[&origin].output_ns,
+            _ if from.offset > 0 || matches!(node.op, Op::Input) => self.pass.launch(),
+            _ => self.base(origin) + self.delay(origin),
+        };
+        let mut arrivals = vec![f64::NEG_INFINITY; self.pass.unit.nodes.len()];
+        arrivals[origin] = arrival;
+        let mut open: BTreeSet<usize> = self.pass.users[origin].iter().copied().collect();
+        while let Some(i) = open.pop_first() {
+            let args = self.pass.unit.nodes[i].args.iter();
+            let before = args.map(|a| arrivals[a.0]).fold(f64::NEG_INFINITY, f64::max);
+            if self.pass.unit.renames(i) || matches!(self.pass.unit.nodes[i].op, Op::Output(_)) {
+                arrivals[i] = before;
+                open.extend(&self.pass.users[i]);
+                continue;
+            }
+            let Some(variable) = self.variables[i] else { continue };
+            let ns = before + self.delay(i);
+            if before > self.pass.launch() + 1e-9 && !self.pass.fits(ns) {
+                self.order(from.later(1), Event { variable, offset: 0 });
+            } else if self.earliest[i].from == self.earliest[i].start {
+                arrivals[i] = ns;
+                open.extend(&self.pass.users[i]);
+            }
+        }
+        // Outputs arrive no later than in the earliest schedule, so that what follows them still fits.
+        if self.pass.unit.outputs.iter().any(|o| arrivals[o.1 .0] > output_ns + 1e-9) {
+            self.order(from.later(1), PORTS.later(latency));
+        }
+    }
+
+    /// Arrival of what does not depend on the schedule at the inputs of a node.
+    fn base(&self, i: usize) -> f64 {
+        let slot = self.earliest[i];
+        if let Op::Choose { lagged } = &self.pass.unit.nodes[i].op {
+            return slot.ns - self.pass.device.mux(lagged.len());
+        }
+        let always = self.pass.unit.nodes[i].args.iter().filter(|a| matches!(self.valid[a.0], Valid::Always));
+        always.map(|a| self.earliest[a.0].ns).fold(self.pass.launch(), f64::max)
+    }
+
+    /// Delay from the inputs of a node to its output, or to its first registers; unlimited where operands must come
+    /// from registers.
+    fn delay(&self, i: usize) -> f64 {
+        let node = &self.pass.unit.nodes[i];
+        match &node.op {
+            Op::Instance(_) => self.pass.children[&i].input_path,
+            Op::Choose { lagged } => self.pass.device.mux(lagged.len()),
+            _ if self.earliest[i].from > self.earliest[i].start => f64::INFINITY,
+            op => {
+                let types: Vec<Type> = node.args.iter().map(|a| self.pass.unit.node(*a).ty).collect();
+                delay(self.pass.device, op, &types, node.ty)
+            }
+        }
+    }
+}

