@@ -19,7 +19,7 @@ mod words;
 
 use super::netlist::{Driver, Module, SignalId};
 use super::{Op, Type};
-use crate::device::{Chains, Device, Resources};
+use crate::device::{Device, Resources};
 use gates::{Bit, Gate};
 use registers::{Control, Registers};
 use std::collections::{HashMap, VecDeque};
@@ -160,9 +160,9 @@ impl<'a> Reader<'a> {
         let products = live.products.iter().filter(|used| **used).count();
         resources.multipliers = products as u64;
         for (chain, bits) in self.words.chains.iter().zip(&live.chains) {
-            let carries = if chain.sums { bits.saturating_sub(1) } else { *bits };
-            resources.carry +=
-                fabric.carry_bits(if fabric.chains == Chains::Complete { *bits } else { carries }) as u64;
+            // The sum of the top bit needs no carry out of it; a cell of several bits is there all the same.
+            let unused = usize::from(chain.sums && fabric.carry_cell == 1 && *bits > 0);
+            resources.carry += fabric.carry_bits(bits - unused);
         }
         roots.sort_unstable();
         let delays = self.registers.count(&live.registers, &roots, &self.words);

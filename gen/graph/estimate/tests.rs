@@ -64,15 +64,16 @@ fn a_choice_in_front_of_a_sum_is_one_table_a_bit() {
 }
 
 #[test]
-fn a_comparison_takes_two_bits_a_carry() {
-    let less = module(|b| {
-        let (x, y) = (b.input("x", Type::signed(18, 0)), b.input("y", Type::signed(18, 0)));
-        let less = b.op("less", Op::Less, &[x, y]);
-        b.output("z", less);
+fn a_comparison_with_a_constant_takes_a_carry_for_every_table_of_bits() {
+    let clamp = module(|b| {
+        let x = b.input("x", Type::signed(18, 0));
+        let clamped = b.op("clamped", Op::Clamp(77_777, "none"), &[x]);
+        b.output("z", clamped);
     });
-    assert_eq!(of(&less, NAMES[0]), Resources { luts: 18, carry: 9, ..Resources::default() });
-    // Six groups of three bits.
-    assert_eq!(of(&less, NAMES[2]), Resources { luts: 12, carry: 8, ..Resources::default() });
+    // Two comparisons, each of five groups of four bits; or of three groups of six, in a cell of four.
+    assert_eq!(of(&clamp, NAMES[0]).carry, 10);
+    assert_eq!(of(&clamp, NAMES[2]).carry, 8);
+    assert_eq!(of(&clamp, NAMES[3]).carry, 36);
 }
 
 #[test]

@@ -176,9 +176,9 @@ impl<'a> Cells<'a> {
         };
         let mut waits = vec![0; count];
         let mut users: Vec<Vec<usize>> = vec![vec![]; count];
-        for cell in 0..count {
+        for (cell, waits) in waits.iter_mut().enumerate() {
             for driver in waits_for(cell) {
-                waits[cell] += 1;
+                *waits += 1;
                 users[*driver].push(cell);
             }
         }
