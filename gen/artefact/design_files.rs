@@ -110,7 +110,7 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
         describe(&project.folder, &format!("Project for {} ({}).", project.part, project.releases));
     }
     set.insert("README.md", readme(design, command_line, described));
-    let manifest = manifest::text(design, &format, command_line, &set);
+    let manifest = manifest::text(design, Some(&format), command_line, &set);
     set.insert(manifest::NAME, manifest);
     Ok(set)
 }

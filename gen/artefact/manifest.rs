@@ -25,7 +25,8 @@ struct Manifest<'a> {
     register_bits: u64,
     result_places: usize,
     input_format: String,
-    stream: Stream,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stream: Option<Stream>,
     ports: Vec<Port>,
     formats: Vec<Row>,
     files: BTreeMap<&'a str, String>,
@@ -112,8 +113,8 @@ fn value(text: &str) -> serde_json::Value {
     text.parse::<u64>().map_or_else(|_| text.into(), Into::into)
 }
 
-/// The manifest of a design and of all other files of the set.
-pub(super) fn text(design: &Design, format: &StreamFormat, command_line: &str, files: &FileSet) -> String {
+/// The manifest of a design, the format of its stream where there is a wrapper, and of all other files of the set.
+pub(super) fn text(design: &Design, format: Option<&StreamFormat>, command_line: &str, files: &FileSet) -> String {
     let part = design.device.part;
     let manifest = Manifest {
         generator: format!("efsat {}", env!("CARGO_PKG_VERSION")),
@@ -133,7 +134,7 @@ pub(super) fn text(design: &Design, format: &StreamFormat, command_line: &str, f
         register_bits: design.top.register_bits(),
         result_places: design.places,
         input_format: design.params.input().to_string(),
-        stream: Stream::new(&design.params, format),
+        stream: format.map(|format| Stream::new(&design.params, format)),
         ports: ports(design),
         formats: design
             .params
@@ -170,7 +171,7 @@ mod tests {
         let design = Design::new(&params, false).unwrap();
         let mut set = FileSet::default();
         set.insert("a.txt", "abc");
-        let text = text(&design, &StreamFormat::new(&params, StreamWidth::Bits64), &params.command_line(), &set);
+        let text = text(&design, Some(&StreamFormat::new(&params, StreamWidth::Bits64)), &params.command_line(), &set);
         let manifest: serde_json::Value = serde_json::from_str(&text).unwrap();
         assert_eq!(manifest["multipliers"], 72);
         assert_eq!(manifest["initiation_interval"], 11);
@@ -192,7 +193,7 @@ mod tests {
     fn negative_fraction_bits_are_printed_so() {
         let params = Params { width: 6, ..Params::default() };
         let design = Design::new(&params, false).unwrap();
-        let text = text(&design, &StreamFormat::new(&params, StreamWidth::Bits64), "", &FileSet::default());
+        let text = text(&design, None, "", &FileSet::default());
         let manifest: serde_json::Value = serde_json::from_str(&text).unwrap();
         let formats: Vec<&str> =
             manifest["formats"].as_array().unwrap().iter().filter_map(|row| row["format"].as_str()).collect();

@@ -49,9 +49,6 @@ const SHIFTED: &str =
     "all points go into one OR: the lower bound that is lost is V0's own, 0, and the one that is gained \
     is the last point's again";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
-const FEW_ULPS: &str =
-    "where both factors straddle 0 they are some ulps wide, and the product is lost among the bits dropped \
-    but for sums next to a multiple of the ulp; killed at --width 8";
 const OVERWRITTEN: &str = "a first value that is always overwritten";
 const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 bits in either case";
 
