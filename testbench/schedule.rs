@@ -2,9 +2,9 @@
 //! design within ten per cent of what a linear solver found (docs/schedule.md).
 
 use efsat::design::Design;
-use efsat::graph::netlist::{Driver, Module};
+use efsat::graph::netlist::{DelayLine, Driver, Module, ModuleBuilder};
 use efsat::graph::programme::{Event, Held, Programme, Reading, Stream};
-use efsat::graph::Op;
+use efsat::graph::{Op, Type};
 use efsat::params::{Axes, Params, Projections, Transform};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
@@ -86,6 +86,37 @@ fn modules_have_the_registers_that_the_programme_counts() {
     assert!(wrong.is_empty(), "{} of {}\n{}", wrong.len(), sets.len(), wrong.join("\n"));
 }
 
+#[test]
+fn long_delays_are_lines_and_short_ones_are_not() {
+    let mut b = ModuleBuilder::new("m", vec![]);
+    let x = b.input("x", Type::signed(5, 0));
+    let mut chain = vec![x];
+    for i in 1..=8 {
+        let next = b.register(&format!("x_d{i}"), Type::signed(5, 0));
+        b.drive(next, chain[i - 1], None, None);
+        chain.push(next);
+    }
+    // Tapped after three and after five clocks: 3 + 2 + 3.
+    let sum = b.op("sum", Op::Add, &[chain[3], chain[5]]);
+    b.output("y", chain[8]);
+    b.output("z", sum);
+    let module = b.finish();
+    let names =
+        |line: &DelayLine| -> Vec<String> { line.registers.iter().map(|id| module.signal(*id).name.clone()).collect() };
+    let lines: Vec<Vec<String>> = module.delay_lines().iter().map(names).collect();
+    assert_eq!(lines, [["x_d1", "x_d2", "x_d3"], ["x_d6", "x_d7", "x_d8"]]);
+    let text = efsat::vhdl::entity(&module, &[]).unwrap().text();
+    for line in [
+        "type x_d8_words is array (1 to 3) of signed(4 downto 0);",
+        "x_d3_line <= signed(x) & x_d3_line(1 to 2);",
+        "x_d8_line <= x_d5 & x_d8_line(1 to 2);",
+        "x_d8 <= x_d8_line(3);",
+        "x_d4 <= x_d3;",
+    ] {
+        assert!(text.lines().any(|l| l.trim() == line), "{line}\n{text}");
+    }
+}
+
 /// Numbers that are the same in every run.
 struct Random(u64);
 
@@ -116,7 +147,7 @@ fn small(random: &mut Random, with_pairs: bool) -> Programme {
         programme.order(after, start);
         let mut uses = vec![];
         for _ in 0..1 + random.below(3) {
-            let user = variable + 1 + random.below(5) as usize;
+            let user = variable + 1 + random.below(5);
             let user = if user < 6 { Event { variable: user, offset: 0 } } else { ports.later(CLOCKS) };
             programme.order(start, user);
             uses.push(user);
