@@ -123,19 +123,24 @@ pub(super) fn run(
     let vectors = format!("{}.vec", testbench::NAME);
     write(&vectors, &artefact::vectors::text(&design.params, stimulus))?;
     write("efsat_tb.cpp", &bench(design, command_line))?;
-    let (mut run, seconds) = simulate(&verilator, dir, &vectors)?;
+    let (mut run, seconds) = simulate(&verilator, netlist, dir, &vectors)?;
     run.simulator = format!("{}, {} netlist", verilator.version, netlist.name());
     run.simulation = seconds;
     Ok(run)
 }
 
 /// Compiles the netlist in a folder and runs the testbench on it; what it found, and the time it ran.
-pub(super) fn simulate(verilator: &Tool, dir: &Path, vectors: &str) -> Result<(Run, Duration), CosimError> {
+fn simulate(verilator: &Tool, netlist: Netlist, dir: &Path, vectors: &str) -> Result<(Run, Duration), CosimError> {
     let program = testbench::NAME;
     // Warnings are about style in netlists that nobody wrote; two states need no care for the unknown.
-    let options = "--cc --exe --build -j 2 -O3 --x-assign fast --x-initial fast --noassert -Wno-fatal -CFLAGS -O1";
+    let options = "--cc --exe --build -j 2 -O3 --x-assign fast --x-initial fast --noassert -Wno-fatal";
+    // The code of a mapped netlist is long: its units are compiled once each, and not optimised.
+    let cost = match netlist {
+        Netlist::Rtl => "-MAKEFLAGS OPT_FAST=-O2",
+        Netlist::Mapped => "--inline-mult 1 -MAKEFLAGS OPT_FAST=-O0",
+    };
     let files = ["--top-module", TOP, "--Mdir", "obj", "-o", program, NETLIST, "efsat_tb.cpp"];
-    let args: Vec<&str> = options.split(' ').chain(files).collect();
+    let args: Vec<&str> = options.split(' ').chain(cost.split(' ')).chain(files).collect();
     tools::call(&verilator.path, &args, dir, "verilator.log")?;
     let dir = dir.canonicalize().map_err(file_error(dir))?;
     let start = Instant::now();

@@ -8,7 +8,7 @@ use std::collections::HashMap;
 /// What cannot be mended, in words.
 pub fn all(text: &str) -> Result<String, String> {
     complete_cases(text)?;
-    let text = binary_literals(text)?;
+    let text = without_self_assignments(&binary_literals(text)?);
     Ok(text.split_inclusive("endmodule").map(signed_products).collect())
 }
 
@@ -30,6 +30,15 @@ fn binary_literals(text: &str) -> Result<String, String> {
         _ => Ok(format!("{}'b{part}", part.len())),
     };
     text.split('"').enumerate().map(part).collect()
+}
+
+/// GHDL 2.0 assigns a signal behind the output of an instance to itself where both have one name: a loop without gates.
+fn without_self_assignments(text: &str) -> String {
+    let loops = |line: &str| {
+        let assignment = line.trim().strip_prefix("assign ").and_then(|rest| rest.split_once(';'));
+        assignment.and_then(|(assignment, _)| assignment.split_once(" = ")).is_some_and(|(to, from)| to == from)
+    };
+    text.split_inclusive('\n').filter(|line| !loops(line)).collect()
 }
 
 /// GHDL 2.0 writes a signed product as an unsigned one of operands extended to the width of the product. That is the
@@ -72,6 +81,12 @@ mod tests {
         // What newer versions write stays.
         let newer = "  assign n3 = $signed(a) * $signed(b);\nendmodule\n";
         assert_eq!(all(newer).unwrap(), newer);
+    }
+
+    #[test]
+    fn signals_are_not_assigned_to_themselves() {
+        let text = "  assign a_lo = a_lo; // (signal)\n  assign a_hi = a_lo;\nendmodule\n";
+        assert_eq!(all(text).unwrap(), "  assign a_hi = a_lo;\nendmodule\n");
     }
 
     #[test]

@@ -49,12 +49,13 @@ pub fn xilinx(family: &str, top: &str) -> String {
 /// What Yosys says.
 pub fn mapped(source: &str, top: &str, netlist: &str, dir: &Path) -> Result<(), ToolError> {
     let map = virtex2(top);
-    // The models have parameters, which `hierarchy` resolves, and processes, which no simulator has to guess at then.
+    // `hierarchy` resolves the parameters of the models. A carry chain along a vector looks like a loop to a simulator
+    // that orders vectors, so nets are split into bits.
     let commands = format!(
         "read_verilog {source}\n{map}write_verilog -noattr mapped.v\n\
          design -reset\n\
          read_verilog mapped.v\nread_verilog +/xilinx/cells_sim.v\n\
-         hierarchy -top {top}\nproc\nopt_clean\nwrite_verilog -noattr {netlist}\n"
+         hierarchy -top {top}\nproc\nopt_expr\nsplitnets\nopt_clean\nwrite_verilog -noattr {netlist}\n"
     );
     run(&find()?, "map", &commands, dir)
 }
