@@ -94,6 +94,21 @@ fn registers_of_products_are_where_the_family_has_them() {
 }
 
 #[test]
+fn small_products_are_made_of_tables() {
+    let product = |bits| {
+        module(|b| {
+            let (x, y) = (b.input("x", Type::signed(bits, 0)), b.input("y", Type::signed(5, 0)));
+            let product = b.op("product", Op::Multiply, &[x, y]);
+            b.output("z", product);
+        })
+    };
+    assert_eq!(of(&product(4), NAMES[0]), Resources { multipliers: 1, ..Resources::default() });
+    let small = of(&product(3), NAMES[0]);
+    assert!(small.multipliers == 0 && small.luts > 0, "{small:?}");
+    assert_eq!(of(&product(3), NAMES[3]), Resources { multipliers: 1, ..Resources::default() });
+}
+
+#[test]
 fn long_delays_are_shift_registers() {
     let line = |clocks: usize, tap: Option<usize>| {
         module(|b| {
