@@ -120,6 +120,7 @@ fn every_wrong_value_is_one_line_and_status_2() {
         ("", "no command: legal is one of generate, cosim, classify"),
         ("paint", "unrecognized subcommand 'paint'; legal is one of generate, cosim, classify"),
         ("generate more", "unexpected argument 'more'"),
+        ("generate --stream-width 48", "legal is one of 32, 64, 128"),
         ("cosim --random 0", "legal is a whole number, 1 or greater"),
         ("cosim --random 1000001", "--random 1000001: legal is a whole number from 1 to 1000000"),
         ("cosim --seed -1", "legal is a whole number from 0 to 18446744073709551615"),

@@ -95,7 +95,7 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
         &format!("{PAIRS} random pairs under random poses, with the reference model's answers."),
     );
     set.insert(&stream_bench.file, stream::bench(design, &format, &origin));
-    let mixed = stream_vectors::mixed(params, &format);
+    let mixed = stream_vectors::mixed(params, &format, stream_vectors::FILLING);
     set.insert(stream_bench.vectors, stream_vectors::text(params, &format, &mixed));
     describe(&stream_bench.file, "Testbench of the wrapper, for simulation only.");
     describe(stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the answers due.");
@@ -110,7 +110,7 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
         describe(&project.folder, &format!("Project for {} ({}).", project.part, project.releases));
     }
     set.insert("README.md", readme(design, command_line, described));
-    let manifest = manifest::text(design, command_line, &set);
+    let manifest = manifest::text(design, Some(&format), command_line, &set);
     set.insert(manifest::NAME, manifest);
     Ok(set)
 }

@@ -1,8 +1,10 @@
 //! `manifest.json`: what a design is, for programs that read it.
 
-use super::FileSet;
+use super::{stream, FileSet};
 use crate::design::Design;
 use crate::graph::Type;
+use crate::params::stream::{Kind, StreamFormat};
+use crate::params::Params;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
@@ -23,6 +25,8 @@ struct Manifest<'a> {
     register_bits: u64,
     result_places: usize,
     input_format: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stream: Option<Stream>,
     ports: Vec<Port>,
     formats: Vec<Row>,
     files: BTreeMap<&'a str, String>,
@@ -36,6 +40,33 @@ struct Device {
     package: &'static str,
     speed: &'static str,
     delays_from: &'static str,
+}
+
+/// The stream wrapper, for hosts that are not this crate's driver.
+#[derive(Serialize)]
+struct Stream {
+    word_bits: u32,
+    answer_word_bits: u32,
+    pairs_header: u32,
+    pose_header: Option<u32>,
+    pair_words: u32,
+    pose_words: Option<u32>,
+    clocks_per_pair: usize,
+}
+
+impl Stream {
+    fn new(params: &Params, format: &StreamFormat) -> Self {
+        let pose = format.has_pose().then_some(Kind::Pose);
+        Self {
+            word_bits: format.width.bits(),
+            answer_word_bits: format.answer_width(),
+            pairs_header: format.header(Kind::Pairs),
+            pose_header: pose.map(|kind| format.header(kind)),
+            pair_words: format.record_words(Kind::Pairs),
+            pose_words: pose.map(|kind| format.record_words(kind)),
+            clocks_per_pair: stream::pair_period(params, format),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -82,8 +113,8 @@ fn value(text: &str) -> serde_json::Value {
     text.parse::<u64>().map_or_else(|_| text.into(), Into::into)
 }
 
-/// The manifest of a design and of all other files of the set.
-pub(super) fn text(design: &Design, command_line: &str, files: &FileSet) -> String {
+/// The manifest of a design, the format of its stream where there is a wrapper, and of all other files of the set.
+pub(super) fn text(design: &Design, format: Option<&StreamFormat>, command_line: &str, files: &FileSet) -> String {
     let part = design.device.part;
     let manifest = Manifest {
         generator: format!("efsat {}", env!("CARGO_PKG_VERSION")),
@@ -103,6 +134,7 @@ pub(super) fn text(design: &Design, command_line: &str, files: &FileSet) -> Stri
         register_bits: design.top.register_bits(),
         result_places: design.places,
         input_format: design.params.input().to_string(),
+        stream: format.map(|format| Stream::new(&design.params, format)),
         ports: ports(design),
         formats: design
             .params
@@ -131,7 +163,7 @@ pub(super) fn files(text: &str) -> Option<BTreeSet<String>> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::Params;
+    use crate::params::stream::StreamWidth;
 
     #[test]
     fn the_default_manifest() {
@@ -139,13 +171,17 @@ mod tests {
         let design = Design::new(&params, false).unwrap();
         let mut set = FileSet::default();
         set.insert("a.txt", "abc");
-        let text = text(&design, &params.command_line(), &set);
+        let text = text(&design, Some(&StreamFormat::new(&params, StreamWidth::Bits64)), &params.command_line(), &set);
         let manifest: serde_json::Value = serde_json::from_str(&text).unwrap();
         assert_eq!(manifest["multipliers"], 72);
         assert_eq!(manifest["initiation_interval"], 11);
         assert_eq!(manifest["latency"], design.latency);
         assert_eq!(manifest["parameters"]["transform_width"], 32);
         assert_eq!(manifest["parameters"]["upper"], "implied");
+        assert_eq!(
+            (&manifest["stream"]["pair_words"], &manifest["stream"]["clocks_per_pair"]),
+            (&10.into(), &11.into())
+        );
         assert_eq!(manifest["ports"][0]["name"], "clk");
         assert_eq!(manifest["formats"][0]["format"], "s2.16");
         let sum = "edeaaff3f1774ad2888673770c6d64097e391bc362d7d6fb34982ddf0efd18cb";
@@ -157,7 +193,7 @@ mod tests {
     fn negative_fraction_bits_are_printed_so() {
         let params = Params { width: 6, ..Params::default() };
         let design = Design::new(&params, false).unwrap();
-        let text = text(&design, "", &FileSet::default());
+        let text = text(&design, None, "", &FileSet::default());
         let manifest: serde_json::Value = serde_json::from_str(&text).unwrap();
         let formats: Vec<&str> =
             manifest["formats"].as_array().unwrap().iter().filter_map(|row| row["format"].as_str()).collect();

@@ -19,7 +19,7 @@ pub fn programme_files(design: &Design, command_line: &str) -> FileSet {
         let _ = writeln!(units, "{name},{instances},{}", schedule.register_bits);
     }
     set.insert(UNITS, units);
-    let manifest = manifest::text(design, command_line, &set);
+    let manifest = manifest::text(design, None, command_line, &set);
     set.insert(manifest::NAME, manifest);
     set
 }

@@ -9,10 +9,12 @@ use crate::golden::{Golden, Input, Pair, Pose};
 use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat};
 use crate::params::Params;
 
-/// Pairs of the first and longest packet: enough to fill the unit.
-const FIRST: usize = 24;
+/// Pairs of the first packet that fill the default design.
+pub const FILLING: usize = 22;
+/// Pairs among which those are sought that tell two poses apart.
+const TELLING: usize = 64;
 /// Pairs of the packets after it, each under a pose of its own.
-const OTHERS: [usize; 3] = [1, 7, 2];
+const OTHERS: [usize; 3] = [1, 4, 2];
 
 /// A word in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -168,12 +170,12 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// Packets of every kind: before any pose, under several poses, every way to be malformed, and good ones after that.
-pub fn mixed(p: &Params, format: &StreamFormat) -> StreamVectors {
+/// Packets of every kind, the first of `first` pairs (at least 2): before any pose, under several poses, every way to be malformed, and good ones after that.
+pub fn mixed(p: &Params, format: &StreamFormat, first: usize) -> StreamVectors {
     let mut maker = Maker::new(p, format);
     let pairs = |count: usize, seed: u64| Stimulus::random(p, count, seed).segments;
     let flat = |count, seed| pairs(count, seed).into_iter().flat_map(|s| s.1).collect::<Vec<Pair>>();
-    let first = flat(FIRST, 1);
+    let first = flat(first, 1);
     maker.pairs(&first);
     for (seed, count) in (2..).zip(OTHERS) {
         for (pose, pairs) in pairs(count, seed) {
@@ -183,10 +185,13 @@ pub fn mixed(p: &Params, format: &StreamFormat) -> StreamVectors {
     }
     let other = pairs(1, 9)[0].0;
     maker.malformed(&first[0], &other);
-    // The old pose still holds.
-    maker.pairs(&first[1..4]);
+    // The old pose still holds: pairs that the malformed one would answer differently, where there are such.
+    let answer = |pose: &Pose, pair: &Pair| maker.golden.outcome(pose, pair);
+    let mut candidates = flat(TELLING, 10);
+    candidates.sort_by_key(|pair| answer(&maker.pose, pair) == answer(&other, pair));
+    maker.pairs(&candidates[..2]);
     maker.pose(&Pose::identity(p));
-    maker.pairs(&first[4..6]);
+    maker.pairs(&first[1..2]);
     maker.vectors
 }
 

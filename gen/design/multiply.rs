@@ -167,24 +167,24 @@ pub struct Span {
 /// last place wide. Neither straddles zero, so the sign of the lower bounds decides, and a bound is the lower one plus
 /// a flag.
 ///
-/// Inputs are `m`, `m_ulp`, `x` and `x_ulp`.
+/// Inputs are `m_lo`, `m_ulp`, `x_lo` and `x_ulp`.
 pub fn quantised_multiply_unit(name: &str, m: Span, x: Span) -> Rc<Unit> {
     let mut b = Builder::new(
         name,
         1,
         &[
-            "Multiplication of two intervals [m, m + m_ulp] and [x, x + x_ulp], two multipliers, exact.",
+            "Multiplication of the intervals [m_lo, m_lo + m_ulp] and [x_lo, x_lo + x_ulp], two multipliers, exact.",
             "Bounds are whole units in the last place, so neither straddles zero:",
             "",
-            "  lo = (m + (m_ulp if x < 0)) * (x + (x_ulp if m < 0))",
-            "  hi = (m + (m_ulp if x >= 0)) * (x + (x_ulp if m >= 0))",
+            "  lo = (m_lo + (m_ulp if x_lo < 0)) * (x_lo + (x_ulp if m_lo < 0))",
+            "  hi = (m_lo + (m_ulp if x_lo >= 0)) * (x_lo + (x_ulp if m_lo >= 0))",
         ],
     );
     let spans = [("m", m), ("x", x)].map(|(name, span)| {
         let bits = needed(span.hi.max(span.lo));
-        let port = b.input(name, span.ty, symmetric(span.lo), Rate::Any);
+        let port = b.input(&format!("{name}_lo"), span.ty, symmetric(span.lo), Rate::Any);
         let ulp = b.input(&format!("{name}_ulp"), Type::FLAG, (0, 1), Rate::Any);
-        let lo = b.resize(&format!("{name}_bits"), port, true, bits);
+        let lo = b.resize(&format!("{name}_lo_bits"), port, true, bits);
         let negative = b.op(&format!("{name}_negative"), Op::SignBit, &[lo]);
         let positive = b.op(&format!("{name}_positive"), Op::Not, &[negative]);
         (name, span, lo, ulp, negative, positive)

@@ -143,8 +143,8 @@ impl Layout {
                 let wanted = wish(&self.items, i);
                 self.items[i].y = free(&taken, &self.items[i], wanted);
                 let item = &self.items[i];
-                for layer in item.layers.0..=item.layers.1 {
-                    taken[layer].push((item.y - item.height / 2.0, item.y + item.height / 2.0));
+                for layer in &mut taken[item.layers.0..=item.layers.1] {
+                    layer.push((item.y - item.height / 2.0, item.y + item.height / 2.0));
                 }
             }
             let length: f64 = links.iter().map(|(a, b)| (self.items[*a].y - self.items[*b].y).abs()).sum();

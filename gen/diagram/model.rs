@@ -205,11 +205,12 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// The first sentence of a description.
+/// The first sentence of a description, or what stands before its first colon.
 fn first_sentence(doc: &[String]) -> String {
     let paragraph: Vec<&str> = doc.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
     let text = paragraph.join(" ");
-    text.split_once(". ").map_or(text.clone(), |(sentence, _)| format!("{sentence}."))
+    let end = [". ", ": "].iter().filter_map(|mark| text.find(mark)).min();
+    end.map_or(text.clone(), |end| format!("{}.", &text[..end]))
 }
 
 /// Which nodes some output depends on, and the inputs.

@@ -2,7 +2,7 @@
 
 use super::programme::{Event, Held, Programme, Reading, Stream};
 use super::schedule::{delay, leg_phases, Pass, Slot};
-use super::{Op, Type};
+use super::{Op, Type, Unit};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// When a per-pair value is there, as far as one of its sources goes: from one event until before another.
@@ -28,9 +28,13 @@ pub(super) struct Constraints<'a> {
     pass: &'a Pass<'a>,
     earliest: &'a [Slot],
     programme: Programme,
+    /// Whether an output depends on each node.
+    live: Vec<bool>,
     valid: Vec<Valid>,
     /// The variable of each node that has a start of its own.
     pub(super) variables: Vec<Option<usize>>,
+    /// The start of each variable in the earliest schedule.
+    starts: Vec<i32>,
     /// Place of each node's value among the streams or the held values.
     streams: Vec<Option<usize>>,
     held: Vec<Option<usize>>,
@@ -57,7 +61,17 @@ impl<'a> Constraints<'a> {
         };
         let none = vec![None; count];
         let (streams, held) = (none.clone(), none.clone());
-        let mut all = Self { pass, earliest, programme, valid: vec![], variables: none, streams, held };
+        let mut all = Self {
+            pass,
+            earliest,
+            programme,
+            live: live(pass.unit),
+            valid: vec![],
+            variables: none,
+            starts: vec![0],
+            streams,
+            held,
+        };
         for i in 0..count {
             let valid = all.node(i);
             all.valid.push(valid);
@@ -73,7 +87,10 @@ impl<'a> Constraints<'a> {
                     all.order(from, out);
                     all.carry(node.0, out);
                 }
-                Valid::Pair(windows) => all.hold(node.0, &windows, out, out, false),
+                Valid::Pair(windows) => {
+                    let reading = Reading { first: out, last: out, captured: false };
+                    all.hold(node.0, &windows, reading);
+                }
             }
         }
         for i in 0..count {
@@ -91,6 +108,7 @@ impl<'a> Constraints<'a> {
         let variable = self.programme.variables.len();
         self.programme.variables.push(self.pass.unit.nodes[i].name.clone());
         self.variables[i] = Some(variable);
+        self.starts.push(self.earliest[i].start);
         let start = Event { variable, offset: 0 };
         self.order(PORTS, start);
         start
@@ -106,6 +124,8 @@ impl<'a> Constraints<'a> {
             Op::Input if slot.until == i32::MAX => Valid::Stream(PORTS),
             Op::Input => Valid::Pair(vec![Window { from: PORTS, until: PORTS.later(interval) }]),
             Op::Constant(_) | Op::Phase(..) => Valid::Always,
+            // What no output depends on is no hardware and follows the others.
+            _ if !self.live[i] => Valid::Always,
             _ if unit.renames(i) => self.valid[node.args[0].0].clone(),
             Op::Output(_) => self.valid[node.args[0].0].clone(),
             Op::Hold { phase, lagged } => {
@@ -126,23 +146,37 @@ impl<'a> Constraints<'a> {
                 if slot.until == i32::MAX {
                     return Valid::Stream(self.variable(i).later(registers));
                 }
-                let sources = node.args.iter().filter_map(|a| match &self.valid[a.0] {
-                    Valid::Pair(windows) => Some((self.earliest[a.0].until > slot.start, windows)),
-                    _ => None,
-                });
-                let sources: Vec<(bool, Vec<Window>)> = sources.map(|(open, w)| (open, w.clone())).collect();
-                let open = sources.iter().filter(|s| s.0 && !slot.registered).flat_map(|s| &s.1);
-                let mut windows: Vec<Window> =
-                    open.map(|w| Window { from: w.from.later(registers), until: w.until.later(registers) }).collect();
-                if slot.registered || sources.iter().any(|s| !s.0) {
-                    // Operands captured again in the clock in which the node starts.
-                    let start = self.variable(i);
-                    for w in sources.iter().flat_map(|s| &s.1) {
-                        self.order(w.from.later(i32::from(slot.registered)), start);
+                let sources: Vec<(bool, Vec<Window>)> = node
+                    .args
+                    .iter()
+                    .filter_map(|a| match &self.valid[a.0] {
+                        Valid::Pair(windows) => Some((self.earliest[a.0].until > slot.start, windows.clone())),
+                        _ => None,
+                    })
+                    .collect();
+                let all: Vec<Window> = sources.iter().flat_map(|s| s.1.clone()).collect();
+                let open = sources.iter().filter(|s| s.0 && !slot.registered).flat_map(|s| s.1.clone());
+                let open: Vec<Window> = open.collect();
+                let later = |w: &Window| Window { from: w.from.later(registers), until: w.until.later(registers) };
+                let mut windows: Vec<Window> = open.iter().map(later).collect();
+                if !slot.registered && sources.iter().all(|s| s.0) {
+                    // Windows that overlap go on doing so.
+                    for w in &all {
+                        all.iter().for_each(|other| self.order(w.from.later(1), other.until));
                     }
-                    let from = start.later(registers);
-                    windows.push(Window { from, until: from.later(interval) });
+                    return Valid::Pair(windows);
                 }
+                // Operands captured again in the clock in which the node starts.
+                let start = self.variable(i);
+                all.iter().for_each(|w| self.order(w.from.later(i32::from(slot.registered)), start));
+                open.iter().for_each(|w| self.order(start.later(1), w.until));
+                for (_, closed) in sources.iter().filter(|s| !s.0 && !slot.registered) {
+                    // What is closed stays so, by the window that closes first.
+                    let first = closed.iter().map(|w| w.until).min_by_key(|until| until.clock(&self.starts));
+                    first.into_iter().for_each(|until| self.order(until, start));
+                }
+                let from = start.later(registers);
+                windows.push(Window { from, until: from.later(interval) });
                 Valid::Pair(windows)
             }
         }
@@ -169,7 +203,7 @@ impl<'a> Constraints<'a> {
                     Valid::Pair(windows) => {
                         let captured = self.earliest[arg].ns > limit + 1e-9;
                         let (first, last) = (start.later(first as i32 + lag), start.later(last as i32 + lag));
-                        self.hold(arg, &windows, first, last, captured);
+                        self.hold(arg, &windows, Reading { first, last, captured });
                     }
                 }
             }
@@ -182,9 +216,12 @@ impl<'a> Constraints<'a> {
                     self.order(from, start);
                     self.carry(arg, start);
                 }
+                // What is open and not captured passes its window on.
+                Valid::Pair(_) if !slot.registered && self.earliest[arg].until > slot.start => {}
                 Valid::Pair(windows) => {
                     let captured = slot.registered && self.earliest[arg].ns > self.pass.launch();
-                    self.hold(arg, &windows, start, start.later(self.pass.interval() - 1), captured);
+                    let last = start.later(self.pass.interval() - 1);
+                    self.hold(arg, &windows, Reading { first: start, last, captured });
                 }
             }
         }
@@ -213,11 +250,11 @@ impl<'a> Constraints<'a> {
         }
     }
 
-    /// A per-pair value is used from clock `first` to clock `last`.
-    fn hold(&mut self, i: usize, windows: &[Window], first: Event, last: Event, captured: bool) {
+    /// A per-pair value is used.
+    fn hold(&mut self, i: usize, windows: &[Window], reading: Reading) {
         let i = self.carrier(i);
         for w in windows {
-            self.order(w.from.later(i32::from(captured)), first);
+            self.order(w.from.later(i32::from(reading.captured)), reading.first);
         }
         let held = &mut self.programme.held;
         let place = *self.held[i].get_or_insert_with(|| {
@@ -226,7 +263,6 @@ impl<'a> Constraints<'a> {
             held.push(Held { name: node.name.clone(), bits: node.ty.bits, windows, uses: vec![] });
             held.len() - 1
         });
-        let reading = Reading { first, last, captured };
         if !held[place].uses.contains(&reading) {
             held[place].uses.push(reading);
         }
@@ -294,4 +330,18 @@ impl<'a> Constraints<'a> {
             }
         }
     }
+}
+
+/// The nodes that some output depends on; of what merely renames its first operand the others do not count.
+fn live(unit: &Unit) -> Vec<bool> {
+    let mut live = vec![false; unit.nodes.len()];
+    let mut open: Vec<usize> = unit.outputs.iter().map(|o| o.1 .0).collect();
+    while let Some(i) = open.pop() {
+        if !std::mem::replace(&mut live[i], true) {
+            let args = &unit.nodes[i].args;
+            let count = if unit.renames(i) { 1 } else { args.len() };
+            open.extend(args[..count].iter().map(|a| a.0));
+        }
+    }
+    live
 }

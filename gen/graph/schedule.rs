@@ -164,9 +164,11 @@ struct Arrival {
 struct Wish {
     start: i32,
     ns: f64,
+    /// Whether a per-pair value is made from captured operands.
+    captured: bool,
 }
 
-const NO_WISH: Wish = Wish { start: i32::MIN, ns: f64::INFINITY };
+const NO_WISH: Wish = Wish { start: i32::MIN, ns: f64::INFINITY, captured: false };
 
 impl Pass<'_> {
     pub(super) fn launch(&self) -> f64 {
@@ -198,13 +200,18 @@ impl Pass<'_> {
             variable.iter().for_each(|v| starts[*v] = slot.start);
         }
         let best = programme.optimise(&starts);
-        let wishes = earliest.iter().zip(&variables).map(|(slot, variable)| {
-            // Captured operands of a per-pair value are awaited in the clock before.
-            let before = i32::from(slot.registered && slot.until != i32::MAX);
-            Wish { start: variable.map_or(i32::MIN, |v| best[v] - before), ns: slot.ns }
-        });
-        let slots = self.slots(&wishes.collect::<Vec<_>>());
-        let register_bits = programme.cost(&best);
+        let wish = |(slot, variable): (&Slot, &Option<usize>)| Wish {
+            start: variable.map_or(i32::MIN, |v| best[v]),
+            ns: slot.ns,
+            captured: slot.registered && slot.until != i32::MAX,
+        };
+        let wishes: Vec<Wish> = earliest.iter().zip(&variables).map(wish).collect();
+        let slots = self.slots(&wishes);
+        let as_wished = slots.iter().zip(&variables).all(|(slot, v)| v.is_none_or(|v| slot.start == best[v]));
+        // What the programme does not see (windows of values made from many) may push a node back: then nothing moves.
+        let (slots, starts) =
+            if as_wished && self.lagged_legs_arrive(&slots) { (slots, best) } else { (earliest, starts) };
+        let register_bits = programme.cost(&starts);
         Some(self.schedule(slots, programme, register_bits))
     }
 
@@ -233,6 +240,8 @@ impl Pass<'_> {
         let path = |i: usize| match self.children.get(&i) {
             Some(child) if slots[i].start == 0 && child.latency > 0 => self.arrival(i, &slots, 0).ns + child.input_path,
             _ if slots[i].from == 0 => slots[i].ns,
+            // With registers behind it an operation leaves nothing of the period to what comes before.
+            None if slots[i].start == 0 && !matches!(unit.nodes[i].op, Op::Hold { .. } | Op::Output(_)) => self.period,
             _ => self.launch(),
         };
         let input_path = (0..slots.len()).map(path).fold(self.launch(), f64::max) - self.launch();
@@ -289,8 +298,8 @@ impl Pass<'_> {
             }
             Op::Instance(_) => {
                 let child = &self.children[&i];
-                let arrival = self.arrival(i, slots, wish.start);
-                let (start, ns, registered) = self.start(&arrival, child.input_path);
+                let arrival = self.arrival(i, slots, if wish.captured { i32::MIN } else { wish.start });
+                let (start, ns, registered) = self.start(&arrival, child.input_path, wish);
                 let ns = if child.latency == 0 { ns } else { child.output_ns };
                 let until = arrival.until.saturating_add(child.latency);
                 let captured = registered && arrival.until != i32::MAX;
@@ -300,7 +309,7 @@ impl Pass<'_> {
             op => {
                 let types: Vec<Type> = node.args.iter().map(|a| self.unit.node(*a).ty).collect();
                 let delay = delay(self.device, op, &types, node.ty);
-                let arrival = self.arrival(i, slots, wish.start);
+                let arrival = self.arrival(i, slots, if wish.captured { i32::MIN } else { wish.start });
                 if arrival.clock == i32::MIN {
                     return Slot { ns: self.launch() + delay, ..Slot::ALWAYS };
                 }
@@ -311,7 +320,7 @@ impl Pass<'_> {
                     let from = start + registers;
                     return Slot { start, from, until: i32::MAX, ns: self.launch(), registered: true };
                 }
-                let (start, ns, registered) = self.start(&arrival, delay);
+                let (start, ns, registered) = self.start(&arrival, delay, wish);
                 let registers = if self.fits(ns) { 0 } else { self.registers(delay) };
                 let ns = if registers == 0 { ns } else { self.launch() };
                 let until = if registered { start.saturating_add(interval) } else { arrival.until };
@@ -327,8 +336,10 @@ impl Pass<'_> {
     }
 
     /// Start clock, arrival of the result and whether the operands are registered for it.
-    fn start(&self, arrival: &Arrival, delay: f64) -> (i32, f64, bool) {
-        if self.fits(arrival.ns + delay) || arrival.ns <= self.launch() {
+    fn start(&self, arrival: &Arrival, delay: f64, wish: Wish) -> (i32, f64, bool) {
+        if wish.captured {
+            (wish.start, self.launch() + delay, true)
+        } else if self.fits(arrival.ns + delay) || arrival.ns <= self.launch() {
             (arrival.clock, arrival.ns + delay, false)
         } else {
             (arrival.clock + 1, self.launch() + delay, true)

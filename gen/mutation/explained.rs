@@ -32,10 +32,13 @@ const fn hidden(pattern: &'static str, reason: &'static str) -> Explanation {
 
 const EQUAL: &str = "of two equal numbers either is the least and the greatest";
 const ZERO: &str = "the two differ where the factor is 0, and 0 times either bound is 0";
+const ORIGIN: &str =
+    "V0 is the origin after re-normalisation, so what separates its projection from another of A fits a bit less";
+const TOP: &str =
+    "the two top bits of a lower bound differ only where a positive one is within some ulps of its greatest value, and then it \
+    shows only beside a factor that straddles 0";
 const AT_BOUND: &str = "the two differ where the number is the bound itself, and both arms give the bound";
-const NARROW: &str = "entries of M and coordinates are at most one ulp wide, so no factor of the transform straddles 0";
 const RANGE: &str = "the proven range leaves the two top bits equal, but for one number that is its own negative there";
-const UNUSED: &str = "coordinates leave the two top bits equal";
 const DROPPED: &str = "the bit stays among those that are dropped, and floor + ulp does not look at them";
 const NEVER_ZERO: &str = "an upper bound is one ulp above the lower one, so the OR of the magnitudes is never 0";
 const BELOW: &str = "a lower bound is never above, and an upper bound never below, what the true value can be";
@@ -46,33 +49,11 @@ const SHIFTED: &str =
     "all points go into one OR: the lower bound that is lost is V0's own, 0, and the one that is gained \
     is the last point's again";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
-const FEW_ULPS: &str =
-    "where both factors straddle 0 they are some ulps wide, and the product is lost among the bits dropped \
-    but for sums next to a multiple of the ulp; killed at --width 8";
 const OVERWRITTEN: &str = "a first value that is always overwritten";
 const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 bits in either case";
 
 /// Mutants of the generated VHDL.
 pub const VHDL: &[Explanation] = &[
-    same("*_multiply:*_wide:comparison:< -> <=", EQUAL),
-    same("*_multiply:*_takes_*:operand:x_negative -> x_hi_not_above", ZERO),
-    same("*_multiply:*_takes_*:operand:y_negative -> y_hi_not_above", ZERO),
-    same("projection_multiply:x_lo_below:constant:(*", UNUSED),
-    same("transform_multiply:*_zero:constant:last bit of a literal -> 1", NARROW),
-    same("transform_multiply:*_positive:case:not dropped", NARROW),
-    same("transform_multiply:*_hi_above:comparison:< -> <=", ZERO),
-    same("transform_multiply:*_greatest*:*", NARROW),
-    same("transform_multiply:*_least*:*", NARROW),
-    same("transform_multiply:*_minus_*:*", NARROW),
-    same("transform_multiply:*_takes_*_straddle:operand:*_positive -> *", NARROW),
-    same("transform_multiply:*_takes_*_straddle:operand:*_negative -> *", NARROW),
-    same("transform_multiply:*_takes_*_straddle:case:not *_positive", NARROW),
-    same("transform_multiply:*_takes_*_straddle:case:not *_negative", NARROW),
-    same("transform_multiply:both_straddle_d1:delay:a register too many", NARROW),
-    same("transform_multiply:product_lo_x_*:operand:lo_x -> lo_x_bound", NARROW),
-    same("transform_multiply:product_lo_y_*:operand:lo_y -> lo_y_bound", NARROW),
-    same("transform_multiply:product_hi_x_*:operand:hi_x -> hi_x_bound", NARROW),
-    same("transform_multiply:product_hi_y_*:operand:hi_y -> hi_y_bound", NARROW),
     same("transform_row:b_up_inexact_d*:delay:*", IDLE),
     same("renormalise_offset:magnitudes_*:delay:magnitude_*_lo_d1 -> magnitude_*_lo", SHIFTED),
     same("renormalise_shift:*:delay:*_d1 -> *", STEADY),
@@ -87,9 +68,9 @@ pub const VHDL: &[Explanation] = &[
         "sequencer:running:delay:a register too many",
         "pose_ready rises one clock later after reset; no pose is loaded before the end of the slot either way",
     ),
-    hidden("projection_multiply:x_greatest:constant:(*", FEW_ULPS),
-    same("comparator_network:a_m*:comparison:< -> <=", EQUAL),
-    same("comparator_network:b_m*:comparison:< -> <=", EQUAL),
+    same("comparator_network:*_order_difference:comparison:< -> <=", EQUAL),
+    same("comparator_network:a_*_order:constant:(*", ORIGIN),
+    hidden("sign_case:lo_below:constant:(*", TOP),
     same("cross_product:*_clamp_*:comparison:> -> >=", AT_BOUND),
     same("cross_product:*_clamp_*:comparison:< -> <=", AT_BOUND),
 ];

@@ -159,7 +159,9 @@ impl<'a> Editor<'a> {
         if let Some(at) = part.find(" + resize(signed'('0' & ") {
             let ulp = &part[at..].trim_start_matches(" + resize(signed'('0' & ").split(')').next();
             if !ulp.is_some_and(|ulp| ulp.ends_with("_ulp")) {
-                self.replace(Kind::Rounding, (at, part.len()), "", "ulp dropped");
+                // A magnitude is converted as a whole.
+                let rest = if part.starts_with("unsigned(") { ")" } else { "" };
+                self.replace(Kind::Rounding, (at, part.len()), rest, "ulp dropped");
             }
             self.replace(Kind::Rounding, (part.len(), part.len()), " + 1", "an ulp too many");
         }

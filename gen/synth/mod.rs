@@ -20,6 +20,7 @@ pub use error::SynthError;
 pub use flow::Flow;
 pub use route::{Routed, Seed};
 pub use slices::Slices;
+pub use static_timing::Timing;
 pub use units::Unit;
 
 use crate::artefact::{self, Scratch};
@@ -59,6 +60,8 @@ pub struct Report {
     pub top: Unit,
     /// Clock that the schedule expects to reach, in MHz, and the signal its longest path ends at.
     pub scheduled: (f64, String),
+    /// Static timing of the mapped units, estimated; of Virtex-II alone.
+    pub timing: Option<Timing>,
     /// What placement and routing reached, where the flow has them.
     pub routed: Option<Routed>,
 }
@@ -120,6 +123,7 @@ pub fn run(
     let netlist = units::netlist(&yosys, flow, dir)?;
     let counted_for = flow.device(design.device);
     let top = units::tree(&design, counted_for, &netlist, flow);
+    let timing = if flow == Flow::Virtex2 { Some(units::timing(dir)?) } else { None };
     let mut tools = vec![yosys.version.clone()];
     let routed = match &nextpnr {
         Some(nextpnr) => {
@@ -131,7 +135,7 @@ pub fn run(
         None => None,
     };
     let (ns, end) = &design.schedule.critical;
-    Ok(Report { flow, counted_for, tools, top, scheduled: (1000.0 / ns, end.clone()), routed })
+    Ok(Report { flow, counted_for, tools, top, scheduled: (1000.0 / ns, end.clone()), timing, routed })
 }
 
 /// Makes a folder ours, unless it holds files of somebody else.

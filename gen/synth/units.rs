@@ -2,6 +2,7 @@
 
 use super::cells::{self, Cells};
 use super::netlist::Netlist;
+use super::static_timing::{self, Timing};
 use super::{Flow, TOP, VERILOG};
 use crate::design::Design;
 use crate::device::{Device, Resources};
@@ -37,6 +38,18 @@ pub(super) fn netlist(yosys: &Tool, flow: Flow, dir: &Path) -> Result<Netlist, T
     let commands = format!("read_verilog {VERILOG}\n{}write_json {NETLIST}\n", flow.units(TOP));
     yosys::run(yosys, "units", &commands, dir)?;
     Netlist::read(&dir.join(NETLIST))
+}
+
+/// Static timing of the netlist that [`netlist`] has left in a folder.
+///
+/// # Errors
+/// What cannot be read, or has no timing.
+pub(super) fn timing(dir: &Path) -> Result<Timing, ToolError> {
+    let path = dir.join(NETLIST);
+    let file = std::fs::File::open(&path).map_err(ToolError::file(&path))?;
+    let failed = |message: String| ToolError::failed("static timing", message);
+    let netlist = serde_json::from_reader(std::io::BufReader::new(file)).map_err(|e| failed(e.to_string()))?;
+    static_timing::estimate(&netlist, TOP).map_err(|e| failed(e.to_string()))
 }
 
 /// The units of a design, the top first, predicted for a device.

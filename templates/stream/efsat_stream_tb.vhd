@@ -17,7 +17,8 @@ use std.textio.all;
 entity efsat_stream_tb is
   generic (
     vectors : string := "efsat_stream_tb.vec";
-    answers : string := ""
+    answers : string := "";
+    passes : positive := 2
   );
   port (
     finished : out boolean
@@ -193,7 +194,7 @@ begin
     if answers /= "" then
       file_open(log, answers, write_mode);
     end if;
-    for pass in 1 to 2 loop
+    for pass in 1 to passes loop
       rewind;
       comparing := more_answers;
       packets_in := 0;

@@ -38,11 +38,11 @@ pub fn transform_row(setting: &Setting) -> Claim {
     let products = [0, 1, 2].map(|j| format!("m{j}_x{j}"));
     for (j, product) in products.iter().enumerate() {
         claim.cut(&[format!("{product}_lo"), format!("{product}_hi")]);
-        claim.seen(&["m", "m_ulp", "x", "x_ulp"].map(|port| format!("{product}.{port}")));
+        claim.seen(&["m_lo", "m_ulp", "x_lo", "x_ulp"].map(|port| format!("{product}.{port}")));
         for factor in ["m", "x"] {
             let port = format!("{product}_{factor}");
-            let above = format!("{port} + {port}_ulp == {factor}{j}_above");
-            claim.shown(format!("{port} == {factor}{j} && {above}"));
+            let above = format!("{port}_lo + {port}_ulp == {factor}{j}_above");
+            claim.shown(format!("{port}_lo == {factor}{j} && {above}"));
         }
     }
     let fraction = params.input().fraction;

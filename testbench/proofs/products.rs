@@ -163,13 +163,13 @@ pub fn in_tiles(bits: (u32, u32)) -> Claim {
 /// The upper bounds of quantised factors, as free numbers that equal them.
 fn quantised_bounds(claim: &mut Claim) {
     for name in ["m", "x"] {
-        let bits = claim.subject.input(name).bits + 1;
-        claim.free(&format!("{name}_hi"), bits).given(format!("{name}_hi == {name} + {name}_ulp"));
+        let bits = claim.subject.input(&format!("{name}_lo")).bits + 1;
+        claim.free(&format!("{name}_hi"), bits).given(format!("{name}_hi == {name}_lo + {name}_ulp"));
     }
 }
 
 const QUANTISED_CORNERS: [(&str, &str, &str); 4] =
-    [("ll", "m", "x"), ("lh", "m", "x_hi"), ("hl", "m_hi", "x"), ("hh", "m_hi", "x_hi")];
+    [("ll", "m_lo", "x_lo"), ("lh", "m_lo", "x_hi"), ("hl", "m_hi", "x_lo"), ("hh", "m_hi", "x_hi")];
 
 /// The least and the greatest corner of quantised factors.
 fn quantised_extremes(claim: &mut Claim) {
@@ -202,14 +202,14 @@ pub fn quantised_factors(setting: &Setting) -> Claim {
     let subject = Subject::of_design(&setting.params, "transform_multiply");
     let mut claim = Claim::new(subject, setting.label(), "factors of the least and the greatest corner");
     quantised_bounds(&mut claim);
-    let bits = claim.subject.input("m").bits + claim.subject.input("x").bits;
+    let bits = claim.subject.input("m_lo").bits + claim.subject.input("x_lo").bits;
     for (corner, _, _) in QUANTISED_CORNERS {
         claim.free(corner, bits);
     }
     let rise = |sign: &str, x: &str, y: &str| {
         [format!("!({sign} >= 0) || {x} <= {y}"), format!("!({sign} <= 0) || {y} <= {x}")]
     };
-    let pairs = [("x", "ll", "hl"), ("x_hi", "lh", "hh"), ("m", "ll", "lh"), ("m_hi", "hl", "hh")];
+    let pairs = [("x_lo", "ll", "hl"), ("x_hi", "lh", "hh"), ("m_lo", "ll", "lh"), ("m_hi", "hl", "hh")];
     for fact in pairs.into_iter().flat_map(|(sign, x, y)| rise(sign, x, y)) {
         claim.given(fact);
     }

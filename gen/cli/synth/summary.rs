@@ -2,7 +2,7 @@
 
 use crate::device::Resources;
 use crate::params::Params;
-use crate::synth::{Cells, CriticalPath, Report, Routed, Unit};
+use crate::synth::{Cells, CriticalPath, Report, Routed, Timing, Unit};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -64,8 +64,20 @@ struct Clock<'a> {
     target: u32,
     scheduled: f64,
     scheduled_end: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    estimated: Option<Estimate<'a>>,
     #[serde(flatten)]
     routed: Option<After<'a>>,
+}
+
+/// Static timing of a Virtex-II netlist, before placement; delays in ns.
+#[derive(Serialize)]
+struct Estimate<'a> {
+    megahertz: f64,
+    derated_megahertz: f64,
+    into_multiplier: Option<f64>,
+    out_of_multiplier: Option<f64>,
+    path: &'a [String],
 }
 
 /// After routing.
@@ -126,6 +138,18 @@ impl<'a> From<&'a CriticalPath> for Path<'a> {
     }
 }
 
+impl<'a> From<&'a Timing> for Estimate<'a> {
+    fn from(timing: &'a Timing) -> Self {
+        Self {
+            megahertz: timing.megahertz,
+            derated_megahertz: timing.derated_megahertz,
+            into_multiplier: timing.beside_multipliers.into,
+            out_of_multiplier: timing.beside_multipliers.out_of,
+            path: &timing.path,
+        }
+    }
+}
+
 impl<'a> Summary<'a> {
     /// The object of a report.
     pub fn new(report: &'a Report, params: &'a Params, faults: &'a [String]) -> Self {
@@ -153,6 +177,7 @@ impl<'a> Summary<'a> {
                 target: params.frequency,
                 scheduled: *scheduled,
                 scheduled_end,
+                estimated: report.timing.as_ref().map(Estimate::from),
                 routed: report.routed.as_ref().map(after),
             },
             faults,

@@ -1,7 +1,7 @@
 //! The text of `efsat synth`.
 
 use crate::params::Params;
-use crate::synth::{CriticalPath, Report, Routed, Unit};
+use crate::synth::{CriticalPath, Report, Routed, Timing, Unit};
 use std::fmt::Write;
 
 /// Slices of the part that estimates are for, an XC2V6000.
@@ -26,6 +26,9 @@ pub(super) fn text(report: &Report, params: &Params) -> String {
     let (scheduled, end) = &report.scheduled;
     let _ =
         writeln!(text, "clock: {scheduled:.1} MHz by the schedule for {} (longest path ends at {end})", params.device);
+    if let Some(timing) = &report.timing {
+        estimate(&mut text, timing);
+    }
     if let Some(routed) = &report.routed {
         clock(&mut text, routed, params.frequency);
     }
@@ -100,6 +103,25 @@ fn shares(text: &mut String, report: &Report) {
             slices.dense,
             slices.related_only
         );
+    }
+}
+
+fn estimate(text: &mut String, timing: &Timing) {
+    let _ = writeln!(
+        text,
+        "clock, estimated as XST does: {:.1} MHz, {:.1} with the derating for placement; {:.2} ns along {}",
+        timing.megahertz,
+        timing.derated_megahertz,
+        timing.ns,
+        timing.path.join(" -> ")
+    );
+    let beside = timing.beside_multipliers;
+    for (ns, what) in
+        [(beside.into, "into a MULT18X18S, its set-up"), (beside.out_of, "out of one, its clock-to-output")]
+    {
+        if let Some(ns) = ns {
+            let _ = writeln!(text, "  {ns:.2} ns {what} not included");
+        }
     }
 }
 

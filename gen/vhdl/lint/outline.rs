@@ -168,7 +168,11 @@ impl<'a> Outline<'a> {
             let value = self.find(at..end, &[":="]);
             let initial = (value < end).then_some(value + 1..end);
             let (class, line) = (self.text(at), self.line(at));
-            let names = self.find(at + 1..end, &[":", "is"]);
+            let mut names = self.find(at + 1..end, &[":", "is"]);
+            // `attribute keep of x : signal is ...` declares nothing.
+            if self.is(at, "attribute") && self.is(at + 2, "of") {
+                names = at;
+            }
             for name in (at + 1).min(names)..names {
                 if self.tokens[name].kind != Kind::Symbol && !self.is(name, "variable") {
                     let name = self.tokens[name].text;

@@ -115,13 +115,10 @@ fn libraries(o: &Outline, report: Report) {
     }
 }
 
-/// Words that no synthesizable file holds.
-const CONSTRUCTS: [&str; 30] = [
+/// Words that no synthesizable file of ours holds.
+const CONSTRUCTS: [&str; 23] = [
     "access",
     "after",
-    "alias",
-    "assert",
-    "attribute",
     "block",
     "bus",
     "component",
@@ -130,22 +127,18 @@ const CONSTRUCTS: [&str; 30] = [
     "disconnect",
     "file",
     "force",
-    "generic",
-    "group",
+    "function",
     "guarded",
-    "impure",
     "inertial",
     "postponed",
+    "procedure",
     "real",
     "register",
     "reject",
     "release",
-    "report",
     "shared",
     "textio",
-    "time",
     "transport",
-    "variable",
     "wait",
 ];
 

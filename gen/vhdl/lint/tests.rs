@@ -124,10 +124,10 @@ const BAD: [(&str, &str, &str); 62] = [
     ("libraries", "library ieee;", "library ieee, unisim;"),
     ("constructs", "a_high <= signed(in_a(7 downto 4));", "a_high <= signed(in_a(7 downto 4)) after 1 ns;"),
     ("constructs", "signal a_high", "shared variable a_high"),
-    ("constructs", "signal below : std_logic;", "signal below : std_logic; signal volts : real;"),
+    ("constructs", "signal below : std_logic;", "signal below : std_logic; constant volts : real := 1.0;"),
     ("constructs", "state <= not state;", "wait for 10 ns;"),
     ("constructs", "signal below : std_logic;", "signal below : std_logic; component multiply is end component;"),
-    ("constructs", "entity multiply is\n", "entity multiply is\n  generic (width : positive);\n"),
+    ("constructs", "signal below : std_logic;", "signal below : std_logic; function f return bit;"),
     ("constructs", "library ieee;", "context ieee.ieee_std_context;"),
     ("vhdl-2008", "not below when others", "?? below when others"),
     ("vhdl-2008", "x_r < y_r", "(x_r ?= y_r) = '1'"),
@@ -201,6 +201,22 @@ fn every_rule_has_a_bad_example() {
     let rules: BTreeSet<&str> = rules().iter().map(|rule| rule.0).collect();
     let examples: BTreeSet<&str> = BAD.iter().chain(&ACROSS).map(|example| example.0).collect();
     assert_eq!(rules, examples);
+}
+
+/// What is not generated today and is good all the same.
+#[test]
+fn attributes_loops_and_generates_pass() {
+    let declared =
+        "signal below : std_logic;\n  attribute keep : string;\n  attribute keep of below : signal is \"true\";";
+    let looped = "for i in 0 to 2 loop memory(i + 1) <= memory(i); end loop; memory(0) <= unsigned(in_x)";
+    let top = TOP
+        .replace("signal below : std_logic;", declared)
+        .replace("memory(to_integer(level)) <= unsigned(in_x)", looped)
+        .replace(
+            "  flag <= state and chosen;",
+            "  always_on : if true generate\n    flag <= state and chosen;\n  end generate;",
+        );
+    assert_eq!(findings(MULTIPLY, &top.replace("always_on", "one")), []);
 }
 
 #[test]

@@ -1,0 +1,111 @@
+//! Dataflow pictures: those of the documents are current, and the command line draws every unit or says why not.
+
+use efsat::design::Design;
+use efsat::diagram::{units, Picture};
+use efsat::graph::schedule::Scheduler;
+use efsat::params::{Axes, Params, Projections};
+use std::fs;
+use std::path::Path;
+use std::process::{Command, Output};
+
+/// The pictures of docs/diagrams.md; scripts/diagrams draws them.
+const SHOWN: [&str; 3] = ["comparator_network", "projection", "projection_multiply"];
+
+fn pictures(params: &Params) -> Vec<Picture> {
+    let design = Design::new(params, false).unwrap();
+    let mut scheduler = Scheduler::new(design.device, params.frequency);
+    units(&design.pipeline).iter().map(|unit| Picture::new(&scheduler.schedule(unit), scheduler.period())).collect()
+}
+
+fn efsat(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_efsat")).args(arguments).output().unwrap()
+}
+
+#[test]
+fn the_pictures_in_the_documents_are_current() {
+    let pictures = pictures(&Params::default());
+    let docs = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/diagrams");
+    let mut stale = vec![];
+    for name in SHOWN {
+        let picture = pictures.iter().find(|picture| picture.name == name).unwrap();
+        if fs::read_to_string(docs.join(format!("{name}.svg"))).unwrap_or_default() != picture.svg() {
+            stale.push(name);
+        }
+    }
+    assert!(stale.is_empty(), "{stale:?}: run scripts/diagrams");
+    assert_eq!(fs::read_dir(docs).unwrap().count(), SHOWN.len(), "a picture that nothing draws");
+}
+
+/// Every unit of designs with all there is: repeated axes, lagged phases, many units side by side.
+#[test]
+fn every_unit_has_a_picture() {
+    let default = Params::default;
+    let folded = Params { axes: Axes::Seventeen, axes_per_clock: 2, projections: Projections::Skip, ..default() };
+    let fast = Params { axes_per_clock: 11, projections: Projections::Intersect, frequency: 250, ..default() };
+    let mut wrong = vec![];
+    for picture in [default(), folded, fast].iter().flat_map(pictures) {
+        let (svg, dot) = (picture.svg(), picture.dot());
+        let drawn = picture.edges.iter().filter(|edge| !edge.lagged).count();
+        let whole = svg.matches("marker-end").count() == drawn && dot.matches(" -> ").count() == picture.edges.len();
+        let numbers = !svg.contains("NaN") && !svg.contains("inf\"");
+        let outputs = picture.places.iter().any(|place| place.operation == "output");
+        if !(whole && numbers && outputs && picture.places.iter().any(|place| place.critical)) {
+            wrong.push(picture.name.clone());
+        }
+    }
+    assert!(wrong.is_empty(), "{wrong:?}");
+}
+
+#[test]
+fn generate_writes_the_picture_and_nothing_else() {
+    let home = tempfile::tempdir().unwrap();
+    let path = |name: &str| home.path().join(name).to_str().unwrap().to_owned();
+    let (svg, dot) = (path("p.svg"), path("p.dot"));
+    let output = efsat(&["generate", "--unit", "projection", "--svg", &svg, "--dot", &dot, "--out", &path("rtl")]);
+    assert!(output.status.success(), "{output:?}");
+    let said = String::from_utf8_lossy(&output.stdout).into_owned();
+    assert!(said.starts_with(&format!("{dot}: projection, ")) && said.lines().count() == 2, "{said}");
+    assert_eq!(fs::read_dir(home.path()).unwrap().count(), 2);
+    assert!(fs::read_to_string(&dot).unwrap().starts_with("digraph \"projection\" {\n"));
+}
+
+#[test]
+fn wrong_command_lines_are_told_in_one_line() {
+    let lines = [
+        ("generate --unit nothing --svg x.svg", "--unit nothing: legal is one of transform_multiply, "),
+        ("generate --unit projection", "--unit projection: needs --dot FILE or --svg FILE"),
+        ("generate --svg x.svg", "--unit"),
+        ("generate --unit projection --svg /nowhere/x.svg", "/nowhere/x.svg: "),
+        ("generate --check --unit projection --dot x.dot", "--check"),
+    ];
+    let mut wrong = vec![];
+    for (line, words) in lines {
+        let output = efsat(&line.split(' ').collect::<Vec<_>>());
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        if output.status.code() != Some(2) || said.lines().count() != 1 || !said.contains(words) {
+            wrong.push(format!("{line}: {said}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// Graphviz reads what is written for it.
+#[test]
+fn graphviz_takes_every_dot_file() {
+    if Command::new("dot").arg("-V").output().is_err() {
+        eprintln!("skipped: Graphviz is not installed (apt-get install graphviz)");
+        return;
+    }
+    let home = tempfile::tempdir().unwrap();
+    let mut wrong = vec![];
+    for picture in pictures(&Params::default()).iter().filter(|picture| picture.places.len() < 100) {
+        let file = home.path().join("unit.dot");
+        fs::write(&file, picture.dot()).unwrap();
+        let output = Command::new("dot").args(["-Tplain"]).arg(&file).output().unwrap();
+        let nodes = String::from_utf8_lossy(&output.stdout).lines().filter(|line| line.starts_with("node ")).count();
+        if !output.status.success() || nodes != picture.places.len() || !output.stderr.is_empty() {
+            wrong.push(format!("{}: {}", picture.name, String::from_utf8_lossy(&output.stderr)));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}

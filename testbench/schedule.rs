@@ -1,0 +1,169 @@
+//! The schedules: optimal on small programmes, as many registers in the modules as the programme says, and on the default
+//! design within ten per cent of what a linear solver found (docs/schedule.md).
+
+use efsat::design::Design;
+use efsat::graph::netlist::{Driver, Module};
+use efsat::graph::programme::{Event, Held, Programme, Reading, Stream};
+use efsat::graph::Op;
+use efsat::params::{Axes, Params, Projections, Transform};
+use rayon::prelude::*;
+use std::collections::BTreeMap;
+
+/// Register bits of a module itself, without the tables of phases, which no programme counts.
+fn own_bits(module: &Module) -> u64 {
+    let bits = module.signals.iter().map(|s| match &s.driver {
+        Driver::Register { op: Some(Op::Lookup(..)), .. } => 0,
+        Driver::Register { .. } => u64::from(s.ty.bits),
+        _ => 0,
+    });
+    bits.sum()
+}
+
+/// The table of docs/schedule.md: unit, instances, register bits, optimum.
+fn recorded() -> Vec<(String, usize, u64, f64)> {
+    let text = include_str!("../docs/schedule.md");
+    let rows = text.lines().filter(|line| line.starts_with("| `"));
+    let rows = rows.map(|line| {
+        let cells: Vec<&str> = line.split('|').map(|cell| cell.trim().trim_matches('`')).collect();
+        (cells[1].to_owned(), cells[2].parse().unwrap(), cells[3].parse().unwrap(), cells[4].parse().unwrap())
+    });
+    rows.collect()
+}
+
+#[test]
+fn the_default_design_is_within_ten_per_cent_of_the_optimum() {
+    let design = Design::new(&Params::default(), false).unwrap();
+    let schedules = design.schedule.hierarchy();
+    let modules: BTreeMap<String, u64> =
+        design.top.hierarchy().iter().map(|module| (module.name.clone(), own_bits(module))).collect();
+    let ours: Vec<(String, usize, u64)> = schedules
+        .iter()
+        .map(|(schedule, instances)| (schedule.unit.name.clone(), *instances, modules[&schedule.unit.name]))
+        .collect();
+    let recorded = recorded();
+    let as_recorded: Vec<(String, usize, u64)> = recorded.iter().map(|(u, i, b, _)| (u.clone(), *i, *b)).collect();
+    assert_eq!(ours, as_recorded, "run scripts/optimum and look at docs/schedule.md");
+    let far: Vec<_> = recorded.iter().filter(|(_, _, bits, optimum)| *bits as f64 > 1.1 * optimum).collect();
+    assert!(far.is_empty(), "{far:?}");
+}
+
+#[test]
+fn modules_have_the_registers_that_the_programme_counts() {
+    let mut sets = vec![];
+    for (width, frequency) in [(18, 100), (12, 60), (25, 100), (32, 150), (18, 200), (20, 250)] {
+        for axes_per_clock in [1, 2, 3, 6, 11] {
+            for axes in [Axes::Eleven, Axes::Seventeen] {
+                let params = Params { width, frequency, axes_per_clock, axes, ..Params::default() };
+                sets.push(Params { transform_width: params.transform_width.max(width), ..params.clone() });
+                let device = "xc6slx150-3".to_owned();
+                let projections = Projections::Intersect;
+                sets.push(Params { renormalise: false, device, projections, ..params.clone() });
+                sets.push(Params { transform: Transform::Off, projections: Projections::Skip, ..params });
+            }
+        }
+    }
+    let wrong: Vec<String> = sets
+        .par_iter()
+        .flat_map_iter(|params| {
+            let design = Design::new(params, false).unwrap();
+            let modules = design.top.hierarchy();
+            let schedules = design.schedule.hierarchy();
+            schedules
+                .into_iter()
+                .filter_map(|(schedule, _)| {
+                    let module = modules.iter().find(|m| m.name == schedule.unit.name)?;
+                    let (own, counted) = (own_bits(module), schedule.register_bits);
+                    let name = &schedule.unit.name;
+                    // Uses of a per-pair value share its captures where they can, which no programme counts.
+                    let most = if schedule.programme.held.is_empty() { counted } else { counted * 4 / 3 };
+                    let least = if schedule.programme.held.is_empty() { counted } else { counted * 3 / 4 };
+                    (own > most || own < least)
+                        .then(|| format!("{}: {name}: {own}, counted {counted}", params.command_line()))
+                })
+                .collect::<Vec<_>>()
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{} of {}\n{}", wrong.len(), sets.len(), wrong.join("\n"));
+}
+
+/// Numbers that are the same in every run.
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, n: u64) -> usize {
+        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
+        ((self.0 >> 33) % n) as usize
+    }
+}
+
+/// A programme of five nodes within six clocks.
+fn small(random: &mut Random, with_pairs: bool) -> Programme {
+    const CLOCKS: i32 = 6;
+    let ports = Event { variable: 0, offset: 0 };
+    let mut programme = Programme {
+        variables: (0..6).map(|i| format!("n{i}")).collect(),
+        interval: 3,
+        constraints: BTreeMap::new(),
+        streams: vec![],
+        held: vec![],
+        fixed: 7,
+    };
+    for variable in 1..6 {
+        let start = Event { variable, offset: 0 };
+        programme.order(ports, start);
+        programme.order(start.later(1), ports.later(CLOCKS));
+        let after = Event { variable: random.below(variable as u64), offset: random.below(2) as i32 };
+        programme.order(after, start);
+        let mut uses = vec![];
+        for _ in 0..1 + random.below(3) {
+            let user = variable + 1 + random.below(5) as usize;
+            let user = if user < 6 { Event { variable: user, offset: 0 } } else { ports.later(CLOCKS) };
+            programme.order(start, user);
+            uses.push(user);
+        }
+        let bits = 1 + random.below(9) as u32;
+        programme.streams.push(Stream { name: format!("v{variable}"), bits, from: start, uses: uses.clone() });
+        if with_pairs {
+            let windows = vec![(after, after.later(3))];
+            let reading = Reading { first: start, last: start.later(1), captured: random.below(4) == 0 };
+            programme.held.push(Held { name: format!("p{variable}"), bits, windows, uses: vec![reading] });
+        }
+    }
+    programme
+}
+
+/// Every schedule of five nodes within six clocks that keeps to the constraints.
+fn all(programme: &Programme) -> impl Iterator<Item = Vec<i32>> + '_ {
+    let digits = |n: i32| vec![0, n % 6, n / 6 % 6, n / 36 % 6, n / 216 % 6, n / 1296];
+    (0..7776).map(digits).filter(|starts| programme.holds(starts))
+}
+
+#[test]
+fn small_programmes_are_solved_as_by_trying_everything() {
+    let mut random = Random(1);
+    let mut moved = 0;
+    for i in 0..300 {
+        let programme = small(&mut random, false);
+        let least: Vec<i32> = (0..6).map(|v| all(&programme).map(|s| s[v]).min().unwrap()).collect();
+        let found = programme.optimise(&least);
+        let best = all(&programme).map(|s| programme.cost(&s)).min().unwrap();
+        assert!(programme.holds(&found));
+        assert_eq!(programme.cost(&found), best, "{i}: {programme:?}");
+        moved += usize::from(found != least);
+    }
+    assert!(moved > 100, "{moved} of 300 differ from the earliest schedule");
+}
+
+#[test]
+fn captures_are_never_more_than_in_the_earliest_schedule_costs() {
+    let mut random = Random(2);
+    let mut best = 0;
+    for i in 0..300 {
+        let programme = small(&mut random, true);
+        let least: Vec<i32> = (0..6).map(|v| all(&programme).map(|s| s[v]).min().unwrap()).collect();
+        let found = programme.optimise(&least);
+        assert!(programme.holds(&found) && programme.cost(&found) <= programme.cost(&least), "{i}: {programme:?}");
+        best += usize::from(all(&programme).all(|s| programme.cost(&s) >= programme.cost(&found)));
+    }
+    assert!(best > 150, "{best} of 300 are optimal");
+}
