@@ -26,6 +26,7 @@ static FABRIC: Fabric = Fabric {
     carry_cell: 2,
     shortest_sum: 4,
     shortest_comparison: 4,
+    shortest_product: 0,
     multiplier_registers: MultiplierRegisters::None,
     longest_shift: 0,
     memory_cell: (16, 4, 6),

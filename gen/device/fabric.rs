@@ -15,6 +15,8 @@ pub struct Fabric {
     pub shortest_sum: usize,
     /// Comparisons of at most this many groups of bits (single bits for [`Chains::Complete`]) are.
     pub shortest_comparison: usize,
+    /// Products of fewer bits are made of look-up tables.
+    pub shortest_product: u32,
     /// Registers that a multiplier takes in.
     pub multiplier_registers: MultiplierRegisters,
     /// Clocks of delay that one look-up table makes; 0 if synthesis makes none so.
@@ -52,6 +54,7 @@ pub(super) static SIX_INPUTS: Fabric = Fabric {
     carry_cell: 4,
     shortest_sum: 2,
     shortest_comparison: 2,
+    shortest_product: 9,
     multiplier_registers: MultiplierRegisters::OperandsAndProduct,
     longest_shift: 32,
     memory_cell: (32, 6, 4),

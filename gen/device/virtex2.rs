@@ -69,6 +69,7 @@ static FABRIC: Fabric = Fabric {
     carry_cell: 1,
     shortest_sum: 2,
     shortest_comparison: 2,
+    shortest_product: 9,
     multiplier_registers: MultiplierRegisters::Product,
     longest_shift: 16,
     memory_cell: (16, 1, 2),

@@ -31,7 +31,7 @@ fn a_sum_takes_a_table_and_a_carry_a_bit() {
     });
     // Nine bits, of which the top two have the same operands.
     assert_eq!(of(&sum, NAMES[0]), Resources { luts: 8, carry: 8, ..Resources::default() });
-    assert_eq!(of(&sum, NAMES[2]), Resources { luts: 8, carry: 8, ..Resources::default() });
+    assert_eq!(of(&sum, NAMES[2]), Resources { luts: 8, carry: 12, ..Resources::default() }, "three cells of four");
     // Five carry cells of two bits, each of two tables.
     assert_eq!(of(&sum, NAMES[3]), Resources { luts: 10, carry: 10, ..Resources::default() });
 }
@@ -91,6 +91,21 @@ fn registers_of_products_are_where_the_family_has_them() {
     assert_eq!(flip_flops(NAMES[0]), 22 + 22, "MULT18X18S has one register behind the product");
     assert_eq!(flip_flops(NAMES[1]), 0, "DSP48A1 has one around it on every side, two behind");
     assert_eq!(flip_flops(NAMES[3]), 22 + 22 + 22, "MULT18X18D is left combinational");
+}
+
+#[test]
+fn small_products_are_made_of_tables() {
+    let product = |bits| {
+        module(|b| {
+            let (x, y) = (b.input("x", Type::signed(bits, 0)), b.input("y", Type::signed(5, 0)));
+            let product = b.op("product", Op::Multiply, &[x, y]);
+            b.output("z", product);
+        })
+    };
+    assert_eq!(of(&product(4), NAMES[0]), Resources { multipliers: 1, ..Resources::default() });
+    let small = of(&product(3), NAMES[0]);
+    assert!(small.multipliers == 0 && small.luts > 0, "{small:?}");
+    assert_eq!(of(&product(3), NAMES[3]), Resources { multipliers: 1, ..Resources::default() });
 }
 
 #[test]

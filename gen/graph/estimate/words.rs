@@ -98,6 +98,9 @@ impl Words {
                 let value = &args[0].0;
                 self.negate_if(value[value.len() - 1], value)
             }
+            Op::Multiply if to.bits < self.fabric.shortest_product => {
+                self.small_product(&word(0, to.bits), &args[1].0, to.bits)
+            }
             Op::Multiply => {
                 let product = self.products.len();
                 self.products.push([args[0].0.clone(), args[1].0.clone()]);
@@ -148,6 +151,22 @@ impl Words {
         let complemented: Vec<Bit> = word.iter().map(|b| self.gates.xor(*b, flag)).collect();
         let one = resized(&[flag], false, word.len() as u32);
         self.add(&complemented, &one, Bit::ZERO)
+    }
+
+    /// A product as the sum of one operand at every bit of the other, whose sign counts negatively.
+    fn small_product(&mut self, x: &[Bit], y: &[Bit], bits: u32) -> Vec<Bit> {
+        let mut sum = number(0, bits);
+        for (i, bit) in y.iter().enumerate() {
+            let shifted = std::iter::repeat_n(Bit::ZERO, i).chain(x.iter().copied()).take(bits as usize);
+            let row: Vec<Bit> = shifted.map(|x| self.gates.and(x, *bit)).collect();
+            sum = if i + 1 == y.len() {
+                let minus: Vec<Bit> = row.into_iter().map(|b| !b).collect();
+                self.add(&sum, &minus, Bit::ONE)
+            } else {
+                self.add(&sum, &row, Bit::ZERO)
+            };
+        }
+        sum
     }
 
     /// Legs one after the other, each under its own comparison; the last needs none.
