@@ -178,7 +178,9 @@ fn a_wrong_wrapper_is_noticed() {
         assert_ne!(changed, wrapper, "{old}");
         bench.write("efsat_stream.vhd", &changed);
         bench.analyse(&["efsat_stream.vhd", "efsat_stream_tb.vhd"]);
-        let report = bench.run("efsat_stream_tb", &[]);
+        // Only stalls show the last one.
+        let passes = if old.starts_with("answer_taken") { "-gpasses=2" } else { "-gpasses=1" };
+        let report = bench.run("efsat_stream_tb", &[passes]);
         if number(&report, "mismatches") == Some(0) {
             missed.push(format!("{old}:\n{report}"));
         }
@@ -196,7 +198,7 @@ fn damaged_packets_are_answered_as_the_stand_in_answers_them() {
     let packets: Vec<_> = good.split_inclusive(|word| word.last).collect();
     let mut rng = ChaCha8Rng::seed_from_u64(8);
     let mut transfers = vec![];
-    for _ in 0..50 {
+    for _ in 0..30 {
         let packet = packets[rng.random_range(0..packets.len())];
         let mut words: Vec<u128> = packet.iter().map(|word| word.data).collect();
         let at = rng.random_range(0..words.len());
@@ -213,7 +215,7 @@ fn damaged_packets_are_answered_as_the_stand_in_answers_them() {
     let answers = StandIn::new(&params, width).unwrap().answer(&transfers);
     let report = bench.run_vectors(&bench.vectors(&transfers, &answers));
     assert_eq!((number(&report, "answers"), number(&report, "mismatches")), (Some(answers.len()), Some(0)), "{report}");
-    assert!(answers.iter().filter(|t| t.data & 0x80 != 0).count() > 15, "many packets are malformed");
+    assert!(answers.iter().filter(|t| t.data & 0x80 != 0).count() > 8, "many packets are malformed");
 }
 
 #[test]

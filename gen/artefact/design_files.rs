@@ -193,7 +193,8 @@ mod tests {
             ("quartus/efsat.qsf", "set_global_assignment -name VHDL_FILE ../NAME"),
             ("efsat.core", "      - NAME"),
         ] {
-            let lines: Vec<&str> = set.get(list).unwrap().lines().filter(|line| line.contains(".vhd")).collect();
+            let lines: Vec<&str> =
+                set.get(list).unwrap().lines().filter(|line| line.contains(".vhd") && !line.contains('*')).collect();
             let named: Vec<String> = order[..=end].iter().map(|name| line.replace("NAME", name)).collect();
             assert_eq!(lines[..=end], named, "{list}");
             assert!(list == "efsat.core" || lines.len() == named.len(), "{list}");

@@ -13,7 +13,7 @@
 //!
 //! // A vertex through a face, on it, and above it.
 //! let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
-//! let pair = |z: f64| [face[0], face[1], face[2], [1.0, 1.0, z], [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]];
+//! let pair = |z: f64| [face[0], face[1], face[2], [1.0, 1.0, z], [1.5, 1.25, 1.0], [2.0, 1.5, 1.25]];
 //! let pairs = [pair(-0.5), pair(0.0), pair(0.5)];
 //!
 //! let params = Params::default();

@@ -17,7 +17,7 @@ fn variants() -> Vec<Params> {
         Params { upper: Upper::Sticky, tag_width: 64, axes: Axes::Seventeen, ..base.clone() },
         Params { transform_width: 48, tag_width: 0, ..base.clone() },
         Params { transform: Transform::Off, tag_width: 1, upper: Upper::Sticky, ..base.clone() },
-        Params { width: 8, transform_width: 10, transform: Transform::Translate, ..base },
+        Params { width: 12, transform_width: 16, transform: Transform::Translate, ..base },
     ]
 }
 
