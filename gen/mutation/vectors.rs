@@ -189,7 +189,7 @@ impl Axes {
     }
 
     /// The vertex whose projection has this bound (3: none has), and those of the same triangle whose enclosures overlap its.
-    fn end(&self, axis: &str, side: char, bound: fn(&Interval) -> i128, value: i128) -> (usize, u8) {
+    fn end(&self, axis: &str, side: char, bound: Bound, value: i128) -> (usize, u8) {
         let images = [0, 1, 2].map(|k| self.0.get(&format!("projection.{axis}.{side}{k}")).copied());
         let Some(k) = (0..3).find(|k| images[*k].is_some_and(|x| bound(&x) == value)) else { return (3, 0) };
         let overlaps = |other: &Interval| images[k].is_some_and(|x| x.lo <= other.hi && other.lo <= x.hi);
@@ -198,10 +198,13 @@ impl Axes {
     }
 }
 
+/// A bound of an interval.
+type Bound = fn(&Interval) -> i128;
+
 /// The comparisons of a pair that one ulp decides, where no other comparison hides it.
 fn edges(golden: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
     let axes = Axes::new(golden, pose, pair);
-    let (lo, hi): (fn(&Interval) -> i128, fn(&Interval) -> i128) = (|x| x.lo, |x| x.hi);
+    let (lo, hi): (Bound, Bound) = (|x| x.lo, |x| x.hi);
     let mut found = vec![];
     for (number, axis) in axes.names().into_iter().enumerate() {
         let lacking = axes.lacking(number);
@@ -217,7 +220,7 @@ fn edges(golden: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
             let other = lacking[i ^ 1];
             let seen = if i < 2 { other <= 0 } else { other > 0 };
             if seen && matches!(lacking[i], 0 | 1) {
-                let end = |side, (name, bound): (&str, fn(&Interval) -> i128)| {
+                let end = |side, (name, bound): (&str, Bound)| {
                     axes.end(axis, side, bound, bound(&axes.enclosure(axis, name)))
                 };
                 found.push((number, i, lacking[i], end('v', a), end('w', b)));

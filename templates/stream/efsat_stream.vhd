@@ -42,6 +42,7 @@ architecture rtl of efsat_stream is
   signal reset : std_logic;
   signal header_word : std_logic_vector(31 downto 0);
   signal whole : std_logic;  -- no byte of the word is missing
+  signal header_known : std_logic;
   signal at_pair_end : std_logic;
 {%- if has_pose %}
   signal at_pose_end : std_logic;
@@ -82,6 +83,7 @@ architecture rtl of efsat_stream is
 {%- endif %}
   signal out_separated : std_logic_vector({{ axes - 1 }} downto 0);
   signal out_overlapping : std_logic_vector({{ axes - 1 }} downto 0);
+  constant report_zeros : std_logic_vector({{ answer_width - 9 }} downto 0) := (others => '0');
   signal verdict_answer : std_logic_vector({{ answer_width - 1 }} downto 0);
   signal report_answer : std_logic_vector({{ answer_width - 1 }} downto 0);
   signal answer_valid : std_logic;
@@ -176,37 +178,15 @@ begin
 
   -- ===== Answers owed =====
   -- A pair owes a verdict, the end of a packet that is no pair's a report.
-  owe : process (expectation, s_axis_tlast, whole, at_pair_end{% if has_pose %}, at_pose_end{% endif %}, header_word)
-  begin
-    case expectation is
-      when header_state =>
-        if whole = '1' and (header_word = pairs_header{% if has_pose %} or header_word = pose_header{% endif %}) then
-          order_entry <= "1110";
-        else
-          order_entry <= "1101";
-        end if;
-      when pair_state =>
-        if at_pair_end = '1' then
-          order_entry <= s_axis_tlast & "000";
-        else
-          order_entry <= "1110";
-        end if;
+  header_known <= '1' when whole = '1' and (header_word = pairs_header{% if has_pose %} or header_word = pose_header{% endif %}) else '0';
+  order_entry <= s_axis_tlast & "000" when expectation = pair_state and at_pair_end = '1' else
 {%- if has_pose %}
-      when pose_state =>
-        if at_pose_end = '1' then
-          order_entry <= "1100";
-        else
-          order_entry <= "1110";
-        end if;
-      when long_pose_state =>
-        order_entry <= "1111";
+    "1100" when expectation = pose_state and at_pose_end = '1' else
+    "1111" when expectation = long_pose_state else
 {%- endif %}
-      when broken_state =>
-        order_entry <= "1110";
-      when others =>
-        order_entry <= "1101";
-    end case;
-  end process owe;
+    "1110" when expectation = pair_state or expectation = broken_state{% if has_pose %} or expectation = pose_state{% endif %} else
+    "1110" when expectation = header_state and header_known = '1' else
+    "1101";
 
   order_write <= word_taken and (s_axis_tlast or at_pair_end) when expectation = pair_state else
     word_taken and s_axis_tlast;
@@ -261,11 +241,7 @@ begin
 
   -- ===== Answers out =====
   verdict_answer <= {% if unused > 0 %}"{{ unused_zeros }}" & {% endif %}out_overlapping & out_separated & {% if tag_width > 0 %}out_tag & {% endif %}"000000" & out_verdict;
-  report_answer({{ answer_width - 1 }} downto 8) <= (others => '0');
-  report_answer(7) <= head(1) or head(0);
-  report_answer(6 downto 4) <= "000";
-  report_answer(3 downto 2) <= head(1 downto 0);
-  report_answer(1 downto 0) <= "11";
+  report_answer <= report_zeros & (head(1) or head(0)) & "000" & head(1 downto 0) & "11";
   answer_valid <= owing and (head(2) or out_valid);
   answer_taken <= answer_valid and m_axis_tready;
   out_ready <= answer_taken and not head(2);

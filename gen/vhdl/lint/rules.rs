@@ -53,7 +53,7 @@ pub(super) const RULES: [Rule; 17] = [
     },
     Rule {
         name: "asynchronous-reset",
-        demands: "a process is sensitive to the clock alone",
+        demands: "a process is sensitive to its clock alone, which is a port",
         check: asynchronous_reset,
     },
     Rule {
@@ -281,7 +281,11 @@ fn clocked_process(o: &Outline, report: Report) {
 
 fn asynchronous_reset(o: &Outline, report: Report) {
     for process in &o.processes {
-        if process.sensitivity.len() != 1 || !o.part(&process.sensitivity)[0].text.eq_ignore_ascii_case("clk") {
+        // In `if rising_edge(clk)`, whatever the clock is called: it comes from outside, and nothing makes or gates it.
+        let clock = o.part(&process.body).get(3).map_or("", |t| t.text);
+        let port = o.ports.iter().any(|p| p.name.eq_ignore_ascii_case(clock));
+        let alone = process.sensitivity.len() == 1 && o.part(&process.sensitivity)[0].text.eq_ignore_ascii_case(clock);
+        if !(port && alone) {
             report(process.line, format!("process ({})", o.words(&process.sensitivity)));
         }
     }
