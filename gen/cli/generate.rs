@@ -23,7 +23,7 @@ pub(super) struct Arguments {
     #[arg(long)]
     check: bool,
     /// Write to DIR the schedule of every unit as a linear programme in CPLEX LP format, and nothing else
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "check"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "check", "stream_width"])]
     lp: Option<PathBuf>,
     #[command(flatten)]
     diagram: DiagramArguments,
