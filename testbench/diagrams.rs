@@ -77,7 +77,8 @@ fn wrong_command_lines_are_told_in_one_line() {
         ("generate --svg x.svg", "--unit"),
         ("generate --unit projection --svg /nowhere/x.svg", "/nowhere/x.svg: "),
         ("generate --unit projection --svg .", ".: "),
-        ("generate --unit projection --dot ./x --svg x", "x: found twice; legal is a file each"),
+        ("generate --unit projection --dot ../nowhere/x", "../nowhere/x: "),
+        ("generate --unit projection --dot d/../x --svg x", "x: found twice; legal is a file each"),
         ("generate --unit projection --dot x.dot --svg /nowhere/x.svg", "/nowhere/x.svg: "),
         ("generate --check --unit projection --dot x.dot", "--check"),
         ("generate --unit projection --dot x.dot --out rtl", "--out"),
@@ -87,6 +88,7 @@ fn wrong_command_lines_are_told_in_one_line() {
     ];
     let mut wrong = vec![];
     let home = tempfile::tempdir().unwrap();
+    fs::create_dir(home.path().join("d")).unwrap();
     for (line, words) in lines {
         let output = Command::new(env!("CARGO_BIN_EXE_efsat")).args(line.split(' ')).current_dir(&home).output().unwrap();
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
@@ -95,7 +97,7 @@ fn wrong_command_lines_are_told_in_one_line() {
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-    assert_eq!(fs::read_dir(&home).unwrap().count(), 0, "nothing is written");
+    assert_eq!(fs::read_dir(&home).unwrap().count(), 1, "nothing is written");
 }
 
 /// Graphviz reads what is written for it.

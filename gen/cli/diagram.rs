@@ -54,6 +54,15 @@ impl DiagramArguments {
     }
 }
 
+/// The one name of a file, links followed, that may not exist yet.
+fn place(path: &Path) -> io::Result<PathBuf> {
+    fs::canonicalize(path).or_else(|e| {
+        let name = path.file_name().ok_or(e)?;
+        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+        Ok(fs::canonicalize(parent.unwrap_or(Path::new(".")))?.join(name))
+    })
+}
+
 /// Writes all files or none: each beside its place first.
 fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
     let at = |path: &Path| {
@@ -62,7 +71,7 @@ fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
     };
     let mut staged = vec![];
     for (path, text) in files {
-        let target = fs::canonicalize(path).or_else(|_| std::path::absolute(path)).map_err(at(path))?;
+        let target = place(path).map_err(at(path))?;
         if staged.iter().any(|(_, other, _)| *other == target) {
             return Err(Failure::Usage(format!("{}: found twice; legal is a file each", path.display())));
         }
@@ -70,7 +79,7 @@ fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
         let stream = fs::metadata(&target).is_ok_and(|there| !there.is_file() && !there.is_dir());
         let parent = target.parent().filter(|_| !stream && !target.is_dir());
         let scratch = parent.map(Scratch::inside).transpose().map_err(at(path))?;
-        let written = scratch.as_ref().map_or_else(|| target.clone(), |scratch| scratch.path().join("picture"));
+        let written = scratch.as_ref().map_or(target.clone(), |scratch| scratch.path().join("picture"));
         fs::write(written, text).map_err(at(path))?;
         staged.push((path, target, scratch));
     }
