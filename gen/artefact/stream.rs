@@ -201,8 +201,8 @@ pub fn bench(design: &Design, format: &StreamFormat, origin: &[String]) -> Strin
         answer_bytes: format.answer_width() / 8,
         patience: 4096 + 4 * design.latency,
         full_after: testbench::full_after(design.interval) + 64,
-        // The header, a pair, and two words of the next.
-        begun: format.record_words(Kind::Pairs) + 3,
+        // The header and a pair, which waits for its slot.
+        begun: 1 + format.record_words(Kind::Pairs),
         half_period: format!("{} ps", testbench::half_period(p)),
     };
     bench.render().expect("the template renders")

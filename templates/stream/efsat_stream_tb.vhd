@@ -30,7 +30,7 @@ architecture simulation of efsat_stream_tb is
   constant formats : string := "{{ formats }}";
   constant patience : natural := {{ patience }};  -- clocks without a transfer before giving up
   constant full_after : natural := {{ full_after }};  -- clocks of refusal after which the unit is full
-  constant begun : natural := {{ begun }};  -- words before the reset between passes: a pair, and some of the next
+  constant begun : natural := {{ begun }};  -- words before the reset between passes: a pair that waits for its slot
 
   signal clk : std_logic := '0';
   signal done : boolean := false;
