@@ -90,7 +90,8 @@ fn wrong_command_lines_are_told_in_one_line() {
     let home = tempfile::tempdir().unwrap();
     fs::create_dir(home.path().join("d")).unwrap();
     for (line, words) in lines {
-        let output = Command::new(env!("CARGO_BIN_EXE_efsat")).args(line.split(' ')).current_dir(&home).output().unwrap();
+        let output =
+            Command::new(env!("CARGO_BIN_EXE_efsat")).args(line.split(' ')).current_dir(&home).output().unwrap();
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         if output.status.code() != Some(2) || said.lines().count() != 1 || !said.contains(words) {
             wrong.push(format!("{line}: {said}"));
