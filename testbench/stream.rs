@@ -326,6 +326,30 @@ fn a_pair_goes_through_the_uart_example() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
+/// The instances to copy, pasted into a design, elaborate: no port is missing, none has another type.
+#[test]
+fn the_instances_to_copy_fit_their_entities() {
+    let Some(ghdl) = ghdl() else { return };
+    let bare = Params { transform: Transform::Off, tag_width: 0, upper: Upper::Sticky, ..small() };
+    let cases = [(Params { tag_width: 1, ..small() }, StreamWidth::Bits64), (bare, StreamWidth::Bits32)];
+    for (params, width) in &cases {
+        let bench = Bench::new(ghdl, params, *width);
+        let text = bench.files.get("efsat_instance.vhd.txt").unwrap();
+        let lines = |signals: bool| -> Vec<&str> {
+            let code = text.lines().filter(|line| !line.starts_with("--"));
+            code.filter(|line| line.trim_start().starts_with("signal ") == signals).collect()
+        };
+        let (signals, instances) = (lines(true).join("\n"), lines(false).join("\n"));
+        let library = "library ieee;\nuse ieee.std_logic_1164.all;\n";
+        let entity = "entity pasted is\nend entity pasted;\n";
+        let body = format!("architecture rtl of pasted is\n{signals}\nbegin\n{instances}\nend architecture rtl;\n");
+        bench.write("pasted.vhd", &[library, entity, &body].concat());
+        bench.analyse(&["pasted.vhd"]);
+        let (fine, said) = bench.call(&["-e", "--std=93", "pasted"]);
+        assert!(fine && signals.contains("s_axis_tkeep"), "{}: {said}", params.command_line());
+    }
+}
+
 /// The files are where the projects look for them.
 #[test]
 fn every_file_that_a_project_names_is_there() {
