@@ -147,7 +147,7 @@ fn answers_equal_the_reference_models() {
 #[test]
 fn a_wrong_wrapper_is_noticed() {
     let Some(ghdl) = ghdl() else { return };
-    let params = Params { width: 6, transform_width: 8, ..Params::default() };
+    let params = small();
     let bench = Bench::new(ghdl, &params, StreamWidth::Bits64);
     let few = stream_vectors::mixed(&params, &bench.format, 3);
     bench.write("efsat_stream_tb.vec", &stream_vectors::text(&params, &bench.format, &few));
