@@ -30,7 +30,7 @@ architecture simulation of efsat_stream_tb is
   constant formats : string := "{{ formats }}";
   constant patience : natural := {{ patience }};  -- clocks without a transfer before giving up
   constant full_after : natural := {{ full_after }};  -- clocks of refusal after which the unit is full
-  constant begun : natural := {{ begun }};  -- words before the reset between passes: a pair that waits for its slot
+  constant begun : natural := {{ begun }};  -- words before the reset between passes: a pair in the unit, one that waits
 
   signal clk : std_logic := '0';
   signal done : boolean := false;
@@ -202,7 +202,7 @@ begin
       s_tvalid <= '1';
     end procedure next_word;
 
-    -- Reset in the middle of a packet, one pair owed: all that was begun is forgotten, and so is the pose.
+    -- Reset in the middle of a packet, answers owed: all that was begun is forgotten, and so is the pose.
     procedure interrupt is
     begin
       rewind;
