@@ -3,12 +3,12 @@
 {% endfor -%}
 --
 -- Testbench of efsat_stream. Reads words and expected answers from a file: I <word> <last> <whole> and O <word> <last>,
--- in hexadecimal; a word that is not whole lacks bytes. Drives all words at full speed. Then it resets in the middle of a
--- packet and drives all again: without TREADY for an answer until the unit is full and offers one, then with random
--- stalls on both sides. It compares every answer and its TLAST, expects one packet of answers for every packet of words,
--- and that an answer offered stays as it is until it is taken. A file without answers is not compared; the answers of the
--- first pass are written to the file that the generic answers names. It stops by itself; the last line it prints begins
--- with "efsat_stream_tb:".
+-- in hexadecimal; a word that is not whole lacks bytes. Drives all words at full speed. Then it resets in the middle of
+-- a packet and drives all again: without TREADY for an answer until the unit is full and offers one, then with random
+-- stalls on both sides. It compares every answer and its TLAST, expects one packet of answers for every packet of
+-- words, and that an answer offered stays as it is until it is taken. A file without answers is not compared; the
+-- answers of the first pass are written to the file that the generic answers names. It stops by itself; the last line
+-- it prints begins with "efsat_stream_tb:".
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
