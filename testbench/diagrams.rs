@@ -61,7 +61,7 @@ fn generate_writes_the_picture_and_nothing_else() {
     let home = tempfile::tempdir().unwrap();
     let path = |name: &str| home.path().join(name).to_str().unwrap().to_owned();
     let (svg, dot) = (path("p.svg"), path("p.dot"));
-    let output = efsat(&["generate", "--unit", "projection", "--svg", &svg, "--dot", &dot, "--out", &path("rtl")]);
+    let output = efsat(&["generate", "--unit", "projection", "--svg", &svg, "--dot", &dot]);
     assert!(output.status.success(), "{output:?}");
     let said = String::from_utf8_lossy(&output.stdout).into_owned();
     assert!(said.starts_with(&format!("{dot}: projection, ")) && said.lines().count() == 2, "{said}");
@@ -76,17 +76,29 @@ fn wrong_command_lines_are_told_in_one_line() {
         ("generate --unit projection", "--unit projection: needs --dot FILE or --svg FILE"),
         ("generate --svg x.svg", "--unit"),
         ("generate --unit projection --svg /nowhere/x.svg", "/nowhere/x.svg: "),
+        ("generate --unit projection --svg .", ".: "),
+        ("generate --unit projection --dot ../nowhere/x", "../nowhere/x: "),
+        ("generate --unit projection --dot d/../x --svg x", "x: found twice; legal is a file each"),
+        ("generate --unit projection --dot x.dot --svg /nowhere/x.svg", "/nowhere/x.svg: "),
         ("generate --check --unit projection --dot x.dot", "--check"),
+        ("generate --unit projection --dot x.dot --out rtl", "--out"),
+        ("generate --unit projection --dot x.dot --lp lp", "--lp"),
+        ("generate --unit projection --dot x.dot --stream-width 32", "--stream-width"),
+        ("generate --lp lp --stream-width 32", "--stream-width"),
     ];
     let mut wrong = vec![];
+    let home = tempfile::tempdir().unwrap();
+    fs::create_dir(home.path().join("d")).unwrap();
     for (line, words) in lines {
-        let output = efsat(&line.split(' ').collect::<Vec<_>>());
+        let output =
+            Command::new(env!("CARGO_BIN_EXE_efsat")).args(line.split(' ')).current_dir(&home).output().unwrap();
         let said = String::from_utf8_lossy(&output.stderr).into_owned();
         if output.status.code() != Some(2) || said.lines().count() != 1 || !said.contains(words) {
             wrong.push(format!("{line}: {said}"));
         }
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    assert_eq!(fs::read_dir(&home).unwrap().count(), 1, "nothing is written");
 }
 
 /// Graphviz reads what is written for it.

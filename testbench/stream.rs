@@ -154,35 +154,45 @@ fn a_wrong_wrapper_is_noticed() {
     let report = bench.run("efsat_stream_tb", &[]);
     assert_eq!(number(&report, "mismatches"), Some(0), "{report}");
     let wrapper = bench.files.get("efsat_stream.vhd").unwrap();
+    // With the number of passes that show it: stalls and the reset come with the second.
     let changes = [
         // TLAST one word late.
-        ("m_axis_tlast <= head(3);", "m_axis_tlast <= order_memory(to_integer(given_count(4 downto 0) - 1))(3);"),
+        (1, "m_axis_tlast <= head(3);", "m_axis_tlast <= order_memory(to_integer(given_count(4 downto 0) - 1))(3);"),
         // Words in the other order.
-        ("s_axis_tdata & assembly(639 downto 64)", "assembly(575 downto 0) & s_axis_tdata"),
+        (1, "s_axis_tdata & assembly(639 downto 64)", "assembly(575 downto 0) & s_axis_tdata"),
         // The pose overtakes the pair before it.
-        ("(not (pair_valid or pose_valid)) or", "'1' or"),
+        (1, "(not (pair_valid or pose_valid)) or", "'1' or"),
         // A short packet is not reported.
-        ("word_taken and (s_axis_tlast or at_pair_end)", "word_taken and at_pair_end"),
+        (1, "word_taken and (s_axis_tlast or at_pair_end)", "word_taken and at_pair_end"),
         // A pose with a word too many is taken.
-        ("pose_valid <= s_axis_tlast;", "pose_valid <= '1';"),
+        (1, "pose_valid <= s_axis_tlast;", "pose_valid <= '1';"),
         // Missing bytes are not noticed.
-        ("whole <= '1' when s_axis_tkeep = all_bytes else '0';", "whole <= '1';"),
+        (1, "whole <= '1' when s_axis_tkeep = all_bytes else '0';", "whole <= '1';"),
         // The tag of one bit less.
-        ("out_separated & out_tag &", "out_separated & '0' & out_tag(14 downto 0) &"),
+        (1, "out_separated & out_tag &", "out_separated & '0' & out_tag(14 downto 0) &"),
         // An answer is dropped although it was not taken.
-        ("answer_taken <= answer_valid and m_axis_tready;", "answer_taken <= answer_valid;"),
+        (2, "answer_taken <= answer_valid and m_axis_tready;", "answer_taken <= answer_valid;"),
+        // TVALID waits for TREADY.
+        (2, "owing and (head(2) or out_valid);", "owing and (head(2) or out_valid) and m_axis_tready;"),
+        // An answer changes while it is stalled.
+        (2, "m_axis_tlast <= head(3);", "m_axis_tlast <= head(3) or not m_axis_tready;"),
+        // A reset forgets neither the packet, nor the record, nor the answers owed, nor the pose.
+        (2, "expectation <= header_state;\n        place", "place"),
+        (2, "pair_valid <= '0';\n        pose_valid", "pose_valid"),
+        (2, "given_count <= (others => '0');\n      else", "else"),
+        (2, "reset => reset,", "reset => '0',"),
+        // Words are taken in reset.
+        (2, "running <= '0';\n        expectation", "expectation"),
     ];
     let mut missed = vec![];
-    for (old, new) in changes {
+    for (passes, old, new) in changes {
         let changed = wrapper.replace(old, new);
         assert_ne!(changed, wrapper, "{old}");
         bench.write("efsat_stream.vhd", &changed);
         bench.analyse(&["efsat_stream.vhd", "efsat_stream_tb.vhd"]);
-        // Only stalls show the last one.
-        let passes = if old.starts_with("answer_taken") { "-gpasses=2" } else { "-gpasses=1" };
-        let report = bench.run("efsat_stream_tb", &[passes]);
+        let report = bench.run("efsat_stream_tb", &[&format!("-gpasses={passes}")]);
         if number(&report, "mismatches") == Some(0) {
-            missed.push(format!("{old}:\n{report}"));
+            missed.push(format!("{old} -> {new}:\n{report}"));
         }
     }
     assert!(missed.is_empty(), "{}", missed.join("\n"));
@@ -314,6 +324,30 @@ fn a_pair_goes_through_the_uart_example() {
         })
         .collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// The instances to copy, pasted into a design, elaborate: no port is missing, none has another type.
+#[test]
+fn the_instances_to_copy_fit_their_entities() {
+    let Some(ghdl) = ghdl() else { return };
+    let bare = Params { transform: Transform::Off, tag_width: 0, upper: Upper::Sticky, ..small() };
+    let cases = [(Params { tag_width: 1, ..small() }, StreamWidth::Bits64), (bare, StreamWidth::Bits32)];
+    for (params, width) in &cases {
+        let bench = Bench::new(ghdl, params, *width);
+        let text = bench.files.get("efsat_instance.vhd.txt").unwrap();
+        let lines = |signals: bool| -> Vec<&str> {
+            let code = text.lines().filter(|line| !line.starts_with("--"));
+            code.filter(|line| line.trim_start().starts_with("signal ") == signals).collect()
+        };
+        let (signals, instances) = (lines(true).join("\n"), lines(false).join("\n"));
+        let library = "library ieee;\nuse ieee.std_logic_1164.all;\n";
+        let entity = "entity pasted is\nend entity pasted;\n";
+        let body = format!("architecture rtl of pasted is\n{signals}\nbegin\n{instances}\nend architecture rtl;\n");
+        bench.write("pasted.vhd", &[library, entity, &body].concat());
+        bench.analyse(&["pasted.vhd"]);
+        let (fine, said) = bench.call(&["-e", "--std=93", "pasted"]);
+        assert!(fine && signals.contains("s_axis_tkeep"), "{}: {said}", params.command_line());
+    }
 }
 
 /// The files are where the projects look for them.

@@ -101,7 +101,10 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
     describe(stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the answers due.");
     set.insert("files.txt", lists.all().join("\n"));
     describe("files.txt", "All VHDL files in dependency order, the testbenches last.");
-    describe(manifest::NAME, "Parameters, ports, number formats, latency, and a SHA-256 per file, for programs.");
+    describe(
+        manifest::NAME,
+        "Parameters, ports, number formats, latency, the words of the stream, and a SHA-256 per file, for programs.",
+    );
     for (name, what) in drop_in::add(&mut set, design, &format, &lists, command_line) {
         describe(name, what);
     }

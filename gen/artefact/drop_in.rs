@@ -105,7 +105,7 @@ fn instances(design: &Design, format: &StreamFormat) -> [Instance; 2] {
     let outputs = top.outputs.iter().map(|(name, id)| (name.clone(), bits(top.signal(*id).ty)));
     let unit = [("clk".to_owned(), 1)].into_iter().chain(inputs).chain(outputs).collect();
     let side = |side: &str, bits: u32| {
-        [("tdata", bits), ("tvalid", 1), ("tlast", 1), ("tready", 1)]
+        [("tdata", bits), ("tkeep", bits / 8), ("tvalid", 1), ("tlast", 1), ("tready", 1)]
             .map(|(name, bits)| (format!("{side}_{name}"), bits))
     };
     let control = ["aclk", "aresetn"].map(|name| (name.to_owned(), 1));

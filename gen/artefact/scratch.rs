@@ -31,7 +31,8 @@ impl Scratch {
     /// What the operating system says.
     pub fn inside(parent: &Path) -> io::Result<Self> {
         let mut live = live();
-        let dir = tempfile::Builder::new().prefix(".efsat-").tempdir_in(parent)?;
+        // Its error names the folder that was to be made, which nobody has asked for.
+        let dir = tempfile::Builder::new().prefix(".efsat-").tempdir_in(parent).map_err(|e| e.kind())?;
         live.push(dir.path().to_owned());
         Ok(Self(dir))
     }

@@ -52,6 +52,7 @@ struct Testbench<'a> {
     answer_bytes: u32,
     patience: usize,
     full_after: usize,
+    begun: u32,
     half_period: String,
 }
 
@@ -200,6 +201,8 @@ pub fn bench(design: &Design, format: &StreamFormat, origin: &[String]) -> Strin
         answer_bytes: format.answer_width() / 8,
         patience: 4096 + 4 * design.latency,
         full_after: testbench::full_after(design.interval) + 64,
+        // The header, a pair in the unit, and one that waits for its slot.
+        begun: 1 + 2 * format.record_words(Kind::Pairs),
         half_period: format!("{} ps", testbench::half_period(p)),
     };
     bench.render().expect("the template renders")

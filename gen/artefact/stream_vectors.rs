@@ -170,7 +170,8 @@ impl<'a> Maker<'a> {
     }
 }
 
-/// Packets of every kind, the first of `first` pairs (at least 2): before any pose, under several poses, every way to be malformed, and good ones after that.
+/// Packets of every kind, the first of `first` pairs (at least 2): before any pose, under several poses, every way to be
+/// malformed, and good ones after that, still under a pose.
 pub fn mixed(p: &Params, format: &StreamFormat, first: usize) -> StreamVectors {
     let mut maker = Maker::new(p, format);
     let pairs = |count: usize, seed: u64| Stimulus::random(p, count, seed).segments;
@@ -190,8 +191,6 @@ pub fn mixed(p: &Params, format: &StreamFormat, first: usize) -> StreamVectors {
     let mut candidates = flat(TELLING, 10);
     candidates.sort_by_key(|pair| answer(&maker.pose, pair) == answer(&other, pair));
     maker.pairs(&candidates[..2]);
-    maker.pose(&Pose::identity(p));
-    maker.pairs(&first[1..2]);
     maker.vectors
 }
 

@@ -2,17 +2,19 @@
 
 use super::error::Failure;
 use super::output::print;
+use crate::artefact::Scratch;
 use crate::design::Design;
 use crate::diagram::{self, Picture};
 use crate::graph::schedule::Scheduler;
 use std::path::{Path, PathBuf};
+use std::{fs, io};
 
 /// A picture in place of the design.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Dataflow picture of one unit, written in place of the design")]
 pub(super) struct DiagramArguments {
     /// Unit to be drawn; an unknown name is answered with the legal ones
-    #[arg(long, value_name = "NAME", conflicts_with = "check")]
+    #[arg(long, value_name = "NAME", conflicts_with_all = ["out", "check", "lp", "stream_width"])]
     unit: Option<String>,
     /// Picture for Graphviz: a cluster a clock, formats on the edges, the critical path in red
     #[arg(long, value_name = "FILE", requires = "unit")]
@@ -42,15 +44,49 @@ impl DiagramArguments {
         let mut scheduler = Scheduler::new(design.device, design.params.frequency);
         let picture = Picture::new(&scheduler.schedule(unit), scheduler.period());
         let files = [(&self.dot, picture.dot()), (&self.svg, picture.svg())];
-        for (path, text) in files.iter().filter_map(|(path, text)| path.as_ref().map(|path| (path, text))) {
-            write(path, text)?;
-            let (boxes, clocks) = (picture.places.len(), picture.latency);
-            print(&format!("{}: {name}, {boxes} boxes, latency {clocks} clocks\n", path.display()))?;
-        }
-        Ok(())
+        let files: Vec<(&Path, String)> =
+            files.into_iter().filter_map(|(path, text)| path.as_deref().map(|path| (path, text))).collect();
+        write(&files)?;
+        let (boxes, clocks) = (picture.places.len(), picture.latency);
+        files.iter().try_for_each(|(path, _)| {
+            print(&format!("{}: {name}, {boxes} boxes, latency {clocks} clocks\n", path.display()))
+        })
     }
 }
 
-fn write(path: &Path, text: &str) -> Result<(), Failure> {
-    std::fs::write(path, text).map_err(|e| Failure::Usage(format!("{}: {e}", path.display())))
+/// The one name of a file, links followed, that may not exist yet.
+fn place(path: &Path) -> io::Result<PathBuf> {
+    fs::canonicalize(path).or_else(|e| {
+        let name = path.file_name().ok_or(e)?;
+        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
+        Ok(fs::canonicalize(parent.unwrap_or(Path::new(".")))?.join(name))
+    })
+}
+
+/// Writes all files or none: each beside its place first.
+fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
+    let at = |path: &Path| {
+        let path = path.display().to_string();
+        move |e: io::Error| Failure::Usage(format!("{path}: {e}"))
+    };
+    let mut staged = vec![];
+    for (path, text) in files {
+        let target = place(path).map_err(at(path))?;
+        if staged.iter().any(|(_, other, _)| *other == target) {
+            return Err(Failure::Usage(format!("{}: found twice; legal is a file each", path.display())));
+        }
+        // A pipe or a terminal has no place beside it.
+        let stream = fs::metadata(&target).is_ok_and(|there| !there.is_file() && !there.is_dir());
+        let parent = target.parent().filter(|_| !stream && !target.is_dir());
+        let scratch = parent.map(Scratch::inside).transpose().map_err(at(path))?;
+        let written = scratch.as_ref().map_or(target.clone(), |scratch| scratch.path().join("picture"));
+        fs::write(written, text).map_err(at(path))?;
+        staged.push((path, target, scratch));
+    }
+    for (path, target, scratch) in &staged {
+        if let Some(scratch) = scratch {
+            fs::rename(scratch.path().join("picture"), target).map_err(at(path))?;
+        }
+    }
+    Ok(())
 }

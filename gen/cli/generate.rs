@@ -23,14 +23,14 @@ pub(super) struct Arguments {
     #[arg(long)]
     check: bool,
     /// Write to DIR the schedule of every unit as a linear programme in CPLEX LP format, and nothing else
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "check"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "check", "stream_width"])]
     lp: Option<PathBuf>,
-    #[command(flatten)]
-    diagram: DiagramArguments,
     /// Bits of a word into the AXI4-Stream wrapper
     #[arg(long, value_name = "BITS", default_value = StreamWidth::default().name())]
     #[arg(value_parser = choice::<StreamWidth>(), allow_negative_numbers = true)]
     stream_width: StreamWidth,
+    #[command(flatten)]
+    diagram: DiagramArguments,
     #[command(flatten)]
     params: ParamArguments,
 }
