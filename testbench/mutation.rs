@@ -80,7 +80,10 @@ fn unchanged_and_equivalent_text_is_not_killed_and_wrong_text_is() {
     assert!(matches!(multiply("end architecture rtl;", "end architecture;;"), Trial::Invalid(_)));
     // Another type, and another length, which only elaboration tells.
     assert!(matches!(multiply("lo_y <= signed(y_hi) when", "lo_y <= y_hi when"), Trial::Invalid(_)));
-    assert!(matches!(multiply("lo_y <= signed(y_hi) when", "lo_y <= signed(y_hi(4 downto 0)) when"), Trial::Invalid(_)));
+    assert!(matches!(
+        multiply("lo_y <= signed(y_hi) when", "lo_y <= signed(y_hi(4 downto 0)) when"),
+        Trial::Invalid(_)
+    ));
     // A unit that never offers an answer is silent.
     let closed = try_line("sequencer.vhd", "out_valid <= offered;", "out_valid <= '0';");
     assert!(matches!(closed, Trial::Silent(_)));
