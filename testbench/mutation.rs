@@ -66,25 +66,27 @@ fn unchanged_and_equivalent_text_is_not_killed_and_wrong_text_is() {
     }
     let params = small();
     let bench = Bench::new(&params, Stimulus::random(&params, 12, 1), Simulator::Ghdl, false).unwrap();
-    let (name, text) = bench.files().iter().find(|(name, _)| name == "axis_multiply.vhd").unwrap();
-    let try_line = |from: &str, to: &str| {
+    let try_line = |file: &str, from: &str, to: &str| {
+        let (name, text) = bench.files().iter().find(|(name, _)| name == file).unwrap();
         assert!(text.contains(from), "{text}");
         bench.run(name, &text.replace(from, to)).unwrap()
     };
-    assert_eq!(bench.run(name, text).unwrap(), Trial::Agrees);
-    // Of two equal numbers either is the greater.
-    assert_eq!(try_line(" < x_minus_lo else ", " <= x_minus_lo else "), Trial::Agrees);
-    assert!(matches!(try_line("  lo <= std_logic_vector(", "  lo <= not std_logic_vector("), Trial::Answer(_)));
-    assert!(matches!(try_line("end architecture rtl;", "end architecture;;"), Trial::Invalid(_)));
+    let multiply = |from: &str, to: &str| try_line("axis_multiply.vhd", from, to);
+    assert_eq!(multiply("architecture", "architecture"), Trial::Agrees);
+    // Of two equal numbers either is the lesser.
+    let lesser = ["resize(signed(p1_lo), 9);", "resize(signed(p1_lo), 9) - 1;"];
+    assert_eq!(try_line("comparator_network.vhd", lesser[0], lesser[1]), Trial::Agrees);
+    assert!(matches!(multiply("  lo <= std_logic_vector(", "  lo <= not std_logic_vector("), Trial::Answer(_)));
+    assert!(matches!(multiply("end architecture rtl;", "end architecture;;"), Trial::Invalid(_)));
+    // Another type, and another length, which only elaboration tells.
+    assert!(matches!(multiply("lo_y <= signed(y_hi) when", "lo_y <= y_hi when"), Trial::Invalid(_)));
     assert!(matches!(
-        try_line("x_positive <= not x_lo_below", "x_positive <= not x_lo(4 downto 0)"),
+        multiply("lo_y <= signed(y_hi) when", "lo_y <= signed(y_hi(4 downto 0)) when"),
         Trial::Invalid(_)
     ));
     // A unit that never offers an answer is silent.
-    let (name, text) = bench.files().iter().find(|(name, _)| name == "sequencer.vhd").unwrap();
-    let closed = text.replace("out_valid <= offered;", "out_valid <= '0';");
-    assert!(closed != *text);
-    assert!(matches!(bench.run(name, &closed).unwrap(), Trial::Silent(_)));
+    let closed = try_line("sequencer.vhd", "out_valid <= offered;", "out_valid <= '0';");
+    assert!(matches!(closed, Trial::Silent(_)));
 }
 
 /// What an explanation of the table of equivalent mutants relies on.

@@ -34,11 +34,10 @@ const EQUAL: &str = "of two equal numbers either is the least and the greatest";
 const ZERO: &str = "the two differ where the factor is 0, and 0 times either bound is 0";
 const ORIGIN: &str =
     "V0 is the origin after re-normalisation, so what separates its projection from another of A fits a bit less";
-const TOP: &str =
-    "the two top bits of a lower bound differ only where a positive one is within some ulps of its greatest value, and then it \
-    shows only beside a factor that straddles 0";
 const AT_BOUND: &str = "the two differ where the number is the bound itself, and both arms give the bound";
-const RANGE: &str = "the proven range leaves the two top bits equal, but for one number that is its own negative there";
+const RANGE: &str = "the proven range leaves the two top bits equal";
+const SAME_LENGTH: &str =
+    "the two top bits differ in the greatest number alone, a power of two, which one more does not make longer";
 const DROPPED: &str = "the bit stays among those that are dropped, and floor + ulp does not look at them";
 const NEVER_ZERO: &str = "an upper bound is one ulp above the lower one, so the OR of the magnitudes is never 0";
 const BELOW: &str = "a lower bound is never above, and an upper bound never below, what the true value can be";
@@ -54,12 +53,14 @@ const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 b
 
 /// Mutants of the generated VHDL.
 pub const VHDL: &[Explanation] = &[
-    same("transform_row:b_up_inexact_d*:delay:*", IDLE),
+    same("transform_row:*:delay:bypass_d* -> bypass*", IDLE),
+    same("transform_row:*:delay:b_up_inexact_d* -> b_up_inexact*", IDLE),
     same("renormalise_offset:magnitudes_*:delay:magnitude_*_lo_d1 -> magnitude_*_lo", SHIFTED),
     same("renormalise_shift:*:delay:*_d1 -> *", STEADY),
     same("renormalise_scale:*:delay:shift_*_d1 -> *", STEADY),
     same("sequencer:slot_*_holds:delay:a register too many", SLOT),
-    same("renormalise_offset:magnitude_*_bits:constant:(*", RANGE),
+    same("renormalise_offset:magnitude_*_lo_bits:constant:(*", RANGE),
+    same("renormalise_offset:magnitude_*_hi_bits:constant:(* #2", SAME_LENGTH),
     same("renormalise_scale:moved_*:constant:last bit of a literal -> 1", DROPPED),
     same("pair_pipeline:magnitude*_zero:constant:last bit of a literal -> 1", NEVER_ZERO),
     same("cross_product:*_clamp_lo:case:*_most -> *_least, the next arm", BELOW),
@@ -69,8 +70,8 @@ pub const VHDL: &[Explanation] = &[
         "pose_ready rises one clock later after reset; no pose is loaded before the end of the slot either way",
     ),
     same("comparator_network:*_order_difference:comparison:< -> <=", EQUAL),
-    same("comparator_network:a_*_order:constant:(*", ORIGIN),
-    hidden("sign_case:lo_below:constant:(*", TOP),
+    same("comparator_network:a_lo_order:constant:(*", ORIGIN),
+    same("comparator_network:a_hi_order:constant:(*", ORIGIN),
     same("cross_product:*_clamp_*:comparison:> -> >=", AT_BOUND),
     same("cross_product:*_clamp_*:comparison:< -> <=", AT_BOUND),
 ];

@@ -3,7 +3,8 @@
 //! A bound that is one ulp off shows in a flag only where that bound is at the edge of flipping it. Random pairs
 //! near contact seldom have such an axis, so half of the pairs are made and chosen: in many random ones B is moved until
 //! one ulp decides, and of these are taken those that together have most axes, comparisons and vertices at the edge. A
-//! quarter fills the working grid to its ends, where clamps act.
+//! quarter fills the working grid to its ends, where clamps act, or is as small as an ulp of the input, where enclosures
+//! are as wide as the triangles.
 
 use crate::artefact::Stimulus;
 use crate::golden::{Golden, Input, Pair, Pose};
@@ -29,14 +30,14 @@ type Edge = (usize, usize, i128, (usize, u8), (usize, u8));
 /// What the four comparisons of section 6 lack on an axis, in ulps: each holds where its number is positive.
 type Lacking = [i128; 4];
 
-/// `count` pairs: of four two chosen, one at the ends of the working grid, and one random, every other time with an edge
-/// of one ulp.
+/// `count` pairs: of four two chosen, one at the ends of the working grid or, one in sixteen, tiny, and one random, every
+/// other time with an edge of one ulp.
 pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     let pool = Stimulus::random(params, (count * CHOICE).clamp(SMALLEST, LARGEST), seed);
     let random: Vec<(Pose, Pair)> =
         pool.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (*pose, *pair))).collect();
     let (golden, bound) = (Golden::new(params), params.coordinate_bound() as i64);
-    let near = |x: Input, by: i64| Input { lo: (x.lo + by).clamp(-bound, bound), sticky: x.sticky };
+    let near = |x: Input, by: i64| within(bound, x.lo + by, x.sticky);
     let at_edge = |(i, (pose, pair)): (usize, &(Pose, Pair))| {
         let mut pair = *pair;
         // Vertices next to each other: enclosures overlap, and which of them is taken matters.
@@ -57,6 +58,7 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
         let next = match number % 4 {
             0 | 2 => chosen.next(),
             1 if number == 1 && params.transform != Transform::Off => Some(farthest(params)),
+            1 if number % 16 == 13 => Some((Pose::identity(params), tiny(&mut rng))),
             1 => Some((Pose::identity(params), extreme(&mut rng, params))),
             _ => None,
         };
@@ -71,6 +73,11 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
         }
     }
     Stimulus { segments }
+}
+
+/// A number moved into the declared range: where its lower bound is the greatest there is, it is exact.
+fn within(bound: i64, lo: i64, sticky: bool) -> Input {
+    Input { lo: lo.clamp(-bound, bound), sticky: sticky && lo < bound }
 }
 
 /// B as far from A as the declared ranges allow, where magnitudes are greatest.
@@ -96,7 +103,7 @@ fn extreme(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
             6 => 0,
             _ => rng.random_range(-reach..=reach),
         };
-        Input { lo: lo.clamp(-bound, bound), sticky: lo < bound && rng.random() }
+        within(bound, lo, rng.random())
     };
     let mut triangle = || [(); 3].map(|()| [(); 3].map(|()| number()));
     let mut pair = Pair { a: triangle(), b: triangle() };
@@ -112,6 +119,16 @@ fn extreme(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
             pair.b[k][(i + 2) % 3] = end(y);
         }
     }
+    pair
+}
+
+/// A pair in a box of two ulps of the input with V0 in its middle: re-normalised, V0 and all differences are as wide as
+/// half of the box, so that they straddle 0 far from it.
+fn tiny(rng: &mut ChaCha8Rng) -> Pair {
+    let mut number = || Input { lo: -i64::from(rng.random::<bool>()), sticky: rng.random() };
+    let mut triangle = || [(); 3].map(|()| [(); 3].map(|()| number()));
+    let mut pair = Pair { a: triangle(), b: triangle() };
+    pair.a[0] = [Input { lo: 0, sticky: true }; 3];
     pair
 }
 
@@ -140,7 +157,7 @@ fn moved_to_edge(golden: &Golden, bound: i64, pose: &Pose, pair: Pair, number: u
         let mut pair = pair;
         let coordinate = (number / 4) % 3;
         for w in &mut pair.b {
-            w[coordinate].lo = (w[coordinate].lo + by).clamp(-bound, bound);
+            w[coordinate] = within(bound, w[coordinate].lo + by, w[coordinate].sticky);
         }
         pair
     };
@@ -233,6 +250,18 @@ fn edges(golden: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn numbers_are_within_the_declared_range() {
+        for (transform, renormalise) in [(Transform::On, true), (Transform::Translate, true), (Transform::Off, false)] {
+            let params = Params { transform, renormalise, ..Params::default() };
+            let bound = params.coordinate_bound() as i64;
+            let stimulus = stimulus(&params, 64, 1);
+            let pairs = stimulus.segments.iter().flat_map(|(_, pairs)| pairs);
+            let mut numbers = pairs.flat_map(|pair| pair.a.iter().chain(&pair.b).flatten());
+            assert_eq!(numbers.find(|x| x.lo < -bound || x.lo + i64::from(x.sticky) > bound), None);
+        }
+    }
 
     #[test]
     fn chosen_pairs_have_more_comparisons_at_the_edge_than_random_ones() {

@@ -87,9 +87,10 @@ pub fn cross_product(setting: &Setting) -> Claim {
         claim_chosen(&mut claim, &format!("l_{i}"), &exact, &ways, params);
     }
     let way = |i: usize| if ways.len() == 1 { String::new() } else { format!("_way_{i}") };
+    // Of the upper bound: where a register lies on the way of the lower one alone, the upper one has no copy to take.
     claim
         .mutant(NoUlp, format!("l_x_rounded{}_up", way(0)))
-        .mutant(OtherBound, format!("l_z_rounded{}_floor_lo", way(0)));
+        .mutant(OtherBound, format!("l_z_rounded{}_floor_hi", way(0)));
     claim.mutant(WrongSlice, format!("l_y_rounded{}_floor_lo", way(0)));
     if ways.len() > 1 {
         claim.mutant(WrongArm, "l_z_rounded_chosen_lo").mutant(NoUlp, "l_y_rounded_way_1_up");
