@@ -25,7 +25,7 @@ pub use units::Unit;
 
 use crate::artefact::{self, Scratch};
 use crate::design::Design;
-use crate::device::Device;
+use crate::device::{Device, Resources};
 use crate::params::Params;
 use crate::verilog::{self, yosys, ToolError};
 use std::path::{Path, PathBuf};
@@ -56,7 +56,7 @@ pub struct Report {
     pub counted_for: &'static Device,
     /// The tools that ran, with their versions.
     pub tools: Vec<String>,
-    /// The design's units with predicted and actual cells, the top first.
+    /// The design's units with predicted and, if tools ran, actual cells, the top first.
     pub top: Unit,
     /// Clock that the schedule expects to reach, in MHz, and the signal its longest path ends at.
     pub scheduled: (f64, String),
@@ -67,9 +67,14 @@ pub struct Report {
 }
 
 impl Report {
+    /// The cells of the whole: as mapped if a tool ran, else as predicted.
+    pub fn cells(&self) -> Resources {
+        self.top.actual.map_or(self.top.predicted, |cells| cells.resources)
+    }
+
     /// Slices of a Virtex-II, estimated; none for the other families.
     pub fn slices(&self) -> Option<Slices> {
-        let cells = self.top.actual.resources;
+        let cells = self.cells();
         let estimate = || slices::estimate(cells.luts + cells.memory_luts, cells.flip_flops, None);
         (self.flow == Flow::Virtex2).then(estimate)
     }
@@ -78,7 +83,7 @@ impl Report {
     /// multipliers, and a target clock (in MHz) that is missed after routing.
     pub fn faults(&self, target: u32) -> Vec<String> {
         let mut faults = vec![];
-        let (predicted, actual) = (self.top.predicted.multipliers, self.top.actual.resources.multipliers);
+        let (predicted, actual) = (self.top.predicted.multipliers, self.cells().multipliers);
         if predicted != actual {
             faults.push(format!("{actual} multipliers instead of {predicted}"));
         }
@@ -122,7 +127,7 @@ pub fn run(
     step("Yosys, unit by unit");
     let netlist = units::netlist(&yosys, flow, dir)?;
     let counted_for = flow.device(design.device);
-    let top = units::tree(&design, counted_for, &netlist, flow);
+    let top = units::tree(&design, counted_for, Some((&netlist, flow)));
     let timing = if flow == Flow::Virtex2 { Some(units::timing(dir)?) } else { None };
     let mut tools = vec![yosys.version.clone()];
     let routed = match &nextpnr {
@@ -136,6 +141,19 @@ pub fn run(
     };
     let (ns, end) = &design.schedule.critical;
     Ok(Report { flow, counted_for, tools, top, scheduled: (1000.0 / ns, end.clone()), timing, routed })
+}
+
+/// What the device model says of a design, for a flow that does not run.
+///
+/// # Errors
+/// That the design cannot be made.
+pub fn predict(params: &Params, flow: Flow) -> Result<Report, SynthError> {
+    let design = Design::new(params, false)?;
+    let counted_for = flow.device(design.device);
+    let top = units::tree(&design, counted_for, None);
+    let (ns, end) = &design.schedule.critical;
+    let scheduled = (1000.0 / ns, end.clone());
+    Ok(Report { flow, counted_for, tools: vec![], top, scheduled, timing: None, routed: None })
 }
 
 /// Makes a folder ours, unless it holds files of somebody else.

@@ -46,7 +46,8 @@ struct Branch<'a> {
     entity: &'a str,
     instances: u64,
     predicted: Prediction,
-    actual: Mapped,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    actual: Option<Mapped>,
     parts: Vec<Branch<'a>>,
 }
 
@@ -125,7 +126,7 @@ impl<'a> From<&'a Unit> for Branch<'a> {
             entity: &unit.entity,
             instances: unit.instances,
             predicted: unit.predicted.into(),
-            actual: unit.actual.into(),
+            actual: unit.actual.map(Mapped::from),
             parts: unit.parts.iter().map(Branch::from).collect(),
         }
     }
