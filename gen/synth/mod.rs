@@ -28,6 +28,7 @@ use crate::design::Design;
 use crate::device::{Device, Resources};
 use crate::params::Params;
 use crate::verilog::{self, yosys, ToolError};
+use netlist::Netlist;
 use std::path::{Path, PathBuf};
 
 /// The Verilog of the whole design; also the mark of a folder that is ours to overwrite.
@@ -58,6 +59,10 @@ pub struct Report {
     pub tools: Vec<String>,
     /// The design's units with predicted and, if tools ran, actual cells, the top first.
     pub top: Unit,
+    /// Clocks between pairs.
+    pub interval: usize,
+    /// Clocks from the acceptance of a pair to the offer of its verdict.
+    pub latency: usize,
     /// Clock that the schedule expects to reach, in MHz, and the signal its longest path ends at.
     pub scheduled: (f64, String),
     /// Static timing of the mapped units, estimated; of Virtex-II alone.
@@ -126,8 +131,6 @@ pub fn run(
     std::fs::write(&path, text).map_err(ToolError::file(&path))?;
     step("Yosys, unit by unit");
     let netlist = units::netlist(&yosys, flow, dir)?;
-    let counted_for = flow.device(design.device);
-    let top = units::tree(&design, counted_for, Some((&netlist, flow)));
     let timing = if flow == Flow::Virtex2 { Some(units::timing(dir)?) } else { None };
     let mut tools = vec![yosys.version.clone()];
     let routed = match &nextpnr {
@@ -139,8 +142,7 @@ pub fn run(
         }
         None => None,
     };
-    let (ns, end) = &design.schedule.critical;
-    Ok(Report { flow, counted_for, tools, top, scheduled: (1000.0 / ns, end.clone()), timing, routed })
+    Ok(Report { tools, timing, routed, ..modelled(&design, flow, Some(&netlist)) })
 }
 
 /// What the device model says of a design, for a flow that does not run.
@@ -148,12 +150,24 @@ pub fn run(
 /// # Errors
 /// That the design cannot be made.
 pub fn predict(params: &Params, flow: Flow) -> Result<Report, SynthError> {
-    let design = Design::new(params, false)?;
+    Ok(modelled(&Design::new(params, false)?, flow, None))
+}
+
+/// What the model and the schedule say, beside the counts of a netlist.
+fn modelled(design: &Design, flow: Flow, netlist: Option<&Netlist>) -> Report {
     let counted_for = flow.device(design.device);
-    let top = units::tree(&design, counted_for, None);
     let (ns, end) = &design.schedule.critical;
-    let scheduled = (1000.0 / ns, end.clone());
-    Ok(Report { flow, counted_for, tools: vec![], top, scheduled, timing: None, routed: None })
+    Report {
+        flow,
+        counted_for,
+        tools: vec![],
+        top: units::tree(design, counted_for, netlist.map(|netlist| (netlist, flow))),
+        interval: design.interval,
+        latency: design.latency,
+        scheduled: (1000.0 / ns, end.clone()),
+        timing: None,
+        routed: None,
+    }
 }
 
 /// Makes a folder ours, unless it holds files of somebody else.

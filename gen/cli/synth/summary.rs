@@ -13,6 +13,8 @@ pub(super) struct Summary<'a> {
     tools: &'a [String],
     device: &'a str,
     counted_for: &'a str,
+    initiation_interval: usize,
+    latency: usize,
     units: Branch<'a>,
     capacity: Prediction,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -167,6 +169,8 @@ impl<'a> Summary<'a> {
             tools: &report.tools,
             device: &params.device,
             counted_for: report.counted_for.name,
+            initiation_interval: report.interval,
+            latency: report.latency,
             units: (&report.top).into(),
             capacity: report.counted_for.capacity.into(),
             slices: report.slices().map(|s| Slices {

@@ -27,6 +27,7 @@ pub(super) fn text(report: &Report, params: &Params) -> String {
     row(&mut text, &report.top, 0);
     text.push('\n');
     shares(&mut text, report);
+    let _ = writeln!(text, "one pair every {} clocks, verdict after {} clocks", report.interval, report.latency);
     let (scheduled, end) = &report.scheduled;
     let _ =
         writeln!(text, "clock: {scheduled:.1} MHz by the schedule for {} (longest path ends at {end})", params.device);
