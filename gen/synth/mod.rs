@@ -77,6 +77,20 @@ impl Report {
         self.top.actual.map_or(self.top.predicted, |cells| cells.resources)
     }
 
+    /// Whether the cells are there on the part, which a placer finds out late.
+    fn fits(&self) -> Result<(), SynthError> {
+        let (cells, part) = (self.cells(), self.counted_for);
+        let kinds = [
+            ("multipliers", cells.multipliers, part.capacity.multipliers),
+            ("LUTs", cells.luts + cells.memory_luts, part.capacity.luts),
+            ("flip-flops", cells.flip_flops, part.capacity.flip_flops),
+        ];
+        match kinds.into_iter().find(|(_, used, there)| used > there) {
+            Some((kind, used, there)) => Err(SynthError::Part { part: part.name, kind, used, there }),
+            None => Ok(()),
+        }
+    }
+
     /// Slices of a Virtex-II, estimated; none for the other families.
     pub fn slices(&self) -> Option<Slices> {
         let cells = self.cells();
@@ -131,10 +145,12 @@ pub fn run(
     std::fs::write(&path, text).map_err(ToolError::file(&path))?;
     step("Yosys, unit by unit");
     let netlist = units::netlist(&yosys, flow, dir)?;
+    let counts = modelled(&design, flow, Some(&netlist));
     let timing = if flow == Flow::Virtex2 { Some(units::timing(dir)?) } else { None };
     let mut tools = vec![yosys.version.clone()];
     let routed = match &nextpnr {
         Some(nextpnr) => {
+            counts.fits()?;
             tools.push(nextpnr.version.clone());
             step("Yosys, the whole");
             route::whole(&yosys, &design, dir)?;
@@ -142,7 +158,7 @@ pub fn run(
         }
         None => None,
     };
-    Ok(Report { tools, timing, routed, ..modelled(&design, flow, Some(&netlist)) })
+    Ok(Report { tools, timing, routed, ..counts })
 }
 
 /// What the device model says of a design, for a flow that does not run.
@@ -164,7 +180,7 @@ fn modelled(design: &Design, flow: Flow, netlist: Option<&Netlist>) -> Report {
         top: units::tree(design, counted_for, netlist.map(|netlist| (netlist, flow))),
         interval: design.interval,
         latency: design.latency,
-        scheduled: (1000.0 / ns, end.clone()),
+        scheduled: (1000.0 / (ns + design.device.setup()), end.clone()),
         timing: None,
         routed: None,
     }
@@ -178,4 +194,26 @@ fn claim(dir: &Path) -> Result<(), SynthError> {
         return Ok(());
     }
     Err(SynthError::Keep(dir.display().to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_does_not_fit_is_not_placed() {
+        let params = Params { device: "lfe5u-85-6".to_owned(), ..Params::default() };
+        assert!(predict(&params, Flow::Ecp5).unwrap().fits().is_ok());
+        let wide = predict(&Params { width: 19, ..params }, Flow::Ecp5).unwrap();
+        let message = wide.fits().unwrap_err().to_string();
+        assert!(message.starts_with("216 multipliers do not fit on lfe5u-85-6, which has 156"), "{message}");
+    }
+
+    #[test]
+    fn the_schedules_clock_includes_set_up() {
+        let report = predict(&Params::default(), Flow::Virtex2).unwrap();
+        let design = Design::new(&Params::default(), false).unwrap();
+        let ns = 1000.0 / report.scheduled.0;
+        assert!((ns - design.schedule.critical.0 - design.device.setup()).abs() < 1e-9 && ns <= 10.0 + 1e-9, "{ns}");
+    }
 }

@@ -29,8 +29,10 @@ pub(super) fn text(report: &Report, params: &Params) -> String {
     shares(&mut text, report);
     let _ = writeln!(text, "one pair every {} clocks, verdict after {} clocks", report.interval, report.latency);
     let (scheduled, end) = &report.scheduled;
+    let below = if *scheduled < f64::from(params.frequency) { ", below the target" } else { "" };
+    let device = &params.device;
     let _ =
-        writeln!(text, "clock: {scheduled:.1} MHz by the schedule for {} (longest path ends at {end})", params.device);
+        writeln!(text, "clock: {scheduled:.1} MHz by the schedule for {device}{below} (longest path ends at {end})");
     if let Some(timing) = &report.timing {
         estimate(&mut text, timing);
     }
