@@ -273,7 +273,10 @@ fn the_manifest_has_the_fields_of_the_contract() {
     let text = fs::read_to_string(home.path().join("rtl-out/manifest.json")).unwrap();
     let manifest: Value = serde_json::from_str(&text).unwrap();
     let line = manifest["command_line"].as_str().unwrap();
-    assert!(line.starts_with("efsat generate --width 18 --int-bits 4 ") && line.ends_with(" --tag-width 16"));
+    assert!(
+        line.starts_with("efsat generate --width 18 --int-bits 4 ")
+            && line.ends_with(" --tag-width 16 --stream-width 64")
+    );
     assert_eq!((&manifest["initiation_interval"], &manifest["multipliers"]), (&Value::from(11), &Value::from(72)));
     assert!(manifest["latency"].as_u64().unwrap() > 0);
     assert_eq!(manifest["parameters"].as_object().unwrap().len(), 12);

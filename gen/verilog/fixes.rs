@@ -60,7 +60,7 @@ fn signed_products(module: &str) -> String {
         let (x, y) = value.split_once(" * ")?;
         Some(format!("  assign {name} = $signed({}) * $signed({});", extended.get(x)?, extended.get(y)?))
     };
-    module.lines().map(|line| product(line).unwrap_or_else(|| line.to_owned()) + "\n").collect()
+    module.split_inclusive('\n').map(|line| product(line).map_or_else(|| line.to_owned(), |new| new + "\n")).collect()
 }
 
 #[cfg(test)]

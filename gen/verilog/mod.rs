@@ -86,7 +86,7 @@ mod tests {
         assert!(refusal(drivers).contains("multiple assignments"));
         let unbound = "component k port (a : in std_logic; b : out std_logic); end component;\nbegin\nk1 : k port map (a => a, b => q);";
         assert!(refusal(unbound).contains("not bound"));
-        assert!(refusal("begin\nq <= c;").contains("u.vhd:5"));
+        assert!(refusal("begin\nq <= c;").contains("u.vhd:6"));
         assert!(read_back("begin\nq <= a and b;").unwrap().contains("module u"));
     }
 }

@@ -55,6 +55,7 @@ architecture rtl of efsat_uart_top is
   signal leaving_bytes : natural range 0 to answer_bytes := 0;
   signal byte_out_valid : std_logic;
   signal byte_out_ready : std_logic;
+  signal line_out : std_logic;
 begin
   aresetn <= not reset;
 
@@ -172,6 +173,8 @@ begin
       data => leaving(7 downto 0),
       data_valid => byte_out_valid,
       data_ready => byte_out_ready,
-      tx => tx
+      tx => line_out
     );
+
+  tx <= line_out;
 end architecture rtl;

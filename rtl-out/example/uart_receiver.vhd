@@ -26,7 +26,7 @@ architecture rtl of uart_receiver is
   signal early : std_logic := '1';
   signal line_in : std_logic := '1';
   signal busy : std_logic := '0';
-  signal count : natural range 0 to clocks_per_bit - 1 := 0;  -- clocks until the next sample
+  signal count : natural range 0 to clocks_per_bit - 1 := clocks_per_bit - 1;  -- clocks until the next sample
   signal bits : natural range 0 to 9 := 0;  -- samples taken of start, data and stop bit
   signal shift : std_logic_vector(7 downto 0) := "00000000";
   signal valid : std_logic := '0';
