@@ -8,8 +8,8 @@ use super::output::{print, print_json};
 use super::params::{choice, whole, ParamArguments};
 use super::progress;
 use crate::device;
-use crate::params::options::Choice;
-use crate::synth::{self, Flow, Options};
+use crate::params::{options::Choice, Params};
+use crate::synth::{self, Flow, Options, Report};
 use std::path::PathBuf;
 use summary::Summary;
 
@@ -33,6 +33,9 @@ pub(super) struct Arguments {
     /// Stop after Yosys: no placement, no clock
     #[arg(long, conflicts_with = "seeds")]
     no_route: bool,
+    /// The device model's counts and clock alone: no tool runs
+    #[arg(long, conflicts_with_all = ["seeds", "no_route", "keep"])]
+    predict: bool,
     /// Leave sources, netlists, logs and reports in DIR
     #[arg(long, value_name = "DIR")]
     keep: Option<PathBuf>,
@@ -59,18 +62,25 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let option = if arguments.no_route { "--no-route" } else { "--seeds" };
         return Err(Failure::Usage(format!("{option}: flow {} ends after Yosys; legal with ecp5", flow.name())));
     }
+    if arguments.predict {
+        return show(&synth::predict(&params, flow)?, &params, arguments.json);
+    }
     let seeds = if arguments.no_route { 0 } else { arguments.seeds.unwrap_or(SEEDS) };
     let options = Options { flow, seeds, keep: arguments.keep.clone() };
     let spinner = progress::spinner("synthesising");
     let step = |what: &str| spinner.set_message(what.to_owned());
     let report = synth::run(&params, &params.command_line(), &options, &step)?;
     spinner.finish_and_clear();
+    show(&report, &params, arguments.json)
+}
 
+/// Prints a report; what is wrong with it is a failed check.
+fn show(report: &Report, params: &Params, json: bool) -> Result<(), Failure> {
     let faults = report.faults(params.frequency);
-    if arguments.json {
-        print_json(&Summary::new(&report, &params, &faults))?;
+    if json {
+        print_json(&Summary::new(report, params, &faults))?;
     } else {
-        print(&table::text(&report, &params))?;
+        print(&table::text(report, params))?;
     }
     if faults.is_empty() {
         Ok(())

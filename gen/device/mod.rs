@@ -136,11 +136,12 @@ impl Device {
         }
     }
 
-    /// Delay of a negation under a flag: a chain, and a LUT of its own in front of a complete one.
+    /// Delay of a negation under a flag, which is a net with many loads: a chain, and a LUT of its own in front of a
+    /// complete one.
     pub fn conditional_negation(&self, bits: u32) -> f64 {
         match self.fabric.chains {
-            Chains::WithTables => self.chain(bits),
-            Chains::Complete => self.tree(2) + self.chain(bits),
+            Chains::WithTables => self.chain(bits) - self.net + self.wide_net,
+            Chains::Complete => self.mux(2) + self.chain(bits),
         }
     }
 

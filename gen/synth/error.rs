@@ -15,6 +15,18 @@ pub enum SynthError {
     /// A tool did not do its work.
     #[error(transparent)]
     Tool(#[from] ToolError),
+    /// There is nothing to place: the part is too small.
+    #[error("{used} {kind} do not fit on {part}, which has {there}; --no-route counts without placing")]
+    Part {
+        /// The part.
+        part: &'static str,
+        /// Kind of cell.
+        kind: &'static str,
+        /// How many are needed.
+        used: u64,
+        /// How many there are.
+        there: u64,
+    },
     /// The folder to keep files in has others.
     #[error(
         "--keep {0}: holds files that efsat did not write; legal is a new or empty folder, or one of an earlier run"
@@ -28,7 +40,7 @@ impl SynthError {
         match self {
             SynthError::Names(_) => false,
             SynthError::Tool(e) => e.is_usage(),
-            SynthError::Design(_) | SynthError::Keep(_) => true,
+            SynthError::Design(_) | SynthError::Keep(_) | SynthError::Part { .. } => true,
         }
     }
 }

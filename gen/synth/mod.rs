@@ -25,9 +25,10 @@ pub use units::Unit;
 
 use crate::artefact::{self, Scratch};
 use crate::design::Design;
-use crate::device::Device;
+use crate::device::{Device, Resources};
 use crate::params::Params;
 use crate::verilog::{self, yosys, ToolError};
+use netlist::Netlist;
 use std::path::{Path, PathBuf};
 
 /// The Verilog of the whole design; also the mark of a folder that is ours to overwrite.
@@ -56,8 +57,12 @@ pub struct Report {
     pub counted_for: &'static Device,
     /// The tools that ran, with their versions.
     pub tools: Vec<String>,
-    /// The design's units with predicted and actual cells, the top first.
+    /// The design's units with predicted and, if tools ran, actual cells, the top first.
     pub top: Unit,
+    /// Clocks between pairs.
+    pub interval: usize,
+    /// Clocks from the acceptance of a pair to the offer of its verdict.
+    pub latency: usize,
     /// Clock that the schedule expects to reach, in MHz, and the signal its longest path ends at.
     pub scheduled: (f64, String),
     /// Static timing of the mapped units, estimated; of Virtex-II alone.
@@ -67,9 +72,28 @@ pub struct Report {
 }
 
 impl Report {
+    /// The cells of the whole: as mapped if a tool ran, else as predicted.
+    pub fn cells(&self) -> Resources {
+        self.top.actual.map_or(self.top.predicted, |cells| cells.resources)
+    }
+
+    /// Whether the cells are there on the part, which a placer finds out late.
+    fn fits(&self) -> Result<(), SynthError> {
+        let (cells, part) = (self.cells(), self.counted_for);
+        let kinds = [
+            ("multipliers", cells.multipliers, part.capacity.multipliers),
+            ("LUTs", cells.luts + cells.memory_luts, part.capacity.luts),
+            ("flip-flops", cells.flip_flops, part.capacity.flip_flops),
+        ];
+        match kinds.into_iter().find(|(_, used, there)| used > there) {
+            Some((kind, used, there)) => Err(SynthError::Part { part: part.name, kind, used, there }),
+            None => Ok(()),
+        }
+    }
+
     /// Slices of a Virtex-II, estimated; none for the other families.
     pub fn slices(&self) -> Option<Slices> {
-        let cells = self.top.actual.resources;
+        let cells = self.cells();
         let estimate = || slices::estimate(cells.luts + cells.memory_luts, cells.flip_flops, None);
         (self.flow == Flow::Virtex2).then(estimate)
     }
@@ -78,7 +102,7 @@ impl Report {
     /// multipliers, and a target clock (in MHz) that is missed after routing.
     pub fn faults(&self, target: u32) -> Vec<String> {
         let mut faults = vec![];
-        let (predicted, actual) = (self.top.predicted.multipliers, self.top.actual.resources.multipliers);
+        let (predicted, actual) = (self.top.predicted.multipliers, self.cells().multipliers);
         if predicted != actual {
             faults.push(format!("{actual} multipliers instead of {predicted}"));
         }
@@ -121,12 +145,12 @@ pub fn run(
     std::fs::write(&path, text).map_err(ToolError::file(&path))?;
     step("Yosys, unit by unit");
     let netlist = units::netlist(&yosys, flow, dir)?;
-    let counted_for = flow.device(design.device);
-    let top = units::tree(&design, counted_for, &netlist, flow);
+    let counts = modelled(&design, flow, Some(&netlist));
     let timing = if flow == Flow::Virtex2 { Some(units::timing(dir)?) } else { None };
     let mut tools = vec![yosys.version.clone()];
     let routed = match &nextpnr {
         Some(nextpnr) => {
+            counts.fits()?;
             tools.push(nextpnr.version.clone());
             step("Yosys, the whole");
             route::whole(&yosys, &design, dir)?;
@@ -134,8 +158,32 @@ pub fn run(
         }
         None => None,
     };
+    Ok(Report { tools, timing, routed, ..counts })
+}
+
+/// What the device model says of a design, for a flow that does not run.
+///
+/// # Errors
+/// That the design cannot be made.
+pub fn predict(params: &Params, flow: Flow) -> Result<Report, SynthError> {
+    Ok(modelled(&Design::new(params, false)?, flow, None))
+}
+
+/// What the model and the schedule say, beside the counts of a netlist.
+fn modelled(design: &Design, flow: Flow, netlist: Option<&Netlist>) -> Report {
+    let counted_for = flow.device(design.device);
     let (ns, end) = &design.schedule.critical;
-    Ok(Report { flow, counted_for, tools, top, scheduled: (1000.0 / ns, end.clone()), timing, routed })
+    Report {
+        flow,
+        counted_for,
+        tools: vec![],
+        top: units::tree(design, counted_for, netlist.map(|netlist| (netlist, flow))),
+        interval: design.interval,
+        latency: design.latency,
+        scheduled: (1000.0 / (ns + design.device.setup()), end.clone()),
+        timing: None,
+        routed: None,
+    }
 }
 
 /// Makes a folder ours, unless it holds files of somebody else.
@@ -146,4 +194,26 @@ fn claim(dir: &Path) -> Result<(), SynthError> {
         return Ok(());
     }
     Err(SynthError::Keep(dir.display().to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_does_not_fit_is_not_placed() {
+        let params = Params { device: "lfe5u-85-6".to_owned(), ..Params::default() };
+        assert!(predict(&params, Flow::Ecp5).unwrap().fits().is_ok());
+        let wide = predict(&Params { width: 19, ..params }, Flow::Ecp5).unwrap();
+        let message = wide.fits().unwrap_err().to_string();
+        assert!(message.starts_with("216 multipliers do not fit on lfe5u-85-6, which has 156"), "{message}");
+    }
+
+    #[test]
+    fn the_schedules_clock_includes_set_up() {
+        let report = predict(&Params::default(), Flow::Virtex2).unwrap();
+        let design = Design::new(&Params::default(), false).unwrap();
+        let ns = 1000.0 / report.scheduled.0;
+        assert!((ns - design.schedule.critical.0 - design.device.setup()).abs() < 1e-9 && ns <= 10.0 + 1e-9, "{ns}");
+    }
 }

@@ -24,8 +24,8 @@ pub struct Unit {
     pub instances: u64,
     /// What the device model predicts for one instance with everything in it.
     pub predicted: Resources,
-    /// What the synthesis tool made of one instance with everything in it.
-    pub actual: Cells,
+    /// What the synthesis tool made of one instance with everything in it; none if none ran.
+    pub actual: Option<Cells>,
     /// The units in it.
     pub parts: Vec<Unit>,
 }
@@ -52,12 +52,12 @@ pub(super) fn timing(dir: &Path) -> Result<Timing, ToolError> {
     static_timing::estimate(&netlist, TOP).map_err(|e| failed(e.to_string()))
 }
 
-/// The units of a design, the top first, predicted for a device.
-pub(super) fn tree(design: &Design, device: &Device, netlist: &Netlist, flow: Flow) -> Unit {
-    unit(&design.top, 1, device, netlist, flow)
+/// The units of a design, the top first, predicted for a device, and counted where there is a netlist of a flow.
+pub(super) fn tree(design: &Design, device: &Device, netlist: Option<(&Netlist, Flow)>) -> Unit {
+    unit(&design.top, 1, device, netlist)
 }
 
-fn unit(module: &Module, instances: u64, device: &Device, netlist: &Netlist, flow: Flow) -> Unit {
+fn unit(module: &Module, instances: u64, device: &Device, netlist: Option<(&Netlist, Flow)>) -> Unit {
     let mut kinds: Vec<(&Module, u64)> = vec![];
     for instance in &module.instances {
         match kinds.iter_mut().find(|(known, _)| known.name == instance.module.name) {
@@ -65,14 +65,12 @@ fn unit(module: &Module, instances: u64, device: &Device, netlist: &Netlist, flo
             None => kinds.push((&instance.module, 1)),
         }
     }
-    let parts: Vec<Unit> = kinds.into_iter().map(|(part, count)| unit(part, count, device, netlist, flow)).collect();
-    let own = netlist.modules.get(&module.name).map(|module| cells::own(module, flow)).unwrap_or_default();
+    let parts: Vec<Unit> = kinds.into_iter().map(|(part, count)| unit(part, count, device, netlist)).collect();
+    let own = |(netlist, flow): (&Netlist, Flow)| {
+        netlist.modules.get(&module.name).map(|module| cells::own(module, flow)).unwrap_or_default()
+    };
+    let in_parts = parts.iter().filter_map(|part| part.actual.map(|cells| cells * part.instances));
+    let actual = netlist.map(|netlist| in_parts.fold(own(netlist), Add::add));
     let below: Resources = parts.iter().map(|part| part.predicted * part.instances).sum();
-    Unit {
-        entity: module.name.clone(),
-        instances,
-        predicted: estimate::own(module, device) + below,
-        actual: parts.iter().map(|part| part.actual * part.instances).fold(own, Add::add),
-        parts,
-    }
+    Unit { entity: module.name.clone(), instances, predicted: estimate::own(module, device) + below, actual, parts }
 }

@@ -13,6 +13,8 @@ pub(super) struct Summary<'a> {
     tools: &'a [String],
     device: &'a str,
     counted_for: &'a str,
+    initiation_interval: usize,
+    latency: usize,
     units: Branch<'a>,
     capacity: Prediction,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -46,7 +48,8 @@ struct Branch<'a> {
     entity: &'a str,
     instances: u64,
     predicted: Prediction,
-    actual: Mapped,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    actual: Option<Mapped>,
     parts: Vec<Branch<'a>>,
 }
 
@@ -125,7 +128,7 @@ impl<'a> From<&'a Unit> for Branch<'a> {
             entity: &unit.entity,
             instances: unit.instances,
             predicted: unit.predicted.into(),
-            actual: unit.actual.into(),
+            actual: unit.actual.map(Mapped::from),
             parts: unit.parts.iter().map(Branch::from).collect(),
         }
     }
@@ -166,6 +169,8 @@ impl<'a> Summary<'a> {
             tools: &report.tools,
             device: &params.device,
             counted_for: report.counted_for.name,
+            initiation_interval: report.interval,
+            latency: report.latency,
             units: (&report.top).into(),
             capacity: report.counted_for.capacity.into(),
             slices: report.slices().map(|s| Slices {

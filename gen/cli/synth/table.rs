@@ -1,5 +1,6 @@
 //! The text of `efsat synth`.
 
+use crate::device::Resources;
 use crate::params::Params;
 use crate::synth::{CriticalPath, Report, Routed, Timing, Unit};
 use std::fmt::Write;
@@ -12,20 +13,26 @@ const NAME: usize = 36;
 
 /// The tree of units, totals, shares of the part, clock and critical path.
 pub(super) fn text(report: &Report, params: &Params) -> String {
-    let (counted, tools) = (report.counted_for, report.tools.join(", "));
-    let mut text =
-        format!("Scheduled for {} at {} MHz; cells of {} by {tools}\n", params.device, params.frequency, counted.name);
-    if counted.name != params.device {
+    let counted = report.counted_for.name;
+    let by = match report.tools.join(", ") {
+        tools if tools.is_empty() => "as the device model predicts them".to_owned(),
+        tools => format!("by {tools}"),
+    };
+    let mut text = format!("Scheduled for {} at {} MHz; cells of {counted} {by}\n", params.device, params.frequency);
+    if counted != params.device {
         text.push_str("The device is of another family than the flow: registers stand where that one needs them\n");
     }
     text.push('\n');
-    head(&mut text);
+    head(&mut text, report.top.actual.is_some());
     row(&mut text, &report.top, 0);
     text.push('\n');
     shares(&mut text, report);
+    let _ = writeln!(text, "one pair every {} clocks, verdict after {} clocks", report.interval, report.latency);
     let (scheduled, end) = &report.scheduled;
+    let below = if *scheduled < f64::from(params.frequency) { ", below the target" } else { "" };
+    let device = &params.device;
     let _ =
-        writeln!(text, "clock: {scheduled:.1} MHz by the schedule for {} (longest path ends at {end})", params.device);
+        writeln!(text, "clock: {scheduled:.1} MHz by the schedule for {device}{below} (longest path ends at {end})");
     if let Some(timing) = &report.timing {
         estimate(&mut text, timing);
     }
@@ -35,11 +42,12 @@ pub(super) fn text(report: &Report, params: &Params) -> String {
     text
 }
 
-/// The columns, each predicted, actual and difference.
-fn head(text: &mut String) {
-    let _ = write!(text, "{:NAME$}", "unit, predicted | actual");
+/// The columns, each predicted, and if a tool ran also actual and difference.
+fn head(text: &mut String, counted: bool) {
+    let (name, width) = if counted { ("unit, predicted | actual", 22) } else { ("unit", 13) };
+    let _ = write!(text, "{name:NAME$}");
     for column in ["multipliers", "LUTs", "memory LUTs", "flip-flops", "carry bits"] {
-        let _ = write!(text, "{column:>22}");
+        let _ = write!(text, "{column:>width$}");
     }
     text.push('\n');
 }
@@ -49,21 +57,23 @@ fn row(text: &mut String, unit: &Unit, depth: usize) {
     let times = if unit.instances > 1 { format!(" x {}", unit.instances) } else { String::new() };
     let name = format!("{:1$}{2}{times}", "", 2 * depth, unit.entity);
     let _ = write!(text, "{name:NAME$}");
-    let (p, a) = (unit.predicted * unit.instances, unit.actual.resources * unit.instances);
-    let columns = [
-        (p.multipliers, a.multipliers),
-        (p.luts, a.luts),
-        (p.memory_luts, a.memory_luts),
-        (p.flip_flops, a.flip_flops),
-        (p.carry, a.carry),
-    ];
-    for (predicted, actual) in columns {
-        let _ = write!(text, "{predicted:>7} |{actual:>6}{:>7}", difference(predicted, actual));
+    let predicted = columns(unit.predicted * unit.instances);
+    match unit.actual.map(|cells| columns(cells.resources * unit.instances)) {
+        Some(actual) => predicted.into_iter().zip(actual).for_each(|(predicted, actual)| {
+            let _ = write!(text, "{predicted:>7} |{actual:>6}{:>7}", difference(predicted, actual));
+        }),
+        None => predicted.into_iter().for_each(|predicted| {
+            let _ = write!(text, "{predicted:>13}");
+        }),
     }
     text.push('\n');
     for part in &unit.parts {
         row(text, part, depth + 1);
     }
+}
+
+fn columns(cells: Resources) -> [u64; 5] {
+    [cells.multipliers, cells.luts, cells.memory_luts, cells.flip_flops, cells.carry]
 }
 
 /// By how much the prediction is above what there is, in per cent of the latter.
@@ -76,22 +86,22 @@ fn difference(predicted: u64, actual: u64) -> String {
 }
 
 fn shares(text: &mut String, report: &Report) {
-    let (cells, capacity) = (report.top.actual, report.counted_for.capacity);
+    let (cells, capacity) = (report.cells(), report.counted_for.capacity);
     let share = |used: u64, all: u64| format!("{used} of {all} ({:.1} %)", 100.0 * used as f64 / all as f64);
-    let luts = cells.resources.luts + cells.resources.memory_luts;
+    let luts = cells.luts + cells.memory_luts;
     let _ = writeln!(
         text,
         "{}: {} multipliers, {} LUTs with shift registers and memory, {} flip-flops",
         report.counted_for.name,
-        share(cells.resources.multipliers, capacity.multipliers),
+        share(cells.multipliers, capacity.multipliers),
         share(luts, capacity.luts),
-        share(cells.resources.flip_flops, capacity.flip_flops),
+        share(cells.flip_flops, capacity.flip_flops),
     );
-    if cells.registered_multipliers > 0 {
+    if let Some(mapped) = report.top.actual.filter(|cells| cells.registered_multipliers > 0) {
         let _ = writeln!(
             text,
             "{} of the multipliers are MULT18X18S and take up {} flip-flops, which are not counted above",
-            cells.registered_multipliers, cells.absorbed_flip_flops
+            mapped.registered_multipliers, mapped.absorbed_flip_flops
         );
     }
     if let Some(slices) = report.slices() {
