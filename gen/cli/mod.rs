@@ -13,6 +13,7 @@ mod mutate;
 mod output;
 mod params;
 mod progress;
+mod scene;
 mod source;
 mod stress;
 mod synth;
@@ -45,6 +46,7 @@ enum Command {
     Wall(wall::Arguments),
     Mutate(mutate::Arguments),
     Synth(synth::Arguments),
+    Scene(scene::Arguments),
 }
 
 /// Runs the command line of the process.
@@ -59,6 +61,7 @@ pub fn main() -> ExitCode {
             Command::Wall(arguments) => wall::run(&arguments),
             Command::Mutate(arguments) => mutate::run(&arguments),
             Command::Synth(arguments) => synth::run(&arguments),
+            Command::Scene(arguments) => scene::run(&arguments),
         },
         Err(e) if !e.use_stderr() => output::print(&e.render().to_string()),
         Err(e) => {

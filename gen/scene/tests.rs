@@ -1,7 +1,7 @@
 //! Tests of scenes: the default one, scene files and their faults, poses, and that no pair is missed.
 
 use super::*;
-use crate::mesh;
+use crate::mesh::{self, Bounds, Defect};
 use nalgebra::{Matrix3, Point3, Vector3};
 use num_bigint::BigInt;
 use num_traits::Float;
@@ -19,16 +19,22 @@ fn parse(lines: &str) -> Result<Scene, SceneError> {
     file::parse(&text, Path::new("x.toml"))
 }
 
+/// The poses of the last object.
+fn moved(scene: &Scene) -> Vec<Pose> {
+    (0..scene.frames()).map(|frame| *scene.frame(frame).poses.last().unwrap()).collect()
+}
+
 #[test]
 fn the_default_scene_is_its_file() {
     let scene = Scene::default_scene();
     assert_eq!(load(&scene_folder().join("headlight.toml")).unwrap(), scene);
-    assert_eq!((scene.name.as_str(), scene.poses.len()), ("headlight", 7 * 360));
-    assert!(Arc::ptr_eq(&scene.a, &scene.b));
-    let last = &scene.poses[6 * 360 + 90];
+    assert_eq!((scene.name.as_str(), scene.frames()), ("headlight", 7 * 360));
+    assert!(Arc::ptr_eq(&scene.objects[0].mesh, &scene.objects[1].mesh));
+    let last = scene.frame(6 * 360 + 90);
     assert_eq!((last.label.as_str(), last.distance), ("distance 1.45 step 90", Some(1.45)));
-    assert_eq!(last.rotation, Matrix3::new(0., -1., 0., 0., 0., -1., 1., 0., 0.));
-    assert!(scene.poses.iter().all(|p| p.rotation.iter().all(|x| x.abs() <= 1.0)));
+    assert_eq!(last.poses[0], Pose::identity());
+    assert_eq!(last.poses[1].rotation, Matrix3::new(0., -1., 0., 0., 0., -1., 1., 0., 0.));
+    assert!(moved(&scene).iter().all(|p| p.rotation.iter().all(|x| x.abs() <= 1.0)));
 }
 
 #[test]
@@ -44,10 +50,11 @@ fn a_mesh_against_itself_tumbles_like_the_default_scene() {
 #[test]
 fn the_centres_of_a_tumbling_turn_are_at_the_distance() {
     let scene = parse("[tumble]\nsteps = 7\ndistances = [0.5, 3]\ndirection = [3e200, 4e200, 0]").unwrap();
-    let centre = scene.a.bounds().centre();
-    for pose in &scene.poses {
+    let centre = scene.objects[0].mesh.bounds().centre();
+    for frame in (0..scene.frames()).map(|frame| scene.frame(frame)) {
+        let pose = frame.poses[1];
         let offset = pose.rotation * centre + pose.translation - centre;
-        let expected = Vector3::new(0.6, 0.8, 0.0) * 122.0 * pose.distance.unwrap();
+        let expected = Vector3::new(0.6, 0.8, 0.0) * 122.0 * frame.distance.unwrap();
         assert!((offset - expected).norm() < 1e-12);
         let square = pose.rotation * pose.rotation.transpose();
         assert!((square - Matrix3::identity()).amax() < 1e-15 && pose.rotation.determinant() > 0.9);
@@ -57,7 +64,8 @@ fn the_centres_of_a_tumbling_turn_are_at_the_distance() {
 #[test]
 fn the_second_scene_is_read() {
     let scene = load(&scene_folder().join("bolt_nut.toml")).unwrap();
-    assert_eq!((scene.a.faces.len(), scene.b.faces.len(), scene.poses.len()), (9320, 4218, 9));
+    let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.faces.len());
+    assert_eq!((a, b, scene.frames()), (9320, 4218, 9));
 }
 
 #[test]
@@ -69,13 +77,14 @@ fn explicit_poses_and_scales_are_read() {
          [[pose]]\naxis = [1, 2, -2]\nangle_degrees = 120\n[[pose]]\nquaternion = [1.5, 1.5, 3, -3]",
     )
     .unwrap();
-    assert_eq!(scene.b.bounds().half_size(), 61.0);
-    assert_eq!(scene.a.bounds().half_size(), 122.0);
-    let [id, matrix, turn, quaternion, by_angle, by_quaternion] = &scene.poses[..] else { panic!("six poses") };
-    assert_eq!((id.label.as_str(), id.rotation, id.translation), ("pose 0", Matrix3::identity(), Vector3::zeros()));
+    assert_eq!(scene.objects[1].mesh.bounds().half_size(), 61.0);
+    assert_eq!(scene.objects[0].mesh.bounds().half_size(), 122.0);
+    assert_eq!([0, 2].map(|frame| scene.frame(frame).label), ["pose 0", "turn"]);
+    let [id, matrix, turn, quaternion, by_angle, by_quaternion] = moved(&scene)[..] else { panic!("six poses") };
+    assert_eq!(id, Pose::identity());
     assert_eq!(matrix.rotation[(0, 2)], 3.0);
     assert_eq!(matrix.translation, Vector3::new(1.0, 2.0, 3.0));
-    assert_eq!((turn.label.as_str(), turn.rotation), ("turn", Matrix3::new(0., -1., 0., 1., 0., 0., 0., 0., 1.)));
+    assert_eq!(turn.rotation, Matrix3::new(0., -1., 0., 1., 0., 0., 0., 0., 1.));
     assert_eq!(quaternion.rotation, turn.rotation);
     // The quaternion is 1.5 (1 + 3 k) for the unit axis k, so the tangent of half its angle is 3.
     let degrees = 2.0 * 3f64.atan().to_degrees();
@@ -145,7 +154,8 @@ fn exact(x: f64) -> BigInt {
 }
 
 /// Exact boxes of B's triangles in A's frame, in units of 2^-2150.
-fn exact_boxes(mesh: &Mesh, m: &Matrix3<f64>, t: &Vector3<f64>) -> Vec<[(BigInt, BigInt); 3]> {
+fn exact_boxes(mesh: &Mesh, pose: &Pose) -> Vec<[(BigInt, BigInt); 3]> {
+    let Pose { rotation: m, translation: t } = pose;
     let row = |i: usize, x: &Point3<f64>| {
         let translation = exact(t[i]) << 1075u32;
         (0..3).fold(translation, |sum, j| sum + exact(m[(i, j)]) * exact(x[j]))
@@ -181,8 +191,9 @@ fn no_pair_of_exact_boxes_is_missed() {
             _ => pose::axis_angle(axis, rng.random_range(-180.0..180.0)),
         };
         let t = Vector3::from([0; 3].map(|_| f64::from(rng.random_range(-9..=9)) * scale));
-        let found = candidates(&Tree::new(&a), &Tree::new(&b), &m, &t);
-        let boxes = (exact_boxes(&a, &Matrix3::identity(), &Vector3::zeros()), exact_boxes(&b, &m, &t));
+        let pose = Pose { rotation: m, translation: t };
+        let found = candidates(&Tree::new(&a), &Tree::new(&b), &pose);
+        let boxes = (exact_boxes(&a, &Pose::identity()), exact_boxes(&b, &pose));
         for (p, x) in (0..).zip(&boxes.0) {
             for (q, y) in (0..).zip(&boxes.1) {
                 let overlap = x.iter().zip(y).all(|(x, y)| x.0 <= y.1 && y.0 <= x.1);
@@ -203,17 +214,16 @@ fn the_tree_agrees_with_brute_force_on_the_headlight() {
     let scene = Scene::default_scene();
     let broad_phase = scene.broad_phase();
     // The fullest of some poses of the smallest distance.
-    let number = (6 * 360..7 * 360).step_by(20).max_by_key(|&i| broad_phase.pairs(i).len()).unwrap();
-    let pose = &scene.poses[number];
-    let moved = Mesh {
-        vertices: scene.b.vertices.iter().map(|v| pose.rotation * v + pose.translation).collect(),
-        faces: scene.b.faces.clone(),
-    };
+    let meetings = (6 * 360..7 * 360).step_by(20).flat_map(|frame| broad_phase.meetings(frame));
+    let meeting = meetings.max_by_key(|meeting| broad_phase.pairs(meeting).len()).unwrap();
+    let [fixed, tumbling] = broad_phase.meshes(&meeting);
+    let vertices = tumbling.vertices.iter().map(|v| meeting.pose.image(v)).collect();
+    let moved = Mesh { vertices, faces: tumbling.faces.clone() };
     let boxes = |mesh: &Mesh| (0..mesh.faces.len()).map(|i| mesh::Bounds::of(&mesh.triangle(i))).collect::<Vec<_>>();
-    let (a, b) = (boxes(&scene.a), boxes(&moved));
+    let (a, b) = (boxes(fixed), boxes(&moved));
     // Every fifth triangle of A: the rest would only cost time.
     let tested = |p: usize| p % 5 == 0;
-    let pairs = broad_phase.pairs(number);
+    let pairs = broad_phase.pairs(&meeting);
     let found: std::collections::BTreeSet<_> = pairs.into_iter().filter(|&(p, _)| tested(p as usize)).collect();
     assert!(!found.is_empty());
     let mut count = 0;
@@ -233,8 +243,8 @@ fn pairs_come_in_order_whatever_the_number_of_threads() {
         let mut seen = Vec::new();
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            scene.broad_phase().try_for_each(|pose, pairs| {
-                seen.push((pose, pairs.to_vec()));
+            scene.broad_phase().try_for_each(|meeting, pairs| {
+                seen.push((meeting.clone(), pairs.to_vec()));
                 Ok::<(), ()>(())
             })
         })
@@ -243,12 +253,12 @@ fn pairs_come_in_order_whatever_the_number_of_threads() {
     };
     let seen = run(1);
     assert_eq!(seen, run(3));
-    assert!(seen.iter().map(|(pose, _)| *pose).eq(0..24) && seen.iter().any(|(_, pairs)| !pairs.is_empty()));
+    assert!(seen.windows(2).all(|w| w[0].0.frame < w[1].0.frame) && seen.iter().any(|(_, pairs)| !pairs.is_empty()));
     assert!(seen.iter().all(|(_, pairs)| pairs.windows(2).all(|w| w[0] < w[1])));
     let mut calls = 0;
-    let stopped = scene.broad_phase().try_for_each(|pose, _| {
+    let stopped = scene.broad_phase().try_for_each(|_, _| {
         calls += 1;
-        if pose == 2 {
+        if calls == 3 {
             Err("enough")
         } else {
             Ok(())
@@ -260,6 +270,6 @@ fn pairs_come_in_order_whatever_the_number_of_threads() {
 #[test]
 fn a_mesh_without_triangles_has_no_pairs() {
     let (empty, one) = (Mesh::default(), mesh::headlight());
-    let pairs = candidates(&Tree::new(&empty), &Tree::new(&one), &Matrix3::identity(), &Vector3::zeros());
+    let pairs = candidates(&Tree::new(&empty), &Tree::new(&one), &Pose::identity());
     assert!(pairs.is_empty());
 }
