@@ -171,8 +171,14 @@ fn rows_and_summaries_do_not_depend_on_the_number_of_threads() {
 
 /// The eight corners of a box as an OBJ file, with its twelve triangles.
 fn block(size: [f64; 3]) -> String {
-    let corner = |i: usize| format!("v {} {} {}\n", size[0] * f64::from(i as u32 & 1),
-        size[1] * f64::from(i as u32 >> 1 & 1), size[2] * f64::from(i as u32 >> 2 & 1));
+    let corner = |i: usize| {
+        format!(
+            "v {} {} {}\n",
+            size[0] * f64::from(i as u32 & 1),
+            size[1] * f64::from(i as u32 >> 1 & 1),
+            size[2] * f64::from(i as u32 >> 2 & 1)
+        )
+    };
     let faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
     (0..8).map(corner).collect::<String>() + faces
 }
@@ -183,7 +189,9 @@ fn scenes_of_many_objects_meet_where_boxes_do() {
     let home = tempfile::tempdir().unwrap();
     fs::write(home.path().join("block.obj"), block([1.0, 1.0, 1.0])).unwrap();
     let objects: String = (0..10)
-        .map(|i| format!("[[object]]\nname = \"o{i}\"\nmesh = \"block.obj\"\nplaced = {{ translation = [{i}, 0, 0] }}\n"))
+        .map(|i| {
+            format!("[[object]]\nname = \"o{i}\"\nmesh = \"block.obj\"\nplaced = {{ translation = [{i}, 0, 0] }}\n")
+        })
         .collect();
     let moves = "[[pose]]\nlabel = \"as it was\"\nobject = \"o4\"\ntranslation = [4, 0, 0]\n\
         [[pose]]\nlabel = \"away\"\nobject = \"o4\"\ntranslation = [4, 5, 0]\n\
@@ -217,11 +225,13 @@ fn broken_faces_are_reported_and_the_scene_goes_on() {
     let home = tempfile::tempdir().unwrap();
     fs::write(home.path().join("good.obj"), block([1.0, 1.0, 1.0])).unwrap();
     fs::write(home.path().join("bad.obj"), block([1.0, 1.0, 1.0]) + "f 1 2 99\nf 1 2\nf 1 1 2\n").unwrap();
-    let scene = "name = \"b\"\n[a]\nmesh = \"good.obj\"\n[b]\nmesh = \"bad.obj\"\n[[pose]]\ntranslation = [0.5, 0.5, 0.5]\n";
+    let scene =
+        "name = \"b\"\n[a]\nmesh = \"good.obj\"\n[b]\nmesh = \"bad.obj\"\n[[pose]]\ntranslation = [0.5, 0.5, 0.5]\n";
     fs::write(home.path().join("b.toml"), scene).unwrap();
     let (status, output, errors) = efsat(home.path(), "scene pairs b.toml --json", "2");
     assert_eq!(status, Some(0), "{errors}");
-    let expected = "warning: b.toml: object b: faces left out: 1 with fewer than three corners (first: line 16: a face of \
+    let expected =
+        "warning: b.toml: object b: faces left out: 1 with fewer than three corners (first: line 16: a face of \
         2 vertices), 1 with a vertex out of range (first: line 15: vertex '99' in a file of 8); faces kept: 1 \
         degenerate (first: triangle 12)\n";
     assert_eq!(errors, expected);

@@ -4,9 +4,9 @@
 use efsat::exact::{linear_programme, posed_relation, relation, Exact};
 use efsat::golden::host::{loose_pair, Host, SceneHost};
 use efsat::golden::{sample, Golden, Pair, Pose, Verdict};
+use efsat::mesh::Mesh;
 use efsat::number::{Interval, Upper};
 use efsat::params::Params;
-use efsat::mesh::Mesh;
 use efsat::scene::{load, BroadPhase, Meeting, Scene};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;

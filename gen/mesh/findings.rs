@@ -25,8 +25,7 @@ pub enum Defect {
 
 impl Defect {
     /// All of them; those whose faces are left out come first.
-    pub const ALL: [Self; 5] =
-        [Self::FewCorners, Self::OutOfRange, Self::NonFinite, Self::Degenerate, Self::Duplicate];
+    pub const ALL: [Self; 5] = [Self::FewCorners, Self::OutOfRange, Self::NonFinite, Self::Degenerate, Self::Duplicate];
 
     /// Whether a face of that kind stays in the mesh.
     pub fn is_kept(self) -> bool {

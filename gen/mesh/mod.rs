@@ -132,7 +132,8 @@ impl Parsed {
 /// against 5947). Millimetres; its lens faces +z.
 pub fn headlight() -> Arc<Mesh> {
     static MESH: OnceLock<Arc<Mesh>> = OnceLock::new();
-    let mesh = MESH.get_or_init(|| Arc::new(stl::parse(HEADLIGHT).expect("the built-in mesh is a valid STL file").mesh));
+    let mesh =
+        MESH.get_or_init(|| Arc::new(stl::parse(HEADLIGHT).expect("the built-in mesh is a valid STL file").mesh));
     Arc::clone(mesh)
 }
 

@@ -124,7 +124,11 @@ fn header_fault(message: &str) -> Fault {
 /// The header must declare coordinates and faces in a shape that can be used.
 fn check(header: &Header) -> Result<(), Fault> {
     let element = |name: &str| {
-        header.elements.values().find(|e| e.name == name).ok_or_else(|| Fault::new(format!("no element {name}"), HEADER))
+        header
+            .elements
+            .values()
+            .find(|e| e.name == name)
+            .ok_or_else(|| Fault::new(format!("no element {name}"), HEADER))
     };
     let (vertex, face) = (element("vertex")?, element("face")?);
     for axis in ["x", "y", "z"] {
@@ -132,9 +136,7 @@ fn check(header: &Header) -> Result<(), Fault> {
             return Err(Fault::new(format!("no number {axis} of a vertex"), HEADER));
         }
     }
-    let is_list = |kind: &PropertyType| {
-        matches!(kind, PropertyType::List(_, item) if !matches!(item, ScalarType::Float | ScalarType::Double))
-    };
+    let is_list = |kind: &PropertyType| matches!(kind, PropertyType::List(_, item) if !matches!(item, ScalarType::Float | ScalarType::Double));
     if !face.properties.iter().any(|(name, p)| is_corners(name) && is_list(&p.data_type)) {
         return Err(Fault::new("no list of vertex indices of a face", HEADER));
     }
@@ -186,6 +188,9 @@ impl Payload<'_> {
         match self.header.encoding {
             Encoding::Ascii => {
                 let text = String::from_utf8_lossy(bytes);
+                if let Some(read) = without_number(&text, element, &fault)? {
+                    return Ok(read);
+                }
                 if !lists_fit(&text, element) {
                     return Err(fault("a list with fewer numbers than it announces".to_owned()));
                 }
@@ -218,6 +223,21 @@ impl Payload<'_> {
         }
         (length <= self.rest.len()).then_some(length)
     }
+}
+
+/// A vertex with a coordinate that is not finite, which the crate does not read; a fault for what is no number.
+fn without_number(line: &str, element: &ElementDef, fault: impl Fn(String) -> Fault) -> Result<Option<Element>, Fault> {
+    let words: Vec<&str> = line.split_whitespace().collect();
+    for word in &words {
+        match word.parse::<f64>() {
+            Ok(x) if x.is_finite() => {}
+            Ok(x) if element.name == "vertex" && words.len() >= element.properties.len() => {
+                return Ok(Some(Element { point: [x; 3], corners: vec![] }));
+            }
+            _ => return Err(fault(format!("'{word}' is no finite number"))),
+        }
+    }
+    Ok(None)
 }
 
 /// Whether the lists of an ASCII element are not longer than its line: the crate reserves what a list announces.

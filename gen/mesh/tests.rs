@@ -95,7 +95,7 @@ fn every_fault_of_a_ply_file_is_one_clear_line() {
         (huge("int vertex_indices", "float vertex_indices"), "no list of vertex indices of a face: legal"),
         (huge("element face 2", "element face 0"), "no face: legal"),
         (huge("element face 2", "element face 4000000000"), "21: face 2: the file ends before it, of 4000000000"),
-        (huge("0 1 0.5 9", "0 one 0.5 9"), "16: vertex 2: "),
+        (huge("0 1 0.5 9", "0 one 0.5 9"), "16: vertex 2: 'one' is no finite number: legal are"),
         (huge("3 0 1 2", "4000000000000 0 1 2"), "19: face 0: a list with fewer numbers than it announces: legal"),
         (huge("3 0 1 2", "3 0 1 9"), "19: face 0 has vertex 9 in a file of 4: legal are three or more"),
         (huge("3 0 1 2", "2 0 1"), "19: face 0 has 2 vertices: legal"),

@@ -13,11 +13,7 @@ pub(super) enum Motion {
     /// A turn at several distances.
     Tumble(Tumble),
     /// One frame in which one object stands elsewhere.
-    Single {
-        label: String,
-        object: usize,
-        pose: Pose,
-    },
+    Single { label: String, object: usize, pose: Pose },
     /// Objects along key frames.
     Trajectory(Trajectory),
 }

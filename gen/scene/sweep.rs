@@ -60,8 +60,10 @@ fn sort_and_sweep(boxes: &[Bounds]) -> Vec<(usize, usize)> {
     let mut open: Vec<usize> = vec![];
     let mut pairs = vec![];
     for i in order {
+        let begin = boxes[i].min[axis];
         // A bound that is no number keeps its box open.
-        open.retain(|&j| !(boxes[j].max[axis] < boxes[i].min[axis]));
+        let has_ended = |j: usize| boxes[j].max[axis] < begin;
+        open.retain(|&j| !has_ended(j));
         let meets = |j: &&usize| !disjoint(&boxes[i], &boxes[**j]);
         pairs.extend(open.iter().filter(meets).map(|&j| (i.min(j), i.max(j))));
         open.push(i);

@@ -93,6 +93,205 @@ fn explicit_poses_and_scales_are_read() {
     assert!(by_angle.rotation.trace().abs() < 1e-15, "1 + 2 cos 120 degrees");
 }
 
+/// Three objects of the built-in mesh.
+fn three(lines: &str) -> Result<Scene, SceneError> {
+    let object = |name: &str| format!("[[object]]\nname = '{name}'\nmesh = 'builtin:headlight'\n");
+    let text = format!("name = 'x'\n{}{}{}{lines}", object("p"), object("q"), object("r"));
+    file::parse(&text, Path::new("x.toml"))
+}
+
+#[test]
+fn objects_stand_where_they_are_placed_and_move_alone() {
+    let scene = three(
+        "placed = { translation = [1, 2, 3], axis = [0, 0, 1], angle_degrees = 90, about = [10, 0, 0] }\n\
+         [[pose]]\nobject = 'q'\ntranslation = [7, 0, 0]\n[[pose]]\nquaternion = [0, 1, 0, 0]\n",
+    )
+    .unwrap();
+    assert_eq!(scene.objects.iter().map(|object| object.name.as_str()).collect::<Vec<_>>(), ["p", "q", "r"]);
+    let quarter = Matrix3::new(0., -1., 0., 1., 0., 0., 0., 0., 1.);
+    // The point (10, 0, 0) goes where the translation alone would take it.
+    let placed = Pose { rotation: quarter, translation: Vector3::new(11.0, -8.0, 3.0) };
+    assert_eq!(placed.image(&Point3::new(10.0, 0.0, 0.0)), Point3::new(11.0, 2.0, 3.0));
+    assert_eq!(scene.objects[2].placed, placed);
+    let at = |x: f64| Pose { translation: Vector3::new(x, 0.0, 0.0), ..Pose::identity() };
+    assert_eq!(scene.frame(0).poses, [at(0.0), at(7.0), placed]);
+    let turned = Pose { rotation: Matrix3::from_diagonal(&Vector3::new(1., -1., -1.)), ..at(0.0) };
+    assert_eq!(scene.frame(1).poses, [at(0.0), at(0.0), turned]);
+    // Without any motion there is one frame; all three share a mesh.
+    let still = three("").unwrap();
+    assert_eq!((still.frames(), still.frame(0).label.as_str()), (1, "as placed"));
+    assert_eq!((still.meshes().0.len(), still.meshes().1), (1, vec![0, 0, 0]));
+    assert_eq!(
+        still.broad_phase().meetings(0).iter().map(|m| (m.a, m.b)).collect::<Vec<_>>(),
+        [(0, 1), (0, 2), (1, 2)]
+    );
+}
+
+#[test]
+fn units_and_cubes_scale_meshes() {
+    let file = |lines: &str| {
+        let text = format!("name = 'x'\n{lines}\n[b]\nmesh = 'builtin:headlight'\n[[pose]]\n");
+        file::parse(&text, Path::new("x.toml")).map(|scene| scene.objects[0].mesh.bounds().half_size())
+    };
+    let half = |lines: &str| file(lines).unwrap();
+    assert_eq!(half("unit = 'm'\n[a]\nmesh = 'builtin:headlight'\nunit = 'mm'"), 0.122);
+    assert_eq!(half("unit = 'mm'\n[a]\nmesh = 'builtin:headlight'\nunit = 'inch'\nscale = 2"), 244.0 * 25.4);
+    assert_eq!(half("[a]\nmesh = 'builtin:headlight'\nscale = 'cube'"), 1.0);
+    let fault = |lines: &str| file(lines).unwrap_err().to_string();
+    let own = fault("[a]\nmesh = 'builtin:headlight'\nunit = 'mm'");
+    assert_eq!(own, "x.toml:4: unit of an object in a scene without one: legal is unit at the top");
+    let league = fault("unit = 'm'\n[a]\nmesh = 'builtin:headlight'\nunit = 'league'");
+    assert_eq!(league, "x.toml:5: unit 'league': legal is one of um, mm, cm, m, inch, foot");
+    let parsec = fault("unit = 'parsec'\n[a]\nmesh = 'builtin:headlight'");
+    assert!(parsec.starts_with("x.toml:2: unit 'parsec': legal"), "{parsec}");
+    let sphere = fault("[a]\nmesh = 'builtin:headlight'\nscale = 'sphere'");
+    assert_eq!(sphere, "x.toml:4: scale 'sphere': legal is a positive number or \"cube\"");
+}
+
+#[test]
+fn trajectories_go_through_their_keys() {
+    let scene = three(
+        "[[trajectory]]\nlabel = 'arm'\nframes = 5\n\
+         [[trajectory.track]]\nobject = 'q'\n\
+         key = [{ time = 1, translation = [8, 0, 0], axis = [0, 0, 1], angle_degrees = 720 }, { time = 3 }]\n\
+         [[trajectory.track]]\n\
+         key = [{ time = 2, quaternion = [1, 0, 0, 0] }, { time = 5, quaternion = [0, 0, -3, 0], translation = [0, 6, 0] }]\n",
+    )
+    .unwrap();
+    assert_eq!((scene.frames(), scene.frame(2).label.as_str()), (5, "arm 2"));
+    let frames: Vec<Frame> = (0..5).map(|frame| scene.frame(frame)).collect();
+    assert!(frames.iter().all(|frame| frame.poses[0] == Pose::identity()));
+    // Times 1, 2, 3, 4, 5: two turns back to nothing while it moves, then rest.
+    let ways = frames.iter().map(|frame| frame.poses[1].translation.x).collect::<Vec<_>>();
+    assert_eq!(ways, [8.0, 4.0, 0.0, 0.0, 0.0]);
+    assert_eq!(frames[0].poses[1].rotation, Matrix3::identity());
+    assert_eq!(frames[1].poses[1].rotation, Matrix3::identity(), "one turn");
+    // The other rests up to time 2 and turns half about y until 5: a third of the way is 60 degrees by quaternions
+    // interpolated in a line, or nearly so; the ends are exact.
+    assert_eq!(frames[0].poses[2], Pose::identity());
+    assert_eq!(frames[1].poses[2], Pose::identity());
+    assert_eq!(frames[4].poses[2].rotation, Matrix3::from_diagonal(&Vector3::new(-1., 1., -1.)));
+    assert_eq!(frames[4].poses[2].translation, Vector3::new(0.0, 6.0, 0.0));
+    let third = frames[2].poses[2];
+    assert_eq!(third.translation, Vector3::new(0.0, 2.0, 0.0));
+    // Half the angle has the tangent (1/3) / (2/3).
+    let expected = pose::axis_angle(Vector3::new(0., -1., 0.), 2.0 * 0.5f64.atan().to_degrees());
+    assert!((third.rotation - expected).amax() < 1e-15, "{third:?}");
+    let middle = three(
+        "[[trajectory]]\nframes = 3\n[[trajectory.track]]\n\
+         key = [{ time = 0, axis = [1, 0, 0], angle_degrees = 0 }, { time = 1, axis = [0, 0, 2], angle_degrees = 90 }]\n",
+    );
+    let halfway = middle.unwrap().frame(1).poses[2].rotation;
+    assert!((halfway - pose::axis_angle(Vector3::z(), 45.0)).amax() < 1e-15, "{halfway}");
+}
+
+#[test]
+fn every_fault_of_objects_and_trajectories_is_one_clear_line() {
+    let key = "[[trajectory.track]]\n[[trajectory.track.key]]\n";
+    let cases = [
+        ("name = 'r'".to_owned(), "x.toml:11: duplicate key"),
+        ("[[object]]\nname = 'p'\nmesh = 'builtin:headlight'".to_owned(), "x.toml:11: a second object 'p'"),
+        ("[[object]]\nmesh = 'builtin:headlight'".to_owned(), "x.toml:11: an object without a name"),
+        ("[a]\nmesh = 'builtin:headlight'".to_owned(), "x.toml:2: [[object]] beside [a] or [b]: legal are two tables"),
+        ("placed = { angle_degrees = 3 }".to_owned(), "x.toml:11: pose: legal is one of matrix"),
+        ("[[pose]]\nobject = 's'".to_owned(), "x.toml:12: object 's': legal is one of p, q, r"),
+        (
+            "[[pose]]\nobject = 'p'\nmatrix = [1, 0, 0, 0, 1, 0, 0, 0, 2]".to_owned(),
+            "x.toml: pose 0: the matrix of p is",
+        ),
+        ("[[pose]]\nabout = [inf, 0, 0]".to_owned(), "x.toml:12: about holds inf"),
+        (
+            "[tumble]\nsteps = 1\ndistances = [1]\nobject = 'p'".to_owned(),
+            "x.toml:14: 'p' around itself: legal are two",
+        ),
+        ("[[trajectory]]\nframes = 1\n".to_owned(), "x.toml:11: a trajectory without a track"),
+        ("[[trajectory]]\nframes = 3\n[[trajectory.track]]\n".to_owned(), "x.toml:13: a track without a key"),
+        (format!("[[trajectory]]\nframes = 1\n{key}time = 0\n"), "x.toml:12: frames 1: legal is 2 to 1000000"),
+        (format!("[[trajectory]]\nframes = 9\n{key}time = nan\n"), "x.toml:15: time NaN: legal is a finite number"),
+        (format!("[[trajectory]]\nframes = 9\n{key}time = 0\nmatrix = [1]"), "x.toml:16: unknown field `matrix`"),
+        (
+            format!("[[trajectory]]\nframes = 9\n{key}time = 1\n[[trajectory.track.key]]\ntime = 1"),
+            "x.toml:17: time 1: legal",
+        ),
+        (format!("[[trajectory]]\nframes = 9\n{key}time = 1\n{key}time = 1"), "x.toml:16: a second track of 'r'"),
+        (
+            format!("[[trajectory]]\nframes = 9\n{key}time = 1\naxis = [0, 0, 1]"),
+            "x.toml:14: pose: legal is one of axis",
+        ),
+        (
+            format!("[[trajectory]]\nframes = 900000\n{key}time = 1\n[[trajectory]]\nframes = 100001\n{key}time = 1"),
+            "x.toml:17: 1000001 frames in all",
+        ),
+    ];
+    let mut wrong = vec![];
+    for (lines, expected) in cases {
+        let found = three(&lines).map_or_else(|e| e.to_string(), |_| "no fault".to_owned());
+        if !found.starts_with(expected) || found.contains('\n') {
+            wrong.push(format!("{lines:?}: {found}, not {expected}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let none = file::parse("name = 'x'", Path::new("x.toml")).unwrap_err().to_string();
+    assert!(none.starts_with("x.toml: no object: legal are two tables [a] and [b], or"), "{none}");
+    let one = file::parse("name = 'x'\n[a]\nmesh = 'm.stl'", Path::new("x.toml")).unwrap_err().to_string();
+    assert!(one.starts_with("x.toml:2: [a] without [b]: legal"), "{one}");
+}
+
+/// Objects seen from one that is itself turned: no pair of triangles that touch is missing from the meetings, and
+/// those that touch by construction are found.
+#[test]
+fn no_meeting_of_turned_objects_is_missed() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    let mut met = 0;
+    for round in 0..40 {
+        let count = 6;
+        let meshes: Vec<Mesh> = (0..count).map(|_| random_mesh(&mut rng, 2, 1.0)).collect();
+        let poses: Vec<Pose> = (0..count)
+            .map(|_| {
+                let axis = Vector3::from([0; 3].map(|_| rng.random_range(-1.0..1.0)));
+                let degrees = if round % 2 == 0 {
+                    90.0 * f64::from(rng.random_range(0..4))
+                } else {
+                    rng.random_range(0.0..360.0)
+                };
+                let rotation = pose::axis_angle(if round % 2 == 0 { Vector3::y() } else { axis }, degrees);
+                Pose { rotation, translation: Vector3::from([0; 3].map(|_| f64::from(rng.random_range(-24..=24)))) }
+            })
+            .collect();
+        let boxes: Vec<Bounds> = meshes.iter().map(Mesh::bounds).collect();
+        let found = sweep::overlapping(&boxes, &poses);
+        for i in 0..count {
+            for j in i + 1..count {
+                let seen = poses[i].seen(&poses[j]);
+                let m = [0, 1, 2].map(|r| [0, 1, 2].map(|c| seen.rotation[(r, c)]));
+                let corners = |mesh: &Mesh, face: usize| mesh.triangle(face).map(<[f64; 3]>::from);
+                let touch = (0..4).any(|k| {
+                    let (x, y) = (corners(&meshes[i], k / 2), corners(&meshes[j], k % 2));
+                    crate::exact::posed_pair(&x, &y, &m, &seen.translation.into()) != crate::exact::Exact::Separate
+                });
+                assert!(!touch || found.contains(&(i, j)), "round {round}: {i} and {j}");
+                met += usize::from(touch);
+            }
+        }
+        assert!(found.len() < 15);
+    }
+    assert!(met > 40, "{met} pairs of objects touch");
+}
+
+#[test]
+fn findings_of_a_mesh_are_those_of_its_objects() {
+    let folder = tempfile::tempdir().unwrap();
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\nf 1 2 7\n";
+    std::fs::write(folder.path().join("m.obj"), obj).unwrap();
+    let text = "name = 'x'\n[a]\nmesh = 'm.obj'\n[b]\nmesh = 'm.obj'\n[[pose]]\n";
+    let scene = file::parse(text, &folder.path().join("x.toml")).unwrap();
+    assert!(Arc::ptr_eq(&scene.objects[0].mesh, &scene.objects[1].mesh));
+    for object in &scene.objects {
+        let defects: Vec<_> = object.findings.list.iter().map(|finding| (finding.defect, finding.count)).collect();
+        assert_eq!(defects, [(Defect::OutOfRange, 1), (Defect::Duplicate, 1)]);
+    }
+}
+
 #[test]
 fn every_fault_of_a_scene_file_is_one_clear_line() {
     let cases = [

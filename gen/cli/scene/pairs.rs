@@ -12,7 +12,7 @@ use crate::golden::{Golden, Verdict};
 use crate::mesh::Findings;
 use crate::params::Params;
 use crate::scene::hierarchy::{first_hit, pairs, Directions, Forest, Scratch, Statistics};
-use crate::scene::{Meeting, Scene};
+use crate::scene::{Frame, Meeting, Object, Scene};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};
@@ -32,7 +32,7 @@ pub(super) struct Arguments {
     /// Directions of the bounding volumes
     #[arg(long, value_name = "K", default_value = "18", value_parser = directions, allow_negative_numbers = true)]
     k: Directions,
-    /// Stop in every frame at the first pair of triangles that touch
+    /// Stop at the first pair of triangles that touch, in every meeting of two objects
     #[arg(long)]
     first_hit: bool,
     /// Print the mean and the greatest row of each distance instead of the rows
@@ -103,7 +103,7 @@ impl Search<'_> {
     fn row(&self, frame: usize, scratch: &mut Scratch) -> Row {
         let meetings = self.stage.broad_phase.meetings(frame);
         let counts = meetings.iter().fold(Counts::default(), |sum, meeting| sum.plus(&self.meeting(meeting, scratch)));
-        let crate::scene::Frame { label, distance, .. } = self.scene.frame(frame);
+        let Frame { label, distance, .. } = self.scene.frame(frame);
         Row { frame, label, distance, counts }
     }
 
@@ -151,12 +151,9 @@ impl Sink {
         }
         let mut out = BufWriter::new(io::stdout().lock());
         if arguments.json {
-            let object = |object: &crate::scene::Object| {
-                let report = ObjectReport {
-                    name: &object.name,
-                    triangles: object.mesh.faces.len(),
-                    findings: &object.findings,
-                };
+            let object = |object: &Object| {
+                let report =
+                    ObjectReport { name: &object.name, triangles: object.mesh.faces.len(), findings: &object.findings };
                 json(&report)
             };
             let objects: Vec<String> = scene.objects.iter().map(object).collect();

@@ -93,7 +93,9 @@ fn check(scene: &Scene) -> Result<(), Fault> {
             let legal = "legal are smaller meshes or distances";
             return Err(Fault::whole(format!("{label}: the translation of {name} overflows: {legal}")));
         }
-        if object < last && !(sweep::skew(&pose.rotation) <= sweep::SKEW) {
+        // The product may overflow to what is no number.
+        let turns = sweep::skew(&pose.rotation) <= sweep::SKEW;
+        if object < last && !turns {
             let legal = "legal are rotations to within 2^-20, and any matrix for the last object";
             return Err(Fault::whole(format!("{label}: the matrix of {name} is no rotation: {legal}")));
         }

@@ -78,16 +78,13 @@ fn same_mesh(x: &ObjectTable, y: &ObjectTable) -> bool {
 
 /// The mesh of a table in the units of the scene: factors are applied to the vertices, and these as rounded to binary64
 /// are the truth (a power of two rounds nothing).
-fn mesh_of(
-    table: &ObjectTable,
-    unit: Option<&Spanned<String>>,
-    folder: &Path,
-) -> Result<(Arc<Mesh>, Findings), Fault> {
+fn mesh_of(table: &ObjectTable, unit: Option<&Spanned<String>>, folder: &Path) -> Result<(Arc<Mesh>, Findings), Fault> {
     let source = table.mesh.get_ref();
     let (mesh, findings) = match source.strip_prefix("builtin:") {
         None => {
             let read = mesh::survey(&folder.join(source));
-            read.map(|(mesh, findings)| (Arc::new(mesh), findings)).map_err(|e| Fault::at(&table.mesh, e.to_string()))?
+            read.map(|(mesh, findings)| (Arc::new(mesh), findings))
+                .map_err(|e| Fault::at(&table.mesh, e.to_string()))?
         }
         Some(_) if source == HEADLIGHT => (mesh::headlight(), Findings::default()),
         Some(_) => {

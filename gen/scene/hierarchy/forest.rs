@@ -1,6 +1,6 @@
 //! The trees of a scene.
 
-use super::{DopTree, Directions};
+use super::{Directions, DopTree};
 use crate::scene::{Meeting, Scene};
 use rayon::prelude::*;
 

@@ -59,13 +59,8 @@ fn traverse<T>(
     mut visit: impl FnMut((u32, u32)) -> ControlFlow<T>,
 ) -> (Statistics, Option<T>) {
     assert_eq!(a.directions, b.directions, "the trees have the same directions");
-    let mut query = Query {
-        a,
-        b,
-        realignment: Realignment::new(a, b, pose),
-        scratch,
-        statistics: Statistics::default(),
-    };
+    let mut query =
+        Query { a, b, realignment: Realignment::new(a, b, pose), scratch, statistics: Statistics::default() };
     query.scratch.open.clear();
     query.scratch.known.clear();
     query.scratch.known.resize(b.len(), false);

@@ -68,10 +68,8 @@ mod tests {
             summary.add(distance, &Counts { touching, ..Counts::default() });
         }
         let table = summary.table();
-        let ends: Vec<(&str, &str)> = table
-            .lines()
-            .map(|line| (line.split("  ").next().unwrap(), line.rsplit(' ').next().unwrap()))
-            .collect();
+        let ends: Vec<(&str, &str)> =
+            table.lines().map(|line| (line.split("  ").next().unwrap(), line.rsplit(' ').next().unwrap())).collect();
         let expected = [
             ("distance", "touching"),
             ("1.5, mean", "2.5"),
