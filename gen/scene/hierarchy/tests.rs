@@ -115,7 +115,7 @@ fn exact_offset(points: &[Point3<f64>], h: [i8; 3], pose: &Pose, centre: &Point3
 fn realigned_offsets_hold_what_is_in_them() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     let (mut compared, mut tight) = (0, 0);
-    for round in 0..72 {
+    for round in 0..42 {
         let scales = [1.0, 0.1, 1e-3, 1e-160, 1e150, 1e-300, 1e5];
         let (of_a, of_b) = (scales[round % 7], if round % 5 == 0 { scales[round % 4] } else { scales[round % 7] });
         let far = [0.0, 1e3, 1e9][round % 3];
@@ -147,7 +147,7 @@ fn realigned_offsets_hold_what_is_in_them() {
             }
         }
     }
-    assert!(compared > 10_000 && tight * 4 > compared, "{tight} of {compared} within 64 steps");
+    assert!(compared > 5_000 && tight * 4 > compared, "{tight} of {compared} within 64 steps");
 }
 
 /// The error of the fixed point: 2 steps and 9 * 2^(20 - places) g_B / g_A, at most 20 for rotations of equal meshes.
