@@ -7,6 +7,7 @@ use clap::Subcommand;
 
 /// Looks at scenes: what touches, and what it takes to find out
 #[derive(Debug, clap::Args)]
+#[command(disable_help_subcommand = true)]
 pub(super) struct Arguments {
     #[command(subcommand)]
     command: Command,
