@@ -77,7 +77,7 @@ pub fn main() -> ExitCode {
 /// The names of the commands that may follow those on the command line.
 fn commands() -> Vec<String> {
     let mut command = CommandLine::command();
-    for argument in std::env::args().skip(1) {
+    for argument in std::env::args_os().skip(1) {
         match command.find_subcommand(&argument) {
             Some(found) => command = found.clone(),
             None => break,
