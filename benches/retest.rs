@@ -100,17 +100,18 @@ fn segments(rng: &mut ChaCha8Rng) -> Points {
 /// pose is applied in binary64, and the rounded points are the pairs.
 fn scene_pairs() -> [Vec<Points>; 2] {
     let (scene, params) = (Scene::default_scene(), Params::default());
-    let [a, b] = [&scene.a, &scene.b].map(|mesh| mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect::<Vec<_>>());
+    let meshes = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
+    let [a, b] = meshes.map(|mesh| mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect::<Vec<_>>());
     let (host, golden, broad_phase) = (SceneHost::new(&a, &b, &params), Golden::new(&params), scene.broad_phase());
     let [mut all, mut undecided] = [vec![], vec![]];
-    for pose in (0..scene.poses.len()).step_by(POSE_STEP) {
-        let (m, t) = (scene.poses[pose].rotation, scene.poses[pose].translation);
+    for meeting in (0..scene.frames()).step_by(POSE_STEP).flat_map(|frame| broad_phase.meetings(frame)) {
+        let m = meeting.pose.rotation;
         let rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)]));
-        let posed = host.pose(&rows, &t.into());
-        for (of_a, of_b) in broad_phase.pairs(pose) {
-            let (of_a, of_b) = (scene.a.faces[of_a as usize], scene.b.faces[of_b as usize]);
+        let posed = host.pose(&rows, &meeting.pose.translation.into());
+        for (of_a, of_b) in broad_phase.pairs(&meeting) {
+            let (of_a, of_b) = (meshes[0].faces[of_a as usize], meshes[1].faces[of_b as usize]);
             let [a0, a1, a2] = of_a.map(|i| a[i as usize]);
-            let [b0, b1, b2] = of_b.map(|i| (m * scene.b.vertices[i as usize] + t).into());
+            let [b0, b1, b2] = of_b.map(|i| meeting.pose.image(&meshes[1].vertices[i as usize]).into());
             all.push([a0, a1, a2, b0, b1, b2]);
             let verdict = match posed.pair(of_a, of_b) {
                 Host::Unit(pair) => golden.verdict(&posed.pose, &pair),

@@ -11,7 +11,7 @@ use efsat::golden::{Golden, Pair, Pose};
 use efsat::graph::evaluate::Evaluator;
 use efsat::mesh::Mesh;
 use efsat::params::{Axes, Params, Projections, Transform, Upper};
-use efsat::scene::Scene;
+use efsat::scene::{Meeting, Scene};
 use rand::{seq::IndexedRandom, SeedableRng};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashSet};
@@ -109,28 +109,30 @@ fn options(simulator: Simulator, probe: bool) -> Options {
     Options { simulator, keep: None, wave: None, probe }
 }
 
-/// The scene, a pose of it, and pairs of triangles that are candidates there.
-type SceneSample = (Scene, usize, Vec<(u32, u32)>);
+/// The scene, a meeting of it, and pairs of triangles that are candidates there.
+type SceneSample = (Scene, Meeting, Vec<(u32, u32)>);
 
 /// A few candidate pairs of the default scene in one of its poses, as the unit of a parameter set reads them.
 fn scene_segment(p: &Params) -> (Pose, Vec<Pair>) {
     static CHOSEN: OnceLock<SceneSample> = OnceLock::new();
-    let (scene, pose, pairs) = CHOSEN.get_or_init(|| {
+    let (scene, meeting, pairs) = CHOSEN.get_or_init(|| {
         let scene = Scene::default_scene();
         let broad_phase = scene.broad_phase();
-        let candidates = (0..scene.poses.len()).step_by(30).map(|pose| (pose, broad_phase.pairs(pose)));
-        let (pose, all) = candidates.max_by_key(|(_, pairs)| pairs.len()).expect("the scene has poses");
+        let meetings = (0..scene.frames()).step_by(30).flat_map(|frame| broad_phase.meetings(frame));
+        let candidates = meetings.map(|meeting| (broad_phase.pairs(&meeting), meeting));
+        let (all, meeting) = candidates.max_by_key(|(pairs, _)| pairs.len()).expect("the scene has poses");
         drop(broad_phase);
         let step = (all.len() / 8).max(1);
         let pairs = all.iter().copied().step_by(step).collect();
-        (scene, pose, pairs)
+        (scene, meeting, pairs)
     });
     let points = |mesh: &Mesh| -> Vec<[f64; 3]> { mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect() };
-    let host = SceneHost::new(&points(&scene.a), &points(&scene.b), p);
-    let pose = &scene.poses[*pose];
+    let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
+    let host = SceneHost::new(&points(a), &points(b), p);
+    let pose = &meeting.pose;
     let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)]));
     let placed = host.pose(&m, &[pose.translation.x, pose.translation.y, pose.translation.z]);
-    let unit = |(a, b): &(u32, u32)| match placed.pair(scene.a.faces[*a as usize], scene.b.faces[*b as usize]) {
+    let unit = |(p, q): &(u32, u32)| match placed.pair(a.faces[*p as usize], b.faces[*q as usize]) {
         Host::Unit(pair) => Some(pair),
         Host::Decided(_) => None,
     };

@@ -4,9 +4,10 @@
 use efsat::exact::{linear_programme, posed_relation, relation, Exact};
 use efsat::golden::host::{loose_pair, Host, SceneHost};
 use efsat::golden::{sample, Golden, Pair, Pose, Verdict};
+use efsat::mesh::Mesh;
 use efsat::number::{Interval, Upper};
 use efsat::params::Params;
-use efsat::scene::{load, BroadPhase, Scene};
+use efsat::scene::{load, BroadPhase, Meeting, Scene};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -72,32 +73,34 @@ fn projection_policies_are_in_order() {
 }
 
 /// A pose as the oracle takes it.
-fn pose(scene: &Scene, pose: usize) -> (Matrix, [f64; 3]) {
-    let (m, t) = (&scene.poses[pose].rotation, scene.poses[pose].translation.into());
-    ([0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)])), t)
+fn twelve(pose: &efsat::scene::Pose) -> (Matrix, [f64; 3]) {
+    ([0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)])), pose.translation.into())
+}
+
+/// The meetings of all frames.
+fn meetings<'a>(scene: &Scene, trees: &'a BroadPhase<'_>) -> impl ParallelIterator<Item = Meeting> + 'a {
+    (0..scene.frames()).into_par_iter().flat_map_iter(|frame| trees.meetings(frame))
 }
 
 /// The triangles of a pair.
-fn triangles(scene: &Scene, (a, b): Faces) -> (Triangle, Triangle) {
-    let of_a = |vertex: u32| scene.a.vertices[vertex as usize].into();
-    let of_b = |vertex: u32| scene.b.vertices[vertex as usize].into();
-    (scene.a.faces[a as usize].map(of_a), scene.b.faces[b as usize].map(of_b))
+fn triangles([a, b]: [&Mesh; 2], pair: Faces) -> (Triangle, Triangle) {
+    let points = |mesh: &Mesh, face: u32| mesh.triangle(face as usize).map(|vertex| vertex.into());
+    (points(a, pair.0), points(b, pair.1))
 }
 
 /// The pairs of a scene, and those on which the two formulations disagree, as pose and faces.
 fn disagreements(scene: &Scene) -> (usize, Vec<(usize, Faces)>) {
     let trees = scene.broad_phase();
-    let compared = |number: usize| {
-        let (m, t) = pose(scene, number);
-        let pairs = trees.pairs(number);
+    let compared = |meeting: Meeting| {
+        let (m, t) = twelve(&meeting.pose);
+        let pairs = trees.pairs(&meeting);
         let differ = |&pair: &Faces| {
-            let (a, b) = triangles(scene, pair);
+            let (a, b) = triangles(trees.meshes(&meeting), pair);
             posed_relation(&a, &b, &m, &t) != linear_programme::posed_relation(&a, &b, &m, &t)
         };
-        (pairs.len(), pairs.into_iter().filter(differ).map(|pair| (number, pair)).collect::<Vec<_>>())
+        (pairs.len(), pairs.into_iter().filter(differ).map(|pair| (meeting.frame, pair)).collect::<Vec<_>>())
     };
-    let poses = (0..scene.poses.len()).into_par_iter().map(compared);
-    poses.reduce(Default::default, |x, y| (x.0 + y.0, [x.1, y.1].concat()))
+    meetings(scene, &trees).map(compared).reduce(Default::default, |x, y| (x.0 + y.0, [x.1, y.1].concat()))
 }
 
 #[test]
@@ -159,22 +162,23 @@ impl Weaker {
 
 fn weaker_on_scene(scene: &Scene, params: &Params) -> Weaker {
     let golden = Golden::new(params);
-    let vertices = [&scene.a, &scene.b].map(|mesh| mesh.vertices.iter().map(|&v| v.into()).collect::<Vec<[f64; 3]>>());
+    let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
+    let vertices = [a, b].map(|mesh| mesh.vertices.iter().map(|&v| v.into()).collect::<Vec<[f64; 3]>>());
     let host = SceneHost::new(&vertices[0], &vertices[1], params);
-    let trees: BroadPhase = scene.broad_phase();
-    let in_pose = |number: usize| {
-        let (m, t) = pose(scene, number);
+    let trees = scene.broad_phase();
+    let in_pose = |meeting: Meeting| {
+        let (m, t) = twelve(&meeting.pose);
         let posed = host.pose(&m, &t);
-        let of_pair = |(a, b): Faces| match posed.pair(scene.a.faces[a as usize], scene.b.faces[b as usize]) {
-            Host::Unit(pair) => Weaker::of(&golden, &posed.pose, &pair, || {
-                let (a, b) = triangles(scene, (a, b));
+        let of_pair = |pair: Faces| match posed.pair(a.faces[pair.0 as usize], b.faces[pair.1 as usize]) {
+            Host::Unit(unit) => Weaker::of(&golden, &posed.pose, &unit, || {
+                let (a, b) = triangles([a, b], pair);
                 posed_relation(&a, &b, &m, &t).class
             }),
             Host::Decided(_) => Weaker::default(),
         };
-        trees.pairs(number).into_iter().map(of_pair).fold(Weaker::default(), Weaker::plus)
+        trees.pairs(&meeting).into_iter().map(of_pair).fold(Weaker::default(), Weaker::plus)
     };
-    (0..scene.poses.len()).into_par_iter().map(in_pose).reduce(Weaker::default, Weaker::plus)
+    meetings(scene, &trees).map(in_pose).reduce(Weaker::default, Weaker::plus)
 }
 
 fn weaker_on_random_pairs(count: usize, params: &Params) -> Weaker {

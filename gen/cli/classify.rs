@@ -10,7 +10,7 @@ use crate::golden::host::{loose_pair, Host};
 use crate::golden::pair_file::Points;
 use crate::golden::{sample, Golden, Pose, Verdict};
 use crate::params::Params;
-use crate::scene::Scene;
+use crate::scene::{Meeting, Scene};
 use indicatif::ProgressBar;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -188,21 +188,26 @@ impl Classifier {
         Ok(())
     }
 
-    /// Pose by pose, some poses at a time, so that memory does not grow with their number.
+    /// Frame by frame, some frames at a time, so that memory does not grow with their number.
     fn scene(&self, scene: &Scene, sink: &mut Sink, bar: &ProgressBar) -> Result<(), Failure> {
         let stage = Stage::new(scene, &self.params);
-        let one = |pose: usize| -> Vec<Answer> {
-            let pairs = stage.broad_phase.pairs(pose);
+        let met = |meeting: &Meeting| -> Vec<Answer> {
+            let pairs = stage.broad_phase.pairs(meeting);
             if pairs.is_empty() {
                 return vec![];
             }
-            let posed = stage.posed(pose);
-            let answer = |&pair: &(u32, u32)| self.answer(&posed.host.pose, &posed.pair(pair), || posed.relation(pair));
+            let posed = stage.posed(meeting);
+            let host = posed.host();
+            let answer = |&pair: &(u32, u32)| {
+                let [a, b] = posed.faces(pair);
+                self.answer(&host.pose, &host.pair(a, b), || posed.relation(pair))
+            };
             pairs.par_iter().map(answer).collect()
         };
-        let poses: Vec<usize> = (0..stage.poses()).collect();
-        for batch in poses.chunks(4 * rayon::current_num_threads()) {
-            let answers: Vec<Vec<Answer>> = batch.par_iter().map(|&pose| one(pose)).collect();
+        let frames: Vec<usize> = (0..stage.frames()).collect();
+        for batch in frames.chunks(4 * rayon::current_num_threads()) {
+            let meetings = batch.par_iter().flat_map(|&frame| stage.broad_phase.meetings(frame));
+            let answers: Vec<Vec<Answer>> = meetings.map(|meeting| met(&meeting)).collect();
             answers.iter().try_for_each(|answers| sink.take(answers))?;
             bar.inc(batch.len() as u64);
         }
@@ -226,7 +231,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match (&given, arguments.source.random) {
         (Some(Source::Pairs(pairs)), _) => classifier.pairs(pairs, &mut sink, &bar(pairs.len() as u64, "pairs"))?,
         (Some(Source::Scene(scene)), _) => {
-            classifier.scene(scene, &mut sink, &bar(scene.poses.len() as u64, "poses"))?;
+            classifier.scene(scene, &mut sink, &bar(scene.frames() as u64, "poses"))?;
         }
         (None, count) => {
             let count = count.unwrap_or_default();

@@ -13,7 +13,7 @@ use crate::golden::pair_file::Points;
 use crate::golden::{sample, Golden, Pose};
 use crate::mesh;
 use crate::params::Params;
-use crate::scene::{Scene, ScenePose};
+use crate::scene::{Frame, Scene};
 use crate::software::Test;
 use indicatif::ProgressBar;
 use rand::SeedableRng;
@@ -41,7 +41,7 @@ pub(super) struct Arguments {
     file: Option<String>,
     #[command(flatten)]
     source: SourceArguments,
-    /// A mesh against itself, .stl or .obj, tumbling like the built-in scene
+    /// A mesh against itself, .stl, .obj or .ply, tumbling like the built-in scene
     #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "random", "seed"])]
     mesh: Option<PathBuf>,
     /// Steps of a turn of the mesh
@@ -85,7 +85,7 @@ impl Units {
         match self {
             Self::File => 1.0,
             Self::Cube => {
-                let half = scene.a.bounds().half_size().max(scene.b.bounds().half_size());
+                let half = scene.objects.iter().map(|object| object.mesh.bounds().half_size()).fold(0.0, f64::max);
                 let (exponent, fraction) = ((half.to_bits() >> 52) as i32 - 1023, half.to_bits() << 12);
                 if half > 0.0 {
                     (-f64::from(exponent + i32::from(fraction != 0))).exp2()
@@ -136,10 +136,10 @@ impl Arguments {
         let mesh = mesh::read(path).map_err(|e| Failure::Usage(e.to_string()))?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         let scene = Scene::against_itself(name, mesh, self.steps, &self.distances);
-        let overflows = |pose: &&ScenePose| !pose.translation.iter().all(|x| x.is_finite());
-        match scene.poses.iter().find(overflows) {
-            Some(pose) => {
-                Err(Failure::Usage(format!("{}: the translation overflows: legal are smaller ones", pose.label)))
+        let finite = |frame: &Frame| frame.poses.iter().flat_map(|p| p.translation.iter()).all(|x| x.is_finite());
+        match (0..scene.frames()).map(|frame| scene.frame(frame)).find(|frame| !finite(frame)) {
+            Some(frame) => {
+                Err(Failure::Usage(format!("{}: the translation overflows: legal are smaller ones", frame.label)))
             }
             None => Ok(scene),
         }
@@ -191,23 +191,26 @@ impl Comparison {
         let factor = units.factor(scene);
         let mut total = Tally::default();
         let mut done = 0;
-        let Ok(()) = stage.broad_phase.try_for_each(|number, pairs| {
-            bar.inc(1);
+        let mut frame = 0;
+        let Ok(()) = stage.broad_phase.try_for_each(|meeting, pairs| {
+            bar.inc((meeting.frame - frame) as u64);
+            frame = meeting.frame;
             if pairs.is_empty() {
                 return Ok::<(), Infallible>(());
             }
-            let posed = stage.posed(number);
-            let pose = &scene.poses[number];
+            let posed = stage.posed(meeting);
+            let host = posed.host();
+            let [mesh_a, mesh_b] = stage.broad_phase.meshes(meeting);
             // The factor is a power of two and rounds nothing.
-            let a = |vertex: u32| scene.a.vertices[vertex as usize].into();
-            let images: Vec<[f64; 3]> =
-                scene.b.vertices.iter().map(|x| (pose.rotation * x.coords + pose.translation).into()).collect();
+            let a = |vertex: u32| mesh_a.vertices[vertex as usize].into();
+            let images: Vec<[f64; 3]> = mesh_b.vertices.iter().map(|x| meeting.pose.image(x).into()).collect();
             let answer = |&pair: &(u32, u32)| {
-                let [p, q, r] = scene.a.faces[pair.0 as usize].map(a);
-                let [s, t, u] = scene.b.faces[pair.1 as usize].map(|vertex| images[vertex as usize]);
+                let [of_a, of_b] = posed.faces(pair);
+                let [p, q, r] = of_a.map(a);
+                let [s, t, u] = of_b.map(|vertex| images[vertex as usize]);
                 let points = [p, q, r, s, t, u].map(|point| point.map(|x: f64| factor * x));
                 let rounded = Some(exact::pair(&points));
-                self.answer(&posed.host.pose, &posed.pair(pair), &points, posed.relation(pair).class, rounded)
+                self.answer(&host.pose, &host.pair(of_a, of_b), &points, posed.relation(pair).class, rounded)
             };
             total = std::mem::take(&mut total).merge(&tally(pairs, done, answer));
             done += pairs.len() as u64;
@@ -240,7 +243,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         Pairs::Random(count, seed) => (comparison.random(*count, *seed, &bar(*count, "pairs")), None, None),
         Pairs::Scene(scene, units) => {
-            let poses = scene.poses.len() as u64;
+            let poses = scene.frames() as u64;
             (comparison.scene(scene, *units, &bar(poses, "poses")), Some(poses), Some(units.name()))
         }
     };

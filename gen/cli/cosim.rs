@@ -128,28 +128,39 @@ impl Job {
         job
     }
 
-    /// Counts the candidate pairs of all poses, chooses, and makes only those that are chosen.
+    /// Counts the candidate pairs of all frames, chooses, and makes only those that are chosen.
     fn scene(params: &Params, scene: &Scene, limit: u64) -> Self {
         let stage = Stage::new(scene, params);
-        let poses = stage.poses();
-        let bar = progress::bar(poses as u64, "poses", false);
-        let counts: Vec<u64> = (0..poses)
+        let frames = stage.frames();
+        let bar = progress::bar(frames as u64, "poses", false);
+        let counts: Vec<u64> = (0..frames)
             .into_par_iter()
-            .map(|pose| {
+            .map(|frame| {
                 bar.inc(1);
-                stage.broad_phase.pairs(pose).len() as u64
+                let meetings = stage.broad_phase.meetings(frame);
+                meetings.iter().map(|meeting| stage.broad_phase.pairs(meeting).len() as u64).sum()
             })
             .collect();
         let mut chosen = spread(counts.iter().sum(), limit).peekable();
         let mut job = Self::default();
         let mut start = 0;
-        for (pose, count) in counts.into_iter().enumerate() {
-            let here: Vec<u64> = std::iter::from_fn(|| chosen.next_if(|i| *i < start + count)).collect();
-            if !here.is_empty() {
-                let (pairs, posed) = (stage.broad_phase.pairs(pose), stage.posed(pose));
-                job.segment(posed.host.pose, here.into_iter().map(|i| posed.pair(pairs[(i - start) as usize])));
+        for (frame, count) in counts.into_iter().enumerate() {
+            if chosen.peek().is_none_or(|i| *i >= start + count) {
+                start += count;
+                continue;
             }
-            start += count;
+            for meeting in stage.broad_phase.meetings(frame) {
+                let pairs = stage.broad_phase.pairs(&meeting);
+                let end = start + pairs.len() as u64;
+                let here: Vec<u64> = std::iter::from_fn(|| chosen.next_if(|i| *i < end)).collect();
+                if !here.is_empty() {
+                    let posed = stage.posed(&meeting);
+                    let host = posed.host();
+                    let faces = here.into_iter().map(|i| posed.faces(pairs[(i - start) as usize]));
+                    job.segment(host.pose, faces.map(|[a, b]| host.pair(a, b)));
+                }
+                start = end;
+            }
         }
         job
     }

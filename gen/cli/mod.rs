@@ -13,6 +13,7 @@ mod mutate;
 mod output;
 mod params;
 mod progress;
+mod scene;
 mod source;
 mod stress;
 mod synth;
@@ -45,6 +46,7 @@ enum Command {
     Wall(wall::Arguments),
     Mutate(mutate::Arguments),
     Synth(synth::Arguments),
+    Scene(scene::Arguments),
 }
 
 /// Runs the command line of the process.
@@ -59,13 +61,10 @@ pub fn main() -> ExitCode {
             Command::Wall(arguments) => wall::run(&arguments),
             Command::Mutate(arguments) => mutate::run(&arguments),
             Command::Synth(arguments) => synth::run(&arguments),
+            Command::Scene(arguments) => scene::run(&arguments),
         },
         Err(e) if !e.use_stderr() => output::print(&e.render().to_string()),
-        Err(e) => {
-            let command = CommandLine::command();
-            let names: Vec<String> = command.get_subcommands().map(|c| c.get_name().to_owned()).collect();
-            Err(error::from_clap(&e, &names))
-        }
+        Err(e) => Err(error::from_clap(&e, &commands())),
     };
     match result {
         // Whoever reads has seen enough: `| head`.
@@ -73,6 +72,18 @@ pub fn main() -> ExitCode {
         Err(Failure::Check(message)) => report(&message, 1),
         Err(Failure::Usage(message)) => report(&message, 2),
     }
+}
+
+/// The names of the commands that may follow those on the command line.
+fn commands() -> Vec<String> {
+    let mut command = CommandLine::command();
+    for argument in std::env::args_os().skip(1) {
+        match command.find_subcommand(&argument) {
+            Some(found) => command = found.clone(),
+            None => break,
+        }
+    }
+    command.get_subcommands().map(|c| c.get_name().to_owned()).collect()
 }
 
 fn report(message: &str, status: u8) -> ExitCode {

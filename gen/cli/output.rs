@@ -55,6 +55,13 @@ pub(super) fn print(text: &str) -> Result<(), Failure> {
     out.write_all(text.as_bytes()).and_then(|()| out.flush()).map_err(failure)
 }
 
+/// Prints a warning on standard error.
+pub(super) fn warn(message: &str) {
+    // Names of files may hold anything; the message is one line.
+    let line: String = message.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    eprintln!("warning: {line}");
+}
+
 /// Prints a value as one line of JSON.
 pub(super) fn print_json(value: &impl Serialize) -> Result<(), Failure> {
     let text = serde_json::to_string(value).expect("keys are strings and numbers are finite");

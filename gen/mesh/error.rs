@@ -17,7 +17,7 @@ pub struct MeshError {
 }
 
 /// A [`MeshError`] before the file is known: parsers see bytes, not files.
-#[derive(Debug)]
+#[derive(Debug, Clone)]
 pub(super) struct Fault {
     line: Option<usize>,
     found: String,
@@ -43,6 +43,11 @@ impl Fault {
     /// The same, at a line.
     pub(super) fn at(self, line: usize) -> Self {
         Self { line: Some(line), ..self }
+    }
+
+    /// Where and what, without what is legal.
+    pub(super) fn brief(&self) -> String {
+        self.line.map(|line| format!("line {line}: ")).unwrap_or_default() + &self.found
     }
 
     /// The error, now that the file is known.

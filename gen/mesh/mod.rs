@@ -1,17 +1,21 @@
-//! Triangle meshes: what they are, how they are read from STL and OBJ files, and the one that is built in.
+//! Triangle meshes: what they are, how they are read from STL, OBJ and PLY files, and the one that is built in.
 //!
 //! Reading keeps every triangle of a file, degenerate ones included, in the order of the file; nothing is repaired,
-//! scaled or moved. Vertices that are equal bit for bit are stored once.
+//! scaled or moved. Of STL files, vertices that are equal bit for bit are stored once.
 
 mod bounds;
 mod error;
+mod findings;
 mod lines;
 mod obj;
+mod ply;
 mod stl;
 
 pub use bounds::Bounds;
 pub use error::MeshError;
+pub use findings::{Defect, Finding, Findings};
 
+use error::Fault;
 use nalgebra::Point3;
 use std::path::Path;
 use std::sync::{Arc, OnceLock};
@@ -43,28 +47,93 @@ impl Mesh {
     }
 }
 
-/// Reads a mesh; the extension of the file name says which format it has: `.stl` (binary or ASCII, told apart by the
-/// content) or `.obj` (polygons become triangle fans).
+/// A mesh file as read: the faces that can be used, and the faults of those that cannot.
+struct Parsed {
+    mesh: Mesh,
+    faults: Vec<(Defect, Fault)>,
+}
+
+/// Reads a mesh all of whose faces can be used; the extension of the file name says which format it has: `.stl`
+/// (binary or ASCII, told apart by the content), `.obj` or `.ply` (ASCII or binary); polygons become triangle fans.
 ///
 /// # Errors
 /// One line with the file, the line where it can be known, what was found and what is legal.
 pub fn read(path: &Path) -> Result<Mesh, MeshError> {
+    let Parsed { mesh, faults } = parsed(path)?;
+    match faults.into_iter().next() {
+        Some((_, fault)) => Err(fault.of(path)),
+        None => Ok(mesh),
+    }
+}
+
+/// Reads a mesh as [`read`] does, leaves out the faces that cannot be used (fewer than three corners, vertices that
+/// are not in the file or not finite), and says what was found, also of the faces that stay.
+///
+/// # Errors
+/// As [`read`], for files that are broken as a whole and for those without a face that can be used.
+pub fn survey(path: &Path) -> Result<(Mesh, Findings), MeshError> {
+    let Parsed { mesh, faults } = parsed(path)?;
+    if mesh.faces.is_empty() {
+        if let Some((_, fault)) = faults.into_iter().next() {
+            return Err(fault.of(path));
+        }
+        return Err(Fault::new("no face", "legal is at least one").of(path));
+    }
+    let findings = Findings::of(&mesh, &faults);
+    Ok((mesh, findings))
+}
+
+fn parsed(path: &Path) -> Result<Parsed, MeshError> {
     let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     let parse = match extension.as_str() {
         "stl" => stl::parse,
         "obj" => obj::parse,
-        _ => return Err(error::Fault::new(format!("extension '{extension}'"), "legal is .stl or .obj").of(path)),
+        "ply" => ply::parse,
+        _ => return Err(Fault::new(format!("extension '{extension}'"), "legal is .stl, .obj or .ply").of(path)),
     };
     let bytes = std::fs::read(path)
-        .map_err(|e| error::Fault::new(format!("cannot be read ({e})"), "legal is a readable file").of(path))?;
+        .map_err(|e| Fault::new(format!("cannot be read ({e})"), "legal is a readable file").of(path))?;
     parse(&bytes).map_err(|fault| fault.of(path))
+}
+
+impl Parsed {
+    /// Leaves out the faces that use a vertex that is not finite, with a fault for each vertex of that kind, and those
+    /// vertices.
+    fn without_non_finite(self, fault: impl Fn(usize) -> Fault) -> Self {
+        let Self { mesh: Mesh { vertices, faces }, mut faults } = self;
+        let is_finite = |v: &Point3<f64>| v.iter().all(|x| x.is_finite());
+        if vertices.iter().all(is_finite) {
+            return Self { mesh: Mesh { vertices, faces }, faults };
+        }
+        let mut kept = Mesh::default();
+        let moved: Vec<Option<u32>> = vertices
+            .into_iter()
+            .map(|vertex| {
+                is_finite(&vertex).then(|| {
+                    kept.vertices.push(vertex);
+                    kept.vertices.len() as u32 - 1
+                })
+            })
+            .collect();
+        for face in faces {
+            match face.map(|v| moved[v as usize]) {
+                [Some(p), Some(q), Some(r)] => kept.faces.push([p, q, r]),
+                corners => {
+                    let blamed = corners.iter().position(Option::is_none).map_or(0, |corner| face[corner] as usize);
+                    faults.push((Defect::NonFinite, fault(blamed)));
+                }
+            }
+        }
+        Self { mesh: kept, faults }
+    }
 }
 
 /// The built-in car headlight: a stand-in, made for this project, for the one the paper measured (5962 triangles
 /// against 5947). Millimetres; its lens faces +z.
 pub fn headlight() -> Arc<Mesh> {
     static MESH: OnceLock<Arc<Mesh>> = OnceLock::new();
-    let mesh = MESH.get_or_init(|| Arc::new(stl::parse(HEADLIGHT).expect("the built-in mesh is a valid STL file")));
+    let mesh =
+        MESH.get_or_init(|| Arc::new(stl::parse(HEADLIGHT).expect("the built-in mesh is a valid STL file").mesh));
     Arc::clone(mesh)
 }
 

@@ -2,7 +2,7 @@
 
 use super::error::Fault;
 use super::lines::{line_before, LineReader};
-use super::Mesh;
+use super::{Defect, Mesh, Parsed};
 use nalgebra::Point3;
 use std::cell::Cell;
 use std::collections::HashMap;
@@ -17,12 +17,12 @@ const TRIANGLE: u64 = 50;
 ///
 /// A binary file may start with the word `solid` as an ASCII file must, so the size decides: that of a binary file is
 /// known from its triangle count. The count is not believed before it has been checked against the size.
-pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Fault> {
+pub(super) fn parse(bytes: &[u8]) -> Result<Parsed, Fault> {
     let count = bytes.get(HEADER - 4..HEADER).and_then(|b| b.try_into().ok()).map(u32::from_le_bytes);
     let promised = count.map(|n| HEADER as u64 + TRIANGLE * u64::from(n));
-    let mut mesh = Indexer::default();
+    let (mut mesh, mut faults) = (Indexer::default(), vec![]);
     if promised == Some(bytes.len() as u64) {
-        binary(bytes, &mut mesh)?;
+        faults = binary(bytes, &mut mesh)?;
     } else if is_text(bytes) {
         // Keywords are written in capitals by some programs; names may be in any encoding.
         ascii(&String::from_utf8_lossy(bytes).to_ascii_lowercase(), &mut mesh)?;
@@ -35,10 +35,10 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Mesh, Fault> {
             _ => Fault::new(format!("{size} bytes, less than the header of a binary STL"), legal),
         });
     }
-    if mesh.mesh.faces.is_empty() {
+    if mesh.mesh.faces.is_empty() && faults.is_empty() {
         return Err(Fault::new("no triangle", "legal is at least one"));
     }
-    Ok(mesh.mesh)
+    Ok(Parsed { mesh: mesh.mesh, faults })
 }
 
 /// Whether the content can be ASCII STL. A zero byte tells a damaged binary file whose header starts with `solid`.
@@ -47,20 +47,24 @@ fn is_text(bytes: &[u8]) -> bool {
     start.len() >= 5 && start[..5].eq_ignore_ascii_case(b"solid") && !bytes.contains(&0)
 }
 
-fn binary(bytes: &[u8], mesh: &mut Indexer) -> Result<(), Fault> {
+/// Stores the triangles that are finite and returns the faults of the others.
+fn binary(bytes: &[u8], mesh: &mut Indexer) -> Result<Vec<(Defect, Fault)>, Fault> {
     let legal = "legal is binary STL of 84 + 50 n bytes";
     // The crate tells the formats apart by the word `solid`; the header carries nothing, so it is blanked.
     let blank = [&[0; HEADER - 4], &bytes[HEADER - 4..]].concat();
     let mut reader = Cursor::new(blank);
     let triangles = stl_io::create_stl_reader(&mut reader).map_err(|e| Fault::new(e.to_string(), legal))?;
+    let mut faults = vec![];
     for (number, triangle) in triangles.enumerate() {
         let triangle = triangle.map_err(|e| Fault::new(e.to_string(), legal))?;
         if let Some(x) = triangle.vertices.iter().flat_map(|v| v.0).find(|x| !x.is_finite()) {
-            return Err(Fault::new(format!("triangle {number} has the coordinate {x}"), "legal is a finite number"));
+            let fault = Fault::new(format!("triangle {number} has the coordinate {x}"), "legal is a finite number");
+            faults.push((Defect::NonFinite, fault));
+        } else {
+            mesh.push(&triangle);
         }
-        mesh.push(&triangle);
     }
-    Ok(())
+    Ok(faults)
 }
 
 /// An ASCII file may hold several solids, one after the other; the crate reads one.

@@ -1,51 +1,82 @@
-//! Poses, and the ways to make them: a tumbling turn, an axis and an angle, a quaternion.
+//! Poses: where an object stands, and the ways to say it.
 
 use super::angle::sin_cos_degrees;
-use crate::mesh::Mesh;
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, Point3, Vector3};
 
-/// One position of mesh B: `x_A = rotation * x_B + translation`, in the units of the mesh files.
-#[derive(Clone, Debug, PartialEq)]
-pub struct ScenePose {
-    /// What the pose is called in reports.
-    pub label: String,
-    /// The distance between the centres of the bounding boxes in cube half-sizes, where a tumbling turn made the
-    /// pose: reports group by it.
-    pub distance: Option<f64>,
-    /// The matrix; its nine doubles are the truth.
+/// Where an object stands: `x_world = rotation * x + translation`, in the units of the scene; the twelve doubles are
+/// the truth, and the matrix need not be perfectly orthonormal.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pose {
+    /// The matrix.
     pub rotation: Matrix3<f64>,
-    /// The translation; its three doubles are the truth.
+    /// The translation.
     pub translation: Vector3<f64>,
 }
 
-/// A full turn of B about the z and the x axis through the centre of its bounding box, in equal steps, at each of
-/// several distances: the benchmark procedure of the paper's group.
-///
-/// Step i of n has the rotation `Rx(w) * Rz(w)` with w = 360 i / n degrees. A distance is that between the centres of
-/// the bounding boxes, along `direction`, in half-sizes of the cube that both meshes fit: half the longest edge of
-/// the larger box. Distances come in the order given, the steps of one distance together.
-pub fn tumble(a: &Mesh, b: &Mesh, steps: u32, distances: &[f64], direction: Vector3<f64>) -> Vec<ScenePose> {
-    let (box_a, box_b) = (a.bounds(), b.bounds());
-    let unit = direction / direction.amax();
-    let offset = unit / unit.norm() * box_a.half_size().max(box_b.half_size());
-    let pose = |distance: f64, step: u32| {
-        let (s, c) = sin_cos_degrees(360.0 * f64::from(step) / f64::from(steps));
-        // Every entry is at most one product of a sine and a cosine, so none exceeds 1.
-        let rotation = Matrix3::new(c, -s, 0.0, c * s, c * c, -s, s * s, s * c, c);
-        ScenePose {
-            label: format!("distance {distance} step {step}"),
-            distance: Some(distance),
-            rotation,
-            translation: box_a.centre().coords + offset * distance - rotation * box_b.centre().coords,
+impl Pose {
+    /// As in the mesh file.
+    pub fn identity() -> Self {
+        Self { rotation: Matrix3::identity(), translation: Vector3::zeros() }
+    }
+
+    /// The pose of `other` as seen from an object in this pose, with the transpose for the inverse of this rotation,
+    /// computed in binary64. Seen from the identity it is `other` itself, bit for bit but for the signs of zeros.
+    pub fn seen(&self, other: &Self) -> Self {
+        let back = self.rotation.transpose();
+        Self { rotation: back * other.rotation, translation: back * (other.translation - self.translation) }
+    }
+
+    /// The image of a point, rounded.
+    pub fn image(&self, point: &Point3<f64>) -> Point3<f64> {
+        self.rotation * point + self.translation
+    }
+}
+
+/// A rotation as written in a scene file.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Rotation {
+    /// None given.
+    None,
+    /// Nine numbers, whatever they are.
+    Matrix(Matrix3<f64>),
+    /// An axis other than zero, and an angle in degrees.
+    AxisAngle(Vector3<f64>, f64),
+    /// (w, x, y, z), not all zero.
+    Quaternion([f64; 4]),
+}
+
+impl Rotation {
+    pub fn matrix(&self) -> Matrix3<f64> {
+        match *self {
+            Self::None => Matrix3::identity(),
+            Self::Matrix(m) => m,
+            Self::AxisAngle(axis, degrees) => axis_angle(axis, degrees),
+            Self::Quaternion(q) => quaternion(q),
         }
-    };
-    distances.iter().flat_map(|&d| (0..steps).map(move |i| (d, i))).map(|(d, i)| pose(d, i)).collect()
+    }
+}
+
+/// The translation with which a rotation leaves `centre` where `translation` alone would take it.
+pub(super) fn about(centre: &Vector3<f64>, rotation: &Matrix3<f64>, translation: &Vector3<f64>) -> Vector3<f64> {
+    translation + (centre - rotation * centre)
+}
+
+/// Step `step` of `steps` of a full turn about the z and the x axis: Rx(w) Rz(w) with w = 360 step / steps degrees.
+/// Every entry is at most one product of a sine and a cosine, so none exceeds 1.
+pub(super) fn tumbled(step: u32, steps: u32) -> Matrix3<f64> {
+    let (s, c) = sin_cos_degrees(360.0 * f64::from(step) / f64::from(steps));
+    Matrix3::new(c, -s, 0.0, c * s, c * c, -s, s * s, s * c, c)
+}
+
+/// The vector of length 1 in a direction other than zero.
+pub(super) fn unit(direction: Vector3<f64>) -> Vector3<f64> {
+    let scaled = direction / direction.amax();
+    scaled / scaled.norm()
 }
 
 /// The rotation by `degrees` about `axis` (which need not have unit length), right-handed.
 pub(super) fn axis_angle(axis: Vector3<f64>, degrees: f64) -> Matrix3<f64> {
-    let scaled = axis / axis.amax();
-    let k = scaled / scaled.norm();
+    let k = unit(axis);
     let (s, c) = sin_cos_degrees(degrees);
     within_one(Matrix3::from_diagonal_element(c) + k.cross_matrix() * s + k * k.transpose() * (1.0 - c))
 }

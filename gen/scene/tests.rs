@@ -1,7 +1,7 @@
 //! Tests of scenes: the default one, scene files and their faults, poses, and that no pair is missed.
 
 use super::*;
-use crate::mesh;
+use crate::mesh::{self, Bounds, Defect};
 use nalgebra::{Matrix3, Point3, Vector3};
 use num_bigint::BigInt;
 use num_traits::Float;
@@ -19,16 +19,22 @@ fn parse(lines: &str) -> Result<Scene, SceneError> {
     file::parse(&text, Path::new("x.toml"))
 }
 
+/// The poses of the last object.
+fn moved(scene: &Scene) -> Vec<Pose> {
+    (0..scene.frames()).map(|frame| *scene.frame(frame).poses.last().unwrap()).collect()
+}
+
 #[test]
 fn the_default_scene_is_its_file() {
     let scene = Scene::default_scene();
     assert_eq!(load(&scene_folder().join("headlight.toml")).unwrap(), scene);
-    assert_eq!((scene.name.as_str(), scene.poses.len()), ("headlight", 7 * 360));
-    assert!(Arc::ptr_eq(&scene.a, &scene.b));
-    let last = &scene.poses[6 * 360 + 90];
+    assert_eq!((scene.name.as_str(), scene.frames()), ("headlight", 7 * 360));
+    assert!(Arc::ptr_eq(&scene.objects[0].mesh, &scene.objects[1].mesh));
+    let last = scene.frame(6 * 360 + 90);
     assert_eq!((last.label.as_str(), last.distance), ("distance 1.45 step 90", Some(1.45)));
-    assert_eq!(last.rotation, Matrix3::new(0., -1., 0., 0., 0., -1., 1., 0., 0.));
-    assert!(scene.poses.iter().all(|p| p.rotation.iter().all(|x| x.abs() <= 1.0)));
+    assert_eq!(last.poses[0], Pose::identity());
+    assert_eq!(last.poses[1].rotation, Matrix3::new(0., -1., 0., 0., 0., -1., 1., 0., 0.));
+    assert!(moved(&scene).iter().all(|p| p.rotation.iter().all(|x| x.abs() <= 1.0)));
 }
 
 #[test]
@@ -44,10 +50,11 @@ fn a_mesh_against_itself_tumbles_like_the_default_scene() {
 #[test]
 fn the_centres_of_a_tumbling_turn_are_at_the_distance() {
     let scene = parse("[tumble]\nsteps = 7\ndistances = [0.5, 3]\ndirection = [3e200, 4e200, 0]").unwrap();
-    let centre = scene.a.bounds().centre();
-    for pose in &scene.poses {
+    let centre = scene.objects[0].mesh.bounds().centre();
+    for frame in (0..scene.frames()).map(|frame| scene.frame(frame)) {
+        let pose = frame.poses[1];
         let offset = pose.rotation * centre + pose.translation - centre;
-        let expected = Vector3::new(0.6, 0.8, 0.0) * 122.0 * pose.distance.unwrap();
+        let expected = Vector3::new(0.6, 0.8, 0.0) * 122.0 * frame.distance.unwrap();
         assert!((offset - expected).norm() < 1e-12);
         let square = pose.rotation * pose.rotation.transpose();
         assert!((square - Matrix3::identity()).amax() < 1e-15 && pose.rotation.determinant() > 0.9);
@@ -57,7 +64,8 @@ fn the_centres_of_a_tumbling_turn_are_at_the_distance() {
 #[test]
 fn the_second_scene_is_read() {
     let scene = load(&scene_folder().join("bolt_nut.toml")).unwrap();
-    assert_eq!((scene.a.faces.len(), scene.b.faces.len(), scene.poses.len()), (9320, 4218, 9));
+    let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.faces.len());
+    assert_eq!((a, b, scene.frames()), (9320, 4218, 9));
 }
 
 #[test]
@@ -69,19 +77,219 @@ fn explicit_poses_and_scales_are_read() {
          [[pose]]\naxis = [1, 2, -2]\nangle_degrees = 120\n[[pose]]\nquaternion = [1.5, 1.5, 3, -3]",
     )
     .unwrap();
-    assert_eq!(scene.b.bounds().half_size(), 61.0);
-    assert_eq!(scene.a.bounds().half_size(), 122.0);
-    let [id, matrix, turn, quaternion, by_angle, by_quaternion] = &scene.poses[..] else { panic!("six poses") };
-    assert_eq!((id.label.as_str(), id.rotation, id.translation), ("pose 0", Matrix3::identity(), Vector3::zeros()));
+    assert_eq!(scene.objects[1].mesh.bounds().half_size(), 61.0);
+    assert_eq!(scene.objects[0].mesh.bounds().half_size(), 122.0);
+    assert_eq!([0, 2].map(|frame| scene.frame(frame).label), ["pose 0", "turn"]);
+    let [id, matrix, turn, quaternion, by_angle, by_quaternion] = moved(&scene)[..] else { panic!("six poses") };
+    assert_eq!(id, Pose::identity());
     assert_eq!(matrix.rotation[(0, 2)], 3.0);
     assert_eq!(matrix.translation, Vector3::new(1.0, 2.0, 3.0));
-    assert_eq!((turn.label.as_str(), turn.rotation), ("turn", Matrix3::new(0., -1., 0., 1., 0., 0., 0., 0., 1.)));
+    assert_eq!(turn.rotation, Matrix3::new(0., -1., 0., 1., 0., 0., 0., 0., 1.));
     assert_eq!(quaternion.rotation, turn.rotation);
     // The quaternion is 1.5 (1 + 3 k) for the unit axis k, so the tangent of half its angle is 3.
     let degrees = 2.0 * 3f64.atan().to_degrees();
     let expected = pose::axis_angle(Vector3::new(1.0, 2.0, -2.0), degrees);
     assert!((by_quaternion.rotation - expected).amax() < 1e-15);
     assert!(by_angle.rotation.trace().abs() < 1e-15, "1 + 2 cos 120 degrees");
+}
+
+/// Three objects of the built-in mesh.
+fn three(lines: &str) -> Result<Scene, SceneError> {
+    let object = |name: &str| format!("[[object]]\nname = '{name}'\nmesh = 'builtin:headlight'\n");
+    let text = format!("name = 'x'\n{}{}{}{lines}", object("p"), object("q"), object("r"));
+    file::parse(&text, Path::new("x.toml"))
+}
+
+#[test]
+fn objects_stand_where_they_are_placed_and_move_alone() {
+    let scene = three(
+        "placed = { translation = [1, 2, 3], axis = [0, 0, 1], angle_degrees = 90, about = [10, 0, 0] }\n\
+         [[pose]]\nobject = 'q'\ntranslation = [7, 0, 0]\n[[pose]]\nquaternion = [0, 1, 0, 0]\n",
+    )
+    .unwrap();
+    assert_eq!(scene.objects.iter().map(|object| object.name.as_str()).collect::<Vec<_>>(), ["p", "q", "r"]);
+    let quarter = Matrix3::new(0., -1., 0., 1., 0., 0., 0., 0., 1.);
+    // The point (10, 0, 0) goes where the translation alone would take it.
+    let placed = Pose { rotation: quarter, translation: Vector3::new(11.0, -8.0, 3.0) };
+    assert_eq!(placed.image(&Point3::new(10.0, 0.0, 0.0)), Point3::new(11.0, 2.0, 3.0));
+    assert_eq!(scene.objects[2].placed, placed);
+    let at = |x: f64| Pose { translation: Vector3::new(x, 0.0, 0.0), ..Pose::identity() };
+    assert_eq!(scene.frame(0).poses, [at(0.0), at(7.0), placed]);
+    let turned = Pose { rotation: Matrix3::from_diagonal(&Vector3::new(1., -1., -1.)), ..at(0.0) };
+    assert_eq!(scene.frame(1).poses, [at(0.0), at(0.0), turned]);
+    // Without any motion there is one frame; all three share a mesh.
+    let still = three("").unwrap();
+    assert_eq!((still.frames(), still.frame(0).label.as_str()), (1, "as placed"));
+    assert_eq!((still.meshes().0.len(), still.meshes().1), (1, vec![0, 0, 0]));
+    assert_eq!(
+        still.broad_phase().meetings(0).iter().map(|m| (m.a, m.b)).collect::<Vec<_>>(),
+        [(0, 1), (0, 2), (1, 2)]
+    );
+}
+
+#[test]
+fn units_and_cubes_scale_meshes() {
+    let file = |lines: &str| {
+        let text = format!("name = 'x'\n{lines}\n[b]\nmesh = 'builtin:headlight'\n[[pose]]\n");
+        file::parse(&text, Path::new("x.toml")).map(|scene| scene.objects[0].mesh.bounds().half_size())
+    };
+    let half = |lines: &str| file(lines).unwrap();
+    assert_eq!(half("unit = 'm'\n[a]\nmesh = 'builtin:headlight'\nunit = 'mm'"), 0.122);
+    assert_eq!(half("unit = 'mm'\n[a]\nmesh = 'builtin:headlight'\nunit = 'inch'\nscale = 2"), 244.0 * 25.4);
+    assert_eq!(half("[a]\nmesh = 'builtin:headlight'\nscale = 'cube'"), 1.0);
+    let fault = |lines: &str| file(lines).unwrap_err().to_string();
+    let own = fault("[a]\nmesh = 'builtin:headlight'\nunit = 'mm'");
+    assert_eq!(own, "x.toml:4: unit of an object in a scene without one: legal is unit at the top");
+    let league = fault("unit = 'm'\n[a]\nmesh = 'builtin:headlight'\nunit = 'league'");
+    assert_eq!(league, "x.toml:5: unit 'league': legal is one of um, mm, cm, m, inch, foot");
+    let parsec = fault("unit = 'parsec'\n[a]\nmesh = 'builtin:headlight'");
+    assert!(parsec.starts_with("x.toml:2: unit 'parsec': legal"), "{parsec}");
+    let sphere = fault("[a]\nmesh = 'builtin:headlight'\nscale = 'sphere'");
+    assert_eq!(sphere, "x.toml:4: scale 'sphere': legal is a positive number or \"cube\"");
+}
+
+#[test]
+fn trajectories_go_through_their_keys() {
+    let scene = three(
+        "[[trajectory]]\nlabel = 'arm'\nframes = 5\n\
+         [[trajectory.track]]\nobject = 'q'\n\
+         key = [{ time = 1, translation = [8, 0, 0], axis = [0, 0, 1], angle_degrees = 720 }, { time = 3 }]\n\
+         [[trajectory.track]]\n\
+         key = [{ time = 2, quaternion = [1, 0, 0, 0] }, { time = 5, quaternion = [0, 0, -3, 0], translation = [0, 6, 0] }]\n",
+    )
+    .unwrap();
+    assert_eq!((scene.frames(), scene.frame(2).label.as_str()), (5, "arm 2"));
+    let frames: Vec<Frame> = (0..5).map(|frame| scene.frame(frame)).collect();
+    assert!(frames.iter().all(|frame| frame.poses[0] == Pose::identity()));
+    // Times 1, 2, 3, 4, 5: two turns back to nothing while it moves, then rest.
+    let ways = frames.iter().map(|frame| frame.poses[1].translation.x).collect::<Vec<_>>();
+    assert_eq!(ways, [8.0, 4.0, 0.0, 0.0, 0.0]);
+    assert_eq!(frames[0].poses[1].rotation, Matrix3::identity());
+    assert_eq!(frames[1].poses[1].rotation, Matrix3::identity(), "one turn");
+    // The other rests up to time 2 and turns half about y until 5: a third of the way is 60 degrees by quaternions
+    // interpolated in a line, or nearly so; the ends are exact.
+    assert_eq!(frames[0].poses[2], Pose::identity());
+    assert_eq!(frames[1].poses[2], Pose::identity());
+    assert_eq!(frames[4].poses[2].rotation, Matrix3::from_diagonal(&Vector3::new(-1., 1., -1.)));
+    assert_eq!(frames[4].poses[2].translation, Vector3::new(0.0, 6.0, 0.0));
+    let third = frames[2].poses[2];
+    assert_eq!(third.translation, Vector3::new(0.0, 2.0, 0.0));
+    // Half the angle has the tangent (1/3) / (2/3).
+    let expected = pose::axis_angle(Vector3::new(0., -1., 0.), 2.0 * 0.5f64.atan().to_degrees());
+    assert!((third.rotation - expected).amax() < 1e-15, "{third:?}");
+    let middle = three(
+        "[[trajectory]]\nframes = 3\n[[trajectory.track]]\n\
+         key = [{ time = 0, axis = [1, 0, 0], angle_degrees = 0 }, { time = 1, axis = [0, 0, 2], angle_degrees = 90 }]\n",
+    );
+    let halfway = middle.unwrap().frame(1).poses[2].rotation;
+    assert!((halfway - pose::axis_angle(Vector3::z(), 45.0)).amax() < 1e-15, "{halfway}");
+}
+
+#[test]
+fn every_fault_of_objects_and_trajectories_is_one_clear_line() {
+    let key = "[[trajectory.track]]\n[[trajectory.track.key]]\n";
+    let cases = [
+        ("name = 'r'".to_owned(), "x.toml:11: duplicate key"),
+        ("[[object]]\nname = 'p'\nmesh = 'builtin:headlight'".to_owned(), "x.toml:11: a second object 'p'"),
+        ("[[object]]\nmesh = 'builtin:headlight'".to_owned(), "x.toml:11: an object without a name"),
+        ("[a]\nmesh = 'builtin:headlight'".to_owned(), "x.toml:2: [[object]] beside [a] or [b]: legal are two tables"),
+        ("placed = { angle_degrees = 3 }".to_owned(), "x.toml:11: pose: legal is one of matrix"),
+        ("[[pose]]\nobject = 's'".to_owned(), "x.toml:12: object 's': legal is one of p, q, r"),
+        (
+            "[[pose]]\nobject = 'p'\nmatrix = [1, 0, 0, 0, 1, 0, 0, 0, 2]".to_owned(),
+            "x.toml: pose 0: the matrix of p is",
+        ),
+        ("[[pose]]\nabout = [inf, 0, 0]".to_owned(), "x.toml:12: about holds inf"),
+        (
+            "[tumble]\nsteps = 1\ndistances = [1]\nobject = 'p'".to_owned(),
+            "x.toml:14: 'p' around itself: legal are two",
+        ),
+        ("[[trajectory]]\nframes = 1\n".to_owned(), "x.toml:11: a trajectory without a track"),
+        ("[[trajectory]]\nframes = 3\n[[trajectory.track]]\n".to_owned(), "x.toml:13: a track without a key"),
+        (format!("[[trajectory]]\nframes = 1\n{key}time = 0\n"), "x.toml:12: frames 1: legal is 2 to 1000000"),
+        (format!("[[trajectory]]\nframes = 9\n{key}time = nan\n"), "x.toml:15: time NaN: legal is a finite number"),
+        (format!("[[trajectory]]\nframes = 9\n{key}time = 0\nmatrix = [1]"), "x.toml:16: unknown field `matrix`"),
+        (
+            format!("[[trajectory]]\nframes = 9\n{key}time = 1\n[[trajectory.track.key]]\ntime = 1"),
+            "x.toml:17: time 1: legal",
+        ),
+        (format!("[[trajectory]]\nframes = 9\n{key}time = 1\n{key}time = 1"), "x.toml:16: a second track of 'r'"),
+        (
+            format!("[[trajectory]]\nframes = 9\n{key}time = 1\naxis = [0, 0, 1]"),
+            "x.toml:14: pose: legal is one of axis",
+        ),
+        (
+            format!("[[trajectory]]\nframes = 900000\n{key}time = 1\n[[trajectory]]\nframes = 100001\n{key}time = 1"),
+            "x.toml:17: 1000001 frames in all",
+        ),
+    ];
+    let mut wrong = vec![];
+    for (lines, expected) in cases {
+        let found = three(&lines).map_or_else(|e| e.to_string(), |_| "no fault".to_owned());
+        if !found.starts_with(expected) || found.contains('\n') {
+            wrong.push(format!("{lines:?}: {found}, not {expected}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let none = file::parse("name = 'x'", Path::new("x.toml")).unwrap_err().to_string();
+    assert!(none.starts_with("x.toml: no object: legal are two tables [a] and [b], or"), "{none}");
+    let one = file::parse("name = 'x'\n[a]\nmesh = 'm.stl'", Path::new("x.toml")).unwrap_err().to_string();
+    assert!(one.starts_with("x.toml:2: [a] without [b]: legal"), "{one}");
+}
+
+/// Objects seen from one that is itself turned: no pair of triangles that touch is missing from the meetings, and
+/// those that touch by construction are found.
+#[test]
+fn no_meeting_of_turned_objects_is_missed() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    let (mut met, mut all) = (0, 0);
+    for round in 0..40 {
+        let count = 6;
+        let meshes: Vec<Mesh> = (0..count).map(|_| random_mesh(&mut rng, 2, 1.0)).collect();
+        let poses: Vec<Pose> = (0..count)
+            .map(|_| {
+                let axis = Vector3::from([0; 3].map(|_| rng.random_range(-1.0..1.0)));
+                let degrees = if round % 2 == 0 {
+                    90.0 * f64::from(rng.random_range(0..4))
+                } else {
+                    rng.random_range(0.0..360.0)
+                };
+                let rotation = pose::axis_angle(if round % 2 == 0 { Vector3::y() } else { axis }, degrees);
+                Pose { rotation, translation: Vector3::from([0; 3].map(|_| f64::from(rng.random_range(-9..=9)))) }
+            })
+            .collect();
+        let boxes: Vec<Bounds> = meshes.iter().map(Mesh::bounds).collect();
+        let found = sweep::overlapping(&boxes, &poses);
+        for i in 0..count {
+            for j in i + 1..count {
+                let seen = poses[i].seen(&poses[j]);
+                let m = [0, 1, 2].map(|r| [0, 1, 2].map(|c| seen.rotation[(r, c)]));
+                let corners = |mesh: &Mesh, face: usize| mesh.triangle(face).map(<[f64; 3]>::from);
+                let touch = (0..4).any(|k| {
+                    let (x, y) = (corners(&meshes[i], k / 2), corners(&meshes[j], k % 2));
+                    crate::exact::posed_pair(&x, &y, &m, &seen.translation.into()) != crate::exact::Exact::Separate
+                });
+                assert!(!touch || found.contains(&(i, j)), "round {round}: {i} and {j}");
+                met += usize::from(touch);
+            }
+        }
+        all += found.len();
+    }
+    assert!(met > 40 && all < 40 * 14, "{met} pairs of objects touch, {all} of {} meet", 40 * 15);
+}
+
+#[test]
+fn findings_of_a_mesh_are_those_of_its_objects() {
+    let folder = tempfile::tempdir().unwrap();
+    let obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\nf 1 2 7\n";
+    std::fs::write(folder.path().join("m.obj"), obj).unwrap();
+    let text = "name = 'x'\n[a]\nmesh = 'm.obj'\n[b]\nmesh = 'm.obj'\n[[pose]]\n";
+    let scene = file::parse(text, &folder.path().join("x.toml")).unwrap();
+    assert!(Arc::ptr_eq(&scene.objects[0].mesh, &scene.objects[1].mesh));
+    for object in &scene.objects {
+        let defects: Vec<_> = object.findings.list.iter().map(|finding| (finding.defect, finding.count)).collect();
+        assert_eq!(defects, [(Defect::OutOfRange, 1), (Defect::Duplicate, 1)]);
+    }
 }
 
 #[test]
@@ -145,7 +353,8 @@ fn exact(x: f64) -> BigInt {
 }
 
 /// Exact boxes of B's triangles in A's frame, in units of 2^-2150.
-fn exact_boxes(mesh: &Mesh, m: &Matrix3<f64>, t: &Vector3<f64>) -> Vec<[(BigInt, BigInt); 3]> {
+fn exact_boxes(mesh: &Mesh, pose: &Pose) -> Vec<[(BigInt, BigInt); 3]> {
+    let Pose { rotation: m, translation: t } = pose;
     let row = |i: usize, x: &Point3<f64>| {
         let translation = exact(t[i]) << 1075u32;
         (0..3).fold(translation, |sum, j| sum + exact(m[(i, j)]) * exact(x[j]))
@@ -181,8 +390,9 @@ fn no_pair_of_exact_boxes_is_missed() {
             _ => pose::axis_angle(axis, rng.random_range(-180.0..180.0)),
         };
         let t = Vector3::from([0; 3].map(|_| f64::from(rng.random_range(-9..=9)) * scale));
-        let found = candidates(&Tree::new(&a), &Tree::new(&b), &m, &t);
-        let boxes = (exact_boxes(&a, &Matrix3::identity(), &Vector3::zeros()), exact_boxes(&b, &m, &t));
+        let pose = Pose { rotation: m, translation: t };
+        let found = candidates(&Tree::new(&a), &Tree::new(&b), &pose);
+        let boxes = (exact_boxes(&a, &Pose::identity()), exact_boxes(&b, &pose));
         for (p, x) in (0..).zip(&boxes.0) {
             for (q, y) in (0..).zip(&boxes.1) {
                 let overlap = x.iter().zip(y).all(|(x, y)| x.0 <= y.1 && y.0 <= x.1);
@@ -203,17 +413,16 @@ fn the_tree_agrees_with_brute_force_on_the_headlight() {
     let scene = Scene::default_scene();
     let broad_phase = scene.broad_phase();
     // The fullest of some poses of the smallest distance.
-    let number = (6 * 360..7 * 360).step_by(20).max_by_key(|&i| broad_phase.pairs(i).len()).unwrap();
-    let pose = &scene.poses[number];
-    let moved = Mesh {
-        vertices: scene.b.vertices.iter().map(|v| pose.rotation * v + pose.translation).collect(),
-        faces: scene.b.faces.clone(),
-    };
+    let meetings = (6 * 360..7 * 360).step_by(20).flat_map(|frame| broad_phase.meetings(frame));
+    let meeting = meetings.max_by_key(|meeting| broad_phase.pairs(meeting).len()).unwrap();
+    let [fixed, tumbling] = broad_phase.meshes(&meeting);
+    let vertices = tumbling.vertices.iter().map(|v| meeting.pose.image(v)).collect();
+    let moved = Mesh { vertices, faces: tumbling.faces.clone() };
     let boxes = |mesh: &Mesh| (0..mesh.faces.len()).map(|i| mesh::Bounds::of(&mesh.triangle(i))).collect::<Vec<_>>();
-    let (a, b) = (boxes(&scene.a), boxes(&moved));
+    let (a, b) = (boxes(fixed), boxes(&moved));
     // Every fifth triangle of A: the rest would only cost time.
     let tested = |p: usize| p % 5 == 0;
-    let pairs = broad_phase.pairs(number);
+    let pairs = broad_phase.pairs(&meeting);
     let found: std::collections::BTreeSet<_> = pairs.into_iter().filter(|&(p, _)| tested(p as usize)).collect();
     assert!(!found.is_empty());
     let mut count = 0;
@@ -233,8 +442,8 @@ fn pairs_come_in_order_whatever_the_number_of_threads() {
         let mut seen = Vec::new();
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            scene.broad_phase().try_for_each(|pose, pairs| {
-                seen.push((pose, pairs.to_vec()));
+            scene.broad_phase().try_for_each(|meeting, pairs| {
+                seen.push((meeting.clone(), pairs.to_vec()));
                 Ok::<(), ()>(())
             })
         })
@@ -243,12 +452,12 @@ fn pairs_come_in_order_whatever_the_number_of_threads() {
     };
     let seen = run(1);
     assert_eq!(seen, run(3));
-    assert!(seen.iter().map(|(pose, _)| *pose).eq(0..24) && seen.iter().any(|(_, pairs)| !pairs.is_empty()));
+    assert!(seen.windows(2).all(|w| w[0].0.frame < w[1].0.frame) && seen.iter().any(|(_, pairs)| !pairs.is_empty()));
     assert!(seen.iter().all(|(_, pairs)| pairs.windows(2).all(|w| w[0] < w[1])));
     let mut calls = 0;
-    let stopped = scene.broad_phase().try_for_each(|pose, _| {
+    let stopped = scene.broad_phase().try_for_each(|_, _| {
         calls += 1;
-        if pose == 2 {
+        if calls == 3 {
             Err("enough")
         } else {
             Ok(())
@@ -260,6 +469,6 @@ fn pairs_come_in_order_whatever_the_number_of_threads() {
 #[test]
 fn a_mesh_without_triangles_has_no_pairs() {
     let (empty, one) = (Mesh::default(), mesh::headlight());
-    let pairs = candidates(&Tree::new(&empty), &Tree::new(&one), &Matrix3::identity(), &Vector3::zeros());
+    let pairs = candidates(&Tree::new(&empty), &Tree::new(&one), &Pose::identity());
     assert!(pairs.is_empty());
 }

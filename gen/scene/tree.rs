@@ -2,18 +2,20 @@
 //!
 //! No pair of triangles with a common point is ever missed. A's boxes are made by comparisons of the given doubles, so
 //! they are exact. Mesh B is brought to A's frame vertex by vertex, each coordinate as an interval that surely
-//! holds the real number M x + t (see `transformed`); the box of a triangle is the box of its corners' intervals,
+//! holds the real number M x + t (see `enclosure`); the box of a triangle is the box of its corners' intervals,
 //! hence holds the triangle, because an affine map keeps convex hulls; the box of an inner node holds those of its
 //! children.
 //! If two triangles have a common point, then it lies in both leaf boxes and in the boxes of all their ancestors, so
 //! that every test on the way down sees an overlap: touching boxes count.
 
+use super::enclosure::image;
+use super::Pose;
 use crate::mesh::{Bounds, Mesh};
-use nalgebra::{Matrix3, Point3, Vector3};
+use nalgebra::Point3;
 
 /// A node of the tree; nodes are stored parent first, left subtree before right.
 #[derive(Clone, Copy, Debug)]
-enum Node {
+pub(super) enum Node {
     /// One triangle.
     Leaf(u32),
     /// Two subtrees: the left one follows its parent, the right one is at this index.
@@ -32,15 +34,7 @@ impl<'a> Tree<'a> {
     /// Builds the tree: every node is split at the median of the triangles' centres along its longest edge, so that
     /// the depth is the logarithm of the number of triangles.
     pub fn new(mesh: &'a Mesh) -> Self {
-        let mut triangles: Vec<(u32, Point3<f64>)> = (0u32..)
-            .zip(&mesh.faces)
-            .map(|(index, face)| (index, Bounds::of(face.map(|v| &mesh.vertices[v as usize])).centre()))
-            .collect();
-        let mut nodes = Vec::with_capacity(2 * triangles.len());
-        if !triangles.is_empty() {
-            split(&mut triangles, &mut nodes);
-        }
-        let mut tree = Self { mesh, nodes, boxes: Vec::new() };
+        let mut tree = Self { mesh, nodes: nodes(mesh), boxes: Vec::new() };
         tree.boxes = tree.fit(&mesh.vertices.iter().map(|&v| Bounds { min: v, max: v }).collect::<Vec<_>>());
         tree
     }
@@ -58,6 +52,20 @@ impl<'a> Tree<'a> {
         }
         boxes
     }
+}
+
+/// The nodes of a tree over the triangles of a mesh: every one is split at the median of the triangles' centres along
+/// its longest edge.
+pub(super) fn nodes(mesh: &Mesh) -> Vec<Node> {
+    let mut triangles: Vec<(u32, Point3<f64>)> = (0u32..)
+        .zip(&mesh.faces)
+        .map(|(index, face)| (index, Bounds::of(face.map(|v| &mesh.vertices[v as usize])).centre()))
+        .collect();
+    let mut nodes = Vec::with_capacity(2 * triangles.len());
+    if !triangles.is_empty() {
+        split(&mut triangles, &mut nodes);
+    }
+    nodes
 }
 
 /// Appends the subtree over `triangles`, of which there is at least one.
@@ -79,10 +87,10 @@ fn split(triangles: &mut [(u32, Point3<f64>)], nodes: &mut Vec<Node>) {
     split(right, nodes);
 }
 
-/// All pairs (triangle of A, triangle of B) whose boxes overlap in A's frame when B is at `x_A = m * x_B + t`, in
+/// All pairs (triangle of A, triangle of B) whose boxes overlap in A's frame when B is in `pose` as seen from A, in
 /// ascending order. No pair with a common point is missing, whatever the doubles are.
-pub fn candidates(a: &Tree<'_>, b: &Tree<'_>, m: &Matrix3<f64>, t: &Vector3<f64>) -> Vec<(u32, u32)> {
-    let boxes = b.fit(&b.mesh.vertices.iter().map(|v| transformed(v, m, t)).collect::<Vec<_>>());
+pub fn candidates(a: &Tree<'_>, b: &Tree<'_>, pose: &Pose) -> Vec<(u32, u32)> {
+    let boxes = b.fit(&b.mesh.vertices.iter().map(|v| image(v, pose)).collect::<Vec<_>>());
     let mut pairs = Vec::new();
     let mut stack = Vec::new();
     if !a.nodes.is_empty() && !b.nodes.is_empty() {
@@ -104,19 +112,4 @@ pub fn candidates(a: &Tree<'_>, b: &Tree<'_>, m: &Matrix3<f64>, t: &Vector3<f64>
     }
     pairs.sort_unstable();
     pairs
-}
-
-/// A box that surely holds the real point `m * x + t`.
-///
-/// With u = 2^-53 and S = |m0 x0| + |m1 x1| + |m2 x2| + |t|, each coordinate is computed in binary64 as y with
-/// |y - exact| <= 4u/(1-4u) S + 3 * 2^-1075, the last term for products that underflow. The computed S is
-/// short of the real one by no more than that. The radius r = 2^-50 S + 2^-1022, rounded, therefore exceeds the error
-/// by more than 3u S + 2^-1023, and y - r and y + r are rounded by at most u |y +- r| <= 1.1 u S + 2^-1074. If S is
-/// too large for that argument (or not a number) the interval is all numbers.
-fn transformed(x: &Point3<f64>, m: &Matrix3<f64>, t: &Vector3<f64>) -> Bounds {
-    let y = m * x.coords + t;
-    let size = m.abs() * x.coords.abs() + t.abs();
-    let radius = size.map(|s| if s < f64::MAX / 4.0 { s * 2f64.powi(-50) + f64::MIN_POSITIVE } else { f64::INFINITY });
-    let bound = |sign: f64| y.zip_map(&radius, |y, r| if r.is_finite() { y + sign * r } else { sign * r });
-    Bounds { min: bound(-1.0).into(), max: bound(1.0).into() }
 }

@@ -1,0 +1,28 @@
+//! The trees of a scene.
+
+use super::{Directions, DopTree};
+use crate::scene::{Meeting, Scene};
+use rayon::prelude::*;
+
+/// The k-DOP trees of a scene's meshes, each built once.
+#[derive(Clone, Debug)]
+pub struct Forest {
+    trees: Vec<DopTree>,
+    mesh_of: Vec<usize>,
+}
+
+impl Forest {
+    /// Builds the trees.
+    pub fn new(scene: &Scene, directions: Directions) -> Self {
+        let (meshes, mesh_of) = scene.meshes();
+        Self { trees: meshes.par_iter().map(|mesh| DopTree::new(mesh, directions)).collect(), mesh_of }
+    }
+
+    /// The trees of the two objects of a meeting.
+    ///
+    /// # Panics
+    /// If the meeting is one of another scene, of more objects.
+    pub fn trees(&self, meeting: &Meeting) -> [&DopTree; 2] {
+        [meeting.a, meeting.b].map(|object| &self.trees[self.mesh_of[object]])
+    }
+}

@@ -1,0 +1,20 @@
+//! k-DOP trees: discretely oriented polytopes as bounding volumes, and which of their nodes can meet in a pose.
+//!
+//! All numbers of a tree and of a test are integers of a fixed number of bits. No pair of triangles with a common point
+//! is ever lost; the proof is in `docs/hierarchy.md`.
+
+mod directions;
+mod forest;
+mod realign;
+mod statistics;
+mod traverse;
+mod tree;
+
+pub use directions::Directions;
+pub use forest::Forest;
+pub use statistics::Statistics;
+pub use traverse::{first_hit, pairs, Scratch};
+pub use tree::DopTree;
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,249 @@
+//! Tests of k-DOP trees: combinations, realigned offsets against exact ones, and that no pair is lost.
+
+use super::realign::Realignment;
+use super::tree::scaled;
+use super::*;
+use crate::exact::{posed_pair, Exact};
+use crate::mesh::{headlight, Mesh};
+use crate::scene::pose::{axis_angle, Pose};
+use crate::scene::tree::Node;
+use nalgebra::{Matrix3, Point3, Vector3};
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{Signed, Zero};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+/// Beyond it offsets are clamped.
+const FAR: i32 = 1 << 28;
+
+fn rational(x: f64) -> BigRational {
+    BigRational::from_float(x).expect("finite")
+}
+
+fn power_of_two(exponent: i32) -> BigRational {
+    let one = BigRational::from_integer(1.into());
+    let power = BigRational::from_integer(BigInt::from(1) << exponent.unsigned_abs());
+    if exponent < 0 {
+        one / power
+    } else {
+        power
+    }
+}
+
+/// A mesh of `count` triangles with corners on a coarse grid around a point, so that they often touch exactly.
+fn random_mesh(rng: &mut ChaCha8Rng, count: u32, scale: f64, centre: f64) -> Mesh {
+    let mut corner = || Point3::from([0; 3].map(|_| (centre + f64::from(rng.random_range(-8..=8))) * scale));
+    let vertices = (0..3 * count).map(|_| corner()).collect();
+    Mesh { vertices, faces: (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect() }
+}
+
+/// Quarter turns and any others, shears, and what no rotation is.
+fn random_pose(rng: &mut ChaCha8Rng, round: usize, scale: f64) -> Pose {
+    let axis = Vector3::from([0; 3].map(|_| rng.random_range(-1.0..1.0)));
+    let rotation = match round % 6 {
+        0 => Matrix3::identity(),
+        1 => axis_angle(Vector3::z(), 90.0 * f64::from(rng.random_range(0..4))),
+        2 => Matrix3::from_fn(|_, _| f64::from(rng.random_range(-2..=2)) * 0.75),
+        3 => Matrix3::from_fn(|_, _| rng.random_range(-1.0..1.0) * [1e-3, 1.0, 1e5][rng.random_range(0..3)]),
+        _ => axis_angle(axis, rng.random_range(-180.0..180.0)),
+    };
+    let translation = Vector3::from([0; 3].map(|_| f64::from(rng.random_range(-9..=9)) * scale));
+    Pose { rotation, translation }
+}
+
+#[test]
+fn directions_come_with_their_opposites() {
+    for set in Directions::ALL {
+        let vectors: Vec<[i8; 3]> = (0..set.count()).map(|index| set.vector(index)).collect();
+        for (index, vector) in vectors.iter().enumerate() {
+            assert_eq!(vectors[index ^ 1], vector.map(|x| -x));
+            assert_eq!(vectors.iter().filter(|other| *other == vector).count(), 1);
+        }
+        assert_eq!(Directions::of(set.count()), Some(set));
+    }
+    assert_eq!(Directions::of(8), None);
+    // 14 = 6 + 8 and 18 = 6 + 12.
+    let length = |set: Directions| set.vector(set.count() - 1).iter().map(|x| x.abs()).sum::<i8>();
+    assert_eq!(Directions::ALL.map(length), [1, 3, 2, 3]);
+}
+
+#[test]
+fn every_vector_is_a_sum_of_three_directions_with_factors_that_are_not_negative() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    for round in 0..4000 {
+        // Multiples of four, so that halves are whole; ties and zeros are frequent.
+        let w = Vector3::from([0; 3].map(|_| 4.0 * f64::from(rng.random_range(-5 - round % 50..=5))));
+        for set in Directions::ALL {
+            let mut sum = Vector3::zeros();
+            for (index, factor) in set.combination(&w) {
+                assert!(factor >= 0.0, "{set:?} {w:?}");
+                sum += Vector3::from(set.vector(index).map(f64::from)) * factor;
+            }
+            assert_eq!(sum, w, "{set:?}");
+        }
+    }
+}
+
+/// The triangles under each node.
+fn triangles_of(tree: &DopTree) -> Vec<Vec<u32>> {
+    let mut sets: Vec<Vec<u32>> = vec![vec![]; tree.len()];
+    for (node, kind) in tree.nodes.iter().enumerate().rev() {
+        sets[node] = match *kind {
+            Node::Leaf(triangle) => vec![triangle],
+            Node::Inner(right) => [sets[node + 1].clone(), sets[right as usize].clone()].concat(),
+        };
+    }
+    sets
+}
+
+/// The greatest h . (M x + t - c), in steps of a grid, exactly.
+fn exact_offset(points: &[Point3<f64>], h: [i8; 3], pose: &Pose, centre: &Point3<f64>, exponent: i32) -> BigRational {
+    let image = |x: &Point3<f64>| {
+        (0..3).fold(BigRational::zero(), |sum, i| {
+            let row = (0..3).fold(rational(pose.translation[i]) - rational(centre[i]), |row, j| {
+                row + rational(pose.rotation[(i, j)]) * rational(x[j])
+            });
+            sum + row * BigRational::from_integer(h[i].into())
+        })
+    };
+    points.iter().map(image).max().expect("a triangle has corners") / power_of_two(exponent)
+}
+
+/// Realigned offsets are upper bounds, in exact arithmetic, for scales and poses of all kinds.
+#[test]
+fn realigned_offsets_hold_what_is_in_them() {
+    let mut rng = ChaCha8Rng::seed_from_u64(2);
+    let (mut compared, mut tight) = (0, 0);
+    for round in 0..42 {
+        let scales = [1.0, 0.1, 1e-3, 1e-160, 1e150, 1e-300, 1e5];
+        let (of_a, of_b) = (scales[round % 7], if round % 5 == 0 { scales[round % 4] } else { scales[round % 7] });
+        let far = [0.0, 1e3, 1e9][round % 3];
+        let meshes = [random_mesh(&mut rng, 3, of_a, far), random_mesh(&mut rng, 5, of_b, far)];
+        let pose = random_pose(&mut rng, round, of_a);
+        for set in Directions::ALL {
+            let [a, b] = [0, 1].map(|mesh: usize| DopTree::new(&meshes[mesh], set));
+            let realignment = Realignment::new(&a, &b, &pose);
+            let mut offsets = vec![0; set.count()];
+            for (node, triangles) in triangles_of(&b).iter().enumerate() {
+                realignment.realign(b.dop(node), &mut offsets);
+                let points: Vec<_> = triangles.iter().flat_map(|&face| meshes[1].triangle(face as usize)).collect();
+                for (index, &offset) in offsets.iter().enumerate().filter(|(_, offset)| **offset < FAR) {
+                    let exact = exact_offset(&points, set.vector(index), &pose, &a.centre, a.exponent);
+                    let excess = BigRational::from_integer(offset.into()) - exact;
+                    assert!(!excess.is_negative(), "round {round}, {set:?}, node {node}, direction {index}");
+                    compared += 1;
+                    tight += u32::from(excess < BigRational::from_integer(64.into()));
+                }
+            }
+            // The offsets of A itself are those of the identity, but for the rounding.
+            for (node, triangles) in triangles_of(&a).iter().enumerate() {
+                let points: Vec<_> = triangles.iter().flat_map(|&face| meshes[0].triangle(face as usize)).collect();
+                for (index, &offset) in a.dop(node).iter().enumerate() {
+                    let exact = exact_offset(&points, set.vector(index), &Pose::identity(), &a.centre, a.exponent);
+                    let excess = BigRational::from_integer(offset.into()) - exact;
+                    assert!(!excess.is_negative() && excess < BigRational::from_integer(2.into()));
+                }
+            }
+        }
+    }
+    assert!(compared > 5_000 && tight * 4 > compared, "{tight} of {compared} within 64 steps");
+}
+
+/// The error of the fixed point: 2 steps and 9 * 2^(20 - places) g_B / g_A, at most 20 for rotations of equal meshes.
+#[test]
+fn the_error_of_the_fixed_point_is_bounded() {
+    let mut rng = ChaCha8Rng::seed_from_u64(3);
+    let mesh = random_mesh(&mut rng, 6, 1.0, 0.0);
+    let mut worst: f64 = 0.0;
+    for _ in 0..300 {
+        let axis = Vector3::from([0; 3].map(|_| rng.random_range(-1.0..1.0)));
+        let translation = Vector3::from([0; 3].map(|_| rng.random_range(-9.0..9.0)));
+        let pose = Pose { rotation: axis_angle(axis, rng.random_range(-180.0..180.0)), translation };
+        for set in Directions::ALL {
+            let tree = DopTree::new(&mesh, set);
+            let realignment = Realignment::new(&tree, &tree, &pose);
+            let mut offsets = vec![0; set.count()];
+            for node in 0..tree.len() {
+                realignment.realign(tree.dop(node), &mut offsets);
+                for (index, &offset) in offsets.iter().enumerate() {
+                    let h = Vector3::from(set.vector(index).map(f64::from));
+                    let terms = set.combination(&(pose.rotation.transpose() * h));
+                    let sum: f64 = terms.iter().map(|&(j, factor)| factor * f64::from(tree.dop(node)[j])).sum();
+                    let centre = pose.rotation * tree.centre.coords + translation - tree.centre.coords;
+                    let real = sum + scaled(h.dot(&centre), -tree.exponent);
+                    worst = worst.max(f64::from(offset) - real);
+                }
+            }
+        }
+    }
+    assert!(worst > 0.5 && worst < 21.0, "{worst} steps");
+}
+
+/// Against brute force: every pair that touches, exactly, is found with every set of directions.
+#[test]
+fn no_pair_of_touching_triangles_is_lost() {
+    let mut rng = ChaCha8Rng::seed_from_u64(4);
+    let mut scratch = Scratch::default();
+    let (mut touching, mut found_in_all) = (0, 0);
+    for round in 0..60 {
+        let scale = [1.0, 0.1, 1e-3, 1e-160, 1e100][round % 5];
+        let [a, b] = [0, 1].map(|_| random_mesh(&mut rng, 10, scale, [0.0, 64.0][round % 2]));
+        let pose = random_pose(&mut rng, round, scale);
+        let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)]));
+        let corners = |mesh: &Mesh, face: usize| mesh.triangle(face).map(<[f64; 3]>::from);
+        let all = (0..10u32).flat_map(|p| (0..10u32).map(move |q| (p, q)));
+        let touch = |&(p, q): &(u32, u32)| {
+            let (x, y) = (corners(&a, p as usize), corners(&b, q as usize));
+            posed_pair(&x, &y, &m, &pose.translation.into()) != Exact::Separate
+        };
+        let expected: Vec<(u32, u32)> = all.filter(touch).collect();
+        for set in Directions::ALL {
+            let trees = [&a, &b].map(|mesh| DopTree::new(mesh, set));
+            let (found, statistics) = pairs(&trees[0], &trees[1], &pose, &mut scratch);
+            assert!(found.windows(2).all(|w| w[0] < w[1]));
+            assert_eq!(statistics.pairs_tested, found.len() as u64);
+            for pair in &expected {
+                assert!(found.binary_search(pair).is_ok(), "round {round}, {set:?}: {pair:?}");
+            }
+            found_in_all += found.len();
+        }
+        touching += expected.len();
+    }
+    assert!(touching > 300, "{touching} pairs touch");
+    assert!(found_in_all < 4 * 60 * 100 * 2 / 3, "and not simply all pairs are found: {found_in_all}");
+}
+
+#[test]
+fn the_first_hit_ends_the_query() {
+    let mesh = headlight();
+    let tree = DopTree::new(&mesh, Directions::Eighteen);
+    let pose = Pose { rotation: axis_angle(Vector3::y(), 20.0), translation: Vector3::new(0.0, 0.0, 60.0) };
+    let mut scratch = Scratch::default();
+    let (all, whole) = pairs(&tree, &tree, &pose, &mut scratch);
+    assert!(all.len() > 1000);
+    assert!(whole.transforms <= tree.len() as u64 && whole.transforms < whole.overlap_tests);
+    assert!(whole.nodes_visited <= whole.overlap_tests && whole.pairs_tested < whole.nodes_visited);
+    let wanted = all[all.len() / 2];
+    let (hit, part) = first_hit(&tree, &tree, &pose, &mut scratch, |pair| pair == wanted);
+    assert_eq!(hit, Some(wanted));
+    assert!(part.pairs_tested < whole.pairs_tested && part.overlap_tests < whole.overlap_tests);
+    let (hit, none) = first_hit(&tree, &tree, &pose, &mut scratch, |_| false);
+    assert_eq!((hit, none), (None, whole));
+}
+
+#[test]
+fn meshes_without_triangles_and_of_one_point_have_trees() {
+    let (empty, one) = (Mesh::default(), Mesh { vertices: vec![Point3::new(3.0, 0.1, -7.0)], faces: vec![[0; 3]] });
+    for set in Directions::ALL {
+        let [none, point] = [&empty, &one].map(|mesh| DopTree::new(mesh, set));
+        assert!(none.is_empty() && point.len() == 1);
+        let mut scratch = Scratch::default();
+        let mut count = |a, b, pose| pairs(a, b, &pose, &mut scratch).0.len();
+        assert_eq!(count(&none, &point, Pose::identity()), 0);
+        assert_eq!(count(&point, &none, Pose::identity()), 0);
+        assert_eq!(count(&point, &point, Pose::identity()), 1);
+        let away = Pose { translation: Vector3::new(1e-9, 0.0, 0.0), ..Pose::identity() };
+        assert_eq!(count(&point, &point, away), 0);
+    }
+}

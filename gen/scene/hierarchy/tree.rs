@@ -1,0 +1,118 @@
+//! A tree of k-DOPs over the triangles of a mesh.
+
+use super::Directions;
+use crate::mesh::Mesh;
+use crate::scene::tree::{nodes, Node};
+use nalgebra::{Point3, Vector3};
+
+/// The half-size of a mesh is at most 2^FRACTION steps of its grid.
+pub(super) const FRACTION: i32 = 20;
+/// The exponents of grids: a mesh of one point has one too.
+const EXPONENTS: std::ops::RangeInclusive<i32> = -900..=1004;
+/// What is added to a projection before it is rounded up, in steps of the grid: more than its rounding errors.
+const SLACK: f64 = 1.0 / (1u64 << 28) as f64;
+
+/// A binary tree of k-DOPs over the triangles of a mesh, one triangle to a leaf.
+///
+/// With the directions n_i, the DOP of a node is the set of all x with n_i . (x - c) <= d_i g: c is the centre of the
+/// mesh's box, g = 2^exponent the step of its grid, and the d_i are integers, rounded up.
+#[derive(Clone, Debug)]
+pub struct DopTree {
+    pub(super) directions: Directions,
+    pub(super) nodes: Vec<Node>,
+    /// The d_i, one node after the other; below 3 * 2^20 + 2, so that 23 bits hold them.
+    pub(super) offsets: Vec<i32>,
+    /// c.
+    pub(super) centre: Point3<f64>,
+    /// g = 2^exponent.
+    pub(super) exponent: i32,
+    /// No coordinate of a vertex is farther from the centre than that, in steps of the grid.
+    pub(super) reach: Vector3<f64>,
+}
+
+impl DopTree {
+    /// Builds the tree; nodes are split as those of the tree of boxes.
+    pub fn new(mesh: &Mesh, directions: Directions) -> Self {
+        let bounds = mesh.bounds();
+        let (centre, half) = match mesh.vertices.is_empty() {
+            true => (Point3::origin(), 0.0),
+            false => (bounds.centre(), bounds.half_size()),
+        };
+        let exponent = (ceil_log2(half) - FRACTION).clamp(*EXPONENTS.start(), *EXPONENTS.end());
+        // |v - c| <= half, give or take a rounding, so |y| <= 2^20 (1 + 2^-50) and each difference is wrong by at most
+        // 2^-32 steps (the scaling is exact, but for results below 2^-1022).
+        let steps = |v: &Point3<f64>| (v - centre).map(|x| scaled(x, -exponent));
+        let vertices: Vec<Vector3<f64>> = mesh.vertices.iter().map(steps).collect();
+        let reach = vertices.iter().fold(Vector3::zeros(), |reach, y| reach.sup(&y.abs())).add_scalar(SLACK);
+        let mut tree = Self { directions, nodes: nodes(mesh), offsets: vec![], centre, exponent, reach };
+        tree.offsets = tree.fit(mesh, &vertices);
+        tree
+    }
+
+    /// The set of directions.
+    pub fn directions(&self) -> Directions {
+        self.directions
+    }
+
+    /// The number of nodes: one less than twice the number of triangles.
+    pub fn len(&self) -> usize {
+        self.nodes.len()
+    }
+
+    /// Whether the mesh has no triangle.
+    pub fn is_empty(&self) -> bool {
+        self.nodes.is_empty()
+    }
+
+    /// The d_i of a node.
+    pub(super) fn dop(&self, node: usize) -> &[i32] {
+        let k = self.directions.count();
+        &self.offsets[node * k..][..k]
+    }
+
+    /// The offsets of all nodes, from the leaves up.
+    fn fit(&self, mesh: &Mesh, vertices: &[Vector3<f64>]) -> Vec<i32> {
+        let k = self.directions.count();
+        // A sum of three differences below 2^20 is wrong by less than 2^-30 steps, so that with the slack it is an
+        // upper bound before it is rounded up.
+        let offset = |y: &Vector3<f64>, n: [i8; 3]| {
+            let projection: f64 = n.iter().zip(y.iter()).map(|(&n, &y)| f64::from(n) * y).sum();
+            (projection + SLACK).ceil() as i32
+        };
+        let of_vertices: Vec<i32> = vertices
+            .iter()
+            .flat_map(|y| (0..k).map(move |index| (y, index)))
+            .map(|(y, index)| offset(y, self.directions.vector(index)))
+            .collect();
+        let mut offsets = vec![0; self.nodes.len() * k];
+        for (node, kind) in self.nodes.iter().enumerate().rev() {
+            for index in 0..k {
+                offsets[node * k + index] = match *kind {
+                    Node::Leaf(triangle) => {
+                        let [p, q, r] = mesh.faces[triangle as usize].map(|v| of_vertices[v as usize * k + index]);
+                        p.max(q).max(r)
+                    }
+                    Node::Inner(right) => offsets[(node + 1) * k + index].max(offsets[right as usize * k + index]),
+                };
+            }
+        }
+        offsets
+    }
+}
+
+/// The least e with x <= 2^e, for x >= 0; a small number for 0.
+pub(super) fn ceil_log2(x: f64) -> i32 {
+    let (exponent, fraction) = ((x.to_bits() >> 52) as i32, x.to_bits() << 12);
+    match exponent {
+        // Below 2^-1022; what is below the least exponent of a grid needs no better answer.
+        0 => -1022,
+        _ => exponent - 1023 + i32::from(fraction != 0),
+    }
+}
+
+/// x * 2^power, which rounds only results that leave the normal numbers.
+pub(super) fn scaled(x: f64, power: i32) -> f64 {
+    // 2^power itself may leave them.
+    let half = power / 2;
+    x * 2f64.powi(half) * 2f64.powi(power - half)
+}
