@@ -64,6 +64,7 @@ pub const VHDL: &[Explanation] = &[
     same("renormalise_scale:moved_*:constant:last bit of a literal -> 1", DROPPED),
     same("pair_pipeline:magnitude*_zero:constant:last bit of a literal -> 1", NEVER_ZERO),
     same("cross_product:*_clamp_lo:case:*_most -> *_least, the next arm", BELOW),
+    same("cross_product:*_clamp_hi:case:*_least -> *, the next arm", BELOW),
     same("efsat:pair_v0_*:delay:a register too many", LATER),
     hidden(
         "sequencer:running:delay:a register too many",

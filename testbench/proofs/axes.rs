@@ -1,6 +1,6 @@
 //! Claims of the axis units: cross product and projection around their multipliers, and the comparator network.
 
-use super::claim::Claim;
+use super::claim::{number, Claim};
 use super::products::{given_sign_cases, sign_case};
 use super::rounding::claim_rounded;
 use super::settings::Setting;
@@ -129,16 +129,21 @@ pub fn projection(setting: &Setting) -> Claim {
     claim
 }
 
+/// `x < y` as the units compare. That it is the same is claimed too, of any two projections.
+fn below(x: &str, y: &str) -> String {
+    format!("({x} - {y} < {})", number(0))
+}
+
 /// The least of some expressions.
 fn least(values: &[String]) -> String {
     let (first, rest) = values.split_first().expect("at least one");
-    rest.iter().fold(first.clone(), |found, value| format!("({found} < {value} ? {found} : {value})"))
+    rest.iter().fold(first.clone(), |found, value| format!("({} ? {found} : {value})", below(&found, value)))
 }
 
 /// The greatest of some expressions.
 fn greatest(values: &[String]) -> String {
     let (first, rest) = values.split_first().expect("at least one");
-    rest.iter().fold(first.clone(), |found, value| format!("({value} < {found} ? {found} : {value})"))
+    rest.iter().fold(first.clone(), |found, value| format!("({} ? {value} : {found})", below(&found, value)))
 }
 
 /// The flags of a design's comparator network are as defined by the bounds.
@@ -197,8 +202,11 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
             claim.value(&format!("{triangle}_max_{end}"), greatest(&all));
         }
     }
-    claim.shown("separated == (b_min_lo > a_max_hi || a_min_lo > b_max_hi)");
-    claim.shown("overlapping == (a_min_hi < b_max_lo && b_min_hi < a_max_lo)");
+    claim.shown(format!("{} == (p0_lo < p1_hi)", below("p0_lo", "p1_hi")));
+    let both = |x: (&str, &str), sign: &str, y: (&str, &str)| format!("{} {sign} {}", below(x.0, x.1), below(y.0, y.1));
+    let separated = both(("a_max_hi", "b_min_lo"), "||", ("b_max_hi", "a_min_lo"));
+    let overlapping = both(("a_min_hi", "b_max_lo"), "&&", ("b_min_hi", "a_max_lo"));
+    claim.shown(format!("separated == ({separated})")).shown(format!("overlapping == ({overlapping})"));
     if sound {
         for i in 0..points {
             claim.within(&format!("t{i}"), &format!("p{i}"));

@@ -144,9 +144,10 @@ impl Claim {
         self
     }
 
-    /// Says that the claim only compares numbers: without slack the solver sees that it compares as the unit does.
+    /// Says that the claim only compares numbers: with the one bit that a difference needs, and no more, the solver sees
+    /// that it compares as the unit does.
     pub fn compares_only(&mut self) -> &mut Self {
-        self.slack = 0;
+        self.slack = 1;
         self
     }
 
