@@ -188,7 +188,7 @@ impl Payload<'_> {
         match self.header.encoding {
             Encoding::Ascii => {
                 let text = String::from_utf8_lossy(bytes);
-                if let Some(read) = without_number(&text, element, &fault)? {
+                if let Some(read) = without_number(&text, element, fault)? {
                     return Ok(read);
                 }
                 if !lists_fit(&text, element) {

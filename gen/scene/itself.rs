@@ -25,26 +25,3 @@ impl Scene {
         Self { name: name.into(), objects: vec![object("a"), object("b")], motions: vec![Motion::Tumble(tumble)] }
     }
 }
-
-impl Tumble {
-    /// The turn of `object`, number `index`, about `fixed`.
-    pub(super) fn about(
-        fixed: &Object,
-        object: &Object,
-        index: usize,
-        steps: u32,
-        distances: Vec<f64>,
-        direction: Vector3<f64>,
-    ) -> Self {
-        let boxes = [fixed, object].map(|object| object.mesh.bounds());
-        let reach = boxes[0].half_size().max(boxes[1].half_size());
-        Self {
-            object: index,
-            steps,
-            distances,
-            centre: boxes[1].centre(),
-            origin: fixed.placed.image(&boxes[0].centre()),
-            offset: super::pose::unit(direction) * reach,
-        }
-    }
-}

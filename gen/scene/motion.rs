@@ -1,8 +1,9 @@
 //! What moves in a scene: sweeps, single poses and trajectories, as rules from which every frame is made anew, so that
 //! memory does not grow with the number of frames.
 
-use super::pose::{tumbled, Pose};
+use super::pose::{tumbled, unit, Pose};
 use super::trajectory::Trajectory;
+use super::Object;
 use nalgebra::{Point3, Vector3};
 
 /// A part of the motion of a scene: a sequence of frames.
@@ -74,6 +75,27 @@ impl Motion {
 }
 
 impl Tumble {
+    /// The turn of `object`, number `index`, about `fixed`.
+    pub fn about(
+        fixed: &Object,
+        object: &Object,
+        index: usize,
+        steps: u32,
+        distances: Vec<f64>,
+        direction: Vector3<f64>,
+    ) -> Self {
+        let boxes = [fixed, object].map(|object| object.mesh.bounds());
+        let reach = boxes[0].half_size().max(boxes[1].half_size());
+        Self {
+            object: index,
+            steps,
+            distances,
+            centre: boxes[1].centre(),
+            origin: fixed.placed.image(&boxes[0].centre()),
+            offset: unit(direction) * reach,
+        }
+    }
+
     fn change(&self, frame: usize) -> Change {
         let (distance, step) = (self.distances[frame / self.steps as usize], frame as u32 % self.steps);
         let rotation = tumbled(step, self.steps);

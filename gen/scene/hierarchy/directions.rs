@@ -15,6 +15,9 @@ pub enum Directions {
     TwentySix,
 }
 
+/// A direction by its number, and its factor.
+pub(super) type Term = (usize, f64);
+
 const AXES: usize = 6;
 const EDGES: usize = 12;
 
@@ -97,7 +100,7 @@ impl Directions {
     /// | 18, w1 >= w2 + w3 | (w1 - w2 - w3) (1,0,0) + w2 (1,1,0) + w3 (1,0,1) |
     /// | 18, else | (w1 + w2 - w3)/2 (1,1,0) + (w1 + w3 - w2)/2 (1,0,1) + (w2 + w3 - w1)/2 (0,1,1) |
     /// | 26 | (w1 - w2) (1,0,0) + (w2 - w3) (1,1,0) + w3 (1,1,1) |
-    pub fn combination(self, w: &Vector3<f64>) -> [(usize, f64); 3] {
+    pub(super) fn combination(self, w: &Vector3<f64>) -> [Term; 3] {
         let mut order = [0, 1, 2];
         order.sort_by(|&i, &j| w[j].abs().total_cmp(&w[i].abs()));
         let [x, y, z] = order.map(|axis| w[axis].abs());

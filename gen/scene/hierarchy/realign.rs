@@ -1,5 +1,6 @@
 //! The DOPs of one tree in the frame of another: weak duality in fixed point.
 
+use super::directions::Term;
 use super::tree::{ceil_log2, scaled, DopTree};
 use crate::scene::Pose;
 use nalgebra::Vector3;
@@ -47,7 +48,7 @@ impl Realignment {
         // Where the centre of B is seen from that of A, and a bound of the error of that and of M^T h.
         let centre = m * b.centre.coords + t - a.centre.coords;
         let size = m.abs() * b.centre.coords.abs() + t.abs() + a.centre.coords.abs();
-        let row = |(h, (w, terms)): (&Vector3<f64>, &(Vector3<f64>, [(usize, f64); 3]))| {
+        let row = |(h, (w, terms)): (&Vector3<f64>, &(Vector3<f64>, [Term; 3]))| {
             let terms = terms.map(|(index, factor)| (index, scaled(factor, places).round().clamp(0.0, MOST) as i64));
             let kept = terms.map(|(index, factor)| (directions.vector(index), scaled(factor as f64, -places)));
             let sum = |axis: usize| kept.iter().map(|(n, factor)| f64::from(n[axis]) * factor).sum::<f64>();

@@ -121,3 +121,18 @@ fn overlap(here: &[i32], there: &[i32]) -> bool {
     let pairs = here.chunks_exact(2).zip(there.chunks_exact(2));
     pairs.into_iter().all(|(a, b)| a[0] + b[1] >= 0 && a[1] + b[0] >= 0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn dops_that_touch_overlap() {
+        // From -3 to 5 and from 0 to 2 on two axes; the other one begins where that ends, or ends where that begins.
+        let here = [5, 3, 2, 0];
+        assert!(overlap(&here, &[9, -5, 1, 1]) && overlap(&here, &[-3, 9, 1, 1]));
+        assert!(!overlap(&here, &[9, -6, 1, 1]) && !overlap(&here, &[-4, 9, 1, 1]));
+        assert!(overlap(&here, &[0, 0, 0, 7]) && !overlap(&here, &[0, 0, -1, 7]));
+        assert!(overlap(&here, &[0, 0, 7, -2]) && !overlap(&here, &[0, 0, 7, -3]));
+    }
+}
