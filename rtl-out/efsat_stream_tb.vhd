@@ -3,11 +3,12 @@
 -- efsat generate --width 18 --int-bits 4 --transform-width 32 --axes 11 --axes-per-clock 1 --projections all --upper implied --renormalise on --transform on --device xc2v6000-4 --frequency 100 --tag-width 16 --stream-width 64
 --
 -- Testbench of efsat_stream. Reads words and expected answers from a file: I <word> <last> <whole> and O <word> <last>,
--- in hexadecimal; a word that is not whole lacks bytes. Drives all words at full speed, then again: without taking an answer until the unit is full, then with
--- random stalls on both sides. It compares every answer and its TLAST, expects one packet of answers for every packet
--- of words, and that an answer offered stays until it is taken. A file without answers is not compared; the answers of
--- the first pass are written to the file that the generic answers names. It stops by itself; the last line it prints
--- begins with "efsat_stream_tb:".
+-- in hexadecimal; a word that is not whole lacks bytes. Drives all words at full speed. Then it resets in the middle of
+-- a packet and drives all again: without TREADY for an answer until the unit is full and offers one, then with random
+-- stalls on both sides. It compares every answer and its TLAST, expects one packet of answers for every packet of
+-- words, and that an answer offered stays as it is until it is taken. A file without answers is not compared; the
+-- answers of the first pass are written to the file that the generic answers names. It stops by itself; the last line
+-- it prints begins with "efsat_stream_tb:".
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -29,6 +30,7 @@ architecture simulation of efsat_stream_tb is
   constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11 tag 16 stream 64 to 64";
   constant patience : natural := 4340;  -- clocks without a transfer before giving up
   constant full_after : natural := 90;  -- clocks of refusal after which the unit is full
+  constant begun : natural := 21;  -- words before the reset between passes: a pair in the unit, one that waits
 
   signal clk : std_logic := '0';
   signal done : boolean := false;
@@ -186,6 +188,44 @@ begin
       find_line(source, 'I', word_line, more_words);
       find_line(wanted, 'O', answer_line, more_answers);
     end procedure rewind;
+
+    procedure next_word is
+    begin
+      read_word(word_line, word);
+      read_flag(word_line, word_last);
+      read_flag(word_line, word_whole);
+      find_line(source, 'I', word_line, more_words);
+      s_tdata <= word;
+      s_tlast <= word_last;
+      s_tkeep <= (others => '1');
+      s_tkeep(s_tkeep'high) <= word_whole;
+      s_tvalid <= '1';
+    end procedure next_word;
+
+    -- Reset in the middle of a packet, answers owed: all that was begun is forgotten, and so is the pose.
+    procedure interrupt is
+    begin
+      rewind;
+      m_tready <= '0';
+      for i in 1 to begun loop
+        exit when not more_words;
+        next_word;
+        wait until rising_edge(clk) and s_tready = '1' for patience * 5000 ps;
+      end loop;
+      s_tvalid <= '0';
+      aresetn <= '0';
+      wait until rising_edge(clk);
+      for i in 1 to 4 loop
+        wait until rising_edge(clk);
+        if (s_tready or m_tvalid) /= '0' then
+          mismatches := mismatches + 1;
+          assert false report "efsat_stream_tb: a handshake in reset" severity error;
+        end if;
+      end loop;
+      aresetn <= '1';
+      file_close(source);
+      file_close(wanted);
+    end procedure interrupt;
   begin
     for i in 1 to 4 loop
       wait until rising_edge(clk);
@@ -195,6 +235,9 @@ begin
       file_open(log, answers, write_mode);
     end if;
     for pass in 1 to passes loop
+      if pass > 1 then
+        interrupt;
+      end if;
       rewind;
       comparing := more_answers;
       packets_in := 0;
@@ -262,7 +305,8 @@ begin
         elsif s_tvalid = '1' then
           refused := refused + 1;
         end if;
-        -- Pace: full speed; in the second pass no answer is taken until the unit is full, then all is random.
+        -- Pace: full speed; in the second pass no answer is taken until the unit is full and offers one, which must not
+        -- wait for TREADY; then all is random.
         random := random(14 downto 0) & (random(15) xor random(13) xor random(12) xor random(10));
         if pass = 1 then
           go := true;
@@ -270,23 +314,14 @@ begin
         elsif not filled then
           go := true;
           m_tready <= '0';
-          filled := refused > full_after or not more_words;
-          quiet := 0;
+          filled := (refused > full_after or not more_words) and m_tvalid = '1';
         else
           go := random(1) = '1' or (clock / 256) mod 2 = 1;
           m_tready <= random(4);
         end if;
         -- The next word, once the one before is taken.
         if go and (s_tvalid = '0' or s_tready = '1') and more_words then
-          read_word(word_line, word);
-          read_flag(word_line, word_last);
-          read_flag(word_line, word_whole);
-          find_line(source, 'I', word_line, more_words);
-          s_tdata <= word;
-          s_tlast <= word_last;
-          s_tkeep <= (others => '1');
-          s_tkeep(s_tkeep'high) <= word_whole;
-          s_tvalid <= '1';
+          next_word;
         elsif not more_words and (s_tvalid = '0' or s_tready = '1') and packets_out >= packets_in then
           exit;
         end if;

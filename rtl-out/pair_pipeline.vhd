@@ -100,22 +100,22 @@ architecture rtl of pair_pipeline is
   signal b2_z_lo : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048190]  B's vertex 2 in A's frame, z
   signal b2_z_hi : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048192]
   signal in_v0_x_h11 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
-  signal in_v0_x_h14 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
+  signal in_v0_x_h13 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
   signal in_v0_y_h11 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
-  signal in_v0_y_h14 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
+  signal in_v0_y_h13 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
   signal in_v0_z_h11 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
-  signal in_v0_z_h14 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
+  signal in_v0_z_h13 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
   signal in_v1_x_h11 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
   signal in_v2_x_h11 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
   signal lane_0_x_lo : signed(31 downto 0);  -- s4.28  [-1879048187, 1879048190]
-  signal lane_0_point_at_1 : unsigned(2 downto 0) := (others => '0');  -- u3
+  signal lane_0_point_at_0 : unsigned(2 downto 0) := (others => '0');  -- u3
   constant lane_0_x_input_inexact : std_logic := '1';
   signal lane_0_x_lo_d1 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048190]
   signal lane_0_x_input_above : signed(32 downto 0);  -- s5.28  [-1879048186, 1879048191]
   signal lane_0_x_input_hi : signed(31 downto 0);  -- s4.28  [-1879048186, 1879048191]  floor + ulp (equation 5)
   signal lane_0_x_transformed_hi : signed(31 downto 0);  -- s4.28  [-1879048187, 1879048192]
-  signal lane_0_transformed_at_2 : unsigned(1 downto 0) := (others => '0');  -- u2
-  signal lane_0_from_input_at_2 : std_logic := '0';
+  signal lane_0_transformed_at_1 : unsigned(1 downto 0) := (others => '0');  -- u2
+  signal lane_0_from_input_at_1 : std_logic := '0';
   signal lane_0_x_hi : signed(31 downto 0);  -- s4.28  [-1879048187, 1879048192]
   signal in_v1_y_h11 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
   signal in_v2_y_h11 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
@@ -129,18 +129,20 @@ architecture rtl of pair_pipeline is
   signal in_v1_z_h11 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
   signal in_v2_z_h11 : signed(31 downto 0) := (others => '0');  -- s4.28  [-268435456, 268435456]
   signal lane_0_z_lo : signed(31 downto 0);  -- s4.28  [-1879048187, 1879048190]
+  signal lane_0_point_at_1 : unsigned(2 downto 0) := (others => '0');  -- u3
   constant lane_0_z_input_inexact : std_logic := '1';
-  signal lane_0_z_lo_d1 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048190]
   signal lane_0_z_input_above : signed(32 downto 0);  -- s5.28  [-1879048186, 1879048191]
   signal lane_0_z_input_hi : signed(31 downto 0);  -- s4.28  [-1879048186, 1879048191]  floor + ulp (equation 5)
   signal lane_0_z_transformed_hi : signed(31 downto 0);  -- s4.28  [-1879048187, 1879048192]
+  signal lane_0_from_input_at_2 : std_logic := '0';
+  signal lane_0_z_transformed_hi_d1 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048192]
+  signal lane_0_z_input_hi_d1 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048186, 1879048191]
   signal lane_0_z_hi : signed(31 downto 0);  -- s4.28  [-1879048187, 1879048192]
   signal lane_0_x_lo_d2 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048190]
   signal lane_0_x_hi_d1 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048192]
   signal lane_0_y_lo_d2 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048190]
   signal lane_0_y_hi_d1 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048192]
-  signal lane_0_z_lo_d2 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048190]
-  signal lane_0_z_hi_d1 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048192]
+  signal lane_0_z_lo_d1 : signed(31 downto 0) := (others => '0');  -- s4.28  [-1879048187, 1879048190]
   signal offset_0_offset_x_lo : std_logic_vector(32 downto 0);  -- s5.28  [-2147483643, 2147483646]
   signal offset_0_offset_x_hi : std_logic_vector(32 downto 0);  -- s5.28  [-2147483643, 2147483648]
   signal offset_0_magnitude_x : std_logic_vector(31 downto 0);  -- u4.28  [0, 4294967295]
@@ -151,14 +153,15 @@ architecture rtl of pair_pipeline is
   signal offset_0_offset_z_hi : std_logic_vector(32 downto 0);  -- s5.28  [-2147483643, 2147483648]
   signal offset_0_magnitude_z : std_logic_vector(31 downto 0);  -- u4.28  [0, 4294967295]
   constant magnitude_0_x_zero : unsigned(31 downto 0) := "00000000000000000000000000000000";  -- u4.28  [0, 0]
-  signal magnitude_0_x_busy_at_4 : std_logic := '0';
+  signal magnitude_0_x_busy_at_3 : std_logic := '0';
   signal magnitude_0_x_masked : unsigned(31 downto 0);  -- u4.28  [0, 4294967295]
   constant magnitude_0_y_zero : unsigned(31 downto 0) := "00000000000000000000000000000000";  -- u4.28  [0, 0]
-  signal magnitude_0_y_busy_at_4 : std_logic := '0';
+  signal magnitude_0_y_busy_at_3 : std_logic := '0';
   signal magnitude_0_y_masked : unsigned(31 downto 0);  -- u4.28  [0, 4294967295]
   constant magnitude_0_z_zero : unsigned(31 downto 0) := "00000000000000000000000000000000";  -- u4.28  [0, 0]
-  signal magnitude_0_z_busy_at_4 : std_logic := '0';
+  signal magnitude_0_z_busy_at_3 : std_logic := '0';
   signal magnitude_0_z_masked : unsigned(31 downto 0);  -- u4.28  [0, 4294967295]
+  signal magnitude_0_x_masked_d1 : unsigned(31 downto 0) := (others => '0');  -- u4.28  [0, 4294967295]
   signal magnitudes_x_first_at_4 : std_logic := '0';
   signal magnitudes_x_all_so_far : unsigned(31 downto 0) := (others => '0');  -- u4.28
   constant magnitudes_x_all_zero : unsigned(31 downto 0) := "00000000000000000000000000000000";  -- u4.28
@@ -170,6 +173,7 @@ architecture rtl of pair_pipeline is
   signal shift_x_shift_2 : std_logic;
   signal shift_x_shift_3 : std_logic;
   signal shift_x_shift_4 : std_logic;
+  signal magnitude_0_y_masked_d1 : unsigned(31 downto 0) := (others => '0');  -- u4.28  [0, 4294967295]
   signal magnitudes_y_first_at_4 : std_logic := '0';
   signal magnitudes_y_all_so_far : unsigned(31 downto 0) := (others => '0');  -- u4.28
   constant magnitudes_y_all_zero : unsigned(31 downto 0) := "00000000000000000000000000000000";  -- u4.28
@@ -181,6 +185,7 @@ architecture rtl of pair_pipeline is
   signal shift_y_shift_2 : std_logic;
   signal shift_y_shift_3 : std_logic;
   signal shift_y_shift_4 : std_logic;
+  signal magnitude_0_z_masked_d1 : unsigned(31 downto 0) := (others => '0');  -- u4.28  [0, 4294967295]
   signal magnitudes_z_first_at_4 : std_logic := '0';
   signal magnitudes_z_all_so_far : unsigned(31 downto 0) := (others => '0');  -- u4.28
   constant magnitudes_z_all_zero : unsigned(31 downto 0) := "00000000000000000000000000000000";  -- u4.28
@@ -192,24 +197,24 @@ architecture rtl of pair_pipeline is
   signal shift_z_shift_2 : std_logic;
   signal shift_z_shift_3 : std_logic;
   signal shift_z_shift_4 : std_logic;
-  type offset_0_offset_x_lo_d9_words is array (1 to 9) of signed(32 downto 0);
-  signal offset_0_offset_x_lo_d9_line : offset_0_offset_x_lo_d9_words := (others => (others => '0'));  -- delay line of offset_0_offset_x_lo
-  signal offset_0_offset_x_lo_d9 : signed(32 downto 0);  -- s5.28
-  type offset_0_offset_x_hi_d9_words is array (1 to 9) of signed(32 downto 0);
-  signal offset_0_offset_x_hi_d9_line : offset_0_offset_x_hi_d9_words := (others => (others => '0'));  -- delay line of offset_0_offset_x_hi
-  signal offset_0_offset_x_hi_d9 : signed(32 downto 0);  -- s5.28
-  type offset_0_offset_y_lo_d9_words is array (1 to 9) of signed(32 downto 0);
-  signal offset_0_offset_y_lo_d9_line : offset_0_offset_y_lo_d9_words := (others => (others => '0'));  -- delay line of offset_0_offset_y_lo
-  signal offset_0_offset_y_lo_d9 : signed(32 downto 0);  -- s5.28
-  type offset_0_offset_y_hi_d9_words is array (1 to 9) of signed(32 downto 0);
-  signal offset_0_offset_y_hi_d9_line : offset_0_offset_y_hi_d9_words := (others => (others => '0'));  -- delay line of offset_0_offset_y_hi
-  signal offset_0_offset_y_hi_d9 : signed(32 downto 0);  -- s5.28
-  type offset_0_offset_z_lo_d9_words is array (1 to 9) of signed(32 downto 0);
-  signal offset_0_offset_z_lo_d9_line : offset_0_offset_z_lo_d9_words := (others => (others => '0'));  -- delay line of offset_0_offset_z_lo
-  signal offset_0_offset_z_lo_d9 : signed(32 downto 0);  -- s5.28
-  type offset_0_offset_z_hi_d9_words is array (1 to 9) of signed(32 downto 0);
-  signal offset_0_offset_z_hi_d9_line : offset_0_offset_z_hi_d9_words := (others => (others => '0'));  -- delay line of offset_0_offset_z_hi
-  signal offset_0_offset_z_hi_d9 : signed(32 downto 0);  -- s5.28
+  type offset_0_offset_x_lo_d10_words is array (1 to 10) of signed(32 downto 0);
+  signal offset_0_offset_x_lo_d10_line : offset_0_offset_x_lo_d10_words := (others => (others => '0'));  -- delay line of offset_0_offset_x_lo
+  signal offset_0_offset_x_lo_d10 : signed(32 downto 0);  -- s5.28
+  type offset_0_offset_x_hi_d10_words is array (1 to 10) of signed(32 downto 0);
+  signal offset_0_offset_x_hi_d10_line : offset_0_offset_x_hi_d10_words := (others => (others => '0'));  -- delay line of offset_0_offset_x_hi
+  signal offset_0_offset_x_hi_d10 : signed(32 downto 0);  -- s5.28
+  type offset_0_offset_y_lo_d10_words is array (1 to 10) of signed(32 downto 0);
+  signal offset_0_offset_y_lo_d10_line : offset_0_offset_y_lo_d10_words := (others => (others => '0'));  -- delay line of offset_0_offset_y_lo
+  signal offset_0_offset_y_lo_d10 : signed(32 downto 0);  -- s5.28
+  type offset_0_offset_y_hi_d10_words is array (1 to 10) of signed(32 downto 0);
+  signal offset_0_offset_y_hi_d10_line : offset_0_offset_y_hi_d10_words := (others => (others => '0'));  -- delay line of offset_0_offset_y_hi
+  signal offset_0_offset_y_hi_d10 : signed(32 downto 0);  -- s5.28
+  type offset_0_offset_z_lo_d10_words is array (1 to 10) of signed(32 downto 0);
+  signal offset_0_offset_z_lo_d10_line : offset_0_offset_z_lo_d10_words := (others => (others => '0'));  -- delay line of offset_0_offset_z_lo
+  signal offset_0_offset_z_lo_d10 : signed(32 downto 0);  -- s5.28
+  type offset_0_offset_z_hi_d10_words is array (1 to 10) of signed(32 downto 0);
+  signal offset_0_offset_z_hi_d10_line : offset_0_offset_z_hi_d10_words := (others => (others => '0'));  -- delay line of offset_0_offset_z_hi
+  signal offset_0_offset_z_hi_d10 : signed(32 downto 0);  -- s5.28
   signal shift_x_by_0_d1 : std_logic := '0';
   signal shift_x_by_1_d1 : std_logic := '0';
   signal shift_x_by_2_d1 : std_logic := '0';
@@ -639,21 +644,39 @@ begin
     signed(pose_t_y) when row_0_component_at_0 = 1 else
     signed(pose_t_z);
 
-  -- ===== Clock 12 =====
+  -- ===== Clock 11 =====
   lane_0_x_lo <=
-    in_v0_x_h11 when lane_0_point_at_1 = 0 else
-    in_v1_x_h11 when lane_0_point_at_1 = 1 else
-    in_v2_x_h11 when lane_0_point_at_1 = 2 else
-    b0_x_lo when lane_0_point_at_1 = 3 else
-    b1_x_lo when lane_0_point_at_1 = 4 else
+    in_v0_x_h11 when lane_0_point_at_0 = 0 else
+    in_v1_x_h11 when lane_0_point_at_0 = 1 else
+    in_v2_x_h11 when lane_0_point_at_0 = 2 else
+    b0_x_lo when lane_0_point_at_0 = 3 else
+    b1_x_lo when lane_0_point_at_0 = 4 else
     b2_x_lo;
   lane_0_y_lo <=
-    in_v0_y_h11 when lane_0_point_at_1 = 0 else
-    in_v1_y_h11 when lane_0_point_at_1 = 1 else
-    in_v2_y_h11 when lane_0_point_at_1 = 2 else
-    b0_y_lo when lane_0_point_at_1 = 3 else
-    b1_y_lo when lane_0_point_at_1 = 4 else
+    in_v0_y_h11 when lane_0_point_at_0 = 0 else
+    in_v1_y_h11 when lane_0_point_at_0 = 1 else
+    in_v2_y_h11 when lane_0_point_at_0 = 2 else
+    b0_y_lo when lane_0_point_at_0 = 3 else
+    b1_y_lo when lane_0_point_at_0 = 4 else
     b2_y_lo;
+
+  -- ===== Clock 12 =====
+  lane_0_x_input_above <= resize(lane_0_x_lo_d1, 33) + resize(signed'('0' & lane_0_x_input_inexact), 33);
+  -- floor + ulp (equation 5)
+  lane_0_x_input_hi <= lane_0_x_input_above(31 downto 0);
+  lane_0_x_transformed_hi <=
+    b0_x_hi when lane_0_transformed_at_1 = 0 else
+    b1_x_hi when lane_0_transformed_at_1 = 1 else
+    b2_x_hi;
+  lane_0_x_hi <= lane_0_x_input_hi when lane_0_from_input_at_1 = '1' else lane_0_x_transformed_hi;
+  lane_0_y_input_above <= resize(lane_0_y_lo_d1, 33) + resize(signed'('0' & lane_0_y_input_inexact), 33);
+  -- floor + ulp (equation 5)
+  lane_0_y_input_hi <= lane_0_y_input_above(31 downto 0);
+  lane_0_y_transformed_hi <=
+    b0_y_hi when lane_0_transformed_at_1 = 0 else
+    b1_y_hi when lane_0_transformed_at_1 = 1 else
+    b2_y_hi;
+  lane_0_y_hi <= lane_0_y_input_hi when lane_0_from_input_at_1 = '1' else lane_0_y_transformed_hi;
   lane_0_z_lo <=
     in_v0_z_h11 when lane_0_point_at_1 = 0 else
     in_v1_z_h11 when lane_0_point_at_1 = 1 else
@@ -661,54 +684,40 @@ begin
     b0_z_lo when lane_0_point_at_1 = 3 else
     b1_z_lo when lane_0_point_at_1 = 4 else
     b2_z_lo;
-
-  -- ===== Clock 13 =====
-  lane_0_x_input_above <= resize(lane_0_x_lo_d1, 33) + resize(signed'('0' & lane_0_x_input_inexact), 33);
-  -- floor + ulp (equation 5)
-  lane_0_x_input_hi <= lane_0_x_input_above(31 downto 0);
-  lane_0_x_transformed_hi <=
-    b0_x_hi when lane_0_transformed_at_2 = 0 else
-    b1_x_hi when lane_0_transformed_at_2 = 1 else
-    b2_x_hi;
-  lane_0_x_hi <= lane_0_x_input_hi when lane_0_from_input_at_2 = '1' else lane_0_x_transformed_hi;
-  lane_0_y_input_above <= resize(lane_0_y_lo_d1, 33) + resize(signed'('0' & lane_0_y_input_inexact), 33);
-  -- floor + ulp (equation 5)
-  lane_0_y_input_hi <= lane_0_y_input_above(31 downto 0);
-  lane_0_y_transformed_hi <=
-    b0_y_hi when lane_0_transformed_at_2 = 0 else
-    b1_y_hi when lane_0_transformed_at_2 = 1 else
-    b2_y_hi;
-  lane_0_y_hi <= lane_0_y_input_hi when lane_0_from_input_at_2 = '1' else lane_0_y_transformed_hi;
-  lane_0_z_input_above <= resize(lane_0_z_lo_d1, 33) + resize(signed'('0' & lane_0_z_input_inexact), 33);
+  lane_0_z_input_above <= resize(lane_0_z_lo, 33) + resize(signed'('0' & lane_0_z_input_inexact), 33);
   -- floor + ulp (equation 5)
   lane_0_z_input_hi <= lane_0_z_input_above(31 downto 0);
   lane_0_z_transformed_hi <=
-    b0_z_hi when lane_0_transformed_at_2 = 0 else
-    b1_z_hi when lane_0_transformed_at_2 = 1 else
+    b0_z_hi when lane_0_transformed_at_1 = 0 else
+    b1_z_hi when lane_0_transformed_at_1 = 1 else
     b2_z_hi;
-  lane_0_z_hi <= lane_0_z_input_hi when lane_0_from_input_at_2 = '1' else lane_0_z_transformed_hi;
 
-  -- ===== Clock 15 =====
+  -- ===== Clock 13 =====
+  lane_0_z_hi <= lane_0_z_input_hi_d1 when lane_0_from_input_at_2 = '1' else lane_0_z_transformed_hi_d1;
+
+  -- ===== Clock 14 =====
   magnitude_0_x_masked <=
-    unsigned(offset_0_magnitude_x) when magnitude_0_x_busy_at_4 = '1' else
+    unsigned(offset_0_magnitude_x) when magnitude_0_x_busy_at_3 = '1' else
     magnitude_0_x_zero;
   magnitude_0_y_masked <=
-    unsigned(offset_0_magnitude_y) when magnitude_0_y_busy_at_4 = '1' else
+    unsigned(offset_0_magnitude_y) when magnitude_0_y_busy_at_3 = '1' else
     magnitude_0_y_zero;
   magnitude_0_z_masked <=
-    unsigned(offset_0_magnitude_z) when magnitude_0_z_busy_at_4 = '1' else
+    unsigned(offset_0_magnitude_z) when magnitude_0_z_busy_at_3 = '1' else
     magnitude_0_z_zero;
-  magnitudes_x_all <= magnitude_0_x_masked or magnitudes_x_all_kept;
-  magnitudes_y_all <= magnitude_0_y_masked or magnitudes_y_all_kept;
-  magnitudes_z_all <= magnitude_0_z_masked or magnitudes_z_all_kept;
+
+  -- ===== Clock 15 =====
+  magnitudes_x_all <= magnitude_0_x_masked_d1 or magnitudes_x_all_kept;
+  magnitudes_y_all <= magnitude_0_y_masked_d1 or magnitudes_y_all_kept;
+  magnitudes_z_all <= magnitude_0_z_masked_d1 or magnitudes_z_all_kept;
 
   -- ===== Clock 24 =====
-  offset_0_offset_x_lo_d9 <= offset_0_offset_x_lo_d9_line(9);
-  offset_0_offset_x_hi_d9 <= offset_0_offset_x_hi_d9_line(9);
-  offset_0_offset_y_lo_d9 <= offset_0_offset_y_lo_d9_line(9);
-  offset_0_offset_y_hi_d9 <= offset_0_offset_y_hi_d9_line(9);
-  offset_0_offset_z_lo_d9 <= offset_0_offset_z_lo_d9_line(9);
-  offset_0_offset_z_hi_d9 <= offset_0_offset_z_hi_d9_line(9);
+  offset_0_offset_x_lo_d10 <= offset_0_offset_x_lo_d10_line(10);
+  offset_0_offset_x_hi_d10 <= offset_0_offset_x_hi_d10_line(10);
+  offset_0_offset_y_lo_d10 <= offset_0_offset_y_lo_d10_line(10);
+  offset_0_offset_y_hi_d10 <= offset_0_offset_y_hi_d10_line(10);
+  offset_0_offset_z_lo_d10 <= offset_0_offset_z_lo_d10_line(10);
+  offset_0_offset_z_hi_d10 <= offset_0_offset_z_hi_d10_line(10);
 
   -- ===== Clock 28 =====
   minus_e_a2_x_lo_wide <= -resize(signed(e_a2_x_hi), 19);
@@ -870,11 +879,11 @@ begin
       point_x_hi => std_logic_vector(lane_0_x_hi_d1),
       point_y_lo => std_logic_vector(lane_0_y_lo_d2),
       point_y_hi => std_logic_vector(lane_0_y_hi_d1),
-      point_z_lo => std_logic_vector(lane_0_z_lo_d2),
-      point_z_hi => std_logic_vector(lane_0_z_hi_d1),
-      origin_x => std_logic_vector(in_v0_x_h14),
-      origin_y => std_logic_vector(in_v0_y_h14),
-      origin_z => std_logic_vector(in_v0_z_h14),
+      point_z_lo => std_logic_vector(lane_0_z_lo_d1),
+      point_z_hi => std_logic_vector(lane_0_z_hi),
+      origin_x => std_logic_vector(in_v0_x_h13),
+      origin_y => std_logic_vector(in_v0_y_h13),
+      origin_z => std_logic_vector(in_v0_z_h13),
       offset_x_lo => offset_0_offset_x_lo,
       offset_x_hi => offset_0_offset_x_hi,
       magnitude_x => offset_0_magnitude_x,
@@ -922,12 +931,12 @@ begin
   scale_0 : entity work.renormalise_scale
     port map (
       clk => clk,
-      offset_x_lo => std_logic_vector(offset_0_offset_x_lo_d9),
-      offset_x_hi => std_logic_vector(offset_0_offset_x_hi_d9),
-      offset_y_lo => std_logic_vector(offset_0_offset_y_lo_d9),
-      offset_y_hi => std_logic_vector(offset_0_offset_y_hi_d9),
-      offset_z_lo => std_logic_vector(offset_0_offset_z_lo_d9),
-      offset_z_hi => std_logic_vector(offset_0_offset_z_hi_d9),
+      offset_x_lo => std_logic_vector(offset_0_offset_x_lo_d10),
+      offset_x_hi => std_logic_vector(offset_0_offset_x_hi_d10),
+      offset_y_lo => std_logic_vector(offset_0_offset_y_lo_d10),
+      offset_y_hi => std_logic_vector(offset_0_offset_y_hi_d10),
+      offset_z_lo => std_logic_vector(offset_0_offset_z_lo_d10),
+      offset_z_hi => std_logic_vector(offset_0_offset_z_hi_d10),
       shift_x_0 => shift_x_by_0_d1,
       shift_x_1 => shift_x_by_1_d1,
       shift_x_2 => shift_x_by_2_d1,
@@ -1534,6 +1543,31 @@ begin
       else
         strobe_5 <= '0';
       end if;
+      if unsigned(phase) = 0 then
+        lane_0_point_at_0 <= "001";
+      elsif unsigned(phase) = 1 then
+        lane_0_point_at_0 <= "010";
+      elsif unsigned(phase) = 2 then
+        lane_0_point_at_0 <= "011";
+      elsif unsigned(phase) = 3 then
+        lane_0_point_at_0 <= "100";
+      elsif unsigned(phase) = 4 then
+        lane_0_point_at_0 <= "101";
+      else
+        lane_0_point_at_0 <= "000";
+      end if;
+      if unsigned(phase) = 4 then
+        lane_0_transformed_at_1 <= "01";
+      elsif unsigned(phase) = 5 then
+        lane_0_transformed_at_1 <= "10";
+      else
+        lane_0_transformed_at_1 <= "00";
+      end if;
+      if unsigned(phase) = 3 or unsigned(phase) = 4 or unsigned(phase) = 5 then
+        lane_0_from_input_at_1 <= '0';
+      else
+        lane_0_from_input_at_1 <= '1';
+      end if;
       if unsigned(phase) = 1 then
         lane_0_point_at_1 <= "001";
       elsif unsigned(phase) = 2 then
@@ -1547,32 +1581,25 @@ begin
       else
         lane_0_point_at_1 <= "000";
       end if;
-      if unsigned(phase) = 5 then
-        lane_0_transformed_at_2 <= "01";
-      elsif unsigned(phase) = 6 then
-        lane_0_transformed_at_2 <= "10";
-      else
-        lane_0_transformed_at_2 <= "00";
-      end if;
       if unsigned(phase) = 4 or unsigned(phase) = 5 or unsigned(phase) = 6 then
         lane_0_from_input_at_2 <= '0';
       else
         lane_0_from_input_at_2 <= '1';
       end if;
-      if unsigned(phase) = 0 or unsigned(phase) = 1 or unsigned(phase) = 2 or unsigned(phase) = 9 or unsigned(phase) = 10 then
-        magnitude_0_x_busy_at_4 <= '0';
+      if unsigned(phase) = 0 or unsigned(phase) = 1 or unsigned(phase) = 8 or unsigned(phase) = 9 or unsigned(phase) = 10 then
+        magnitude_0_x_busy_at_3 <= '0';
       else
-        magnitude_0_x_busy_at_4 <= '1';
+        magnitude_0_x_busy_at_3 <= '1';
       end if;
-      if unsigned(phase) = 0 or unsigned(phase) = 1 or unsigned(phase) = 2 or unsigned(phase) = 9 or unsigned(phase) = 10 then
-        magnitude_0_y_busy_at_4 <= '0';
+      if unsigned(phase) = 0 or unsigned(phase) = 1 or unsigned(phase) = 8 or unsigned(phase) = 9 or unsigned(phase) = 10 then
+        magnitude_0_y_busy_at_3 <= '0';
       else
-        magnitude_0_y_busy_at_4 <= '1';
+        magnitude_0_y_busy_at_3 <= '1';
       end if;
-      if unsigned(phase) = 0 or unsigned(phase) = 1 or unsigned(phase) = 2 or unsigned(phase) = 9 or unsigned(phase) = 10 then
-        magnitude_0_z_busy_at_4 <= '0';
+      if unsigned(phase) = 0 or unsigned(phase) = 1 or unsigned(phase) = 8 or unsigned(phase) = 9 or unsigned(phase) = 10 then
+        magnitude_0_z_busy_at_3 <= '0';
       else
-        magnitude_0_z_busy_at_4 <= '1';
+        magnitude_0_z_busy_at_3 <= '1';
       end if;
       if unsigned(phase) = 3 then
         magnitudes_x_first_at_4 <= '1';
@@ -1644,28 +1671,38 @@ begin
     end if;
   end process clock_1;
 
-  -- Registers valid in clock 13.
-  clock_13 : process (clk)
+  -- Registers valid in clock 12.
+  clock_12 : process (clk)
   begin
     if rising_edge(clk) then
       lane_0_x_lo_d1 <= lane_0_x_lo;
       lane_0_y_lo_d1 <= lane_0_y_lo;
-      lane_0_z_lo_d1 <= lane_0_z_lo;
     end if;
-  end process clock_13;
+  end process clock_12;
 
-  -- Registers valid in clock 14.
-  clock_14 : process (clk)
+  -- Registers valid in clock 13.
+  clock_13 : process (clk)
   begin
     if rising_edge(clk) then
+      lane_0_z_transformed_hi_d1 <= lane_0_z_transformed_hi;
+      lane_0_z_input_hi_d1 <= lane_0_z_input_hi;
       lane_0_x_lo_d2 <= lane_0_x_lo_d1;
       lane_0_x_hi_d1 <= lane_0_x_hi;
       lane_0_y_lo_d2 <= lane_0_y_lo_d1;
       lane_0_y_hi_d1 <= lane_0_y_hi;
-      lane_0_z_lo_d2 <= lane_0_z_lo_d1;
-      lane_0_z_hi_d1 <= lane_0_z_hi;
+      lane_0_z_lo_d1 <= lane_0_z_lo;
     end if;
-  end process clock_14;
+  end process clock_13;
+
+  -- Registers valid in clock 15.
+  clock_15 : process (clk)
+  begin
+    if rising_edge(clk) then
+      magnitude_0_x_masked_d1 <= magnitude_0_x_masked;
+      magnitude_0_y_masked_d1 <= magnitude_0_y_masked;
+      magnitude_0_z_masked_d1 <= magnitude_0_z_masked;
+    end if;
+  end process clock_15;
 
   -- Registers valid in clock 24.
   clock_24 : process (clk)
@@ -1876,6 +1913,9 @@ begin
       if strobe_1 = '1' then
         b1_y_lo <= signed(row_0_b_lo);
         b1_y_hi <= signed(row_0_b_hi);
+        in_v0_x_h13 <= in_v0_x_h11;
+        in_v0_y_h13 <= in_v0_y_h11;
+        in_v0_z_h13 <= in_v0_z_h11;
         separated_c_22 <= axis_0_compare_separated;
         overlapping_c_22 <= axis_0_compare_overlapping;
       end if;
@@ -1889,9 +1929,6 @@ begin
       if strobe_2 = '1' then
         b1_z_lo <= signed(row_0_b_lo);
         b1_z_hi <= signed(row_0_b_hi);
-        in_v0_x_h14 <= in_v0_x_h11;
-        in_v0_y_h14 <= in_v0_y_h11;
-        in_v0_z_h14 <= in_v0_z_h11;
         e_a1_x_lo_h8 <= signed(e_a1_x_lo);
         e_a1_x_hi_h8 <= signed(e_a1_x_hi);
         e_a1_y_lo_h8 <= signed(e_a1_y_lo);
@@ -2074,12 +2111,12 @@ begin
   delay_lines : process (clk)
   begin
     if rising_edge(clk) then
-      offset_0_offset_x_lo_d9_line <= signed(offset_0_offset_x_lo) & offset_0_offset_x_lo_d9_line(1 to 8);
-      offset_0_offset_x_hi_d9_line <= signed(offset_0_offset_x_hi) & offset_0_offset_x_hi_d9_line(1 to 8);
-      offset_0_offset_y_lo_d9_line <= signed(offset_0_offset_y_lo) & offset_0_offset_y_lo_d9_line(1 to 8);
-      offset_0_offset_y_hi_d9_line <= signed(offset_0_offset_y_hi) & offset_0_offset_y_hi_d9_line(1 to 8);
-      offset_0_offset_z_lo_d9_line <= signed(offset_0_offset_z_lo) & offset_0_offset_z_lo_d9_line(1 to 8);
-      offset_0_offset_z_hi_d9_line <= signed(offset_0_offset_z_hi) & offset_0_offset_z_hi_d9_line(1 to 8);
+      offset_0_offset_x_lo_d10_line <= signed(offset_0_offset_x_lo) & offset_0_offset_x_lo_d10_line(1 to 9);
+      offset_0_offset_x_hi_d10_line <= signed(offset_0_offset_x_hi) & offset_0_offset_x_hi_d10_line(1 to 9);
+      offset_0_offset_y_lo_d10_line <= signed(offset_0_offset_y_lo) & offset_0_offset_y_lo_d10_line(1 to 9);
+      offset_0_offset_y_hi_d10_line <= signed(offset_0_offset_y_hi) & offset_0_offset_y_hi_d10_line(1 to 9);
+      offset_0_offset_z_lo_d10_line <= signed(offset_0_offset_z_lo) & offset_0_offset_z_lo_d10_line(1 to 9);
+      offset_0_offset_z_hi_d10_line <= signed(offset_0_offset_z_hi) & offset_0_offset_z_hi_d10_line(1 to 9);
     end if;
   end process delay_lines;
 

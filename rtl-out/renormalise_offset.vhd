@@ -37,81 +37,69 @@ end entity renormalise_offset;
 
 architecture rtl of renormalise_offset is
   signal difference_x_lo : signed(32 downto 0);  -- s5.28  [-2147483643, 2147483646]  point_x_lo - V0_x_lo, exact
+  signal difference_x_lo_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483646]
   signal magnitude_x_lo_bits : unsigned(32 downto 0);  -- u5.28  [0, 2147483646]
   signal magnitude_x_lo : unsigned(31 downto 0);  -- u4.28  [0, 2147483646]
   signal difference_x_hi : signed(32 downto 0);  -- s5.28  [-2147483643, 2147483648]  point_x_hi - V0_x_lo, exact
+  signal difference_x_hi_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483648]
   signal magnitude_x_hi_bits : unsigned(32 downto 0);  -- u5.28  [0, 2147483648]
   signal magnitude_x_hi : unsigned(31 downto 0);  -- u4.28  [0, 2147483648]
-  signal magnitude_x_lo_d1 : unsigned(31 downto 0) := (others => '0');  -- u4.28  [0, 2147483646]
-  signal magnitude_x_hi_d1 : unsigned(31 downto 0) := (others => '0');  -- u4.28  [0, 2147483648]
   signal magnitudes_x : unsigned(31 downto 0);  -- u4.28  [0, 4294967295]
   signal difference_y_lo : signed(32 downto 0);  -- s5.28  [-2147483643, 2147483646]  point_y_lo - V0_y_lo, exact
+  signal difference_y_lo_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483646]
   signal magnitude_y_lo_bits : unsigned(32 downto 0);  -- u5.28  [0, 2147483646]
   signal magnitude_y_lo : unsigned(31 downto 0);  -- u4.28  [0, 2147483646]
   signal difference_y_hi : signed(32 downto 0);  -- s5.28  [-2147483643, 2147483648]  point_y_hi - V0_y_lo, exact
+  signal difference_y_hi_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483648]
   signal magnitude_y_hi_bits : unsigned(32 downto 0);  -- u5.28  [0, 2147483648]
   signal magnitude_y_hi : unsigned(31 downto 0);  -- u4.28  [0, 2147483648]
-  signal magnitude_y_lo_d1 : unsigned(31 downto 0) := (others => '0');  -- u4.28  [0, 2147483646]
-  signal magnitude_y_hi_d1 : unsigned(31 downto 0) := (others => '0');  -- u4.28  [0, 2147483648]
   signal magnitudes_y : unsigned(31 downto 0);  -- u4.28  [0, 4294967295]
   signal difference_z_lo : signed(32 downto 0);  -- s5.28  [-2147483643, 2147483646]  point_z_lo - V0_z_lo, exact
+  signal difference_z_lo_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483646]
   signal magnitude_z_lo_bits : unsigned(32 downto 0);  -- u5.28  [0, 2147483646]
   signal magnitude_z_lo : unsigned(31 downto 0);  -- u4.28  [0, 2147483646]
   signal difference_z_hi : signed(32 downto 0);  -- s5.28  [-2147483643, 2147483648]  point_z_hi - V0_z_lo, exact
+  signal difference_z_hi_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483648]
   signal magnitude_z_hi_bits : unsigned(32 downto 0);  -- u5.28  [0, 2147483648]
   signal magnitude_z_hi : unsigned(31 downto 0);  -- u4.28  [0, 2147483648]
-  signal magnitude_z_lo_d1 : unsigned(31 downto 0) := (others => '0');  -- u4.28  [0, 2147483646]
-  signal magnitude_z_hi_d1 : unsigned(31 downto 0) := (others => '0');  -- u4.28  [0, 2147483648]
   signal magnitudes_z : unsigned(31 downto 0);  -- u4.28  [0, 4294967295]
-  signal difference_x_lo_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483646]
-  signal difference_x_hi_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483648]
-  signal difference_y_lo_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483646]
-  signal difference_y_hi_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483648]
-  signal difference_z_lo_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483646]
-  signal difference_z_hi_d1 : signed(32 downto 0) := (others => '0');  -- s5.28  [-2147483643, 2147483648]
 begin
 
   -- ===== Clock 0 =====
   -- point_x_lo - V0_x_lo, exact
   difference_x_lo <= resize(signed(point_x_lo), 33) - resize(signed(origin_x), 33);
-  magnitude_x_lo_bits <= unsigned((difference_x_lo xor (32 downto 0 => difference_x_lo(32))) + resize(signed'('0' & difference_x_lo(32)), 33));
-  magnitude_x_lo <= magnitude_x_lo_bits(31 downto 0);
   -- point_x_hi - V0_x_lo, exact
   difference_x_hi <= resize(signed(point_x_hi), 33) - resize(signed(origin_x), 33);
-  magnitude_x_hi_bits <= unsigned((difference_x_hi xor (32 downto 0 => difference_x_hi(32))) + resize(signed'('0' & difference_x_hi(32)), 33));
-  magnitude_x_hi <= magnitude_x_hi_bits(31 downto 0);
   -- point_y_lo - V0_y_lo, exact
   difference_y_lo <= resize(signed(point_y_lo), 33) - resize(signed(origin_y), 33);
-  magnitude_y_lo_bits <= unsigned((difference_y_lo xor (32 downto 0 => difference_y_lo(32))) + resize(signed'('0' & difference_y_lo(32)), 33));
-  magnitude_y_lo <= magnitude_y_lo_bits(31 downto 0);
   -- point_y_hi - V0_y_lo, exact
   difference_y_hi <= resize(signed(point_y_hi), 33) - resize(signed(origin_y), 33);
-  magnitude_y_hi_bits <= unsigned((difference_y_hi xor (32 downto 0 => difference_y_hi(32))) + resize(signed'('0' & difference_y_hi(32)), 33));
-  magnitude_y_hi <= magnitude_y_hi_bits(31 downto 0);
   -- point_z_lo - V0_z_lo, exact
   difference_z_lo <= resize(signed(point_z_lo), 33) - resize(signed(origin_z), 33);
-  magnitude_z_lo_bits <= unsigned((difference_z_lo xor (32 downto 0 => difference_z_lo(32))) + resize(signed'('0' & difference_z_lo(32)), 33));
-  magnitude_z_lo <= magnitude_z_lo_bits(31 downto 0);
   -- point_z_hi - V0_z_lo, exact
   difference_z_hi <= resize(signed(point_z_hi), 33) - resize(signed(origin_z), 33);
-  magnitude_z_hi_bits <= unsigned((difference_z_hi xor (32 downto 0 => difference_z_hi(32))) + resize(signed'('0' & difference_z_hi(32)), 33));
-  magnitude_z_hi <= magnitude_z_hi_bits(31 downto 0);
 
   -- ===== Clock 1 =====
-  magnitudes_x <= magnitude_x_lo_d1 or magnitude_x_hi_d1;
-  magnitudes_y <= magnitude_y_lo_d1 or magnitude_y_hi_d1;
-  magnitudes_z <= magnitude_z_lo_d1 or magnitude_z_hi_d1;
+  magnitude_x_lo_bits <= unsigned((difference_x_lo_d1 xor (32 downto 0 => difference_x_lo_d1(32))) + resize(signed'('0' & difference_x_lo_d1(32)), 33));
+  magnitude_x_lo <= magnitude_x_lo_bits(31 downto 0);
+  magnitude_x_hi_bits <= unsigned((difference_x_hi_d1 xor (32 downto 0 => difference_x_hi_d1(32))) + resize(signed'('0' & difference_x_hi_d1(32)), 33));
+  magnitude_x_hi <= magnitude_x_hi_bits(31 downto 0);
+  magnitudes_x <= magnitude_x_lo or magnitude_x_hi;
+  magnitude_y_lo_bits <= unsigned((difference_y_lo_d1 xor (32 downto 0 => difference_y_lo_d1(32))) + resize(signed'('0' & difference_y_lo_d1(32)), 33));
+  magnitude_y_lo <= magnitude_y_lo_bits(31 downto 0);
+  magnitude_y_hi_bits <= unsigned((difference_y_hi_d1 xor (32 downto 0 => difference_y_hi_d1(32))) + resize(signed'('0' & difference_y_hi_d1(32)), 33));
+  magnitude_y_hi <= magnitude_y_hi_bits(31 downto 0);
+  magnitudes_y <= magnitude_y_lo or magnitude_y_hi;
+  magnitude_z_lo_bits <= unsigned((difference_z_lo_d1 xor (32 downto 0 => difference_z_lo_d1(32))) + resize(signed'('0' & difference_z_lo_d1(32)), 33));
+  magnitude_z_lo <= magnitude_z_lo_bits(31 downto 0);
+  magnitude_z_hi_bits <= unsigned((difference_z_hi_d1 xor (32 downto 0 => difference_z_hi_d1(32))) + resize(signed'('0' & difference_z_hi_d1(32)), 33));
+  magnitude_z_hi <= magnitude_z_hi_bits(31 downto 0);
+  magnitudes_z <= magnitude_z_lo or magnitude_z_hi;
 
   -- Registers valid in clock 1.
   clock_1 : process (clk)
   begin
     if rising_edge(clk) then
-      magnitude_x_lo_d1 <= magnitude_x_lo;
-      magnitude_x_hi_d1 <= magnitude_x_hi;
-      magnitude_y_lo_d1 <= magnitude_y_lo;
-      magnitude_y_hi_d1 <= magnitude_y_hi;
-      magnitude_z_lo_d1 <= magnitude_z_lo;
-      magnitude_z_hi_d1 <= magnitude_z_hi;
       difference_x_lo_d1 <= difference_x_lo;
       difference_x_hi_d1 <= difference_x_hi;
       difference_y_lo_d1 <= difference_y_lo;

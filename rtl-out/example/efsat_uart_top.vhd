@@ -19,7 +19,7 @@ entity efsat_uart_top is
   );
   port (
     clk : in std_logic;
-    reset : in std_logic;
+    reset : in std_logic;  -- a pin, active high, asynchronous to the clock
     rx : in std_logic;
     tx : out std_logic
   );
@@ -30,6 +30,8 @@ architecture rtl of efsat_uart_top is
   constant word_bytes : positive := 8;
   constant answer_bytes : positive := 8;
 
+  signal reset_early : std_logic := '1';
+  signal reset_in : std_logic := '1';
   signal aresetn : std_logic;
   signal byte_in : std_logic_vector(7 downto 0);
   signal byte_in_valid : std_logic;
@@ -57,7 +59,16 @@ architecture rtl of efsat_uart_top is
   signal byte_out_ready : std_logic;
   signal line_out : std_logic;
 begin
-  aresetn <= not reset;
+  -- Two registers against metastability.
+  synchronise : process (clk)
+  begin
+    if rising_edge(clk) then
+      reset_early <= reset;
+      reset_in <= reset_early;
+    end if;
+  end process synchronise;
+
+  aresetn <= not reset_in;
 
   receiver : entity work.uart_receiver
     generic map (
@@ -65,7 +76,7 @@ begin
     )
     port map (
       clk => clk,
-      reset => reset,
+      reset => reset_in,
       rx => rx,
       data => byte_in,
       data_valid => byte_in_valid,
@@ -79,7 +90,7 @@ begin
       if byte_in_valid = '1' then
         collected <= byte_in & collected(63 downto 8);
       end if;
-      if reset = '1' then
+      if reset_in = '1' then
         silence <= 0;
         collected_bytes <= 0;
         held_valid <= '0';
@@ -153,7 +164,7 @@ begin
       elsif (byte_out_valid and byte_out_ready) = '1' then
         leaving <= "00000000" & leaving(63 downto 8);
       end if;
-      if reset = '1' then
+      if reset_in = '1' then
         leaving_bytes <= 0;
       elsif (m_tvalid and m_tready) = '1' then
         leaving_bytes <= answer_bytes;
@@ -169,7 +180,7 @@ begin
     )
     port map (
       clk => clk,
-      reset => reset,
+      reset => reset_in,
       data => leaving(7 downto 0),
       data_valid => byte_out_valid,
       data_ready => byte_out_ready,
