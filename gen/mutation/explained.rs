@@ -54,6 +54,7 @@ const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 b
 /// Mutants of the generated VHDL.
 pub const VHDL: &[Explanation] = &[
     same("transform_row:*:delay:bypass_d* -> bypass*", IDLE),
+    same("transform_row:bypass_d4:delay:(4) -> (3)", IDLE),
     same("transform_row:*:delay:b_up_inexact_d* -> b_up_inexact*", IDLE),
     same("renormalise_offset:magnitudes_*:delay:magnitude_*_lo_d1 -> magnitude_*_lo", SHIFTED),
     same("renormalise_shift:*:delay:*_d1 -> *", STEADY),
