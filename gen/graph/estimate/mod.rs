@@ -1,8 +1,8 @@
 //! What a module is predicted to take of a device, from its signals alone.
 //!
 //! Every signal is written in bits. Sums and comparisons become carry chains, products multipliers, and all else
-//! gates, folded and shared as they are made ([`gates`], [`words`]). What no output depends on is dropped, equal
-//! registers become one, and the gates that remain are covered by look-up tables ([`cover`]). What is then counted:
+//! gates, folded and shared as they are made (`gates`, `words`). What no output depends on is dropped, equal
+//! registers become one, and the gates that remain are covered by look-up tables (`cover`). What is then counted:
 //!
 //! * look-up tables of the cover, and one for every inverter that stands alone, in front of a carry chain for example;
 //!   on the ECP5 two for a carry cell;
