@@ -183,6 +183,13 @@ fn trajectories_go_through_their_keys() {
     );
     let halfway = middle.unwrap().frame(1).poses[2].rotation;
     assert!((halfway - pose::axis_angle(Vector3::z(), 45.0)).amax() < 1e-15, "{halfway}");
+    // Three quarters of a turn one way is a quarter the other way.
+    let shorter = three(
+        "[[trajectory]]\nframes = 3\n[[trajectory.track]]\n\
+         key = [{ time = 0, quaternion = [1, 0, 0, 0] }, { time = 1, quaternion = [-1, 0, 0, 1] }]\n",
+    );
+    let halfway = shorter.unwrap().frame(1).poses[2].rotation;
+    assert!((halfway - pose::axis_angle(Vector3::z(), -45.0)).amax() < 1e-15, "{halfway}");
 }
 
 #[test]
