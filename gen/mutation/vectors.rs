@@ -30,8 +30,8 @@ type Edge = (usize, usize, i128, (usize, u8), (usize, u8));
 /// What the four comparisons of section 6 lack on an axis, in ulps: each holds where its number is positive.
 type Lacking = [i128; 4];
 
-/// `count` pairs: of four two chosen, one at the ends of the working grid or, one in sixteen, tiny, and one random, every
-/// other time with an edge of one ulp.
+/// `count` pairs: of four two chosen, one at the ends of the working grid or, one in sixteen, tiny (every second of these
+/// under a rotation), and one random, every other time with an edge of one ulp.
 pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     let pool = Stimulus::random(params, (count * CHOICE).clamp(SMALLEST, LARGEST), seed);
     let random: Vec<(Pose, Pair)> =
@@ -58,7 +58,11 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
         let next = match number % 4 {
             0 | 2 => chosen.next(),
             1 if number == 1 && params.transform != Transform::Off => Some(farthest(params)),
-            1 if number % 16 == 13 => Some((Pose::identity(params), tiny(&mut rng))),
+            1 if number % 32 == 13 => Some((Pose::identity(params), tiny(&mut rng))),
+            1 if number % 32 == 29 => {
+                let pose = random.next().map_or_else(|| Pose::identity(params), |(pose, _)| pose);
+                Some((at_origin(&mut rng, pose), tiny(&mut rng)))
+            }
             1 => Some((Pose::identity(params), extreme(&mut rng, params))),
             _ => None,
         };
@@ -120,6 +124,12 @@ fn extreme(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
         }
     }
     pair
+}
+
+/// The pose with a translation of next to nothing: it leaves a tiny pair tiny, but B's enclosures as wide as the pair, so
+/// that coordinates of B straddle 0 as far as they can.
+fn at_origin(rng: &mut ChaCha8Rng, pose: Pose) -> Pose {
+    Pose { t: [(); 3].map(|()| Input { lo: -i64::from(rng.random::<bool>()), sticky: rng.random() }), ..pose }
 }
 
 /// A pair in a box of two ulps of the input with V0 in its middle: re-normalised, V0 and all differences are as wide as

@@ -104,7 +104,12 @@ impl<'a> Editor<'a> {
                 self.replace(Kind::Operand, place, other, format!("{name} -> {other}"));
             }
             if let Some(earlier) = self.earlier(name, self.part()[place.1..].starts_with('(')) {
-                self.replace(Kind::Delay, place, &earlier, format!("{name} -> {earlier}"));
+                // A port takes words as they are, and no conversion of a conversion.
+                let word = earlier.split_once('(').map(|(_, word)| word.trim_end_matches(')'));
+                match word.filter(|_| self.part() == format!("std_logic_vector({name})")) {
+                    Some(word) => self.rewrite(Kind::Delay, word, format!("{name} -> {word}")),
+                    None => self.replace(Kind::Delay, place, &earlier, format!("{name} -> {earlier}")),
+                }
             }
         }
     }
