@@ -36,6 +36,7 @@ struct Wrapper {
     place_bits: u32,
     tag_width: u32,
     axes: u32,
+    guarded: bool,
     unit_inputs: Vec<Field>,
     unused: u32,
     unused_zeros: String,
@@ -129,11 +130,15 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
     }
     let (tag, axes) = (p.tag_width, format.axes);
     let status = "  7 downto 0  status; bits 1..0: 00 separate, 01 intersect, 10 possibly incorrect, 11 report";
+    let outside = "              bit 4: a number of the pair or its pose is outside its declared range (10, no axis)";
     lines.extend([
         String::new(),
         format!("Out: one packet of {}-bit words for every packet, in order: one word a pair, or", format.answer_width()),
         "one report; TLAST with the last. From bit 0 on:".to_owned(),
         status.to_owned(),
+    ]);
+    lines.extend(p.guarded().then(|| outside.to_owned()));
+    lines.extend([
         if tag > 0 { format!("  {} downto 8  tag", tag + 7) } else { "  (no tag)".to_owned() },
         format!("  {} downto {}  out_separated, bit i for axis i", tag + axes + 7, tag + 8),
         format!("  {} downto {}  out_overlapping, bit i for axis i", tag + 2 * axes + 7, tag + axes + 8),
@@ -182,6 +187,7 @@ pub fn wrapper(design: &Design, format: &StreamFormat, origin: &[String]) -> Str
         place_bits: places.trailing_zeros(),
         tag_width: p.tag_width,
         axes: format.axes,
+        guarded: p.guarded(),
         unit_inputs: unit_inputs(p, format, assembly),
         unused,
         unused_zeros: "0".repeat(unused as usize),

@@ -6,7 +6,7 @@
 
 use super::{vectors, Stimulus};
 use crate::golden::{Golden, Input, Pair, Pose};
-use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat};
+use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat};
 use crate::params::Params;
 
 /// Pairs of the first packet that fill the default design.
@@ -92,7 +92,7 @@ impl<'a> Maker<'a> {
         self.tag = self.tag.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let tag = self.tag & u64::MAX.checked_shr(64 - self.format.tag_width).unwrap_or(0);
         let fields = AnswerFields {
-            status: outcome.verdict as u8,
+            status: verdict_status(outcome.verdict as u8, outcome.outside),
             tag,
             separated: outcome.separated,
             overlapping: outcome.overlapping,

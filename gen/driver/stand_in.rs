@@ -2,7 +2,7 @@
 
 use super::Transfer;
 use crate::golden::{Golden, Input, Pair, Pose};
-use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, StreamWidth, BYPASS_AT, TAG_AT};
+use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat, StreamWidth, BYPASS_AT, TAG_AT};
 use crate::params::{ParamError, Params, Transform, Upper};
 
 /// Answers words as the wrapped unit does, to test what drives it. The state is what the unit keeps: its pose.
@@ -98,7 +98,7 @@ impl StandIn {
         let pair = Pair { a: [0, 1, 2].map(point), b: [3, 4, 5].map(point) };
         let outcome = self.golden.outcome(&self.pose, &pair);
         AnswerFields {
-            status: outcome.verdict as u8,
+            status: verdict_status(outcome.verdict as u8, outcome.outside),
             tag: record.bits(TAG_AT, self.params.tag_width),
             separated: outcome.separated,
             overlapping: outcome.overlapping,

@@ -83,6 +83,9 @@ architecture rtl of efsat_stream is
 {%- endif %}
   signal out_separated : std_logic_vector({{ axes - 1 }} downto 0);
   signal out_overlapping : std_logic_vector({{ axes - 1 }} downto 0);
+{%- if guarded %}
+  signal out_outside : std_logic;
+{%- endif %}
   constant report_zeros : std_logic_vector({{ answer_width - 9 }} downto 0) := (others => '0');
   signal verdict_answer : std_logic_vector({{ answer_width - 1 }} downto 0);
   signal report_answer : std_logic_vector({{ answer_width - 1 }} downto 0);
@@ -236,11 +239,12 @@ begin
       out_ready => out_ready,
       out_verdict => out_verdict,
       out_separated => out_separated,
-      out_overlapping => out_overlapping
+      out_overlapping => out_overlapping{% if guarded %},
+      out_outside => out_outside{% endif %}
     );
 
   -- ===== Answers out =====
-  verdict_answer <= {% if unused > 0 %}"{{ unused_zeros }}" & {% endif %}out_overlapping & out_separated & {% if tag_width > 0 %}out_tag & {% endif %}"000000" & out_verdict;
+  verdict_answer <= {% if unused > 0 %}"{{ unused_zeros }}" & {% endif %}out_overlapping & out_separated & {% if tag_width > 0 %}out_tag & {% endif %}{% if guarded %}"000" & out_outside & "00"{% else %}"000000"{% endif %} & out_verdict;
   report_answer <= report_zeros & (head(1) or head(0)) & "000" & head(1 downto 0) & "11";
   answer_valid <= owing and (head(2) or out_valid);
   answer_taken <= answer_valid and m_axis_tready;
