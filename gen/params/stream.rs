@@ -142,6 +142,7 @@ pub struct StreamFormat {
     int_bits: u32,
     sticky: bool,
     transform: Transform,
+    guarded: bool,
 }
 
 impl StreamFormat {
@@ -155,6 +156,7 @@ impl StreamFormat {
             int_bits: params.int_bits,
             sticky: params.upper == Upper::Sticky,
             transform: params.transform,
+            guarded: params.guarded(),
         }
     }
 
@@ -192,6 +194,16 @@ impl StreamFormat {
             32
         } else {
             64
+        }
+    }
+
+    /// High bits of a number's field that a guarded unit checks to be its sign, because they do not reach it; 0 where there
+    /// is nothing to check. All fields from the first number to the end of the record are checked alike.
+    pub fn spare_bits(&self) -> u32 {
+        if self.guarded {
+            self.lane() - self.number_bits
+        } else {
+            0
         }
     }
 
