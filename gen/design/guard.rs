@@ -29,8 +29,8 @@ pub fn unit(name: &str, p: &Params, bound: i128) -> Rc<Unit> {
             "low bits alone go on, a number inside. Whatever the word is, all formats behind hold what is computed from it.",
         ],
     );
-    let x = b.input("x", ty, ty.limits(), Rate::Any);
-    let sticky = (p.upper == Upper::Sticky).then(|| b.input("x_sticky", Type::FLAG, (0, 1), Rate::Any));
+    let x = b.input("word", ty, ty.limits(), Rate::Any);
+    let sticky = (p.upper == Upper::Sticky).then(|| b.input("word_sticky", Type::FLAG, (0, 1), Rate::Any));
     let cut = bound.trailing_zeros();
     let most = bound >> cut;
     let high = b.op("high", Op::Floor(cut), &[x]);
@@ -47,8 +47,8 @@ pub fn unit(name: &str, p: &Params, bound: i128) -> Rc<Unit> {
     };
     let (at_most, below) = (equals("at_most", high, most), equals("just_below", high, -most - 1));
     let above = b.and("just_above", at_most, more);
-    b.comment(above, format!("x > {bound}, by less than {}", 1i128 << cut));
-    b.comment(below, format!("x < -{bound}, by at most {}", 1i128 << cut));
+    b.comment(above, format!("word > {bound}, by less than {}", 1i128 << cut));
+    b.comment(below, format!("word < -{bound}, by at most {}", 1i128 << cut));
     let mut reasons = vec![above, below];
     // `most` is q 2^k - 1, so what is left is a matter of the bits above k.
     let again = (most + 1).trailing_zeros();
@@ -57,15 +57,15 @@ pub fn unit(name: &str, p: &Params, bound: i128) -> Rc<Unit> {
     if reach < 1 << (top_bits - 1) {
         let top = b.op("top", Op::Floor(again), &[high]);
         let beyond = beyond(&mut b, top, reach);
-        reasons.push(b.comment(beyond, "x is farther outside than that"));
+        reasons.push(b.comment(beyond, "farther outside than that"));
     }
     let outside = b.or_all("is_outside", &reasons);
     let kept = b.op("kept_bits", Op::LowBits(bound.ilog2()), &[x]);
     let kept = b.resize("kept", kept, true, ty.bits);
     let held = b.either("held", outside, kept, x);
-    let within = b.op("within", Op::Assert(symmetric(bound), "guard"), &[held]);
-    b.comment(within, format!("within +-{bound} whatever x is: lemma guard"));
-    b.output("within", within);
+    let passed = b.op("passed", Op::Assert(symmetric(bound), "guard"), &[held]);
+    b.comment(passed, format!("within +-{bound} whatever the word is: lemma guard"));
+    b.output("passed", passed);
     b.output("outside", outside);
     b.finish()
 }
