@@ -232,4 +232,21 @@ fn the_costs_are_as_recorded() {
     });
     let costs: Vec<String> = costs.collect();
     assert_eq!(recorded, costs, "columns LUTs, flip-flops, clocks of docs/guard.md");
+
+    let rows = text.lines().filter(|line| line.starts_with("| `--transform") || line.starts_with("| `--renormalise"));
+    let recorded: Vec<String> = rows.map(|row| row.split('|').map(str::trim).collect::<Vec<_>>()[2..=3].join(", ")).collect();
+    let sets = [
+        Params { transform: Transform::Off, ..base.clone() },
+        Params { transform: Transform::Translate, ..base.clone() },
+        Params { renormalise: false, ..base.clone() },
+        Params { transform: Transform::Off, renormalise: false, ..base },
+    ];
+    let alone = sets.iter().map(|p| {
+        let design = Design::new(p, false).unwrap();
+        let path = design.top.hierarchy().into_iter().find(|module| module.name == "pair_pipeline").unwrap();
+        let guards: Vec<_> = path.instances.iter().filter(|i| i.module.name.starts_with("guard_")).collect();
+        let luts: u64 = guards.iter().map(|i| estimate::whole(&i.module, design.device).luts).sum();
+        format!("{}, {luts}", guards.len())
+    });
+    assert_eq!(recorded, alone.collect::<Vec<_>>(), "columns guards, LUTs of docs/guard.md");
 }
