@@ -140,12 +140,15 @@ fn every_word(p: &Params, place: usize, seed: u64) -> Result<[usize; 2], String>
         let (mut pose, mut pair) = (pose, pair);
         put(&mut pose, &mut pair, place, x);
         let outcome = golden.outcome(&pose, &pair);
-        graph.run(&inputs(&design, &pose, &pair));
-        let found = ["verdict", "separated", "overlapping", "outside"].map(|name| graph.output(name));
-        let expected = [outcome.verdict as i128, outcome.separated.into(), outcome.overlapping.into()];
-        let answer = || format!("place {place}, {x:?}: {outcome:?}, graph {found:?}\n{p:?}");
-        if found[..3] != expected || found[3] != i128::from(outcome.outside) {
-            return Err(answer());
+        let answer = || format!("place {place}, {x:?}: {outcome:?}\n{p:?}");
+        // The graph is much slower: it is asked around the ends of the range, and now and then elsewhere.
+        if (i128::from(x.lo).abs() - bound).abs() < 8 || x.lo % 64 == 0 {
+            graph.run(&inputs(&design, &pose, &pair));
+            let found = ["verdict", "separated", "overlapping", "outside"].map(|name| graph.output(name));
+            let expected = [outcome.verdict as i128, outcome.separated.into(), outcome.overlapping.into()];
+            if found[..3] != expected || found[3] != i128::from(outcome.outside) {
+                return Err(format!("graph {found:?}, {}", answer()));
+            }
         }
         let inside = sent(x, p.upper, bound);
         if inside == outcome.outside {

@@ -251,7 +251,7 @@ fn text(report: &Report, verdicts: &Verdicts, host_decided: u64) -> String {
     if report.mismatches == 0 {
         let more = match report.guard_vectors {
             0 => String::new(),
-            n => format!(", and {n} for the guard"),
+            n => format!(", and {n} for the guard,"),
         };
         text.push_str(&format!("All {} vectors{more} agree bit for bit.\n", report.vectors));
     }
