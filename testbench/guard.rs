@@ -237,7 +237,8 @@ fn the_costs_are_as_recorded() {
     assert_eq!(recorded, costs, "columns LUTs, flip-flops, clocks of docs/guard.md");
 
     let rows = text.lines().filter(|line| line.starts_with("| `--transform") || line.starts_with("| `--renormalise"));
-    let recorded: Vec<String> = rows.map(|row| row.split('|').map(str::trim).collect::<Vec<_>>()[2..=3].join(", ")).collect();
+    let recorded: Vec<String> =
+        rows.map(|row| row.split('|').map(str::trim).collect::<Vec<_>>()[2..=3].join(", ")).collect();
     let sets = [
         Params { transform: Transform::Off, ..base.clone() },
         Params { transform: Transform::Translate, ..base.clone() },

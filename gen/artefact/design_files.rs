@@ -95,7 +95,9 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
         unit_bench.vectors,
         &match stimulus.pairs() - PAIRS {
             0 => format!("{PAIRS} random pairs under random poses, with the reference model's answers."),
-            more => format!("{PAIRS} random pairs under random poses and {more} for the guard, with the reference model's answers."),
+            more => format!(
+                "{PAIRS} random pairs under random poses and {more} for the guard, with the reference model's answers."
+            ),
         },
     );
     set.insert(&stream_bench.file, stream::bench(design, &format, &origin));

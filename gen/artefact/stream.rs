@@ -159,14 +159,20 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
         ]);
     }
     if format.spare_bits() > 0 {
-        lines.push("A number that is not sign-extended is outside its declared range, and so is the fill of a record.".to_owned());
+        lines.push(
+            "A number that is not sign-extended is outside its declared range, and so is the fill of a record."
+                .to_owned(),
+        );
     }
     let (tag, axes) = (p.tag_width, format.axes);
     let status = "  7 downto 0  status; bits 1..0: 00 separate, 01 intersect, 10 possibly incorrect, 11 report";
     let outside = "              bit 4: a number of the pair or its pose is outside its declared range (10, no axis)";
     lines.extend([
         String::new(),
-        format!("Out: one packet of {}-bit words for every packet, in order: one word a pair, or", format.answer_width()),
+        format!(
+            "Out: one packet of {}-bit words for every packet, in order: one word a pair, or",
+            format.answer_width()
+        ),
         "one report; TLAST with the last. From bit 0 on:".to_owned(),
         status.to_owned(),
     ]);

@@ -5,9 +5,10 @@
 //! A word that is not whole lacks its highest byte by TKEEP.
 
 use super::{vectors, Stimulus};
-use crate::golden::{Golden, Input, Pair, Pose};
+use crate::golden::{Golden, Input, Pair, Pose, Verdict};
 use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat};
 use crate::params::Params;
+use std::cmp::Reverse;
 
 /// Pairs of the first packet that fill the default design.
 pub const FILLING: usize = 22;
@@ -138,7 +139,13 @@ impl<'a> Maker<'a> {
         }
         let segments = Stimulus::random(p, 32, 12).segments;
         let unfit = |x: &mut Input, by: i64| x.lo += by << p.transform_width;
-        for (i, (pose, pairs)) in segments.into_iter().enumerate() {
+        for (i, (pose, mut pairs)) in segments.into_iter().enumerate() {
+            // Those first that have most to lose: a definite verdict, and flags.
+            pairs.sort_by_key(|pair| {
+                let outcome = self.golden.outcome(&pose, pair);
+                let flags = outcome.separated.count_ones() + outcome.overlapping.count_ones();
+                Reverse((outcome.verdict != Verdict::PossiblyIncorrect, flags))
+            });
             let mut wrong = pose;
             unfit(&mut wrong.t[i % 3], 1);
             self.pose(&wrong);
@@ -147,9 +154,9 @@ impl<'a> Maker<'a> {
             self.pairs(&pairs[..1]);
             self.pose(&pose);
             let mut pairs = pairs[..6].to_vec();
-            unfit(&mut pairs[1].a[0][0], 1);
-            unfit(&mut pairs[3].b[2][2], -1);
-            unfit(&mut pairs[4].b[i][1], -1);
+            unfit(&mut pairs[0].a[0][0], 1);
+            unfit(&mut pairs[2].b[2][2], -1);
+            unfit(&mut pairs[3].b[i][1], -1);
             self.pairs(&pairs);
         }
     }

@@ -120,7 +120,8 @@ mod tests {
     #[test]
     fn the_canonical_command_line_means_the_same() {
         let options = ["--width=12", "--int-bits=5", "--axes=17", "--axes-per-clock=17", "--projections=skip"];
-        let more = ["--upper=sticky", "--renormalise=off", "--transform=translate", "--guard=always", "--device=xc6slx150-3"];
+        let more =
+            ["--upper=sticky", "--renormalise=off", "--transform=translate", "--guard=always", "--device=xc6slx150-3"];
         let params = parse(&[&options[..], &more, &["--frequency=20", "--tag-width=0"]].concat());
         assert_eq!((params.width, params.renormalise, params.transform), (12, false, Transform::Translate));
         let canonical = params.command_line();

@@ -139,7 +139,10 @@ fn poses_and_numbers_that_the_words_do_not_hold_are_refused() {
     for (transform, expected) in [(Transform::On, [false, false]), (Transform::Translate, [false, true])] {
         assert_eq!([&moved, &turned].map(|pose| refused(transform, pose)), expected);
     }
-    assert_eq!([&bypassed, &still, &moved, &turned].map(|pose| refused(Transform::Off, pose)), [false, false, true, true]);
+    assert_eq!(
+        [&bypassed, &still, &moved, &turned].map(|pose| refused(Transform::Off, pose)),
+        [false, false, true, true]
+    );
     assert!(!refused(Transform::Translate, &Pose { bypass: true, ..turned }), "with the bypass M is not read");
 
     let driver = driver(&Params { transform_width: 18, ..Params::default() });

@@ -36,7 +36,9 @@ impl Params {
         let mut lines = vec![format!("input: |coordinate| <= {} ulp", self.coordinate_bound())];
         let translation = format!("|t| <= {} ulp", self.translation_bound());
         lines.push(match self.transform {
-            Transform::On => format!("transform on: |m| <= {} ulp, {translation}; with bypass neither is read", self.one()),
+            Transform::On => {
+                format!("transform on: |m| <= {} ulp, {translation}; with bypass neither is read", self.one())
+            }
             Transform::Translate => {
                 format!("transform translate: M is the identity, {translation}; with bypass t is not read")
             }
@@ -55,9 +57,8 @@ mod tests {
 
     #[test]
     fn units_without_a_stage_are_guarded() {
-        let guarded = |guard, transform, renormalise| {
-            Params { guard, transform, renormalise, ..Params::default() }.guarded()
-        };
+        let guarded =
+            |guard, transform, renormalise| Params { guard, transform, renormalise, ..Params::default() }.guarded();
         assert!(!guarded(Guard::LeftOut, Transform::On, true));
         assert!(guarded(Guard::Always, Transform::On, true));
         for transform in [Transform::Translate, Transform::Off] {
@@ -72,6 +73,9 @@ mod tests {
         assert_eq!(lines[0], "input: |coordinate| <= 268435456 ulp");
         let t = "transform translate: M is the identity, |t| <= 1073741816 ulp; with bypass t is not read";
         assert_eq!(lines[1..], [t]);
-        assert_eq!(Params { transform: Transform::Off, renormalise: false, ..Params::default() }.assumptions().len(), 3);
+        assert_eq!(
+            Params { transform: Transform::Off, renormalise: false, ..Params::default() }.assumptions().len(),
+            3
+        );
     }
 }
