@@ -162,8 +162,9 @@ fn a_pair_outside_is_told_and_never_definite() {
     let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
     let mut unit = StandIn::new(&params, StreamWidth::Bits64).unwrap();
     let one = params.one() as i64;
-    let mut pair = Pair::default();
-    pair.b = pair.b.map(|w| w.map(|_| Input::exact(one)));
+    // One above the other.
+    let triangle = |z: i64| [[0, 0, z], [one, 0, z], [0, one, z]].map(|v| v.map(Input::exact));
+    let pair = Pair { a: triangle(0), b: triangle(one) };
     let mut far = pair;
     far.b[1][2].lo += 1;
     let answers = unit.answer(&driver.pack_pairs([(1, &pair), (2, &far)]).unwrap());
