@@ -11,7 +11,7 @@ use efsat::golden::host::{Host, SceneHost};
 use efsat::golden::{Golden, Pair, Pose};
 use efsat::graph::evaluate::Evaluator;
 use efsat::mesh::Mesh;
-use efsat::params::{Axes, Params, Projections, Transform, Upper};
+use efsat::params::{Axes, Guard, Params, Projections, Transform, Upper};
 use efsat::scene::{Meeting, Scene};
 use rand::{seq::IndexedRandom, SeedableRng};
 use rayon::prelude::*;
@@ -68,6 +68,17 @@ fn varied(others: &Params) -> Vec<Case> {
             (p.transform, p.renormalise) = (transform, renormalise);
         });
     }
+    for transform in [Transform::On, Transform::Translate, Transform::Off] {
+        for (axes, axes_per_clock, upper) in [(Axes::Eleven, 1, Upper::Sticky), (Axes::Seventeen, 2, Upper::Implied)] {
+            case(format!("guard always, transform {transform:?}, axes {axes:?}"), &|p| {
+                (p.guard, p.transform) = (Guard::Always, transform);
+                (p.axes, p.axes_per_clock, p.upper) = (axes, axes_per_clock, upper);
+            });
+        }
+    }
+    for n in [3, 11] {
+        case(format!("guard always, axes-per-clock {n}"), &|p| (p.guard, p.axes_per_clock) = (Guard::Always, n));
+    }
     for frequency in [20, 50, 133, 200, 250] {
         case(format!("frequency {frequency}"), &|p| p.frequency = frequency);
     }
@@ -95,6 +106,7 @@ fn combined(count: usize) -> Vec<Case> {
             upper: *[Upper::Implied, Upper::Sticky].choose(&mut rng).unwrap(),
             renormalise: *[true, false].choose(&mut rng).unwrap(),
             transform: *[Transform::On, Transform::Translate, Transform::Off].choose(&mut rng).unwrap(),
+            guard: *[Guard::LeftOut, Guard::Always].choose(&mut rng).unwrap(),
             device: (*efsat::device::names().choose(&mut rng).unwrap()).to_owned(),
             frequency: *[20, 66, 100, 150, 250].choose(&mut rng).unwrap(),
             tag_width: *[0, 8, 16].choose(&mut rng).unwrap(),
@@ -249,7 +261,7 @@ fn graph_equals_reference_model_in_every_inner_signal() {
         let mut evaluator = Evaluator::new(&design.pipeline);
         let nodes = traced(p, &design);
         assert!(nodes.len() >= 2 * (18 + 18 + 33 + 44), "{name}: {} signals compared", nodes.len());
-        for (pose, pairs) in &Stimulus::random(p, 40, 11).segments {
+        for (pose, pairs) in &Stimulus::random(p, 40, 11).followed_by(Stimulus::outside(p)).segments {
             for pair in pairs {
                 evaluator.run(&cosim::inputs(&design, pose, pair));
                 let trace: BTreeMap<_, _> = golden.trace(pose, pair).into_iter().collect();
@@ -262,6 +274,9 @@ fn graph_equals_reference_model_in_every_inner_signal() {
                 assert_eq!(evaluator.output("verdict"), outcome.verdict as i128, "{name}");
                 assert_eq!(evaluator.output("separated"), i128::from(outcome.separated), "{name}");
                 assert_eq!(evaluator.output("overlapping"), i128::from(outcome.overlapping), "{name}");
+                if p.guarded() {
+                    assert_eq!(evaluator.output("outside"), i128::from(outcome.outside), "{name}");
+                }
             }
         }
     });

@@ -102,6 +102,7 @@ fn every_wrong_value_is_one_line_and_status_2() {
         ("--upper lower", "legal is one of implied, sticky"),
         ("--renormalise yes", "legal is one of on, off"),
         ("--transform rotate", "legal is one of on, translate, off"),
+        ("--guard sometimes", "legal is one of left-out, always"),
         ("--device xc7", "legal is one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6"),
         ("--frequency 19", "legal is a whole number from 20 to 250"),
         ("--frequency 100.5", "legal is a whole number from 20 to 250"),
@@ -279,7 +280,9 @@ fn the_manifest_has_the_fields_of_the_contract() {
     );
     assert_eq!((&manifest["initiation_interval"], &manifest["multipliers"]), (&Value::from(11), &Value::from(72)));
     assert!(manifest["latency"].as_u64().unwrap() > 0);
-    assert_eq!(manifest["parameters"].as_object().unwrap().len(), 12);
+    assert_eq!(manifest["parameters"].as_object().unwrap().len(), 13);
+    assert_eq!(manifest["guard"], false);
+    assert!(manifest["assumptions"][0].as_str().unwrap().starts_with("input: |coordinate| <= "));
     let port = |name: &str| manifest["ports"].as_array().unwrap().iter().find(|port| port["name"] == name).unwrap();
     assert_eq!(port("in_v0_x")["format"], "s4.28");
     assert_eq!((&port("out_verdict")["direction"], &port("out_verdict")["bits"]), (&"out".into(), &2.into()));
@@ -347,6 +350,19 @@ fn cosim_takes_pairs_that_the_host_decides() {
     assert_eq!((&report["vectors"], &report["host_decided"]), (&1.into(), &1.into()));
     let sum: u64 = report["verdicts"].as_object().unwrap().values().filter_map(Value::as_u64).sum();
     assert_eq!(sum, 2, "both are counted");
+}
+
+#[test]
+fn cosim_of_a_guarded_unit_counts_its_own_vectors_apart() {
+    let home = tempfile::tempdir().unwrap();
+    let small = "--width 6 --transform-width 8 --transform off --simulator builtin";
+    let report = object(&succeeds(home.path(), &format!("cosim --random 20 {small} --json")));
+    let counts = ["vectors", "guard_vectors", "mismatches", "host_decided"].map(|name| report[name].as_u64());
+    assert_eq!(counts, [20, 108, 0, 0].map(Some));
+    let sum: u64 = report["verdicts"].as_object().unwrap().values().filter_map(Value::as_u64).sum();
+    assert_eq!(sum, 20, "the pairs that were asked for");
+    let said = succeeds(home.path(), &format!("cosim --random 20 {small}"));
+    assert!(said.contains("All 20 vectors, and 108 for the guard, agree bit for bit.\n"), "{said}");
 }
 
 #[test]

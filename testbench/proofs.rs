@@ -119,6 +119,20 @@ fn transform_and_renormalisation() {
         claims.push(before_axes::scale(&setting));
         let translate = Setting::full(Params { transform: Transform::Translate, ..params.clone() });
         claims.push(before_axes::translated_row(&translate));
+        let bare = Setting::full(Params { transform: Transform::Off, renormalise: false, ..params.clone() });
+        claims.push(before_axes::guard(
+            &translate,
+            "translate",
+            "guard_coordinate",
+            translate.params.coordinate_bound(),
+        ));
+        claims.push(before_axes::guard(
+            &translate,
+            "translate",
+            "guard_translation",
+            translate.params.translation_bound(),
+        ));
+        claims.push(before_axes::guard(&bare, "no transform", "guard_coordinate", bare.params.coordinate_bound()));
         claims.push(before_axes::rounded_coordinates(&Setting::full(Params { renormalise: false, ..params })));
     }
     let setting = Setting::full(Params::default());

@@ -199,6 +199,44 @@ fn a_wrong_wrapper_is_noticed() {
 }
 
 #[test]
+fn a_wrapper_that_loses_the_flag_of_the_guard_is_noticed() {
+    let Some(ghdl) = ghdl() else { return };
+    let params = Params { transform: Transform::Translate, ..small() };
+    let bench = Bench::new(ghdl, &params, StreamWidth::Bits64);
+    let few = stream_vectors::mixed(&params, &bench.format, 2);
+    bench.write("efsat_stream_tb.vec", &stream_vectors::text(&params, &bench.format, &few));
+    let report = bench.run("efsat_stream_tb", &["-gpasses=1"]);
+    assert_eq!(number(&report, "mismatches"), Some(0), "{report}");
+    let wrapper = bench.files.get("efsat_stream.vhd").unwrap();
+    let changes = [
+        ("\"000\" & outside_answer & \"00\"", "\"000000\""),
+        ("outside_answer <= out_outside or head(0);", "outside_answer <= head(0);"),
+        ("outside_answer <= out_outside or head(0);", "outside_answer <= out_outside;"),
+        // The unit's answer to the low bits of a number is given all the same.
+        ("code_answer <= \"10\" when head(0) = '1' else", "code_answer <="),
+        ("flags_answer <= (others => '0') when head(0) = '1' else", "flags_answer <="),
+        // Numbers of a pose are not looked at, or those of a bypassed one are.
+        ("pair_unfit <= record_unfit or pose_unfit;", "pair_unfit <= record_unfit;"),
+        ("next_pose_unfit and not assembly(479);", "next_pose_unfit;"),
+        // All words of a record but the last are forgotten, or a record marks those behind it.
+        ("begun_unfit <= record_unfit;", "begun_unfit <= word_unfit;"),
+        ("place <= \"000000\";\n                begun_unfit <= '0';", "place <= \"000000\";"),
+    ];
+    let mut missed = vec![];
+    for (old, new) in changes {
+        let changed = wrapper.replace(old, new);
+        assert_ne!(changed, wrapper, "{old}");
+        bench.write("efsat_stream.vhd", &changed);
+        bench.analyse(&["efsat_stream.vhd", "efsat_stream_tb.vhd"]);
+        let report = bench.run("efsat_stream_tb", &["-gpasses=1"]);
+        if number(&report, "mismatches") == Some(0) {
+            missed.push(format!("{old} -> {new}:\n{report}"));
+        }
+    }
+    assert!(missed.is_empty(), "{}", missed.join("\n"));
+}
+
+#[test]
 fn damaged_packets_are_answered_as_the_stand_in_answers_them() {
     let Some(ghdl) = ghdl() else { return };
     let params = Params { upper: Upper::Sticky, width: 6, transform_width: 8, ..Params::default() };

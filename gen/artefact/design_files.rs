@@ -88,11 +88,17 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
 
     let [unit_bench, stream_bench, _] = &lists.benches;
     set.insert(&unit_bench.file, testbench::text(design, &origin));
-    set.insert(unit_bench.vectors, vectors::text(params, &Stimulus::random(params, PAIRS, 1)));
+    let stimulus = Stimulus::random(params, PAIRS, 1).followed_by(Stimulus::outside(params));
+    set.insert(unit_bench.vectors, vectors::text(params, &stimulus));
     describe(&unit_bench.file, "Testbench of the unit, for simulation only.");
     describe(
         unit_bench.vectors,
-        &format!("{PAIRS} random pairs under random poses, with the reference model's answers."),
+        &match stimulus.pairs() - PAIRS {
+            0 => format!("{PAIRS} random pairs under random poses, with the reference model's answers."),
+            more => format!(
+                "{PAIRS} random pairs under random poses and {more} for the guard, with the reference model's answers."
+            ),
+        },
     );
     set.insert(&stream_bench.file, stream::bench(design, &format, &origin));
     let mixed = stream_vectors::mixed(params, &format, stream_vectors::FILLING);

@@ -5,7 +5,7 @@ use super::{origin, FileSet};
 use crate::design::Design;
 use crate::golden::host::{loose_pair, Host};
 use crate::golden::{Golden, Input, Pose};
-use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat};
+use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat};
 use askama::Template;
 
 #[derive(Template)]
@@ -73,7 +73,7 @@ fn bench(design: &Design, format: &StreamFormat, header: &[String]) -> String {
     let tag = TAG & u64::MAX.checked_shr(64 - p.tag_width).unwrap_or(0);
     let outcome = Golden::new(p).outcome(&pose, &pair);
     let verdict = AnswerFields {
-        status: outcome.verdict as u8,
+        status: verdict_status(outcome.verdict as u8, outcome.outside),
         tag,
         separated: outcome.separated,
         overlapping: outcome.overlapping,

@@ -25,6 +25,8 @@ struct Manifest<'a> {
     register_bits: u64,
     result_places: usize,
     input_format: String,
+    guard: bool,
+    assumptions: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     stream: Option<Stream>,
     ports: Vec<Port>,
@@ -134,6 +136,8 @@ pub(super) fn text(design: &Design, format: Option<&StreamFormat>, command_line:
         register_bits: design.top.register_bits(),
         result_places: design.places,
         input_format: design.params.input().to_string(),
+        guard: design.params.guarded(),
+        assumptions: design.params.assumptions(),
         stream: format.map(|format| Stream::new(&design.params, format)),
         ports: ports(design),
         formats: design
@@ -183,6 +187,8 @@ mod tests {
             (&10.into(), &11.into())
         );
         assert_eq!(manifest["ports"][0]["name"], "clk");
+        assert_eq!(manifest["guard"], false);
+        assert_eq!(manifest["assumptions"][0], "input: |coordinate| <= 268435456 ulp");
         assert_eq!(manifest["formats"][0]["format"], "s2.16");
         let sum = "edeaaff3f1774ad2888673770c6d64097e391bc362d7d6fb34982ddf0efd18cb";
         assert_eq!(manifest["files"]["a.txt"], sum, "SHA-256 of abc and a line feed");

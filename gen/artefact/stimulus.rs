@@ -1,13 +1,17 @@
 //! Seeded stimuli that reach every part of the unit.
 
 use super::Stimulus;
-use crate::golden::{sample, Pose};
+use crate::golden::sample::{self, Outside};
+use crate::golden::{Pair, Pose};
 use crate::params::{Params, Transform};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
 /// Pairs under one pose.
 const SEGMENT: usize = 16;
+
+/// Seed of the words outside the declared ranges.
+const WORDS: u64 = 5;
 
 impl Stimulus {
     /// `count` pairs as the unit reads them, in segments of 16 under random poses (with `--transform off`: none). About
@@ -30,11 +34,51 @@ impl Stimulus {
         }
         Self { segments }
     }
+
+    /// Words for a guard, none for a unit without one: every number of pair and pose outside its declared range in every
+    /// way of [`Outside`], the others inside, with pairs inside in between, and a pose that is outside but bypassed. No
+    /// host sends any of them.
+    pub fn outside(params: &Params) -> Self {
+        let mut segments = vec![];
+        if !params.guarded() {
+            return Self { segments };
+        }
+        let mut rng = ChaCha8Rng::seed_from_u64(WORDS);
+        let mut pose = Pose::identity(params);
+        for number in 0..18 {
+            if params.transform != Transform::Off {
+                pose = sample::random_pose(&mut rng, params);
+            }
+            let inside = |rng: &mut ChaCha8Rng| sample::random_pair_under(rng, params, &pose);
+            let mut pairs: Vec<Pair> = vec![];
+            for how in Outside::ALL {
+                let pair = inside(&mut rng);
+                pairs.push(sample::pair_outside(&mut rng, params, pair, number, how));
+            }
+            pairs.push(inside(&mut rng));
+            segments.push((pose, pairs));
+        }
+        let ways = (0..sample::pose_size(params)).flat_map(|number| Outside::ALL.map(|how| (number, how)));
+        for (i, (number, how)) in ways.enumerate() {
+            let pose = sample::corner_pose(&mut rng, params);
+            let bypass = i % Outside::ALL.len() == 0;
+            let pose = Pose { bypass, ..sample::pose_outside(&mut rng, params, pose, number, how) };
+            segments.push((pose, vec![sample::random_pair(&mut rng, params)]));
+        }
+        Self { segments }
+    }
+
+    /// All of this and then all of that.
+    pub fn followed_by(mut self, other: Self) -> Self {
+        self.segments.extend(other.segments);
+        self
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::params::Upper;
 
     #[test]
     fn a_seed_names_its_stimulus() {
@@ -44,5 +88,21 @@ mod tests {
         assert_ne!(first, other);
         let sizes: Vec<usize> = first.iter().map(|segment| segment.1.len()).collect();
         assert_eq!(sizes, [16, 16, 16, 16, 16, 16, 4]);
+    }
+    #[test]
+    fn a_guard_sees_every_number_outside() {
+        let golden = |params: &Params| crate::golden::Golden::new(params);
+        for (transform, renormalise, due) in
+            [(Transform::On, false, 90 + 48), (Transform::Translate, true, 90 + 12), (Transform::Off, true, 90)]
+        {
+            for upper in [Upper::Implied, Upper::Sticky] {
+                let params = Params { transform, renormalise, upper, ..Params::default() };
+                let stimulus = Stimulus::outside(&params);
+                let all = stimulus.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (pose, pair)));
+                let outside = all.filter(|(pose, pair)| golden(&params).outcome(pose, pair).outside).count();
+                assert_eq!(outside, due, "{params:?}");
+            }
+        }
+        assert!(Stimulus::outside(&Params::default()).segments.is_empty(), "no guard");
     }
 }

@@ -12,6 +12,13 @@ pub const NAME: &str = "efsat_stream";
 /// Name of the testbench entity.
 pub const TESTBENCH: &str = "efsat_stream_tb";
 
+/// Bits of a word that must all be the sign of a number, in the words of a record for which `when` holds.
+struct Sign {
+    high: u32,
+    low: u32,
+    when: String,
+}
+
 /// An input port of the unit and its bits in the assembled record.
 struct Field {
     port: String,
@@ -36,6 +43,11 @@ struct Wrapper {
     place_bits: u32,
     tag_width: u32,
     axes: u32,
+    guarded: bool,
+    signs: Vec<Sign>,
+    sign_high: u32,
+    flags_high: u32,
+    bypass_place: u32,
     unit_inputs: Vec<Field>,
     unused: u32,
     unused_zeros: String,
@@ -85,6 +97,25 @@ fn unit_inputs(p: &Params, format: &StreamFormat, assembly: u32) -> Vec<Field> {
     fields
 }
 
+/// Where a word has bits of numbers that do not reach the unit, and the sign that they must repeat.
+fn signs(format: &StreamFormat) -> Vec<Sign> {
+    let (width, lane, spare, first) = (format.width.bits(), format.lane(), format.spare_bits(), format.number_at(0));
+    if spare == 0 {
+        return vec![];
+    }
+    if width < lane {
+        // A number takes two words, the odd one of which has its sign.
+        let when = format!("place > {} and place(0) = '1'", first / width);
+        return vec![Sign { high: width - 1, low: width - 1 - spare, when }];
+    }
+    let sign = |at: u32| {
+        let from = first.saturating_sub(at).div_ceil(width);
+        let high = at + lane - 1;
+        Sign { high, low: high - spare, when: format!("place >= {from}") }
+    };
+    (0..width).step_by(lane as usize).map(sign).collect()
+}
+
 /// What the header of the wrapper says: the format of both streams.
 fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
     let (width, lane) = (format.width.bits(), format.lane());
@@ -127,13 +158,26 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
             "A pose holds for the packets after it; before the first one B = B~.".to_owned(),
         ]);
     }
+    if format.spare_bits() > 0 {
+        lines.push(
+            "A number that is not sign-extended is outside its declared range, and so is the fill of a record."
+                .to_owned(),
+        );
+    }
     let (tag, axes) = (p.tag_width, format.axes);
     let status = "  7 downto 0  status; bits 1..0: 00 separate, 01 intersect, 10 possibly incorrect, 11 report";
+    let outside = "              bit 4: a number of the pair or its pose is outside its declared range (10, no axis)";
     lines.extend([
         String::new(),
-        format!("Out: one packet of {}-bit words for every packet, in order: one word a pair, or", format.answer_width()),
+        format!(
+            "Out: one packet of {}-bit words for every packet, in order: one word a pair, or",
+            format.answer_width()
+        ),
         "one report; TLAST with the last. From bit 0 on:".to_owned(),
         status.to_owned(),
+    ]);
+    lines.extend(p.guarded().then(|| outside.to_owned()));
+    lines.extend([
         if tag > 0 { format!("  {} downto 8  tag", tag + 7) } else { "  (no tag)".to_owned() },
         format!("  {} downto {}  out_separated, bit i for axis i", tag + axes + 7, tag + 8),
         format!("  {} downto {}  out_overlapping, bit i for axis i", tag + 2 * axes + 7, tag + axes + 8),
@@ -182,6 +226,11 @@ pub fn wrapper(design: &Design, format: &StreamFormat, origin: &[String]) -> Str
         place_bits: places.trailing_zeros(),
         tag_width: p.tag_width,
         axes: format.axes,
+        guarded: p.guarded(),
+        signs: signs(format),
+        sign_high: format.spare_bits(),
+        flags_high: 2 * format.axes - 1,
+        bypass_place: assembly - pose_words * format.width.bits() + BYPASS_AT,
         unit_inputs: unit_inputs(p, format, assembly),
         unused,
         unused_zeros: "0".repeat(unused as usize),

@@ -5,14 +5,17 @@
 //! A word that is not whole lacks its highest byte by TKEEP.
 
 use super::{vectors, Stimulus};
-use crate::golden::{Golden, Input, Pair, Pose};
-use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat};
+use crate::golden::{Golden, Input, Pair, Pose, Verdict};
+use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat};
 use crate::params::Params;
+use std::cmp::Reverse;
 
 /// Pairs of the first packet that fill the default design.
 pub const FILLING: usize = 22;
 /// Pairs among which those are sought that tell two poses apart.
 const TELLING: usize = 64;
+/// Of the words for a guard, every so manieth segment is sent.
+const EVERY: usize = 7;
 /// Pairs of the packets after it, each under a pose of its own.
 const OTHERS: [usize; 3] = [1, 4, 2];
 
@@ -92,7 +95,7 @@ impl<'a> Maker<'a> {
         self.tag = self.tag.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let tag = self.tag & u64::MAX.checked_shr(64 - self.format.tag_width).unwrap_or(0);
         let fields = AnswerFields {
-            status: outcome.verdict as u8,
+            status: verdict_status(outcome.verdict as u8, outcome.outside),
             tag,
             separated: outcome.separated,
             overlapping: outcome.overlapping,
@@ -121,6 +124,40 @@ impl<'a> Maker<'a> {
             self.send(words);
             self.report(Report::PoseTaken);
             self.pose = *pose;
+        }
+    }
+
+    /// Packets for a guard: words outside the declared ranges, and numbers that are no sign extension of what the unit
+    /// reads of them, of pairs and of poses, with what is inside in between.
+    fn outside(&mut self, p: &Params) {
+        for (pose, pairs) in Stimulus::outside(p).segments.iter().step_by(EVERY) {
+            self.pose(pose);
+            self.pairs(pairs);
+        }
+        if self.format.spare_bits() == 0 {
+            return;
+        }
+        let segments = Stimulus::random(p, 32, 12).segments;
+        let unfit = |x: &mut Input, by: i64| x.lo += by << p.transform_width;
+        for (i, (pose, mut pairs)) in segments.into_iter().enumerate() {
+            // Those first that have most to lose: a definite verdict, and flags.
+            pairs.sort_by_key(|pair| {
+                let outcome = self.golden.outcome(&pose, pair);
+                let flags = outcome.separated.count_ones() + outcome.overlapping.count_ones();
+                Reverse((outcome.verdict != Verdict::PossiblyIncorrect, flags))
+            });
+            let mut wrong = pose;
+            unfit(&mut wrong.t[i % 3], 1);
+            self.pose(&wrong);
+            self.pairs(&pairs[..1]);
+            self.pose(&Pose { bypass: true, ..wrong });
+            self.pairs(&pairs[..1]);
+            self.pose(&pose);
+            let mut pairs = pairs[..6].to_vec();
+            unfit(&mut pairs[0].a[0][0], 1);
+            unfit(&mut pairs[2].b[2][2], -1);
+            unfit(&mut pairs[3].b[i][1], -1);
+            self.pairs(&pairs);
         }
     }
 
@@ -171,7 +208,7 @@ impl<'a> Maker<'a> {
 }
 
 /// Packets of every kind, the first of `first` pairs (at least 2): before any pose, under several poses, every way to be
-/// malformed, and good ones after that, still under a pose.
+/// malformed, and good ones after that, still under a pose; to a unit with a guard, words outside the declared ranges.
 pub fn mixed(p: &Params, format: &StreamFormat, first: usize) -> StreamVectors {
     let mut maker = Maker::new(p, format);
     let pairs = |count: usize, seed: u64| Stimulus::random(p, count, seed).segments;
@@ -184,6 +221,7 @@ pub fn mixed(p: &Params, format: &StreamFormat, first: usize) -> StreamVectors {
             maker.pairs(&pairs);
         }
     }
+    maker.outside(p);
     let other = pairs(1, 9)[0].0;
     maker.malformed(&first[0], &other);
     // The old pose still holds: pairs that the malformed one would answer differently, where there are such.

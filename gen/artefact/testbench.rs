@@ -82,7 +82,7 @@ fn fields(word: &Word) -> Vec<Field> {
 pub fn blank(p: &Params) -> [Word; 3] {
     let zero = Input { lo: 0, sticky: false };
     let pair = Pair { a: [[zero; 3]; 3], b: [[zero; 3]; 3] };
-    let outcome = Outcome { verdict: Verdict::Separate, separated: 0, overlapping: 0 };
+    let outcome = Outcome { verdict: Verdict::Separate, separated: 0, overlapping: 0, outside: false };
     [pair_word(p, &pair), pose_word(p, &Pose::identity(p)), answer_word(p, &outcome)]
 }
 

@@ -2,7 +2,8 @@
 //!
 //! The file begins with the line of formats, which the testbench compares with its own; lines that begin with `#` are
 //! comments. Then one record a line, in hexadecimal, the first port of its channel in the low bits: `P <pose>` and
-//! `V <pair> <answer>`, the answer being verdict, separated and overlapping from the low bits up.
+//! `V <pair> <answer>`, the answer being verdict, separated, overlapping and, of a unit with a guard, outside from the
+//! low bits up.
 
 use crate::design::top::{pair_numbers, pose_numbers};
 use crate::golden::{Golden, Input, Outcome, Pair, Pose};
@@ -81,12 +82,15 @@ pub fn pose_word(p: &Params, pose: &Pose) -> Word {
 /// The answer's fields: the output ports of the verdict but the tag.
 pub fn answer_word(p: &Params, outcome: &Outcome) -> Word {
     let axes = p.axes.count() as u32;
-    let fields = [
+    let mut fields = vec![
         ("out_verdict", outcome.verdict as i128, 2),
         ("out_separated", i128::from(outcome.separated), axes),
         ("out_overlapping", i128::from(outcome.overlapping), axes),
     ];
-    Word { fields: fields.map(|(name, value, bits)| (name.to_owned(), value, bits)).to_vec() }
+    if p.guarded() {
+        fields.push(("out_outside", i128::from(outcome.outside), 1));
+    }
+    Word { fields: fields.into_iter().map(|(name, value, bits)| (name.to_owned(), value, bits)).collect() }
 }
 
 /// The first line of a vector file, also a constant of the testbench.
@@ -100,8 +104,9 @@ pub fn formats_line(p: &Params) -> String {
         Transform::Translate => "translate",
         Transform::Off => "off",
     };
+    let guard = if p.guarded() { " guard" } else { "" };
     format!(
-        "efsat vectors 1: input {} upper {upper} transform {transform} width {} axes {}",
+        "efsat vectors 1: input {} upper {upper} transform {transform} width {} axes {}{guard}",
         p.input(),
         p.width,
         p.axes.count()

@@ -85,6 +85,7 @@ impl Choice for Netlist {
 #[derive(Serialize)]
 struct Summary<'a> {
     vectors: u64,
+    guard_vectors: u64,
     mismatches: u64,
     host_decided: u64,
     verdicts: Verdicts,
@@ -213,6 +214,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.json {
         print_json(&Summary {
             vectors: report.vectors,
+            guard_vectors: report.guard_vectors,
             mismatches: report.mismatches,
             host_decided,
             verdicts,
@@ -247,7 +249,11 @@ fn text(report: &Report, verdicts: &Verdicts, host_decided: u64) -> String {
         report.initiation_interval, report.latency, report.cycles, report.seconds, report.simulator
     ));
     if report.mismatches == 0 {
-        text.push_str(&format!("All {} vectors agree bit for bit.\n", report.vectors));
+        let more = match report.guard_vectors {
+            0 => String::new(),
+            n => format!(", and {n} for the guard,"),
+        };
+        text.push_str(&format!("All {} vectors{more} agree bit for bit.\n", report.vectors));
     }
     text
 }

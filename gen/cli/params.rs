@@ -2,7 +2,7 @@
 
 use super::error::Failure;
 use crate::params::options::{self, Choice, FREQUENCY, INT_BITS, TAG_WIDTH, TRANSFORM_WIDTH, WIDTH};
-use crate::params::{Axes, Params, Projections, Transform, Upper};
+use crate::params::{Axes, Guard, Params, Projections, Transform, Upper};
 use crate::{design::top::DesignError, device};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::ops::RangeInclusive;
@@ -46,6 +46,10 @@ pub(super) struct ParamArguments {
     #[arg(long, value_name = "KIND", default_value = Params::default().transform.name())]
     #[arg(value_parser = choice::<Transform>())]
     transform: Transform,
+    /// Guard: units generated without a stage, or all, answer a pair outside the declared ranges possibly-incorrect
+    #[arg(long, value_name = "UNITS", default_value = Params::default().guard.name())]
+    #[arg(value_parser = choice::<Guard>())]
+    guard: Guard,
     /// Device model that pipelining and estimates use
     #[arg(long, value_name = "NAME", default_value_t = Params::default().device)]
     #[arg(value_parser = PossibleValuesParser::new(device::names()))]
@@ -73,6 +77,7 @@ impl ParamArguments {
             upper: self.upper,
             renormalise: self.renormalise,
             transform: self.transform,
+            guard: self.guard,
             device: self.device.clone(),
             frequency: self.frequency,
             tag_width: self.tag_width,
@@ -115,7 +120,8 @@ mod tests {
     #[test]
     fn the_canonical_command_line_means_the_same() {
         let options = ["--width=12", "--int-bits=5", "--axes=17", "--axes-per-clock=17", "--projections=skip"];
-        let more = ["--upper=sticky", "--renormalise=off", "--transform=translate", "--device=xc6slx150-3"];
+        let more =
+            ["--upper=sticky", "--renormalise=off", "--transform=translate", "--guard=always", "--device=xc6slx150-3"];
         let params = parse(&[&options[..], &more, &["--frequency=20", "--tag-width=0"]].concat());
         assert_eq!((params.width, params.renormalise, params.transform), (12, false, Transform::Translate));
         let canonical = params.command_line();

@@ -36,7 +36,7 @@ struct Given {
 /// A record of the vector file.
 enum Record {
     Pose(Word),
-    Pair(Word, [i128; 3]),
+    Pair(Word, Vec<i128>),
 }
 
 /// The built-in simulator for one design.
@@ -89,7 +89,7 @@ impl<'a> Builtin<'a> {
             }
             for pair in pairs {
                 let answer = answer_word(p, &golden.outcome(pose, pair));
-                let values = [0, 1, 2].map(|i| answer.fields[i].1);
+                let values = answer.fields.iter().map(|field| field.1).collect();
                 records.push(Record::Pair(pair_word(p, pair), values));
             }
         }
@@ -219,7 +219,8 @@ impl<'a> Builtin<'a> {
         let pair_ports = shape(|r| if let Record::Pair(word, _) = r { Some(word) } else { None });
         let pose_ports = shape(|r| if let Record::Pose(word) = r { Some(word) } else { None });
         let output = |name: &str| top.outputs.iter().position(|(n, _)| n == name);
-        let answers = ["out_verdict", "out_separated", "out_overlapping"].map(|n| output(n).expect("an output"));
+        let [_, _, answer] = testbench::blank(&self.design.params);
+        let answers: Vec<usize> = answer.fields.iter().map(|f| output(&f.0).expect("an output")).collect();
         let tag = output("out_tag");
         let probes: Vec<usize> =
             testbench::probe_word(self.design).fields.iter().filter_map(|f| output(&f.0)).collect();
@@ -252,15 +253,20 @@ impl<'a> Builtin<'a> {
                 }
                 let Some((number, pass)) = g.taken else { continue };
                 let Record::Pair(word, expected) = &records[pairs[number]] else { continue };
-                let actual = answers.map(|port| unit.output(port, t));
+                let actual: Vec<i128> = answers.iter().map(|port| unit.output(*port, t)).collect();
                 let tag_fits = tag.is_none_or(|tag| unit.output(tag, t) == i128::from(number as u64 % tags));
                 if actual != *expected || !tag_fits {
                     run.mismatches += 1;
                     run.first.get_or_insert_with(|| {
-                        let show =
-                            |v: [i128; 3]| format!("verdict {:02b} separated {:b} overlapping {:b}", v[0], v[1], v[2]);
+                        let show = |values: &[i128]| {
+                            let fields = answer.fields.iter().zip(values);
+                            let field = |((name, _, bits), value): (&(String, i128, u32), &i128)| {
+                                format!("{} {value:0bits$b}", &name[4..], bits = *bits as usize)
+                            };
+                            fields.map(field).collect::<Vec<_>>().join(" ")
+                        };
                         let tag = if tag_fits { "" } else { " with a wrong tag" };
-                        let (hex, expected, actual) = (word.hex(), show(*expected), show(actual));
+                        let (hex, expected, actual) = (word.hex(), show(expected), show(&actual));
                         format!("vector {number} pass {pass} pair {hex} expected {expected} actual {actual}{tag}")
                     });
                 }

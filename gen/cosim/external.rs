@@ -101,7 +101,9 @@ pub(super) fn run(
     stimulus: &Stimulus,
     options: &Options,
 ) -> Result<Run, CosimError> {
-    let command = command(options.simulator, stimulus.pairs() <= FEW)?;
+    // Those for a guard come on top: to compile longer for them does not pay.
+    let asked = stimulus.pairs() - Stimulus::outside(&design.params).pairs();
+    let command = command(options.simulator, asked <= FEW)?;
     let temporary;
     let dir: PathBuf = match &options.keep {
         Some(dir) => dir.clone(),

@@ -69,8 +69,11 @@ pub struct Options {
 /// What came out.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Report {
-    /// Pairs sent to the unit.
+    /// Pairs of the stimulus, all sent to the unit.
     pub vectors: u64,
+    /// Pairs outside the declared ranges (and some inside, next to them) that were sent after these: only to a unit
+    /// with a guard, and of no user's. Verdicts do not count them.
+    pub guard_vectors: u64,
     /// Answers (of both passes) that differ from the reference model's, and differing inner nodes.
     pub mismatches: u64,
     /// Expected verdicts: separate, intersect, possibly incorrect.
@@ -194,6 +197,17 @@ pub fn run_design(
         let message = "--probe needs --simulator ghdl, nvc or builtin".to_owned();
         return Err(CosimError::Option(message));
     }
+    let outside = Stimulus::outside(&design.params);
+    let guard_vectors = outside.pairs() as u64;
+    let vectors = stimulus.pairs() as u64;
+    let extended;
+    let stimulus = match guard_vectors {
+        0 => stimulus,
+        _ => {
+            extended = stimulus.clone().followed_by(outside);
+            &extended
+        }
+    };
     let mut run = match options.simulator {
         Simulator::Builtin => {
             let start = Instant::now();
@@ -211,7 +225,8 @@ pub fn run_design(
         run.first = first.or(run.first);
     }
     Ok(Report {
-        vectors: stimulus.pairs() as u64,
+        vectors,
+        guard_vectors,
         mismatches: run.mismatches,
         verdicts,
         initiation_interval: if run.interval == 0 { design.interval as u64 } else { run.interval },

@@ -55,6 +55,7 @@ impl Bench {
     /// As [`super::run`]; the unchanged design not agreeing is one of them.
     pub fn new(params: &Params, stimulus: Stimulus, simulator: Simulator, probed: bool) -> Result<Self, CosimError> {
         let command = external::command(simulator, true)?;
+        let stimulus = stimulus.followed_by(Stimulus::outside(params));
         let sources = external::sources(&Design::new(params, probed)?, &params.command_line())?;
         let vectors = crate::artefact::vectors::text(params, &stimulus);
         let mut bench = Self { params: params.clone(), probed, stimulus, command, sources, vectors, total: None };

@@ -11,8 +11,8 @@ use crate::params::{AxisKind, Formats, Params, Projections, Row};
 use std::rc::Rc;
 
 impl Pipeline<'_> {
-    /// All axes: cross products, projections, comparators, and the flags of each axis.
-    pub(super) fn axes(&mut self, points: &[Point], edges: &Edges) -> Flags {
+    /// All axes: cross products, projections, comparators, and the flags of each axis, clear for a pair `outside`.
+    pub(super) fn axes(&mut self, points: &[Point], edges: &Edges, outside: Option<NodeId>) -> Flags {
         let p = self.p;
         let all = Axis::all(p.axes);
         let units = p.axes_per_clock;
@@ -54,7 +54,8 @@ impl Pipeline<'_> {
         for (u, jobs) in jobs.iter().enumerate() {
             let l = crosses[u].expect("every unit has axes");
             let l = self.signed(&format!("axis_{u}_l"), &shared, l);
-            let (separated, overlapping) = self.decide(u, jobs, &shared, &points, l);
+            let flags_now = self.decide(u, jobs, &shared, &points, l);
+            let (separated, overlapping) = self.silenced(u, jobs, outside, flags_now);
             for (s, axis) in jobs.iter().enumerate() {
                 let Some(axis) = axis else { continue };
                 let lagged = lagged(jobs, axis);
@@ -220,7 +221,7 @@ impl Pipeline<'_> {
 }
 
 /// Whether the phase of an axis is a lagged one: in-plane axes in a unit that tests others too.
-fn lagged(jobs: &[Option<Axis>], axis: &Axis) -> bool {
+pub(super) fn lagged(jobs: &[Option<Axis>], axis: &Axis) -> bool {
     axis.in_plane() && !jobs.iter().flatten().all(Axis::in_plane)
 }
 

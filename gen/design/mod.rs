@@ -2,13 +2,14 @@
 //!
 //! One file a unit, each a function from formats to a [`Unit`](crate::graph::Unit); the entity that is printed has the
 //! file's name. Reading order: [`interval`] and [`multiply`] (operators), [`cross_product`], [`projection`], [`comparator`] (one axis),
-//! [`transform_row`], [`renormalise`] (before the axes), [`pipeline`] (what is shared, and when; its axes in
+//! [`transform_row`], [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
 //! `axis_stage`), [`sequencer`] and [`top`] (handshakes).
 
 pub mod axes;
 mod axis_stage;
 pub mod comparator;
 pub mod cross_product;
+pub mod guard;
 pub mod interval;
 pub mod multiply;
 pub mod pipeline;

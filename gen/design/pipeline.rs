@@ -3,9 +3,10 @@
 //! Transform rows, re-normalisation lanes and axis units are shared over the phases; everything here is said with
 //! [`Builder::choose`] and [`Builder::hold`], the schedule finds the clocks. In phase s, transform unit r computes row
 //! `s * rows + r` (vertex by vertex), lane j re-normalises point `s * lanes + j` (V0 V1 V2 W0 W1 W2) and axis unit u
-//! tests axis `s * units + u`.
+//! tests axis `s * units + u`. Where there is a [guard](super::guard), numbers pass it on their way to the first unit.
 
 use super::cross_product::{select_bits, COORDINATES};
+use super::guard::Guards;
 use super::interval::{self, symmetric, Bounds, Narrowing, Rounding};
 use super::renormalise;
 use super::transform_row::{self, Quantised};
@@ -17,7 +18,7 @@ use std::rc::Rc;
 pub(super) type Point = [Bounds; 3];
 
 /// The data path for a parameter set. Its inputs are the pair and its pose, held for the slot; its outputs are
-/// `verdict`, `separated` and `overlapping` (bit i: axis i).
+/// `verdict`, `separated` and `overlapping` (bit i: axis i), and `outside` where there is a guard.
 pub fn unit(p: &Params) -> Rc<Unit> {
     let interval = p.interval();
     let b = Builder::new(
@@ -28,13 +29,17 @@ pub fn unit(p: &Params) -> Rc<Unit> {
             "phases of the slot; a value held for the pair is named after the node, its later copies end in _h<clocks>.",
         ],
     );
-    let mut path = Pipeline { b, p, formats: p.formats(), interval };
+    let mut path = Pipeline { b, p, formats: p.formats(), interval, guards: Guards::default() };
     let (v, w, pose) = path.inputs();
     let (points, is_a) = path.transformed(&v, &w, pose);
     let points = path.working_points(&points, &is_a);
     let edges = path.edges(&points);
-    let flags = path.axes(&points, &edges);
+    let outside = path.outside();
+    let flags = path.axes(&points, &edges, outside);
     path.verdict(&flags);
+    if let Some(outside) = outside {
+        path.b.output("outside", outside);
+    }
     path.b.finish()
 }
 
@@ -46,9 +51,27 @@ struct Pose {
 
 /// A point before re-normalisation: lower bounds, and upper bounds where they exist apart (B after the transform).
 #[derive(Clone)]
-enum Source {
+pub(super) enum Source {
     Input([Quantised; 3]),
     Transformed(Point),
+}
+
+impl Source {
+    /// Coordinate `c` of an input.
+    pub(super) fn input(&self, c: usize) -> Option<Quantised> {
+        match self {
+            Self::Input(x) => Some(x[c]),
+            Self::Transformed(_) => None,
+        }
+    }
+
+    /// Coordinate `c` of a transformed point.
+    pub(super) fn transformed(&self, c: usize) -> Option<Bounds> {
+        match self {
+            Self::Input(_) => None,
+            Self::Transformed(x) => Some(x[c]),
+        }
+    }
 }
 
 /// The edges of both triangles, and the two negated ones that the normals take.
@@ -71,12 +94,19 @@ pub(super) struct Pipeline<'a> {
     pub(super) p: &'a Params,
     pub(super) formats: Formats,
     pub(super) interval: usize,
+    pub(super) guards: Guards,
 }
 
 impl Pipeline<'_> {
     fn inputs(&mut self) -> (Vec<[Quantised; 3]>, Vec<[Quantised; 3]>, Option<Pose>) {
         let p = self.p;
-        let mut number = |name: String, bound| Quantised::input(&mut self.b, &name, p, bound, Rate::Pair);
+        let mut number = |name: String, bound| {
+            if p.guarded() {
+                Quantised::word(&mut self.b, &name, p, Rate::Pair)
+            } else {
+                Quantised::input(&mut self.b, &name, p, bound, Rate::Pair)
+            }
+        };
         let mut triangle = |name: &str| -> Vec<[Quantised; 3]> {
             (0..3).map(|k| COORDINATES.map(|c| number(format!("{name}{k}_{c}"), p.coordinate_bound()))).collect()
         };
@@ -146,32 +176,28 @@ impl Pipeline<'_> {
             let (component, components) =
                 self.pattern(&format!("{name}_component"), &jobs.iter().map(|j| j.map(|j| j % 3)).collect::<Vec<_>>());
             let mut args: Vec<NodeId> = vec![];
-            let mut take = |path: &mut Self, name: String, select, numbers: Vec<Quantised>| {
-                let parts = [("", 0), ("_sticky", 1)];
-                for (suffix, part) in parts {
-                    let legs: Vec<(Option<NodeId>, bool)> =
-                        numbers.iter().filter_map(|n| n.nodes().nth(part)).map(|n| (Some(n), false)).collect();
-                    if !legs.is_empty() {
-                        args.push(path.b.choose(&format!("{name}{suffix}"), select, &legs));
-                    }
-                }
+            let busy: Vec<bool> = jobs.iter().map(Option::is_some).collect();
+            let mut take = |path: &mut Self, name: String, select, numbers: Vec<Quantised>, bound| {
+                let chosen = path.chosen(&name, select, &numbers);
+                args.extend(path.guarded(&name, chosen, bound, &busy).nodes());
             };
+            let (coordinate, translation) = (self.p.coordinate_bound(), self.p.translation_bound());
             if self.p.transform == Transform::On {
                 for j in 0..3 {
                     let column = components.iter().map(|i| pose.m[*i][j]).collect();
-                    take(self, format!("{name}_m{j}"), component, column);
+                    take(self, format!("{name}_m{j}"), component, column, self.p.one());
                 }
                 for j in [0, 1, 2] {
                     let column = vertices.iter().map(|k| w[*k][j]).collect();
-                    take(self, format!("{name}_x{j}"), vertex, column);
+                    take(self, format!("{name}_x{j}"), vertex, column, coordinate);
                 }
             } else {
                 let (job, coordinates) = self.pattern(&format!("{name}_job"), &jobs);
                 let column = coordinates.iter().map(|j| w[j / 3][j % 3]).collect();
-                take(self, format!("{name}_x0"), job, column);
+                take(self, format!("{name}_x0"), job, column, coordinate);
             }
             let column = components.iter().map(|i| pose.t[*i]).collect();
-            take(self, format!("{name}_t"), component, column);
+            take(self, format!("{name}_t"), component, column, translation);
             args.push(self.b.broadcast(&format!("{name}_bypass"), pose.bypass));
             let outputs = self.b.instance(&name, &row, &args);
             for (s, job) in jobs.iter().enumerate() {
@@ -192,6 +218,17 @@ impl Pipeline<'_> {
         (points, [true, true, true, false, false, false].to_vec())
     }
 
+    /// The number that a pattern chooses in each phase.
+    pub(super) fn chosen(&mut self, name: &str, select: NodeId, numbers: &[Quantised]) -> Quantised {
+        let mut part = |name: &str, part: usize| {
+            let legs: Vec<(Option<NodeId>, bool)> =
+                numbers.iter().filter_map(|n| n.nodes().nth(part)).map(|n| (Some(n), false)).collect();
+            (!legs.is_empty()).then(|| self.b.choose(name, select, &legs))
+        };
+        let lo = part(name, 0).expect("a number has a lower bound");
+        Quantised { lo, sticky: part(&format!("{name}_sticky"), 1), bound: None }
+    }
+
     /// Section 4: the points at working width.
     fn working_points(&mut self, points: &[Source], is_input: &[bool]) -> Vec<Point> {
         let p = self.p;
@@ -203,8 +240,9 @@ impl Pipeline<'_> {
                 let point = match source {
                     Source::Transformed(point) => *point,
                     Source::Input(x) => [0, 1, 2].map(|c| {
-                        let name = format!("in_{}_{}_bounds", names[i], COORDINATES[c]);
-                        x[c].bounds(&mut self.b, &name, p, None)
+                        let name = format!("in_{}_{}", names[i], COORDINATES[c]);
+                        let x = self.guarded(&name, x[c], p.coordinate_bound(), &[]);
+                        x.bounds(&mut self.b, &format!("{name}_bounds"), p, None)
                     }),
                 };
                 let rounded = interval::instance(&mut self.b, &format!("{}_round", names[i]), &unit, &point, &[]);
@@ -216,12 +254,12 @@ impl Pipeline<'_> {
         let offset = renormalise::offset_unit(p);
         let shift = renormalise::shift_unit(p);
         let scale = renormalise::scale_unit(p);
-        let origin: Vec<NodeId> = match &points[0] {
-            Source::Input(x) => {
-                (0..3).map(|c| self.b.broadcast(&format!("origin_{}", COORDINATES[c]), x[c].lo)).collect()
-            }
-            Source::Transformed(_) => unreachable!("A is never transformed"),
-        };
+        let Source::Input(v0) = points[0] else { unreachable!("A is never transformed") };
+        let bound = p.coordinate_bound();
+        let v0 = [0, 1, 2].map(|c| self.guarded(&format!("in_v0_{}", COORDINATES[c]), v0[c], bound, &[]));
+        let points = [&[Source::Input(v0)], &points[1..]].concat();
+        let origin: Vec<NodeId> =
+            (0..3).map(|c| self.b.broadcast(&format!("origin_{}", COORDINATES[c]), v0[c].lo)).collect();
         let jobs = |j: usize| -> Vec<Option<usize>> {
             (0..self.interval).map(|s| Some(s * lanes + j).filter(|point| *point < 6)).collect()
         };
@@ -232,7 +270,7 @@ impl Pipeline<'_> {
             if jobs.iter().all(Option::is_none) {
                 continue;
             }
-            let lane = self.lane(j, jobs, points, is_input);
+            let lane = self.lane(j, jobs, &points, is_input);
             let out = {
                 let mut args: Vec<NodeId> = lane.iter().flat_map(|x| x.nodes()).collect();
                 args.extend(&origin);
@@ -293,6 +331,9 @@ impl Pipeline<'_> {
 
     /// The operand of one lane in each phase: lower bounds as they are, upper bounds made where they are implied.
     fn lane(&mut self, j: usize, jobs: &[Option<usize>], points: &[Source], is_input: &[bool]) -> Vec<Bounds> {
+        if self.p.guarded() {
+            return self.guarded_lane(j, jobs, points, is_input);
+        }
         let name = format!("lane_{j}");
         let p = self.p;
         let (select, legs) = self.pattern(&format!("{name}_point"), jobs);

@@ -158,7 +158,6 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
             .to_owned(),
         String::new(),
         format!("Numbers are lower bounds, {format} (ulp 2^-{}); {}.", format.fraction, upper_rule(p)),
-        format!("Declared range of coordinates: |x| <= {} ulp. The host keeps to it.", p.coordinate_bound()),
     ];
     if p.transform != Transform::Off {
         let law = if p.transform == Transform::On { "B = M B~ + t" } else { "B = B~ + t" };
@@ -168,11 +167,24 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
             "pair accepted in a later clock, pairs accepted before (or in the same clock) keep the old one. With pose_bypass"
                 .to_owned(),
             "set B = B~ bit for bit and the other pose ports are ignored. After reset: bypass.".to_owned(),
-            format!("Declared ranges: |m| <= {} ulp, |t| <= {} ulp.", p.one(), p.translation_bound()),
         ]);
     }
+    lines.extend([String::new(), "Assumed of the input:".to_owned()]);
+    lines.extend(p.assumptions().into_iter().map(|line| format!("  {line}")));
+    lines.extend(assumption_rule(p).iter().map(|line| (*line).to_owned()));
     lines.extend([String::new(), "reset is synchronous; it empties the unit.".to_owned()]);
     lines
+}
+
+fn assumption_rule(p: &Params) -> &'static [&'static str] {
+    if p.guarded() {
+        &[
+            "The unit has a guard: a pair with a number outside, or under a pose with one, is answered possibly incorrect",
+            "with out_outside set and the flags of all axes clear.",
+        ]
+    } else {
+        &["The host keeps to it: the unit has no guard."]
+    }
 }
 
 fn upper_rule(p: &Params) -> &'static str {
@@ -247,7 +259,10 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
     }
     let results = m.instance("path", path, &inputs);
     let result = |name: &str| results[path.outputs.iter().position(|(n, _)| n == name).expect("an output")];
-    let parts = ["verdict", "separated", "overlapping"].map(result);
+    let mut parts = ["verdict", "separated", "overlapping"].map(result).to_vec();
+    if p.guarded() {
+        parts.push(result("outside"));
+    }
     let word = m.op("result_word", Op::Concatenate, &parts);
     let queue = m.memory("result_queue", of("decide"), of("decide_address"), word, of("take_address"));
     m.comment(queue, "verdict and flags of the pairs decided and not yet taken");
@@ -272,9 +287,18 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
     let flags = m.op("offered_flags_word", Op::Reinterpret(0), &[flags]);
     let separated = m.op("offered_separated", Op::LowBits(axes), &[flags]);
     m.output("out_separated", separated);
-    let overlapping = m.op("offered_overlapping_part", Op::Floor(axes), &[flags]);
-    let overlapping = m.op("offered_overlapping", Op::Reinterpret(0), &[overlapping]);
-    m.output("out_overlapping", overlapping);
+    let rest = m.op("offered_overlapping_part", Op::Floor(axes), &[flags]);
+    if p.guarded() {
+        let rest = m.op("offered_overlapping_word", Op::Reinterpret(0), &[rest]);
+        let overlapping = m.op("offered_overlapping", Op::LowBits(axes), &[rest]);
+        m.output("out_overlapping", overlapping);
+        let outside = m.op("offered_outside_part", Op::Floor(axes), &[rest]);
+        let outside = m.op("offered_outside", Op::Reinterpret(0), &[outside]);
+        m.output("out_outside", outside);
+    } else {
+        let overlapping = m.op("offered_overlapping", Op::Reinterpret(0), &[rest]);
+        m.output("out_overlapping", overlapping);
+    }
     for (i, (name, _)) in path.outputs.iter().enumerate() {
         if name.starts_with("probe_") {
             m.output(name, results[i]);

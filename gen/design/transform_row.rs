@@ -32,6 +32,14 @@ impl Quantised {
         Self { lo, sticky, bound: Some(bound) }
     }
 
+    /// Ports for one number of which any word may come: nothing is known of it.
+    pub fn word(b: &mut Builder, name: &str, p: &Params, rate: Rate) -> Self {
+        let ty = input_type(p);
+        let lo = b.input(name, ty, ty.limits(), rate);
+        let sticky = (p.upper == Upper::Sticky).then(|| b.input(&format!("{name}_sticky"), Type::FLAG, (0, 1), rate));
+        Self { lo, sticky, bound: None }
+    }
+
     /// Flag: the upper bound is one ulp above the lower; not so where `exact` is set.
     fn is_inexact(self, b: &mut Builder, name: &str, exact: Option<NodeId>) -> NodeId {
         match (self.sticky, exact) {

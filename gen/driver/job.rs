@@ -117,8 +117,9 @@ impl<'a> Job<'a> {
         }
         let mut transfers = vec![];
         if !pairs.is_empty() {
-            transfers.extend(driver.pack_pose(pose));
-            transfers.extend(driver.pack_pairs((0..).zip(&pairs)));
+            let normal = "the host sends what is inside the declared ranges, under a pose that the design can do";
+            transfers.extend(driver.pack_pose(pose).expect(normal));
+            transfers.extend(driver.pack_pairs((0..).zip(&pairs)).expect(normal));
         }
         Self { driver, geometry, transfers, decided }
     }

@@ -37,8 +37,8 @@ pub use stand_in::StandIn;
 
 use crate::golden::host::{self, SceneHost};
 use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
-use crate::params::stream::{Kind, Report, StreamFormat, StreamWidth};
-use crate::params::{ParamError, Params};
+use crate::params::stream::{verdict_status, Kind, Report, StreamFormat, StreamWidth};
+use crate::params::{ParamError, Params, Transform};
 
 /// One word of a stream and its TLAST.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,7 +63,7 @@ pub enum Answer {
     Report(Report),
 }
 
-/// What came back is no answer to what was sent.
+/// What cannot be sent, or came back and is no answer to what was sent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum DriverError {
     /// A word that no unit of this design sends.
@@ -95,6 +95,17 @@ pub enum DriverError {
         expected: usize,
         /// Answers found.
         found: usize,
+    },
+    /// A pose that the design has no ports for: it would be answered as another one.
+    #[error("the design cannot do this pose: {0}")]
+    Pose(&'static str),
+    /// A number that the words of the design do not hold.
+    #[error("the number {found} does not fit {bits} bits")]
+    Number {
+        /// The number.
+        found: i64,
+        /// Bits of a number in this design.
+        bits: u32,
     },
     /// Bytes that are no whole words.
     #[error("found {found} bytes; legal is a multiple of {word}")]
@@ -138,43 +149,68 @@ impl Driver {
         &self.format
     }
 
-    /// The packet that loads a pose for the packets after it. A design without a transform has none and knows the
-    /// identity alone.
-    pub fn pack_pose(&self, pose: &Pose) -> Vec<Transfer> {
-        if !self.format.has_pose() {
-            return vec![];
+    /// The packet that loads a pose for the packets after it; no words for the identity in a design without a transform.
+    ///
+    /// # Errors
+    /// A pose that the design cannot do, or a number that its words do not hold.
+    pub fn pack_pose(&self, pose: &Pose) -> Result<Vec<Transfer>, DriverError> {
+        let identity = Pose::identity(&self.params);
+        let (turned, moved) = (!pose.bypass && pose.m != identity.m, !pose.bypass && pose.t != identity.t);
+        match self.params.transform {
+            Transform::Off if turned || moved => return Err(DriverError::Pose("only the identity")),
+            Transform::Translate if turned => return Err(DriverError::Pose("only translations")),
+            Transform::Off => return Ok(vec![]),
+            Transform::Translate | Transform::On => {}
         }
+        self.check(pose.m.iter().flatten().chain(&pose.t))?;
         let mut words = vec![u128::from(self.format.header(Kind::Pose))];
         words.extend(self.format.pose_record(pose.bypass, pose.m.iter().flatten().chain(&pose.t).map(number)));
-        packet(words)
+        Ok(packet(words))
     }
 
     /// The packet of some pairs with their tags, of which the low bits travel; no words if there are no pairs.
-    pub fn pack_pairs<'a>(&self, pairs: impl IntoIterator<Item = (u64, &'a Pair)>) -> Vec<Transfer> {
+    ///
+    /// # Errors
+    /// A number that its words do not hold.
+    pub fn pack_pairs<'a>(
+        &self,
+        pairs: impl IntoIterator<Item = (u64, &'a Pair)>,
+    ) -> Result<Vec<Transfer>, DriverError> {
         let mut words = vec![u128::from(self.format.header(Kind::Pairs))];
         for (tag, pair) in pairs {
-            words.extend(self.format.pair_record(tag, pair.a.iter().chain(&pair.b).flatten().map(number)));
+            let numbers = pair.a.iter().chain(&pair.b).flatten();
+            self.check(numbers.clone())?;
+            words.extend(self.format.pair_record(tag, numbers.map(number)));
         }
-        if words.len() == 1 {
-            return vec![];
+        Ok(if words.len() == 1 { vec![] } else { packet(words) })
+    }
+
+    /// Whether all numbers fit the words of the design; cut to them they would be others.
+    fn check<'a>(&self, mut numbers: impl Iterator<Item = &'a Input>) -> Result<(), DriverError> {
+        let (format, bits) = (self.params.input(), self.params.transform_width);
+        match numbers.find(|x| !(format.min()..=format.max()).contains(&i128::from(x.lo))) {
+            Some(x) => Err(DriverError::Number { found: x.lo, bits }),
+            None => Ok(()),
         }
-        packet(words)
     }
 
     /// What a word from the unit says; none if no unit of this design sends it.
     pub fn unpack(&self, data: u128) -> Option<Answer> {
         let fields = self.format.answer_fields(data)?;
+        let silent = fields.separated == 0 && fields.overlapping == 0;
+        let outside = fields.status == verdict_status(Verdict::PossiblyIncorrect as u8, true);
         let verdict = match fields.status {
             0 => Verdict::Separate,
             1 => Verdict::Intersect,
             2 => Verdict::PossiblyIncorrect,
+            _ if outside && silent && self.params.guarded() => Verdict::PossiblyIncorrect,
             _ => {
                 let report = fields.reported()?;
                 let known = crate::params::stream::AnswerFields::report(report) == fields;
                 return known.then_some(Answer::Report(report));
             }
         };
-        let outcome = Outcome { verdict, separated: fields.separated, overlapping: fields.overlapping };
+        let outcome = Outcome { verdict, separated: fields.separated, overlapping: fields.overlapping, outside };
         Some(Answer::Pair { tag: fields.tag, outcome })
     }
 

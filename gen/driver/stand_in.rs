@@ -1,17 +1,19 @@
 //! The unit behind its stream wrapper, in software: the reference model reading and writing words.
 
 use super::Transfer;
-use crate::golden::{Golden, Input, Pair, Pose};
-use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, StreamWidth, BYPASS_AT, TAG_AT};
+use crate::golden::{Golden, Input, Pair, Pose, Verdict};
+use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat, StreamWidth, BYPASS_AT, TAG_AT};
 use crate::params::{ParamError, Params, Transform, Upper};
 
-/// Answers words as the wrapped unit does, to test what drives it. The state is what the unit keeps: its pose.
+/// Answers words as the wrapped unit does, to test what drives it. The state is what wrapper and unit keep: the pose.
 #[derive(Clone, Debug)]
 pub struct StandIn {
     params: Params,
     format: StreamFormat,
     golden: Golden,
     pose: Pose,
+    /// Whether a number of the pose does not fit its word.
+    pose_unfit: bool,
 }
 
 /// A record: its bits by place.
@@ -35,7 +37,8 @@ impl StandIn {
     pub fn new(params: &Params, width: StreamWidth) -> Result<Self, ParamError> {
         params.validate()?;
         let format = StreamFormat::new(params, width);
-        Ok(Self { params: params.clone(), format, golden: Golden::new(params), pose: Pose::identity(params) })
+        let pose = Pose::identity(params);
+        Ok(Self { params: params.clone(), format, golden: Golden::new(params), pose, pose_unfit: false })
     }
 
     /// The answers to whole packets; a packet that does not end is not answered.
@@ -73,6 +76,7 @@ impl StandIn {
                 std::cmp::Ordering::Greater => Report::TooLong,
                 std::cmp::Ordering::Equal => {
                     self.pose = self.read_pose(body);
+                    self.pose_unfit = self.unfit(body) && !self.pose.bypass;
                     Report::PoseTaken
                 }
             },
@@ -92,14 +96,29 @@ impl StandIn {
         Input { lo, sticky: self.params.upper == Upper::Sticky && record.bits(i, 1) == 1 }
     }
 
+    /// Whether a guarded unit finds a number that is not the sign extension of what it reads of it.
+    fn unfit(&self, words: &[u128]) -> bool {
+        let (spare, lane) = (self.format.spare_bits(), self.format.lane());
+        let record = self.record(words);
+        let end = words.len() as u32 * record.width;
+        let signs = |at: u32| record.bits(at + lane - 1 - spare, spare + 1);
+        let all = (1 << (spare + 1)) - 1;
+        spare > 0 && (self.format.number_at(0)..end).step_by(lane as usize).any(|at| ![0, all].contains(&signs(at)))
+    }
+
     fn verdict(&self, words: &[u128]) -> AnswerFields {
         let record = self.record(words);
+        let tag = record.bits(TAG_AT, self.params.tag_width);
+        if self.pose_unfit || self.unfit(words) {
+            let status = verdict_status(Verdict::PossiblyIncorrect as u8, true);
+            return AnswerFields { status, tag, separated: 0, overlapping: 0 };
+        }
         let point = |k: u32| [0, 1, 2].map(|i| self.number(&record, 3 * k + i));
         let pair = Pair { a: [0, 1, 2].map(point), b: [3, 4, 5].map(point) };
         let outcome = self.golden.outcome(&self.pose, &pair);
         AnswerFields {
-            status: outcome.verdict as u8,
-            tag: record.bits(TAG_AT, self.params.tag_width),
+            status: verdict_status(outcome.verdict as u8, outcome.outside),
+            tag,
             separated: outcome.separated,
             overlapping: outcome.overlapping,
         }

@@ -2,7 +2,7 @@
 
 use super::{Answer, Driver, DriverError, StandIn, Transfer};
 use crate::exact::{self, Exact};
-use crate::golden::sample;
+use crate::golden::{sample, Input, Pair, Pose, Verdict};
 use crate::params::stream::{Report, StreamWidth};
 use crate::params::{Axes, Params, Transform, Upper};
 use rand::{Rng, SeedableRng};
@@ -124,4 +124,64 @@ fn bytes_are_little_endian_words() {
     assert_eq!(bytes, [2, 1, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0]);
     assert_eq!(driver.packet(&bytes).unwrap(), words, "answers of this design have 64 bits too");
     assert_eq!(driver.packet(&bytes[1..]), Err(DriverError::Bytes { found: 15, word: 8 }));
+}
+
+#[test]
+fn poses_and_numbers_that_the_words_do_not_hold_are_refused() {
+    let with = |transform| Params { transform, ..Params::default() };
+    let driver = |params: &Params| Driver::new(params, StreamWidth::Bits64).unwrap();
+    let bypassed = Pose::identity(&Params::default());
+    let still = Pose { bypass: false, ..bypassed };
+    let (mut moved, mut turned) = (still, still);
+    moved.t[1] = Input::exact(5);
+    turned.m[0][0].lo -= 1;
+    let refused = |transform, pose: &Pose| driver(&with(transform)).pack_pose(pose).is_err();
+    for (transform, expected) in [(Transform::On, [false, false]), (Transform::Translate, [false, true])] {
+        assert_eq!([&moved, &turned].map(|pose| refused(transform, pose)), expected);
+    }
+    assert_eq!(
+        [&bypassed, &still, &moved, &turned].map(|pose| refused(Transform::Off, pose)),
+        [false, false, true, true]
+    );
+    assert!(!refused(Transform::Translate, &Pose { bypass: true, ..turned }), "with the bypass M is not read");
+
+    let driver = driver(&Params { transform_width: 18, ..Params::default() });
+    let mut pair = Pair::default();
+    pair.b[2][1] = Input::exact(-(1 << 17));
+    assert!(driver.pack_pairs([(0, &pair)]).is_ok());
+    pair.b[2][1].lo -= 1;
+    let error = DriverError::Number { found: -(1 << 17) - 1, bits: 18 };
+    assert_eq!(driver.pack_pairs([(0, &pair)]).unwrap_err(), error);
+    moved.t[0].lo = 1 << 17;
+    assert!(driver.pack_pose(&moved).is_err());
+}
+
+#[test]
+fn a_pair_outside_is_told_and_never_definite() {
+    let params = Params { transform: Transform::Translate, transform_width: 20, ..Params::default() };
+    let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
+    let mut unit = StandIn::new(&params, StreamWidth::Bits64).unwrap();
+    let one = params.one() as i64;
+    // One above the other.
+    let triangle = |z: i64| [[0, 0, z], [one, 0, z], [0, one, z]].map(|v| v.map(Input::exact));
+    let pair = Pair { a: triangle(0), b: triangle(one) };
+    let mut far = pair;
+    far.b[1][2].lo += 1;
+    let answers = unit.answer(&driver.pack_pairs([(1, &pair), (2, &far)]).unwrap());
+    let told: Vec<Answer> = answers.iter().map(|t| driver.unpack(t.data).unwrap()).collect();
+    let outcomes = told.iter().map(|answer| match answer {
+        Answer::Pair { outcome, .. } => (outcome.verdict, outcome.outside),
+        Answer::Report(report) => panic!("{report:?}"),
+    });
+    let expected = [(Verdict::Separate, false), (Verdict::PossiblyIncorrect, true)];
+    assert_eq!(outcomes.collect::<Vec<_>>(), expected);
+    // No unit says so of a definite verdict, and none without a guard at all.
+    assert_eq!(driver.unpack(answers[0].data | 1 << 4), None);
+    let complete = Driver::new(&Params { transform_width: 20, ..Params::default() }, StreamWidth::Bits64).unwrap();
+    assert_eq!(complete.unpack(answers[1].data), None);
+    // A number that is cut to another one on its way: its field is more than the unit reads.
+    let mut words = driver.pack_pairs([(3, &pair)]).unwrap();
+    words[1].data ^= 1 << 20;
+    let cut = unit.answer(&words);
+    assert!(matches!(driver.unpack(cut[0].data), Some(Answer::Pair { tag: 3, outcome }) if outcome.outside));
 }

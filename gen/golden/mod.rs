@@ -9,6 +9,7 @@
 //! The host side of section 2 is in [`host`], seeded inputs are in [`sample`], files of pairs in [`pair_file`].
 
 mod axes;
+mod guard;
 pub mod host;
 mod input;
 mod interval;
@@ -23,6 +24,7 @@ mod transform;
 mod verdict;
 
 use axes::{Axis, AxisUnit, Edges, Normals};
+use guard::Guard;
 pub use input::{Input, Pair, Pose};
 use interval::{three, Triple, Wide};
 use projection::ProjectionUnit;
@@ -36,11 +38,13 @@ use crate::params::{Axes, Params};
 /// The reference model of one parameter set.
 ///
 /// Inputs must lie in the declared ranges ([`Params::coordinate_bound`], [`Params::translation_bound`], and
-/// [`Params::one`] for matrix entries); [`host`] decides every other pair itself.
+/// [`Params::one`] for matrix entries) unless the unit is guarded ([`Params::guarded`]): then any word may come, and a
+/// pair outside is answered so. [`host`] sends no such pair.
 #[derive(Clone, Debug)]
 pub struct Golden {
     upper: Upper,
     axes: Axes,
+    guard: Guard,
     /// Whether products of two working-width numbers and their sums fit `i64`.
     narrow: bool,
     frame: Frame,
@@ -63,6 +67,7 @@ impl Golden {
         Self {
             upper: params.upper,
             axes: params.axes,
+            guard: Guard::new(params),
             narrow: 2 * params.width + 4 <= 62,
             frame: Frame::new(params),
             normaliser: Normaliser::new(params),
@@ -73,7 +78,9 @@ impl Golden {
 
     /// The verdict of a pair under a pose, with the flags of all axes.
     pub fn outcome(&self, pose: &Pose, pair: &Pair) -> Outcome {
-        if self.narrow {
+        if !self.guard.inside(pose, pair) {
+            Outcome::outside()
+        } else if self.narrow {
             self.test::<i64, false>(pose, pair)
         } else {
             self.test::<i128, false>(pose, pair)
@@ -82,7 +89,9 @@ impl Golden {
 
     /// The verdict alone: stops at the first separated axis.
     pub fn verdict(&self, pose: &Pose, pair: &Pair) -> Verdict {
-        if self.narrow {
+        if !self.guard.inside(pose, pair) {
+            Outcome::outside().verdict
+        } else if self.narrow {
             self.test::<i64, true>(pose, pair).verdict
         } else {
             self.test::<i128, true>(pose, pair).verdict

@@ -1,14 +1,14 @@
 //! Seeded inputs: ordinary, near contact, and at the corners of the declared ranges.
 //!
 //! Quantised inputs stay inside the declared ranges as mantissas: the real number that an [`Input`] stands for lies in
-//! [-bound, bound]. Numbers depend on the generator's state only, so a seed names its inputs on every machine.
+//! [-bound, bound]. Those that shall not are made from them one by one ([`Outside`]). Numbers depend on the generator's state only, so a seed names its inputs on every machine.
 
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
 use super::{Input, Pair, Pose};
-use crate::params::Params;
+use crate::params::{Params, Transform, Upper};
 
 /// A pair of random triangles of mixed sizes, many of them near contact, in one frame (for a bypassed pose).
 pub fn random_pair(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
@@ -84,6 +84,65 @@ pub fn corner_pose(rng: &mut ChaCha8Rng, params: &Params) -> Pose {
         t: [(); 3].map(|()| corner(rng, reach)),
         bypass: rng.random_range(0..16) == 0,
     }
+}
+
+/// How a number leaves its declared range; the host sends none that does.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outside {
+    /// One ulp below.
+    JustBelow,
+    /// One ulp above; with sticky bits the greatest number of the range with its bit set.
+    JustAbove,
+    /// The least number of the word.
+    Least,
+    /// The greatest number of the word.
+    Greatest,
+    /// Anywhere.
+    Anywhere,
+}
+
+impl Outside {
+    /// All ways.
+    pub const ALL: [Self; 5] = [Self::JustBelow, Self::JustAbove, Self::Least, Self::Greatest, Self::Anywhere];
+
+    /// A number outside [-bound, bound].
+    fn number(self, rng: &mut ChaCha8Rng, params: &Params, bound: i128) -> Input {
+        let (bound, end) = (bound as i64, 1 << (params.transform_width - 1));
+        let sticky = params.upper == Upper::Sticky;
+        let lo = match self {
+            Self::JustBelow => -bound - 1,
+            Self::JustAbove => bound + i64::from(!sticky),
+            Self::Least => -end,
+            Self::Greatest => end - 1,
+            Self::Anywhere if rng.random() => rng.random_range(bound + 1..end),
+            Self::Anywhere => rng.random_range(-end..-bound),
+        };
+        Input { lo, sticky: (sticky && self == Self::JustAbove) || rng.random() }
+    }
+}
+
+/// The pair with coordinate `number` (0 to 17, V0 V1 V2 W0 W1 W2) outside its declared range.
+pub fn pair_outside(rng: &mut ChaCha8Rng, params: &Params, mut pair: Pair, number: usize, how: Outside) -> Pair {
+    let coordinate = pair.a.iter_mut().chain(&mut pair.b).flatten().nth(number).expect("18 coordinates");
+    *coordinate = how.number(rng, params, params.coordinate_bound());
+    pair
+}
+
+/// The numbers of a pose that the unit reads where it is not bypassed.
+pub fn pose_size(params: &Params) -> usize {
+    match params.transform {
+        Transform::On => 12,
+        Transform::Translate => 3,
+        Transform::Off => 0,
+    }
+}
+
+/// The pose with number `number` of those that the unit reads outside its declared range.
+pub fn pose_outside(rng: &mut ChaCha8Rng, params: &Params, mut pose: Pose, number: usize, how: Outside) -> Pose {
+    let entry = number + 12 - pose_size(params);
+    let bound = if entry < 9 { params.one() } else { params.translation_bound() };
+    *pose.m.iter_mut().flatten().chain(&mut pose.t).nth(entry).expect("12 numbers") = how.number(rng, params, bound);
+    pose
 }
 
 /// A pair in real coordinates (a0 a1 a2 b0 b1 b2): near, far, touching, coplanar, degenerate, at mixed scales.

@@ -36,10 +36,12 @@ impl Golden {
     /// `transform.w{l}_{x}`; `renormalise.v{k}_{x}` and `renormalise.w{l}_{x}` (the coordinates after section 4, with
     /// re-normalisation off too); `edge.a{k}_{x}`, `edge.b{l}_{x}`; `axis.{axis}_{x}`; `projection.{axis}.v{k}` and
     /// `.w{l}`, those that are computed, before duplicates are intersected; `enclosure.{axis}.a_min`, `.a_max`,
-    /// `.b_min`, `.b_max`.
+    /// `.b_min`, `.b_max`. Of a pair outside the declared ranges they are those of the numbers that the guard lets
+    /// through.
     pub fn trace(&self, pose: &Pose, pair: &Pair) -> Vec<(String, Interval<i128>)> {
         let mut record = Record::default();
-        let points = self.points(pose, pair);
+        let (pose, pair) = self.guard.held(pose, pair);
+        let points = self.points(&pose, &pair);
         record.triple("transform.w", &points.transformed);
         record.triple("renormalise.v", &points.coordinates[0]);
         record.triple("renormalise.w", &points.coordinates[1]);

@@ -37,6 +37,8 @@ pub struct Outcome {
     pub separated: u32,
     /// The axes on which the images certainly overlap.
     pub overlapping: u32,
+    /// A number of the pair or its pose is outside the declared ranges (contract section 10); only guarded units say so.
+    pub outside: bool,
 }
 
 /// The 11 axes whose certain overlap is asked for by `intersect`.
@@ -52,7 +54,12 @@ impl Outcome {
         } else {
             Verdict::PossiblyIncorrect
         };
-        Self { verdict, separated, overlapping }
+        Self { verdict, separated, overlapping, outside: false }
+    }
+
+    /// Section 10: no flag of any axis is set, so that section 7 makes it possibly-incorrect.
+    pub(super) fn outside() -> Self {
+        Self { outside: true, ..Self::new(0, 0) }
     }
 }
 

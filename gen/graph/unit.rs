@@ -147,6 +147,11 @@ impl Builder {
         self.unit.nodes[id.0].ty
     }
 
+    /// How often a node changes.
+    pub fn rate(&self, id: NodeId) -> Rate {
+        self.unit.nodes[id.0].rate
+    }
+
     fn push(&mut self, name: &str, op: Op, args: Vec<NodeId>, ty: Type, rate: Rate) -> NodeId {
         let unit = &self.unit.name;
         assert!(self.names.insert(name.to_owned()), "unit {unit}: two nodes are called {name}");

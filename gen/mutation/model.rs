@@ -8,7 +8,7 @@ use crate::design::top::DesignError;
 use crate::design::Design;
 use crate::golden::{Golden, Input, Pair, Pose};
 use crate::graph::evaluate::Evaluator;
-use crate::params::{Axes, Params, Projections, Transform, Upper};
+use crate::params::{Axes, Guard, Params, Projections, Transform, Upper};
 use rayon::prelude::*;
 use std::fs::File;
 use std::io;
@@ -23,14 +23,16 @@ const PATIENCE: Duration = Duration::from_secs(60);
 const UNCHANGED: [&str; 2] = ["params/options.rs", "golden/trace.rs"];
 
 /// The sources of the reference model, as this program was built from them.
-const SOURCES: [(&str, &str); 13] = [
+const SOURCES: [(&str, &str); 15] = [
     ("params/options.rs", include_str!("../params/options.rs")),
     ("golden/trace.rs", include_str!("../golden/trace.rs")),
     ("number.rs", include_str!("../number.rs")),
     ("params/mod.rs", include_str!("../params/mod.rs")),
     ("params/formats.rs", include_str!("../params/formats.rs")),
+    ("params/guard.rs", include_str!("../params/guard.rs")),
     ("golden/mod.rs", include_str!("../golden/mod.rs")),
     ("golden/axes.rs", include_str!("../golden/axes.rs")),
+    ("golden/guard.rs", include_str!("../golden/guard.rs")),
     ("golden/input.rs", include_str!("../golden/input.rs")),
     ("golden/interval.rs", include_str!("../golden/interval.rs")),
     ("golden/projection.rs", include_str!("../golden/projection.rs")),
@@ -103,6 +105,7 @@ fn sets() -> Vec<(&'static str, Params)> {
             }),
         ),
         ("no renormalisation, no transform", with(&|p| (p.renormalise, p.transform) = (false, Transform::Off))),
+        ("guard always, sticky", with(&|p| (p.guard, p.upper) = (Guard::Always, Upper::Sticky))),
         ("widest", with(&|p| (p.width, p.transform_width, p.int_bits) = (32, 48, 5))),
         ("wide rows", with(&|p| p.transform_width = 37)),
         ("narrow", with(&|p| (p.width, p.transform_width, p.axes) = (8, 10, Axes::Seventeen))),
@@ -127,7 +130,7 @@ impl ModelCampaign {
         let parts: Result<Vec<_>, DesignError> = sets()
             .into_par_iter()
             .map(|(name, params)| {
-                let stimulus = vectors::stimulus(&params, count, seed);
+                let stimulus = vectors::stimulus(&params, count, seed).followed_by(Stimulus::outside(&params));
                 Ok((name, input(&params, &stimulus), expected(&params, &stimulus)?))
             })
             .collect();
@@ -219,6 +222,7 @@ pub fn mutants() -> Vec<Mutant> {
 /// What the program around the model reads: whole numbers, a number of the unit as mantissa and sticky bit.
 fn input(p: &Params, stimulus: &Stimulus) -> String {
     let switches = [p.axes as u32, p.projections as u32, p.upper as u32, u32::from(p.renormalise), p.transform as u32];
+    let switches = switches.into_iter().chain([p.guard as u32]);
     let words = [p.width, p.int_bits, p.transform_width].into_iter().chain(switches).map(|word| word.to_string());
     let number = |x: &Input| format!("{} {}", x.lo, u32::from(x.sticky));
     let mut lines = vec![format!("S {}", words.collect::<Vec<_>>().join(" "))];
@@ -244,7 +248,8 @@ fn expected(p: &Params, stimulus: &Stimulus) -> Result<Vec<String>, DesignError>
         evaluator.run(&inputs(&design, pose, pair));
         let [verdict, separated, overlapping] =
             ["verdict", "separated", "overlapping"].map(|name| evaluator.output(name).to_string());
-        format!("{verdict} {separated} {overlapping} {}", digest(&golden, pose, pair))
+        let outside = if p.guarded() { evaluator.output("outside") } else { 0 };
+        format!("{verdict} {separated} {overlapping} {outside} {}", digest(&golden, pose, pair))
     };
     let mut answers = vec![];
     for (pose, pairs) in &stimulus.segments {

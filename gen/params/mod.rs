@@ -4,11 +4,13 @@
 //! [`Formats`]; nothing else decides a width.
 
 mod formats;
+mod guard;
 pub mod options;
 pub mod stream;
 
 pub use crate::number::Upper;
 pub use formats::{AxisKind, Clamp, Formats, Row};
+pub use guard::Guard;
 
 use std::ops::RangeInclusive;
 
@@ -75,6 +77,8 @@ pub struct Params {
     pub renormalise: bool,
     /// Frame transform.
     pub transform: Transform,
+    /// Which units carry the guard; see [`Params::guarded`].
+    pub guard: Guard,
     /// Name of the device model.
     pub device: String,
     /// Target clock in MHz, 20 to 250.
@@ -96,6 +100,7 @@ impl Default for Params {
             upper: Upper::Implied,
             renormalise: true,
             transform: Transform::On,
+            guard: Guard::LeftOut,
             device: "xc2v6000-4".to_owned(),
             frequency: 100,
             tag_width: 16,

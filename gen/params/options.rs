@@ -84,7 +84,7 @@ impl Choice for bool {
 impl Params {
     /// Every option (without its dashes) with its value, in a fixed order: equal parameters have equal lists, however
     /// they were typed.
-    pub fn options(&self) -> [(&'static str, String); 12] {
+    pub fn options(&self) -> [(&'static str, String); 13] {
         [
             ("width", self.width.to_string()),
             ("int-bits", self.int_bits.to_string()),
@@ -95,6 +95,7 @@ impl Params {
             ("upper", self.upper.name().to_owned()),
             ("renormalise", self.renormalise.name().to_owned()),
             ("transform", self.transform.name().to_owned()),
+            ("guard", self.guard.name().to_owned()),
             ("device", self.device.clone()),
             ("frequency", self.frequency.to_string()),
             ("tag-width", self.tag_width.to_string()),
@@ -117,7 +118,7 @@ mod tests {
         assert_eq!(
             Params::default().command_line(),
             "efsat generate --width 18 --int-bits 4 --transform-width 32 --axes 11 --axes-per-clock 1 --projections all \
-             --upper implied --renormalise on --transform on --device xc2v6000-4 --frequency 100 --tag-width 16"
+             --upper implied --renormalise on --transform on --guard left-out --device xc2v6000-4 --frequency 100 --tag-width 16"
         );
     }
 }

@@ -83,6 +83,8 @@ impl Report {
 pub const REPORT: u8 = 0b11;
 /// Status bit of a packet that was malformed: none of its verdicts counts.
 pub const MALFORMED: u8 = 1 << 7;
+/// Status bit of a pair outside the declared ranges; only units with a guard set it.
+pub const OUTSIDE: u8 = 1 << 4;
 /// Bits of the status.
 pub const STATUS_BITS: u32 = 8;
 /// Bit of the header, and of the flags of a record, at which nothing but this is found: 17 axes, bypass.
@@ -92,10 +94,19 @@ pub const TAG_AT: u32 = 32;
 /// Place of the bypass in the record of a pose.
 pub const BYPASS_AT: u32 = TOP_BIT;
 
+/// The status of a verdict: its code, and whether the pair is outside the declared ranges.
+pub fn verdict_status(code: u8, outside: bool) -> u8 {
+    if outside {
+        code | OUTSIDE
+    } else {
+        code
+    }
+}
+
 /// One word of answers, taken apart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct AnswerFields {
-    /// Code of a verdict in bits 1..0, or [`REPORT`] with the reason in bits 3..2; [`MALFORMED`].
+    /// Code of a verdict in bits 1..0 and [`OUTSIDE`], or [`REPORT`] with the reason in bits 3..2 and [`MALFORMED`].
     pub status: u8,
     /// Tag of the pair.
     pub tag: u64,
@@ -131,6 +142,7 @@ pub struct StreamFormat {
     int_bits: u32,
     sticky: bool,
     transform: Transform,
+    guarded: bool,
 }
 
 impl StreamFormat {
@@ -144,6 +156,7 @@ impl StreamFormat {
             int_bits: params.int_bits,
             sticky: params.upper == Upper::Sticky,
             transform: params.transform,
+            guarded: params.guarded(),
         }
     }
 
@@ -181,6 +194,16 @@ impl StreamFormat {
             32
         } else {
             64
+        }
+    }
+
+    /// High bits of a number's field that a guarded unit checks to be its sign, because they do not reach it; 0 where there
+    /// is nothing to check. All fields from the first number to the end of the record are checked alike.
+    pub fn spare_bits(&self) -> u32 {
+        if self.guarded {
+            self.lane() - self.number_bits
+        } else {
+            0
         }
     }
 

@@ -39,9 +39,10 @@ pub(super) fn rungs(params: &Params) -> Vec<Params> {
     rungs
 }
 
-/// Options that decide a verdict; the others are about speed.
+/// Options that decide the verdict of a pair inside the declared ranges; the others are about speed, or about pairs outside.
 fn arithmetic(params: &Params) -> Vec<(&'static str, String)> {
-    let deciding = |(name, _): &(&str, String)| !["axes-per-clock", "device", "frequency", "tag-width"].contains(name);
+    let others = ["axes-per-clock", "guard", "device", "frequency", "tag-width"];
+    let deciding = |(name, _): &(&str, String)| !others.contains(name);
     params.options().into_iter().filter(deciding).collect()
 }
 

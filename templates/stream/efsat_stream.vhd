@@ -65,6 +65,9 @@ architecture rtl of efsat_stream is
   signal vacant : std_logic;
 
   -- The answers owed, in order: bit 3 last of its packet, bit 2 a report, bits 1 downto 0 its reason.
+{%- if signs.len() > 0 %} Of a pair bit 0
+  -- says that a number of it or its pose does not fit.
+{%- endif %}
   type order_words is array (0 to {{ places - 1 }}) of std_logic_vector(3 downto 0);
   signal order_memory : order_words := (others => "0000");
   signal order_entry : std_logic_vector(3 downto 0);
@@ -83,6 +86,26 @@ architecture rtl of efsat_stream is
 {%- endif %}
   signal out_separated : std_logic_vector({{ axes - 1 }} downto 0);
   signal out_overlapping : std_logic_vector({{ axes - 1 }} downto 0);
+{%- if guarded %}
+  signal out_outside : std_logic;
+{%- endif %}
+{%- if signs.len() > 0 %}
+
+  -- Numbers that are not the sign extension of what the unit reads of them.
+  constant plus_signs : std_logic_vector({{ sign_high }} downto 0) := (others => '0');
+  constant minus_signs : std_logic_vector({{ sign_high }} downto 0) := (others => '1');
+  signal word_unfit : std_logic;
+  signal record_unfit : std_logic;
+  signal begun_unfit : std_logic := '0';  -- in the words of the record so far
+{%- if has_pose %}
+  signal next_pose_unfit : std_logic := '0';
+  signal pose_unfit : std_logic := '0';
+{%- endif %}
+  signal pair_unfit : std_logic;
+  signal flags_answer : std_logic_vector({{ flags_high }} downto 0);
+  signal outside_answer : std_logic;
+  signal code_answer : std_logic_vector(1 downto 0);
+{%- endif %}
   constant report_zeros : std_logic_vector({{ answer_width - 9 }} downto 0) := (others => '0');
   signal verdict_answer : std_logic_vector({{ answer_width - 1 }} downto 0);
   signal report_answer : std_logic_vector({{ answer_width - 1 }} downto 0);
@@ -105,6 +128,15 @@ begin
 {%- else %}
   vacant <= (not pair_valid) or pair_leaves;
 {%- endif %}
+{%- if signs.len() > 0 %}
+  word_unfit <= '1' when
+{%- for sign in signs %}
+    ({{ sign.when }} and s_axis_tdata({{ sign.high }} downto {{ sign.low }}) /= plus_signs and s_axis_tdata({{ sign.high }} downto {{ sign.low }}) /= minus_signs){% if !loop.last %} or{% endif %}
+{%- endfor %}
+    else '0';
+  record_unfit <= begun_unfit or word_unfit;
+  pair_unfit <= record_unfit{% if has_pose %} or pose_unfit{% endif %};
+{%- endif %}
   word_ready <= running and vacant and not order_full;
   word_taken <= word_ready and s_axis_tvalid;
   s_axis_tready <= word_ready;
@@ -119,6 +151,12 @@ begin
         running <= '0';
         expectation <= header_state;
         place <= "000000";
+{%- if signs.len() > 0 %}
+        begun_unfit <= '0';
+{%- if has_pose %}
+        pose_unfit <= '0';
+{%- endif %}
+{%- endif %}
         pair_valid <= '0';
 {%- if has_pose %}
         pose_valid <= '0';
@@ -131,13 +169,23 @@ begin
 {%- if has_pose %}
         if pose_leaves = '1' then
           pose_valid <= '0';
+{%- if signs.len() > 0 %}
+          -- With the bypass the numbers are not read.
+          pose_unfit <= next_pose_unfit and not assembly({{ bypass_place }});
+{%- endif %}
         end if;
 {%- endif %}
         if word_taken = '1' then
           place <= place + 1;
+{%- if signs.len() > 0 %}
+          begun_unfit <= record_unfit;
+{%- endif %}
           case expectation is
             when header_state =>
               place <= "000000";
+{%- if signs.len() > 0 %}
+              begun_unfit <= '0';
+{%- endif %}
               if whole = '0' then
                 expectation <= unknown_state;
               elsif header_word = pairs_header then
@@ -153,6 +201,9 @@ begin
               if at_pair_end = '1' then
                 pair_valid <= '1';
                 place <= "000000";
+{%- if signs.len() > 0 %}
+                begun_unfit <= '0';
+{%- endif %}
               elsif whole = '0' then
                 expectation <= broken_state;
               end if;
@@ -160,6 +211,9 @@ begin
             when pose_state =>
               if at_pose_end = '1' then
                 pose_valid <= s_axis_tlast;
+{%- if signs.len() > 0 %}
+                next_pose_unfit <= record_unfit;
+{%- endif %}
                 expectation <= long_pose_state;
               elsif whole = '0' then
                 expectation <= broken_state;
@@ -179,7 +233,7 @@ begin
   -- ===== Answers owed =====
   -- A pair owes a verdict, the end of a packet that is no pair's a report.
   header_known <= '1' when whole = '1' and (header_word = pairs_header{% if has_pose %} or header_word = pose_header{% endif %}) else '0';
-  order_entry <= s_axis_tlast & "000" when expectation = pair_state and at_pair_end = '1' else
+  order_entry <= s_axis_tlast & {% if signs.len() > 0 %}"00" & pair_unfit{% else %}"000"{% endif %} when expectation = pair_state and at_pair_end = '1' else
 {%- if has_pose %}
     "1100" when expectation = pose_state and at_pose_end = '1' else
     "1111" when expectation = long_pose_state else
@@ -236,11 +290,19 @@ begin
       out_ready => out_ready,
       out_verdict => out_verdict,
       out_separated => out_separated,
-      out_overlapping => out_overlapping
+      out_overlapping => out_overlapping{% if guarded %},
+      out_outside => out_outside{% endif %}
     );
 
   -- ===== Answers out =====
-  verdict_answer <= {% if unused > 0 %}"{{ unused_zeros }}" & {% endif %}out_overlapping & out_separated & {% if tag_width > 0 %}out_tag & {% endif %}"000000" & out_verdict;
+{%- if signs.len() > 0 %}
+  flags_answer <= (others => '0') when head(0) = '1' else out_overlapping & out_separated;
+  outside_answer <= out_outside or head(0);
+  code_answer <= "10" when head(0) = '1' else out_verdict;
+  verdict_answer <= {% if unused > 0 %}"{{ unused_zeros }}" & {% endif %}flags_answer & {% if tag_width > 0 %}out_tag & {% endif %}"000" & outside_answer & "00" & code_answer;
+{%- else %}
+  verdict_answer <= {% if unused > 0 %}"{{ unused_zeros }}" & {% endif %}out_overlapping & out_separated & {% if tag_width > 0 %}out_tag & {% endif %}{% if guarded %}"000" & out_outside & "00"{% else %}"000000"{% endif %} & out_verdict;
+{%- endif %}
   report_answer <= report_zeros & (head(1) or head(0)) & "000" & head(1 downto 0) & "11";
   answer_valid <= owing and (head(2) or out_valid);
   answer_taken <= answer_valid and m_axis_tready;

@@ -87,6 +87,25 @@ pub fn translated_row(setting: &Setting) -> Claim {
     claim
 }
 
+/// A guard flags exactly the numbers outside, and lets none through.
+pub fn guard(setting: &Setting, what: &str, entity: &str, bound: i128) -> Claim {
+    let subject = Subject::of_design(&setting.params, entity);
+    let mut claim =
+        Claim::new(subject, format!("{}, {what}", setting.label()), "flags what is outside, keeps what is inside");
+    let sticky = if setting.params.upper == Upper::Sticky { " + word_sticky" } else { "" };
+    let bound = number(bound);
+    claim.value("above", format!("word{sticky}")).value("least", format!("-{bound}"));
+    claim.shown(format!("(outside != 0) == (word < least || above > {bound})"));
+    claim.shown(format!("least <= passed && passed{sticky} <= {bound}"));
+    claim.shown("outside != 0 || passed == word");
+    claim.mutant(WrongArm, "held").mutant(WrongSlice, "high");
+    claim.mutant(WrongGate, "is_outside").mutant(WrongGate, "just_above");
+    if setting.params.upper == Upper::Sticky {
+        claim.mutant(WrongGate, "more");
+    }
+    claim
+}
+
 /// Offsets from V0 are exact, and their magnitudes are true absolute values.
 pub fn offset(setting: &Setting) -> Claim {
     let subject = Subject::of_design(&setting.params, "renormalise_offset");
