@@ -5,10 +5,9 @@
 //! A word that is not whole lacks its highest byte by TKEEP.
 
 use super::{vectors, Stimulus};
-use crate::golden::{Golden, Input, Pair, Pose, Verdict};
+use crate::golden::{Golden, Input, Pair, Pose};
 use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat};
 use crate::params::Params;
-use std::cmp::Reverse;
 
 /// Pairs of the first packet that fill the default design.
 pub const FILLING: usize = 22;
@@ -139,19 +138,19 @@ impl<'a> Maker<'a> {
         }
         let segments = Stimulus::random(p, 32, 12).segments;
         let unfit = |x: &mut Input, by: i64| x.lo += by << p.transform_width;
-        for (i, (pose, mut pairs)) in segments.into_iter().enumerate() {
-            // Those first that have most to lose: a definite verdict, and flags.
-            pairs.sort_by_key(|pair| {
-                let outcome = self.golden.outcome(&pose, pair);
-                let flags = outcome.separated.count_ones() + outcome.overlapping.count_ones();
-                Reverse((outcome.verdict != Verdict::PossiblyIncorrect, flags))
-            });
+        // Far apart at every width: a definite verdict and flags, to be lost where a number does not fit.
+        let one = p.one() as i64;
+        let triangle = |z: i64| [[0, 0, z], [one, 0, z], [0, one, z]].map(|v| v.map(Input::exact));
+        let apart = Pair { a: triangle(-one), b: triangle(one) };
+        for (i, (pose, pairs)) in segments.into_iter().enumerate() {
             let mut wrong = pose;
             unfit(&mut wrong.t[i % 3], 1);
             self.pose(&wrong);
             self.pairs(&pairs[..1]);
             self.pose(&Pose { bypass: true, ..wrong });
-            self.pairs(&pairs[..1]);
+            let mut cut = apart;
+            unfit(&mut cut.b[i][2], 1);
+            self.pairs(&[pairs[0], cut, apart]);
             self.pose(&pose);
             let mut pairs = pairs[..6].to_vec();
             unfit(&mut pairs[0].a[0][0], 1);
