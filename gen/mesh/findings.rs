@@ -102,7 +102,7 @@ impl fmt::Display for Findings {
 
 /// Triangles whose corners are on one line: the projections along all three coordinate axes are. The predicate is exact
 /// short of numbers whose products leave the range of binary64.
-fn degenerate(mesh: &Mesh) -> Vec<usize> {
+pub(super) fn degenerate(mesh: &Mesh) -> Vec<usize> {
     let is_degenerate = |face: &usize| {
         let corners = mesh.triangle(*face);
         [(0, 1), (1, 2), (2, 0)].into_iter().all(|(x, y)| {

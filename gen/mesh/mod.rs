@@ -41,6 +41,12 @@ impl Mesh {
         self.faces[face].map(|vertex| self.vertices[vertex as usize])
     }
 
+    /// The triangles whose corners are on one line, ascending: the projections along all three coordinate axes are. That
+    /// is decided exactly, short of numbers whose products leave the range of binary64.
+    pub fn degenerate(&self) -> Vec<usize> {
+        findings::degenerate(self)
+    }
+
     /// The exact bounding box of the vertices (empty for a mesh without any).
     pub fn bounds(&self) -> Bounds {
         Bounds::of(&self.vertices)

@@ -2,17 +2,18 @@
 
 mod summary;
 
+use super::directions;
 use crate::cli::error::Failure;
 use crate::cli::output::{failure, print};
 use crate::cli::progress;
-use crate::cli::source::{load_scene, Posed, Stage};
+use crate::cli::source::load_scene;
 use crate::exact::Exact;
 use crate::golden::host::{Host, ScenePose};
 use crate::golden::{Golden, Verdict};
 use crate::mesh::Findings;
 use crate::params::Params;
 use crate::scene::hierarchy::{first_hit, pairs, Directions, Forest, Scratch, Statistics};
-use crate::scene::{Frame, Meeting, Object, Scene};
+use crate::scene::{Frame, Meeting, Object, Posed, Scene, Stage};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};
@@ -41,11 +42,6 @@ pub(super) struct Arguments {
     /// Print one JSON object instead of CSV
     #[arg(long)]
     json: bool,
-}
-
-fn directions(text: &str) -> Result<Directions, String> {
-    let legal = || "legal is one of 6, 14, 18, 26".to_owned();
-    text.parse().ok().and_then(Directions::of).ok_or_else(legal)
 }
 
 /// What a frame took.

@@ -1,0 +1,23 @@
+//! Effects: which optional stages a scene calls for, and what the unit without the others answers.
+//!
+//! An effect is an optional stage of the unit or of the software before it ([`Effect`](crate::scene::Effect)). Whether a
+//! scene needs one is measured with the reference model on all pairs that survive ([`plan`](fn@plan)); then the unit
+//! without the others is run on the same pairs ([`run`](fn@run)). The rules are on a page of their own,
+//! `docs/effects.md`.
+
+mod census;
+mod cost;
+mod front;
+mod measure;
+mod plan;
+mod reason;
+mod sample;
+mod stages;
+mod words;
+
+pub use census::Census;
+pub use cost::{Cost, Saving};
+pub use front::{Front, Software};
+pub use measure::Tally;
+pub use plan::{plan, Answers, Finding, Plan, Request, Wish};
+pub use stages::Stages;
