@@ -1,8 +1,11 @@
 //! `efsat scene`.
 
 mod given;
+mod outputs;
 mod pairs;
 mod plan;
+mod run;
+mod summary;
 
 use super::error::Failure;
 use crate::scene::hierarchy::Directions;
@@ -20,6 +23,7 @@ pub(super) struct Arguments {
 enum Command {
     Pairs(pairs::Arguments),
     Plan(plan::Arguments),
+    Run(Box<run::Arguments>),
 }
 
 /// Directions of bounding volumes by their number.
@@ -32,5 +36,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.command {
         Command::Pairs(arguments) => pairs::run(arguments),
         Command::Plan(arguments) => plan::run(arguments),
+        Command::Run(arguments) => run::run(arguments),
     }
 }

@@ -6,18 +6,24 @@
 //! `docs/effects.md`.
 
 mod census;
+mod cosimulation;
 mod cost;
 mod front;
 mod measure;
+pub mod picture;
 mod plan;
 mod reason;
+mod run;
 mod sample;
 mod stages;
 mod words;
 
 pub use census::Census;
+pub use cosimulation::Cosimulation;
 pub use cost::{Cost, Saving};
 pub use front::{Front, Software};
 pub use measure::Tally;
 pub use plan::{plan, Answers, Finding, Plan, Request, Wish};
+pub use run::{frame_contacts, run, Contact, Counts, Options, Row, Sampling, Total};
+pub use sample::Place;
 pub use stages::Stages;

@@ -44,13 +44,15 @@ pub struct Request {
     pub allowed: f64,
     /// Directions of the bounding volumes.
     pub directions: Directions,
+    /// Whether units are built to see what they take.
+    pub costs: bool,
 }
 
 impl Request {
-    /// Parameters, and the settings of the scene.
+    /// Parameters, and the settings of the scene; costs are wanted.
     pub fn new(scene: &Scene, params: Params, directions: Directions) -> Self {
         let wishes = Effect::ALL.map(|effect| scene.settings.switches.get(effect).into());
-        Self { params, wishes, allowed: scene.settings.allowed, directions }
+        Self { params, wishes, allowed: scene.settings.allowed, directions, costs: true }
     }
 
     fn wish(&self, effect: Effect) -> Wish {
@@ -71,7 +73,8 @@ pub struct Finding {
     pub decided_by: Wish,
     /// Why it is needed or not, with what was measured.
     pub reason: String,
-    /// What leaving it out saves, or would save, in hardware: against the planned unit with the whole stage.
+    /// What leaving it out saves, or would save, in hardware, if that was wanted: the planned unit with the whole stage
+    /// against the same without.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub saving: Option<Saving>,
 }
@@ -82,9 +85,9 @@ pub struct Answers {
     /// What it answers on all pairs that come to it.
     #[serde(flatten)]
     pub tally: Tally,
-    /// What it takes.
+    /// What it takes, if that was wanted.
     #[serde(flatten)]
-    pub cost: Cost,
+    pub cost: Option<Cost>,
 }
 
 /// Which stages a scene needs, and the unit that has them.
@@ -130,16 +133,7 @@ pub fn plan(scene: &Scene, request: &Request) -> Result<Plan, CosimError> {
     let planned = bench.decide(&census);
     let params = planned.params(&request.params);
     let full_params = bench.full.params(&request.params);
-    let costs = |stages: Stages| Cost::new(&front, &stages.params(&request.params), &census.vectors);
-    let mut known = HashMap::from([(planned, costs(planned)?)]);
-    let mut cost = |stages: Stages| -> Result<Cost, CosimError> {
-        if let Some(cost) = known.get(&stages) {
-            return Ok(*cost);
-        }
-        let made = costs(stages)?;
-        known.insert(stages, made);
-        Ok(made)
-    };
+    let mut prices = Prices { front: &front, request, census: &census, known: HashMap::new() };
     for Step { effect, needed, reason } in std::mem::take(&mut bench.steps) {
         let with = planned.set(effect, true);
         let without = if planned == with { planned.set(effect, false) } else { planned };
@@ -149,11 +143,11 @@ pub fn plan(scene: &Scene, request: &Request) -> Result<Plan, CosimError> {
             state: state(planned, effect),
             decided_by: request.wish(effect),
             reason,
-            saving: Some(Saving::new(&cost(with)?, &cost(without)?)),
+            saving: prices.of(with)?.zip(prices.of(without)?).map(|(with, without)| Saving::new(&with, &without)),
         });
     }
-    let full = Answers { tally: bench.tally(bench.full), cost: cost(bench.full)? };
-    let planned = Answers { tally: bench.tally(planned), cost: cost(planned)? };
+    let full = Answers { tally: bench.tally(bench.full), cost: prices.of(bench.full)? };
+    let planned = Answers { tally: bench.tally(planned), cost: prices.of(planned)? };
     Ok(Plan {
         scene: scene.name.clone(),
         unit_pairs: full.tally.pairs(),
@@ -167,6 +161,29 @@ pub fn plan(scene: &Scene, request: &Request) -> Result<Plan, CosimError> {
         full_params,
         params,
     })
+}
+
+/// What units take, each built once.
+struct Prices<'a, 'b> {
+    front: &'b Front<'a>,
+    request: &'b Request,
+    census: &'b Census,
+    known: HashMap<Stages, Cost>,
+}
+
+impl Prices<'_, '_> {
+    /// The cost of a unit, if costs are wanted.
+    fn of(&mut self, stages: Stages) -> Result<Option<Cost>, CosimError> {
+        if !self.request.costs {
+            return Ok(None);
+        }
+        if let Some(cost) = self.known.get(&stages) {
+            return Ok(Some(*cost));
+        }
+        let cost = Cost::new(self.front, &stages.params(&self.request.params), &self.census.vectors)?;
+        self.known.insert(stages, cost);
+        Ok(Some(cost))
+    }
 }
 
 fn state(stages: Stages, effect: Effect) -> &'static str {

@@ -81,6 +81,11 @@ impl Findings {
         Self { list: Defect::ALL.into_iter().filter_map(found).collect() }
     }
 
+    /// Looks at the faces of a mesh that was not read from a file.
+    pub fn of_mesh(mesh: &Mesh) -> Self {
+        Self::of(mesh, &[])
+    }
+
     /// How many faces were left out.
     pub fn left_out(&self) -> u64 {
         self.list.iter().filter(|finding| !finding.defect.is_kept()).map(|finding| finding.count).sum()

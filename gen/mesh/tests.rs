@@ -1,5 +1,6 @@
 //! Tests of the readers: the formats, and every way a file can be wrong.
 
+use std::sync::Arc;
 use super::*;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;

@@ -5,7 +5,6 @@
 //! that follows; `M` need not be perfectly orthonormal. If A stands as in its file they are those of B's own pose;
 //! otherwise they are computed from both poses in binary64 ([`Pose::seen`]).
 
-mod angle;
 mod broad_phase;
 mod enclosure;
 mod file;

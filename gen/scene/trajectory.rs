@@ -1,6 +1,6 @@
 //! Trajectories: poses between key frames.
 
-use super::angle::sin_cos_degrees;
+use crate::mesh::angle::sin_cos_degrees;
 use super::pose::{about, axis_angle, quaternion, unit, Pose, Rotation};
 use nalgebra::{Matrix3, Vector3, Vector4};
 

@@ -5,7 +5,7 @@ use crate::cli::error::Failure;
 use crate::cli::output::{print, print_json};
 use crate::cli::progress;
 use crate::cli::source::load_planned;
-use crate::effects::{self, Answers, Finding, Plan, Saving, Wish};
+use crate::effects::{self, Answers, Cost, Finding, Plan, Saving, Wish};
 
 /// Finds out which optional stages a scene needs, why, and what leaving out the others saves
 ///
@@ -91,6 +91,7 @@ fn words(saving: &Saving) -> String {
 
 fn unit(name: &str, answers: &Answers) -> String {
     let Answers { tally, cost } = answers;
+    let column = |pick: fn(&Cost) -> u64| cost.as_ref().map_or(String::new(), |cost| pick(cost).to_string());
     let share = match tally.pairs() {
         0 => 0.0,
         pairs => 100.0 * tally.possibly_incorrect as f64 / pairs as f64,
@@ -100,10 +101,10 @@ fn unit(name: &str, answers: &Answers) -> String {
         tally.separate,
         tally.intersect,
         format!("{} ({share:.2} %)", tally.possibly_incorrect),
-        cost.multipliers,
-        cost.luts,
-        cost.flip_flops,
-        cost.latency,
-        cost.interval
+        column(|cost| cost.multipliers),
+        column(|cost| cost.luts),
+        column(|cost| cost.flip_flops),
+        column(|cost| cost.latency),
+        column(|cost| cost.interval)
     )
 }
