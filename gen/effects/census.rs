@@ -13,7 +13,7 @@ use serde::Serialize;
 /// Frames from which vectors are taken to time simulations.
 const FRAMES: usize = 8;
 /// Vectors of each of them.
-const VECTORS: usize = 16;
+const VECTORS: usize = 8;
 /// Pairs that a thread looks at at a time.
 const SHARE: usize = 4096;
 

@@ -52,8 +52,7 @@ impl<'a, 'b> Cosimulation<'a, 'b> {
             if stimulus.pairs() == 0 {
                 continue;
             }
-            let report =
-                cosim::run_design(&self.design, &self.design.params.command_line(), &stimulus, &self.options)?;
+            let report = cosim::run_design(&self.design, &self.design.params.command_line(), &stimulus, &self.options)?;
             self.vectors += report.vectors;
             self.mismatches += report.mismatches;
             self.first_mismatch = self.first_mismatch.take().or(report.first_mismatch);

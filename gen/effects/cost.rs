@@ -9,7 +9,7 @@ use crate::params::Params;
 use serde::Serialize;
 
 /// Runs of which the fastest counts.
-const RUNS: usize = 5;
+const RUNS: usize = 9;
 
 /// What a unit takes of its device, by the estimate; and its clocks.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]

@@ -107,6 +107,9 @@ pub struct Plan {
     pub full: Answers,
     /// The planned unit.
     pub planned: Answers,
+    /// What it saves in all against the full one, if that was wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub saving: Option<Saving>,
     /// The stages before it.
     pub software: Software,
     /// The command line that generates it.
@@ -154,6 +157,7 @@ pub fn plan(scene: &Scene, request: &Request) -> Result<Plan, CosimError> {
         census,
         allowed: request.allowed,
         effects,
+        saving: full.cost.zip(planned.cost).map(|(full, planned)| Saving::new(&full, &planned)),
         full,
         planned,
         software: front.software(),
@@ -304,7 +308,7 @@ impl<'a, 'b> Bench<'a, 'b> {
             let [more, less] = [with, without].map(|unit| self.tally(unit));
             let reason = match effect {
                 Effect::Renormalise => reason::renormalise(census, &more, &less),
-                Effect::InPlaneAxes => reason::in_plane_axes(&planes.1, &more),
+                Effect::InPlaneAxes => reason::in_plane_axes(&planes.1, &more, &less),
                 _ => reason::exact_ceiling(&more, &less),
             };
             self.steps.push(Step { effect, needed, reason });

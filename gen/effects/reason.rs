@@ -57,22 +57,24 @@ pub(super) fn renormalise(census: &Census, with: &Tally, without: &Tally) -> Str
         return no_pair();
     }
     format!(
-        "smallest pair extent is {} of the domain; {} possibly incorrect without it, {} with it",
+        "smallest pair extent is {} of the domain; {} possibly incorrect without it, {} with it; {}",
         census.smallest.map_or("0".to_owned(), power),
         share(without.possibly_incorrect, without.pairs()),
-        share(with.possibly_incorrect, with.pairs())
+        share(with.possibly_incorrect, with.pairs()),
+        lost(without)
     )
 }
 
-pub(super) fn in_plane_axes(measured: &Measured, with: &Tally) -> String {
+pub(super) fn in_plane_axes(measured: &Measured, with: &Tally, without: &Tally) -> String {
     if with.pairs() == 0 {
         return no_pair();
     }
     format!(
-        "{} of {} pairs are within tolerance of coplanar; the six axes decide {}",
+        "{} of {} pairs are within tolerance of coplanar; the six axes decide {}; {}",
         grouped(measured.coplanar),
         grouped(with.pairs()),
-        grouped(measured.in_plane)
+        grouped(measured.in_plane),
+        lost(without)
     )
 }
 
@@ -81,11 +83,17 @@ pub(super) fn exact_ceiling(with: &Tally, without: &Tally) -> String {
         return no_pair();
     }
     format!(
-        "{} of {} pairs possibly incorrect without it, {} with it",
+        "{} of {} pairs possibly incorrect without it, {} with it; {}",
         grouped(without.possibly_incorrect),
         grouped(with.pairs()),
-        grouped(with.possibly_incorrect)
+        grouped(with.possibly_incorrect),
+        lost(without)
     )
+}
+
+/// What decides: how many pairs a unit leaves open that the full unit does not.
+fn lost(without: &Tally) -> String {
+    format!("{} become less definite", grouped(without.less_definite))
 }
 
 fn no_pair() -> String {

@@ -52,12 +52,7 @@ impl<'a> Survivors<'a> {
     }
 
     /// Calls `visit` with the surviving pairs of a meeting in ascending order, in one piece or several.
-    pub fn pairs(
-        &self,
-        meeting: &Meeting,
-        scratch: &mut Scratch,
-        mut visit: impl FnMut(&[(u32, u32)]),
-    ) -> Statistics {
+    pub fn pairs(&self, meeting: &Meeting, scratch: &mut Scratch, mut visit: impl FnMut(&[(u32, u32)])) -> Statistics {
         if let Some(forest) = &self.forest {
             let [a, b] = forest.trees(meeting);
             let (pairs, statistics) = pairs(a, b, &meeting.pose, scratch);

@@ -20,7 +20,10 @@ impl Output {
     /// Begins a file; a target that cannot be written is found out here.
     pub fn new(target: &Path) -> Result<Self, Failure> {
         if target.is_dir() {
-            return Err(Failure::Usage(format!("{}: found a directory; legal is the name of a file", target.display())));
+            return Err(Failure::Usage(format!(
+                "{}: found a directory; legal is the name of a file",
+                target.display()
+            )));
         }
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let scratch = Scratch::inside(folder).map_err(|e| fault(target, &e))?;

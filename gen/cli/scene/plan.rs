@@ -48,7 +48,15 @@ fn text(plan: &Plan) -> String {
     }
     text.push_str(&format!(
         "\n{:<10}{:>10}{:>11}{:>20}{:>13}{:>8}{:>12}{:>9}{:>10}\n",
-        "unit", "separate", "intersect", "possibly incorrect", "multipliers", "LUTs", "flip-flops", "latency", "interval"
+        "unit",
+        "separate",
+        "intersect",
+        "possibly incorrect",
+        "multipliers",
+        "LUTs",
+        "flip-flops",
+        "latency",
+        "interval"
     ));
     for (name, answers) in [("full", &plan.full), ("planned", &plan.planned)] {
         text.push_str(&unit(name, answers));
@@ -59,6 +67,9 @@ fn text(plan: &Plan) -> String {
         (plan.allowed * plan.unit_pairs as f64).floor(),
         plan.planned.tally.contradictions
     ));
+    if let Some(saving) = &plan.saving {
+        text.push_str(&format!("the planned unit saves {} in all\n", words(saving)));
+    }
     text.push_str(&format!("\n{}\n", plan.command_line));
     text
 }
@@ -71,8 +82,7 @@ fn line(finding: &Finding) -> String {
         Wish::Off => "off",
         Wish::Option => "option",
     };
-    let mut text =
-        format!("{:<15}{needed:<8}{:<11}{by:<8}{}\n", finding.effect, finding.state, finding.reason);
+    let mut text = format!("{:<15}{needed:<8}{:<11}{by:<8}{}\n", finding.effect, finding.state, finding.reason);
     if let Some(saving) = &finding.saving {
         let verb = if finding.state == "on" { "would save" } else { "saves" };
         text.push_str(&format!("{:<42}leaving it out {verb} {}\n", "", words(saving)));

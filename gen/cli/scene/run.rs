@@ -193,11 +193,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let front = Front::new(&scene, plan.software, request.directions);
     let simulator = arguments.simulator.unwrap_or(Simulator::Ghdl);
     let mut cosimulation = (arguments.cosim != Which::None).then(|| Cosimulation::new(&front, design, simulator));
-    let options = Options {
-        sampling: arguments.sampling(),
-        exact: arguments.pairs.is_some(),
-        seed: arguments.seed.unwrap_or(1),
-    };
+    let options =
+        Options { sampling: arguments.sampling(), exact: arguments.pairs.is_some(), seed: arguments.seed.unwrap_or(1) };
     let report = Report::new(arguments.json, arguments.summary, &plan)?;
     let mut sinks = Sinks { scene: &scene, report, csv, pairs };
     let bar = progress::bar(scene.frames() as u64, "poses", !arguments.summary);

@@ -13,13 +13,7 @@ pub(super) struct Legend {
 }
 
 impl Legend {
-    pub fn new(
-        scene: &str,
-        frame: usize,
-        label: &str,
-        counts: [usize; 4],
-        objects: Vec<(String, [u8; 3])>,
-    ) -> Self {
+    pub fn new(scene: &str, frame: usize, label: &str, counts: [usize; 4], objects: Vec<(String, [u8; 3])>) -> Self {
         let mut lines = vec![(None, format!("{scene}, frame {frame}: {label}"))];
         for (mark, count) in Mark::ALL.into_iter().zip(counts) {
             lines.push((Some(mark.colour()), format!("{}: {count} pairs", mark.words())));

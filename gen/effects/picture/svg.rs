@@ -43,7 +43,8 @@ fn paths(out: &mut String, items: &[Item], outline: Option<&str>) {
         for item in run {
             // In tenths of a pixel, each corner from the one before.
             let [p, q, r] = item.corners.map(|corner| [corner[0], corner[1]].map(|x| (x * 10.0).round() as i64));
-            let step = |from: [i64; 2], to: [i64; 2]| format!("{} {}", tenths(to[0] - from[0]), tenths(to[1] - from[1]));
+            let step =
+                |from: [i64; 2], to: [i64; 2]| format!("{} {}", tenths(to[0] - from[0]), tenths(to[1] - from[1]));
             let _ = write!(out, "M{} {}l{} {}z", tenths(p[0]), tenths(p[1]), step(p, q), step(q, r));
         }
         out.push_str("\"/>\n");

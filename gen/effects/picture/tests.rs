@@ -33,7 +33,8 @@ fn triangles_have_the_most_important_colour() {
     assert_eq!(Mark::ALL.map(count), [2, 2, 2, 1]);
     let svg = picture.svg();
     assert_eq!(svg, self::picture().svg());
-    for words in ["#d55e00", "#0072b2", "#009e73", "#f0e442", "intersect: 1 pairs", "plates, frame 0: one on the other"] {
+    for words in ["#d55e00", "#0072b2", "#009e73", "#f0e442", "intersect: 1 pairs", "plates, frame 0: one on the other"]
+    {
         assert!(svg.contains(words), "{words}");
     }
     // The lower plate's underside is not seen, nor are the sides behind.

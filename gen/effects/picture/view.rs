@@ -46,9 +46,7 @@ impl Item {
         for y in span(1, HEIGHT) {
             for x in span(0, WIDTH) {
                 let (u, v) = (x as f64 + 0.5, y as f64 + 0.5);
-                let weight = |s: [f64; 3], t: [f64; 3]| {
-                    ((s[0] - u) * (t[1] - v) - (s[1] - v) * (t[0] - u)) / area
-                };
+                let weight = |s: [f64; 3], t: [f64; 3]| ((s[0] - u) * (t[1] - v) - (s[1] - v) * (t[0] - u)) / area;
                 let weights = [weight(q, r), weight(r, p), weight(p, q)];
                 if weights.iter().all(|weight| *weight >= 0.0) {
                     let depth = weights.iter().zip([p, q, r]).map(|(weight, corner)| weight * corner[2]).sum();

@@ -8,8 +8,8 @@ const TEETH: u32 = 16;
 const BORE: f64 = 2.0;
 const WIDTH: f64 = 3.0;
 /// The flank of a tooth from the root to the tip: radius, and degrees from the middle of the tooth. The involute of a gear
-/// of pitch radius 8 at a pressure angle of 20 degrees, less 0.1 degrees of play.
-const FLANK: [(f64, f64); 5] = [(6.8, 6.38), (7.5175, 6.38), (8.0, 5.525), (8.5, 3.966), (9.0, 2.018)];
+/// of pitch radius 8 at a pressure angle of 20 degrees, less 0.1 degrees of play; straight to the root, which is wider.
+const FLANK: [(f64, f64); 5] = [(6.8, 6.9), (7.5175, 6.38), (8.0, 5.525), (8.5, 3.966), (9.0, 2.018)];
 
 /// A gear of 16 teeth about the z axis, from z = 0 to 3, of pitch radius 8; a tooth points along x. Two of them run at a
 /// distance of 16, one turned by half a tooth.

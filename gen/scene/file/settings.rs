@@ -68,9 +68,9 @@ fn share(value: &Spanned<Value>) -> Result<f64, Fault> {
         _ => None,
     };
     let legal = |number: &f64| (0.0..=1.0).contains(number);
-    number.filter(legal).ok_or_else(|| {
-        Fault::at(value, format!("{ALLOWED} {}: legal is a number from 0 to 1", found(value)))
-    })
+    number
+        .filter(legal)
+        .ok_or_else(|| Fault::at(value, format!("{ALLOWED} {}: legal is a number from 0 to 1", found(value))))
 }
 
 /// A value as it would be typed.
