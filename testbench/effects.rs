@@ -133,10 +133,10 @@ fn contacts_are_those_of_the_exact_test_whatever_is_switched_off() {
         let front = Front::new(&scene, plan.software, request.directions);
         let options = Options { sampling: Sampling::None, exact: true, seed: 1 };
         let total = run(&front, &plan, options, |_, _, _| Ok::<(), ()>(())).unwrap();
-        assert_eq!((total.wrong, total.contradictions), (0, 0), "without {switches:?}");
-        assert!(switches != [2] || total.counts.in_software == 0);
-        assert!(!switches.is_empty() || total.counts.in_software > 0);
-        counts.insert(total.counts.touching);
+        assert_eq!((total.sums.wrong, total.sums.contradictions), (0, 0), "without {switches:?}");
+        assert!(switches != [2] || total.sums.counts.in_software == 0);
+        assert!(!switches.is_empty() || total.sums.counts.in_software > 0);
+        counts.insert(total.sums.counts.touching);
     }
     assert_eq!(counts.len(), 1, "{counts:?}");
     assert!(counts.iter().all(|touching| *touching > 100), "{counts:?}");

@@ -5,14 +5,18 @@
 //! without the others is run on the same pairs ([`run`](fn@run)). The rules are on a page of their own,
 //! `docs/effects.md`.
 
+mod bench;
 mod census;
 mod cosimulation;
 mod cost;
+mod found;
 mod front;
 mod measure;
+mod outcome;
 pub mod picture;
 mod plan;
 mod reason;
+mod request;
 mod run;
 mod sample;
 mod stages;
@@ -23,7 +27,9 @@ pub use cosimulation::Cosimulation;
 pub use cost::{Cost, Saving};
 pub use front::{Front, Software};
 pub use measure::Tally;
-pub use plan::{plan, Answers, Finding, Plan, Request, Wish};
-pub use run::{frame_contacts, run, Contact, Counts, Options, Row, Sampling, Total};
+pub use outcome::{Contact, Counts, Options, Row, Sampling, Sums, Total};
+pub use plan::{plan, Answers, Finding, Plan};
+pub use request::{Request, Wish};
+pub use run::{frame_contacts, run};
 pub use sample::Place;
 pub use stages::Stages;

@@ -1,176 +1,21 @@
 //! A scene through its planned unit: every surviving pair is answered, and what the unit leaves open is retested.
 
+use super::found::Found;
 use super::measure::{Met, Units};
+use super::outcome::{Contact, Options, Row, Sampling, Total};
 use super::sample::{Least, Place};
 use super::{Front, Plan};
 use crate::exact::Exact;
 use crate::golden::Verdict;
 use crate::params::Params;
-use crate::scene::hierarchy::{Scratch, Statistics};
+use crate::scene::hierarchy::Scratch;
 use crate::scene::{Frame, Meeting, Posed};
 use rayon::prelude::*;
-use serde::Serialize;
 
 /// Pairs that a thread takes at a time.
 const SHARE: usize = 1024;
 /// Bits by which the unit is narrower that tells which pairs are close.
 const COARSER: u32 = 2;
-
-/// Which pairs are remembered to be simulated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Sampling {
-    /// None.
-    None,
-    /// An even share of every verdict in every frame, so many in all; and of the possibly incorrect and close pairs so
-    /// many at most.
-    Some {
-        /// Pairs of the stratified sample.
-        stratified: usize,
-        /// Possibly incorrect and close pairs.
-        close: usize,
-    },
-    /// All; they are handed on with each frame.
-    All,
-}
-
-/// How to run.
-#[derive(Clone, Copy, Debug)]
-pub struct Options {
-    /// Which pairs are remembered.
-    pub sampling: Sampling,
-    /// Whether pairs that the unit calls an intersection get the exact answer too.
-    pub exact: bool,
-    /// Names the sample.
-    pub seed: u64,
-}
-
-/// What a frame came to.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub struct Counts {
-    /// Pairs of objects that meet.
-    pub meetings: u64,
-    /// What it took to find the pairs, and how many there are.
-    #[serde(flatten)]
-    pub statistics: Statistics,
-    /// Pairs that the unit separates.
-    pub separate: u64,
-    /// Pairs that intersect for certain.
-    pub intersect: u64,
-    /// Pairs that the unit leaves open.
-    pub possibly_incorrect: u64,
-    /// Pairs answered before the unit, because a triangle is degenerate.
-    pub in_software: u64,
-    /// Pairs that have a common point, in the end.
-    pub touching: u64,
-}
-
-impl Counts {
-    /// Adds other counts.
-    pub fn add(&mut self, other: &Self) {
-        self.meetings += other.meetings;
-        self.statistics = self.statistics + other.statistics;
-        self.separate += other.separate;
-        self.intersect += other.intersect;
-        self.possibly_incorrect += other.possibly_incorrect;
-        self.in_software += other.in_software;
-        self.touching += other.touching;
-    }
-}
-
-/// A frame, counted.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
-    /// The number of the frame.
-    pub frame: usize,
-    /// What it is called.
-    pub label: String,
-    /// The distance of a tumbling turn.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub distance: Option<f64>,
-    /// What it came to.
-    #[serde(flatten)]
-    pub counts: Counts,
-}
-
-/// A pair that touches, or that the unit leaves open.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Contact {
-    /// Where.
-    pub place: Place,
-    /// What the unit said; none if the pair did not come to it.
-    pub verdict: Option<Verdict>,
-    /// The exact answer, where it was asked for: for pairs that are an intersection for certain only on request.
-    pub exact: Option<Exact>,
-}
-
-impl Contact {
-    /// Whether the pair has a common point.
-    pub fn touches(&self) -> bool {
-        self.exact.map_or(self.verdict == Some(Verdict::Intersect), |exact| exact != Exact::Separate)
-    }
-}
-
-/// What all frames came to.
-#[derive(Clone, Debug, Default)]
-pub struct Total {
-    /// The sum of all frames.
-    pub counts: Counts,
-    /// Pairs that the planned unit leaves open and the full one does not.
-    pub less_definite: u64,
-    /// Pairs that the two decide differently.
-    pub contradictions: u64,
-    /// Definite verdicts that the exact answer refutes, as far as it was asked for.
-    pub wrong: u64,
-    /// Possibly incorrect and close pairs.
-    pub close: u64,
-    /// The pairs to simulate, in order.
-    pub places: Vec<Place>,
-    /// How many of the possibly incorrect and close pairs are among them.
-    pub close_places: usize,
-    /// The frame in which most pairs touch, the first of several.
-    pub fullest: usize,
-    most: u64,
-}
-
-/// A frame before it is added up.
-#[derive(Default)]
-struct Found {
-    counts: Counts,
-    less_definite: u64,
-    contradictions: u64,
-    wrong: u64,
-    close: u64,
-    contacts: Vec<Contact>,
-    /// By verdict: pairs by the lots drawn for them.
-    strata: [Vec<(u64, Place)>; 3],
-    /// Possibly incorrect pairs before close ones, by the lots drawn for them.
-    near: Vec<((bool, u64), Place)>,
-    all: Vec<Place>,
-}
-
-impl Found {
-    fn append(&mut self, mut other: Self) {
-        self.counts.add(&other.counts);
-        self.less_definite += other.less_definite;
-        self.contradictions += other.contradictions;
-        self.wrong += other.wrong;
-        self.close += other.close;
-        self.contacts.append(&mut other.contacts);
-        self.strata.iter_mut().zip(&mut other.strata).for_each(|(mine, theirs)| mine.append(theirs));
-        self.near.append(&mut other.near);
-        self.all.append(&mut other.all);
-    }
-
-    /// Keeps no more than can matter in the end.
-    fn shrink(&mut self, stratified: usize, close: usize) {
-        for stratum in &mut self.strata {
-            stratum.sort_unstable();
-            stratum.truncate(stratified);
-        }
-        self.near.sort_unstable();
-        self.near.truncate(close);
-    }
-}
 
 /// Units that answer.
 struct Answering<'a, 'b> {
@@ -211,9 +56,9 @@ pub fn run<E>(
                 stratum.iter().enumerate().for_each(|(rank, (lot, place))| least.add((rank, *lot), *place));
             }
             found.near.iter().for_each(|(key, place)| near.add(*key, *place));
-            total.add(frame, &found);
+            total.add(frame, &found.sums);
             let Frame { label, distance, .. } = front.scene().frame(frame);
-            visit(Row { frame, label, distance, counts: found.counts }, &found.contacts, &found.all)
+            visit(Row { frame, label, distance, counts: found.sums.counts }, &found.contacts, &found.all)
         },
     )?;
     let strata = strata.map(|least| least.list().into_iter().map(|(_, place)| place).collect());
@@ -237,19 +82,6 @@ fn even(lists: &[Vec<Place>; 3], count: usize) -> Vec<Place> {
 pub fn frame_contacts(front: &Front<'_>, plan: &Plan, frame: usize) -> Vec<Contact> {
     let options = Options { sampling: Sampling::None, exact: true, seed: 0 };
     Answering::new(front, plan, options).frame(frame, &mut Scratch::default()).contacts
-}
-
-impl Total {
-    fn add(&mut self, frame: usize, found: &Found) {
-        self.counts.add(&found.counts);
-        self.less_definite += found.less_definite;
-        self.contradictions += found.contradictions;
-        self.wrong += found.wrong;
-        self.close += found.close;
-        if found.counts.touching > self.most {
-            (self.fullest, self.most) = (frame, found.counts.touching);
-        }
-    }
 }
 
 impl<'a, 'b> Answering<'a, 'b> {
@@ -276,8 +108,8 @@ impl<'a, 'b> Answering<'a, 'b> {
                 let shares: Vec<Found> = shares.collect();
                 shares.into_iter().for_each(|share| found.append(share));
             });
-            found.counts.meetings += 1;
-            found.counts.statistics = found.counts.statistics + statistics;
+            found.sums.counts.meetings += 1;
+            found.sums.counts.statistics = found.sums.counts.statistics + statistics;
         }
         if let Sampling::Some { stratified, close } = self.options.sampling {
             found.shrink(stratified, close);
@@ -291,9 +123,9 @@ impl<'a, 'b> Answering<'a, 'b> {
             let place = Place::new(meeting, pair);
             if self.front.answers(meeting, pair) {
                 let exact = posed.class(pair);
-                found.counts.in_software += 1;
+                found.sums.counts.in_software += 1;
                 if exact != Exact::Separate {
-                    found.counts.touching += 1;
+                    found.sums.counts.touching += 1;
                     found.contacts.push(Contact { place, verdict: None, exact: Some(exact) });
                 }
                 continue;
@@ -301,21 +133,21 @@ impl<'a, 'b> Answering<'a, 'b> {
             let verdict = met.verdict(0, pair).0;
             self.compare(met, pair, verdict, &mut found);
             match verdict {
-                Verdict::Separate => found.counts.separate += 1,
+                Verdict::Separate => found.sums.counts.separate += 1,
                 Verdict::Intersect => {
-                    found.counts.intersect += 1;
+                    found.sums.counts.intersect += 1;
                     let exact = self.options.exact.then(|| posed.class(pair));
-                    found.wrong += u64::from(exact == Some(Exact::Separate));
+                    found.sums.wrong += u64::from(exact == Some(Exact::Separate));
                     found.contacts.push(Contact { place, verdict: Some(verdict), exact });
                 }
                 Verdict::PossiblyIncorrect => {
-                    found.counts.possibly_incorrect += 1;
+                    found.sums.counts.possibly_incorrect += 1;
                     let exact = posed.class(pair);
                     found.contacts.push(Contact { place, verdict: Some(verdict), exact: Some(exact) });
                 }
             }
             if verdict != Verdict::Separate {
-                found.counts.touching += u64::from(found.contacts.last().is_some_and(Contact::touches));
+                found.sums.counts.touching += u64::from(found.contacts.last().is_some_and(Contact::touches));
             }
             self.remember(met, place, verdict, &mut found);
         }
@@ -333,8 +165,8 @@ impl<'a, 'b> Answering<'a, 'b> {
         let full = met.verdict(1, pair).0;
         if full != verdict && full != Verdict::PossiblyIncorrect {
             match verdict {
-                Verdict::PossiblyIncorrect => found.less_definite += 1,
-                _ => found.contradictions += 1,
+                Verdict::PossiblyIncorrect => found.sums.less_definite += 1,
+                _ => found.sums.contradictions += 1,
             }
         }
     }
@@ -349,7 +181,7 @@ impl<'a, 'b> Answering<'a, 'b> {
                 found.strata[verdict as usize].push((lot, place));
                 let open = verdict == Verdict::PossiblyIncorrect;
                 if open || (self.narrower && met.verdict(2, place.pair).0 == Verdict::PossiblyIncorrect) {
-                    found.close += 1;
+                    found.sums.close += 1;
                     found.near.push(((!open, lot), place));
                 }
             }

@@ -216,8 +216,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let spinner = progress::spinner("simulating");
         cosimulation.simulate(&waiting)?;
         spinner.finish_and_clear();
-        if arguments.cosim == Which::Sample && total.close > total.close_places as u64 {
-            let (some, all) = (total.close_places, total.close);
+        if arguments.cosim == Which::Sample && total.sums.close > total.close_places as u64 {
+            let (some, all) = (total.close_places, total.sums.close);
             warn(&format!("{some} of {all} possibly incorrect and close pairs are simulated; --close takes more"));
         }
     }
@@ -252,14 +252,14 @@ fn draw(
 /// Whether all that must hold does.
 fn verdict(plan: &Plan, total: &Total, cosimulation: Option<&Cosimulation<'_, '_>>) -> Result<(), Failure> {
     let mut faults = vec![];
-    if total.contradictions > 0 {
-        faults.push(format!("{} definite verdicts contradict the full unit", total.contradictions));
+    if total.sums.contradictions > 0 {
+        faults.push(format!("{} definite verdicts contradict the full unit", total.sums.contradictions));
     }
-    if total.wrong > 0 {
-        faults.push(format!("{} wrong definite verdicts", total.wrong));
+    if total.sums.wrong > 0 {
+        faults.push(format!("{} wrong definite verdicts", total.sums.wrong));
     }
-    if total.less_definite != plan.planned.tally.less_definite {
-        let (planned, found) = (plan.planned.tally.less_definite, total.less_definite);
+    if total.sums.less_definite != plan.planned.tally.less_definite {
+        let (planned, found) = (plan.planned.tally.less_definite, total.sums.less_definite);
         faults.push(format!("{found} pairs less definite than in the full unit instead of {planned}"));
     }
     if let Some(cosimulation) = cosimulation.filter(|cosimulation| cosimulation.mismatches > 0) {

@@ -110,12 +110,13 @@ impl Report {
                     vectors: cosimulation.vectors,
                     host_decided: cosimulation.host_decided,
                     mismatches: cosimulation.mismatches,
-                    close: total.close,
+                    close: total.sums.close,
                     close_simulated: total.close_places,
                     first_mismatch: cosimulation.first_mismatch.as_deref(),
                 });
-                let (counts, less, contradictions) = (&total.counts, total.less_definite, total.contradictions);
-                let wrong = total.wrong;
+                let (counts, less, contradictions) =
+                    (&total.sums.counts, total.sums.less_definite, total.sums.contradictions);
+                let wrong = total.sums.wrong;
                 write!(
                     out,
                     r#"],"total":{},"less_definite":{less},"contradictions":{contradictions},"wrong":{wrong},"cosim":{}}}"#,
@@ -137,7 +138,7 @@ fn text(value: &impl Serialize) -> String {
 
 /// What came out, in words.
 fn words(plan: &Plan, total: &Total, cosimulation: Option<&Cosimulation<'_, '_>>) -> String {
-    let counts = &total.counts;
+    let counts = &total.sums.counts;
     let Counts { separate, intersect, possibly_incorrect, in_software, touching, .. } = *counts;
     let stage = |finding: &Finding| {
         let by = if finding.decided_by == Wish::Auto { "" } else { " (asked for)" };
@@ -152,13 +153,13 @@ fn words(plan: &Plan, total: &Total, cosimulation: Option<&Cosimulation<'_, '_>>
     text.push_str(&format!("{touching} pairs touch, in the end\n"));
     text.push_str(&format!(
         "beside the full unit: {} pairs less definite, {} contradictions\n",
-        total.less_definite, total.contradictions
+        total.sums.less_definite, total.sums.contradictions
     ));
     if let Some(cosimulation) = cosimulation {
         let name = cosimulation.simulator.as_deref().unwrap_or("no simulator: no pair");
         text.push_str(&format!(
             "{} pairs simulated ({name}), {} of {} possibly incorrect and close ones among them: {} mismatches\n",
-            cosimulation.vectors, total.close_places, total.close, cosimulation.mismatches
+            cosimulation.vectors, total.close_places, total.sums.close, cosimulation.mismatches
         ));
     }
     text
