@@ -14,7 +14,7 @@ use super::Contact;
 use crate::golden::Verdict;
 use crate::scene::{Frame, Scene};
 use legend::Legend;
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 use view::{Item, View};
 
 /// Width of the picture in pixels.
@@ -94,7 +94,9 @@ impl Picture {
                 *mark = (*mark).min(Mark::of(contact));
             }
         }
-        let view = View::new(scene, &poses);
+        let touched: HashSet<usize> = marks.keys().map(|(object, _)| *object).collect();
+        let shown = |object: usize| touched.is_empty() || touched.contains(&object);
+        let view = View::new(scene, &poses, shown);
         let mut items = vec![];
         let mut marked = vec![];
         for (number, (object, pose)) in scene.objects.iter().zip(&poses).enumerate() {

@@ -69,11 +69,12 @@ fn projected(point: &Point3<f64>) -> [f64; 3] {
 }
 
 impl View {
-    /// Scales so that all objects fit.
-    pub fn new(scene: &Scene, poses: &[Pose]) -> Self {
+    /// Scales so that the objects fit that are to be shown.
+    pub fn new(scene: &Scene, poses: &[Pose], shown: impl Fn(usize) -> bool) -> Self {
         let mut low = [f64::INFINITY; 2];
         let mut high = [f64::NEG_INFINITY; 2];
-        for (object, pose) in scene.objects.iter().zip(poses) {
+        let objects = scene.objects.iter().zip(poses).enumerate().filter(|(number, _)| shown(*number));
+        for (_, (object, pose)) in objects {
             for vertex in &object.mesh.vertices {
                 let point = projected(&pose.image(vertex));
                 for axis in 0..2 {
