@@ -25,6 +25,7 @@ pub mod wall;
 pub mod cosim;
 pub mod synth;
 // Floor 5
+pub mod effects;
 pub mod mutation;
 // Floor 6
 pub mod cli;

@@ -10,7 +10,7 @@ const FLOORS: [&[&str]; 7] = [
     &["design", "vhdl", "software", "diagram", "verilog"],
     &["scene", "artefact", "stress", "wall", "driver"],
     &["cosim", "report", "synth"],
-    &["mutation"],
+    &["mutation", "effects"],
     &["cli"],
 ];
 

@@ -1,8 +1,14 @@
 //! `efsat scene`.
 
+mod given;
+mod outputs;
 mod pairs;
+mod plan;
+mod run;
+mod summary;
 
 use super::error::Failure;
+use crate::scene::hierarchy::Directions;
 use clap::Subcommand;
 
 /// Looks at scenes: what touches, and what it takes to find out
@@ -16,10 +22,20 @@ pub(super) struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     Pairs(pairs::Arguments),
+    Plan(plan::Arguments),
+    Run(Box<run::Arguments>),
+}
+
+/// Directions of bounding volumes by their number.
+fn directions(text: &str) -> Result<Directions, String> {
+    let legal = || "legal is one of 6, 14, 18, 26".to_owned();
+    text.parse().ok().and_then(Directions::of).ok_or_else(legal)
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.command {
         Command::Pairs(arguments) => pairs::run(arguments),
+        Command::Plan(arguments) => plan::run(arguments),
+        Command::Run(arguments) => run::run(arguments),
     }
 }

@@ -2,15 +2,9 @@
 
 use super::error::Failure;
 use super::output::warn;
-use crate::exact::{self, Relation};
-use crate::golden::host::{SceneHost, ScenePose};
 use crate::golden::pair_file::{self, Points};
-use crate::mesh::Mesh;
-use crate::params::Params;
-use crate::scene::{self, BroadPhase, Meeting, Scene};
-use std::collections::HashMap;
+use crate::scene::{self, Scene, Settings};
 use std::path::Path;
-use std::sync::{Arc, Mutex, PoisonError};
 
 /// The word for the built-in scene.
 const HEADLIGHT: &str = "headlight";
@@ -54,8 +48,18 @@ impl Source {
     }
 }
 
-/// Reads a scene, or takes the built-in one. Faces that cannot be used are left out, which is said on standard error.
+/// Reads a scene, or takes the built-in one, for a command that does not plan: what the file says of effects and
+/// parameters is not for it, which is said on standard error.
 pub(super) fn load_scene(name: &str) -> Result<Scene, Failure> {
+    let scene = load_planned(name)?;
+    if scene.settings != Settings::default() {
+        warn(&format!("{name}: [effects] and [parameters] are for scene plan and scene run; not used here"));
+    }
+    Ok(scene)
+}
+
+/// Reads a scene, or takes the built-in one. Faces that cannot be used are left out, which is said on standard error.
+pub(super) fn load_planned(name: &str) -> Result<Scene, Failure> {
     if name == HEADLIGHT {
         return Ok(Scene::default_scene());
     }
@@ -74,77 +78,4 @@ pub(super) fn count(text: &str) -> Result<u64, String> {
 
 pub(super) fn seed(text: &str) -> Result<u64, String> {
     text.parse().map_err(|_| format!("legal is a whole number from 0 to {}", u64::MAX))
-}
-
-/// A scene made ready for its pairs: trees, and the meshes of every meeting normalised and quantised.
-pub(super) struct Stage<'a> {
-    scene: &'a Scene,
-    params: &'a Params,
-    /// Finds the meetings and their candidate pairs.
-    pub broad_phase: BroadPhase<'a>,
-    /// The vertices of the meshes, and which mesh each object has.
-    vertices: Vec<Vec<[f64; 3]>>,
-    mesh_of: Vec<usize>,
-    /// Pairs of meshes that have met.
-    hosts: Mutex<HashMap<[usize; 2], Arc<SceneHost>>>,
-}
-
-/// Two objects in the pose in which they meet.
-pub(super) struct Posed<'a> {
-    meshes: [&'a Mesh; 2],
-    vertices: [&'a [[f64; 3]]; 2],
-    host: Arc<SceneHost>,
-    m: [[f64; 3]; 3],
-    t: [f64; 3],
-}
-
-impl<'a> Stage<'a> {
-    /// Prepares a scene.
-    pub fn new(scene: &'a Scene, params: &'a Params) -> Self {
-        let (meshes, mesh_of) = scene.meshes();
-        let points = |mesh: &&Mesh| mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect();
-        let vertices = meshes.iter().map(points).collect();
-        Self { scene, params, broad_phase: scene.broad_phase(), vertices, mesh_of, hosts: Mutex::default() }
-    }
-
-    /// The number of frames.
-    pub fn frames(&self) -> usize {
-        self.scene.frames()
-    }
-
-    /// A meeting of the scene.
-    pub fn posed(&'a self, meeting: &Meeting) -> Posed<'a> {
-        let meshes = [meeting.a, meeting.b].map(|object| self.mesh_of[object]);
-        let vertices = meshes.map(|mesh| self.vertices[mesh].as_slice());
-        let known = self.hosts.lock().unwrap_or_else(PoisonError::into_inner).get(&meshes).cloned();
-        // Two threads may make the same one; it is made without the lock.
-        let host = known.unwrap_or_else(|| {
-            let made = Arc::new(SceneHost::new(vertices[0], vertices[1], self.params));
-            let mut hosts = self.hosts.lock().unwrap_or_else(PoisonError::into_inner);
-            Arc::clone(hosts.entry(meshes).or_insert(made))
-        });
-        let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)]));
-        Posed { meshes: self.broad_phase.meshes(meeting), vertices, host, m, t: meeting.pose.translation.into() }
-    }
-}
-
-impl Posed<'_> {
-    /// What the unit loads, and the pairs as it reads them.
-    pub fn host(&self) -> ScenePose<'_> {
-        self.host.pose(&self.m, &self.t)
-    }
-
-    /// The vertices of a pair of triangles by their indices.
-    pub fn faces(&self, (a, b): (u32, u32)) -> [[u32; 3]; 2] {
-        [self.meshes[0].faces[a as usize], self.meshes[1].faces[b as usize]]
-    }
-
-    /// The exact answer for a pair of triangles.
-    pub fn relation(&self, pair: (u32, u32)) -> Relation {
-        let [a, b] = self.faces(pair);
-        let [of_a, of_b] = &self.vertices;
-        let a = a.map(|vertex| of_a[vertex as usize]);
-        let b = b.map(|vertex| of_b[vertex as usize]);
-        exact::posed_relation(&a, &b, &self.m, &self.t)
-    }
 }

@@ -81,6 +81,11 @@ impl Findings {
         Self { list: Defect::ALL.into_iter().filter_map(found).collect() }
     }
 
+    /// Looks at the faces of a mesh that was not read from a file.
+    pub fn of_mesh(mesh: &Mesh) -> Self {
+        Self::of(mesh, &[])
+    }
+
     /// How many faces were left out.
     pub fn left_out(&self) -> u64 {
         self.list.iter().filter(|finding| !finding.defect.is_kept()).map(|finding| finding.count).sum()
@@ -102,7 +107,7 @@ impl fmt::Display for Findings {
 
 /// Triangles whose corners are on one line: the projections along all three coordinate axes are. The predicate is exact
 /// short of numbers whose products leave the range of binary64.
-fn degenerate(mesh: &Mesh) -> Vec<usize> {
+pub(super) fn degenerate(mesh: &Mesh) -> Vec<usize> {
     let is_degenerate = |face: &usize| {
         let corners = mesh.triangle(*face);
         [(0, 1), (1, 2), (2, 0)].into_iter().all(|(x, y)| {

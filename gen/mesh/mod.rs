@@ -1,9 +1,11 @@
-//! Triangle meshes: what they are, how they are read from STL, OBJ and PLY files, and the one that is built in.
+//! Triangle meshes: what they are, how they are read from STL, OBJ and PLY files, and those that are built in.
 //!
 //! Reading keeps every triangle of a file, degenerate ones included, in the order of the file; nothing is repaired,
 //! scaled or moved. Of STL files, vertices that are equal bit for bit are stored once.
 
+pub mod angle;
 mod bounds;
+mod builtin;
 mod error;
 mod findings;
 mod lines;
@@ -12,16 +14,13 @@ mod ply;
 mod stl;
 
 pub use bounds::Bounds;
+pub use builtin::{builtin, headlight, BUILTIN};
 pub use error::MeshError;
 pub use findings::{Defect, Finding, Findings};
 
 use error::Fault;
 use nalgebra::Point3;
 use std::path::Path;
-use std::sync::{Arc, OnceLock};
-
-/// The built-in mesh as it stands in the repository.
-const HEADLIGHT: &[u8] = include_bytes!("../../scenes/cad_headlight.stl");
 
 /// A triangle mesh with shared vertices, in the units of its file.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -39,6 +38,12 @@ impl Mesh {
     /// If there is no such face.
     pub fn triangle(&self, face: usize) -> [Point3<f64>; 3] {
         self.faces[face].map(|vertex| self.vertices[vertex as usize])
+    }
+
+    /// The triangles whose corners are on one line, ascending: the projections along all three coordinate axes are. That
+    /// is decided exactly, short of numbers whose products leave the range of binary64.
+    pub fn degenerate(&self) -> Vec<usize> {
+        findings::degenerate(self)
     }
 
     /// The exact bounding box of the vertices (empty for a mesh without any).
@@ -126,15 +131,6 @@ impl Parsed {
         }
         Self { mesh: kept, faults }
     }
-}
-
-/// The built-in car headlight: a stand-in, made for this project, for the one the paper measured (5962 triangles
-/// against 5947). Millimetres; its lens faces +z.
-pub fn headlight() -> Arc<Mesh> {
-    static MESH: OnceLock<Arc<Mesh>> = OnceLock::new();
-    let mesh =
-        MESH.get_or_init(|| Arc::new(stl::parse(HEADLIGHT).expect("the built-in mesh is a valid STL file").mesh));
-    Arc::clone(mesh)
 }
 
 #[cfg(test)]

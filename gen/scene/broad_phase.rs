@@ -1,8 +1,9 @@
 //! The meetings of a scene frame by frame, and their candidate pairs.
 
+use super::meetings::Meetings;
 use super::tree::{candidates, Tree};
-use super::{sweep, Frame, Pose, Scene};
-use crate::mesh::{Bounds, Mesh};
+use super::{Pose, Scene};
+use crate::mesh::Mesh;
 use rayon::prelude::*;
 
 /// Two objects that may touch in a frame.
@@ -22,8 +23,8 @@ pub struct Meeting {
 #[derive(Clone, Debug)]
 pub struct BroadPhase<'a> {
     scene: &'a Scene,
+    meetings: Meetings<'a>,
     trees: Vec<Tree<'a>>,
-    boxes: Vec<Bounds>,
     mesh_of: Vec<usize>,
 }
 
@@ -35,9 +36,7 @@ impl<'a> BroadPhase<'a> {
     pub fn new(scene: &'a Scene) -> Self {
         let (meshes, mesh_of) = scene.meshes();
         let trees = meshes.par_iter().map(|mesh| Tree::new(mesh)).collect();
-        let boxes: Vec<Bounds> = meshes.iter().map(|mesh| mesh.bounds()).collect();
-        let boxes = mesh_of.iter().map(|&mesh| boxes[mesh]).collect();
-        Self { scene, trees, boxes, mesh_of }
+        Self { scene, meetings: Meetings::new(scene), trees, mesh_of }
     }
 
     /// The objects that may touch in a frame, by sort and sweep over their boxes; ascending.
@@ -45,9 +44,7 @@ impl<'a> BroadPhase<'a> {
     /// # Panics
     /// If there is no such frame.
     pub fn meetings(&self, frame: usize) -> Vec<Meeting> {
-        let Frame { poses, .. } = self.scene.frame(frame);
-        let pairs = sweep::overlapping(&self.boxes, &poses);
-        pairs.into_iter().map(|(a, b)| Meeting { frame, a, b, pose: poses[a].seen(&poses[b]) }).collect()
+        self.meetings.overlapping(frame)
     }
 
     /// The pairs (triangle of A, triangle of B) to test in a meeting, in ascending order.

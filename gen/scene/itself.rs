@@ -1,7 +1,7 @@
 //! Scenes of one mesh: it tumbles in front of itself.
 
 use super::motion::{Motion, Tumble};
-use super::{Object, Pose, Scene};
+use super::{Object, Pose, Scene, Settings};
 use crate::mesh::{Findings, Mesh};
 use nalgebra::Vector3;
 use std::sync::Arc;
@@ -22,6 +22,7 @@ impl Scene {
             placed: Pose::identity(),
         };
         let tumble = Tumble::about(&object("a"), &object("b"), 1, steps, distances.to_vec(), Vector3::z());
-        Self { name: name.into(), objects: vec![object("a"), object("b")], motions: vec![Motion::Tumble(tumble)] }
+        let objects = vec![object("a"), object("b")];
+        Self { name: name.into(), objects, settings: Settings::default(), motions: vec![Motion::Tumble(tumble)] }
     }
 }

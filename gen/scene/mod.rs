@@ -5,14 +5,17 @@
 //! that follows; `M` need not be perfectly orthonormal. If A stands as in its file they are those of B's own pose;
 //! otherwise they are computed from both poses in binary64 ([`Pose::seen`]).
 
-mod angle;
 mod broad_phase;
 mod enclosure;
 mod file;
 pub mod hierarchy;
 mod itself;
+mod meetings;
 mod motion;
 mod pose;
+mod settings;
+mod stage;
+mod survivors;
 mod sweep;
 mod trajectory;
 mod tree;
@@ -20,6 +23,9 @@ mod tree;
 pub use broad_phase::{BroadPhase, Meeting};
 pub use file::{load, SceneError};
 pub use pose::Pose;
+pub use settings::{Effect, Parameter, Settings, Switch, Switches};
+pub use stage::{Posed, Stage};
+pub use survivors::Survivors;
 pub use tree::{candidates, Tree};
 
 use crate::mesh::{Findings, Mesh};
@@ -46,6 +52,8 @@ pub struct Scene {
     pub name: String,
     /// The objects, at least two.
     pub objects: Vec<Object>,
+    /// Which stages of the unit and before it are wanted, and the parameters of the unit.
+    pub settings: Settings,
     /// The frames, in the order in which they are tested.
     motions: Vec<Motion>,
 }

@@ -1,6 +1,6 @@
 //! Poses: where an object stands, and the ways to say it.
 
-use super::angle::sin_cos_degrees;
+use crate::mesh::angle::sin_cos_degrees;
 use nalgebra::{Matrix3, Point3, Vector3};
 
 /// Where an object stands: `x_world = rotation * x + translation`, in the units of the scene; the twelve doubles are

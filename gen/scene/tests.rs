@@ -334,7 +334,8 @@ fn every_fault_of_a_scene_file_is_one_clear_line() {
     let file = Path::new("d").join("a.stl");
     assert!(absent.starts_with(&format!("d/x.toml:2: {}: cannot be read", file.display())), "{absent}");
     let unknown = mesh("builtin:cow").unwrap_err().to_string();
-    assert_eq!(unknown, "d/x.toml:2: mesh 'builtin:cow': the only built-in one is builtin:headlight");
+    let names = mesh::BUILTIN.map(|name| format!("builtin:{name}")).join(", ");
+    assert_eq!(unknown, format!("d/x.toml:2: mesh 'builtin:cow': legal built-in ones are {names}"));
     assert!(load(Path::new("no/such.toml")).unwrap_err().to_string().starts_with("no/such.toml: cannot be read ("));
 }
 

@@ -1,7 +1,7 @@
 //! Trajectories: poses between key frames.
 
-use super::angle::sin_cos_degrees;
 use super::pose::{about, axis_angle, quaternion, unit, Pose, Rotation};
+use crate::mesh::angle::sin_cos_degrees;
 use nalgebra::{Matrix3, Vector3, Vector4};
 
 /// Objects that move at the same time, each along its own key frames.

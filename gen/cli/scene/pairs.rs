@@ -1,22 +1,21 @@
 //! `efsat scene pairs`.
 
-mod summary;
-
+use super::directions;
+use super::summary::Summary;
 use crate::cli::error::Failure;
 use crate::cli::output::{failure, print};
 use crate::cli::progress;
-use crate::cli::source::{load_scene, Posed, Stage};
+use crate::cli::source::load_scene;
 use crate::exact::Exact;
 use crate::golden::host::{Host, ScenePose};
 use crate::golden::{Golden, Verdict};
 use crate::mesh::Findings;
 use crate::params::Params;
 use crate::scene::hierarchy::{first_hit, pairs, Directions, Forest, Scratch, Statistics};
-use crate::scene::{Frame, Meeting, Object, Scene};
+use crate::scene::{Frame, Meeting, Object, Posed, Scene, Stage};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};
-use summary::Summary;
 
 /// Finds the pairs of triangles that a tree of k-DOPs cannot tell apart, frame by frame, and those of them that touch
 ///
@@ -43,11 +42,6 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-fn directions(text: &str) -> Result<Directions, String> {
-    let legal = || "legal is one of 6, 14, 18, 26".to_owned();
-    text.parse().ok().and_then(Directions::of).ok_or_else(legal)
-}
-
 /// What a frame took.
 #[derive(Clone, Debug, Serialize)]
 struct Row {
@@ -68,6 +62,10 @@ struct Counts {
 }
 
 impl Counts {
+    /// What is counted, in the order of [`list`](Self::list).
+    const COLUMNS: [&'static str; 6] =
+        ["meetings", "overlap_tests", "transforms", "nodes_visited", "pairs_tested", "touching"];
+
     fn list(&self) -> [u64; 6] {
         let Statistics { overlap_tests, transforms, nodes_visited, pairs_tested } = self.statistics;
         [self.meetings, overlap_tests, transforms, nodes_visited, pairs_tested, self.touching]
@@ -141,13 +139,13 @@ impl Search<'_> {
 enum Sink {
     Csv(BufWriter<StdoutLock<'static>>),
     Json(BufWriter<StdoutLock<'static>>, bool),
-    Summary(Summary),
+    Summary(Summary<6>),
 }
 
 impl Sink {
     fn new(arguments: &Arguments, scene: &Scene) -> Result<Self, Failure> {
         if arguments.summary {
-            return Ok(Self::Summary(Summary::default()));
+            return Ok(Self::Summary(Summary::new(Counts::COLUMNS)));
         }
         let mut out = BufWriter::new(io::stdout().lock());
         if arguments.json {
@@ -163,13 +161,13 @@ impl Sink {
                 .map_err(failure)?;
             return Ok(Self::Json(out, false));
         }
-        writeln!(out, "frame,label,{}", summary::COLUMNS.join(",")).map_err(failure)?;
+        writeln!(out, "frame,label,{}", Counts::COLUMNS.join(",")).map_err(failure)?;
         Ok(Self::Csv(out))
     }
 
     fn take(&mut self, row: &Row) -> Result<(), Failure> {
         match self {
-            Self::Summary(summary) => summary.add(row.distance, &row.counts),
+            Self::Summary(summary) => summary.add(row.distance, row.counts.list()),
             Self::Json(out, later) => {
                 let comma = if std::mem::replace(later, true) { "," } else { "" };
                 write!(out, "{comma}{}", json(row)).map_err(failure)?;

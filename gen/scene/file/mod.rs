@@ -3,6 +3,7 @@
 mod motions;
 mod numbers;
 mod objects;
+mod settings;
 mod tables;
 
 use super::motion::Motion;
@@ -61,15 +62,20 @@ pub(super) fn parse(text: &str, path: &Path) -> Result<Scene, SceneError> {
     let folder = path.parent().unwrap_or(Path::new(""));
     let scene = toml::from_str(text)
         .map_err(|e| Fault { span: e.span(), message: e.message().replace('\n', "; ") })
-        .and_then(|table| build(table, folder));
+        .and_then(|table| build(table, text, folder));
     scene.map_err(|Fault { span, message }| SceneError {
         file: path.to_owned(),
-        line: span.map(|s| 1 + text.bytes().take(s.start).filter(|&byte| byte == b'\n').count()),
+        line: span.map(|s| line(text, s.start)),
         message,
     })
 }
 
-fn build(table: SceneTable, folder: &Path) -> Result<Scene, Fault> {
+/// The line that a byte of a text is in, counted from 1.
+fn line(text: &str, byte: usize) -> usize {
+    1 + text.bytes().take(byte).filter(|&byte| byte == b'\n').count()
+}
+
+fn build(table: SceneTable, text: &str, folder: &Path) -> Result<Scene, Fault> {
     let objects = objects::of(&table, folder)?;
     let mut motions = motions::of(&table, &objects)?;
     if motions.is_empty() {
@@ -79,7 +85,8 @@ fn build(table: SceneTable, folder: &Path) -> Result<Scene, Fault> {
         }
         motions.push(Motion::Rest);
     }
-    let scene = Scene { name: table.name, objects, motions };
+    let settings = settings::of(&table, |byte| line(text, byte))?;
+    let scene = Scene { name: table.name, objects, settings, motions };
     check(&scene)?;
     Ok(scene)
 }

@@ -10,8 +10,8 @@ use std::path::Path;
 use std::sync::Arc;
 use toml::Spanned;
 
-/// The name of the built-in mesh in a scene file.
-const HEADLIGHT: &str = "builtin:headlight";
+/// What stands before the name of a built-in mesh in a scene file.
+const BUILTIN: &str = "builtin:";
 
 /// Units of length in micrometres.
 const UNITS: [(&str, f64); 6] =
@@ -80,15 +80,19 @@ fn same_mesh(x: &ObjectTable, y: &ObjectTable) -> bool {
 /// are the truth (a power of two rounds nothing).
 fn mesh_of(table: &ObjectTable, unit: Option<&Spanned<String>>, folder: &Path) -> Result<(Arc<Mesh>, Findings), Fault> {
     let source = table.mesh.get_ref();
-    let (mesh, findings) = match source.strip_prefix("builtin:") {
+    let (mesh, findings) = match source.strip_prefix(BUILTIN) {
         None => {
             let read = mesh::survey(&folder.join(source));
             read.map(|(mesh, findings)| (Arc::new(mesh), findings))
                 .map_err(|e| Fault::at(&table.mesh, e.to_string()))?
         }
-        Some(_) if source == HEADLIGHT => (mesh::headlight(), Findings::default()),
-        Some(_) => {
-            return Err(Fault::at(&table.mesh, format!("mesh '{source}': the only built-in one is {HEADLIGHT}")))
+        Some(name) => {
+            let mesh = mesh::builtin(name).ok_or_else(|| {
+                let legal = mesh::BUILTIN.map(|name| format!("{BUILTIN}{name}")).join(", ");
+                Fault::at(&table.mesh, format!("mesh '{source}': legal built-in ones are {legal}"))
+            })?;
+            let findings = Findings::of_mesh(&mesh);
+            (mesh, findings)
         }
     };
     let mut scaled = mesh;

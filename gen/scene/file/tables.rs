@@ -1,7 +1,11 @@
 //! The tables of a scene file as TOML has them.
 
 use serde::Deserialize;
-use toml::Spanned;
+use std::collections::BTreeMap;
+use toml::{Spanned, Value};
+
+/// A table whose keys are looked at one by one.
+type Entries = BTreeMap<Spanned<String>, Spanned<Value>>;
 
 /// The whole file.
 #[derive(Deserialize)]
@@ -20,6 +24,12 @@ pub(super) struct SceneTable {
     pub pose: Vec<Spanned<PoseTable>>,
     #[serde(default)]
     pub trajectory: Vec<Spanned<TrajectoryTable>>,
+    /// Which stages are there.
+    #[serde(default)]
+    pub effects: Entries,
+    /// Options of the command line.
+    #[serde(default)]
+    pub parameters: Entries,
 }
 
 /// `[a]`, `[b]` and `[[object]]`; only the last has a name.

@@ -7,7 +7,7 @@ const OCTANT: f64 = 45.0;
 ///
 /// The functions of the standard library are those of the platform and may differ in the last bit; a scene must be the
 /// same everywhere. Here are only the operations that IEEE 754 fixes. Multiples of 90 degrees give exact 0 and +-1.
-pub(super) fn sin_cos_degrees(angle: f64) -> (f64, f64) {
+pub fn sin_cos_degrees(angle: f64) -> (f64, f64) {
     // The remainder is exact, and so is the distance to the nearest quarter turn, by Sterbenz' lemma.
     let turn = angle % 360.0;
     let quarters = (turn / 90.0).round();

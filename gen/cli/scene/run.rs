@@ -1,0 +1,274 @@
+//! `efsat scene run`.
+
+mod report;
+
+use super::given::GivenArguments;
+use super::outputs::{quoted, Output};
+use crate::artefact::design_files;
+use crate::cli::error::Failure;
+use crate::cli::output::{failure, warn};
+use crate::cli::params::choice;
+use crate::cli::source::{count, load_planned, seed};
+use crate::cli::{output, progress};
+use crate::cosim::Simulator;
+use crate::design::Design;
+use crate::effects::picture::Picture;
+use crate::effects::{self, Contact, Cosimulation, Front, Options, Place, Plan, Row, Sampling, Total};
+use crate::golden::Verdict;
+use crate::params::options::Choice;
+use crate::scene::Scene;
+use report::Report;
+use std::path::{Path, PathBuf};
+
+/// Pairs of the stratified sample where nothing else is asked for.
+const SAMPLE: u64 = 500;
+/// Possibly incorrect and close pairs, likewise.
+const CLOSE: u64 = 2000;
+
+/// Plans a scene, answers all its surviving pairs by the planned unit, retests what it leaves open exactly, and simulates
+/// the unit
+///
+/// Prints CSV, a row for each pose: what `scene pairs` counts, then pairs that the unit separates, intersects, and leaves
+/// open; pairs answered in software; and pairs that touch in the end. The verdicts are compared with those of the full
+/// unit. Simulated are a sample of every verdict in every pose, and every pair that is possibly incorrect or close (which
+/// a unit of two bits less would leave open).
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// A scene: a TOML file, or `headlight` for the built-in one
+    #[arg(value_name = "FILE")]
+    file: String,
+    /// Print the mean and the greatest row of each distance, and what came out, instead of the rows
+    #[arg(long, conflicts_with = "json")]
+    summary: bool,
+    /// Print one JSON object instead of CSV
+    #[arg(long)]
+    json: bool,
+    /// Write the rows to FILE, as CSV
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Write the pairs of triangles that touch to FILE, as CSV, each with the exact answer
+    #[arg(long, value_name = "FILE")]
+    pairs: Option<PathBuf>,
+    /// Draw a pose to FILE, .svg or .png: what touches coloured by verdict
+    #[arg(long, value_name = "FILE", value_parser = picture)]
+    picture: Option<PathBuf>,
+    /// The pose that is drawn, from 0 [default: the one in which most pairs touch]
+    #[arg(long, value_name = "N", requires = "picture", value_parser = seed, allow_negative_numbers = true)]
+    frame: Option<u64>,
+    /// Write the planned design to DIR, as generate does
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Which pairs are simulated
+    #[arg(long, value_name = "WHICH", default_value = "sample", value_parser = choice::<Which>())]
+    cosim: Which,
+    /// What runs the design [default: ghdl]
+    #[arg(long, value_name = "NAME", value_parser = choice::<Simulator>())]
+    simulator: Option<Simulator>,
+    /// Pairs of the sample [default: 500]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    sample: Option<u64>,
+    /// Possibly incorrect and close pairs that are simulated at most [default: 2000]
+    #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true)]
+    close: Option<u64>,
+    /// Seed of the sample [default: 1]
+    #[arg(long, value_name = "S", value_parser = seed, allow_negative_numbers = true)]
+    seed: Option<u64>,
+    #[command(flatten)]
+    given: GivenArguments,
+}
+
+/// Which pairs are simulated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Which {
+    All,
+    Sample,
+    None,
+}
+
+impl Choice for Which {
+    const ALL: &'static [Self] = &[Self::All, Self::Sample, Self::None];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::All => "all",
+            Self::Sample => "sample",
+            Self::None => "none",
+        }
+    }
+}
+
+/// The name of a picture.
+fn picture(text: &str) -> Result<PathBuf, String> {
+    match Path::new(text).extension().and_then(|e| e.to_str()) {
+        Some("svg" | "png") => Ok(text.into()),
+        _ => Err("legal is a name that ends in .svg or .png".to_owned()),
+    }
+}
+
+impl Arguments {
+    /// What clap cannot know of options that need each other.
+    fn check(&self, scene: &Scene) -> Result<(), Failure> {
+        let which = Choice::name(self.cosim);
+        let sample = [("sample", self.sample), ("close", self.close), ("seed", self.seed)];
+        if let Some((option, _)) = sample.iter().find(|(_, given)| given.is_some() && self.cosim != Which::Sample) {
+            return Err(Failure::Usage(format!("--{option} needs --cosim sample, not {which}")));
+        }
+        if self.simulator.is_some() && self.cosim == Which::None {
+            return Err(Failure::Usage("--simulator needs --cosim sample or all, not none".to_owned()));
+        }
+        let frames = scene.frames() as u64;
+        match self.frame {
+            Some(frame) if frame >= frames => {
+                Err(Failure::Usage(format!("--frame {frame}: legal is 0 to {}", frames - 1)))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    fn sampling(&self) -> Sampling {
+        let number = |given: Option<u64>, default: u64| given.unwrap_or(default).min(u64::from(u32::MAX)) as usize;
+        match self.cosim {
+            Which::None => Sampling::None,
+            Which::All => Sampling::All,
+            Which::Sample => {
+                Sampling::Some { stratified: number(self.sample, SAMPLE), close: number(self.close, CLOSE) }
+            }
+        }
+    }
+}
+
+/// Where the frames go.
+struct Sinks<'a> {
+    scene: &'a Scene,
+    report: Report,
+    csv: Option<Output>,
+    pairs: Option<Output>,
+}
+
+impl Sinks<'_> {
+    fn take(&mut self, row: &Row, contacts: &[Contact]) -> Result<(), Failure> {
+        self.report.take(row)?;
+        if let Some(csv) = &mut self.csv {
+            csv.write(report::line(row))?;
+        }
+        if let Some(pairs) = &mut self.pairs {
+            for contact in contacts.iter().filter(|contact| contact.touches()) {
+                pairs.write(pair(self.scene, contact))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A row of the file of pairs.
+fn pair(scene: &Scene, contact: &Contact) -> String {
+    let Place { frame, objects: (a, b), pair: (p, q) } = contact.place;
+    let [a, b] = [a, b].map(|object| quoted(&scene.objects[object].name));
+    let verdict = contact.verdict.map_or("software".to_owned(), |verdict: Verdict| verdict.to_string());
+    let exact = contact.exact.map_or(String::new(), |exact| exact.to_string());
+    format!("{frame},{a},{b},{p},{q},{verdict},{exact}\n")
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let scene = load_planned(&arguments.file)?;
+    arguments.check(&scene)?;
+    let mut request = arguments.given.request(&arguments.file, &scene)?;
+    request.costs = false;
+    let output = |path: &Option<PathBuf>| path.as_deref().map(Output::new).transpose();
+    let (mut csv, mut pairs) = (output(&arguments.csv)?, output(&arguments.pairs)?);
+    let drawing = output(&arguments.picture)?;
+    if let Some(csv) = &mut csv {
+        csv.write(report::heads())?;
+    }
+    if let Some(pairs) = &mut pairs {
+        pairs.write("frame,a,b,triangle_a,triangle_b,verdict,exact\n")?;
+    }
+    let spinner = progress::spinner("planning");
+    let plan = effects::plan(&scene, &request)?;
+    spinner.finish_and_clear();
+    let design = Design::new(&plan.params, false)?;
+    if let Some(dir) = &arguments.out {
+        design_files(&design, &plan.command_line).map_err(|e| Failure::Check(e.to_string()))?.write(dir)?;
+    }
+    let front = Front::new(&scene, plan.software, request.directions);
+    let simulator = arguments.simulator.unwrap_or(Simulator::Ghdl);
+    let mut cosimulation = (arguments.cosim != Which::None).then(|| Cosimulation::new(&front, design, simulator));
+    let options =
+        Options { sampling: arguments.sampling(), exact: arguments.pairs.is_some(), seed: arguments.seed.unwrap_or(1) };
+    let report = Report::new(arguments.json, arguments.summary, &plan)?;
+    let mut sinks = Sinks { scene: &scene, report, csv, pairs };
+    let bar = progress::bar(scene.frames() as u64, "poses", !arguments.summary);
+    let mut waiting: Vec<Place> = vec![];
+    let total = effects::run(&front, &plan, options, |row, contacts, all| {
+        bar.inc(1);
+        sinks.take(&row, contacts)?;
+        waiting.extend_from_slice(all);
+        match &mut cosimulation {
+            Some(cosimulation) if waiting.len() >= Cosimulation::BATCH => {
+                cosimulation.simulate(&std::mem::take(&mut waiting)).map_err(Failure::from)
+            }
+            _ => Ok(()),
+        }
+    })?;
+    bar.finish_and_clear();
+    waiting.extend_from_slice(&total.places);
+    if let Some(cosimulation) = &mut cosimulation {
+        let spinner = progress::spinner("simulating");
+        cosimulation.simulate(&waiting)?;
+        spinner.finish_and_clear();
+        if arguments.cosim == Which::Sample && total.sums.close > total.close_places as u64 {
+            let (some, all) = (total.close_places, total.sums.close);
+            warn(&format!("{some} of {all} possibly incorrect and close pairs are simulated; --close takes more"));
+        }
+    }
+    if let Some(drawing) = drawing {
+        draw(arguments, &scene, &front, &plan, &total, drawing)?;
+    }
+    let Sinks { report, csv, pairs, .. } = sinks;
+    csv.into_iter().chain(pairs).try_for_each(Output::finish)?;
+    report.finish(&plan, &total, cosimulation.as_ref())?;
+    verdict(&plan, &total, cosimulation.as_ref())
+}
+
+fn draw(
+    arguments: &Arguments,
+    scene: &Scene,
+    front: &Front<'_>,
+    plan: &Plan,
+    total: &Total,
+    mut file: Output,
+) -> Result<(), Failure> {
+    let frame = arguments.frame.map_or(total.fullest, |frame| frame as usize);
+    let picture = Picture::new(scene, frame, &effects::frame_contacts(front, plan, frame));
+    let png = arguments.picture.as_ref().is_some_and(|path| path.extension().is_some_and(|e| e == "png"));
+    if png {
+        file.write(picture.png())?;
+    } else {
+        file.write(picture.svg())?;
+    }
+    file.finish()
+}
+
+/// Whether all that must hold does.
+fn verdict(plan: &Plan, total: &Total, cosimulation: Option<&Cosimulation<'_, '_>>) -> Result<(), Failure> {
+    let mut faults = vec![];
+    if total.sums.contradictions > 0 {
+        faults.push(format!("{} definite verdicts contradict the full unit", total.sums.contradictions));
+    }
+    if total.sums.wrong > 0 {
+        faults.push(format!("{} wrong definite verdicts", total.sums.wrong));
+    }
+    if total.sums.less_definite != plan.planned.tally.less_definite {
+        let (planned, found) = (plan.planned.tally.less_definite, total.sums.less_definite);
+        faults.push(format!("{found} pairs less definite than in the full unit instead of {planned}"));
+    }
+    if let Some(cosimulation) = cosimulation.filter(|cosimulation| cosimulation.mismatches > 0) {
+        let first = cosimulation.first_mismatch.as_deref().unwrap_or("unknown");
+        let (count, vectors) = (cosimulation.mismatches, cosimulation.vectors);
+        faults.push(format!("{count} mismatches in {vectors} vectors, the first: {first}"));
+    }
+    match faults.is_empty() {
+        true => Ok(()),
+        false => Err(Failure::Check(faults.join("; "))),
+    }
+}

@@ -1,0 +1,33 @@
+//! What the colours mean.
+
+use super::Mark;
+
+/// The longest text in characters.
+const LONGEST: usize = 60;
+/// Objects that are named.
+const OBJECTS: usize = 4;
+
+/// Lines of text, each with a colour or none.
+pub(super) struct Legend {
+    pub lines: Vec<(Option<[u8; 3]>, String)>,
+}
+
+impl Legend {
+    pub fn new(scene: &str, frame: usize, label: &str, counts: [usize; 4], objects: Vec<(String, [u8; 3])>) -> Self {
+        let mut lines = vec![(None, format!("{scene}, frame {frame}: {label}"))];
+        for (mark, count) in Mark::ALL.into_iter().zip(counts) {
+            lines.push((Some(mark.colour()), format!("{}: {count} pairs", mark.words())));
+        }
+        let more = objects.len().saturating_sub(OBJECTS);
+        lines.extend(objects.into_iter().take(OBJECTS).map(|(name, colour)| (Some(colour), name)));
+        if more > 0 {
+            lines.push((None, format!("and {more} more objects")));
+        }
+        for (_, text) in &mut lines {
+            if text.chars().count() > LONGEST {
+                *text = text.chars().take(LONGEST - 3).chain("...".chars()).collect();
+            }
+        }
+        Self { lines }
+    }
+}

@@ -1,0 +1,35 @@
+//! Which objects of a frame meet.
+
+use super::{sweep, Frame, Meeting, Scene};
+use crate::mesh::Bounds;
+
+/// The boxes of a scene's objects, from which the meetings of each frame follow.
+#[derive(Clone, Debug)]
+pub(super) struct Meetings<'a> {
+    scene: &'a Scene,
+    boxes: Vec<Bounds>,
+}
+
+impl<'a> Meetings<'a> {
+    pub fn new(scene: &'a Scene) -> Self {
+        let (meshes, mesh_of) = scene.meshes();
+        let boxes: Vec<Bounds> = meshes.iter().map(|mesh| mesh.bounds()).collect();
+        Self { scene, boxes: mesh_of.into_iter().map(|mesh| boxes[mesh]).collect() }
+    }
+
+    /// The objects that may touch, by sort and sweep over their boxes; ascending.
+    pub fn overlapping(&self, frame: usize) -> Vec<Meeting> {
+        self.of(frame, |poses| sweep::overlapping(&self.boxes, poses))
+    }
+
+    /// Every two objects, ascending.
+    pub fn all(&self, frame: usize) -> Vec<Meeting> {
+        let objects = self.boxes.len();
+        self.of(frame, |_| (0..objects).flat_map(|a| (a + 1..objects).map(move |b| (a, b))).collect())
+    }
+
+    fn of(&self, frame: usize, choose: impl Fn(&[super::Pose]) -> Vec<(usize, usize)>) -> Vec<Meeting> {
+        let Frame { poses, .. } = self.scene.frame(frame);
+        choose(&poses).into_iter().map(|(a, b)| Meeting { frame, a, b, pose: poses[a].seen(&poses[b]) }).collect()
+    }
+}

@@ -1,0 +1,356 @@
+//! Effects: the planned unit of a scene says what the full one says, `efsat scene plan` and `efsat scene run`.
+
+use efsat::effects::{frame_contacts, plan, run, Front, Options, Plan, Request, Sampling};
+use efsat::exact::Exact;
+use efsat::golden::host::Host;
+use efsat::golden::{Golden, Verdict};
+use efsat::params::Params;
+use efsat::scene::hierarchy::{Directions, Scratch};
+use efsat::scene::{load, Scene, Stage, Survivors};
+use rayon::prelude::*;
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The ready scenes.
+fn ready() -> Vec<PathBuf> {
+    let mut found: Vec<PathBuf> = fs::read_dir(root().join("scenes"))
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|e| e == "toml"))
+        .collect();
+    found.sort();
+    assert!(found.len() >= 6);
+    found
+}
+
+/// Every frame of a short scene, every tenth of a long one.
+fn frames(scene: &Scene) -> Vec<usize> {
+    let step = if scene.frames() > 100 { 10 } else { 1 };
+    (0..scene.frames()).step_by(step).collect()
+}
+
+/// The 11 axes, ceilings and so on of the full unit do not stand in the parameters: 17 axis units may.
+fn request(scene: &Scene) -> Request {
+    let directions = Directions::of(18).unwrap();
+    Request { costs: false, ..Request::new(scene, Params::default(), directions) }
+}
+
+/// What is wrong about the planned unit, pair by pair: against the full unit and against the exact answer.
+fn wrong(scene: &Scene, plan: &Plan) -> Vec<String> {
+    let survivors = Survivors::new(scene, true, Directions::of(18));
+    let full = Params { ..plan.full_params.clone() };
+    let stages = [Stage::new(scene, &full), Stage::new(scene, &plan.params)];
+    let goldens = [Golden::new(&full), Golden::new(&plan.params)];
+    let of_frame = |frame: usize| {
+        let mut wrong = vec![];
+        for meeting in survivors.meetings(frame) {
+            let mut pairs = vec![];
+            survivors.pairs(&meeting, &mut Scratch::default(), |some| pairs.extend_from_slice(some));
+            if pairs.is_empty() {
+                continue;
+            }
+            let posed = [0, 1].map(|unit: usize| stages[unit].posed(&meeting));
+            let hosts = [0, 1].map(|unit: usize| posed[unit].host());
+            for pair in pairs {
+                let exact = posed[0].relation(pair).class;
+                let verdicts = [0, 1].map(|unit: usize| {
+                    let [a, b] = posed[unit].faces(pair);
+                    match hosts[unit].pair(a, b) {
+                        Host::Unit(inputs) => goldens[unit].verdict(&hosts[unit].pose, &inputs),
+                        Host::Decided(verdict) => verdict,
+                    }
+                });
+                let refuted = |verdict: Verdict| match verdict {
+                    Verdict::PossiblyIncorrect => false,
+                    verdict => (verdict == Verdict::Separate) != (exact == Exact::Separate),
+                };
+                let kept = verdicts[0] == Verdict::PossiblyIncorrect || verdicts[0] == verdicts[1];
+                if verdicts.into_iter().any(refuted) || !kept {
+                    wrong.push(format!("frame {frame}, pair {pair:?}: {verdicts:?}, exactly {exact}"));
+                }
+            }
+        }
+        wrong
+    };
+    frames(scene).into_par_iter().flat_map_iter(of_frame).collect()
+}
+
+#[test]
+fn the_planned_unit_says_what_the_full_one_says_on_every_ready_scene() {
+    let mut failures = vec![];
+    let mut sets = BTreeSet::new();
+    for path in ready() {
+        let scene = load(&path).unwrap();
+        let plan = plan(&scene, &request(&scene)).unwrap();
+        assert_eq!(plan.full_params.axes.count(), 17);
+        let tally = plan.planned.tally;
+        if (tally.less_definite, tally.contradictions) != (0, 0) || plan.unit_pairs == 0 {
+            failures.push(format!("{}: {tally:?}", plan.scene));
+        }
+        failures.extend(wrong(&scene, &plan).into_iter().take(3).map(|wrong| format!("{}: {wrong}", plan.scene)));
+        sets.insert(plan.effects.iter().map(|finding| finding.state).collect::<Vec<_>>());
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+    assert!(sets.len() >= 5, "different scenes call for different stages: {sets:?}");
+}
+
+/// A unit without stages that are needed is caught by the same check, so the check can fail.
+#[test]
+fn a_unit_without_a_needed_stage_is_noticed() {
+    let scene = load(&root().join("scenes/gears.toml")).unwrap();
+    let mut plan = plan(&scene, &request(&scene)).unwrap();
+    assert!(plan.params.renormalise && wrong(&scene, &plan).is_empty());
+    plan.params.renormalise = false;
+    assert!(!wrong(&scene, &plan).is_empty());
+}
+
+/// A small globe at the pole of a large one, where both have degenerate triangles, and a third one away from both.
+const POLES: &str = "name = 's'\n[[object]]\nname = 'p'\nmesh = 'builtin:globe'\n\
+    [[object]]\nname = 'q'\nmesh = 'builtin:globe'\nscale = 0.0625\n\
+    [[object]]\nname = 'r'\nmesh = 'builtin:plate'\nplaced = { translation = [0, 0, -9] }\n\
+    [[pose]]\nobject = 'q'\ntranslation = [0.001, 0, 1.06]\n\
+    [[pose]]\nobject = 'q'\ntranslation = [0, 0, 1.0625]\n";
+
+/// The final answer for every pair is the exact one, with or without the stages before the unit.
+#[test]
+fn contacts_are_those_of_the_exact_test_whatever_is_switched_off() {
+    let home = tempfile::tempdir().unwrap();
+    let path = home.path().join("s.toml");
+    fs::write(&path, POLES).unwrap();
+    let scene = load(&path).unwrap();
+    let mut counts = BTreeSet::new();
+    for switches in [vec![], vec![0], vec![1], vec![2], vec![3, 4, 5, 6]] {
+        let mut request = request(&scene);
+        switches.iter().for_each(|effect| request.wishes[*effect] = efsat::effects::Wish::Off);
+        let plan = plan(&scene, &request).unwrap();
+        let front = Front::new(&scene, plan.software, request.directions);
+        let options = Options { sampling: Sampling::None, exact: true, seed: 1 };
+        let total = run(&front, &plan, options, |_, _, _| Ok::<(), ()>(())).unwrap();
+        assert_eq!((total.sums.wrong, total.sums.contradictions), (0, 0), "without {switches:?}");
+        assert!(switches != [2] || total.sums.counts.in_software == 0);
+        assert!(!switches.is_empty() || total.sums.counts.in_software > 0);
+        counts.insert(total.sums.counts.touching);
+    }
+    assert_eq!(counts.len(), 1, "{counts:?}");
+    assert!(counts.iter().all(|touching| *touching > 100), "{counts:?}");
+}
+
+#[test]
+fn contacts_of_a_frame_are_retested() {
+    let scene = load(&root().join("scenes/plates.toml")).unwrap();
+    let plan = plan(&scene, &request(&scene)).unwrap();
+    let front = Front::new(&scene, plan.software, Directions::of(18).unwrap());
+    let contacts = frame_contacts(&front, &plan, 0);
+    assert!(contacts.iter().all(|contact| contact.exact.is_some()));
+    // One on the other: the two triangles of the lower top and of the upper bottom, at least.
+    assert!(contacts.iter().filter(|contact| contact.touches()).count() >= 4);
+}
+
+/// Runs the tool; status, output and errors.
+fn efsat(dir: &Path, arguments: &str, threads: &str) -> (Option<i32>, String, String) {
+    let output = Command::new(env!("CARGO_BIN_EXE_efsat"))
+        .args(arguments.split_whitespace())
+        .current_dir(dir)
+        .env("RAYON_NUM_THREADS", threads)
+        .output()
+        .unwrap();
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    (output.status.code(), text(output.stdout), text(output.stderr))
+}
+
+fn succeeds(dir: &Path, arguments: &str) -> String {
+    let (status, output, errors) = efsat(dir, arguments, "2");
+    assert_eq!((status, errors.as_str()), (Some(0), ""), "efsat {arguments}");
+    output
+}
+
+fn object(dir: &Path, arguments: &str) -> Value {
+    serde_json::from_str(&succeeds(dir, arguments)).expect("one JSON object")
+}
+
+/// A folder with three blocks, one of them with a degenerate triangle, in a scene with further lines.
+fn blocks(lines: &str) -> tempfile::TempDir {
+    let home = tempfile::tempdir().unwrap();
+    let corner = |i: u32| format!("v {} {} {}\n", i & 1, i >> 1 & 1, i >> 2 & 1);
+    let faces = "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+    let block: String = (0..8).map(corner).collect::<String>() + faces;
+    fs::write(home.path().join("block.obj"), &block).unwrap();
+    fs::write(home.path().join("odd.obj"), format!("{block}v 0.5 0 1\nf 5 9 6\n")).unwrap();
+    let object = |name: &str, mesh: &str, x: f64| {
+        format!("[[object]]\nname = '{name}'\nmesh = '{mesh}'\nplaced = {{ translation = [{x}, 0, 0] }}\n")
+    };
+    let objects = object("p", "block.obj", 0.0) + &object("q", "odd.obj", 0.75) + &object("r", "block.obj", 9.0);
+    fs::write(home.path().join("s.toml"), format!("name = 's'\n{objects}{lines}")).unwrap();
+    home
+}
+
+/// The findings of a plan by their names.
+fn findings(plan: &Value) -> BTreeMap<String, Value> {
+    let list = plan["effects"].as_array().unwrap();
+    list.iter().map(|finding| (finding["effect"].as_str().unwrap().to_owned(), finding.clone())).collect()
+}
+
+#[test]
+fn plans_name_each_effect_with_its_reason_and_saving() {
+    let home =
+        blocks("[effects]\nrenormalise = 'off'\nexact_ceiling = 'on'\nallowed = 0.25\n[parameters]\nwidth = 20\n");
+    let dir = home.path();
+    let plan = object(dir, "scene plan s.toml --json");
+    let found = findings(&plan);
+    let names =
+        ["broad_phase", "degenerate", "exact_ceiling", "hierarchy", "in_plane_axes", "renormalise", "transform"];
+    assert_eq!(found.keys().map(String::as_str).collect::<Vec<_>>(), names);
+    let state = |name: &str| (found[name]["state"].as_str().unwrap(), found[name]["decided_by"].as_str().unwrap());
+    assert_eq!(state("broad_phase"), ("on", "auto"));
+    assert_eq!(state("degenerate"), ("on", "auto"));
+    assert_eq!((state("renormalise"), state("exact_ceiling")), (("off", "off"), ("on", "on")));
+    assert_eq!(state("transform"), ("translate", "auto"));
+    assert_eq!(plan["allowed"], 0.25);
+    let reason = found["degenerate"]["reason"].as_str().unwrap();
+    assert!(reason.starts_with("1 of 37 triangles are degenerate"), "{reason}");
+    for name in ["transform", "renormalise", "in_plane_axes", "exact_ceiling"] {
+        let saving = &found[name]["saving"];
+        assert!(saving["luts"].as_i64() > Some(0) && saving["simulation"].as_f64() > Some(0.0), "{name}: {saving}");
+    }
+    assert_eq!(found["in_plane_axes"]["saving"]["interval"], 6);
+    assert_eq!(found["transform"]["saving"]["multipliers"], 24);
+    let command = plan["command_line"].as_str().unwrap();
+    for words in ["--width 20 ", "--renormalise off ", "--upper sticky ", "--transform translate "] {
+        assert!(command.contains(words), "{command}");
+    }
+    // The command line wins: over parameters and over effects.
+    let wins =
+        object(dir, "scene plan s.toml --json --width 19 --renormalise on --effect exact_ceiling=off --allowed 0");
+    let command = wins["command_line"].as_str().unwrap();
+    for words in ["--width 19 ", "--renormalise on ", "--upper implied "] {
+        assert!(command.contains(words), "{command}");
+    }
+    assert_eq!(findings(&wins)["renormalise"]["decided_by"], "option");
+    assert_eq!(wins["allowed"], 0.0);
+    // As many axis units as the full set has axes, and never more than the planned one has.
+    let wide = object(dir, "scene plan s.toml --json --axes-per-clock 17 --effect in_plane_axes=off");
+    assert!(wide["command_line"].as_str().unwrap().contains("--axes 11 --axes-per-clock 11 "));
+    // The planned unit can be generated.
+    let words: Vec<&str> = command.split_whitespace().skip(1).collect();
+    succeeds(dir, &format!("{} --out rtl", words.join(" ")));
+    // Other commands say that they do not look at these tables.
+    let (status, _, errors) = efsat(dir, "scene pairs s.toml", "2");
+    assert_eq!(status, Some(0));
+    assert!(errors.contains("[effects] and [parameters] are for scene plan and scene run"), "{errors}");
+}
+
+#[test]
+fn runs_answer_retest_simulate_and_draw() {
+    let home = blocks("[[pose]]\nlabel = 'as \"placed\"'\nobject = 'q'\ntranslation = [1, 0, 0]\n[[pose]]\nobject = 'q'\ntranslation = [0.75, 0.5, 0.25]\n");
+    let dir = home.path();
+    let files = "--csv rows.csv --pairs pairs.csv --picture p.svg --frame 1 --out rtl";
+    let report = object(dir, &format!("scene run s.toml --json --simulator builtin {files}"));
+    let total = &report["total"];
+    let number = |key: &str| total[key].as_u64().unwrap();
+    assert_eq!(
+        number("separate") + number("intersect") + number("possibly_incorrect") + number("in_software"),
+        number("pairs_tested")
+    );
+    assert!(number("touching") > 0 && number("in_software") > 0);
+    assert_eq!((&report["contradictions"], &report["wrong"]), (&Value::from(0), &Value::from(0)));
+    let cosim = &report["cosim"];
+    assert_eq!((&cosim["mismatches"], &cosim["simulator"]), (&Value::from(0), &Value::from("builtin")));
+    assert!(cosim["vectors"].as_u64() >= Some(number("possibly_incorrect")));
+    assert_eq!(cosim["close"], cosim["close_simulated"]);
+    // Rows, pairs and totals fit each other.
+    let rows = fs::read_to_string(dir.join("rows.csv")).unwrap();
+    assert_eq!(rows, succeeds(dir, "scene run s.toml --cosim none"));
+    assert!(rows.lines().nth(1).unwrap().starts_with("0,\"as \"\"placed\"\"\",1,"), "{rows}");
+    let pairs = fs::read_to_string(dir.join("pairs.csv")).unwrap();
+    assert_eq!(pairs.lines().count() as u64, 1 + number("touching"));
+    assert!(pairs.lines().skip(1).all(|line| line.ends_with(",touch") || line.ends_with(",intersect")), "{pairs}");
+    assert!(pairs.contains(",software,") && pairs.contains("\"p\",\"q\","), "{pairs}");
+    let svg = fs::read_to_string(dir.join("p.svg")).unwrap();
+    assert!(svg.starts_with("<svg ") && svg.ends_with("</svg>\n") && svg.contains("frame 1: pose 1"));
+    assert!(dir.join("rtl/manifest.json").is_file());
+    // Everything simulated, and nothing.
+    let all = object(dir, "scene run s.toml --json --cosim all --simulator builtin");
+    let sent = number("pairs_tested") - number("in_software");
+    assert_eq!(all["cosim"]["vectors"], sent);
+    assert_eq!(object(dir, "scene run s.toml --json --cosim none")["cosim"], Value::Null);
+    // A bound on the pairs of interest is said.
+    let (status, output, errors) = efsat(dir, "scene run s.toml --summary --close 1 --simulator builtin", "2");
+    assert_eq!(status, Some(0));
+    assert!(errors.contains("warning: 1 of ") && errors.contains("--close takes more"), "{errors}");
+    assert!(output.contains("0 contradictions") && output.contains("mismatches"), "{output}");
+    let left: Vec<_> = fs::read_dir(dir).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(left.len(), 7, "nothing half-written is left: {left:?}");
+}
+
+#[test]
+fn runs_do_not_depend_on_the_number_of_threads() {
+    let home = tempfile::tempdir().unwrap();
+    let scene = "name = \"s\"\n[a]\nmesh = \"builtin:gear\"\n[b]\nmesh = \"builtin:globe\"\nscale = 4\n\
+        [tumble]\nsteps = 12\ndistances = [1.3, 0.9, 0.4]\n";
+    fs::write(home.path().join("s.toml"), scene).unwrap();
+    let run = |threads: &str| {
+        let [one, two] = ["json", "summary"].map(|how| {
+            let options = "--simulator builtin --sample 40 --close 30 --csv r.csv --pairs p.csv --picture p.png";
+            efsat(home.path(), &format!("scene run s.toml --{how} {options}"), threads)
+        });
+        assert_eq!((one.0, two.0), (Some(0), Some(0)), "{} {}", one.2, two.2);
+        let files = ["r.csv", "p.csv", "p.png"].map(|name| fs::read(home.path().join(name)).unwrap());
+        (one, two, files)
+    };
+    assert_eq!(run("1"), run("2"));
+    // Plans but for the measured time.
+    let plan = |threads: &str| {
+        let mut plan: Value = serde_json::from_str(&efsat(home.path(), "scene plan s.toml --json", threads).1).unwrap();
+        plan["saving"]["simulation"].take();
+        for finding in plan["effects"].as_array_mut().unwrap() {
+            finding["saving"]["simulation"].take();
+        }
+        plan
+    };
+    assert_eq!(plan("1"), plan("2"));
+}
+
+#[test]
+fn wrong_input_is_named() {
+    let cases = [
+        ("[effects]\nrenormalise = 'maybe'\n", "", "s.toml:15: 'maybe': legal is one of \"auto\", \"on\", \"off\""),
+        ("[effects]\n\nfog = 'on'\n", "", "s.toml:16: effect 'fog': legal is one of broad_phase, "),
+        ("[effects]\nallowed = 2\n", "", "s.toml:15: allowed 2: legal is a number from 0 to 1"),
+        ("[effects]\nhierarchy = true\n", "", "s.toml:15: true: legal is one of"),
+        ("[parameters]\ncolour = 3\n", "", "s.toml:15: parameter 'colour': legal is one of width, "),
+        ("[parameters]\nwidth = 99\n", "", "s.toml:15: "),
+        ("[parameters]\nwidth = 2.5\n", "", "s.toml:15: width 2.5: legal is a whole number or a word in quotes"),
+        ("[parameters]\nrenormalise = 'on'\n[effects]\nrenormalise = 'off'\n", "", "beside the effect 'renormalise'"),
+        ("[extra]\n", "", "unknown field `extra`"),
+        ("[[object]]\nname = 'z'\nmesh = 'absent.stl'\n", "", "s.toml:16: absent.stl: cannot be read"),
+        ("", "--frame 1 --picture p.svg --cosim none", "--frame 1: legal is 0 to 0"),
+        ("", "--picture p.jpg", "legal is a name that ends in .svg or .png"),
+        ("", "--frame 0", "--picture"),
+        ("", "--cosim none --simulator builtin", "--simulator needs --cosim sample or all, not none"),
+        ("", "--cosim all --sample 3", "--sample needs --cosim sample, not all"),
+        ("", "--effect fog=on", "legal is one of broad_phase, "),
+        ("", "--effect renormalise=on --renormalise off", "--effect renormalise=on beside --renormalise"),
+        ("", "--allowed 1.5", "legal is a number from 0 to 1"),
+        ("", "--csv absent/rows.csv", "absent/rows.csv: "),
+        ("", "--k 7", "legal is one of 6, 14, 18, 26"),
+    ];
+    let mut failures = vec![];
+    for (lines, options, expected) in cases {
+        let home = blocks(lines);
+        let (status, output, errors) = efsat(home.path(), &format!("scene run s.toml {options}"), "1");
+        if status != Some(2) || !errors.contains(expected) || errors.lines().count() != 1 || !output.is_empty() {
+            failures.push(format!("{lines:?} {options}: {status:?} {errors:?} {output:?}"));
+        }
+        if fs::read_dir(home.path()).unwrap().count() != 3 {
+            failures.push(format!("{lines:?} {options}: files are left"));
+        }
+    }
+    assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
