@@ -26,5 +26,6 @@ pub mod cosim;
 pub mod synth;
 // Floor 5
 pub mod mutation;
+pub mod report;
 // Floor 6
 pub mod cli;

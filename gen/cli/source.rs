@@ -13,7 +13,7 @@ use std::path::Path;
 use std::sync::{Arc, Mutex, PoisonError};
 
 /// The word for the built-in scene.
-const HEADLIGHT: &str = "headlight";
+pub(super) const HEADLIGHT: &str = "headlight";
 
 /// Options that name a scene or random pairs.
 #[derive(Debug, clap::Args)]

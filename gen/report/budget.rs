@@ -1,0 +1,74 @@
+//! The dual question: with so many multipliers, how fast can each width be?
+
+use crate::design::top::DesignError;
+use crate::design::Design;
+use crate::params::Params;
+use rayon::prelude::*;
+
+/// The fastest folding of a width within a budget.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Folding {
+    /// Multipliers there are.
+    pub budget: u64,
+    /// The working width.
+    pub width: u32,
+    /// The parameters, if a folding fits.
+    pub params: Option<Params>,
+    /// Multipliers of the slowest folding that the generator has: one axis a clock.
+    pub least: u64,
+}
+
+/// The numbers of axis units that differ in speed, the fewest units for each, fastest first.
+fn foldings(base: &Params) -> Vec<usize> {
+    let interval = |n: usize| base.axes.count().div_ceil(n);
+    let mut distinct: Vec<usize> = (1..=base.axes.count()).collect();
+    distinct.dedup_by_key(|n| interval(*n));
+    distinct.reverse();
+    distinct
+}
+
+/// The fastest folding of each width within each budget.
+///
+/// # Errors
+/// That a design cannot be made.
+pub fn fastest(base: &Params, widths: &[u32], budgets: &[u64]) -> Result<Vec<Folding>, DesignError> {
+    let of_width = |&width: &u32| {
+        let multipliers = |axes_per_clock: usize| {
+            let params = Params { width, axes_per_clock, ..base.clone() };
+            Design::new(&params, false).map(|design| (params, design.top.multipliers() as u64))
+        };
+        foldings(base).into_iter().map(multipliers).collect::<Result<Vec<_>, _>>()
+    };
+    let known: Vec<Vec<(Params, u64)>> = widths.par_iter().map(of_width).collect::<Result<_, _>>()?;
+    let folding = |(budget, (width, known)): (&u64, (&u32, &Vec<(Params, u64)>))| Folding {
+        budget: *budget,
+        width: *width,
+        params: known.iter().find(|(_, multipliers)| multipliers <= budget).map(|(params, _)| params.clone()),
+        least: known.last().map_or(0, |(_, multipliers)| *multipliers),
+    };
+    let all = budgets.iter().flat_map(|budget| widths.iter().zip(&known).map(move |of_width| (budget, of_width)));
+    Ok(all.map(folding).collect())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_papers_budget_holds_18_bits_and_no_more() {
+        let all = fastest(&Params::default(), &[12, 18, 19], &[72, 216]).unwrap();
+        let units = |budget: u64, width: u32| {
+            let folding = all.iter().find(|f| (f.budget, f.width) == (budget, width)).unwrap();
+            (folding.params.as_ref().map(|p| p.axes_per_clock), folding.least)
+        };
+        assert_eq!((units(72, 12), units(72, 18)), ((Some(1), 72), (Some(1), 72)));
+        assert_eq!(units(72, 19).0, None);
+        assert!(units(72, 19).1 > 144);
+        assert_eq!((units(216, 18).0, units(216, 19).0), (Some(3), Some(1)));
+    }
+
+    #[test]
+    fn foldings_differ_in_speed() {
+        assert_eq!(foldings(&Params::default()), [11, 6, 4, 3, 2, 1]);
+    }
+}
