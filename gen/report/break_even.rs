@@ -3,8 +3,24 @@
 use super::results::Row;
 use serde::Serialize;
 
-/// Shares that fall to more than this part of the one before have reached the floor.
+/// Times that differ by less than this part are even: schedules differ by that much for no reason of width.
+pub const TOLERANCE: f64 = 0.001;
+/// A bit that leaves more than this part of the possibly incorrect pairs has reached the floor.
 const FLOOR_RATIO: f64 = 0.85;
+/// One that leaves more than this part while most pairs are still open does not count as falling yet.
+const FALLING_RATIO: f64 = 0.72;
+
+/// What a step does to the effective time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Effect {
+    /// Less by more than the tolerance.
+    Pays,
+    /// The same within it.
+    Even,
+    /// More by more than it.
+    Costs,
+}
 
 /// From one width to the next of a series.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -15,79 +31,93 @@ pub struct Step {
     pub to: u32,
     /// By how much the hardware's time a pair grows, ns.
     pub hardware_ns: f64,
-    /// By how much the retest's time a pair falls, transfer included, ns.
+    /// By how much the time for retest and transfer falls, ns a pair.
     pub retest_ns: f64,
     /// Multipliers that are added.
     pub multipliers: i64,
-    /// Whether the effective time falls.
-    pub pays: bool,
+    /// What becomes of the effective time.
+    pub effect: Effect,
+    /// The share of possibly incorrect pairs below which the step does not pay: its hardware time over the part of them
+    /// that it decides times the cost of one. Above 1 no share is enough. None where hardware takes no longer.
+    pub share: Option<f64>,
+    /// The cost of a possibly incorrect pair, retest and transfer, from which the step pays at these shares, ns. None where
+    /// hardware takes no longer, or nothing is decided.
+    pub cost_ns: Option<f64>,
 }
 
-/// A series of widths, all else equal.
+/// A series of widths, all else equal or made to fit.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BreakEven {
     /// What is equal, in words.
     pub series: String,
     /// The steps, in ascending order.
     pub steps: Vec<Step>,
-    /// The width of least effective time.
+    /// The least width whose effective time is within the tolerance of the least.
     pub best_width: u32,
-    /// That time, ns a pair.
+    /// Its effective time, ns a pair.
     pub best_ns: f64,
-    /// What a bit costs in hardware time on average over the series, ns a pair (least squares).
-    pub bit_ns: f64,
-    /// What a bit leaves of the possibly incorrect pairs, on average above the floor.
+    /// What a bit leaves of the possibly incorrect pairs between the widths `falling` (geometric mean).
     pub ratio: f64,
-    /// The widths between which that holds.
+    /// From where the share falls fast down to its floor.
     pub falling: [u32; 2],
-    /// The share of possibly incorrect pairs below which one more bit costs more than it saves: a bit's cost over
-    /// (1 - ratio) times the cost of a possibly incorrect pair. None where bits cost no time.
-    pub share: Option<f64>,
+    /// By what part the hardware's time differs over the series.
+    pub span: f64,
 }
 
 impl BreakEven {
     /// Of rows of one series in ascending order of width; none if there are not two.
     pub fn of(series: impl Into<String>, rows: &[&Row]) -> Option<Self> {
-        let step = |pair: &[&Row]| {
-            let [x, y] = [pair[0], pair[1]];
-            let hardware_ns = y.hardware_ns - x.hardware_ns;
-            let retest_ns = (x.effective_ns - x.hardware_ns) - (y.effective_ns - y.hardware_ns);
-            let multipliers = y.point.hardware.cells.multipliers as i64 - x.point.hardware.cells.multipliers as i64;
-            let pays = y.effective_ns < x.effective_ns;
-            Step { from: x.point.width(), to: y.point.width(), hardware_ns, retest_ns, multipliers, pays }
-        };
-        let steps: Vec<Step> = rows.windows(2).map(step).collect();
-        let best = rows.iter().min_by(|x, y| x.effective_ns.total_cmp(&y.effective_ns)).filter(|_| !steps.is_empty())?;
+        let steps: Vec<Step> = rows.windows(2).map(|pair| step(pair[0], pair[1])).collect();
+        let least = rows.iter().map(|row| row.effective_ns).fold(f64::INFINITY, f64::min);
+        let good = |row: &&&Row| row.effective_ns <= least * (1.0 + TOLERANCE);
+        let best = rows.iter().find(good).filter(|_| !steps.is_empty())?;
         let (falling, ratio) = falling(rows);
-        let bit_ns = slope(rows);
-        let cost = best.cost_ns.max(rows[0].cost_ns);
-        let share = (bit_ns > 0.0 && ratio < 1.0 && cost > 0.0).then(|| (bit_ns / ((1.0 - ratio) * cost)).min(1.0));
+        let hardware = rows.iter().map(|row| row.hardware_ns);
+        let span = hardware.clone().fold(0.0, f64::max) / hardware.fold(f64::INFINITY, f64::min) - 1.0;
         let (best_width, best_ns) = (best.point.width(), best.effective_ns);
-        Some(Self { series: series.into(), steps, best_width, best_ns, bit_ns, ratio, falling, share })
+        Some(Self { series: series.into(), steps, best_width, best_ns, ratio, falling, span })
+    }
+
+    /// The step whose hardware is dearest, if any is beyond the tolerance.
+    pub fn dearest(&self) -> Option<&Step> {
+        let dear = self.steps.iter().filter(|step| step.share.is_some() || step.cost_ns.is_some());
+        dear.max_by(|x, y| x.hardware_ns.total_cmp(&y.hardware_ns))
     }
 }
 
-/// From the first width on as far as the share falls, and what a bit leaves of it there (geometric mean).
+fn step(x: &Row, y: &Row) -> Step {
+    let share = |row: &Row| row.point.answers.share();
+    let hardware_ns = y.hardware_ns - x.hardware_ns;
+    let margin = TOLERANCE * x.effective_ns;
+    let decided = share(x) - share(y);
+    let slower = hardware_ns > margin;
+    let multipliers = |row: &Row| row.point.hardware.cells.multipliers as i64;
+    Step {
+        from: x.point.width(),
+        to: y.point.width(),
+        hardware_ns,
+        retest_ns: (x.effective_ns - x.hardware_ns) - (y.effective_ns - y.hardware_ns),
+        multipliers: multipliers(y) - multipliers(x),
+        effect: match y.effective_ns - x.effective_ns {
+            less if less < -margin => Effect::Pays,
+            more if more > margin => Effect::Costs,
+            _ => Effect::Even,
+        },
+        share: (slower && decided > 0.0 && x.cost_ns > 0.0).then(|| hardware_ns * share(x) / (decided * x.cost_ns)),
+        cost_ns: (slower && decided > 0.0).then(|| hardware_ns / decided),
+    }
+}
+
+/// Between which widths the share falls fast, and what a bit leaves of it there.
 fn falling(rows: &[&Row]) -> ([u32; 2], f64) {
     let share = |row: &Row| row.point.answers.share();
-    let a_bit = |x: &Row, y: &Row| (share(y) / share(x)).powf(1.0 / f64::from(y.point.width() - x.point.width()));
-    let first = rows[0];
-    let steps = rows.windows(2).take_while(|w| share(w[1]) > 0.0 && a_bit(w[0], w[1]) < FLOOR_RATIO).count();
-    let last = rows[steps];
-    let ratio = if steps == 0 { 1.0 } else { a_bit(first, last) };
-    ([first.point.width(), last.point.width()], ratio)
-}
-
-/// The least-squares slope of the hardware's time over the width.
-fn slope(rows: &[&Row]) -> f64 {
-    let n = rows.len() as f64;
-    let point = |row: &&Row| (f64::from(row.point.width()), row.hardware_ns);
-    let (sum_x, sum_y) = rows.iter().map(point).fold((0.0, 0.0), |s, p| (s.0 + p.0, s.1 + p.1));
-    let (x, y) = (sum_x / n, sum_y / n);
-    let (xy, xx) = rows.iter().map(point).fold((0.0, 0.0), |s, p| (s.0 + (p.0 - x) * (p.1 - y), s.1 + (p.0 - x).powi(2)));
-    if xx > 0.0 {
-        xy / xx
-    } else {
-        0.0
-    }
+    let bits = |x: &Row, y: &Row| f64::from(y.point.width() - x.point.width());
+    let a_bit = |x: &Row, y: &Row| if share(x) > 0.0 { (share(y) / share(x)).powf(1.0 / bits(x, y)) } else { 1.0 };
+    let falls: Vec<f64> = rows.windows(2).map(|pair| a_bit(pair[0], pair[1])).collect();
+    let first = falls.iter().position(|ratio| *ratio < FALLING_RATIO).unwrap_or(0);
+    // A share that becomes none has no ratio to speak of.
+    let steps = falls[first..].iter().take_while(|ratio| **ratio > 0.0 && **ratio < FLOOR_RATIO).count();
+    let (from, to) = (rows[first], rows[first + steps]);
+    let ratio = if steps == 0 { 1.0 } else { a_bit(from, to) };
+    ([from.point.width(), to.point.width()], ratio)
 }

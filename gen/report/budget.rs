@@ -1,8 +1,8 @@
 //! The dual question: with so many multipliers, how fast can each width be?
 
-use crate::design::top::DesignError;
-use crate::design::Design;
+use super::Hardware;
 use crate::params::Params;
+use crate::synth::SynthError;
 use rayon::prelude::*;
 
 /// The fastest folding of a width within a budget.
@@ -18,36 +18,44 @@ pub struct Folding {
     pub least: u64,
 }
 
-/// The numbers of axis units that differ in speed, the fewest units for each, fastest first.
+/// The numbers of axis units that differ in speed, the fewest units for each, ascending.
 fn foldings(base: &Params) -> Vec<usize> {
     let interval = |n: usize| base.axes.count().div_ceil(n);
     let mut distinct: Vec<usize> = (1..=base.axes.count()).collect();
     distinct.dedup_by_key(|n| interval(*n));
-    distinct.reverse();
     distinct
 }
 
-/// The fastest folding of each width within each budget.
+/// The foldings of a width with their predicted multipliers, ascending, up to the first that is beyond the budget.
+fn known(base: &Params, width: u32, budget: u64) -> Result<Vec<(Params, u64)>, SynthError> {
+    let mut known: Vec<(Params, u64)> = vec![];
+    for axes_per_clock in foldings(base) {
+        let params = Params { width, axes_per_clock, ..base.clone() };
+        let multipliers = Hardware::predict(&params)?.cells.multipliers;
+        known.push((params, multipliers));
+        if multipliers > budget {
+            break;
+        }
+    }
+    Ok(known)
+}
+
+/// The fastest folding of each width within each budget, by predicted multipliers.
 ///
 /// # Errors
 /// That a design cannot be made.
-pub fn fastest(base: &Params, widths: &[u32], budgets: &[u64]) -> Result<Vec<Folding>, DesignError> {
-    let of_width = |&width: &u32| {
-        let multipliers = |axes_per_clock: usize| {
-            let params = Params { width, axes_per_clock, ..base.clone() };
-            Design::new(&params, false).map(|design| (params, design.top.multipliers() as u64))
-        };
-        foldings(base).into_iter().map(multipliers).collect::<Result<Vec<_>, _>>()
-    };
-    let known: Vec<Vec<(Params, u64)>> = widths.par_iter().map(of_width).collect::<Result<_, _>>()?;
+pub fn fastest(base: &Params, widths: &[u32], budgets: &[u64]) -> Result<Vec<Folding>, SynthError> {
+    let Some(most) = budgets.iter().max() else { return Ok(vec![]) };
+    let all: Vec<Vec<(Params, u64)>> =
+        widths.par_iter().map(|width| known(base, *width, *most)).collect::<Result<_, _>>()?;
     let folding = |(budget, (width, known)): (&u64, (&u32, &Vec<(Params, u64)>))| Folding {
         budget: *budget,
         width: *width,
-        params: known.iter().find(|(_, multipliers)| multipliers <= budget).map(|(params, _)| params.clone()),
-        least: known.last().map_or(0, |(_, multipliers)| *multipliers),
+        params: known.iter().rev().find(|(_, multipliers)| multipliers <= budget).map(|(params, _)| params.clone()),
+        least: known[0].1,
     };
-    let all = budgets.iter().flat_map(|budget| widths.iter().zip(&known).map(move |of_width| (budget, of_width)));
-    Ok(all.map(folding).collect())
+    let pairs = budgets.iter().flat_map(|budget| widths.iter().zip(&all).map(move |of_width| (budget, of_width)));
+    Ok(pairs.map(folding).collect())
 }
 
 #[cfg(test)]
@@ -65,10 +73,11 @@ mod tests {
         assert_eq!(units(72, 19).0, None);
         assert!(units(72, 19).1 > 144);
         assert_eq!((units(216, 18).0, units(216, 19).0), (Some(3), Some(1)));
+        assert_eq!(fastest(&Params::default(), &[18], &[]).unwrap(), []);
     }
 
     #[test]
     fn foldings_differ_in_speed() {
-        assert_eq!(foldings(&Params::default()), [11, 6, 4, 3, 2, 1]);
+        assert_eq!(foldings(&Params::default()), [1, 2, 3, 4, 6, 11]);
     }
 }

@@ -1,6 +1,7 @@
 //! Which plots there are, and what is in them.
 
-use super::headline::{grouped, percent, significant};
+use super::break_even::TOLERANCE;
+use super::headline::{grouped, percent, significant, time};
 use super::plot::{
     Axis, Bar, Bars, Chart, Dot, Label, Line, Mark, Series, Size, Style, BLACK, BLUE, GREEN, GREY, NARROW, ORANGE,
     PURPLE, SKY, VERMILION, WIDE,
@@ -48,7 +49,8 @@ fn series(name: &str, style: Style, rows: &[&Row], dot: impl Fn(&Row) -> Dot) ->
 /// A point in words.
 fn about(results: &Results, row: &Row) -> String {
     let base = &results.base().point.options;
-    let differs = |(name, value): (&String, &String)| (base.get(name) != Some(value)).then(|| format!("{name} {value}"));
+    let differs =
+        |(name, value): (&String, &String)| (base.get(name) != Some(value)).then(|| format!("{name} {value}"));
     let what: Vec<String> = row.point.options.iter().filter_map(differs).collect();
     let what = if what.is_empty() { point_name(results) } else { what.join(", ") };
     format!(
@@ -114,71 +116,99 @@ fn share_by_width(results: &Results) -> Figure {
         series: all,
         none: "none".to_owned(),
     };
-    let caption = "Each bit of working width leaves fewer pairs possibly incorrect, down to the floor of pairs that no width \
+    let caption =
+        "Each bit of working width leaves fewer pairs possibly incorrect, down to the floor of pairs that no width \
         decides. Bars are 95 % confidence bounds of the sample.";
     Figure::new("share-by-width", caption, |size| chart.svg(size))
 }
 
-/// Effective time over the width.
+/// What the transfer of a possibly incorrect pair may take beyond what is given, ns.
+const TRANSFERS: [f64; 3] = [0.0, 1e3, 1e4];
+
+/// Effective time over the width, for several costs of a possibly incorrect pair.
 fn time_by_width(results: &Results) -> Figure {
-    let dot = |row: &Row| Dot {
-        x: row.point.width().into(),
-        y: row.effective_ns,
-        bounds: None,
-        about: about(results, row),
-    };
-    let hardware = |row: &Row| Dot { y: row.hardware_ns, about: "hardware alone".to_owned(), ..dot(row) };
     let (at_clock, fastest) = (results.by_width(&[]), results.fastest());
     let base = results.base();
-    let clock = format!("clock held at {} MHz", base.point.option("frequency"));
-    let mut all = vec![series(&clock, style(BLUE, Mark::Circle, Line::Solid), &at_clock, dot)];
-    all.push(series("", style(BLUE, Mark::None, Line::Dashed), &at_clock, hardware));
+    let mut all = vec![];
     let mut labels = vec![base_label(results, base.point.width().into(), base.effective_ns)];
-    if fastest.len() > 1 {
-        all.push(series("as fast as each width will clock", style(VERMILION, Mark::Square, Line::Solid), &fastest, dot));
-        all.push(series("", style(VERMILION, Mark::None, Line::Dashed), &fastest, hardware));
+    let given = if results.transfer_ns > 0.0 {
+        format!("retest and {} of transfer", time(results.transfer_ns))
+    } else {
+        "retest".to_owned()
+    };
+    let mut line = |name: String, look: Style, rows: &[&Row], more: f64| {
+        let costly = |row: &Row| row.effective_ns + more * row.point.answers.share();
+        let dot = |row: &Row| Dot {
+            x: row.point.width().into(),
+            y: costly(row),
+            bounds: None,
+            about: format!(
+                "{} bits: {} a pair, {} p.i.",
+                row.point.width(),
+                time(costly(row)),
+                percent(row.possibly_incorrect.share)
+            ),
+        };
+        all.push(series(&name, look, rows, dot));
+        let least = rows.iter().map(|row| costly(row)).fold(f64::INFINITY, f64::min);
+        if let Some(row) = rows.iter().find(|row| costly(row) <= least * (1.0 + TOLERANCE)).filter(|_| rows.len() > 1) {
+            let text = format!("least: {} bits, {}", row.point.width(), time(costly(row)));
+            labels.push(Label { x: row.point.width().into(), y: costly(row), text, ring: false });
+        }
+    };
+    for (i, more) in TRANSFERS.iter().enumerate().rev() {
+        let name = if *more > 0.0 {
+            format!("a p.i. pair costs {given} + {}", time(*more))
+        } else {
+            format!("a p.i. pair costs {given}")
+        };
+        line(name, style([BLUE, PURPLE, VERMILION][i], MARKS[i], Line::Solid), &at_clock, *more);
     }
-    all.push(Series { name: "hardware alone".to_owned(), style: style(GREY, Mark::None, Line::Dashed), dots: vec![] });
+    if fastest.len() > 1 {
+        line(format!("{given}, fastest clock"), style(SKY, Mark::Triangle, Line::Solid), &fastest, 0.0);
+    }
     let widths = || at_clock.iter().map(|row| f64::from(row.point.width()));
     let ends = [widths().fold(f64::MAX, f64::min), widths().fold(f64::MIN, f64::max)];
-    for (name, what, colour) in [("retest, batch", "exact in software, batches", GREEN), ("f64", "binary64 axes in software", ORANGE)] {
+    for (name, what, colour) in
+        [("f64", "binary64 axes in software", ORANGE), ("retest, batch", "exact in software", GREEN)]
+    {
         if let Some(step) = results.step(name) {
             let dots = ends.map(|x| Dot { x, y: step.ns, bounds: None, about: what.to_owned() });
-            all.push(Series { name: what.to_owned(), style: style(colour, Mark::None, Line::Solid), dots: dots.to_vec() });
+            all.push(Series {
+                name: what.to_owned(),
+                style: style(colour, Mark::None, Line::Dashed),
+                dots: dots.to_vec(),
+            });
         }
     }
-    for found in &results.break_even {
-        let text = format!("least: {} bits, {} ns", found.best_width, significant(found.best_ns));
-        labels.push(Label { x: found.best_width.into(), y: found.best_ns, text, ring: false });
-    }
+    let clock = base.point.option("frequency");
+    let units = base.point.option("axes-per-clock");
     let chart = Chart {
         title: "What a pair costs at each width".to_owned(),
         about: "Effective time a pair over the working width".to_owned(),
         x: Axis::linear("working width, bits"),
-        y: Axis::from_zero("effective time a pair, ns"),
+        y: Axis::logarithmic("effective time a pair, ns (log scale)"),
         labels,
         series: all,
         none: String::new(),
     };
-    let transfer = if results.transfer_ns > 0.0 {
-        format!(" and {} ns of transfer", significant(results.transfer_ns))
-    } else {
-        String::new()
-    };
     let caption = format!(
-        "Effective time = clocks a pair over the clock + share of possibly incorrect pairs x their exact retest in software{transfer}. \
-         One axis a clock; the lines in green and orange are the same pairs in software, on one core of this machine."
+        "Effective time = clocks a pair over the clock + share of possibly incorrect (p.i.) pairs x their cost: the exact retest as \
+         measured, and what it takes to bring the pair to software. {clock} MHz, axes a clock: {units}. The dashed lines are the \
+         same pairs in software alone, on one core of this machine."
     );
     Figure::new("time-by-width", caption, |size| chart.svg(size))
 }
 
 /// The rows in groups of axis units, for colour.
 fn by_folding(results: &Results, y: impl Fn(&Row) -> f64, x: impl Fn(&Row) -> f64) -> Vec<Series> {
-    let mut units: Vec<u32> = results.rows.iter().filter_map(|row| row.point.option("axes-per-clock").parse().ok()).collect();
+    let mut units: Vec<u32> =
+        results.rows.iter().filter_map(|row| row.point.option("axes-per-clock").parse().ok()).collect();
     units.sort_unstable();
     units.dedup();
     let of = |(i, n): (usize, &u32)| {
-        let rows: Vec<&Row> = results.rows.iter().filter(|row| row.point.option("axes-per-clock") == n.to_string()).collect();
+        let rows: Vec<&Row> =
+            results.rows.iter().filter(|row| row.point.option("axes-per-clock") == n.to_string()).collect();
         let name = format!("{n} {} a clock", if *n == 1 { "axis" } else { "axes" });
         let look = style(COLOURS[i % COLOURS.len()], MARKS[i % MARKS.len()], Line::None);
         series(&name, look, &rows, |row| Dot { x: x(row), y: y(row), bounds: None, about: about(results, row) })
@@ -192,7 +222,8 @@ fn front(results: &Results, x: impl Fn(&Row) -> f64, best: impl Fn(&Row) -> bool
     rows.sort_by(|p, q| x(p).total_cmp(&x(q)));
     rows.dedup_by(|p, q| x(p) == x(q) && p.possibly_incorrect.share == q.possibly_incorrect.share);
     let look = style(GREY, Mark::None, Line::Solid);
-    let dot = |row: &Row| Dot { x: x(row), y: 100.0 * row.possibly_incorrect.share, bounds: None, about: String::new() };
+    let dot =
+        |row: &Row| Dot { x: x(row), y: 100.0 * row.possibly_incorrect.share, bounds: None, about: String::new() };
     series("best of all", look, &rows, dot)
 }
 
@@ -204,13 +235,24 @@ fn share_by_time(results: &Results) -> Figure {
         x: step.ns,
         y: 100.0 * step.open.share,
         bounds: None,
-        about: format!("{} ({}): {} ns a pair, {} without a right answer", step.rung.name, step.rung.about, significant(step.ns), percent(step.open.share)),
+        about: format!(
+            "{} ({}): {} ns a pair, {} without a right answer",
+            step.rung.name,
+            step.rung.about,
+            significant(step.ns),
+            percent(step.open.share)
+        ),
     };
     let software = results.ladder.iter().map(step).collect();
-    all.push(Series { name: "software, one core".to_owned(), style: style(BLACK, Mark::Hollow, Line::None), dots: software });
+    all.push(Series {
+        name: "software, one core".to_owned(),
+        style: style(BLACK, Mark::Hollow, Line::None),
+        dots: software,
+    });
     let base = results.base();
     let mut labels = vec![base_label(results, base.effective_ns, 100.0 * base.possibly_incorrect.share)];
-    let named = results.ladder.iter().map(|step| Label {
+    let shown = ["f64, epsilon", "f64", "f32", "filter, batch", "retest, batch", "retest", "predicates", "rational"];
+    let named = shown.iter().filter_map(|name| results.step(name)).map(|step| Label {
         x: step.ns,
         y: 100.0 * step.open.share,
         text: step.rung.name.clone(),
@@ -246,7 +288,8 @@ fn share_by_multipliers(results: &Results) -> Figure {
         labels: vec![base_label(results, multipliers(base), 100.0 * base.possibly_incorrect.share)],
         none: "none".to_owned(),
     };
-    let caption = "Up to 18 bits a product takes one multiplier, beyond up to four: the last bits are bought with silicon.";
+    let caption =
+        "Up to 18 bits a product takes one multiplier, beyond up to four: the last bits are bought with silicon.";
     Figure::new("share-by-multipliers", caption, |size| chart.svg(size))
 }
 
@@ -255,8 +298,7 @@ fn time_by_budget(results: &Results) -> Option<Figure> {
     let mut budgets: Vec<u64> = results.foldings.iter().map(|fold| fold.budget).collect();
     budgets.dedup();
     let of = |(i, budget): (usize, &u64)| {
-        let rows: Vec<&Row> =
-            results.foldings.iter().filter(|f| f.budget == *budget).filter_map(|f| Some(&results.rows[f.row?])).collect();
+        let rows = results.in_budget(*budget);
         let look = style(COLOURS[i % COLOURS.len()], MARKS[i % MARKS.len()], Line::Solid);
         series(&format!("{budget} multipliers"), look, &rows, |row| Dot {
             x: row.point.width().into(),
@@ -267,7 +309,7 @@ fn time_by_budget(results: &Results) -> Option<Figure> {
     };
     let all: Vec<Series> = budgets.iter().enumerate().map(of).filter(|series| !series.dots.is_empty()).collect();
     let last = |series: &Series| {
-        let dot = series.dots.last()?;
+        let dot = series.dots.last().filter(|dot| dot.x != f64::from(results.base().point.width()))?;
         let text = format!("{} bits", dot.x);
         Some(Label { x: dot.x, y: dot.y, text, ring: false })
     };
@@ -287,7 +329,8 @@ fn time_by_budget(results: &Results) -> Option<Figure> {
         series: all,
         none: String::new(),
     };
-    let caption = "For each width the fastest folding whose multipliers fit the budget. A line ends where one axis a clock, the \
+    let caption =
+        "For each width the fastest folding whose multipliers fit the budget. A line ends where one axis a clock, the \
         slowest folding there is, takes more: nothing is drawn that cannot be generated.";
     Some(Figure::new("time-by-budget", caption, |size| chart.svg(size)))
 }

@@ -5,8 +5,8 @@ use super::pairs::{Asked, Pairs};
 use super::Answers;
 use crate::exact::{self, Relation};
 use crate::params::{Axes, AxisKind, Params, Projections, Upper};
-use serde::{Deserialize, Serialize};
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 /// Pairs that are looked at, at most.

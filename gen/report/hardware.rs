@@ -49,9 +49,8 @@ impl Hardware {
         let cells = Cells::from(report.cells());
         // Shift registers and memory are made of the same look-up tables.
         let there = device.capacity;
-        let fits = cells.multipliers <= there.multipliers
-            && cells.luts <= there.luts
-            && cells.flip_flops <= there.flip_flops;
+        let fits =
+            cells.multipliers <= there.multipliers && cells.luts <= there.luts && cells.flip_flops <= there.flip_flops;
         let (interval, latency) = (report.interval, report.latency);
         Ok(Self { cells, fits, clock: report.scheduled.0, interval, latency })
     }

@@ -1,6 +1,6 @@
 //! The headline: sentences computed from the data.
 
-use super::results::{Results, Row};
+use super::results::Results;
 
 /// A share in per cent with three significant digits, for example `1.68 %`.
 pub fn percent(share: f64) -> String {
@@ -29,11 +29,28 @@ pub fn grouped(n: u64) -> String {
     text
 }
 
+/// A time with its unit, from nanoseconds.
+pub fn time(ns: f64) -> String {
+    match ns {
+        ns if ns < 1e3 => format!("{} ns", significant(ns)),
+        ns if ns < 1e6 => format!("{} µs", significant(ns / 1e3)),
+        ns if ns < 1e9 => format!("{} ms", significant(ns / 1e6)),
+        ns => format!("{} s", significant(ns / 1e9)),
+    }
+}
+
+/// With a capital first letter.
+pub fn capitalised(text: &str) -> String {
+    let mut chars = text.chars();
+    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
+}
+
 /// The sentences of the page's head, the most important first.
 pub fn sentences(results: &Results) -> Vec<String> {
-    let mut sentences = vec![];
-    sentences.extend(bits(results));
+    let first = [bits(results), dearest(results)].into_iter().flatten().collect::<Vec<_>>().join(" ");
+    let mut sentences = if first.is_empty() { vec![] } else { vec![first] };
     sentences.push(definite(results));
+    sentences.push(floor(results));
     sentences.extend(fastest(results));
     sentences.push(software(results));
     sentences.extend(budgets(results));
@@ -42,28 +59,40 @@ pub fn sentences(results: &Results) -> Vec<String> {
 
 /// What one more bit does, and where that ends.
 fn bits(results: &Results) -> Option<String> {
-    let at_clock = results.break_even.first()?;
+    let at_clock = results.at_clock.as_ref()?;
     let [first, last] = at_clock.falling;
     if first == last {
-        return None;
+        let text = "More bits of width hardly change how many answers are possibly incorrect";
+        return Some(format!("{text}: {} at {first} bits.", percent(results.base().possibly_incorrect.share)));
     }
-    let floor = results.floor.share();
-    let times = if (0.47..0.53).contains(&at_clock.ratio) {
-        "halves the possibly incorrect answers".to_owned()
-    } else {
-        format!("leaves {} of the possibly incorrect answers", percent(at_clock.ratio))
+    let times = match at_clock.ratio {
+        ratio if (0.47..0.53).contains(&ratio) => "halves the possibly incorrect answers".to_owned(),
+        ratio => format!("leaves {:.0} % of the possibly incorrect answers", 100.0 * ratio),
     };
-    let end = if last == at_clock.steps.last().map_or(last, |step| step.to) {
-        format!("up to {last} bits, the widest tried")
-    } else {
-        format!("until {last} bits")
-    };
-    let beyond = if floor > 0.0 {
-        format!("{} of the pairs stay open at any width", percent(floor))
-    } else {
-        "no pair of these stays open at every width".to_owned()
-    };
-    Some(format!("One more bit of width {times} {end}; {beyond}."))
+    let widest = at_clock.steps.last().map_or(last, |step| step.to);
+    let end = if last == widest { "the widest tried" } else { "beyond which hardly any more are decided" };
+    Some(format!("From {first} bits on, one more bit of width {times}, up to {last} bits, {end}."))
+}
+
+/// What the dearest bit costs in the budget where it is dearest.
+fn dearest(results: &Results) -> Option<String> {
+    let steps = results.in_budgets.iter().filter_map(|found| found.dearest().map(|step| (found, step)));
+    let (found, step) = steps.max_by(|x, y| x.1.hardware_ns.total_cmp(&y.1.hardware_ns))?;
+    let budget = found.series.trim_start_matches("in ").trim_end_matches(" multipliers").parse().ok()?;
+    let rows = results.in_budget(budget);
+    let before = rows.iter().find(|row| row.point.width() == step.from)?;
+    let times = significant((before.hardware_ns + step.hardware_ns) / before.hardware_ns);
+    let cost = step.cost_ns.map_or_else(String::new, |cost| {
+        format!(
+            ", which pays only if a possibly incorrect pair costs more than {} instead of {}",
+            time(cost),
+            time(before.cost_ns)
+        )
+    });
+    Some(format!(
+        "It costs no time while multipliers last; within {budget} of them bit {} makes every pair take {times} times as long{cost}.",
+        step.to
+    ))
 }
 
 /// The point around which the sweep goes.
@@ -71,7 +100,11 @@ fn definite(results: &Results) -> String {
     let row = results.base();
     let [low, high] = row.possibly_incorrect.bounds;
     let wrong = match results.wrong() {
-        0 => format!("of {} definite answers at {} points none is wrong", grouped(all_definite(results)), results.rows.len()),
+        0 => format!(
+            "of {} definite answers at {} points none is wrong",
+            grouped(all_definite(results)),
+            results.rows.len()
+        ),
         n => format!("{} DEFINITE ANSWERS ARE WRONG", grouped(n)),
     };
     format!(
@@ -88,66 +121,68 @@ fn all_definite(results: &Results) -> u64 {
     results.rows.iter().map(|row| row.point.answers.separate + row.point.answers.intersect).sum()
 }
 
+/// What no width decides.
+fn floor(results: &Results) -> String {
+    let (floor, reasons) = (&results.floor, results.floor.reasons);
+    let named = [
+        (reasons.parallel_edges, "intersect with parallel edges"),
+        (reasons.touch, "touch"),
+        (reasons.coplanar, "lie in one plane"),
+        (reasons.degenerate, "have a segment or a point"),
+    ];
+    let counts: Vec<String> =
+        named.iter().filter(|n| n.0 > 0).map(|(count, what)| format!("{} {what}", grouped(*count))).collect();
+    if counts.is_empty() {
+        return "Every pair of this sample is decided at some width.".to_owned();
+    }
+    let all = if floor.examined < floor.answers.possibly_incorrect { " examined" } else { "" };
+    format!(
+        "No width decides {} of the pairs: of the {}{all} that the widest unit leaves open {}.",
+        percent(floor.share()),
+        grouped(floor.examined),
+        counts.join(", ")
+    )
+}
+
 /// Where the effective time is least, at the clock given and at the fastest one.
 fn fastest(results: &Results) -> Option<String> {
-    let at_clock = results.break_even.first()?;
-    let retest = |width: u32, rows: &[&Row]| {
-        let row = rows.iter().find(|row| row.point.width() == width)?;
-        Some(percent((row.effective_ns - row.hardware_ns) / row.effective_ns))
-    };
-    let share = retest(at_clock.best_width, &results.by_width(&[]))?;
+    let at_clock = results.at_clock.as_ref()?;
+    let rows = results.by_width(&[]);
+    let row = rows.iter().find(|row| row.point.width() == at_clock.best_width)?;
     let mut text = format!(
-        "With the clock held {}, width costs multipliers and no time: the effective time a pair falls to {} ns at {} bits, \
-         {share} of it for retests.",
-        at_clock.series,
-        significant(at_clock.best_ns),
-        at_clock.best_width
+        "{} the effective time a pair is least from {} bits on: {}, {} of it for retests.",
+        capitalised(&at_clock.series),
+        at_clock.best_width,
+        time(at_clock.best_ns),
+        percent((row.effective_ns - row.hardware_ns) / row.effective_ns)
     );
-    if at_clock.bit_ns > 0.05 {
-        text = format!(
-            "{} the effective time a pair is least at {} bits, {} ns, {share} of it for retests.",
-            capitalised(&at_clock.series),
-            at_clock.best_width,
-            significant(at_clock.best_ns)
-        );
-    }
-    if let Some(fast) = results.break_even.get(1) {
-        text.push_str(&format!(
-            " As fast as each width will clock it is least at {} bits, {} ns: beyond, the slower clock costs more than the \
-             retest saves",
-            fast.best_width,
-            significant(fast.best_ns)
-        ));
-        match fast.share {
-            Some(share) => text.push_str(&format!(
-                "; on average one more bit stops paying where fewer than {} of the pairs are possibly incorrect.",
-                percent(share)
-            )),
-            None => text.push('.'),
+    if let Some(fast) = &results.at_fastest {
+        let (best, least) = (fast.best_width, time(fast.best_ns));
+        if fast.span < 0.01 {
+            text.push_str(&format!(" The fastest clock of the schedule is the same at every width; with it that is from {best} bits on, {least}."));
+        } else {
+            text.push_str(&format!(
+                " As fast as each width will clock it is least at {best} bits, {least}: beyond, the clock costs more than the retest saves."
+            ));
         }
     }
     Some(text)
 }
 
-fn capitalised(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map_or_else(String::new, |first| first.to_uppercase().chain(chars).collect())
-}
-
 /// The same pairs in software.
 fn software(results: &Results) -> String {
-    let time = |name: &str| results.step(name).map_or(0.0, |step| step.ns);
+    let took = |name: &str| time(results.step(name).map_or(0.0, |step| step.ns));
     let open = |name: &str| results.step(name).map_or(0, |step| step.rung.open());
     format!(
-        "In software, one core of this machine: separating axes in binary64 take {} ns a pair and are wrong in {} pairs, \
-         with the published epsilon {} ns and {}; the exact retest takes {} ns ({} in batches), rational arithmetic {} ns.",
-        significant(time("f64")),
+        "In software, one core of this machine: separating axes in binary64 take {} a pair and are wrong in {} pairs, \
+         with Moeller's published epsilon {} and {}; the exact retest takes {} ({} in batches), rational arithmetic {}.",
+        took("f64"),
         grouped(open("f64")),
-        significant(time("f64, epsilon")),
+        took("f64, epsilon"),
         grouped(open("f64, epsilon")),
-        significant(time("retest")),
-        significant(time("retest, batch")),
-        significant(time("rational")),
+        took("retest"),
+        took("retest, batch"),
+        took("rational"),
     )
 }
 
@@ -161,13 +196,16 @@ fn budgets(results: &Results) -> Option<String> {
         return Some(format!("No width of the sweep fits in {budget} multipliers."));
     };
     let mut text = format!(
-        "In {budget} multipliers the most accurate unit has {width} bits: {} ns a pair, {} possibly incorrect",
-        significant(row.effective_ns),
+        "In {budget} multipliers the most accurate unit has {width} bits: {} a pair, {} possibly incorrect",
+        time(row.effective_ns),
         percent(row.possibly_incorrect.share)
     );
     if let Some(fold) = beyond {
         let device = results.base().point.option("device");
-        text.push_str(&format!("; {} bits take {} multipliers of an {device} even at one axis a clock", fold.width, fold.least));
+        text.push_str(&format!(
+            "; {} bits take {} multipliers of an {device} even at one axis a clock",
+            fold.width, fold.least
+        ));
     }
     Some(text + ".")
 }
@@ -178,7 +216,14 @@ mod tests {
 
     #[test]
     fn numbers_as_people_write_them() {
-        assert_eq!([significant(108.93), significant(1.6769), significant(0.04321), significant(0.0)], ["109", "1.68", "0.0432", "0"]);
-        assert_eq!((percent(0.016_77), grouped(1_234_567), grouped(12)), ("1.68 %".to_owned(), "1,234,567".to_owned(), "12".to_owned()));
+        assert_eq!(
+            [significant(108.93), significant(1.6769), significant(0.04321), significant(0.0)],
+            ["109", "1.68", "0.0432", "0"]
+        );
+        assert_eq!([time(12.34), time(9280.0), time(3e9)], ["12.3 ns", "9.28 µs", "3.00 s"]);
+        assert_eq!(
+            (percent(0.016_77), grouped(1_234_567), grouped(12)),
+            ("1.68 %".to_owned(), "1,234,567".to_owned(), "12".to_owned())
+        );
     }
 }

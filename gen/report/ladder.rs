@@ -96,7 +96,8 @@ impl Ladder {
         let places = Pairs::spread(&all, TIMED);
         let timed: Vec<Points> = places.iter().map(|&place| pairs.points(place as usize)).collect();
         let apart = |place: usize| pairs.relation(place).class == Exact::Separate;
-        let changed = |&place: &u32| (exact::pair(&pairs.points(place as usize)) == Exact::Separate) != apart(place as usize);
+        let changed =
+            |&place: &u32| (exact::pair(&pairs.points(place as usize)) == Exact::Separate) != apart(place as usize);
         let rung = |(name, about, answer, batch): (&str, &str, Answer, Option<Batch>)| {
             let one = |&place: &u32| match answer(&pairs.points(place as usize)) {
                 None => [0, 0, 1],

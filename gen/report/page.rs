@@ -1,8 +1,9 @@
 //! The files that a campaign ends in: the page, its plots, its data.
 
+use super::break_even::{BreakEven, Effect, Step};
 use super::figures::{self, Figure};
 use super::floor::Blocks;
-use super::headline::{grouped, percent, significant};
+use super::headline::{capitalised, grouped, percent, significant, time};
 use super::results::{Results, Row};
 use super::table::{self, Cell, Column, COLUMNS};
 use askama::Template;
@@ -46,8 +47,7 @@ struct Page<'a> {
     plots: Vec<Plot>,
     ladder: Vec<Line>,
     changed_by_rounding: String,
-    steps: Vec<Line>,
-    step_heads: Vec<String>,
+    steps: Vec<(String, Vec<Line>)>,
     break_even: Vec<String>,
     folds: Vec<Line>,
     budgets: Vec<String>,
@@ -96,8 +96,7 @@ fn page(results: &Results, figures: Vec<Figure>) -> String {
         ladder: ladder(results),
         changed_by_rounding: grouped(results.changed_by_rounding),
         steps: steps(results),
-        step_heads: results.break_even.iter().map(|found| found.series.clone()).collect(),
-        break_even: results.break_even.iter().map(break_even).collect(),
+        break_even: results.at_clock.iter().chain(&results.at_fastest).chain(&results.in_budgets).map(break_even).collect(),
         folds: folds(results),
         budgets: budgets(results).iter().map(|budget| format!("{budget} multipliers")).collect(),
         stages: stages(results),
@@ -173,48 +172,69 @@ fn ladder(results: &Results) -> Vec<Line> {
     let of = |step: &super::results::Step| {
         let rung = &step.rung;
         let counts = [rung.missed, rung.invented, rung.undecided].map(grouped);
-        line(&rung.name, &rung.about, [vec![significant(step.ns), format!("{:.2}", rung.timing.yardsticks)], counts.to_vec()].concat())
+        line(
+            &rung.name,
+            &rung.about,
+            [vec![significant(step.ns), format!("{:.2}", rung.timing.yardsticks)], counts.to_vec()].concat(),
+        )
     };
     results.ladder.iter().map(of).collect()
 }
 
-/// Widths beside what the step to each of them costs and saves, series by series.
-fn steps(results: &Results) -> Vec<Line> {
-    let mut widths: Vec<(u32, u32)> =
-        results.break_even.iter().flat_map(|found| found.steps.iter().map(|step| (step.from, step.to))).collect();
-    widths.sort_unstable();
-    widths.dedup();
-    let of = |&(from, to): &(u32, u32)| {
-        let cells = results.break_even.iter().flat_map(|found| {
-            match found.steps.iter().find(|step| (step.from, step.to) == (from, to)) {
-                Some(step) => vec![
-                    format!("{:+.2}", step.hardware_ns),
-                    format!("{:.3}", step.retest_ns),
-                    format!("{:+}", step.multipliers),
-                    if step.pays { "yes" } else { "no" }.to_owned(),
-                ],
-                None => vec![String::new(); 4],
-            }
-        });
-        line(format!("{from} to {to}"), "", cells.collect())
-    };
-    widths.iter().map(of).collect()
+/// The steps of the series that are worth a table, each with its name: at the clock given, and in the greatest budget.
+fn steps(results: &Results) -> Vec<(String, Vec<Line>)> {
+    let series = results.at_clock.iter().chain(results.in_budgets.last());
+    series.map(|found| (capitalised(&found.series), found.steps.iter().map(step).collect())).collect()
 }
 
-fn break_even(found: &super::break_even::BreakEven) -> String {
-    let bit = format!("a bit costs {} ns a pair on average", significant(found.bit_ns.max(0.0)));
-    let end = match found.share {
-        Some(share) => format!("one more bit stops paying where fewer than {} of the pairs are possibly incorrect", percent(share)),
-        None => "no share is too small for one more bit to pay".to_owned(),
+fn step(step: &Step) -> Line {
+    let effect = match step.effect {
+        Effect::Pays => "yes",
+        Effect::Even => "even",
+        Effect::Costs => "no",
     };
-    format!(
-        "{}: from {} to {} bits each bit leaves {} of the possibly incorrect pairs and {bit}; {end}. The effective time is least at {} bits.",
-        found.series,
-        found.falling[0],
-        found.falling[1],
-        percent(found.ratio),
-        found.best_width
-    )
+    let share = match step.share {
+        Some(share) if share > 1.0 => "no share".to_owned(),
+        Some(share) => percent(share),
+        None => String::new(),
+    };
+    let cells = vec![
+        format!("{:+.2}", step.hardware_ns),
+        format!("{:.3}", step.retest_ns),
+        format!("{:+}", step.multipliers),
+        effect.to_owned(),
+        share,
+        step.cost_ns.map_or_else(String::new, time),
+    ];
+    line(format!("{} to {}", step.from, step.to), "", cells)
+}
+
+/// What a series says, in words.
+fn break_even(found: &BreakEven) -> String {
+    let mut text =
+        format!("{}: the effective time is least from {} bits on", capitalised(&found.series), found.best_width);
+    match found.dearest() {
+        None => text.push_str(", and no bit costs time: one more pays as long as it decides anything."),
+        Some(step) => {
+            text.push_str(&format!(
+                "; the dearest step is to {} bits, {} ns a pair more",
+                step.to,
+                significant(step.hardware_ns)
+            ));
+            match step.share {
+                Some(share) if share > 1.0 => text.push_str(", which no share of possibly incorrect pairs pays for"),
+                Some(share) => {
+                    text.push_str(&format!(", which stops paying below {} possibly incorrect", percent(share)));
+                }
+                None => {}
+            }
+            if let Some(cost) = step.cost_ns {
+                text.push_str(&format!("; at these shares it pays if such a pair costs more than {}", time(cost)));
+            }
+            text.push('.');
+        }
+    }
+    text
 }
 
 fn budgets(results: &Results) -> Vec<u64> {

@@ -2,8 +2,8 @@
 
 use super::budget::{self, Folding};
 use super::point::{model_options, options, Options};
-use crate::design::top::DesignError;
 use crate::params::Params;
+use crate::synth::SynthError;
 use serde::{Deserialize, Serialize};
 
 /// What was asked for, as it is kept beside the results.
@@ -47,7 +47,7 @@ impl Plan {
     ///
     /// # Errors
     /// That a design cannot be made.
-    pub fn new(base: &Params, sweep: &[Params], budgets: &[u64]) -> Result<Self, DesignError> {
+    pub fn new(base: &Params, sweep: &[Params], budgets: &[u64]) -> Result<Self, SynthError> {
         let swept = |p: &&Params| Params { width: base.width, ..(*p).clone() } == *base;
         let mut widths: Vec<u32> = sweep.iter().filter(swept).map(|p| p.width).chain([base.width]).collect();
         widths.sort_unstable();
@@ -90,6 +90,9 @@ mod tests {
         let folded = Params { axes_per_clock: 2, ..base.clone() };
         assert_eq!(plan.points, [base.clone(), wide, fast, folded]);
         assert_eq!(plan.models().iter().map(Vec::len).collect::<Vec<_>>(), [3, 1]);
-        assert_eq!(plan.foldings.iter().map(|f| (f.width, f.params.is_some())).collect::<Vec<_>>(), [(18, true), (20, false)]);
+        assert_eq!(
+            plan.foldings.iter().map(|f| (f.width, f.params.is_some())).collect::<Vec<_>>(),
+            [(18, true), (20, false)]
+        );
     }
 }

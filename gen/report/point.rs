@@ -19,7 +19,11 @@ pub fn options(params: &Params) -> Options {
 
 /// Those that its answers depend on.
 pub fn model_options(options: &Options) -> Options {
-    options.iter().filter(|(name, _)| !HARDWARE_ALONE.contains(&name.as_str())).map(|(n, v)| (n.clone(), v.clone())).collect()
+    options
+        .iter()
+        .filter(|(name, _)| !HARDWARE_ALONE.contains(&name.as_str()))
+        .map(|(n, v)| (n.clone(), v.clone()))
+        .collect()
 }
 
 /// A finished point.

@@ -104,8 +104,12 @@ pub struct Results {
     pub causes: Causes,
     /// What no width decides.
     pub floor: Floor,
-    /// Widths at the clock given and at the fastest one.
-    pub break_even: Vec<BreakEven>,
+    /// Widths at the clock given.
+    pub at_clock: Option<BreakEven>,
+    /// Widths at the fastest clock of each, where more than one clock was swept.
+    pub at_fastest: Option<BreakEven>,
+    /// Widths in the fastest folding within each budget.
+    pub in_budgets: Vec<BreakEven>,
     /// Foldings within budgets.
     pub foldings: Vec<Fold>,
 }
@@ -115,7 +119,13 @@ impl Results {
     ///
     /// # Errors
     /// That results are missing.
-    pub fn join(request: &Request, plan: &Plan, store: &Store, transfer_ns: f64, command: String) -> Result<Self, Missing> {
+    pub fn join(
+        request: &Request,
+        plan: &Plan,
+        store: &Store,
+        transfer_ns: f64,
+        command: String,
+    ) -> Result<Self, Missing> {
         let keys = Keys::new(request);
         let mut absent: Vec<String> = vec![];
         let mut note = |what: &str| absent.push(what.to_owned());
@@ -152,7 +162,8 @@ impl Results {
             }
             points.push(point);
         }
-        let (Some(drawn), Some(ladder), Some(causes), Some(floor), true) = (drawn, ladder, causes, floor, absent.is_empty())
+        let (Some(drawn), Some(ladder), Some(causes), Some(floor), true) =
+            (drawn, ladder, causes, floor, absent.is_empty())
         else {
             let all = 3 + plan.points.len() * if request.synth { 2 } else { 1 };
             let first = absent.first().cloned().unwrap_or_else(|| "the pairs".to_owned());
@@ -195,7 +206,9 @@ impl Results {
             command,
             transfer_ns,
             headline: vec![],
-            break_even: vec![],
+            at_clock: None,
+            at_fastest: None,
+            in_budgets: vec![],
             foldings: plan.foldings.iter().map(of_folding).collect(),
             ladder: ladder.rungs.iter().map(step).collect(),
             yardstick_ns: ladder.yardstick_ns,
@@ -206,11 +219,10 @@ impl Results {
             floor,
         };
         let clock = format!("at {} MHz", results.base().point.option("frequency"));
-        let at_clock = BreakEven::of(clock, &results.by_width(&[]));
-        let fastest = results.fastest();
-        let at_fastest = BreakEven::of("at the fastest clock", &fastest).filter(|_| results.has_clocks(&fastest));
-        let break_even = at_clock.into_iter().chain(at_fastest).collect();
-        results.break_even = break_even;
+        results.at_clock = BreakEven::of(clock, &results.by_width(&[]));
+        results.at_fastest = BreakEven::of("at the fastest clock", &results.fastest());
+        let in_budget = |&budget: &u64| BreakEven::of(format!("in {budget} multipliers"), &results.in_budget(budget));
+        results.in_budgets = request.multipliers.iter().filter_map(in_budget).collect();
         results.headline = headline::sentences(&results);
         results
     }
@@ -235,7 +247,8 @@ impl Results {
     /// For each width the row that is fastest in hardware, all but width and target clock being as in the base.
     pub fn fastest(&self) -> Vec<&Row> {
         let base = &self.base().point.options;
-        let mut rows: Vec<&Row> = self.rows.iter().filter(|r| r.point.differs_only_in(base, &["width", "frequency"])).collect();
+        let mut rows: Vec<&Row> =
+            self.rows.iter().filter(|r| r.point.differs_only_in(base, &["width", "frequency"])).collect();
         rows.sort_by(|x, y| x.point.width().cmp(&y.point.width()).then(x.hardware_ns.total_cmp(&y.hardware_ns)));
         rows.dedup_by_key(|row| row.point.width());
         // A width that was swept at one clock only would look slow.
@@ -244,8 +257,13 @@ impl Results {
         rows
     }
 
-    fn has_clocks(&self, fastest: &[&Row]) -> bool {
-        fastest.len() > 2
+    /// The fastest foldings within a budget, ascending by width.
+    pub fn in_budget(&self, budget: u64) -> Vec<&Row> {
+        self.foldings
+            .iter()
+            .filter(|fold| fold.budget == budget)
+            .filter_map(|fold| Some(&self.rows[fold.row?]))
+            .collect()
     }
 
     /// The step of the ladder with a name.

@@ -216,7 +216,12 @@ mod tests {
     #[test]
     fn keys_tell_options_apart() {
         let with = |name: &str, value: &str| Options::from([(name.to_owned(), value.to_owned())]);
-        let keys = [key("a", "x", &with("n", "1")), key("a", "x", &with("n", "2")), key("b", "x", &with("n", "1")), key("a", "y", &with("n", "1"))];
+        let keys = [
+            key("a", "x", &with("n", "1")),
+            key("a", "x", &with("n", "2")),
+            key("b", "x", &with("n", "1")),
+            key("a", "y", &with("n", "1")),
+        ];
         assert!((0..4).all(|i| (0..i).all(|j| keys[i] != keys[j])));
     }
 }

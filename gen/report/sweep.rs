@@ -17,10 +17,10 @@ pub const DEFAULT: &str = "width=10..32; \
     width=10..32,upper=sticky,projections=intersect; \
     width=10..30/2,renormalise=off; \
     width=12..22/2|24|28|32,axes-per-clock=2|3|6|11; \
-    width=14..26/2,axes=17,upper=sticky,projections=intersect; \
+    width=14..32/2,axes=17,upper=sticky,projections=intersect; \
     transform-width=18|20|24|28|40|48; upper=sticky; projections=skip|intersect; axes=17; frequency=50|150|200; \
-    device=xc6slx150-3|xc7a200t-1|lfe5u-85-6; \
-    width=32,transform-width=48,axes=17,upper=sticky,projections=intersect";
+    width=12|18|25|32,device=xc6slx150-3|xc7a200t-1|lfe5u-85-6; \
+    width=24..32/4,transform-width=48,axes=17,upper=sticky,projections=intersect";
 
 /// An option with the value that a combination gives it.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -164,7 +164,9 @@ mod tests {
         assert_eq!(error("width=12,axes"), format!("at character 10: found 'axes'; {legal}"));
         assert_eq!(error("axes=11|"), "at character 9: found nothing; legal is a value of the option");
         assert!(error("width=12..x").starts_with("at character 7: found '12..x'; legal is FIRST..LAST"));
-        assert!(error("axes=11, width= 20..12").starts_with("at character 17: found '20..12'; legal is FIRST..LAST with"));
+        assert!(
+            error("axes=11, width= 20..12").starts_with("at character 17: found '20..12'; legal is FIRST..LAST with")
+        );
         assert!(error("width=1,width=2").starts_with("at character 9: found width again"));
         assert!(error("width=0..9999,axes=0..9999").contains("too many combinations"));
     }
@@ -174,7 +176,8 @@ mod tests {
         let names: Vec<String> = crate::params::Params::default().options().iter().map(|o| o.0.to_owned()).collect();
         let names: Vec<&str> = names.iter().map(String::as_str).collect();
         let all = parse(DEFAULT, &names).unwrap();
-        let alone = |width: u32| all.iter().any(|s| s.len() == 1 && s[0].option == "width" && s[0].value == width.to_string());
+        let alone =
+            |width: u32| all.iter().any(|s| s.len() == 1 && s[0].option == "width" && s[0].value == width.to_string());
         assert!((10..=32).all(alone) && all.len() > 100);
     }
 }

@@ -90,7 +90,12 @@ pub fn cells(row: &Row) -> Vec<Cell> {
         count(hardware.latency as u64),
         (format!("{:.1}", row.effective_ns), row.effective_ns.to_string()),
     ];
-    let cell = |((text, sort), column): ((String, String), &Column)| Cell { text, sort, minor: column.minor, words: column.words };
+    let cell = |((text, sort), column): ((String, String), &Column)| Cell {
+        text,
+        sort,
+        minor: column.minor,
+        words: column.words,
+    };
     texts.into_iter().zip(&COLUMNS).map(cell).collect()
 }
 
@@ -107,7 +112,8 @@ pub fn csv(results: &Results) -> String {
         names.iter().for_each(|name| text.push_str(&format!("{},", point.option(name))));
         let [low, high] = row.possibly_incorrect.bounds;
         let (u, c) = (a.undecided, h.cells);
-        let synthesised = point.synthesised.map_or(",,".to_owned(), |c| format!("{},{},{}", c.multipliers, c.luts, c.flip_flops));
+        let synthesised =
+            point.synthesised.map_or(",,".to_owned(), |c| format!("{},{},{}", c.multipliers, c.luts, c.flip_flops));
         text.push_str(&format!(
             "{},{},{},{},{},{low},{high},{},{},{},{},{},{},{},{},{},{},{synthesised},{},{},{},{},{},{},{},{},{}\n",
             a.pairs,

@@ -44,7 +44,8 @@ mod tests {
     /// Newcombe, Statistics in Medicine 17 (1998), table I, method 3: 81 of 263, 15 of 148, 0 of 20, 1 of 29.
     #[test]
     fn published_bounds() {
-        let expected = [(81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611), (1, 29, 0.0061, 0.1718)];
+        let expected =
+            [(81, 263, 0.2553, 0.3662), (15, 148, 0.0624, 0.1605), (0, 20, 0.0, 0.1611), (1, 29, 0.0061, 0.1718)];
         for (count, all, low, high) in expected {
             let found = wilson(count, all);
             assert!((found[0] - low).abs() < 6e-5 && (found[1] - high).abs() < 6e-5, "{count}/{all}: {found:?}");

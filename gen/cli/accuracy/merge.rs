@@ -44,7 +44,10 @@ fn difference(x: &Request, y: &Request) -> Option<(&'static str, String, String)
 fn same_campaign(first: &Path, request: &Request, part: &Path) -> Result<(), Failure> {
     match difference(request, &output::request(part)?) {
         None if output::has_results(part) => Ok(()),
-        None => Err(Failure::Usage(format!("{}: found no results; legal is a folder that efsat accuracy wrote", part.display()))),
+        None => Err(Failure::Usage(format!(
+            "{}: found no results; legal is a folder that efsat accuracy wrote",
+            part.display()
+        ))),
         Some((what, there, here)) => Err(Failure::Usage(format!(
             "{}: found {what} {here}, but {there} in {}; legal are parts of one campaign",
             part.display(),

@@ -134,9 +134,8 @@ impl<'a> Case<'a> {
         let edge = |x: &Triple, k: usize, row: &Row| difference(&x[(k + 1) % 3], &x[k]).map(|x| tables.axis(&x, row));
         let edge_a = three(|k| edge(a, k, &tables.formats.edge_a[k]));
         let edge_b = three(|k| edge(b, k, &tables.formats.edge_b));
-        let axis = |kind: AxisKind, e: &Vector, f: &Vector| {
-            cross(e, f).map(|x| tables.axis(&x, tables.formats.axis(kind)))
-        };
+        let axis =
+            |kind: AxisKind, e: &Vector, f: &Vector| cross(e, f).map(|x| tables.axis(&x, tables.formats.axis(kind)));
         let back = |e: &Vector| e.each_ref().map(|x| x.negated());
         let normal_a = axis(AxisKind::NormalA, &edge_a[0], &back(&edge_a[2]));
         let normal_b = axis(AxisKind::NormalB, &edge_b[0], &back(&edge_b[2]));
@@ -178,9 +177,7 @@ impl<'a> Case<'a> {
         let fraction = i64::from(p.input().fraction);
         let b = match pose {
             None => b.clone(),
-            Some((_, t)) if p.transform == Transform::Translate => {
-                b.each_ref().map(|x| three(|i| x[i].plus(&t[i])))
-            }
+            Some((_, t)) if p.transform == Transform::Translate => b.each_ref().map(|x| three(|i| x[i].plus(&t[i]))),
             Some((m, t)) => b.each_ref().map(|x| {
                 image(m, t, x).map(|x| match exact.has(Stage::Transform) {
                     true => x,

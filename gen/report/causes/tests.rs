@@ -34,8 +34,11 @@ fn rounded_is_the_reference_model() {
         for place in 0..pairs.len() {
             let (Some(case), Some(outcome)) = (Case::new(&asked, place), asked.outcome(place)) else { continue };
             let axes = case.axes(Exact::NONE);
-            let flags = |of: fn(&AxisAnswer) -> bool| axes.iter().rev().fold(0, |bits, axis| bits << 1 | u32::from(of(axis)));
-            if (flags(|axis| axis.separated), flags(|axis| axis.overlapping)) != (outcome.separated, outcome.overlapping) {
+            let flags =
+                |of: fn(&AxisAnswer) -> bool| axes.iter().rev().fold(0, |bits, axis| bits << 1 | u32::from(of(axis)));
+            if (flags(|axis| axis.separated), flags(|axis| axis.overlapping))
+                != (outcome.separated, outcome.overlapping)
+            {
                 wrong.push((place, params.command_line()));
             }
             compared += 1;
@@ -66,7 +69,9 @@ fn exact_leaves_genuine_cases_alone() {
                     (false, false, Some(reason)) => {
                         genuine.add(reason);
                         let zero = axes[..11].iter().any(|axis| axis.zero);
-                        relation.coplanar || relation.class == Class::Touch || (relation.class == Class::Intersect && zero)
+                        relation.coplanar
+                            || relation.class == Class::Touch
+                            || (relation.class == Class::Intersect && zero)
                     }
                     _ => false,
                 };

@@ -49,7 +49,9 @@ impl Bars {
             ));
             svg.push_str(&text(left + length + 7.0, bar_y + 15.5, "", &bar.text));
         }
-        svg.push_str(&format!("<path d=\"M{left:.1} {top:.1}V{:.1}\" stroke=\"{GREY}\"/>\n", size.height - 6.0));
+        if !narrow {
+            svg.push_str(&format!("<path d=\"M{left:.1} {top:.1}V{:.1}\" stroke=\"{GREY}\"/>\n", size.height - 6.0));
+        }
         svg + "</svg>\n"
     }
 }

@@ -87,7 +87,8 @@ impl Chart {
         let floor = if strip { bottom - STRIP } else { bottom };
         let dots = || self.series.iter().flat_map(|series| &series.dots);
         let x = Scale::new(&self.x, dots().map(|dot| dot.x), [left, right]);
-        let bounds = dots().flat_map(|dot| dot.bounds.into_iter().flatten().filter(|b| *b > 0.0 || !self.y.logarithmic));
+        let bounds =
+            dots().flat_map(|dot| dot.bounds.into_iter().flatten().filter(|b| *b > 0.0 || !self.y.logarithmic));
         let least = dots().map(|dot| dot.y).filter(|y| *y > 0.0).fold(f64::INFINITY, f64::min);
         // A bound far below all points would squeeze them together.
         let bounds = bounds.filter(|b| !self.y.logarithmic || *b > least / 3.0);
@@ -105,7 +106,9 @@ impl Chart {
             svg.push_str(&text(at, bottom + 18.0, "text-anchor=\"middle\"", &tick.text));
         }
         if strip {
-            svg.push_str(&format!("<path d=\"M{left} {floor:.1}H{right}\" stroke=\"#b5b5b5\" stroke-dasharray=\"3 4\"/>\n"));
+            svg.push_str(&format!(
+                "<path d=\"M{left} {floor:.1}H{right}\" stroke=\"#b5b5b5\" stroke-dasharray=\"3 4\"/>\n"
+            ));
             let middle = bottom - STRIP / 2.0;
             svg.push_str(&text(left - 7.0, middle + 4.0, "text-anchor=\"end\"", &self.none));
         }
@@ -148,8 +151,15 @@ impl Chart {
         for label in &self.labels {
             let at = [x.at(label.x), level(label.y)];
             let weight = if label.ring { "font-weight=\"650\" " } else { "" };
-            let from = if label.ring { 1.08 } else { 1.0 };
-            if let Some([left, base]) = places.find(at, from * text_width(&label.text, SMALL), SMALL + 3.0) {
+            let (from, farthest) = if label.ring { (1.06, 62.0) } else { (1.0, 26.0) };
+            let width = from * text_width(&label.text, SMALL);
+            if let Some(Rectangle([left, top, right, bottom])) = places.find(at, width, SMALL + 3.0, farthest) {
+                let near = [at[0].clamp(left, right), at[1].clamp(top, bottom)];
+                if (near[0] - at[0]).hypot(near[1] - at[1]) > 16.0 {
+                    let ([x, y], [to_x, to_y]) = (at, near);
+                    svg.push_str(&format!("<path d=\"M{x:.1} {y:.1}L{to_x:.1} {to_y:.1}\" stroke=\"{GREY}\"/>\n"));
+                }
+                let base = bottom - 0.25 * (SMALL + 3.0);
                 let style = format!(
                     "{weight}font-size=\"{SMALL}\" stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" paint-order=\"stroke\""
                 );
@@ -213,7 +223,11 @@ fn mark([x, y]: [f64; 2], style: Style, about: &str) -> String {
     };
     let rim = if style.mark == Mark::Hollow { style.colour } else { "#ffffff" };
     let width = if style.mark == Mark::Hollow { 1.8 } else { 0.6 };
-    format!("{shape} fill=\"{fill}\" stroke=\"{rim}\" stroke-width=\"{width}\"><title>{}</title></{}>\n", escaped(about), element(&shape))
+    format!(
+        "{shape} fill=\"{fill}\" stroke=\"{rim}\" stroke-width=\"{width}\"><title>{}</title></{}>\n",
+        escaped(about),
+        element(&shape)
+    )
 }
 
 fn element(shape: &str) -> &'static str {

@@ -38,10 +38,10 @@ impl Places {
         self.take(Rectangle([x - radius, y - radius, x + radius, y + radius]));
     }
 
-    /// The left end of the base line of a label of that size beside a point, and takes the place; none if there is no room.
-    pub fn find(&mut self, [x, y]: [f64; 2], width: f64, height: f64) -> Option<[f64; 2]> {
+    /// A rectangle of that size beside a point, at most so far away, which is taken then; none if there is no room.
+    pub fn find(&mut self, [x, y]: [f64; 2], width: f64, height: f64, farthest: f64) -> Option<Rectangle> {
         let mut candidates = vec![];
-        for gap in [8.0, 14.0, 24.0, 38.0, 54.0] {
+        for gap in [8.0, 12.0, 18.0, 26.0, 36.0, 48.0, 62.0].into_iter().filter(|gap| *gap <= farthest) {
             let (above, below, middle) = (y - gap - height, y + gap, y - height / 2.0);
             let (right, left, centre) = (x + gap, x - gap - width, x - width / 2.0);
             candidates.extend([(right, middle), (left, middle), (centre, above), (centre, below)]);
@@ -51,8 +51,7 @@ impl Places {
         let free = |r: &Rectangle| r.within(&self.area) && !self.taken.iter().any(|other| r.overlaps(other));
         let found = boxes.into_iter().find(free)?;
         self.take(found);
-        let [left, _, _, bottom] = found.0;
-        Some([left, bottom - 0.25 * height])
+        Some(found)
     }
 }
 
@@ -63,9 +62,10 @@ mod tests {
     #[test]
     fn labels_keep_clear_of_each_other_and_of_the_edge() {
         let mut places = Places::new(Rectangle([0.0, 0.0, 100.0, 40.0]));
-        assert_eq!(places.find([10.0, 20.0], 30.0, 10.0), Some([18.0, 22.5]));
-        let second = places.find([12.0, 20.0], 30.0, 10.0).unwrap();
-        assert_ne!(second, [20.0, 22.5]);
-        assert_eq!(places.find([50.0, 20.0], 200.0, 10.0), None);
+        let first = places.find([10.0, 20.0], 30.0, 10.0, 60.0).unwrap();
+        assert_eq!(first, Rectangle([18.0, 15.0, 48.0, 25.0]));
+        let second = places.find([12.0, 20.0], 30.0, 10.0, 60.0).unwrap();
+        assert!(!second.overlaps(&first));
+        assert_eq!(places.find([50.0, 20.0], 200.0, 10.0, 60.0), None);
     }
 }

@@ -47,7 +47,7 @@ fn text_width(text: &str, size: f64) -> f64 {
         c if c.is_uppercase() => 0.68,
         _ => 0.56,
     };
-    size * text.chars().map(of).sum::<f64>()
+    1.1 * size * text.chars().map(of).sum::<f64>()
 }
 
 /// Lines of words, none wider than that.
@@ -82,7 +82,7 @@ fn begin(size: Size, title: &str, about: &str) -> (String, f64) {
         escaped(about)
     );
     let mut y = 4.0;
-    for line in wrapped(title, 16.0, width - 8.0) {
+    for line in wrapped(title, 17.5, width - 8.0) {
         y += 20.0;
         svg.push_str(&text(4.0, y, "font-size=\"16\" font-weight=\"650\"", &line));
     }
@@ -95,7 +95,7 @@ mod tests {
 
     #[test]
     fn texts_are_wrapped_and_escaped() {
-        assert_eq!(wrapped("one two three", 10.0, 45.0), ["one two", "three"]);
+        assert_eq!(wrapped("one two three", 10.0, 47.0), ["one two", "three"]);
         assert_eq!(escaped("a < b & \"c\""), "a &lt; b &amp; &quot;c&quot;");
     }
 }

@@ -5,19 +5,13 @@
 pub struct Axis {
     pub label: String,
     pub logarithmic: bool,
-    /// A linear axis that begins at zero.
-    pub from_zero: bool,
     /// What is written behind a tick's number.
     pub unit: &'static str,
 }
 
 impl Axis {
     pub fn linear(label: &str) -> Self {
-        Self { label: label.to_owned(), logarithmic: false, from_zero: false, unit: "" }
-    }
-
-    pub fn from_zero(label: &str) -> Self {
-        Self { from_zero: true, ..Self::linear(label) }
+        Self { label: label.to_owned(), logarithmic: false, unit: "" }
     }
 
     pub fn logarithmic(label: &str) -> Self {
@@ -59,9 +53,8 @@ impl Scale {
             let pad = 0.05 * (high - low).max(0.6);
             [low - pad, high + pad]
         } else {
-            let low = if axis.from_zero { 0.0 } else { low };
             let pad = 0.04 * (high - low).max(1e-9);
-            [if axis.from_zero { low } else { low - pad }, high + 1.5 * pad]
+            [low - pad, high + pad]
         };
         Self { logarithmic: axis.logarithmic, unit: axis.unit, range, pixels }
     }
@@ -76,7 +69,8 @@ impl Scale {
     /// Ticks with room for their numbers, about one in so many pixels.
     pub fn ticks(&self, pixels: f64) -> Vec<Tick> {
         let count = ((self.pixels[1] - self.pixels[0]).abs() / pixels).max(2.0);
-        let tick = |x: f64, digits: usize| Tick { at: self.at(x), text: format!("{}{}", grouped(x, digits), self.unit) };
+        let tick =
+            |x: f64, digits: usize| Tick { at: self.at(x), text: format!("{}{}", grouped(x, digits), self.unit) };
         let [low, high] = self.range;
         if !self.logarithmic {
             let step = nice((high - low) / count);
@@ -131,9 +125,14 @@ mod tests {
     #[test]
     fn ticks_are_round_and_inside() {
         assert_eq!(texts(&Axis::linear("x"), &[10.0, 32.0], 70.0), ["10", "15", "20", "25", "30"]);
-        assert_eq!(texts(&Axis::from_zero("x"), &[3.0, 110.0], 70.0), ["0", "20", "40", "60", "80", "100"]);
-        assert_eq!(texts(&Axis::logarithmic("x").with_unit(" %"), &[0.01, 40.0], 60.0), ["0.01 %", "0.1 %", "1 %", "10 %"]);
-        assert_eq!(texts(&Axis::logarithmic("x"), &[50.0, 3000.0], 60.0), ["50", "100", "200", "500", "1,000", "2,000"]);
+        assert_eq!(
+            texts(&Axis::logarithmic("x").with_unit(" %"), &[0.01, 40.0], 60.0),
+            ["0.01 %", "0.1 %", "1 %", "10 %"]
+        );
+        assert_eq!(
+            texts(&Axis::logarithmic("x"), &[50.0, 3000.0], 60.0),
+            ["50", "100", "200", "500", "1,000", "2,000"]
+        );
         assert_eq!(texts(&Axis::logarithmic("x"), &[], 60.0).len(), 4);
     }
 }
