@@ -10,7 +10,7 @@ use crate::software::Points;
 use serde::{Deserialize, Serialize};
 
 /// Possibly incorrect pairs that the retest is timed on at most, evenly spread.
-const TIMED: usize = 1 << 13;
+const TIMED: usize = 1 << 16;
 
 /// Exact answers as counts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]

@@ -3,8 +3,8 @@
 use super::results::Row;
 use serde::Serialize;
 
-/// Times that differ by less than this part are even: schedules differ by that much for no reason of width.
-pub const TOLERANCE: f64 = 0.001;
+/// Times that differ by less than this part are even: the clocks of schedules differ by up to 0.7 % for no reason of width.
+pub const TOLERANCE: f64 = 0.01;
 /// A bit that leaves more than this part of the possibly incorrect pairs has reached the floor.
 const FLOOR_RATIO: f64 = 0.85;
 /// One that leaves more than this part while most pairs are still open does not count as falling yet.
@@ -114,9 +114,11 @@ fn falling(rows: &[&Row]) -> ([u32; 2], f64) {
     let bits = |x: &Row, y: &Row| f64::from(y.point.width() - x.point.width());
     let a_bit = |x: &Row, y: &Row| if share(x) > 0.0 { (share(y) / share(x)).powf(1.0 / bits(x, y)) } else { 1.0 };
     let falls: Vec<f64> = rows.windows(2).map(|pair| a_bit(pair[0], pair[1])).collect();
-    let first = falls.iter().position(|ratio| *ratio < FALLING_RATIO).unwrap_or(0);
+    // Where it never falls fast, the whole series counts.
+    let fast = falls.iter().position(|ratio| *ratio < FALLING_RATIO);
+    let (first, end) = fast.map_or((0, 1.0), |first| (first, FLOOR_RATIO));
     // A share that becomes none has no ratio to speak of.
-    let steps = falls[first..].iter().take_while(|ratio| **ratio > 0.0 && **ratio < FLOOR_RATIO).count();
+    let steps = falls[first..].iter().take_while(|ratio| **ratio > 0.0 && **ratio < end).count();
     let (from, to) = (rows[first], rows[first + steps]);
     let ratio = if steps == 0 { 1.0 } else { a_bit(from, to) };
     ([from.point.width(), to.point.width()], ratio)

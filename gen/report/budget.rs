@@ -26,9 +26,12 @@ fn foldings(base: &Params) -> Vec<usize> {
     distinct
 }
 
+/// Parameters with their predicted multipliers.
+type Known = Vec<(Params, u64)>;
+
 /// The foldings of a width with their predicted multipliers, ascending, up to the first that is beyond the budget.
-fn known(base: &Params, width: u32, budget: u64) -> Result<Vec<(Params, u64)>, SynthError> {
-    let mut known: Vec<(Params, u64)> = vec![];
+fn known(base: &Params, width: u32, budget: u64) -> Result<Known, SynthError> {
+    let mut known = Known::new();
     for axes_per_clock in foldings(base) {
         let params = Params { width, axes_per_clock, ..base.clone() };
         let multipliers = Hardware::predict(&params)?.cells.multipliers;
@@ -46,9 +49,8 @@ fn known(base: &Params, width: u32, budget: u64) -> Result<Vec<(Params, u64)>, S
 /// That a design cannot be made.
 pub fn fastest(base: &Params, widths: &[u32], budgets: &[u64]) -> Result<Vec<Folding>, SynthError> {
     let Some(most) = budgets.iter().max() else { return Ok(vec![]) };
-    let all: Vec<Vec<(Params, u64)>> =
-        widths.par_iter().map(|width| known(base, *width, *most)).collect::<Result<_, _>>()?;
-    let folding = |(budget, (width, known)): (&u64, (&u32, &Vec<(Params, u64)>))| Folding {
+    let all: Vec<Known> = widths.par_iter().map(|width| known(base, *width, *most)).collect::<Result<_, _>>()?;
+    let folding = |(budget, (width, known)): (&u64, (&u32, &Known))| Folding {
         budget: *budget,
         width: *width,
         params: known.iter().rev().find(|(_, multipliers)| multipliers <= budget).map(|(params, _)| params.clone()),

@@ -122,8 +122,8 @@ fn share_by_width(results: &Results) -> Figure {
     Figure::new("share-by-width", caption, |size| chart.svg(size))
 }
 
-/// What the transfer of a possibly incorrect pair may take beyond what is given, ns.
-const TRANSFERS: [f64; 3] = [0.0, 1e3, 1e4];
+/// What the transfer of a possibly incorrect pair may take beyond what is given, in words and in ns.
+const TRANSFERS: [(&str, f64); 3] = [("", 0.0), (" + 1 µs", 1e3), (" + 10 µs", 1e4)];
 
 /// Effective time over the width, for several costs of a possibly incorrect pair.
 fn time_by_width(results: &Results) -> Figure {
@@ -156,13 +156,9 @@ fn time_by_width(results: &Results) -> Figure {
             labels.push(Label { x: row.point.width().into(), y: costly(row), text, ring: false });
         }
     };
-    for (i, more) in TRANSFERS.iter().enumerate().rev() {
-        let name = if *more > 0.0 {
-            format!("a p.i. pair costs {given} + {}", time(*more))
-        } else {
-            format!("a p.i. pair costs {given}")
-        };
-        line(name, style([BLUE, PURPLE, VERMILION][i], MARKS[i], Line::Solid), &at_clock, *more);
+    for (i, (words, more)) in TRANSFERS.iter().enumerate().rev() {
+        let look = style([BLUE, PURPLE, VERMILION][i], MARKS[i], Line::Solid);
+        line(format!("a p.i. pair costs {given}{words}"), look, &at_clock, *more);
     }
     if fastest.len() > 1 {
         line(format!("{given}, fastest clock"), style(SKY, Mark::Triangle, Line::Solid), &fastest, 0.0);

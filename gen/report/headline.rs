@@ -62,8 +62,7 @@ fn bits(results: &Results) -> Option<String> {
     let at_clock = results.at_clock.as_ref()?;
     let [first, last] = at_clock.falling;
     if first == last {
-        let text = "More bits of width hardly change how many answers are possibly incorrect";
-        return Some(format!("{text}: {} at {first} bits.", percent(results.base().possibly_incorrect.share)));
+        return None;
     }
     let times = match at_clock.ratio {
         ratio if (0.47..0.53).contains(&ratio) => "halves the possibly incorrect answers".to_owned(),
@@ -83,11 +82,12 @@ fn dearest(results: &Results) -> Option<String> {
     let before = rows.iter().find(|row| row.point.width() == step.from)?;
     let times = significant((before.hardware_ns + step.hardware_ns) / before.hardware_ns);
     let cost = step.cost_ns.map_or_else(String::new, |cost| {
-        format!(
-            ", which pays only if a possibly incorrect pair costs more than {} instead of {}",
-            time(cost),
-            time(before.cost_ns)
-        )
+        let (needed, paid) = (time(cost), time(before.cost_ns));
+        if cost > before.cost_ns {
+            format!(", which pays only if a possibly incorrect pair costs more than {needed} instead of {paid}")
+        } else {
+            format!(", which pays all the same: a possibly incorrect pair costs {paid}, more than {needed}")
+        }
     });
     Some(format!(
         "It costs no time while multipliers last; within {budget} of them bit {} makes every pair take {times} times as long{cost}.",

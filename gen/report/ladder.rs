@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 use std::hint::black_box;
 
 /// Pairs that a rung is timed on at most, evenly spread.
-const TIMED: usize = 1 << 13;
+const TIMED: usize = 1 << 15;
 
 /// One rung.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -55,15 +55,16 @@ type Answer = Box<dyn Fn(&Points) -> Option<bool> + Sync>;
 type Batch = fn(&[Points]) -> f64;
 
 fn one_by_one(points: &[Points], answer: &Answer) -> f64 {
-    least_ns(points.len(), || {
-        black_box(points.iter().filter(|p| answer(black_box(p)) == Some(true)).count());
+    least_ns(points, |block| {
+        black_box(block.iter().filter(|p| answer(black_box(p)) == Some(true)).count());
     })
 }
 
 fn filter_ns(points: &[Points]) -> f64 {
-    let mut answers = vec![None; points.len()];
-    least_ns(points.len(), || {
-        decide_batch(black_box(points), &mut answers);
+    let mut answers = vec![];
+    least_ns(points, |block| {
+        answers.resize(block.len(), None);
+        decide_batch(black_box(block), &mut answers);
         black_box(&answers);
     })
 }

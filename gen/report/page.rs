@@ -5,6 +5,7 @@ use super::figures::{self, Figure};
 use super::floor::Blocks;
 use super::headline::{capitalised, grouped, percent, significant, time};
 use super::results::{Results, Row};
+use super::store::Drawn;
 use super::table::{self, Cell, Column, COLUMNS};
 use askama::Template;
 
@@ -84,8 +85,6 @@ fn page(results: &Results, figures: Vec<Figure>) -> String {
     let mut plots = figures.into_iter().map(plot);
     let main = plots.next().expect("there is a main plot");
     let (lede, sentences) = results.headline.split_first().expect("there is a headline");
-    let drawn = &results.drawn;
-    let truths = drawn.truths;
     let page = Page {
         title: &results.request.title,
         lede,
@@ -96,7 +95,13 @@ fn page(results: &Results, figures: Vec<Figure>) -> String {
         ladder: ladder(results),
         changed_by_rounding: grouped(results.changed_by_rounding),
         steps: steps(results),
-        break_even: results.at_clock.iter().chain(&results.at_fastest).chain(&results.in_budgets).map(break_even).collect(),
+        break_even: results
+            .at_clock
+            .iter()
+            .chain(&results.at_fastest)
+            .chain(&results.in_budgets)
+            .map(break_even)
+            .collect(),
         folds: folds(results),
         budgets: budgets(results).iter().map(|budget| format!("{budget} multipliers")).collect(),
         stages: stages(results),
@@ -110,20 +115,29 @@ fn page(results: &Results, figures: Vec<Figure>) -> String {
         command: &results.command,
         sweep: results.request.sweep.split(';').map(str::trim).collect(),
         parameters: parameters(results.base()),
-        pairs: format!(
-            "{} of the {} pairs of triangles whose boxes overlap: {} separate, {} touching, {} intersecting, {} in one plane",
-            grouped(drawn.pairs),
-            grouped(drawn.candidates),
-            grouped(truths.separate),
-            grouped(truths.touch),
-            grouped(truths.intersect),
-            grouped(truths.coplanar)
-        ),
+        pairs: pairs(&results.drawn),
         transfer: significant(results.transfer_ns),
         yardstick: significant(results.yardstick_ns),
         version: env!("CARGO_PKG_VERSION"),
     };
     page.render().expect("the template renders")
+}
+
+/// Which pairs were asked, and what they are.
+fn pairs(drawn: &Drawn) -> String {
+    let Drawn { candidates, pairs, truths } = drawn;
+    let of = if pairs == candidates {
+        format!("all {}", grouped(*pairs))
+    } else {
+        format!("{} of the {}", grouped(*pairs), grouped(*candidates))
+    };
+    format!(
+        "{of} pairs of triangles whose boxes overlap: {} separate, {} touching, {} intersecting, {} in one plane",
+        grouped(truths.separate),
+        grouped(truths.touch),
+        grouped(truths.intersect),
+        grouped(truths.coplanar)
+    )
 }
 
 fn plot(figure: Figure) -> Plot {

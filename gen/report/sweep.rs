@@ -50,6 +50,8 @@ const MOST: usize = 100_000;
 
 /// A part of the text and where it begins, in characters from 1.
 type Part<'a> = (usize, &'a str);
+/// Values and where they are written.
+type Values = Vec<(usize, String)>;
 
 /// The combinations of a sweep, grid by grid, the last setting of a grid changing fastest; `options` are the legal
 /// options.
@@ -92,7 +94,7 @@ fn split<'a>((at, text): Part<'a>, separator: char) -> impl Iterator<Item = Part
     })
 }
 
-fn parse_setting<'a>((at, text): Part<'a>, options: &[&str]) -> Result<(&'a str, Vec<(usize, String)>), SweepError> {
+fn parse_setting<'a>((at, text): Part<'a>, options: &[&str]) -> Result<(&'a str, Values), SweepError> {
     let legal = || format!("OPTION=VALUES with OPTION one of {}", options.join(", "));
     let quoted = |text: &str| if text.is_empty() { "nothing".to_owned() } else { format!("'{text}'") };
     let Some((option, values)) = text.split_once('=') else {

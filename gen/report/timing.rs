@@ -12,12 +12,13 @@ use std::time::{Duration, Instant};
 /// Pairs of the yardstick.
 const PAIRS: usize = 4096;
 /// A measurement goes on until so long has passed ...
-const LEAST_TIME: Duration = Duration::from_millis(12);
+const LEAST_TIME: Duration = Duration::from_millis(8);
 /// ... and so many passes are done, unless it takes longer than this.
 const PASSES: u32 = 7;
 const MOST_TIME: Duration = Duration::from_millis(400);
-/// A pass over few pairs is repeated to this many, so that the clock's own time does not count.
-const LEAST_PAIRS: usize = 512;
+/// Pairs between two looks at the clock: long enough that its own time does not count, and short enough that most are
+/// not interrupted.
+const BLOCK: usize = 512;
 
 /// A time a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -57,26 +58,30 @@ impl Yardstick {
     }
 }
 
-/// The least time of several passes over pairs, in nanoseconds a pair. `pass` answers all pairs once.
-pub(super) fn least_ns(pairs: usize, mut pass: impl FnMut()) -> f64 {
-    let repeats = LEAST_PAIRS.div_ceil(pairs.max(1));
+/// Nanoseconds a pair of what `pass` does with pairs: of every block of pairs the least time of several passes.
+pub(super) fn least_ns(pairs: &[Points], mut pass: impl FnMut(&[Points])) -> f64 {
+    let repeats = BLOCK.div_ceil(pairs.len().max(1));
+    let mut least = vec![Duration::MAX; pairs.len().div_ceil(BLOCK)];
     let begin = Instant::now();
-    let (mut least, mut passes) = (Duration::MAX, 0);
+    let mut passes = 0;
     while (begin.elapsed() < LEAST_TIME || passes < PASSES) && (passes == 0 || begin.elapsed() < MOST_TIME) {
-        let start = Instant::now();
-        (0..repeats).for_each(|_| pass());
-        least = least.min(start.elapsed());
+        for (block, least) in pairs.chunks(BLOCK).zip(&mut least) {
+            let start = Instant::now();
+            (0..repeats).for_each(|_| pass(block));
+            *least = start.elapsed().min(*least);
+        }
         passes += 1;
     }
-    least.as_nanos() as f64 / (repeats * pairs.max(1)) as f64
+    let sum: Duration = least.iter().sum();
+    sum.as_nanos() as f64 / (repeats * pairs.len().max(1)) as f64
 }
 
 /// Nanoseconds a pair of the exact retest in batches, by one thread.
 pub(super) fn batch_ns(pairs: &[Points]) -> f64 {
-    let mut answers = Vec::with_capacity(pairs.len());
-    least_ns(pairs.len(), || {
+    let mut answers = Vec::with_capacity(BLOCK);
+    least_ns(pairs, |block| {
         answers.clear();
-        retest_batch(black_box(pairs), &mut answers);
+        retest_batch(black_box(block), &mut answers);
         black_box(&answers);
     })
 }

@@ -103,7 +103,9 @@ impl Chart {
         for tick in x.ticks(if size.width < 500.0 { 52.0 } else { 64.0 }) {
             let at = tick.at;
             svg.push_str(&format!("<path d=\"M{at:.1} {top}V{bottom}\" stroke=\"#efefef\"/>\n"));
-            svg.push_str(&text(at, bottom + 18.0, "text-anchor=\"middle\"", &tick.text));
+            // The last number must not stick out.
+            let room = size.width - 2.0 - text_width(&tick.text, 13.0) / 2.0;
+            svg.push_str(&text(at.min(room), bottom + 18.0, "text-anchor=\"middle\"", &tick.text));
         }
         if strip {
             svg.push_str(&format!(

@@ -81,6 +81,7 @@ impl Scale {
         }
         let decades = high - low;
         let steps: &[f64] = match () {
+            () if decades * 7.0 <= count => &[1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0],
             () if decades * 3.0 <= count => &[1.0, 2.0, 5.0],
             () if decades * 2.0 <= count => &[1.0, 3.0],
             () => &[1.0],
@@ -90,7 +91,8 @@ impl Scale {
             for step in steps {
                 let x = step * 10f64.powi(decade);
                 if (low..=high).contains(&x.log10()) {
-                    ticks.push(tick(x, (-decade).max(0) as usize));
+                    let digits = -decade + i32::from(step.fract() != 0.0);
+                    ticks.push(tick(x, digits.max(0) as usize));
                 }
             }
         }
@@ -133,6 +135,7 @@ mod tests {
             texts(&Axis::logarithmic("x"), &[50.0, 3000.0], 60.0),
             ["50", "100", "200", "500", "1,000", "2,000"]
         );
+        assert_eq!(texts(&Axis::logarithmic("x"), &[0.4, 1.1], 60.0), ["0.4", "0.5", "0.7", "1"]);
         assert_eq!(texts(&Axis::logarithmic("x"), &[], 60.0).len(), 4);
     }
 }
