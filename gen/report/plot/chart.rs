@@ -48,7 +48,7 @@ pub struct Series {
     pub dots: Vec<Dot>,
 }
 
-/// A point with a label, ringed if it is to be found at once.
+/// A point with a label, ringed if it is to be found at once; without a text it gets a small ring alone.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Label {
     pub x: f64,
@@ -144,13 +144,14 @@ impl Chart {
             let at = [x.at(label.x), level(label.y)];
             if label.ring {
                 let [x, y] = at;
+                let radius = if label.text.is_empty() { 6.5 } else { 9.0 };
                 svg.push_str(&format!(
-                    "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"9\" fill=\"none\" stroke=\"{BLACK}\" stroke-width=\"2\"/>\n"
+                    "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"{radius}\" fill=\"none\" stroke=\"{BLACK}\" stroke-width=\"2\"/>\n"
                 ));
-                places.mark(at, 10.0);
+                places.mark(at, radius + 1.0);
             }
         }
-        for label in &self.labels {
+        for label in self.labels.iter().filter(|label| !label.text.is_empty()) {
             let at = [x.at(label.x), level(label.y)];
             let weight = if label.ring { "font-weight=\"650\" " } else { "" };
             let (from, farthest) = if label.ring { (1.06, 62.0) } else { (1.0, 26.0) };
