@@ -27,5 +27,6 @@ pub mod synth;
 // Floor 5
 pub mod effects;
 pub mod mutation;
+pub mod report;
 // Floor 6
 pub mod cli;

@@ -9,8 +9,8 @@ const FLOORS: [&[&str]; 7] = [
     &["graph", "golden", "exact", "mesh"],
     &["design", "vhdl", "software", "diagram", "verilog"],
     &["scene", "artefact", "stress", "wall", "driver"],
-    &["cosim", "report", "synth"],
-    &["mutation", "effects"],
+    &["cosim", "synth"],
+    &["mutation", "effects", "report"],
     &["cli"],
 ];
 

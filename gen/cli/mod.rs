@@ -3,6 +3,7 @@
 //! Results go to standard output, everything else to standard error. Exit status: 0 done and everything agreed, 1 a
 //! check failed, 2 the command line or an input file is wrong.
 
+mod accuracy;
 mod classify;
 mod compare;
 mod cosim;
@@ -47,6 +48,7 @@ enum Command {
     Mutate(mutate::Arguments),
     Synth(synth::Arguments),
     Scene(scene::Arguments),
+    Accuracy(accuracy::Arguments),
 }
 
 /// Runs the command line of the process.
@@ -62,6 +64,7 @@ pub fn main() -> ExitCode {
             Command::Mutate(arguments) => mutate::run(&arguments),
             Command::Synth(arguments) => synth::run(&arguments),
             Command::Scene(arguments) => scene::run(&arguments),
+            Command::Accuracy(arguments) => accuracy::run(&arguments),
         },
         Err(e) if !e.use_stderr() => output::print(&e.render().to_string()),
         Err(e) => Err(error::from_clap(&e, &commands())),

@@ -7,7 +7,7 @@ use crate::scene::{self, Scene, Settings};
 use std::path::Path;
 
 /// The word for the built-in scene.
-const HEADLIGHT: &str = "headlight";
+pub(super) const HEADLIGHT: &str = "headlight";
 
 /// Options that name a scene or random pairs.
 #[derive(Debug, clap::Args)]

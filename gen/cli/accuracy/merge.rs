@@ -1,0 +1,81 @@
+//! `efsat accuracy merge`.
+
+use super::{command, finish, nanoseconds, output, params, points};
+use crate::cli::error::Failure;
+use crate::report::{Plan, Progress, Request, Results, Store};
+use std::path::{Path, PathBuf};
+
+/// Joins the parts of a campaign that `efsat accuracy --shard I/N` made, and writes its page
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Folders of the parts
+    #[arg(value_name = "DIR", required = true)]
+    parts: Vec<PathBuf>,
+    /// Folder of the whole
+    #[arg(long, value_name = "DIR", required = true)]
+    out: PathBuf,
+    /// Nanoseconds that the transfer of a possibly incorrect pair to software takes
+    #[arg(long, value_name = "NS", default_value_t = 0.0, value_parser = nanoseconds, allow_negative_numbers = true)]
+    transfer: f64,
+    /// Print one JSON object instead of a summary
+    #[arg(long)]
+    json: bool,
+}
+
+/// The first thing in which two requests differ.
+fn difference(x: &Request, y: &Request) -> Option<(&'static str, String, String)> {
+    let of = |r: &Request| {
+        let base: Vec<String> = r.base.iter().map(|(name, value)| format!("{name} {value}")).collect();
+        let multipliers = format!("{:?}", r.multipliers);
+        [
+            ("version", r.version.clone()),
+            ("scene", format!("{} ({})", r.scene, r.digest)),
+            ("pairs", r.pairs.clone()),
+            ("seed", r.seed.to_string()),
+            ("sweep", r.sweep.clone()),
+            ("parameters", base.join(" ")),
+            ("multipliers", multipliers),
+            ("synth", r.synth.to_string()),
+        ]
+    };
+    of(x).into_iter().zip(of(y)).find(|(x, y)| x.1 != y.1).map(|(x, y)| (x.0, x.1, y.1))
+}
+
+fn same_campaign(first: &Path, request: &Request, part: &Path) -> Result<(), Failure> {
+    match difference(request, &output::request(part)?) {
+        None if output::has_results(part) => Ok(()),
+        None => Err(Failure::Usage(format!(
+            "{}: found no results; legal is a folder that efsat accuracy wrote",
+            part.display()
+        ))),
+        Some((what, there, here)) => Err(Failure::Usage(format!(
+            "{}: found {what} {here}, but {there} in {}; legal are parts of one campaign",
+            part.display(),
+            first.display()
+        ))),
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let first = &arguments.parts[0];
+    let request = output::request(first)?;
+    arguments.parts.iter().try_for_each(|part| same_campaign(first, &request, part))?;
+    output::claimable(&arguments.out)?;
+    let wrong = |message: String| Failure::Usage(format!("{}: {message}", first.display()));
+    let base = params(&request.base).map_err(wrong)?;
+    let sweep = points(&request.sweep, &base)?;
+    let plan = Plan::new(&base, &sweep, &request.multipliers)?;
+    // Joined beside the target first, so that parts that are not complete leave nothing behind.
+    let scratch = tempfile::tempdir().map_err(|e| Failure::Usage(e.to_string()))?;
+    let mut store = Store::open(scratch.path()).map_err(output::failure)?;
+    arguments.parts.iter().try_for_each(|part| store.join(part)).map_err(output::failure)?;
+    let text = command(&request, arguments.transfer);
+    let join = |store: &Store| Results::join(&request, &plan, store, arguments.transfer, text.clone());
+    join(&store).map_err(|e| Failure::Usage(format!("{e}; legal are all parts of one campaign, finished")))?;
+    output::claim(&arguments.out, &request)?;
+    let mut whole = Store::open(&arguments.out).map_err(output::failure)?;
+    whole.join(scratch.path()).map_err(output::failure)?;
+    let results = join(&whole).map_err(|e| Failure::Check(e.to_string()))?;
+    let progress = Progress { found: whole.records().count(), made: 0 };
+    finish(&results, &arguments.out, progress, arguments.json)
+}

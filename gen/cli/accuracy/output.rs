@@ -1,0 +1,132 @@
+//! The folder of a campaign, and what is printed about it.
+
+use crate::artefact::Scratch;
+use crate::cli::error::Failure;
+use crate::report::campaign::CampaignError;
+use crate::report::store::{StoreError, FILE};
+use crate::report::{Progress, Request, Results};
+use serde::Serialize;
+use std::fs;
+use std::io;
+use std::path::Path;
+
+/// What was asked for, beside the results.
+const REQUEST: &str = "campaign.json";
+
+pub(super) fn failure(e: StoreError) -> Failure {
+    Failure::Usage(e.to_string())
+}
+
+pub(super) fn ended(e: CampaignError) -> Failure {
+    match e {
+        CampaignError::Synth(e) => e.into(),
+        e => Failure::Usage(e.to_string()),
+    }
+}
+
+fn file_failure(path: &Path, e: &io::Error) -> Failure {
+    Failure::Usage(format!("{}: {e}", path.display()))
+}
+
+/// Whether a folder is there for the taking: absent, empty, or of an earlier campaign.
+pub(super) fn claimable(dir: &Path) -> Result<(), Failure> {
+    let mut entries = match fs::read_dir(dir) {
+        Ok(entries) => entries,
+        Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
+        Err(e) => return Err(file_failure(dir, &e)),
+    };
+    if entries.next().is_none() || dir.join(REQUEST).is_file() {
+        return Ok(());
+    }
+    Err(Failure::Usage(format!(
+        "{}: found files and no {REQUEST}; legal is a new or empty folder, or one of an earlier campaign",
+        dir.display()
+    )))
+}
+
+/// Makes a folder ours, and says in it what was asked for.
+pub(super) fn claim(dir: &Path, request: &Request) -> Result<(), Failure> {
+    fs::create_dir_all(dir).map_err(|e| file_failure(dir, &e))?;
+    let text = serde_json::to_string_pretty(request).expect("keys are strings and numbers are finite");
+    write(dir, &[(REQUEST.to_owned(), text + "\n")])
+}
+
+/// What was asked for in a folder.
+pub(super) fn request(dir: &Path) -> Result<Request, Failure> {
+    let path = dir.join(REQUEST);
+    let wrong = |found: String| {
+        Failure::Usage(format!("{}: {found}; legal is a folder that efsat accuracy wrote", path.display()))
+    };
+    let text = fs::read_to_string(&path).map_err(|e| wrong(e.to_string()))?;
+    serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))
+}
+
+/// Whether a folder has results.
+pub(super) fn has_results(dir: &Path) -> bool {
+    dir.join(FILE).is_file()
+}
+
+/// Puts files into a folder, each as a whole.
+pub(super) fn write(dir: &Path, files: &[(String, String)]) -> Result<(), Failure> {
+    let scratch = Scratch::inside(dir).map_err(|e| file_failure(dir, &e))?;
+    for (name, text) in files {
+        let path = scratch.path().join(name);
+        fs::write(&path, text).map_err(|e| file_failure(&path, &e))?;
+    }
+    for (name, _) in files {
+        let path = dir.join(name);
+        fs::rename(scratch.path().join(name), &path).map_err(|e| file_failure(&path, &e))?;
+    }
+    Ok(())
+}
+
+/// The JSON object.
+#[derive(Serialize)]
+pub(super) struct Printed<'a> {
+    found: usize,
+    made: usize,
+    wrong: u64,
+    #[serde(flatten)]
+    results: &'a Results,
+}
+
+impl<'a> Printed<'a> {
+    pub fn new(results: &'a Results, progress: Progress) -> Self {
+        Self { found: progress.found, made: progress.made, wrong: results.wrong(), results }
+    }
+}
+
+/// What is printed for people.
+pub(super) fn summary(results: &Results, dir: &Path, progress: Progress) -> String {
+    let mut text = format!(
+        "{}: {} points, {} results made, {} found finished\n\n",
+        dir.display(),
+        results.rows.len(),
+        progress.made,
+        progress.found
+    );
+    results.headline.iter().for_each(|sentence| text.push_str(&format!("* {sentence}\n")));
+    text.push_str(&format!(
+        "\n{:<8}{:>14}{:>8}{:>14}{:>12}{:>14}{:>14}\n",
+        "width", "p.i.", "wrong", "multipliers", "clock", "hardware", "effective"
+    ));
+    for row in results.by_width(&[]) {
+        text.push_str(&format!(
+            "{:<8}{:>12.4} %{:>8}{:>14}{:>8.1} MHz{:>11.2} ns{:>11.2} ns\n",
+            row.point.width(),
+            100.0 * row.possibly_incorrect.share,
+            row.point.answers.wrong,
+            row.point.hardware.cells.multipliers,
+            row.point.hardware.clock,
+            row.hardware_ns,
+            row.effective_ns
+        ));
+    }
+    text.push_str(&format!("\n{:<16}{:>12}{:>10}{:>10}{:>10}\n", "software", "time", "missed", "invented", "open"));
+    for step in &results.ladder {
+        let rung = &step.rung;
+        let (missed, invented, open) = (rung.missed, rung.invented, rung.undecided);
+        text.push_str(&format!("{:<16}{:>9.1} ns{missed:>10}{invented:>10}{open:>10}\n", rung.name, step.ns));
+    }
+    text + &format!("\nThe page: {}\n", dir.join("index.html").display())
+}
