@@ -197,6 +197,21 @@ fn findings(plan: &Value) -> BTreeMap<String, Value> {
     list.iter().map(|finding| (finding["effect"].as_str().unwrap().to_owned(), finding.clone())).collect()
 }
 
+/// Two objects that do not meet: the broad phase finds that, and nothing behind it has anything to do.
+#[test]
+fn what_never_meets_costs_nothing() {
+    let home = tempfile::tempdir().unwrap();
+    let globes = "name = 'far'\na.mesh = 'builtin:fine_globe'\nb.mesh = 'builtin:fine_globe'\n";
+    fs::write(home.path().join("far.toml"), format!("{globes}[[pose]]\ntranslation = [100, 0, 1]\n")).unwrap();
+    let plan: Value = serde_json::from_str(&succeeds(home.path(), "scene plan far.toml --json")).unwrap();
+    let found = findings(&plan);
+    assert_eq!((&found["broad_phase"]["needed"], &found["broad_phase"]["state"]), (&true.into(), &"on".into()));
+    for effect in ["hierarchy", "degenerate", "transform", "renormalise", "in_plane_axes", "exact_ceiling"] {
+        assert_eq!((&found[effect]["needed"], &found[effect]["state"]), (&false.into(), &"off".into()), "{effect}");
+    }
+    assert_eq!(plan["unit_pairs"], 0);
+}
+
 #[test]
 fn plans_name_each_effect_with_its_reason_and_saving() {
     let home =
@@ -335,6 +350,9 @@ fn wrong_input_is_named() {
         ("", "--frame 0", "--picture"),
         ("", "--cosim none --simulator builtin", "--simulator needs --cosim sample or all, not none"),
         ("", "--cosim all --sample 3", "--sample needs --cosim sample, not all"),
+        ("", "--csv s.toml", "legal is a name that ends in .csv"),
+        ("", "--csv r.csv --pairs r.csv", "found one name; legal are two"),
+        ("", "--effect hierarchy=on --effect hierarchy=off", "--effect hierarchy: found twice; legal is once"),
         ("", "--effect fog=on", "legal is one of broad_phase, "),
         ("", "--effect renormalise=on --renormalise off", "--effect renormalise=on beside --renormalise"),
         ("", "--allowed 1.5", "legal is a number from 0 to 1"),

@@ -8,6 +8,7 @@ use crate::artefact::{design_files_with, programme_files, FileSet};
 use crate::design::Design;
 use crate::params::options::Choice;
 use crate::params::stream::StreamWidth;
+use crate::params::Params;
 use std::path::{Path, PathBuf};
 
 /// Writes the design: VHDL, stream wrapper, example, testbenches, vectors, projects for tools and a manifest
@@ -46,7 +47,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.diagram.wanted() {
         return arguments.diagram.run(&design);
     }
-    let command_line = format!("{} --stream-width {}", params.command_line(), arguments.stream_width.name());
+    let command_line = command_line(&params, arguments.stream_width);
     let set =
         design_files_with(&design, arguments.stream_width, &command_line).map_err(|e| Failure::Check(e.to_string()))?;
     if arguments.check {
@@ -66,6 +67,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         design.interval,
         design.latency,
     ))
+}
+
+/// The command line that stands in the files of a design.
+pub(super) fn command_line(params: &Params, width: StreamWidth) -> String {
+    format!("{} --stream-width {}", params.command_line(), width.name())
 }
 
 fn check(set: &FileSet, dir: &Path) -> Result<(), Failure> {

@@ -179,9 +179,10 @@ fn a_pair_outside_is_told_and_never_definite() {
     assert_eq!(driver.unpack(answers[0].data | 1 << 4), None);
     let complete = Driver::new(&Params { transform_width: 20, ..Params::default() }, StreamWidth::Bits64).unwrap();
     assert_eq!(complete.unpack(answers[1].data), None);
-    // A number that is cut to another one on its way: its field is more than the unit reads.
+    // A number that is cut to another one on its way: its field is more than the unit reads. The first word after the
+    // header has flags and tag, the next one the first number.
     let mut words = driver.pack_pairs([(3, &pair)]).unwrap();
-    words[1].data ^= 1 << 20;
+    words[2].data ^= 1 << 20;
     let cut = unit.answer(&words);
     assert!(matches!(driver.unpack(cut[0].data), Some(Answer::Pair { tag: 3, outcome }) if outcome.outside));
 }

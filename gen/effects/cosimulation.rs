@@ -12,6 +12,8 @@ pub struct Cosimulation<'a, 'b> {
     options: Options,
     /// Pairs that were sent to the unit.
     pub vectors: u64,
+    /// Words for the guard that came on top, in a unit that has one.
+    pub guard_vectors: u64,
     /// Pairs that the host decided.
     pub host_decided: u64,
     /// Answers that differ from the reference model's.
@@ -34,6 +36,7 @@ impl<'a, 'b> Cosimulation<'a, 'b> {
             design,
             options,
             vectors: 0,
+            guard_vectors: 0,
             host_decided: 0,
             mismatches: 0,
             first_mismatch: None,
@@ -54,6 +57,7 @@ impl<'a, 'b> Cosimulation<'a, 'b> {
             }
             let report = cosim::run_design(&self.design, &self.design.params.command_line(), &stimulus, &self.options)?;
             self.vectors += report.vectors;
+            self.guard_vectors += report.guard_vectors;
             self.mismatches += report.mismatches;
             self.first_mismatch = self.first_mismatch.take().or(report.first_mismatch);
             self.simulator = Some(report.simulator);

@@ -146,44 +146,51 @@ fn state(stages: Stages, effect: Effect) -> &'static str {
     }
 }
 
-/// Decides on the stages before the unit, with what is left behind them.
+/// Decides on the stages before the unit, one after the other, each with what those before it leave.
 fn software<'a>(scene: &'a Scene, request: &Request) -> (Front<'a>, Census, Vec<Finding>) {
     let all = Stages::ALL.params(&request.params);
-    let every = Software { broad_phase: true, hierarchy: true, degenerate: true };
-    let mut front = Front::new(scene, every, request.directions);
+    let mut software = Software { broad_phase: true, hierarchy: true, degenerate: true };
+    let mut front = Front::new(scene, software, request.directions);
     let mut census = Census::new(&front, &all);
-    let needed = [
-        scene.objects.len() > 2 && census.meetings < census.object_pairs,
-        census.statistics.overlap_tests + census.statistics.pairs_tested < census.all_pairs,
-        census.degenerate_pairs > 0,
-    ];
-    let reasons = [
-        reason::broad_phase(scene.objects.len(), &census),
-        reason::hierarchy(&census),
-        reason::degenerate(front.triangles(), &census),
-    ];
-    let chosen = |effect: Effect| match request.wish(effect) {
-        Wish::Auto | Wish::Option => needed[effect as usize],
-        Wish::On => true,
-        Wish::Off => false,
-    };
-    let software = Software {
-        broad_phase: chosen(Effect::BroadPhase),
-        hierarchy: chosen(Effect::Hierarchy),
-        degenerate: chosen(Effect::Degenerate),
-    };
-    if software != every {
-        front = Front::new(scene, software, request.directions);
-        census = Census::new(&front, &all);
+    let mut effects = vec![];
+    for effect in [Effect::BroadPhase, Effect::Hierarchy, Effect::Degenerate] {
+        // Whether something changes without the stage, whether it is needed, and why.
+        let fewer = census.meetings < census.object_pairs;
+        let (matters, needed, reason) = match effect {
+            Effect::BroadPhase => (fewer, fewer, reason::broad_phase(scene.objects.len(), &census)),
+            Effect::Hierarchy => {
+                let work = census.statistics.overlap_tests + census.statistics.pairs_tested;
+                (true, work < census.all_pairs, reason::hierarchy(&census))
+            }
+            _ => {
+                let some = census.degenerate_pairs > 0;
+                (some, some, reason::degenerate(front.triangles(), &census))
+            }
+        };
+        let there = match request.wish(effect) {
+            Wish::Auto | Wish::Option => needed,
+            Wish::On => true,
+            Wish::Off => false,
+        };
+        if !there {
+            match effect {
+                Effect::BroadPhase => software.broad_phase = false,
+                Effect::Hierarchy => software.hierarchy = false,
+                _ => software.degenerate = false,
+            }
+            front = Front::new(scene, software, request.directions);
+            if matters {
+                census = Census::new(&front, &all);
+            }
+        }
+        effects.push(Finding {
+            effect: effect.name(),
+            needed,
+            state: if there { "on" } else { "off" },
+            decided_by: request.wish(effect),
+            reason,
+            saving: None,
+        });
     }
-    let effects = [Effect::BroadPhase, Effect::Hierarchy, Effect::Degenerate].into_iter().zip(reasons);
-    let finding = |(effect, reason): (Effect, String)| Finding {
-        effect: effect.name(),
-        needed: needed[effect as usize],
-        state: if chosen(effect) { "on" } else { "off" },
-        decided_by: request.wish(effect),
-        reason,
-        saving: None,
-    };
-    (front, census, effects.map(finding).collect())
+    (front, census, effects)
 }

@@ -5,11 +5,8 @@ use super::words::{grouped, power, share};
 use super::Census;
 
 pub(super) fn broad_phase(objects: usize, census: &Census) -> String {
-    if objects <= 2 {
-        return "two objects: nothing to sort".to_owned();
-    }
     format!(
-        "{objects} objects: the boxes of {} of {} pairs of objects overlap",
+        "{objects} objects: in all poses the boxes of {} of {} pairs of objects overlap",
         grouped(census.meetings),
         grouped(census.object_pairs)
     )
@@ -37,10 +34,10 @@ pub(super) fn degenerate((triangles, degenerate): (u64, u64), census: &Census) -
 /// `measured` tells that the poses would do without the stage, and the verdicts would not.
 pub(super) fn transform(census: &Census, measured: bool) -> String {
     let Census { identities, translations, rotations, .. } = census;
-    let poses = identities + translations + rotations;
+    let meetings = identities + translations + rotations;
     let text = format!(
-        "of {} poses with surviving pairs {} are the identity, {} translations, {} rotations",
-        grouped(poses),
+        "of {} meetings with surviving pairs {} are the identity, {} translations, {} rotations",
+        grouped(meetings),
         grouped(*identities),
         grouped(*translations),
         grouped(*rotations)

@@ -54,6 +54,8 @@ pub struct BreakEven {
     pub steps: Vec<Step>,
     /// The least width whose effective time is within the tolerance of the least.
     pub best_width: u32,
+    /// Whether that of every greater width is, too.
+    pub lasting: bool,
     /// Its effective time, ns a pair.
     pub best_ns: f64,
     /// What a bit leaves of the possibly incorrect pairs between the widths `falling` (geometric mean).
@@ -65,6 +67,16 @@ pub struct BreakEven {
 }
 
 impl BreakEven {
+    /// The least width that is best, in words: `from 18 bits on`, or `at 18 bits` if greater ones take longer again.
+    pub fn best(&self) -> String {
+        let width = self.best_width;
+        if self.lasting {
+            format!("from {width} bits on")
+        } else {
+            format!("at {width} bits")
+        }
+    }
+
     /// Of rows of one series in ascending order of width; none if there are not two.
     pub fn of(series: impl Into<String>, rows: &[&Row]) -> Option<Self> {
         let steps: Vec<Step> = rows.windows(2).map(|pair| step(pair[0], pair[1])).collect();
@@ -75,7 +87,8 @@ impl BreakEven {
         let hardware = rows.iter().map(|row| row.hardware_ns);
         let span = hardware.clone().fold(0.0, f64::max) / hardware.fold(f64::INFINITY, f64::min) - 1.0;
         let (best_width, best_ns) = (best.point.width(), best.effective_ns);
-        Some(Self { series: series.into(), steps, best_width, best_ns, ratio, falling, span })
+        let lasting = rows.iter().skip_while(|row| row.point.width() < best_width).all(|row| good(&row));
+        Some(Self { series: series.into(), steps, best_width, lasting, best_ns, ratio, falling, span })
     }
 
     /// The step whose hardware is dearest, if any is beyond the tolerance.

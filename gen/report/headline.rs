@@ -133,7 +133,13 @@ fn floor(results: &Results) -> String {
     let counts: Vec<String> =
         named.iter().filter(|n| n.0 > 0).map(|(count, what)| format!("{} {what}", grouped(*count))).collect();
     if counts.is_empty() {
-        return "Every pair of this sample is decided at some width.".to_owned();
+        return match floor.answers.possibly_incorrect {
+            0 => "The widest unit decides every pair.".to_owned(),
+            open => format!(
+                "The widest unit leaves {} pairs open, all of them by rounding: no pair needs a retest at every width.",
+                grouped(open)
+            ),
+        };
     }
     let all = if floor.examined < floor.answers.possibly_incorrect { " examined" } else { "" };
     format!(
@@ -150,19 +156,21 @@ fn fastest(results: &Results) -> Option<String> {
     let rows = results.by_width(&[]);
     let row = rows.iter().find(|row| row.point.width() == at_clock.best_width)?;
     let mut text = format!(
-        "{} the effective time a pair is least from {} bits on: {}, {} of it for retests.",
+        "{} the effective time a pair is least {}: {}, {} of it for retests.",
         capitalised(&at_clock.series),
-        at_clock.best_width,
+        at_clock.best(),
         time(at_clock.best_ns),
         percent((row.effective_ns - row.hardware_ns) / row.effective_ns)
     );
     if let Some(fast) = &results.at_fastest {
-        let (best, least) = (fast.best_width, time(fast.best_ns));
+        let (best, least) = (fast.best(), time(fast.best_ns));
         if fast.span < 0.01 {
-            text.push_str(&format!(" The fastest clock of the schedule is the same at every width; with it that is from {best} bits on, {least}."));
+            text.push_str(&format!(
+                " The fastest clock of the schedule is the same at every width; with it that is {best}, {least}."
+            ));
         } else {
             text.push_str(&format!(
-                " As fast as each width will clock it is least at {best} bits, {least}: beyond, the clock costs more than the retest saves."
+                " As fast as each width will clock it is least {best}, {least}: beyond, the clock costs more than the retest saves."
             ));
         }
     }

@@ -225,10 +225,9 @@ fn step(step: &Step) -> Line {
 
 /// What a series says, in words.
 fn break_even(found: &BreakEven) -> String {
-    let mut text =
-        format!("{}: the effective time is least from {} bits on", capitalised(&found.series), found.best_width);
+    let mut text = format!("{}: the effective time is least {}", capitalised(&found.series), found.best());
     match found.dearest() {
-        None => text.push_str(", and no bit costs time: one more pays as long as it decides anything."),
+        None => text.push_str(", and no bit takes the hardware longer: one more pays as long as it decides anything."),
         Some(step) => {
             text.push_str(&format!(
                 "; the dearest step is to {} bits, {} ns a pair more",

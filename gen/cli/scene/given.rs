@@ -41,7 +41,10 @@ impl GivenArguments {
         let settings = &scene.settings;
         let (params, given) = self.options.params(file, &settings.parameters)?;
         let mut request = Request::new(scene, params, self.k);
-        for (effect, switch) in &self.effect {
+        for (i, (effect, switch)) in self.effect.iter().enumerate() {
+            if self.effect[..i].iter().any(|(before, _)| before == effect) {
+                return Err(Failure::Usage(format!("--effect {effect}: found twice; legal is once")));
+            }
             request.wishes[*effect as usize] = (*switch).into();
         }
         for (option, effect) in STAGES.iter().filter(|(option, _)| given.iter().any(|name| name == option)) {

@@ -19,11 +19,12 @@ const NAME: &str = "output";
 impl Output {
     /// Begins a file; a target that cannot be written is found out here.
     pub fn new(target: &Path) -> Result<Self, Failure> {
-        if target.is_dir() {
-            return Err(Failure::Usage(format!(
-                "{}: found a directory; legal is the name of a file",
-                target.display()
-            )));
+        // What a link leads to is written, and nothing but a file is replaced.
+        let target = &target.canonicalize().unwrap_or_else(|_| target.to_owned());
+        if target.exists() && !target.is_file() {
+            let found = if target.is_dir() { "a directory" } else { "something else" };
+            let message = format!("{}: found {found}; legal is the name of a file", target.display());
+            return Err(Failure::Usage(message));
         }
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));
         let scratch = Scratch::inside(folder).map_err(|e| fault(target, &e))?;

@@ -6,6 +6,7 @@ use super::given::GivenArguments;
 use super::outputs::{quoted, Output};
 use crate::artefact::design_files;
 use crate::cli::error::Failure;
+use crate::cli::generate::command_line;
 use crate::cli::output::{failure, warn};
 use crate::cli::params::choice;
 use crate::cli::source::{count, load_planned, seed};
@@ -16,6 +17,7 @@ use crate::effects::picture::Picture;
 use crate::effects::{self, Contact, Cosimulation, Front, Options, Place, Plan, Row, Sampling, Total};
 use crate::golden::Verdict;
 use crate::params::options::Choice;
+use crate::params::stream::StreamWidth;
 use crate::scene::Scene;
 use report::Report;
 use std::path::{Path, PathBuf};
@@ -44,10 +46,10 @@ pub(super) struct Arguments {
     #[arg(long)]
     json: bool,
     /// Write the rows to FILE, as CSV
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = table)]
     csv: Option<PathBuf>,
     /// Write the pairs of triangles that touch to FILE, as CSV, each with the exact answer
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, value_name = "FILE", value_parser = table)]
     pairs: Option<PathBuf>,
     /// Draw a pose to FILE, .svg or .png: what touches coloured by verdict
     #[arg(long, value_name = "FILE", value_parser = picture)]
@@ -97,6 +99,14 @@ impl Choice for Which {
     }
 }
 
+/// The name of a table. That of a scene or a mesh, typed by mistake, is none.
+fn table(text: &str) -> Result<PathBuf, String> {
+    match Path::new(text).extension().and_then(|e| e.to_str()) {
+        Some("csv") => Ok(text.into()),
+        _ => Err("legal is a name that ends in .csv".to_owned()),
+    }
+}
+
 /// The name of a picture.
 fn picture(text: &str) -> Result<PathBuf, String> {
     match Path::new(text).extension().and_then(|e| e.to_str()) {
@@ -115,6 +125,9 @@ impl Arguments {
         }
         if self.simulator.is_some() && self.cosim == Which::None {
             return Err(Failure::Usage("--simulator needs --cosim sample or all, not none".to_owned()));
+        }
+        if self.csv.is_some() && self.csv == self.pairs {
+            return Err(Failure::Usage("--csv and --pairs: found one name; legal are two".to_owned()));
         }
         let frames = scene.frames() as u64;
         match self.frame {
@@ -188,7 +201,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     spinner.finish_and_clear();
     let design = Design::new(&plan.params, false)?;
     if let Some(dir) = &arguments.out {
-        design_files(&design, &plan.command_line).map_err(|e| Failure::Check(e.to_string()))?.write(dir)?;
+        design_files(&design, &command_line(&plan.params, StreamWidth::default()))
+            .map_err(|e| Failure::Check(e.to_string()))?
+            .write(dir)?;
     }
     let front = Front::new(&scene, plan.software, request.directions);
     let simulator = arguments.simulator.unwrap_or(Simulator::Ghdl);

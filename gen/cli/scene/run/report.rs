@@ -60,6 +60,7 @@ pub(super) enum Report {
 struct Simulated<'a> {
     simulator: Option<&'a str>,
     vectors: u64,
+    guard_vectors: u64,
     host_decided: u64,
     mismatches: u64,
     close: u64,
@@ -108,6 +109,7 @@ impl Report {
                 let simulated = cosimulation.map(|cosimulation| Simulated {
                     simulator: cosimulation.simulator.as_deref(),
                     vectors: cosimulation.vectors,
+                    guard_vectors: cosimulation.guard_vectors,
                     host_decided: cosimulation.host_decided,
                     mismatches: cosimulation.mismatches,
                     close: total.sums.close,
