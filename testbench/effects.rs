@@ -279,6 +279,11 @@ fn runs_answer_retest_simulate_and_draw() {
     assert_eq!((&cosim["mismatches"], &cosim["simulator"]), (&Value::from(0), &Value::from("builtin")));
     assert!(cosim["vectors"].as_u64() >= Some(number("possibly_incorrect")));
     assert_eq!(cosim["close"], cosim["close_simulated"]);
+    let every = |cosim: &Value| -> u64 {
+        assert_eq!(cosim["every_close"]["mismatches"], 0);
+        ["vectors", "host_decided"].map(|key| cosim["every_close"][key].as_u64().unwrap()).iter().sum()
+    };
+    assert_eq!(every(cosim), cosim["close"].as_u64().unwrap());
     // Rows, pairs and totals fit each other.
     let rows = fs::read_to_string(dir.join("rows.csv")).unwrap();
     assert_eq!(rows, succeeds(dir, "scene run s.toml --cosim none"));
@@ -295,11 +300,14 @@ fn runs_answer_retest_simulate_and_draw() {
     let sent = number("pairs_tested") - number("in_software");
     assert_eq!(all["cosim"]["vectors"], sent);
     assert_eq!(object(dir, "scene run s.toml --json --cosim none")["cosim"], Value::Null);
-    // A bound on the pairs of interest is said.
-    let (status, output, errors) = efsat(dir, "scene run s.toml --summary --close 1 --simulator builtin", "2");
-    assert_eq!(status, Some(0));
-    assert!(errors.contains("warning: 1 of ") && errors.contains("--close takes more"), "{errors}");
-    assert!(output.contains("0 contradictions") && output.contains("mismatches"), "{output}");
+    // A bound on the pairs of interest is none for the built-in simulator.
+    let few = object(dir, "scene run s.toml --json --close 1 --simulator builtin");
+    assert_eq!((&few["cosim"]["close_simulated"], every(&few["cosim"])), (&1.into(), every(cosim)));
+    let output = succeeds(dir, "scene run s.toml --summary --close 1 --simulator builtin");
+    assert!(
+        output.contains("0 contradictions") && output.contains("all that are possibly incorrect or close"),
+        "{output}"
+    );
     let left: Vec<_> = fs::read_dir(dir).unwrap().map(|entry| entry.unwrap().file_name()).collect();
     assert_eq!(left.len(), 7, "nothing half-written is left: {left:?}");
 }

@@ -29,8 +29,9 @@ struct Answering<'a, 'b> {
 }
 
 /// Answers every surviving pair of a scene by the planned unit, retests what it leaves open, and compares its verdicts
-/// with those of the full one. `visit` gets each frame with its contacts, and with all its pairs if they are asked for,
-/// in order, until it fails.
+/// with those of the full one. `visit` gets each frame with its contacts, and with those of its pairs that are simulated
+/// whatever their number: all of them, or with a sample every one that is possibly incorrect or close; in order, until it
+/// fails.
 ///
 /// # Errors
 /// The first error of `visit`.
@@ -183,6 +184,7 @@ impl<'a, 'b> Answering<'a, 'b> {
                 if open || (self.narrower && met.verdict(2, place.pair).0 == Verdict::PossiblyIncorrect) {
                     found.sums.close += 1;
                     found.near.push(((!open, lot), place));
+                    found.all.push(place);
                 }
             }
         }

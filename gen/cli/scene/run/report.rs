@@ -66,7 +66,17 @@ struct Simulated<'a> {
     close: u64,
     close_simulated: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
+    every_close: Option<Every>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     first_mismatch: Option<&'a str>,
+}
+
+/// The built-in simulator on every possibly incorrect and every close pair.
+#[derive(Serialize)]
+struct Every {
+    vectors: u64,
+    host_decided: u64,
+    mismatches: u64,
 }
 
 impl Report {
@@ -100,10 +110,11 @@ impl Report {
         plan: &Plan,
         total: &Total,
         cosimulation: Option<&Cosimulation<'_, '_>>,
+        every: Option<&Cosimulation<'_, '_>>,
     ) -> Result<(), Failure> {
         match self {
             Self::Summary(summary) => {
-                output::print(&format!("{}\n{}", summary.table(), words(plan, total, cosimulation)))
+                output::print(&format!("{}\n{}", summary.table(), words(plan, total, cosimulation, every)))
             }
             Self::Json(mut out, _) => {
                 let simulated = cosimulation.map(|cosimulation| Simulated {
@@ -114,6 +125,10 @@ impl Report {
                     mismatches: cosimulation.mismatches,
                     close: total.sums.close,
                     close_simulated: total.close_places,
+                    every_close: every.map(|every| {
+                        let Cosimulation { vectors, host_decided, mismatches, .. } = *every;
+                        Every { vectors, host_decided, mismatches }
+                    }),
                     first_mismatch: cosimulation.first_mismatch.as_deref(),
                 });
                 let (counts, less, contradictions) =
@@ -139,7 +154,12 @@ fn text(value: &impl Serialize) -> String {
 }
 
 /// What came out, in words.
-fn words(plan: &Plan, total: &Total, cosimulation: Option<&Cosimulation<'_, '_>>) -> String {
+fn words(
+    plan: &Plan,
+    total: &Total,
+    cosimulation: Option<&Cosimulation<'_, '_>>,
+    every: Option<&Cosimulation<'_, '_>>,
+) -> String {
     let counts = &total.sums.counts;
     let Counts { separate, intersect, possibly_incorrect, in_software, touching, .. } = *counts;
     let stage = |finding: &Finding| {
@@ -162,6 +182,12 @@ fn words(plan: &Plan, total: &Total, cosimulation: Option<&Cosimulation<'_, '_>>
         text.push_str(&format!(
             "{} pairs simulated ({name}), {} of {} possibly incorrect and close ones among them: {} mismatches\n",
             cosimulation.vectors, total.close_places, total.sums.close, cosimulation.mismatches
+        ));
+    }
+    if let Some(every) = every {
+        text.push_str(&format!(
+            "{} pairs simulated (built-in), all that are possibly incorrect or close: {} mismatches\n",
+            every.vectors, every.mismatches
         ));
     }
     text
