@@ -23,7 +23,7 @@ entity sequencer is
     decide : out std_logic;
     pose_ready : out std_logic;
     pose_accept : out std_logic;
-    pose_load : out std_logic;
+    pose_load : out std_logic;  -- last phase, and a pose is pending; it enables hundreds of flip-flops, so it comes from a register
     out_valid : out std_logic;
     take : out std_logic;
     accept_address : out std_logic_vector(3 downto 0);  -- u4
@@ -36,8 +36,9 @@ architecture rtl of sequencer is
   constant set : std_logic := '1';
   signal running : std_logic := '0';  -- clear in reset and in the first clock after: nothing is accepted
   signal phase_count : unsigned(3 downto 0) := "0000";  -- u4
-  constant last_phase : unsigned(3 downto 0) := "1010";  -- u4
-  signal last : std_logic;  -- last phase: a new slot begins in the next clock
+  signal last : std_logic := '0';  -- last phase: a new slot begins in the next clock
+  constant last_but_one : unsigned(3 downto 0) := "1001";  -- u4
+  signal last_next : std_logic;
   signal phase_next : unsigned(3 downto 0);  -- u4
   signal accepted_count : unsigned(4 downto 0) := "00000";  -- u5
   signal accepted_ahead : unsigned(4 downto 0) := "00001";  -- u5
@@ -95,15 +96,15 @@ architecture rtl of sequencer is
   signal pose_free : std_logic;
   signal pose_accepts : std_logic;
   signal accept_pose : std_logic;
-  signal load_pose : std_logic;
+  signal load_pose : std_logic := '0';  -- last phase, and a pose is pending; it enables hundreds of flip-flops, so it comes from a register
   signal pose_unloaded : std_logic;
   signal pose_stays : std_logic;
   signal pose_pending_next : std_logic;
+  signal load_pose_next : std_logic;
 begin
 
   -- ===== State and choice =====
-  -- last phase: a new slot begins in the next clock
-  last <= '1' when phase_count = last_phase else '0';
+  last_next <= '1' when phase_count = last_but_one else '0';
   phase_next <=
     "0001" when phase_count = 0 else
     "0010" when phase_count = 1 else
@@ -149,10 +150,10 @@ begin
   pose_free <= not pose_pending;
   pose_accepts <= running and pose_free;
   accept_pose <= pose_valid and pose_accepts;
-  load_pose <= pose_pending and last;
   pose_unloaded <= not load_pose;
   pose_stays <= pose_pending and pose_unloaded;
   pose_pending_next <= pose_stays or accept_pose;
+  load_pose_next <= pose_pending_next and last_next;
 
   -- State, reset synchronously.
   state : process (clk)
@@ -161,6 +162,7 @@ begin
       if reset = '1' then
         running <= '0';
         phase_count <= "0000";
+        last <= '0';
         accepted_moved <= '0';
         taken_moved <= '0';
         full_if_still <= '0';
@@ -169,9 +171,11 @@ begin
         empty_if_moved <= '1';
         offered <= '0';
         pose_pending <= '0';
+        load_pose <= '0';
       else
         running <= set;
         phase_count <= phase_next;
+        last <= last_next;
         accepted_moved <= accept_pair;
         taken_moved <= take_pair;
         full_if_still <= full_if_still_now;
@@ -180,6 +184,7 @@ begin
         empty_if_moved <= empty_if_moved_now;
         offered <= offered_next;
         pose_pending <= pose_pending_next;
+        load_pose <= load_pose_next;
       end if;
     end if;
   end process state;

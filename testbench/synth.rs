@@ -10,6 +10,7 @@ use efsat::params::{Params, Transform};
 use efsat::synth::{self, Flow, Report, SynthError};
 use efsat::verilog::{self, tools, ToolError};
 use serde_json::Value;
+use std::path::Path;
 use std::process::{Command, Output};
 use tempfile::TempDir;
 
@@ -92,8 +93,9 @@ fn a_mutated_netlist_is_noticed() {
     assert!(said.contains("efsat_tb: mismatch at vector"), "{said}");
 }
 
-fn report(params: &Params, flow: Flow, seeds: u32) -> Option<Report> {
-    match synth::run(params, "", &synth::Options { flow, seeds, keep: None }, &|_| ()) {
+fn report(params: &Params, flow: Flow, seeds: u32, keep: Option<&Path>) -> Option<Report> {
+    let keep = keep.map(Path::to_owned);
+    match synth::run(params, "", &synth::Options { flow, seeds, keep }, &|_| ()) {
         Ok(report) => Some(report),
         Err(SynthError::Tool(e @ ToolError::Missing { .. })) if skipped(&e) => None,
         Err(e) => panic!("{e}"),
@@ -112,11 +114,18 @@ fn adds_up(unit: &Value) {
 #[test]
 fn ecp5_is_placed_and_routed() {
     let params = Params { width: 6, transform_width: 6, transform: Transform::Off, tag_width: 0, ..Params::default() };
-    let Some(report) = report(&params, Flow::Ecp5, 1) else { return };
+    let dir = TempDir::new().unwrap();
+    let Some(report) = report(&params, Flow::Ecp5, 1, Some(dir.path())) else { return };
     let routed = report.routed.as_ref().unwrap();
     let seed = routed.middle();
     assert!((20.0..500.0).contains(&routed.median()), "{routed:?}");
-    assert_eq!(seed.used["MULT18X18D"], report.cells().multipliers);
+    let (multipliers, cells) = (report.cells().multipliers, report.top.actual.unwrap());
+    assert_eq!(seed.used["MULT18X18D"], multipliers);
+    // Every product's register is in its multiplier, in the count and in what was placed.
+    let packed = std::fs::read_to_string(dir.path().join("packed.json")).unwrap();
+    assert_eq!(packed.matches("\"REG_OUTPUT_CLK\":\"CLK0\"").count() as u64, multipliers);
+    assert_eq!(cells.registered_multipliers, multipliers);
+    assert!(report.top.predicted.flip_flops.abs_diff(cells.resources.flip_flops) <= 3, "{cells:?}");
     // The path is told in names of the design and is as long as the clock says.
     let (ns, names) = (seed.critical.logic() + seed.critical.routing(), &seed.critical.steps);
     assert!((ns - 1000.0 / seed.megahertz).abs() < 0.1, "{ns} ns, {} MHz", seed.megahertz);

@@ -40,19 +40,22 @@ pub fn module(interval: usize, latency: i32) -> Rc<Module> {
     m.comment(running, "clear in reset and in the first clock after: nothing is accepted");
 
     // Phase of the slot.
-    let (phase, last) = if interval == 1 {
-        (None, one)
+    let (phase, last, last_next) = if interval == 1 {
+        (None, one, one)
     } else {
         let ty = Type::unsigned(phase_bits(interval));
         let phase = m.register("phase_count", ty);
-        let last_phase = m.constant("last_phase", interval as i128 - 1, ty);
-        let last = m.op("last", Op::Equal, &[phase, last_phase]);
+        // Read all over the design, so it comes from a register.
+        let last = m.register("last", Type::FLAG);
+        let last_but_one = m.constant("last_but_one", interval as i128 - 2, ty);
+        let last_next = m.op("last_next", Op::Equal, &[phase, last_but_one]);
+        m.drive(last, last_next, None, Some((reset, 0)));
         m.comment(last, "last phase: a new slot begins in the next clock");
         let table = (0..interval as i128).map(|s| (s + 1) % interval as i128).collect();
         let next = m.op("phase_next", Op::Lookup(table, ty), &[phase]);
         m.drive(phase, next, None, Some((reset, 0)));
         m.output("phase", phase);
-        (Some(phase), last)
+        (Some(phase), last, last_next)
     };
 
     // Queue pointers, one bit longer than the address to tell full from empty. Comparisons are registered; what
@@ -111,11 +114,17 @@ pub fn module(interval: usize, latency: i32) -> Rc<Module> {
     let not_pending = m.op("pose_free", Op::Not, &[pending]);
     let pose_ready = m.op("pose_accepts", Op::And, &[running, not_pending]);
     let pose_accept = m.op("accept_pose", Op::And, &[pose_valid, pose_ready]);
-    let pose_load = m.op("load_pose", Op::And, &[pending, last]);
+    let pose_load = m.register("load_pose", Type::FLAG);
     let kept = m.op("pose_unloaded", Op::Not, &[pose_load]);
     let stays = m.op("pose_stays", Op::And, &[pending, kept]);
     let next = m.op("pose_pending_next", Op::Or, &[stays, pose_accept]);
     m.drive(pending, next, None, Some((reset, 0)));
+    let load_next = m.op("load_pose_next", Op::And, &[next, last_next]);
+    m.drive(pose_load, load_next, None, Some((reset, 0)));
+    m.comment(
+        pose_load,
+        "last phase, and a pose is pending; it enables hundreds of flip-flops, so it comes from a register",
+    );
 
     m.output("begin_slot", last);
     m.output("in_ready", in_ready);

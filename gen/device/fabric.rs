@@ -37,8 +37,6 @@ pub enum Chains {
 /// Registers around a product that are part of the multiplier.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum MultiplierRegisters {
-    /// None: operands come from, and the product goes to, flip-flops outside.
-    None,
     /// The first register behind the product.
     Product,
     /// Two registers behind the product, and one in front of every operand.

@@ -33,6 +33,9 @@ pub struct Device {
     pub fabric: &'static Fabric,
     /// Clock to output of a flip-flop.
     clock_to_output: f64,
+    /// Clock to output of the register behind a product, and by how much the net behind it takes longer than others:
+    /// multipliers lie in columns of their own.
+    product_to_output: f64,
     /// Set-up of a flip-flop.
     setup: f64,
     /// One LUT.
@@ -115,6 +118,11 @@ impl Device {
     /// Arrival of a register's output after the clock edge, ns.
     pub fn launch(&self) -> f64 {
         self.clock_to_output
+    }
+
+    /// Arrival of a product's register, ns, counted as if the net behind it were any other.
+    pub fn product_launch(&self) -> f64 {
+        self.product_to_output
     }
 
     /// Set-up of a register, ns.

@@ -22,6 +22,7 @@ pub(super) const XC7A200T: Device = Device {
     source: "public Vivado report for xc7z020-1",
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.478,
+    product_to_output: 0.478,
     setup: 0.1,
     lut: 0.124,
     net: 1.0,

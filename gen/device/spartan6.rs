@@ -17,6 +17,7 @@ pub(super) const XC6SLX150: Device = Device {
     source: "estimated after the Spartan-6 data sheet",
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.45,
+    product_to_output: 0.45,
     setup: 0.40,
     lut: 0.21,
     net: 0.85,

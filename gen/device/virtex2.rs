@@ -85,6 +85,7 @@ pub(super) const XC2V6000: Device = Device {
     source: "public XST 10.1.03 reports for xc2v6000-4",
     fabric: &FABRIC,
     clock_to_output: delay::CLOCK_TO_OUTPUT,
+    product_to_output: delay::CLOCK_TO_OUTPUT,
     setup: delay::SETUP,
     lut: delay::LUT,
     net: 0.83,

@@ -277,6 +277,7 @@ impl<'a> Constraints<'a> {
         }
         let arrival = match &node.op {
             Op::Instance(_) if from.offset > 0 => self.pass.children[&origin].output_ns,
+            Op::Multiply => self.pass.device.product_launch(),
             _ if from.offset > 0 || matches!(node.op, Op::Input) => self.pass.launch(),
             _ => self.base(origin) + self.delay(origin),
         };

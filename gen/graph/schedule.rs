@@ -318,7 +318,7 @@ impl Pass<'_> {
                     let wait = i32::from(arrival.ns > self.launch());
                     let start = arrival.clock + wait;
                     let from = start + registers;
-                    return Slot { start, from, until: i32::MAX, ns: self.launch(), registered: true };
+                    return Slot { start, from, until: i32::MAX, ns: self.device.product_launch(), registered: true };
                 }
                 let (start, ns, registered) = self.start(&arrival, delay, wish);
                 let registers = if self.fits(ns) { 0 } else { self.registers(delay) };

@@ -57,7 +57,7 @@ impl Flow {
             Self::Virtex2 => yosys::virtex2(top),
             Self::Spartan6 => yosys::xilinx("xc6s", top) + "\n",
             Self::Series7 => yosys::xilinx("xc7", top) + "\n",
-            Self::Ecp5 => format!("synth_ecp5 -top {top} -noflatten\n"),
+            Self::Ecp5 => format!("synth_ecp5 -abc9 -top {top} -noflatten\n"),
         }
     }
 }

@@ -1,7 +1,8 @@
 //! Open synthesis tools on the generated VHDL: Yosys' counts and nextpnr's clock beside what the device model predicts.
 //!
 //! VHDL, then GHDL, then Verilog, then Yosys with one synthesis an entity (so that every count belongs to a unit of
-//! ours), and for the ECP5 a second synthesis of the whole, placed and routed with several seeds.
+//! ours), and for the ECP5 a second synthesis of the whole, whose product registers move into the multipliers, placed and
+//! routed with several seeds.
 
 mod cells;
 mod critical_path;
@@ -9,6 +10,7 @@ mod error;
 mod flow;
 mod harness;
 mod netlist;
+mod product_registers;
 mod route;
 pub mod slices;
 pub mod static_timing;

@@ -1,48 +1,57 @@
-//! A netlist as Yosys writes it (`write_json`).
+//! A netlist as Yosys writes it (`write_json`). What is not named here is kept as it is.
 
 use crate::verilog::ToolError;
-use serde::Deserialize;
-use std::collections::HashMap;
-use std::io::BufReader;
+use serde::{Deserialize, Serialize};
+use serde_json::{Map, Value};
+use std::collections::BTreeMap;
+use std::io::{BufReader, BufWriter, Write};
 use std::path::Path;
 
 /// A netlist.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, Serialize)]
 pub struct Netlist {
     /// Modules by name, library cells among them.
-    pub modules: HashMap<String, Module>,
+    pub modules: BTreeMap<String, Module>,
+    #[serde(flatten)]
+    rest: Map<String, Value>,
 }
 
 /// A module: ours, or a cell of the library.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, Serialize)]
 pub struct Module {
     /// Ports by name.
     #[serde(default)]
-    pub ports: HashMap<String, Port>,
+    pub ports: BTreeMap<String, Port>,
     /// Cells by name.
     #[serde(default)]
-    pub cells: HashMap<String, Cell>,
+    pub cells: BTreeMap<String, Cell>,
+    #[serde(flatten)]
+    rest: Map<String, Value>,
 }
 
 /// A port of a module.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, Serialize)]
 pub struct Port {
     /// The net of each bit, from the lowest up.
     pub bits: Vec<Bit>,
+    #[serde(flatten)]
+    rest: Map<String, Value>,
 }
 
 /// A cell.
-#[derive(Debug, Deserialize)]
+#[derive(Debug, Deserialize, Serialize)]
 pub struct Cell {
     /// Name of a library cell or of a module.
     #[serde(rename = "type")]
     pub kind: String,
     /// The net of each bit of each port, from the lowest up.
-    pub connections: HashMap<String, Vec<Bit>>,
+    pub connections: BTreeMap<String, Vec<Bit>>,
+    #[serde(flatten)]
+    rest: Map<String, Value>,
 }
 
 /// What a bit is connected to.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 #[serde(untagged)]
 pub enum Bit {
     /// A net of the module.
@@ -52,7 +61,7 @@ pub enum Bit {
 }
 
 /// A constant bit.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize)]
 pub enum Level {
     /// Low.
     #[serde(rename = "0")]
@@ -68,10 +77,38 @@ pub enum Level {
     Open,
 }
 
+impl Bit {
+    /// The net; none of a constant.
+    pub fn net(self) -> Option<u64> {
+        match self {
+            Self::Net(net) => Some(net),
+            Self::Constant(_) => None,
+        }
+    }
+}
+
 impl Cell {
     /// The net of the lowest bit of a port.
     pub fn bit(&self, port: &str) -> Option<Bit> {
         self.connections.get(port)?.first().copied()
+    }
+
+    /// Connects an input of one bit.
+    pub fn connect(&mut self, port: &str, bit: Bit) {
+        self.connections.insert(port.to_owned(), vec![bit]);
+        self.entry("port_directions", port, "input");
+    }
+
+    /// Sets a parameter.
+    pub fn set(&mut self, parameter: &str, value: &str) {
+        self.entry("parameters", parameter, value);
+    }
+
+    fn entry(&mut self, table: &str, key: &str, value: &str) {
+        let table = self.rest.entry(table).or_insert_with(|| Value::Object(Map::new()));
+        if let Value::Object(entries) = table {
+            entries.insert(key.to_owned(), value.into());
+        }
     }
 }
 
@@ -84,5 +121,17 @@ impl Netlist {
         let file = std::fs::File::open(path).map_err(ToolError::file(path))?;
         let failed = |e: serde_json::Error| ToolError::failed("Yosys", e.to_string());
         serde_json::from_reader(BufReader::new(file)).map_err(failed)
+    }
+
+    /// Writes a file as Yosys would.
+    ///
+    /// # Errors
+    /// What cannot be written.
+    pub fn write(&self, path: &Path) -> Result<(), ToolError> {
+        let failed = |e: serde_json::Error| ToolError::failed("netlist", e.to_string());
+        let file = std::fs::File::create(path).map_err(ToolError::file(path))?;
+        let mut file = BufWriter::new(file);
+        serde_json::to_writer(&mut file, self).map_err(failed)?;
+        file.flush().map_err(ToolError::file(path))
     }
 }

