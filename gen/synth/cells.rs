@@ -4,7 +4,7 @@
 //! the LUTs of a Xilinx carry chain are cells of their own). Shift registers and memories are counted in the LUTs they
 //! take. Registers that multipliers take in although Yosys leaves them outside are counted apart.
 
-use super::netlist::Module;
+use super::netlist::{is_flip_flop, Module};
 use super::product_registers::{self, Registered};
 use super::Flow;
 use crate::device::Resources;
@@ -80,8 +80,7 @@ fn resources(kind: &str, flow: Flow) -> Resources {
         "RAM32M" | "RAM64M" | "RAM128X1D" => Resources { memory_luts: 4, ..none },
         // Two slices of data and one that writes.
         "TRELLIS_DPR16X4" => Resources { memory_luts: 6, ..none },
-        "TRELLIS_FF" => Resources { flip_flops: 1, ..none },
-        kind if kind.starts_with("FD") => Resources { flip_flops: 1, ..none },
+        kind if is_flip_flop(kind) => Resources { flip_flops: 1, ..none },
         _ => none,
     }
 }

@@ -77,6 +77,11 @@ pub enum Level {
     Open,
 }
 
+/// Whether cells of a kind are flip-flops: Xilinx' `FDRE`, `FDSE` and their like, or ECP5's.
+pub fn is_flip_flop(kind: &str) -> bool {
+    kind.starts_with("FD") || kind == "TRELLIS_FF"
+}
+
 impl Bit {
     /// The net; none of a constant.
     pub fn net(self) -> Option<u64> {

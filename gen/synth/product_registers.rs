@@ -4,7 +4,7 @@
 //! of the design there that directly follows; Yosys does not. On Virtex-II it is counted as part of the multiplier; on
 //! the ECP5 the netlist is changed before it is placed ([`pack`]).
 
-use super::netlist::{Bit, Cell, Level, Module, Netlist};
+use super::netlist::{is_flip_flop, Bit, Cell, Level, Module, Netlist};
 use super::Flow;
 use std::collections::HashMap;
 
@@ -32,11 +32,6 @@ impl Names {
     /// Whether a port is the product or a bit of it: `P`, or `P0` to `P35`.
     fn is_product(port: &str) -> bool {
         port.strip_prefix('P').is_some_and(|bit| bit.bytes().all(|byte| byte.is_ascii_digit()))
-    }
-
-    /// Xilinx flip-flops are `FDRE`, `FDSE` and their like.
-    fn is_flip_flop(kind: &str) -> bool {
-        kind.starts_with("FD") || kind == "TRELLIS_FF"
     }
 }
 
@@ -87,7 +82,7 @@ pub fn find(module: &Module, flow: Flow) -> Vec<Registered> {
             if cell.kind == names.multiplier && Names::is_product(port) {
                 continue;
             }
-            let register = Names::is_flip_flop(&cell.kind) && port == names.data;
+            let register = is_flip_flop(&cell.kind) && port == names.data;
             for net in bits.iter().filter_map(|bit| bit.net()) {
                 let load = if register { Load::Register(name, cell) } else { Load::Other };
                 loads.entry(net).and_modify(|loads| loads.push(load));
@@ -109,22 +104,20 @@ pub fn find(module: &Module, flow: Flow) -> Vec<Registered> {
         }
         (!found.flip_flops.is_empty()).then_some(found)
     };
-    let mut all: Vec<Registered> = multipliers().filter_map(register).collect();
-    all.sort_by(|a, b| a.multiplier.cmp(&b.multiplier));
-    all
+    multipliers().filter_map(register).collect()
 }
 
-/// Moves registers into the MULT18X18D of a netlist for the ECP5, where they are without reset; returns how many.
+/// Moves registers into the MULT18X18D of a netlist for the ECP5, where they always load and never clear; returns how many.
 pub fn pack(netlist: &mut Netlist) -> u64 {
-    let (none, all) = (Bit::Constant(Level::Zero), Bit::Constant(Level::One));
+    let (never, always) = (Bit::Constant(Level::Zero), Bit::Constant(Level::One));
     let mut packed = 0;
     for module in netlist.modules.values_mut() {
         for Registered { multiplier, flip_flops } in find(module, Flow::Ecp5) {
             let first = &module.cells[&flip_flops[0].2];
-            let (clock, enable) = (first.bit("CLK"), first.bit(ECP5.enable).unwrap_or(all));
-            let (Some(clock), None | Some(Bit::Constant(Level::Zero))) = (clock, first.bit(ECP5.reset)) else {
-                continue;
-            };
+            // An unconnected enable is set, an unconnected reset is clear.
+            let loads = first.bit(ECP5.enable).is_none_or(|enable| enable == always);
+            let keeps = first.bit(ECP5.reset).is_none_or(|reset| reset == never);
+            let Some(clock) = first.bit("CLK").filter(|_| loads && keeps) else { continue };
             let outputs: Vec<_> = flip_flops
                 .into_iter()
                 .filter_map(|(port, bit, name)| Some((port, bit, module.cells.remove(&name)?.bit("Q")?)))
@@ -133,7 +126,7 @@ pub fn pack(netlist: &mut Netlist) -> u64 {
             for (port, bit, output) in outputs {
                 cell.connections.entry(port).and_modify(|bits| bits[bit] = output);
             }
-            for (port, bit) in [("CLK0", clock), ("CE0", enable), ("RST0", none)] {
+            for (port, bit) in [("CLK0", clock), ("CE0", always), ("RST0", never)] {
                 cell.connect(port, bit);
             }
             for (parameter, value) in [("CLK", "CLK0"), ("CE", "CE0"), ("RST", "RST0")] {
@@ -211,8 +204,12 @@ mod tests {
     fn registers_that_do_not_load_together_or_clear_stay_outside() {
         assert_eq!(pack(&mut ecp5(r#", "LSR": ["0"], "CE": [9]"#)), 0);
         assert_eq!(pack(&mut ecp5(r#", "LSR": [9]"#)), 0);
-        let mut both = ecp5(r#", "LSR": [9]"#);
-        both.modules.get_mut("top").unwrap().cells.get_mut("a").unwrap().connect("LSR", Bit::Net(9));
-        assert_eq!(pack(&mut both), 0);
+        let both = |port, control| {
+            let mut both = ecp5(control);
+            both.modules.get_mut("top").unwrap().cells.get_mut("a").unwrap().connect(port, Bit::Net(9));
+            pack(&mut both)
+        };
+        assert_eq!(both("LSR", r#", "LSR": [9]"#), 0);
+        assert_eq!(both("CE", r#", "LSR": ["0"], "CE": [9]"#), 0);
     }
 }

@@ -101,17 +101,18 @@ impl Choice for Which {
 
 /// The name of a table. That of a scene or a mesh, typed by mistake, is none.
 fn table(text: &str) -> Result<PathBuf, String> {
-    match Path::new(text).extension().and_then(|e| e.to_str()) {
-        Some("csv") => Ok(text.into()),
-        _ => Err("legal is a name that ends in .csv".to_owned()),
-    }
+    ending(text, &["csv"])
 }
 
 /// The name of a picture.
 fn picture(text: &str) -> Result<PathBuf, String> {
+    ending(text, &["svg", "png"])
+}
+
+fn ending(text: &str, legal: &[&str]) -> Result<PathBuf, String> {
     match Path::new(text).extension().and_then(|e| e.to_str()) {
-        Some("svg" | "png") => Ok(text.into()),
-        _ => Err("legal is a name that ends in .svg or .png".to_owned()),
+        Some(found) if legal.contains(&found) => Ok(text.into()),
+        _ => Err(format!("legal is a name that ends in .{}", legal.join(" or ."))),
     }
 }
 

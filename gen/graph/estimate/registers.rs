@@ -114,13 +114,12 @@ impl Registers {
     /// The registers that are inside multipliers.
     fn absorbed(&self, used: &[bool], readers: &HashMap<usize, u32>, words: &Words) -> Vec<bool> {
         let mut inside = vec![false; self.all.len()];
-        let kind = words.fabric.multiplier_registers;
         let data = |i: usize| self.all[i].input.filter(|(_, control)| control.reset.is_none()).map(|(data, _)| data);
         for i in (0..self.all.len()).filter(|i| used[*i]) {
             let product = |bit: Bit| matches!(words.sources.get(&bit.gate()), Some(Source::Product(_)));
             inside[i] = data(i).is_some_and(product);
         }
-        if kind == MultiplierRegisters::OperandsAndProduct {
+        if words.fabric.multiplier_registers == MultiplierRegisters::OperandsAndProduct {
             let first = inside.clone();
             for i in (0..self.all.len()).filter(|i| used[*i]) {
                 let behind = |bit: Bit| match words.sources.get(&bit.gate()) {

@@ -1,5 +1,6 @@
 //! What cells of Virtex-II do in time.
 
+use super::super::netlist::is_flip_flop;
 use super::flatten::Design;
 use super::{delay, Start, TimingError};
 use std::collections::{HashMap, HashSet};
@@ -25,10 +26,6 @@ pub(super) struct Cells<'a> {
 
 fn is_output(port: &str) -> bool {
     matches!(port, "O" | "LO" | "Q" | "Q15" | "P" | "SPO" | "DPO")
-}
-
-fn is_flip_flop(kind: &str) -> bool {
-    kind.starts_with("FD")
 }
 
 fn is_table(kind: &str) -> bool {
