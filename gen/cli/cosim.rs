@@ -41,7 +41,7 @@ pub(super) struct Arguments {
     /// What runs the design
     #[arg(long, value_name = "NAME", default_value = "ghdl", value_parser = choice::<Simulator>())]
     simulator: Simulator,
-    /// What Verilator runs: rtl, as GHDL infers it, or mapped to Virtex-II cells by Yosys [default: rtl]
+    /// What Verilator runs: rtl, as GHDL infers it, or mapped by Yosys to cells of --device's family [default: rtl]
     #[arg(long, value_name = "KIND", value_parser = choice::<Netlist>())]
     netlist: Option<Netlist>,
     /// Leave design, vectors and logs in DIR

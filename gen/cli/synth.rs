@@ -11,10 +11,14 @@ use crate::device;
 use crate::params::{options::Choice, Params};
 use crate::synth::{self, Flow, Options, Report};
 use std::path::PathBuf;
+use std::time::Duration;
 use summary::Summary;
 
 /// Placements where nothing else is asked for.
 const SEEDS: u32 = 3;
+
+/// Minutes that one may take where nothing else is asked for: several times what one takes.
+const MINUTES: u32 = 30;
 
 /// Synthesises the design with open tools and compares with what the device model predicts
 ///
@@ -30,11 +34,14 @@ pub(super) struct Arguments {
     /// Placements, two at a time, each with its own seed; the median counts [default: 3]
     #[arg(long, value_name = "N", value_parser = whole(1..=32), allow_negative_numbers = true)]
     seeds: Option<u32>,
+    /// Minutes after which a placement is given up, which then counts as the slowest [default: 30]
+    #[arg(long, value_name = "N", value_parser = whole(1..=1440), allow_negative_numbers = true)]
+    minutes: Option<u32>,
     /// Stop after Yosys: no placement, no clock
-    #[arg(long, conflicts_with = "seeds")]
+    #[arg(long, conflicts_with_all = ["seeds", "minutes"])]
     no_route: bool,
     /// The device model's counts and clock alone: no tool runs
-    #[arg(long, conflicts_with_all = ["seeds", "no_route", "keep"])]
+    #[arg(long, conflicts_with_all = ["seeds", "minutes", "no_route", "keep"])]
     predict: bool,
     /// Leave sources, netlists, logs and reports in DIR
     #[arg(long, value_name = "DIR")]
@@ -58,15 +65,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     let device = device::find(&params.device).map_err(|e| Failure::Usage(e.to_string()))?;
     let flow = arguments.flow.unwrap_or(Flow::of(device));
-    if !flow.routes() && (arguments.no_route || arguments.seeds.is_some()) {
-        let option = if arguments.no_route { "--no-route" } else { "--seeds" };
+    let of_placement = [
+        ("--no-route", arguments.no_route),
+        ("--seeds", arguments.seeds.is_some()),
+        ("--minutes", arguments.minutes.is_some()),
+    ];
+    if let Some((option, _)) = of_placement.into_iter().find(|(_, given)| *given && !flow.routes()) {
         return Err(Failure::Usage(format!("{option}: flow {} ends after Yosys; legal with ecp5", flow.name())));
     }
     if arguments.predict {
         return show(&synth::predict(&params, flow)?, &params, arguments.json);
     }
     let seeds = if arguments.no_route { 0 } else { arguments.seeds.unwrap_or(SEEDS) };
-    let options = Options { flow, seeds, keep: arguments.keep.clone() };
+    let limit = Duration::from_secs(60 * u64::from(arguments.minutes.unwrap_or(MINUTES)));
+    let options = Options { flow, seeds, limit, keep: arguments.keep.clone() };
     let spinner = progress::spinner("synthesising");
     let step = |what: &str| spinner.set_message(what.to_owned());
     let report = synth::run(&params, &params.command_line(), &options, &step)?;

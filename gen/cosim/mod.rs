@@ -39,7 +39,7 @@ pub enum Simulator {
 pub enum Netlist {
     /// What GHDL infers from the VHDL.
     Rtl,
-    /// That mapped to Virtex-II cells by Yosys.
+    /// That mapped by Yosys to cells of the device's family.
     Mapped,
 }
 

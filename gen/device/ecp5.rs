@@ -9,7 +9,7 @@
 //! family's data sheet (FPGA-DS-02012).
 //!
 //! `synth_ecp5` (Yosys 0.23) leaves the registers of MULT18X18D unused; the flow of this project moves the register
-//! behind a product there before it places (`synth::product_registers`), and the model counts with it.
+//! behind a product there before it places (`verilog::product_registers`), and the model counts with it.
 //!
 //! A comparison is a chain of all its bits. Signed ones need two carries and the sum of the top bit; the carries leave
 //! through a cell more ([`Device::comparison`]).

@@ -5,6 +5,7 @@ use crate::device;
 use crate::params::Params;
 use crate::synth::{self, Flow, Options, SynthError};
 use serde::{Deserialize, Serialize};
+use std::time::Duration;
 
 /// Cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -67,7 +68,7 @@ impl Hardware {
 /// That a tool is missing or fails.
 pub fn synthesise(params: &Params) -> Result<Cells, SynthError> {
     let device = device::find(&params.device).map_err(DesignError::from)?;
-    let options = Options { flow: Flow::of(device), seeds: 0, keep: None };
+    let options = Options { flow: Flow::of(device), seeds: 0, limit: Duration::ZERO, keep: None };
     let report = synth::run(params, &params.command_line(), &options, &|_| {})?;
     Ok(report.cells().into())
 }

@@ -4,10 +4,9 @@
 //! the LUTs of a Xilinx carry chain are cells of their own). Shift registers and memories are counted in the LUTs they
 //! take. Registers that multipliers take in although Yosys leaves them outside are counted apart.
 
-use super::netlist::{is_flip_flop, Module};
-use super::product_registers::{self, Registered};
-use super::Flow;
-use crate::device::Resources;
+use crate::device::{Family, Resources};
+use crate::verilog::netlist::{is_flip_flop, Module};
+use crate::verilog::product_registers::{self, Registered};
 use std::iter::Sum;
 use std::ops::{Add, Mul};
 
@@ -53,9 +52,10 @@ impl Sum for Cells {
 }
 
 /// The cells of a module itself, without its instances.
-pub fn own(module: &Module, flow: Flow) -> Cells {
-    let resources = module.cells.values().map(|cell| resources(&cell.kind, flow)).fold(Resources::default(), Add::add);
-    let registered = product_registers::find(module, flow);
+pub fn own(module: &Module, family: Family) -> Cells {
+    let resources =
+        module.cells.values().map(|cell| resources(&cell.kind, family)).fold(Resources::default(), Add::add);
+    let registered = product_registers::find(module, family);
     let absorbed_flip_flops = registered.iter().map(Registered::flip_flops).sum();
     let flip_flops = resources.flip_flops - absorbed_flip_flops;
     let resources = Resources { flip_flops, ..resources };
@@ -63,7 +63,7 @@ pub fn own(module: &Module, flow: Flow) -> Cells {
 }
 
 /// A cell of the library in the terms of the device model; nothing for what is free or no cell of the library.
-fn resources(kind: &str, flow: Flow) -> Resources {
+fn resources(kind: &str, family: Family) -> Resources {
     let none = Resources::default();
     match kind {
         "MULT18X18" | "MULT18X18S" | "DSP48A1" | "DSP48E1" | "MULT18X18D" => Resources { multipliers: 1, ..none },
@@ -73,9 +73,9 @@ fn resources(kind: &str, flow: Flow) -> Resources {
         "CARRY4" => Resources { carry: 4, ..none },
         "SRL16" | "SRL16E" | "SRLC16" | "SRLC16E" | "RAM16X1S" => Resources { memory_luts: 1, ..none },
         // Twice as deep as a LUT of four inputs.
-        "SRLC32E" | "RAM32X1S" if flow == Flow::Virtex2 => Resources { memory_luts: 2, ..none },
+        "SRLC32E" | "RAM32X1S" if family == Family::Virtex2 => Resources { memory_luts: 2, ..none },
         "SRLC32E" | "RAM32X1S" | "RAM64X1S" => Resources { memory_luts: 1, ..none },
-        "RAM32X1D" if flow == Flow::Virtex2 => Resources { memory_luts: 4, ..none },
+        "RAM32X1D" if family == Family::Virtex2 => Resources { memory_luts: 4, ..none },
         "RAM16X1D" | "RAM32X1D" | "RAM64X1D" => Resources { memory_luts: 2, ..none },
         "RAM32M" | "RAM64M" | "RAM128X1D" => Resources { memory_luts: 4, ..none },
         // Two slices of data and one that writes.
@@ -97,9 +97,9 @@ mod tests {
             "b": {"type": "FDRE", "connections": {"D": [6], "Q": [7], "C": [1], "CE": ["1"], "R": ["0"]}},
             "l": {"type": "LUT1", "connections": {"I0": [7], "O": [9]}}}}"#;
         let module: Module = serde_json::from_str(text).unwrap();
-        let cells = own(&module, Flow::Virtex2);
+        let cells = own(&module, Family::Virtex2);
         assert_eq!((cells.registered_multipliers, cells.absorbed_flip_flops), (1, 1));
         assert_eq!(cells.resources, Resources { multipliers: 1, luts: 1, flip_flops: 1, ..Resources::default() });
-        assert_eq!(own(&module, Flow::Series7).resources.flip_flops, 2);
+        assert_eq!(own(&module, Family::Series7).resources.flip_flops, 2);
     }
 }

@@ -1,7 +1,6 @@
 //! Families that the open tools know, each with its tools.
 
 use crate::device::{self, Device, Family};
-use crate::verilog::yosys;
 
 /// A family and the tools for it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,24 +39,24 @@ impl Flow {
         }
     }
 
+    /// The family.
+    pub fn family(self) -> Family {
+        match self {
+            Self::Virtex2 => Family::Virtex2,
+            Self::Spartan6 => Family::Spartan6,
+            Self::Series7 => Family::Series7,
+            Self::Ecp5 => Family::Ecp5,
+        }
+    }
+
     /// The device that cells are predicted for: the given one if it is of the flow's family, else the family's first.
     pub fn device(self, given: &'static Device) -> &'static Device {
         let mut candidates = std::iter::once(given).chain(device::all());
-        candidates.find(|device| Self::of(device) == self).unwrap_or(given)
+        candidates.find(|device| device.family == self.family()).unwrap_or(given)
     }
 
     /// Whether placement and routing follow.
     pub fn routes(self) -> bool {
         self == Self::Ecp5
-    }
-
-    /// The Yosys commands that map the design read before to the family, one netlist an entity. `top` is its top.
-    pub(super) fn units(self, top: &str) -> String {
-        match self {
-            Self::Virtex2 => yosys::virtex2(top),
-            Self::Spartan6 => yosys::xilinx("xc6s", top) + "\n",
-            Self::Series7 => yosys::xilinx("xc7", top) + "\n",
-            Self::Ecp5 => format!("synth_ecp5 -abc9 -top {top} -noflatten\n"),
-        }
     }
 }

@@ -9,8 +9,6 @@ mod critical_path;
 mod error;
 mod flow;
 mod harness;
-mod netlist;
-mod product_registers;
 mod route;
 pub mod slices;
 pub mod static_timing;
@@ -20,7 +18,7 @@ pub use cells::Cells;
 pub use critical_path::{CriticalPath, Step};
 pub use error::SynthError;
 pub use flow::Flow;
-pub use route::{Routed, Seed};
+pub use route::{Placed, Routed};
 pub use slices::Slices;
 pub use static_timing::Timing;
 pub use units::Unit;
@@ -29,9 +27,10 @@ use crate::artefact::{self, Scratch};
 use crate::design::Design;
 use crate::device::{Device, Resources};
 use crate::params::Params;
+use crate::verilog::netlist::Netlist;
 use crate::verilog::{self, yosys, ToolError};
-use netlist::Netlist;
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 /// The Verilog of the whole design; also the mark of a folder that is ours to overwrite.
 pub const VERILOG: &str = "efsat.v";
@@ -46,6 +45,8 @@ pub struct Options {
     pub flow: Flow,
     /// Placements to try, each with its own seed from 1 up; 0 stops after Yosys.
     pub seeds: u32,
+    /// The time that one placement may take with its routing.
+    pub limit: Duration,
     /// Where to leave sources, netlists, logs and reports; a temporary folder if none.
     pub keep: Option<PathBuf>,
 }
@@ -108,8 +109,15 @@ impl Report {
         if predicted != actual {
             faults.push(format!("{actual} multipliers instead of {predicted}"));
         }
-        if let Some(routed) = self.routed.as_ref().filter(|routed| routed.median() < f64::from(target)) {
-            faults.push(format!("{:.1} MHz instead of {target} (median of the seeds)", routed.median()));
+        if let Some(routed) = &self.routed {
+            match routed.median() {
+                Some(median) if median >= f64::from(target) => {}
+                Some(median) => faults.push(format!("{median:.1} MHz instead of {target} (median of the seeds)")),
+                None => {
+                    let minutes = routed.limit.as_secs() / 60;
+                    faults.push(format!("not routed in {minutes} minutes a seed; try more --seeds or --minutes"));
+                }
+            }
         }
         faults
     }
@@ -156,7 +164,7 @@ pub fn run(
             tools.push(nextpnr.version.clone());
             step("Yosys, the whole");
             route::whole(&yosys, &design, dir)?;
-            Some(route::run(nextpnr, &design, options.seeds, dir, step)?)
+            Some(route::run(nextpnr, &design, options.seeds, options.limit, dir, step)?)
         }
         None => None,
     };

@@ -1,12 +1,13 @@
 //! nextpnr: placement and routing with timing, on an LFE5U-85 of speed grade 6.
 //!
 //! The result of one placement is luck within some ten per cent, so several are made, each with its own seed, and the
-//! median counts.
+//! median counts. The router of some does not end, so each has a time limit.
 
 use super::critical_path::{self, CriticalPath, Names, RawPath};
-use super::netlist::Netlist;
-use super::{harness, product_registers, VERILOG};
+use super::{harness, VERILOG};
 use crate::design::Design;
+use crate::verilog::netlist::Netlist;
+use crate::verilog::product_registers;
 use crate::verilog::tools::{self, Tool};
 use crate::verilog::{yosys, ToolError};
 use rayon::prelude::*;
@@ -14,6 +15,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Duration;
 
 /// File of the netlist of the whole in its harness, as Yosys leaves it.
 const NETLIST: &str = "whole.json";
@@ -26,15 +28,13 @@ const AT_A_TIME: usize = 2;
 
 /// The part, and how it is filled. The analytic placer `static` spreads a design by its density, `heap`, the default of
 /// nextpnr, legalises it into knots: the default design has 0.6 of the wire length with `static`, and is routed in
-/// minutes where some seeds of `heap` did not end.
+/// minutes where most seeds of `heap` take far longer.
 const PLACEMENT: [&str; 9] =
     ["--85k", "--package", "CABGA756", "--speed", "6", "--placer", "static", "--router", "router1"];
 
-/// What one seed reached.
+/// A placement, routed.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Seed {
-    /// The seed.
-    pub seed: u32,
+pub struct Placed {
     /// Clock after routing, MHz.
     pub megahertz: f64,
     /// What limits it.
@@ -46,21 +46,24 @@ pub struct Seed {
 /// What all seeds reached.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Routed {
-    /// One result a seed, in the order of the seeds.
-    pub seeds: Vec<Seed>,
+    /// One placement a seed, of seeds from 1 up; none where it did not end in time.
+    pub seeds: Vec<Option<Placed>>,
+    /// The time that one seed may take.
+    pub limit: Duration,
 }
 
 impl Routed {
-    /// The median seed; of an even number the lower one of the two in the middle.
-    pub fn middle(&self) -> &Seed {
-        let mut order: Vec<&Seed> = self.seeds.iter().collect();
-        order.sort_by(|a, b| a.megahertz.total_cmp(&b.megahertz));
+    /// The median seed, one that did not end below all that did; of an even number the lower one of the two in the middle.
+    pub fn middle(&self) -> Option<&Placed> {
+        let mut order: Vec<Option<&Placed>> = self.seeds.iter().map(Option::as_ref).collect();
+        let megahertz = |placed: &Option<&Placed>| placed.map_or(0.0, |placed| placed.megahertz);
+        order.sort_by(|a, b| megahertz(a).total_cmp(&megahertz(b)));
         order[(order.len() - 1) / 2]
     }
 
-    /// Clock of the median seed, MHz.
-    pub fn median(&self) -> f64 {
-        self.middle().megahertz
+    /// Clock of the median seed, MHz; none if that did not end in time.
+    pub fn median(&self) -> Option<f64> {
+        self.middle().map(|placed| placed.megahertz)
     }
 }
 
@@ -109,7 +112,7 @@ pub(super) fn whole(yosys: &Tool, design: &Design, dir: &Path) -> Result<(), Too
     netlist.write(&dir.join(PACKED))
 }
 
-/// Places and routes the whole of a design with seeds from 1 to `seeds`.
+/// Places and routes the whole of a design with seeds from 1 to `seeds`, each within `limit`.
 ///
 /// # Errors
 /// What nextpnr says; a missed clock is no error.
@@ -117,6 +120,7 @@ pub(super) fn run(
     nextpnr: &Tool,
     design: &Design,
     seeds: u32,
+    limit: Duration,
     dir: &Path,
     step: &(dyn Fn(&str) + Sync),
 ) -> Result<Routed, ToolError> {
@@ -128,32 +132,40 @@ pub(super) fn run(
     say(0);
     let frequency = design.params.frequency;
     let seed = |seed: u32| {
-        let result = one(nextpnr, frequency, seed, dir, &names);
+        let result = one(nextpnr, frequency, seed, limit, dir, &names);
         say(1 + done.fetch_add(1, Ordering::Relaxed));
         result
     };
     let seeds = pool.install(|| (1..=seeds).into_par_iter().map(seed).collect::<Result<Vec<_>, _>>())?;
-    Ok(Routed { seeds })
+    Ok(Routed { seeds, limit })
 }
 
-fn one(nextpnr: &Tool, frequency: u32, seed: u32, dir: &Path, names: &Names) -> Result<Seed, ToolError> {
+fn one(
+    nextpnr: &Tool,
+    frequency: u32,
+    seed: u32,
+    limit: Duration,
+    dir: &Path,
+    names: &Names,
+) -> Result<Option<Placed>, ToolError> {
     let report = format!("report-{seed}.json");
     let (number, frequency) = (seed.to_string(), frequency.to_string());
     let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
     let files = ["--json", PACKED, "--report", &report];
     let args = [&PLACEMENT[..], &lenient, &files, &["--freq", &frequency, "--seed", &number]].concat();
-    tools::call(&nextpnr.path, &args, dir, &format!("nextpnr-{seed}.log"))?;
+    if !tools::call_within(limit, &nextpnr.path, &args, dir, &format!("nextpnr-{seed}.log"))? {
+        return Ok(None);
+    }
     let path = dir.join(report);
     let text = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
     let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let raw: RawReport = serde_json::from_str(&text).map_err(|e| failed(e.to_string()))?;
     let clock = raw.fmax.values().map(|clock| clock.achieved).min_by(f64::total_cmp);
-    Ok(Seed {
-        seed,
+    Ok(Some(Placed {
         megahertz: clock.ok_or_else(|| failed("the report has no clock".to_owned()))?,
         critical: critical_path::longest(&raw.critical_paths, names),
         used: raw.utilization.into_iter().filter(|(_, cells)| cells.used > 0).map(|(n, c)| (n, c.used)).collect(),
-    })
+    }))
 }
 
 #[cfg(test)]
@@ -162,15 +174,16 @@ mod tests {
 
     #[test]
     fn the_median_is_one_of_the_seeds() {
-        let seed = |(i, megahertz): (usize, &f64)| Seed {
-            seed: i as u32 + 1,
-            megahertz: *megahertz,
-            critical: CriticalPath::default(),
-            used: BTreeMap::new(),
+        let placed = |megahertz: f64| Placed { megahertz, critical: CriticalPath::default(), used: BTreeMap::new() };
+        let median = |all: &[Option<f64>]| {
+            let seeds = all.iter().map(|megahertz| megahertz.map(placed)).collect();
+            Routed { seeds, limit: Duration::ZERO }.median()
         };
-        let median = |all: &[f64]| Routed { seeds: all.iter().enumerate().map(seed).collect() }.median();
-        assert_eq!(median(&[90.0]), 90.0);
-        assert_eq!(median(&[120.0, 80.0, 100.0]), 100.0);
-        assert_eq!(median(&[120.0, 80.0]), 80.0);
+        assert_eq!(median(&[Some(90.0)]), Some(90.0));
+        assert_eq!(median(&[Some(120.0), Some(80.0), Some(100.0)]), Some(100.0));
+        assert_eq!(median(&[Some(120.0), Some(80.0)]), Some(80.0));
+        // What does not end is slower than anything that does.
+        assert_eq!(median(&[None, Some(120.0), Some(80.0)]), Some(80.0));
+        assert_eq!(median(&[None, Some(120.0)]), None);
     }
 }

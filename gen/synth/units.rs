@@ -1,12 +1,12 @@
 //! The design's units as a tree, each with predicted and actual cells.
 
 use super::cells::{self, Cells};
-use super::netlist::Netlist;
 use super::static_timing::{self, Timing};
 use super::{Flow, TOP, VERILOG};
 use crate::design::Design;
 use crate::device::{Device, Resources};
 use crate::graph::{estimate, netlist::Module};
+use crate::verilog::netlist::Netlist;
 use crate::verilog::tools::Tool;
 use crate::verilog::{yosys, ToolError};
 use std::ops::Add;
@@ -35,7 +35,7 @@ pub struct Unit {
 /// # Errors
 /// What Yosys says.
 pub(super) fn netlist(yosys: &Tool, flow: Flow, dir: &Path) -> Result<Netlist, ToolError> {
-    let commands = format!("read_verilog {VERILOG}\n{}write_json {NETLIST}\n", flow.units(TOP));
+    let commands = format!("read_verilog {VERILOG}\n{}write_json {NETLIST}\n", yosys::units(flow.family(), TOP));
     yosys::run(yosys, "units", &commands, dir)?;
     Netlist::read(&dir.join(NETLIST))
 }
@@ -67,7 +67,7 @@ fn unit(module: &Module, instances: u64, device: &Device, netlist: Option<(&Netl
     }
     let parts: Vec<Unit> = kinds.into_iter().map(|(part, count)| unit(part, count, device, netlist)).collect();
     let own = |(netlist, flow): (&Netlist, Flow)| {
-        netlist.modules.get(&module.name).map(|module| cells::own(module, flow)).unwrap_or_default()
+        netlist.modules.get(&module.name).map(|module| cells::own(module, flow.family())).unwrap_or_default()
     };
     let in_parts = parts.iter().filter_map(|part| part.actual.map(|cells| cells * part.instances));
     let actual = netlist.map(|netlist| in_parts.fold(own(netlist), Add::add));

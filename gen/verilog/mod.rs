@@ -3,9 +3,14 @@
 //! What GHDL infers is checked on the way: a latch, an unbound instance and a signal with two drivers are errors. GHDL
 //! 2.0 writes some Verilog wrongly; [`fixes`] mends what efsat's VHDL meets, and finds nothing to do in the Verilog of
 //! newer versions.
+//!
+//! From there Yosys maps it to the cells of a family ([`yosys`]), whose netlist is read and written here ([`netlist`],
+//! [`product_registers`]).
 
 mod error;
 pub mod fixes;
+pub mod netlist;
+pub mod product_registers;
 pub mod tools;
 pub mod yosys;
 

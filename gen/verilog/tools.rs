@@ -1,8 +1,11 @@
 //! Where synthesis tools are found, and how they are run.
 
 use super::ToolError;
+use std::fs::File;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Stdio};
+use std::time::Duration;
+use wait_timeout::ChildExt;
 
 /// The environment variable that names a folder of tools, looked into before PATH.
 pub const FOLDER: &str = "EFSAT_TOOLS";
@@ -50,15 +53,35 @@ fn shorten(line: &str) -> String {
 /// # Errors
 /// The last error it printed.
 pub fn call(tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<(), ToolError> {
+    // Nothing that is called without a limit takes as long as that.
+    const LONG: Duration = Duration::from_secs(100 * 24 * 3600);
+    call_within(LONG, tool, args, dir, log).map(|_| ())
+}
+
+/// Runs a tool in a folder, its output kept in `log`, and stops it after a time; whether it ended by itself.
+///
+/// # Errors
+/// The last error it printed.
+pub fn call_within(limit: Duration, tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<bool, ToolError> {
     let name = tool.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let failed = |message: String| ToolError::failed(&name, message);
-    let output = Command::new(tool).args(args).current_dir(dir).output().map_err(|e| failed(e.to_string()))?;
-    let said = String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
     let path = dir.join(log);
-    std::fs::write(&path, said.as_bytes()).map_err(ToolError::file(&path))?;
-    if output.status.success() {
-        return Ok(());
+    let file = File::create(&path).map_err(ToolError::file(&path))?;
+    let both = file.try_clone().map_err(ToolError::file(&path))?;
+    let mut command = Command::new(tool);
+    command.args(args).current_dir(dir).stdin(Stdio::null()).stdout(file).stderr(both);
+    let mut child = command.spawn().map_err(|e| failed(e.to_string()))?;
+    let Some(status) = child.wait_timeout(limit).map_err(|e| failed(e.to_string()))? else {
+        // It may have ended meanwhile, which is no error.
+        let _ = child.kill();
+        child.wait().map_err(|e| failed(e.to_string()))?;
+        return Ok(false);
+    };
+    if status.success() {
+        return Ok(true);
     }
+    let said = std::fs::read(&path).map_err(ToolError::file(&path))?;
+    let said = String::from_utf8_lossy(&said);
     let error = said.lines().rfind(|line| line.contains("ERROR") || line.contains("rror:"));
     Err(failed(error.or(said.lines().last()).unwrap_or("it failed without a word").trim().to_owned()))
 }
@@ -66,6 +89,19 @@ pub fn call(tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<(), Too
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_tool_is_stopped_when_its_time_is_over() {
+        let dir = tempfile::TempDir::new().unwrap();
+        let run = |limit: u64, script: &str| {
+            call_within(Duration::from_secs(limit), Path::new("/bin/sh"), &["-c", script], dir.path(), "log")
+        };
+        assert!(run(60, "echo out; echo err >&2").unwrap());
+        assert_eq!(std::fs::read_to_string(dir.path().join("log")).unwrap(), "out\nerr\n");
+        assert!(!run(0, "exec sleep 60").unwrap());
+        let error = run(60, "echo ERROR: no such pin >&2; echo bye; exit 1").unwrap_err().to_string();
+        assert_eq!(error, "sh: ERROR: no such pin");
+    }
 
     #[test]
     fn versions_are_short() {

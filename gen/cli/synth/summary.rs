@@ -83,14 +83,14 @@ struct Estimate<'a> {
     path: &'a [String],
 }
 
-/// After routing.
+/// After routing; no clock, path and cells where that did not end in time.
 #[derive(Serialize)]
 struct After<'a> {
-    median: f64,
+    median: Option<f64>,
     met: bool,
-    seeds: BTreeMap<u32, f64>,
-    critical_path: Path<'a>,
-    used: &'a BTreeMap<String, u64>,
+    seeds: BTreeMap<u32, Option<f64>>,
+    critical_path: Option<Path<'a>>,
+    used: Option<&'a BTreeMap<String, u64>>,
 }
 
 /// Delays in ns.
@@ -158,10 +158,10 @@ impl<'a> Summary<'a> {
     pub fn new(report: &'a Report, params: &'a Params, faults: &'a [String]) -> Self {
         let after = |routed: &'a Routed| After {
             median: routed.median(),
-            met: routed.median() >= f64::from(params.frequency),
-            seeds: routed.seeds.iter().map(|seed| (seed.seed, seed.megahertz)).collect(),
-            critical_path: (&routed.middle().critical).into(),
-            used: &routed.middle().used,
+            met: routed.median().is_some_and(|median| median >= f64::from(params.frequency)),
+            seeds: (1..).zip(routed.seeds.iter().map(|seed| seed.as_ref().map(|seed| seed.megahertz))).collect(),
+            critical_path: routed.middle().map(|middle| (&middle.critical).into()),
+            used: routed.middle().map(|middle| &middle.used),
         };
         let (scheduled, scheduled_end) = &report.scheduled;
         Self {

@@ -2,7 +2,7 @@
 
 use crate::device::Resources;
 use crate::params::Params;
-use crate::synth::{CriticalPath, Report, Routed, Timing, Unit};
+use crate::synth::{CriticalPath, Placed, Report, Routed, Timing, Unit};
 use std::fmt::Write;
 
 /// Slices of the part that estimates are for, an XC2V6000.
@@ -136,16 +136,20 @@ fn estimate(text: &mut String, timing: &Timing) {
 }
 
 fn clock(text: &mut String, routed: &Routed, target: u32) {
-    let seeds: Vec<String> = routed.seeds.iter().map(|seed| format!("{:.1}", seed.megahertz)).collect();
-    let median = routed.median();
+    let megahertz = |placed: &Option<Placed>| match placed {
+        Some(placed) => format!("{:.1}", placed.megahertz),
+        None => format!("none in {} minutes", routed.limit.as_secs() / 60),
+    };
+    let seeds: Vec<String> = routed.seeds.iter().map(megahertz).collect();
+    let seeds = format!("{} (seeds 1 to {})", seeds.join(", "), seeds.len());
+    let Some(middle) = routed.middle() else {
+        let _ = writeln!(text, "clock: not routed in time, median of {seeds}");
+        return;
+    };
+    let median = middle.megahertz;
     let met = if median >= f64::from(target) { "met" } else { "missed" };
-    let _ = writeln!(
-        text,
-        "clock: {median:.1} MHz after routing, median of {} (seeds 1 to {}); {target} MHz {met}",
-        seeds.join(", "),
-        seeds.len()
-    );
-    path(text, &routed.middle().critical);
+    let _ = writeln!(text, "clock: {median:.1} MHz after routing, median of {seeds}; {target} MHz {met}");
+    path(text, &middle.critical);
 }
 
 fn path(text: &mut String, path: &CriticalPath) {

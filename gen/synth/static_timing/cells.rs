@@ -1,8 +1,8 @@
 //! What cells of Virtex-II do in time.
 
-use super::super::netlist::is_flip_flop;
 use super::flatten::Design;
 use super::{delay, Start, TimingError};
+use crate::verilog::netlist::is_flip_flop;
 use std::collections::{HashMap, HashSet};
 
 /// A place where a path ends.

@@ -1,6 +1,6 @@
 //! A netlist as Yosys writes it (`write_json`). What is not named here is kept as it is.
 
-use crate::verilog::ToolError;
+use super::ToolError;
 use serde::{Deserialize, Serialize};
 use serde_json::{Map, Value};
 use std::collections::BTreeMap;

@@ -5,7 +5,7 @@
 //! the ECP5 the netlist is changed before it is placed ([`pack`]).
 
 use super::netlist::{is_flip_flop, Bit, Cell, Level, Module, Netlist};
-use super::Flow;
+use crate::device::Family;
 use std::collections::HashMap;
 
 /// Names of a family's multipliers and flip-flops.
@@ -20,12 +20,12 @@ const VIRTEX2: Names = Names { multiplier: "MULT18X18", data: "D", enable: "CE",
 const ECP5: Names = Names { multiplier: "MULT18X18D", data: "DI", enable: "CE", reset: "LSR" };
 
 impl Names {
-    /// Those of a flow whose multipliers can take a register that Yosys leaves outside.
-    fn of(flow: Flow) -> Option<Self> {
-        match flow {
-            Flow::Virtex2 => Some(VIRTEX2),
-            Flow::Ecp5 => Some(ECP5),
-            Flow::Spartan6 | Flow::Series7 => None,
+    /// Those of a family whose multipliers can take a register that Yosys leaves outside.
+    fn of(family: Family) -> Option<Self> {
+        match family {
+            Family::Virtex2 => Some(VIRTEX2),
+            Family::Ecp5 => Some(ECP5),
+            Family::Spartan6 | Family::Series7 => None,
         }
     }
 
@@ -61,8 +61,8 @@ enum Load<'a> {
 
 /// Multipliers all of whose used product bits go to one flip-flop each and nowhere else, flip-flops that load and clear
 /// together; in the order of their names.
-pub fn find(module: &Module, flow: Flow) -> Vec<Registered> {
-    let Some(names) = Names::of(flow) else { return vec![] };
+pub fn find(module: &Module, family: Family) -> Vec<Registered> {
+    let Some(names) = Names::of(family) else { return vec![] };
     let multipliers = || module.cells.iter().filter(|(_, cell)| cell.kind == names.multiplier);
     let product = |cell: &'_ Cell| -> Vec<(String, usize, u64)> {
         let ports = cell.connections.iter().filter(|(port, _)| Names::is_product(port));
@@ -112,7 +112,7 @@ pub fn pack(netlist: &mut Netlist) -> u64 {
     let (never, always) = (Bit::Constant(Level::Zero), Bit::Constant(Level::One));
     let mut packed = 0;
     for module in netlist.modules.values_mut() {
-        for Registered { multiplier, flip_flops } in find(module, Flow::Ecp5) {
+        for Registered { multiplier, flip_flops } in find(module, Family::Ecp5) {
             let first = &module.cells[&flip_flops[0].2];
             // An unconnected enable is set, an unconnected reset is clear.
             let loads = first.bit(ECP5.enable).is_none_or(|enable| enable == always);
@@ -156,20 +156,20 @@ mod tests {
 
     #[test]
     fn registers_behind_a_multiplier_are_part_of_it() {
-        let found = find(&module(""), Flow::Virtex2);
+        let found = find(&module(""), Family::Virtex2);
         assert_eq!(found.iter().map(Registered::flip_flops).collect::<Vec<_>>(), [2]);
         // Not in other families, where Yosys itself moves them.
-        assert_eq!(find(&module(""), Flow::Series7), []);
+        assert_eq!(find(&module(""), Family::Series7), []);
     }
 
     #[test]
     fn a_product_that_is_read_elsewhere_keeps_its_registers() {
         let inverter = r#", "i": {"type": "INV", "connections": {"I": [5], "O": [8]}}"#;
-        assert_eq!(find(&module(inverter), Flow::Virtex2), []);
+        assert_eq!(find(&module(inverter), Family::Virtex2), []);
         let port = r#"{"ports": {"p": {"bits": [4]}}, "cells": {
             "m": {"type": "MULT18X18", "connections": {"P": [4]}},
             "a": {"type": "FDRE", "connections": {"D": [4], "Q": [6], "CE": ["1"], "R": ["0"]}}}}"#;
-        assert_eq!(find(&serde_json::from_str(port).unwrap(), Flow::Virtex2), []);
+        assert_eq!(find(&serde_json::from_str(port).unwrap(), Family::Virtex2), []);
     }
 
     /// A MULT18X18D with two registered bits of product; `control` are more connections of the second flip-flop.
