@@ -1,6 +1,6 @@
 // MULT18X18D of the ECP5 for simulation, as far as efsat uses it: a product of 18 x 18 bits, each operand signed
-// or not, and a register behind it or none. Other registers and inputs that shift are not modelled; a netlist that
-// asks for them is refused.
+// or not, and a register behind it or none. A netlist that asks for other registers is refused; SOURCEA, SOURCEB and C
+// are taken to be 0.
 // P = A B; with REG_OUTPUT_CLK = "CLK0" one clock later, zero after a clock with RST0, held while CE0 is clear.
 module MULT18X18D (
     input A0, A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A12, A13, A14, A15, A16, A17,
@@ -30,7 +30,7 @@ module MULT18X18D (
     generate
         if (REG_INPUTA_CLK != "NONE" || REG_INPUTB_CLK != "NONE" || REG_INPUTC_CLK != "NONE"
             || REG_PIPELINE_CLK != "NONE" || REG_OUTPUT_CE != "CE0" || REG_OUTPUT_RST != "RST0")
-            not_modelled refused ();
+            MULT18X18D_with_other_registers not_modelled ();
         else if (REG_OUTPUT_CLK == "CLK0") begin
             reg [35:0] register;
             always @(posedge CLK0)
@@ -40,6 +40,6 @@ module MULT18X18D (
         end else if (REG_OUTPUT_CLK == "NONE")
             assign p = product[35:0];
         else
-            not_modelled refused ();
+            MULT18X18D_with_other_registers not_modelled ();
     endgenerate
 endmodule

@@ -59,8 +59,8 @@ fn netlists_answer_as_the_reference_model() {
     assert!(found.iter().all(|n| n.is_none_or(|n| n == 0)), "{found:?}");
 }
 
-/// Virtex-II's cells, and ECP5's with the registers of products in the multipliers, as they are placed. 9 bits are the
-/// fewest whose products take a multiplier in both.
+/// Virtex-II's cells, and ECP5's with the registers of products in the multipliers. 9 bits are the fewest whose products
+/// take a multiplier in both.
 #[test]
 fn mapped_netlists_answer_as_the_reference_model() {
     for device in ["xc2v6000-4", "lfe5u-85-6"] {

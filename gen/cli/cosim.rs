@@ -192,7 +192,6 @@ fn job(arguments: &Arguments, params: &Params) -> Result<Job, Failure> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
-    let Job { stimulus, decided } = job(arguments, &params)?;
     let simulator = match (arguments.simulator, arguments.netlist) {
         (Simulator::Verilator(_), Some(netlist)) => Simulator::Verilator(netlist),
         (simulator, None) => simulator,
@@ -201,6 +200,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             return Err(Failure::Usage(message));
         }
     };
+    let Job { stimulus, decided } = job(arguments, &params)?;
     let options =
         Options { simulator, keep: arguments.keep.clone(), wave: arguments.wave.clone(), probe: arguments.probe };
     let spinner = progress::spinner("simulating");

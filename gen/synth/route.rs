@@ -128,7 +128,7 @@ pub(super) fn run(
     let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
     let done = AtomicU32::new(0);
-    let say = |done: u32| step(&format!("nextpnr, {done} of {seeds} placed and routed"));
+    let say = |done: u32| step(&format!("nextpnr, {done} of {seeds} placements finished"));
     say(0);
     let frequency = design.params.frequency;
     let seed = |seed: u32| {
@@ -153,10 +153,14 @@ fn one(
     let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
     let files = ["--json", PACKED, "--report", &report];
     let args = [&PLACEMENT[..], &lenient, &files, &["--freq", &frequency, "--seed", &number]].concat();
+    let path = dir.join(&report);
+    // One of an earlier run would stand beside the log of this one.
+    if path.exists() {
+        std::fs::remove_file(&path).map_err(ToolError::file(&path))?;
+    }
     if !tools::call_within(limit, &nextpnr.path, &args, dir, &format!("nextpnr-{seed}.log"))? {
         return Ok(None);
     }
-    let path = dir.join(report);
     let text = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
     let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let raw: RawReport = serde_json::from_str(&text).map_err(|e| failed(e.to_string()))?;

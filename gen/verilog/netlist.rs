@@ -104,6 +104,11 @@ impl Cell {
         self.entry("port_directions", port, "input");
     }
 
+    /// A parameter that is a word.
+    pub fn parameter(&self, name: &str) -> Option<&str> {
+        self.rest.get("parameters")?.get(name)?.as_str()
+    }
+
     /// Sets a parameter.
     pub fn set(&mut self, parameter: &str, value: &str) {
         self.entry("parameters", parameter, value);

@@ -11,13 +11,19 @@ use std::collections::HashMap;
 /// Names of a family's multipliers and flip-flops.
 struct Names {
     multiplier: &'static str,
+    clock: &'static str,
     data: &'static str,
     enable: &'static str,
     reset: &'static str,
 }
 
-const VIRTEX2: Names = Names { multiplier: "MULT18X18", data: "D", enable: "CE", reset: "R" };
-const ECP5: Names = Names { multiplier: "MULT18X18D", data: "DI", enable: "CE", reset: "LSR" };
+const VIRTEX2: Names = Names { multiplier: "MULT18X18", clock: "C", data: "D", enable: "CE", reset: "R" };
+const ECP5: Names = Names { multiplier: "MULT18X18D", clock: "CLK", data: "DI", enable: "CE", reset: "LSR" };
+
+/// Parameters of TRELLIS_FF, each with the values that the register of a MULT18X18D can do: rising edge, plain controls,
+/// zero after a reset.
+const MODES: [(&str, &[&str]); 4] =
+    [("CLKMUX", &["CLK"]), ("CEMUX", &["1", "CE"]), ("LSRMUX", &["LSR"]), ("REGSET", &["RESET"])];
 
 impl Names {
     /// Those of a family whose multipliers can take a register that Yosys leaves outside.
@@ -89,7 +95,11 @@ pub fn find(module: &Module, family: Family) -> Vec<Registered> {
             }
         }
     }
-    let control = |cell: &Cell| (cell.bit(names.enable), cell.bit(names.reset));
+    // What a register of the multiplier cannot tell apart from flip-flop to flip-flop.
+    let control = |cell: &Cell| {
+        let nets = [names.clock, names.enable, names.reset].map(|port| cell.bit(port));
+        (cell.kind.clone(), nets, MODES.map(|(name, _)| cell.parameter(name).map(str::to_owned)))
+    };
     let register = |(name, cell): (&String, &Cell)| -> Option<Registered> {
         let mut found = Registered { multiplier: name.clone(), flip_flops: vec![] };
         let mut together = None;
@@ -117,7 +127,9 @@ pub fn pack(netlist: &mut Netlist) -> u64 {
             // An unconnected enable is set, an unconnected reset is clear.
             let loads = first.bit(ECP5.enable).is_none_or(|enable| enable == always);
             let keeps = first.bit(ECP5.reset).is_none_or(|reset| reset == never);
-            let Some(clock) = first.bit("CLK").filter(|_| loads && keeps) else { continue };
+            let plain =
+                MODES.iter().all(|(name, legal)| first.parameter(name).is_none_or(|mode| legal.contains(&mode)));
+            let Some(clock) = first.bit(ECP5.clock).filter(|_| loads && keeps && plain) else { continue };
             let outputs: Vec<_> = flip_flops
                 .into_iter()
                 .filter_map(|(port, bit, name)| Some((port, bit, module.cells.remove(&name)?.bit("Q")?)))
@@ -211,5 +223,17 @@ mod tests {
         };
         assert_eq!(both("LSR", r#", "LSR": [9]"#), 0);
         assert_eq!(both("CE", r#", "LSR": ["0"], "CE": [9]"#), 0);
+        assert_eq!(both("CLK", r#", "LSR": ["0"], "CLK": [1]"#), 0);
+        let mode = |name, value, cells: &[&str]| {
+            let mut netlist = ecp5(r#", "LSR": ["0"]"#);
+            for cell in cells {
+                netlist.modules.get_mut("top").unwrap().cells.get_mut(*cell).unwrap().set(name, value);
+            }
+            pack(&mut netlist)
+        };
+        assert_eq!(mode("CLKMUX", "CLK", &["a", "b"]), 1);
+        assert_eq!(mode("CLKMUX", "INV", &["a", "b"]), 0);
+        assert_eq!(mode("REGSET", "SET", &["a", "b"]), 0);
+        assert_eq!(mode("REGSET", "SET", &["b"]), 0);
     }
 }

@@ -51,7 +51,7 @@ fn shorten(line: &str) -> String {
 /// Runs a tool in a folder, its output kept in `log`.
 ///
 /// # Errors
-/// The last error it printed.
+/// The first error it printed.
 pub fn call(tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<(), ToolError> {
     // Nothing that is called without a limit takes as long as that.
     const LONG: Duration = Duration::from_secs(100 * 24 * 3600);
@@ -61,7 +61,7 @@ pub fn call(tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<(), Too
 /// Runs a tool in a folder, its output kept in `log`, and stops it after a time; whether it ended by itself.
 ///
 /// # Errors
-/// The last error it printed.
+/// The first error it printed.
 pub fn call_within(limit: Duration, tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<bool, ToolError> {
     let name = tool.file_name().unwrap_or_default().to_string_lossy().into_owned();
     let failed = |message: String| ToolError::failed(&name, message);
@@ -82,7 +82,7 @@ pub fn call_within(limit: Duration, tool: &Path, args: &[&str], dir: &Path, log:
     }
     let said = std::fs::read(&path).map_err(ToolError::file(&path))?;
     let said = String::from_utf8_lossy(&said);
-    let error = said.lines().rfind(|line| line.contains("ERROR") || line.contains("rror:"));
+    let error = said.lines().find(|line| line.contains("ERROR") || line.contains("rror:"));
     Err(failed(error.or(said.lines().last()).unwrap_or("it failed without a word").trim().to_owned()))
 }
 

@@ -46,19 +46,8 @@ pub fn units(family: Family, top: &str) -> String {
                  {command} -run map_ffs:\n"
             )
         }
-        Family::Spartan6 => xilinx("xc6s", top) + "\n",
-        Family::Series7 => {
-            let command = xilinx("xc7", top);
-            // Yosys 0.23 moves the adder of a conditional negation in front of a product into the DSP48E1 and loses the
-            // sign of its operand on the way; adders are kept from it.
-            format!(
-                "{command} -run begin:map_dsp\n\
-                 chtype -set held t:$add\n\
-                 {command} -run map_dsp:coarse\n\
-                 chtype -set $add t:held\n\
-                 {command} -run coarse:\n"
-            )
-        }
+        Family::Spartan6 => without_adders(&xilinx("xc6s", top)),
+        Family::Series7 => without_adders(&xilinx("xc7", top)),
         Family::Ecp5 => format!("synth_ecp5 -abc9 -top {top} -noflatten\n"),
     }
 }
@@ -67,6 +56,18 @@ pub fn units(family: Family, top: &str) -> String {
 /// multiplexers of their own (MUXF5 and wider) are slower than trees of look-up tables and left out.
 fn xilinx(family: &str, top: &str) -> String {
     format!("synth_xilinx -family {family} -top {top} -noiopad -noclkbuf -nowidelut")
+}
+
+/// A command of [`xilinx`] that leaves adders outside multipliers. Yosys 0.23 moves the adder of a conditional negation in
+/// front of a product into the DSP48E1 and loses the sign of its operand on the way.
+fn without_adders(command: &str) -> String {
+    format!(
+        "{command} -run begin:map_dsp\n\
+         chtype -set held t:$add\n\
+         {command} -run map_dsp:coarse\n\
+         chtype -set $add t:held\n\
+         {command} -run coarse:\n"
+    )
 }
 
 /// A netlist of a family's cells for simulation: the Verilog in `source` mapped, on the ECP5 with the registers of
@@ -97,7 +98,7 @@ pub fn mapped(family: Family, source: &str, top: &str, netlist: &str, dir: &Path
         "read_json {MAPPED}\nwrite_verilog -noattr mapped.v\n\
          design -reset\n\
          read_verilog mapped.v\n{models}\
-         hierarchy -top {top}\nproc\nopt_expr\nsplitnets\nopt_clean\nwrite_verilog -noattr {netlist}\n"
+         hierarchy -check -top {top}\nproc\nopt_expr\nsplitnets\nopt_clean\nwrite_verilog -noattr {netlist}\n"
     );
     run(&yosys, "models", &commands, dir)
 }
