@@ -62,7 +62,7 @@ fn netlists_answer_as_the_reference_model() {
 /// Answers that differ on a device's cells. 9 bits are the fewest whose products take a multiplier on every device.
 fn mapped_mismatches(device: &str) -> Option<u64> {
     let params = Params { width: 9, transform_width: 9, transform: Transform::Off, ..Params::default() };
-    mismatches(&Params { device: device.to_owned(), ..params }, 1000, Netlist::Mapped)
+    mismatches(&Params { device: device.to_owned(), ..params }, 2000, Netlist::Mapped)
 }
 
 #[test]

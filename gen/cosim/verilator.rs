@@ -1,7 +1,8 @@
 //! Verilator: the printed VHDL, synthesised to a netlist and compiled, under the same vectors as GHDL's testbench.
 //!
 //! The netlist is either what GHDL infers from the VHDL, or that mapped by Yosys to cells of the device's family and
-//! simulated with Yosys' models of the cells. There are two states only, so what GHDL's simulation says of unknown values stays needed.
+//! simulated with models of the cells. There are two states only, so what GHDL's simulation says of unknown values stays
+//! needed.
 
 use super::external::{self, file_error};
 use super::{CosimError, Netlist, Options, Run};

@@ -6,7 +6,6 @@
 use super::critical_path::{self, CriticalPath, Names, RawPath};
 use super::{harness, VERILOG};
 use crate::design::Design;
-use crate::verilog::netlist::Netlist;
 use crate::verilog::product_registers;
 use crate::verilog::tools::{self, Tool};
 use crate::verilog::{yosys, ToolError};
@@ -107,9 +106,7 @@ pub(super) fn whole(yosys: &Tool, design: &Design, dir: &Path) -> Result<(), Too
     std::fs::write(&path, harness::text(&design.top)).map_err(ToolError::file(&path))?;
     let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -abc9 -top {top} -json {NETLIST}\n");
     yosys::run(yosys, "whole", &commands, dir)?;
-    let mut netlist = Netlist::read(&dir.join(NETLIST))?;
-    product_registers::pack(&mut netlist);
-    netlist.write(&dir.join(PACKED))
+    product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED))
 }
 
 /// Places and routes the whole of a design with seeds from 1 to `seeds`, each within `limit`.

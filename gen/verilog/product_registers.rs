@@ -5,8 +5,10 @@
 //! the ECP5 the netlist is changed before it is placed ([`pack`]).
 
 use super::netlist::{is_flip_flop, Bit, Cell, Level, Module, Netlist};
+use super::ToolError;
 use crate::device::Family;
 use std::collections::HashMap;
+use std::path::Path;
 
 /// Names of a family's multipliers and flip-flops.
 struct Names {
@@ -148,6 +150,16 @@ pub fn pack(netlist: &mut Netlist) -> u64 {
         }
     }
     packed
+}
+
+/// [`pack`] on a netlist that Yosys has written to `from`; the changed one is written to `to`.
+///
+/// # Errors
+/// What cannot be read or written.
+pub fn pack_file(from: &Path, to: &Path) -> Result<(), ToolError> {
+    let mut netlist = Netlist::read(from)?;
+    pack(&mut netlist);
+    netlist.write(to)
 }
 
 #[cfg(test)]

@@ -1,6 +1,5 @@
 //! Yosys: from Verilog to a netlist of a family's cells.
 
-use super::netlist::Netlist;
 use super::product_registers;
 use super::tools::{self, Tool};
 use super::ToolError;
@@ -82,9 +81,7 @@ pub fn mapped(family: Family, source: &str, top: &str, netlist: &str, dir: &Path
     let models = match family {
         Family::Ecp5 => {
             let path = dir.join(MAPPED);
-            let mut netlist = Netlist::read(&path)?;
-            product_registers::pack(&mut netlist);
-            netlist.write(&path)?;
+            product_registers::pack_file(&path, &path)?;
             let path = dir.join(MULT18X18D);
             std::fs::write(&path, include_str!("../../templates/mult18x18d.v")).map_err(ToolError::file(&path))?;
             format!("read_verilog +/ecp5/cells_sim.v\nread_verilog {MULT18X18D}\n")
