@@ -5,25 +5,15 @@
 //! tests say so on standard error and prove nothing. `EFSAT_PROOFS=full` (what `scripts/prove full` sets) takes greater
 //! widths.
 
-#[path = "proofs/axes.rs"]
 mod axes;
-#[path = "proofs/before_axes.rs"]
 mod before_axes;
-#[path = "proofs/claim.rs"]
 mod claim;
-#[path = "proofs/products.rs"]
 mod products;
-#[path = "proofs/rounding.rs"]
 mod rounding;
-#[path = "proofs/settings.rs"]
 mod settings;
-#[path = "proofs/sums.rs"]
 mod sums;
-#[path = "proofs/table.rs"]
 mod table;
-#[path = "proofs/tools.rs"]
 mod tools;
-#[path = "proofs/unit.rs"]
 mod unit;
 
 use claim::Claim;

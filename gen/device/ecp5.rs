@@ -3,10 +3,10 @@
 //! Cell delays are those of nextpnr-ecp5 0.11.1 (Project Trellis' timing data), read from its reports: flip-flop 0.52 ns
 //! clock to output and no set-up, LUT4 0.24, CCU2C from operand to carry 0.45, 0.07 for every cell of two bits, 0.44
 //! from carry to sum; MULT18X18D 3.93 from operand to product, or with a register behind the product 3.49 of set-up and
-//! 0.74 to its output. Nets in these reports take 0.1 to 1.5 ns in small units; the model takes 1.3, and 2.0 for many
-//! loads, because the whole design is placed less well. Behind a multiplier, which lies in a column of its own, nets on
-//! the critical path of the whole design took 3.2 to 4.2 ns; the model takes 4.2. What is on the part is from the
-//! family's data sheet (FPGA-DS-02012).
+//! 0.74 to its output. Nets take 0.1 to 1.5 ns in small units. In whole designs a select by lines with many loads, of
+//! three nets, took 5.1 to 7.2 ns in them; the model takes 1.5 a net and 3.0 for many loads, 6.0 together. Behind a
+//! multiplier, which lies in a column of its own, nets on the critical path took 3.2 to 4.2 ns; the model takes 4.2.
+//! What is on the part is from the family's data sheet (FPGA-DS-02012).
 //!
 //! `synth_ecp5` (Yosys 0.23) leaves the registers of MULT18X18D unused; the flow of this project moves the register
 //! behind a product there before it places (`verilog::product_registers`), and the model counts with it.
@@ -14,7 +14,8 @@
 //! A comparison is a chain of all its bits. Signed ones need two carries and the sum of the top bit; the carries leave
 //! through a cell more ([`Device::comparison`]).
 //!
-//! Not known: nets before placement; the set-up of enables and resets (0.42 ns in one report), taken to be none. No vendor tool was run.
+//! Not known: nets before placement; the set-up of enables and resets (0.42 ns in one report), taken to be none. No
+//! vendor tool was run.
 
 use super::{Chains, Device, Fabric, Family, MultiplierRegisters, Part, Resources};
 
@@ -43,12 +44,12 @@ pub(super) const LFE5U_85: Device = Device {
     source: "nextpnr-ecp5 0.11.1 (Project Trellis), nets after routing",
     fabric: &FABRIC,
     clock_to_output: 0.52,
-    // 4.2 for the net behind it instead of 1.3.
-    product_to_output: 0.74 + 2.9,
+    // 4.2 for the net behind it instead of 1.5.
+    product_to_output: 0.74 + 2.7,
     setup: 0.0,
     lut: 0.24,
-    net: 1.3,
-    wide_net: 2.0,
+    net: 1.5,
+    wide_net: 3.0,
     carry: 0.45 + 0.44,
     carry_bit: 0.07 / 2.0,
     // Set-up of the register behind the product.

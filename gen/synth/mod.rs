@@ -25,7 +25,7 @@ pub use units::Unit;
 
 use crate::artefact::{self, Scratch};
 use crate::design::Design;
-use crate::device::{Device, Resources};
+use crate::device::{Device, Family, Resources};
 use crate::params::Params;
 use crate::verilog::netlist::Netlist;
 use crate::verilog::{self, yosys, ToolError};
@@ -98,7 +98,7 @@ impl Report {
     pub fn slices(&self) -> Option<Slices> {
         let cells = self.cells();
         let estimate = || slices::estimate(cells.luts + cells.memory_luts, cells.flip_flops, None);
-        (self.flow == Flow::Virtex2).then(estimate)
+        (self.flow.family() == Family::Virtex2).then(estimate)
     }
 
     /// What the prediction and the tools disagree about beyond what is tolerated, in words: any difference in
@@ -156,7 +156,7 @@ pub fn run(
     step("Yosys, unit by unit");
     let netlist = units::netlist(&yosys, flow, dir)?;
     let counts = modelled(&design, flow, Some(&netlist));
-    let timing = if flow == Flow::Virtex2 { Some(units::timing(dir)?) } else { None };
+    let timing = if flow.family() == Family::Virtex2 { Some(units::timing(&netlist)?) } else { None };
     let mut tools = vec![yosys.version.clone()];
     let routed = match &nextpnr {
         Some(nextpnr) => {
@@ -209,19 +209,24 @@ fn claim(dir: &Path) -> Result<(), SynthError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::device;
+
+    fn predicted(params: &Params) -> Report {
+        predict(params, Flow::of(device::find(&params.device).unwrap())).unwrap()
+    }
 
     #[test]
     fn what_does_not_fit_is_not_placed() {
         let params = Params { device: "lfe5u-85-6".to_owned(), ..Params::default() };
-        assert!(predict(&params, Flow::Ecp5).unwrap().fits().is_ok());
-        let wide = predict(&Params { width: 19, ..params }, Flow::Ecp5).unwrap();
+        assert!(predicted(&params).fits().is_ok());
+        let wide = predicted(&Params { width: 19, ..params });
         let message = wide.fits().unwrap_err().to_string();
         assert!(message.starts_with("216 multipliers do not fit on lfe5u-85-6, which has 156"), "{message}");
     }
 
     #[test]
     fn the_schedules_clock_includes_set_up() {
-        let report = predict(&Params::default(), Flow::Virtex2).unwrap();
+        let report = predicted(&Params::default());
         let design = Design::new(&Params::default(), false).unwrap();
         let ns = 1000.0 / report.scheduled.0;
         assert!((ns - design.schedule.critical.0 - design.device.setup()).abs() < 1e-9 && ns <= 10.0 + 1e-9, "{ns}");

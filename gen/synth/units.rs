@@ -40,16 +40,12 @@ pub(super) fn netlist(yosys: &Tool, flow: Flow, dir: &Path) -> Result<Netlist, T
     Netlist::read(&dir.join(NETLIST))
 }
 
-/// Static timing of the netlist that [`netlist`] has left in a folder.
+/// Static timing of a netlist of units.
 ///
 /// # Errors
-/// What cannot be read, or has no timing.
-pub(super) fn timing(dir: &Path) -> Result<Timing, ToolError> {
-    let path = dir.join(NETLIST);
-    let file = std::fs::File::open(&path).map_err(ToolError::file(&path))?;
-    let failed = |message: String| ToolError::failed("static timing", message);
-    let netlist = serde_json::from_reader(std::io::BufReader::new(file)).map_err(|e| failed(e.to_string()))?;
-    static_timing::estimate(&netlist, TOP).map_err(|e| failed(e.to_string()))
+/// A netlist that has no timing.
+pub(super) fn timing(netlist: &Netlist) -> Result<Timing, ToolError> {
+    static_timing::estimate(netlist, TOP).map_err(|e| ToolError::failed("static timing", e.to_string()))
 }
 
 /// The units of a design, the top first, predicted for a device, and counted where there is a netlist of a flow.

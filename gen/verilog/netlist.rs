@@ -25,6 +25,9 @@ pub struct Module {
     /// Cells by name.
     #[serde(default)]
     pub cells: BTreeMap<String, Cell>,
+    /// Signals by name.
+    #[serde(default)]
+    pub netnames: BTreeMap<String, Signal>,
     #[serde(flatten)]
     rest: Map<String, Value>,
 }
@@ -32,6 +35,18 @@ pub struct Module {
 /// A port of a module.
 #[derive(Debug, Deserialize, Serialize)]
 pub struct Port {
+    /// The net of each bit, from the lowest up.
+    pub bits: Vec<Bit>,
+    /// `input`, `output` or `inout`.
+    #[serde(default)]
+    pub direction: String,
+    #[serde(flatten)]
+    rest: Map<String, Value>,
+}
+
+/// A signal of a module.
+#[derive(Debug, Deserialize, Serialize)]
+pub struct Signal {
     /// The net of each bit, from the lowest up.
     pub bits: Vec<Bit>,
     #[serde(flatten)]
@@ -92,6 +107,14 @@ impl Bit {
     }
 }
 
+impl Module {
+    /// Whether it is a cell of the library.
+    pub fn is_library(&self) -> bool {
+        let attributes = self.rest.get("attributes");
+        ["blackbox", "whitebox"].iter().any(|mark| attributes.is_some_and(|all| all.get(mark).is_some()))
+    }
+}
+
 impl Cell {
     /// The net of the lowest bit of a port.
     pub fn bit(&self, port: &str) -> Option<Bit> {
@@ -104,9 +127,11 @@ impl Cell {
         self.entry("port_directions", port, "input");
     }
 
-    /// A parameter that is a word.
+    /// A parameter that is a word. Yosys puts a space behind one that could be read as a number, such as `1`, or that
+    /// ends with a space itself.
     pub fn parameter(&self, name: &str) -> Option<&str> {
-        self.rest.get("parameters")?.get(name)?.as_str()
+        let word = self.rest.get("parameters")?.get(name)?.as_str()?;
+        Some(word.strip_suffix(' ').unwrap_or(word))
     }
 
     /// Sets a parameter.

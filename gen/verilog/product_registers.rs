@@ -10,22 +10,36 @@ use crate::device::Family;
 use std::collections::HashMap;
 use std::path::Path;
 
-/// Names of a family's multipliers and flip-flops.
+/// Names of a family's multipliers and flip-flops, and which flip-flops a multiplier can take in.
 struct Names {
     multiplier: &'static str,
     clock: &'static str,
     data: &'static str,
     enable: &'static str,
     reset: &'static str,
+    /// Whether a flip-flop may have an enable or a reset that is in use.
+    controlled: bool,
+    /// Parameters of a flip-flop, each with the values that are legal.
+    modes: &'static [(&'static str, &'static [&'static str])],
 }
 
-const VIRTEX2: Names = Names { multiplier: "MULT18X18", clock: "C", data: "D", enable: "CE", reset: "R" };
-const ECP5: Names = Names { multiplier: "MULT18X18D", clock: "CLK", data: "DI", enable: "CE", reset: "LSR" };
+/// MULT18X18S has an enable and a reset.
+const VIRTEX2: Names =
+    Names { multiplier: "MULT18X18", clock: "C", data: "D", enable: "CE", reset: "R", controlled: true, modes: &[] };
 
-/// Parameters of TRELLIS_FF, each with the values that the register of a MULT18X18D can do: rising edge, plain controls,
-/// zero after a reset.
-const MODES: [(&str, &[&str]); 4] =
-    [("CLKMUX", &["CLK"]), ("CEMUX", &["1", "CE"]), ("LSRMUX", &["LSR"]), ("REGSET", &["RESET"])];
+/// MULT18X18D has them too, but no register of ours behind a product does. Rising edge, plain controls, zero at the start.
+const ECP5: Names = Names {
+    multiplier: "MULT18X18D",
+    clock: "CLK",
+    data: "DI",
+    enable: "CE",
+    reset: "LSR",
+    controlled: false,
+    modes: &[("CLKMUX", &["CLK"]), ("CEMUX", &["1", "CE"]), ("LSRMUX", &["LSR"]), ("REGSET", &["RESET"])],
+};
+
+const NEVER: Bit = Bit::Constant(Level::Zero);
+const ALWAYS: Bit = Bit::Constant(Level::One);
 
 impl Names {
     /// Those of a family whose multipliers can take a register that Yosys leaves outside.
@@ -40,6 +54,14 @@ impl Names {
     /// Whether a port is the product or a bit of it: `P`, or `P0` to `P35`.
     fn is_product(port: &str) -> bool {
         port.strip_prefix('P').is_some_and(|bit| bit.bytes().all(|byte| byte.is_ascii_digit()))
+    }
+
+    /// Whether a multiplier can do what a flip-flop does. An unconnected enable is set, an unconnected reset is clear.
+    fn can_do(&self, cell: &Cell) -> bool {
+        let loads = cell.bit(self.enable).is_none_or(|enable| enable == ALWAYS);
+        let keeps = cell.bit(self.reset).is_none_or(|reset| reset == NEVER);
+        let legal = |(name, values): &(&str, &[&str])| cell.parameter(name).is_none_or(|value| values.contains(&value));
+        (self.controlled || (loads && keeps)) && self.modes.iter().all(legal)
     }
 }
 
@@ -57,6 +79,12 @@ impl Registered {
     pub fn flip_flops(&self) -> u64 {
         self.flip_flops.len() as u64
     }
+
+    /// Names of the multiplier and of the flip-flops.
+    pub fn cells(&self) -> impl Iterator<Item = &str> {
+        let flip_flops = self.flip_flops.iter().map(|(_, _, name)| name.as_str());
+        std::iter::once(self.multiplier.as_str()).chain(flip_flops)
+    }
 }
 
 /// What reads a bit of a product.
@@ -67,8 +95,8 @@ enum Load<'a> {
     Other,
 }
 
-/// Multipliers all of whose used product bits go to one flip-flop each and nowhere else, flip-flops that load and clear
-/// together; in the order of their names.
+/// Multipliers all of whose used product bits go to one flip-flop each and nowhere else, flip-flops that the multiplier
+/// can take in and that load and clear together; in the order of their names.
 pub fn find(module: &Module, family: Family) -> Vec<Registered> {
     let Some(names) = Names::of(family) else { return vec![] };
     let multipliers = || module.cells.iter().filter(|(_, cell)| cell.kind == names.multiplier);
@@ -100,7 +128,8 @@ pub fn find(module: &Module, family: Family) -> Vec<Registered> {
     // What a register of the multiplier cannot tell apart from flip-flop to flip-flop.
     let control = |cell: &Cell| {
         let nets = [names.clock, names.enable, names.reset].map(|port| cell.bit(port));
-        (cell.kind.clone(), nets, MODES.map(|(name, _)| cell.parameter(name).map(str::to_owned)))
+        let modes = names.modes.iter().map(|(name, _)| cell.parameter(name).map(str::to_owned));
+        (cell.kind.clone(), nets, modes.collect::<Vec<_>>())
     };
     let register = |(name, cell): (&String, &Cell)| -> Option<Registered> {
         let mut found = Registered { multiplier: name.clone(), flip_flops: vec![] };
@@ -108,7 +137,9 @@ pub fn find(module: &Module, family: Family) -> Vec<Registered> {
         for (port, bit, net) in product(cell) {
             match loads[&net].as_slice() {
                 [] => {}
-                [Load::Register(name, cell)] if *together.get_or_insert(control(cell)) == control(cell) => {
+                [Load::Register(name, cell)]
+                    if names.can_do(cell) && *together.get_or_insert(control(cell)) == control(cell) =>
+                {
                     found.flip_flops.push((port, bit, (*name).to_owned()));
                 }
                 _ => return None,
@@ -121,17 +152,10 @@ pub fn find(module: &Module, family: Family) -> Vec<Registered> {
 
 /// Moves registers into the MULT18X18D of a netlist for the ECP5, where they always load and never clear; returns how many.
 pub fn pack(netlist: &mut Netlist) -> u64 {
-    let (never, always) = (Bit::Constant(Level::Zero), Bit::Constant(Level::One));
     let mut packed = 0;
     for module in netlist.modules.values_mut() {
         for Registered { multiplier, flip_flops } in find(module, Family::Ecp5) {
-            let first = &module.cells[&flip_flops[0].2];
-            // An unconnected enable is set, an unconnected reset is clear.
-            let loads = first.bit(ECP5.enable).is_none_or(|enable| enable == always);
-            let keeps = first.bit(ECP5.reset).is_none_or(|reset| reset == never);
-            let plain =
-                MODES.iter().all(|(name, legal)| first.parameter(name).is_none_or(|mode| legal.contains(&mode)));
-            let Some(clock) = first.bit(ECP5.clock).filter(|_| loads && keeps && plain) else { continue };
+            let Some(clock) = module.cells[&flip_flops[0].2].bit(ECP5.clock) else { continue };
             let outputs: Vec<_> = flip_flops
                 .into_iter()
                 .filter_map(|(port, bit, name)| Some((port, bit, module.cells.remove(&name)?.bit("Q")?)))
@@ -140,7 +164,7 @@ pub fn pack(netlist: &mut Netlist) -> u64 {
             for (port, bit, output) in outputs {
                 cell.connections.entry(port).and_modify(|bits| bits[bit] = output);
             }
-            for (port, bit) in [("CLK0", clock), ("CE0", always), ("RST0", never)] {
+            for (port, bit) in [("CLK0", clock), ("CE0", ALWAYS), ("RST0", NEVER)] {
                 cell.connect(port, bit);
             }
             for (parameter, value) in [("CLK", "CLK0"), ("CE", "CE0"), ("RST", "RST0")] {
@@ -203,8 +227,10 @@ mod tests {
             "netnames": {{"q": {{"bits": [6, 7]}}}}, "cells": {{
             "m": {{"type": "MULT18X18D", "parameters": {{}}, "port_directions": {{"P0": "output"}},
                    "connections": {{"A0": [2], "B0": [3], "P0": [4], "P1": [5], "P2": [8]}}}},
-            "a": {{"type": "TRELLIS_FF", "connections": {{"DI": [4], "Q": [6], "CLK": [1], "LSR": ["0"]}}}},
-            "b": {{"type": "TRELLIS_FF", "connections": {{"DI": [5], "Q": [7], "CLK": [1]{control}}}}}}}}}}}}}"#
+            "a": {{"type": "TRELLIS_FF", "parameters": {{"CEMUX": "1 ", "CLKMUX": "CLK"}},
+                   "connections": {{"DI": [4], "Q": [6], "CLK": [1], "LSR": ["0"]}}}},
+            "b": {{"type": "TRELLIS_FF", "parameters": {{"CEMUX": "1 ", "CLKMUX": "CLK"}},
+                   "connections": {{"DI": [5], "Q": [7], "CLK": [1]{control}}}}}}}}}}}}}"#
         );
         serde_json::from_str(&text).unwrap()
     }

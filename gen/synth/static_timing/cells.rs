@@ -3,7 +3,7 @@
 use super::flatten::Design;
 use super::{delay, Start, TimingError};
 use crate::verilog::netlist::is_flip_flop;
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 
 /// A place where a path ends.
 pub(super) struct End<'a> {
@@ -19,9 +19,6 @@ pub(super) struct Cells<'a> {
     design: &'a Design,
     drivers: HashMap<usize, usize>,
     loads: HashMap<usize, Vec<(usize, &'a str)>>,
-    /// Multipliers that have the register behind them inside, and these flip-flops.
-    registered: HashSet<usize>,
-    absorbed: HashSet<usize>,
 }
 
 fn is_output(port: &str) -> bool {
@@ -49,29 +46,17 @@ impl<'a> Cells<'a> {
                 }
             }
         }
-        let (registered, absorbed) = (HashSet::new(), HashSet::new());
-        let mut cells = Self { design, drivers, loads, registered, absorbed };
-        cells.find_registered();
-        cells
+        Self { design, drivers, loads }
     }
 
-    /// A multiplier has its register inside if every bit of the product that is used goes to one flip-flop and nowhere
-    /// else.
-    fn find_registered(&mut self) {
-        let multipliers = (0..self.design.cells.len()).filter(|i| self.kind(*i) == "MULT18X18");
-        for multiplier in multipliers.collect::<Vec<_>>() {
-            let used = |net: &usize| !self.loads_of(*net).is_empty() || self.design.outputs.contains(net);
-            let product: Vec<usize> = self.outputs(multiplier).map(|(_, net)| net).filter(used).collect();
-            let register = |net: usize| match self.loads_of(net) {
-                [(cell, "D")] if is_flip_flop(self.kind(*cell)) && !self.design.outputs.contains(&net) => Some(*cell),
-                _ => None,
-            };
-            let registers: Option<Vec<usize>> = product.into_iter().map(register).collect();
-            if let Some(registers) = registers.filter(|all| !all.is_empty()) {
-                self.registered.insert(multiplier);
-                self.absorbed.extend(registers);
-            }
-        }
+    /// Whether a cell is a multiplier with the register behind it inside.
+    fn is_registered_multiplier(&self, cell: usize) -> bool {
+        self.design.cells[cell].registered && !self.is_in_multiplier(cell)
+    }
+
+    /// Whether a cell is a flip-flop that a multiplier takes in.
+    fn is_in_multiplier(&self, cell: usize) -> bool {
+        self.design.cells[cell].registered && is_flip_flop(self.kind(cell))
     }
 
     fn kind(&self, cell: usize) -> &'a str {
@@ -97,7 +82,7 @@ impl<'a> Cells<'a> {
     /// The path that starts in a cell, if one does.
     pub fn start(&self, cell: usize) -> Option<(Start, f64)> {
         match self.kind(cell) {
-            _ if self.absorbed.contains(&cell) => Some((Start::Multiplier, 0.0)),
+            _ if self.is_in_multiplier(cell) => Some((Start::Multiplier, 0.0)),
             kind if is_flip_flop(kind) => Some((Start::FlipFlop, delay::CLOCK_TO_OUTPUT)),
             kind if is_memory(kind) => Some((Start::FlipFlop, delay::SHIFT_CLOCK_TO_OUTPUT)),
             _ => None,
@@ -111,7 +96,7 @@ impl<'a> Cells<'a> {
             !self.loads_of(net).iter().all(stays)
         };
         let ns = match (self.kind(cell), port) {
-            _ if self.registered.contains(&cell) => return None,
+            _ if self.is_registered_multiplier(cell) => return None,
             (kind, _) if is_table(kind) => delay::LUT,
             ("MUXCY", "S") if leaves() => delay::CARRY_START_LEAVING,
             ("MUXCY", "S") => delay::CARRY_START,
@@ -147,11 +132,11 @@ impl<'a> Cells<'a> {
     /// Where paths end: flip-flops, memories, and the operands of registered multipliers.
     pub fn ends(&self) -> Vec<End<'a>> {
         let mut ends = vec![];
-        for cell in (0..self.design.cells.len()).filter(|cell| !self.absorbed.contains(cell)) {
+        for cell in (0..self.design.cells.len()).filter(|cell| !self.is_in_multiplier(*cell)) {
             let kind = self.kind(cell);
             for (port, net) in self.inputs(cell) {
                 let setup = match port {
-                    "A" | "B" if self.registered.contains(&cell) => None,
+                    "A" | "B" if self.is_registered_multiplier(cell) => None,
                     "D" if is_flip_flop(kind) || is_memory(kind) => Some(delay::SETUP),
                     "CE" | "WE" if is_flip_flop(kind) || is_memory(kind) => Some(delay::ENABLE_SETUP),
                     "R" | "S" if is_flip_flop(kind) => Some(delay::RESET_SETUP),

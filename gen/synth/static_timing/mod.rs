@@ -10,8 +10,8 @@ mod cells;
 mod flatten;
 
 use crate::device::virtex2::delay;
+use crate::verilog::netlist::Netlist;
 use cells::Cells;
-use serde_json::Value;
 
 /// What placed designs take longer than this estimate: its reports of synthesis were exceeded after routing by 13 % in
 /// the median and by more where nothing was constrained.
@@ -44,9 +44,9 @@ pub struct BesideMultipliers {
 /// Why there is no timing.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TimingError {
-    /// The JSON is no netlist.
-    #[error("no netlist: {0}")]
-    Netlist(String),
+    /// The netlist has no such module.
+    #[error("the netlist has no {0}")]
+    Missing(String),
     /// There is no path to be timed.
     #[error("{0} has no path between flip-flops")]
     NoPath(String),
@@ -68,9 +68,9 @@ type Arrivals = [Option<(f64, Option<usize>)>; 2];
 /// The timing of module `top` of a netlist.
 ///
 /// # Errors
-/// No netlist, no path, or a combinational loop.
-pub fn estimate(netlist: &Value, top: &str) -> Result<Timing, TimingError> {
-    let design = flatten::flatten(netlist, top)?;
+/// No such module, no path, or a combinational loop.
+pub fn estimate(netlist: &Netlist, top: &str) -> Result<Timing, TimingError> {
+    let design = flatten::flatten(netlist, top).ok_or_else(|| TimingError::Missing(top.to_owned()))?;
     let cells = Cells::new(&design);
     let mut arrivals: Vec<Arrivals> = vec![[None; 2]; design.nets];
     for cell in cells.in_order()? {

@@ -1,0 +1,23 @@
+//! What the library and the generated design have to hold, a file a capability. One program, so that it is linked once and
+//! both cores have work to the end; `cargo test --release --test testbench stream::` runs one file of it.
+
+mod accuracy;
+mod agreement;
+mod cli;
+mod compare;
+mod diagrams;
+mod effects;
+mod guard;
+mod hierarchy;
+mod house;
+mod mutation;
+mod operators;
+mod proofs;
+mod protocol;
+mod scenes;
+mod schedule;
+mod stream;
+mod stress;
+mod strict;
+mod synth;
+mod wall;
