@@ -7,7 +7,7 @@ use efsat::cosim::{self, Netlist, Options, Simulator};
 use efsat::design::Design;
 use efsat::device;
 use efsat::graph::estimate;
-use efsat::params::{Params, Transform};
+use efsat::params::{Params, Projections, Transform};
 use efsat::synth::{self, Flow, Report, SynthError};
 use efsat::verilog::{self, tools, ToolError};
 use serde_json::Value;
@@ -127,7 +127,8 @@ fn adds_up(unit: &Value) {
 /// A design that is placed within a minute.
 fn smallest_on_ecp5() -> Params {
     let device = "lfe5u-85-6".to_owned();
-    Params { width: 6, transform_width: 6, transform: Transform::Off, tag_width: 0, device, ..Params::default() }
+    let params = Params { width: 6, transform_width: 6, tag_width: 0, device, ..Params::default() };
+    Params { projections: Projections::Skip, renormalise: false, transform: Transform::Off, ..params }
 }
 
 #[test]
