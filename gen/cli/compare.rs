@@ -23,6 +23,10 @@ use std::convert::Infallible;
 use std::path::PathBuf;
 use tally::{Answer, Tally, TESTS};
 
+/// What excludes a mesh. Options of meshes exclude it by themselves: clap does not ask for what an option requires where
+/// an option is given that excludes it.
+const NO_MESH: [&str; 4] = ["file", "scene", "random", "seed"];
+
 /// Loose pairs that are in work at a time.
 const BATCH: usize = 1 << 14;
 
@@ -37,20 +41,20 @@ const BATCH: usize = 1 << 14;
 pub(super) struct Arguments {
     /// Pairs: .csv (18 numbers a row: a0 a1 a2 b0 b1 b2, each x y z; optional header), .f64 (the same as raw
     /// little-endian binary64), - for CSV on standard input; or a scene, .toml
-    #[arg(value_name = "FILE", conflicts_with_all = ["scene", "random", "seed", "mesh"])]
+    #[arg(value_name = "FILE", conflicts_with_all = ["scene", "random", "seed"])]
     file: Option<String>,
     #[command(flatten)]
     source: SourceArguments,
     /// A mesh against itself, .stl, .obj or .ply, tumbling like the built-in scene
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["scene", "random", "seed"])]
+    #[arg(long, value_name = "FILE", conflicts_with_all = NO_MESH)]
     mesh: Option<PathBuf>,
     /// Steps of a turn of the mesh
     #[arg(long, value_name = "N", default_value_t = Scene::STEPS, value_parser = whole(1..=100_000), requires = "mesh")]
-    #[arg(allow_negative_numbers = true)]
+    #[arg(allow_negative_numbers = true, conflicts_with_all = NO_MESH)]
     steps: u32,
     /// Distances between the centres of the mesh's boxes, in half-sizes of its cube
     #[arg(long, value_name = "LIST", default_values_t = Scene::DISTANCES, value_parser = distance, requires = "mesh")]
-    #[arg(value_delimiter = ',', allow_hyphen_values = true)]
+    #[arg(value_delimiter = ',', allow_hyphen_values = true, conflicts_with_all = NO_MESH)]
     distances: Vec<f64>,
     /// Unit of length in which the software tests read a scene, which only Moeller's epsilon depends on; cube if not
     /// given

@@ -9,18 +9,22 @@ use crate::graph::schedule::Scheduler;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
+/// Options that are of whole designs. Each option here excludes them by itself: clap does not ask for what an option
+/// requires where an option is given that excludes it.
+const OF_DESIGNS: [&str; 4] = ["out", "check", "lp", "stream_width"];
+
 /// A picture in place of the design.
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Dataflow picture of one unit, written in place of the design")]
 pub(super) struct DiagramArguments {
     /// Unit to be drawn; an unknown name is answered with the legal ones
-    #[arg(long, value_name = "NAME", conflicts_with_all = ["out", "check", "lp", "stream_width"])]
+    #[arg(long, value_name = "NAME", conflicts_with_all = OF_DESIGNS)]
     unit: Option<String>,
     /// Picture for Graphviz: a cluster a clock, formats on the edges, the critical path in red
-    #[arg(long, value_name = "FILE", requires = "unit")]
+    #[arg(long, value_name = "FILE", requires = "unit", conflicts_with_all = OF_DESIGNS)]
     dot: Option<PathBuf>,
     /// The same picture drawn, needing no Graphviz
-    #[arg(long, value_name = "FILE", requires = "unit")]
+    #[arg(long, value_name = "FILE", requires = "unit", conflicts_with_all = OF_DESIGNS)]
     svg: Option<PathBuf>,
 }
 
@@ -54,10 +58,12 @@ impl DiagramArguments {
     }
 }
 
-/// The one name of a file, links followed, that may not exist yet.
+/// The one name of a file, links followed, that may not exist yet. A link that leads nowhere is no file, nor is a name
+/// that ends in a slash.
 fn place(path: &Path) -> io::Result<PathBuf> {
     fs::canonicalize(path).or_else(|e| {
-        let name = path.file_name().ok_or(e)?;
+        let absent = path.symlink_metadata().is_err() && !path.as_os_str().as_encoded_bytes().ends_with(b"/");
+        let name = path.file_name().filter(|_| absent).ok_or(e)?;
         let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
         Ok(fs::canonicalize(parent.unwrap_or(Path::new(".")))?.join(name))
     })
@@ -67,26 +73,31 @@ fn place(path: &Path) -> io::Result<PathBuf> {
 fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
     let at = |path: &Path| {
         let path = path.display().to_string();
-        move |e: io::Error| Failure::Usage(format!("{path}: {e}"))
+        move |e: io::Error| Failure::Usage(format!("{path}: {e}; legal is a file in a folder that is there"))
     };
-    let mut staged = vec![];
+    let mut staged: Vec<(&Path, PathBuf, Option<Scratch>, &String)> = vec![];
     for (path, text) in files {
         let target = place(path).map_err(at(path))?;
-        if staged.iter().any(|(_, other, _)| *other == target) {
+        if staged.iter().any(|(_, other, ..)| *other == target) {
             return Err(Failure::Usage(format!("{}: found twice; legal is a file each", path.display())));
         }
         // A pipe or a terminal has no place beside it.
         let stream = fs::metadata(&target).is_ok_and(|there| !there.is_file() && !there.is_dir());
         let parent = target.parent().filter(|_| !stream && !target.is_dir());
         let scratch = parent.map(Scratch::inside).transpose().map_err(at(path))?;
-        let written = scratch.as_ref().map_or(target.clone(), |scratch| scratch.path().join("picture"));
-        fs::write(written, text).map_err(at(path))?;
-        staged.push((path, target, scratch));
-    }
-    for (path, target, scratch) in &staged {
-        if let Some(scratch) = scratch {
-            fs::rename(scratch.path().join("picture"), target).map_err(at(path))?;
+        if let Some(scratch) = &scratch {
+            fs::write(scratch.path().join("picture"), text).map_err(at(path))?;
+        } else if !stream {
+            return Err(at(path)(io::ErrorKind::IsADirectory.into()));
         }
+        staged.push((path, target, scratch, text));
+    }
+    for (path, target, scratch, text) in &staged {
+        match scratch {
+            Some(scratch) => fs::rename(scratch.path().join("picture"), target),
+            None => fs::write(target, text),
+        }
+        .map_err(at(path))?;
     }
     Ok(())
 }

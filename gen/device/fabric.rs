@@ -9,6 +9,8 @@ pub struct Fabric {
     pub prices: &'static [f64],
     /// Kind of carry chain.
     pub chains: Chains,
+    /// Tables in a row that take as long as a chain where mapping looks through chains; 0 where they end its paths.
+    pub chain_levels: u32,
     /// Bits in one carry cell.
     pub carry_cell: usize,
     /// Sums of at most this many bits are made of look-up tables.
@@ -49,6 +51,7 @@ pub(super) static SIX_INPUTS: Fabric = Fabric {
     tables: &[0, 1, 1, 1, 1, 1, 1],
     prices: &[0.0, 2.0, 2.0, 3.0, 5.0, 5.0, 5.0],
     chains: Chains::WithTables,
+    chain_levels: 0,
     carry_cell: 4,
     shortest_sum: 2,
     shortest_comparison: 2,

@@ -66,6 +66,7 @@ static FABRIC: Fabric = Fabric {
     tables: &[0, 1, 1, 1, 1],
     prices: &[0.0, 1.0, 1.0, 1.0, 1.0],
     chains: Chains::WithTables,
+    chain_levels: 0,
     carry_cell: 1,
     shortest_sum: 2,
     shortest_comparison: 2,

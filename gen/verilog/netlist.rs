@@ -37,9 +37,6 @@ pub struct Module {
 pub struct Port {
     /// The net of each bit, from the lowest up.
     pub bits: Vec<Bit>,
-    /// `input`, `output` or `inout`.
-    #[serde(default)]
-    pub direction: String,
     #[serde(flatten)]
     rest: Map<String, Value>,
 }
@@ -127,14 +124,13 @@ impl Cell {
         self.entry("port_directions", port, "input");
     }
 
-    /// A parameter that is a word. Yosys puts a space behind one that could be read as a number, such as `1`, or that
-    /// ends with a space itself.
+    /// A parameter as a word. Yosys writes a word that could be read as bits, such as `1`, with a space behind it.
     pub fn parameter(&self, name: &str) -> Option<&str> {
         let word = self.rest.get("parameters")?.get(name)?.as_str()?;
-        Some(word.strip_suffix(' ').unwrap_or(word))
+        Some(word.strip_suffix(' ').filter(|bits| bits.bytes().all(|bit| b"01xz".contains(&bit))).unwrap_or(word))
     }
 
-    /// Sets a parameter.
+    /// Sets a parameter to a word that cannot be read as bits.
     pub fn set(&mut self, parameter: &str, value: &str) {
         self.entry("parameters", parameter, value);
     }

@@ -17,15 +17,25 @@ struct Names {
     data: &'static str,
     enable: &'static str,
     reset: &'static str,
+    /// Kinds of flip-flops.
+    kinds: &'static [&'static str],
     /// Whether a flip-flop may have an enable or a reset that is in use.
     controlled: bool,
     /// Parameters of a flip-flop, each with the values that are legal.
     modes: &'static [(&'static str, &'static [&'static str])],
 }
 
-/// MULT18X18S has an enable and a reset.
-const VIRTEX2: Names =
-    Names { multiplier: "MULT18X18", clock: "C", data: "D", enable: "CE", reset: "R", controlled: true, modes: &[] };
+/// MULT18X18S has an enable and a reset, and zero at the start.
+const VIRTEX2: Names = Names {
+    multiplier: "MULT18X18",
+    clock: "C",
+    data: "D",
+    enable: "CE",
+    reset: "R",
+    kinds: &["FD", "FDE", "FDR", "FDRE"],
+    controlled: true,
+    modes: &[("INIT", &["0", "x"])],
+};
 
 /// MULT18X18D has them too, but no register of ours behind a product does. Rising edge, plain controls, zero at the start.
 const ECP5: Names = Names {
@@ -34,6 +44,7 @@ const ECP5: Names = Names {
     data: "DI",
     enable: "CE",
     reset: "LSR",
+    kinds: &["TRELLIS_FF"],
     controlled: false,
     modes: &[("CLKMUX", &["CLK"]), ("CEMUX", &["1", "CE"]), ("LSRMUX", &["LSR"]), ("REGSET", &["RESET"])],
 };
@@ -56,12 +67,21 @@ impl Names {
         port.strip_prefix('P').is_some_and(|bit| bit.bytes().all(|byte| byte.is_ascii_digit()))
     }
 
+    /// Whether a cell is a multiplier all of whose registers are still free.
+    fn is_free(&self, cell: &Cell) -> bool {
+        let registers = ["INPUTA", "INPUTB", "PIPELINE", "OUTPUT"].map(|place| format!("REG_{place}_CLK"));
+        cell.kind == self.multiplier
+            && registers.iter().all(|name| cell.parameter(name).is_none_or(|clock| clock == "NONE"))
+    }
+
     /// Whether a multiplier can do what a flip-flop does. An unconnected enable is set, an unconnected reset is clear.
     fn can_do(&self, cell: &Cell) -> bool {
         let loads = cell.bit(self.enable).is_none_or(|enable| enable == ALWAYS);
         let keeps = cell.bit(self.reset).is_none_or(|reset| reset == NEVER);
         let legal = |(name, values): &(&str, &[&str])| cell.parameter(name).is_none_or(|value| values.contains(&value));
-        (self.controlled || (loads && keeps)) && self.modes.iter().all(legal)
+        self.kinds.contains(&cell.kind.as_str())
+            && (self.controlled || (loads && keeps))
+            && self.modes.iter().all(legal)
     }
 }
 
@@ -99,7 +119,7 @@ enum Load<'a> {
 /// can take in and that load and clear together; in the order of their names.
 pub fn find(module: &Module, family: Family) -> Vec<Registered> {
     let Some(names) = Names::of(family) else { return vec![] };
-    let multipliers = || module.cells.iter().filter(|(_, cell)| cell.kind == names.multiplier);
+    let multipliers = || module.cells.iter().filter(|(_, cell)| names.is_free(cell));
     let product = |cell: &'_ Cell| -> Vec<(String, usize, u64)> {
         let ports = cell.connections.iter().filter(|(port, _)| Names::is_product(port));
         let bits = ports.flat_map(|(port, bits)| {
@@ -211,6 +231,26 @@ mod tests {
     }
 
     #[test]
+    fn registers_that_a_multiplier_cannot_be_stay_outside() {
+        let with = |kind: &str, init: &str| {
+            let mut module = module("");
+            let cell = module.cells.get_mut("b").unwrap();
+            cell.kind = kind.to_owned();
+            cell.set("INIT", init);
+            find(&module, Family::Virtex2).len()
+        };
+        assert_eq!((with("FDE", "0"), with("FDE", "1"), with("FDSE", "0"), with("FDRE_1", "0")), (0, 0, 0, 0));
+        let both = |init: &str| {
+            let mut module = module("");
+            for name in ["a", "b"] {
+                module.cells.get_mut(name).unwrap().set("INIT", init);
+            }
+            find(&module, Family::Virtex2).len()
+        };
+        assert_eq!((both("0"), both("1")), (1, 0));
+    }
+
+    #[test]
     fn a_product_that_is_read_elsewhere_keeps_its_registers() {
         let inverter = r#", "i": {"type": "INV", "connections": {"I": [5], "O": [8]}}"#;
         assert_eq!(find(&module(inverter), Family::Virtex2), []);
@@ -248,6 +288,12 @@ mod tests {
                                   "CLK0": [1], "CE0": ["1"], "RST0": ["0"]}}}}}}"#;
         let value = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
         assert_eq!(serde_json::to_value(&netlist).unwrap(), value(expected));
+        // Once more there is nothing to be moved, and a second register stays where it is.
+        let register = r#"{"type": "TRELLIS_FF", "connections": {"DI": [6], "Q": [9], "CLK": [1]}}"#;
+        let top = netlist.modules.get_mut("top").unwrap();
+        top.ports.clear();
+        top.cells.insert("second".to_owned(), serde_json::from_str(register).unwrap());
+        assert_eq!(pack(&mut netlist), 0);
     }
 
     #[test]

@@ -3,15 +3,26 @@
 //! A cut of a gate is a set of gates from which it can be computed; one look-up table does it if the set has at most k
 //! members. As synthesis does, the first cover makes every gate as early as it can be; the ones after it take cheaper
 //! cuts where no root gets later than the latest of the first. Area flow shares the price of a leaf among its users,
-//! which are those of the gates at first and afterwards those of the cover found before.
+//! which are those of the gates at first; each cover then moves the numbers a third of the way to its own, so that a
+//! gate that one cover passes over is not given up.
 
 use super::gates::{Bit, Gate, Gates};
+use std::collections::HashMap;
 
 /// Cuts kept for a gate.
 const CUTS: usize = 12;
 
 /// Covers tried, each from the users of the one before.
 const ROUNDS: usize = 4;
+
+/// Carry chains as mapping sees them: a cut that is late before a long chain makes the whole late.
+#[derive(Default)]
+pub(super) struct Passages {
+    /// For a bit that leaves a chain, those from which it comes.
+    pub before: HashMap<usize, Vec<Bit>>,
+    /// Tables in a row that take as long.
+    pub levels: u32,
+}
 
 #[derive(Clone)]
 struct Cut {
@@ -23,17 +34,18 @@ struct Cut {
 
 /// The look-up tables that compute `roots`, by their number of inputs (entry i: those with i inputs), at `prices[i]`
 /// for a table of i inputs; at most as many inputs as there are prices, less one.
-pub(super) fn cover(gates: &Gates, roots: &[Bit], prices: &[f64]) -> Vec<u64> {
+pub(super) fn cover(gates: &Gates, roots: &[Bit], prices: &[f64], passages: &Passages) -> Vec<u64> {
     let mut users = vec![0u32; gates.all.len()];
     for gate in needed(gates, roots) {
         gates.all[gate].operands().for_each(|o| users[o] += 1);
     }
     roots.iter().for_each(|r| users[r.gate()] += 1);
+    let mut shares: Vec<f64> = users.iter().map(|n| f64::from(*n)).collect();
     let mut required: Vec<u32> = vec![0; gates.all.len()];
     let mut latest = None;
     let mut best: Option<(f64, Vec<u64>)> = None;
     for _ in 0..ROUNDS {
-        let cuts = choose(gates, &users, prices, &required);
+        let cuts = choose(gates, &shares, prices, &required, passages);
         let end = *latest.get_or_insert_with(|| roots.iter().map(|r| cuts[r.gate()].depth).max().unwrap_or(0));
         let mut tables = vec![0; prices.len()];
         users.iter_mut().for_each(|n| *n = 0);
@@ -43,8 +55,14 @@ pub(super) fn cover(gates: &Gates, roots: &[Bit], prices: &[f64]) -> Vec<u64> {
             required[root.gate()] = end;
         }
         // Gates are in order, so that the users of each come after it.
-        for gate in (0..gates.all.len()).rev().filter(|g| !matches!(gates.all[*g], Gate::Zero | Gate::Leaf)) {
+        for gate in (0..gates.all.len()).rev() {
             if users[gate] == 0 {
+                continue;
+            }
+            if matches!(gates.all[gate], Gate::Zero | Gate::Leaf) {
+                for before in passages.before.get(&gate).into_iter().flatten().map(|bit| bit.gate()) {
+                    required[before] = required[before].min(required[gate].saturating_sub(passages.levels));
+                }
                 continue;
             }
             let leaves = &cuts[gate].leaves;
@@ -55,6 +73,7 @@ pub(super) fn cover(gates: &Gates, roots: &[Bit], prices: &[f64]) -> Vec<u64> {
                 required[*leaf as usize] = required[*leaf as usize].min(earlier);
             }
         }
+        shares.iter_mut().zip(&users).for_each(|(share, n)| *share = (2.0 * *share + f64::from(*n)) / 3.0);
         let price = tables.iter().zip(prices).map(|(n, price)| *n as f64 * price).sum();
         if best.as_ref().is_none_or(|b| price < b.0) {
             best = Some((price, tables));
@@ -78,13 +97,15 @@ fn needed(gates: &Gates, roots: &[Bit]) -> Vec<usize> {
 }
 
 /// The best cut of every gate: the cheapest that is not later than required, else the shallowest.
-fn choose(gates: &Gates, users: &[u32], prices: &[f64], required: &[u32]) -> Vec<Cut> {
+fn choose(gates: &Gates, shares: &[f64], prices: &[f64], required: &[u32], passages: &Passages) -> Vec<Cut> {
     let most = prices.len() - 1;
     let mut cuts: Vec<Vec<Cut>> = vec![];
     for (i, gate) in gates.all.iter().enumerate() {
         if matches!(gate, Gate::Zero | Gate::Leaf) {
             let leaves = if *gate == Gate::Leaf { vec![i as u32] } else { vec![] };
-            cuts.push(vec![Cut { leaves, flow: 0.0, depth: 0 }]);
+            let before = passages.before.get(&i).and_then(|bits| bits.iter().map(|b| cuts[b.gate()][0].depth).max());
+            let depth = before.map_or(0, |depth| depth + passages.levels);
+            cuts.push(vec![Cut { leaves, flow: 0.0, depth }]);
             continue;
         }
         let unions = gate.operands().fold(vec![vec![]], |unions: Vec<Vec<u32>>, operand| {
@@ -108,7 +129,7 @@ fn choose(gates: &Gates, users: &[u32], prices: &[f64], required: &[u32]) -> Vec
         own.truncate(CUTS);
         own.extend(shallowest);
         // What users of this gate pay when they take it as a leaf; the cut that computes it comes first.
-        own[0].flow /= f64::from(users[i].max(1));
+        own[0].flow /= shares[i].max(1.0);
         let itself = Cut { leaves: vec![i as u32], ..own[0].clone() };
         own.push(itself);
         cuts.push(own);
@@ -131,7 +152,7 @@ mod tests {
     const FOUR: [f64; 5] = [0.0, 1.0, 1.0, 1.0, 1.0];
 
     fn tables(gates: &Gates, roots: &[Bit]) -> u64 {
-        cover(gates, roots, &FOUR).iter().sum()
+        cover(gates, roots, &FOUR, &Passages::default()).iter().sum()
     }
 
     #[test]
@@ -165,14 +186,22 @@ mod tests {
         let high = gates.mux(x[0], x[4], x[5]);
         let four_to_one = gates.mux(x[1], low, high);
         let prices = [0.0, 1.0, 1.0, 1.0, 1.0, 2.0, 4.0];
-        assert_eq!(cover(&gates, &[four_to_one], &prices)[6], 1);
+        assert_eq!(cover(&gates, &[four_to_one], &prices, &Passages::default())[6], 1);
         // One root that is late anyway takes the haste away.
         let late = (0..9).fold(x[0], |chain, _| {
             let (and, xor) = (gates.leaf(), gates.leaf());
             let both = gates.and(chain, and);
             gates.xor(both, xor)
         });
-        let wide = |roots: &[Bit]| cover(&gates, roots, &prices)[6];
+        let after = gates.leaf();
+        let before = HashMap::from([(after.gate(), vec![x[0]])]);
+        let wide = |roots: &[Bit]| cover(&gates, roots, &prices, &Passages::default())[6];
         assert_eq!(wide(&[four_to_one, late]), wide(&[late]));
+        // So does a chain that takes as long as two tables, but not for what goes into it.
+        let chain = Passages { before, levels: 2 };
+        let wide = |passages: &Passages, roots: &[Bit]| cover(&gates, roots, &prices, passages)[6];
+        assert_eq!(wide(&chain, &[four_to_one, after]), 0);
+        let behind = Passages { before: HashMap::from([(after.gate(), vec![four_to_one])]), levels: 2 };
+        assert_eq!(wide(&behind, &[four_to_one, after]), 1);
     }
 }

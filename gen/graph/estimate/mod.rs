@@ -20,6 +20,7 @@ mod words;
 use super::netlist::{Driver, Module, SignalId};
 use super::{Op, Type};
 use crate::device::{Device, Resources};
+use cover::Passages;
 use gates::{Bit, Gate};
 use registers::{Control, Registers};
 use std::collections::{HashMap, VecDeque};
@@ -169,10 +170,21 @@ impl<'a> Reader<'a> {
         resources.flip_flops = delays.flip_flops;
         resources.memory_luts += delays.shift_luts;
         roots.dedup();
-        let tables = cover::cover(&self.words.gates, &roots, fabric.prices);
+        let tables = cover::cover(&self.words.gates, &roots, fabric.prices, &self.passages(&live, fabric.chain_levels));
         let in_tables: u64 = tables.iter().zip(fabric.tables).map(|(n, luts)| n * luts).sum();
         resources.luts = in_tables + self.inverters(&roots) + fabric.chain_luts(resources.carry);
         resources
+    }
+
+    /// The chains that mapping sees as ways from operands to sums; none where it takes them for ends of paths.
+    fn passages(&self, live: &Live, levels: u32) -> Passages {
+        let before = |(gate, source): (&usize, &Source)| match source {
+            Source::Chain(i, bit) if levels > 0 && live.chains[*i] > *bit => {
+                Some((*gate, (0..=*bit).flat_map(|bit| self.words.chain_inputs(*i, bit)).collect()))
+            }
+            _ => None,
+        };
+        Passages { before: self.words.sources.iter().filter_map(before).collect(), levels }
     }
 
     /// Complements of what is no gate: an inverter each, where the family's tables do not absorb it.
