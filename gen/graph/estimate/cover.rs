@@ -24,6 +24,15 @@ pub(super) struct Passages {
     pub levels: u32,
 }
 
+impl Passages {
+    /// What leaves a chain, with what goes into it and the levels between. A chain behind another ripples along with it,
+    /// which takes half.
+    fn entries(&self, gate: usize) -> impl Iterator<Item = (usize, u32)> + '_ {
+        let before = self.before.get(&gate).into_iter().flatten().map(|bit| bit.gate());
+        before.map(|gate| (gate, if self.before.contains_key(&gate) { self.levels.div_ceil(2) } else { self.levels }))
+    }
+}
+
 #[derive(Clone)]
 struct Cut {
     leaves: Vec<u32>,
@@ -60,8 +69,8 @@ pub(super) fn cover(gates: &Gates, roots: &[Bit], prices: &[f64], passages: &Pas
                 continue;
             }
             if matches!(gates.all[gate], Gate::Zero | Gate::Leaf) {
-                for before in passages.before.get(&gate).into_iter().flatten().map(|bit| bit.gate()) {
-                    required[before] = required[before].min(required[gate].saturating_sub(passages.levels));
+                for (before, levels) in passages.entries(gate) {
+                    required[before] = required[before].min(required[gate].saturating_sub(levels));
                 }
                 continue;
             }
@@ -103,8 +112,7 @@ fn choose(gates: &Gates, shares: &[f64], prices: &[f64], required: &[u32], passa
     for (i, gate) in gates.all.iter().enumerate() {
         if matches!(gate, Gate::Zero | Gate::Leaf) {
             let leaves = if *gate == Gate::Leaf { vec![i as u32] } else { vec![] };
-            let before = passages.before.get(&i).and_then(|bits| bits.iter().map(|b| cuts[b.gate()][0].depth).max());
-            let depth = before.map_or(0, |depth| depth + passages.levels);
+            let depth = passages.entries(i).map(|(before, levels)| cuts[before][0].depth + levels).max().unwrap_or(0);
             cuts.push(vec![Cut { leaves, flow: 0.0, depth }]);
             continue;
         }
