@@ -4,6 +4,7 @@
 use efsat::design::Design;
 use efsat::graph::netlist::{DelayLine, Driver, Module, ModuleBuilder};
 use efsat::graph::programme::{Event, Held, Programme, Reading, Stream};
+use efsat::graph::schedule::GROUP;
 use efsat::graph::{Op, Type};
 use efsat::params::{Axes, Params, Projections, Transform};
 use rayon::prelude::*;
@@ -85,6 +86,34 @@ fn modules_have_the_registers_that_the_programme_counts() {
         })
         .collect();
     assert!(wrong.is_empty(), "{} of {}\n{}", wrong.len(), sets.len(), wrong.join("\n"));
+}
+
+#[test]
+fn a_choice_that_is_too_long_takes_two_clocks() {
+    for (device, fits, divides) in [("xc2v6000-4", 100, 200), ("lfe5u-85-6", 100, 150)] {
+        for (frequency, divided) in [(fits, false), (divides, true)] {
+            let params = Params { device: device.to_owned(), frequency, ..Params::default() };
+            let design = Design::new(&params, false).unwrap();
+            let pipeline = design.top.hierarchy().into_iter().find(|m| m.name == "pair_pipeline").unwrap();
+            let groups: Vec<_> = pipeline.signals.iter().filter(|s| s.name.contains("_group_")).collect();
+            assert_eq!(!groups.is_empty(), divided, "{device} at {frequency} MHz");
+            let of_lane: Vec<&str> =
+                groups.iter().map(|s| s.name.as_str()).filter(|n| n.starts_with("axis_0_f_z_hi_")).collect();
+            let expected: &[&str] = if divided { &["axis_0_f_z_hi_group_0", "axis_0_f_z_hi_group_1"] } else { &[] };
+            assert_eq!(of_lane, expected, "the legs of one choice");
+            for signal in groups {
+                let Driver::Register { op, args, .. } = &signal.driver else {
+                    panic!("{} is no register", signal.name)
+                };
+                // The index and up to four legs, one leg, or the tables of the indices.
+                let most = if matches!(op, Some(Op::Select)) { 1 + GROUP } else { 1 };
+                assert!(args.len() <= most, "{}", signal.name);
+            }
+            let period = 1000.0 / f64::from(frequency);
+            let (ns, end) = &design.schedule.critical;
+            assert!(ns + design.device.setup() <= period + 1e-9, "{device} at {frequency} MHz: {ns} ns to {end}");
+        }
+    }
 }
 
 #[test]

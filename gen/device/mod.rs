@@ -40,6 +40,8 @@ pub struct Device {
     setup: f64,
     /// One LUT.
     lut: f64,
+    /// What a choice among many legs is made of, where reports say so; without it counts as a tree over its legs.
+    wide_choice: Option<WideChoice>,
     /// A net with few loads.
     net: f64,
     /// A net with many loads (select lines).
@@ -50,6 +52,17 @@ pub struct Device {
     carry_bit: f64,
     /// A product's bit k: base + k * step.
     product: (f64, f64),
+}
+
+/// A choice among more than two legs: one table of the widest kind if it takes them all; else levels of tables, and one in
+/// front that decodes the index.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct WideChoice {
+    /// Legs that a table of the widest kind takes.
+    legs: u32,
+    /// Delay of the slice's multiplexers, which make that table of others, ns. What comes out of them reaches a flip-flop
+    /// by a net.
+    multiplexers: f64,
 }
 
 /// Families, by the tools that serve them.
@@ -155,7 +168,12 @@ impl Device {
 
     /// Delay of a tree of LUTs over that many inputs.
     pub fn tree(&self, inputs: u32) -> f64 {
-        let levels = f64::from(inputs.max(2)).log(self.fabric.lut_inputs() as f64).ceil();
+        self.levels(inputs, self.fabric.lut_inputs() as u32)
+    }
+
+    /// Delay of levels of LUTs, each of which leaves one signal of that many.
+    fn levels(&self, inputs: u32, each: u32) -> f64 {
+        let levels = f64::from(inputs.max(2)).log(f64::from(each)).ceil();
         levels * (self.net + self.lut)
     }
 
@@ -164,7 +182,14 @@ impl Device {
         match legs {
             0 | 1 => 0.0,
             2 => self.wide_net + self.lut,
-            n => self.wide_net + self.lut + self.tree(n as u32),
+            n => {
+                let legs = match self.wide_choice {
+                    Some(choice) if n as u32 <= choice.legs => choice.multiplexers + self.net,
+                    Some(choice) => self.levels(n as u32, choice.legs) + choice.multiplexers + self.net,
+                    None => self.tree(n as u32),
+                };
+                self.wide_net + self.lut + legs
+            }
         }
     }
 

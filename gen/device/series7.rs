@@ -25,6 +25,7 @@ pub(super) const XC7A200T: Device = Device {
     product_to_output: 0.478,
     setup: 0.1,
     lut: 0.124,
+    wide_choice: None,
     net: 1.0,
     wide_net: 1.5,
     // Table, start of the chain, sum at its end.

@@ -20,6 +20,7 @@ pub(super) const XC6SLX150: Device = Device {
     product_to_output: 0.45,
     setup: 0.40,
     lut: 0.21,
+    wide_choice: None,
     net: 0.85,
     wide_net: 1.3,
     carry: 0.70,

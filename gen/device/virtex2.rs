@@ -89,6 +89,7 @@ pub(super) const XC2V6000: Device = Device {
     product_to_output: delay::CLOCK_TO_OUTPUT,
     setup: delay::SETUP,
     lut: delay::LUT,
+    wide_choice: None,
     net: 0.83,
     wide_net: 1.5,
     // Table, start of the chain, exclusive disjunction at its end.

@@ -139,7 +139,8 @@ impl<'a> Maker<'a> {
         }
         for i in &shown {
             let node = &unit.nodes[*i];
-            let (start, registered) = (self.schedule.slots[*i].start, self.schedule.slots[*i].registered);
+            let start = self.schedule.slots[*i].start;
+            let registered = self.schedule.slots[*i].registered && kind(&node.op) != Kind::Choice;
             for (place, arg) in node.args.iter().enumerate() {
                 let lagged = matches!(&node.op, Op::Choose { lagged } if place > 0 && lagged[place - 1]);
                 self.edge(arg.0, *i, start, registered, lagged);

@@ -1,7 +1,7 @@
 //! From a unit and its earliest schedule to the programme of all schedules of the same latency.
 
 use super::programme::{Event, Held, Programme, Reading, Stream};
-use super::schedule::{delay, leg_phases, Pass, Slot};
+use super::schedule::{delay, leg_phases, Pass, Slot, GROUP};
 use super::{Op, Type, Unit};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -141,6 +141,9 @@ impl<'a> Constraints<'a> {
                 match op {
                     Op::Instance(_) => {}
                     Op::ScanOr => self.programme.fixed += bits,
+                    Op::Choose { lagged } if registers > 0 => {
+                        self.programme.fixed += bits * lagged.len().div_ceil(GROUP) as u64;
+                    }
                     _ => self.programme.fixed += bits * registers as u64,
                 }
                 if slot.until == i32::MAX {
@@ -192,7 +195,7 @@ impl<'a> Constraints<'a> {
             for (leg, lagged) in lagged.iter().enumerate() {
                 let Some((first, last)) = leg_phases(unit, i, leg) else { continue };
                 let lag = if *lagged { self.pass.lag_clocks() } else { 0 };
-                let limit = if *lagged { self.pass.launch() } else { limit };
+                let limit = if *lagged || slot.registered { self.pass.launch() } else { limit };
                 let arg = unit.nodes[i].args[1 + leg].0;
                 match self.valid[arg].clone() {
                     Valid::Always => {}
@@ -278,6 +281,7 @@ impl<'a> Constraints<'a> {
         let arrival = match &node.op {
             Op::Instance(_) if from.offset > 0 => self.pass.children[&origin].output_ns,
             Op::Multiply => self.pass.device.product_launch(),
+            Op::Choose { lagged } if from.offset > 0 => self.pass.launch() + self.pass.choice(lagged.len()),
             _ if from.offset > 0 || matches!(node.op, Op::Input) => self.pass.launch(),
             _ => self.base(origin) + self.delay(origin),
         };
@@ -323,8 +327,8 @@ impl<'a> Constraints<'a> {
         let node = &self.pass.unit.nodes[i];
         match &node.op {
             Op::Instance(_) => self.pass.children[&i].input_path,
-            Op::Choose { lagged } => self.pass.device.mux(lagged.len()),
             _ if self.earliest[i].from > self.earliest[i].start => f64::INFINITY,
+            Op::Choose { lagged } => self.pass.device.mux(lagged.len()),
             op => {
                 let types: Vec<Type> = node.args.iter().map(|a| self.pass.unit.node(*a).ty).collect();
                 delay(self.pass.device, op, &types, node.ty)

@@ -1,11 +1,13 @@
 //! Lowering: a scheduled unit becomes a module, every wait a register.
 //!
 //! Names: a value delayed by n clocks is `name_d<n>`, a per-pair value captured again n clocks later is `name_h<n>`,
-//! a phase pattern read from clock c on is `name_at_<c>`, the strobe of phase p is `strobe_<p>`.
+//! a phase pattern read from clock c on is `name_at_<c>`, the strobe of phase p is `strobe_<p>`. A choice that takes two
+//! clocks chooses among the legs of each group (`name_group_<g>`) by `pattern_in_group_at_<c>`, then among the groups by
+//! `pattern_group_at_<c>`.
 
 use super::netlist::{Driver, Module, ModuleBuilder, SignalId};
 use super::range::Ranges;
-use super::schedule::{leg_phases, Schedule, Scheduler};
+use super::schedule::{leg_phases, Schedule, Scheduler, GROUP};
 use super::{Op, Range, Rate, Type, Unit};
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
@@ -80,6 +82,17 @@ impl<'a> Lowering<'a> {
     }
 }
 
+/// What is read of a phase pattern.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Digits {
+    /// All of it.
+    All,
+    /// Of the index of a choice, the place of the leg in its group.
+    InGroup,
+    /// Of the index of a choice, the group.
+    Group,
+}
+
 struct Lowered<'a> {
     unit: &'a Rc<Unit>,
     schedule: &'a Schedule,
@@ -90,7 +103,7 @@ struct Lowered<'a> {
     base: Vec<Option<SignalId>>,
     copies: BTreeMap<(usize, i32), SignalId>,
     strobes: BTreeMap<i32, SignalId>,
-    patterns: BTreeMap<(usize, i32), SignalId>,
+    patterns: BTreeMap<(usize, i32, Digits), SignalId>,
     phase: Option<SignalId>,
     instances: HashMap<usize, Vec<SignalId>>,
 }
@@ -191,7 +204,7 @@ impl Lowered<'_> {
             }
             Op::Choose { .. } => {
                 let legs = self.legs(i);
-                if legs.iter().all(|l| *l == legs[0]) {
+                if slot.from == slot.start && legs.iter().all(|l| *l == legs[0]) {
                     // One signal in all phases: no choice to be made.
                     self.base[i] = Some(legs[0]);
                     return;
@@ -264,9 +277,36 @@ impl Lowered<'_> {
     }
 
     fn connect_choose(&mut self, i: usize, id: SignalId, legs: Vec<SignalId>) {
-        let select = self.fetch(self.unit.nodes[i].args[0].0, self.schedule.slots[i].start);
+        let (select, slot) = (self.unit.nodes[i].args[0].0, self.schedule.slots[i]);
+        let (select, legs) = if slot.from == slot.start {
+            (self.fetch(select, slot.start), legs)
+        } else {
+            let groups = self.groups(i, &legs);
+            (self.pattern(select, slot.from, Digits::Group), groups)
+        };
         let args = std::iter::once(select).chain(legs).collect();
         self.out.module.signals[id.0].driver = Driver::Combinational { op: Op::Select, args };
+    }
+
+    /// The first of the two clocks of a choice: the chosen leg of each group, registered.
+    fn groups(&mut self, i: usize, legs: &[SignalId]) -> Vec<SignalId> {
+        let (node, slot) = (&self.unit.nodes[i], self.schedule.slots[i]);
+        let (name, ty, select) = (node.name.clone(), node.ty, node.args[0].0);
+        let mut chosen = vec![];
+        for (group, legs) in legs.chunks(GROUP).enumerate() {
+            let (op, args) = if legs.iter().all(|l| *l == legs[0]) {
+                (None, vec![legs[0]])
+            } else {
+                let index = self.pattern(select, slot.start, Digits::InGroup);
+                (Some(Op::Select), std::iter::once(index).chain(legs.iter().copied()).collect())
+            };
+            let driver = Driver::Register { op, args, enable: None, reset: None };
+            let id = self.out.push(&format!("{name}_group_{group}"), ty, driver);
+            self.describe(id, i, Some(slot.from));
+            self.out.module.signals[id.0].comment = String::new();
+            chosen.push(id);
+        }
+        chosen
     }
 
     /// The legs of a choice, each as it is in the clocks in which it is read.
@@ -287,7 +327,8 @@ impl Lowered<'_> {
             let lag = if *is_lagged { lag_clocks } else { 0 };
             let (first, last) = (slot.start + first as i32 + lag, slot.start + last as i32 + lag);
             // The scheduler's own figure: a leg is direct exactly where the scheduler took it to be.
-            let limit = if *is_lagged { self.launch } else { slot.ns - self.mux_delay(lagged.len()) };
+            let from_registers = *is_lagged || slot.registered;
+            let limit = if from_registers { self.launch } else { slot.ns - self.mux_delay(lagged.len()) };
             legs.push(Some(self.leg(arg, slot.start, first, last, limit)));
         }
         let any = legs.iter().flatten().next().copied().expect("some leg is read");
@@ -336,7 +377,7 @@ impl Lowered<'_> {
         let i = self.carrier(i);
         let slot = self.schedule.slots[i];
         if matches!(self.unit.nodes[i].op, Op::Phase(..)) {
-            return self.pattern(i, clock);
+            return self.pattern(i, clock, Digits::All);
         }
         let base = self.base[i].expect("operands come first");
         if slot.from == i32::MIN || clock == slot.from {
@@ -426,18 +467,33 @@ impl Lowered<'_> {
     }
 
     /// The values of a phase pattern for a use that starts in `clock`.
-    fn pattern(&mut self, i: usize, clock: i32) -> SignalId {
+    fn pattern(&mut self, i: usize, clock: i32, digits: Digits) -> SignalId {
         let unit = Rc::clone(self.unit);
         let interval = self.interval();
         let at = clock.rem_euclid(interval);
-        if let Some(id) = self.patterns.get(&(i, at)) {
+        if let Some(id) = self.patterns.get(&(i, at, digits)) {
             return *id;
         }
         let Op::Phase(values, ty) = &unit.nodes[i].op else { unreachable!("only phase patterns") };
-        let table = (0..interval).map(|p| values[(p + 1 - at).rem_euclid(interval) as usize].unwrap_or(0)).collect();
-        let id = self.table(&format!("{}_at_{at}", unit.nodes[i].name), table, *ty);
+        let group = GROUP as i128;
+        let most = values.iter().flatten().max().copied().unwrap_or(0);
+        let (part, ty) = match digits {
+            Digits::All => ("", *ty),
+            Digits::InGroup => ("_in_group", Type::unsigned(phase_bits(GROUP))),
+            Digits::Group => ("_group", Type::unsigned(phase_bits((most / group) as usize + 1))),
+        };
+        let value = |phase: i32| {
+            let value = values[phase.rem_euclid(interval) as usize].unwrap_or(0);
+            match digits {
+                Digits::All => value,
+                Digits::InGroup => value % group,
+                Digits::Group => value / group,
+            }
+        };
+        let table = (0..interval).map(|p| value(p + 1 - at)).collect();
+        let id = self.table(&format!("{}{part}_at_{at}", unit.nodes[i].name), table, ty);
         self.out.comment(id, unit.nodes[i].comment.clone());
-        self.patterns.insert((i, at), id);
+        self.patterns.insert((i, at, digits), id);
         id
     }
 

@@ -3,7 +3,8 @@
 //! As soon as possible, on times (clock, nanoseconds): a node starts when its last operand has arrived; where it would
 //! end after the period it starts a clock later from registers, and where even that is too long it is followed by as
 //! many registers as its delay spans periods (for products that is the rule, and the synthesiser moves the first into
-//! the multiplier). Units are scheduled by themselves, their inputs arriving from registers in clock 0, and all outputs
+//! the multiplier). A choice that is too long takes two clocks: among the legs of each group, then among the groups, with
+//! registers between. Units are scheduled by themselves, their inputs arriving from registers in clock 0, and all outputs
 //! leave at one latency; an instance then is one operation of its parent. That fixes the latency; within it nodes then
 //! start where they take the fewest register bits (see [`programme`](super::programme)).
 //!
@@ -93,6 +94,9 @@ pub struct Scheduler {
     period: f64,
     done: HashMap<*const Unit, Rc<Schedule>>,
 }
+
+/// Legs of a group, where a choice takes two clocks: two bits of the index choose among them.
+pub const GROUP: usize = 4;
 
 /// Lags tried before giving up: a result that needs more intervals than this is a defect of the unit.
 const MOST_LAG: i32 = 256;
@@ -247,8 +251,12 @@ impl Pass<'_> {
         let input_path = (0..slots.len()).map(path).fold(self.launch(), f64::max) - self.launch();
         let mut critical = (0.0, String::new());
         for (i, slot) in slots.iter().enumerate() {
-            if slot.ns > critical.0 {
-                critical = (slot.ns, format!("{}.{}", unit.name, unit.nodes[i].name));
+            let ns = match &unit.nodes[i].op {
+                Op::Choose { .. } if slot.from > slot.start => slot.ns.max(self.launch() + self.device.mux(GROUP)),
+                _ => slot.ns,
+            };
+            if ns > critical.0 {
+                critical = (ns, format!("{}.{}", unit.name, unit.nodes[i].name));
             }
         }
         for child in self.children.values() {
@@ -368,9 +376,20 @@ impl Pass<'_> {
         arrival
     }
 
+    /// Whether a choice among that many legs takes two clocks.
+    pub(super) fn divides(&self, legs: usize) -> bool {
+        legs > GROUP && !self.fits(self.launch() + self.device.mux(legs))
+    }
+
+    /// Delay of a choice among that many legs from its legs, or from its inner registers, to its output.
+    pub(super) fn choice(&self, legs: usize) -> f64 {
+        self.device.mux(if self.divides(legs) { legs.div_ceil(GROUP) } else { legs })
+    }
+
     fn place_choose(&self, i: usize, lagged: &[bool], slots: &[Slot], wish: Wish) -> Slot {
         let node = &self.unit.nodes[i];
-        let delay = self.device.mux(lagged.len());
+        let delay = self.choice(lagged.len());
+        let divided = self.divides(lagged.len());
         let mut clock = wish.start.max(0);
         loop {
             let (mut ready, mut ns) = (clock, self.launch());
@@ -384,14 +403,19 @@ impl Pass<'_> {
                 // A value that leaves too little of the period for the choice, or of its window for the last phase
                 // it is read in, is captured first.
                 let outlives = !per_pair || clock + (last as i32) < slot.until;
-                let in_time = self.fits(slot.ns + delay) && slot.ns + delay <= wish.ns + 1e-9;
+                let in_time = if divided {
+                    slot.ns <= self.launch()
+                } else {
+                    self.fits(slot.ns + delay) && slot.ns + delay <= wish.ns + 1e-9
+                };
                 let direct = in_time && outlives;
                 ready = ready.max(slot.from + i32::from(!direct) - if per_pair { first as i32 } else { 0 });
                 ns = ns.max(if direct { slot.ns } else { self.launch() });
             }
             if ready == clock {
-                let ns = ns + delay;
-                return Slot { start: clock, from: clock, until: i32::MAX, ns, registered: false };
+                let ns = if divided { self.launch() } else { ns } + delay;
+                let from = clock + i32::from(divided);
+                return Slot { start: clock, from, until: i32::MAX, ns, registered: divided };
             }
             clock = ready;
         }
