@@ -3,12 +3,12 @@
 //! Cell delays are those of nextpnr-ecp5 0.11.1 (Project Trellis' timing data), read from its reports: flip-flop 0.52 ns
 //! clock to output and no set-up, LUT4 0.24, CCU2C from operand to carry 0.45, 0.07 for every cell of two bits, 0.44
 //! from carry to sum; MULT18X18D 3.93 from operand to product, or with a register behind the product 3.49 of set-up and
-//! 0.74 to its output. Four tables are one of six inputs by PFUMX (0.17) and two of L6MUX21 (0.24), which chooses among
-//! four legs and reaches its flip-flop by a net. Nets take 0.1 to 1.5 ns in small units. In whole designs a choice among 11
-//! legs by lines with many loads took 5.1 to 7.6 ns in its four nets; the model takes 1.5 a net and 3.0 for many loads, 7.5
-//! together. Behind a
-//! multiplier, which lies in a column of its own, nets on the critical path took 3.2 to 4.2 ns; the model takes 4.2.
-//! What is on the part is from the family's data sheet (FPGA-DS-02012).
+//! 0.74 to its output. PFUMX (0.17) makes two tables one of five inputs, L6MUX21 (0.24 each) those of six and seven, which
+//! reach a flip-flop by a net; a choice among 11 legs ended in one of seven, 0.65, which the model takes for every choice.
+//! Nets take 0.1 to 1.5 ns in small units. In whole designs such a choice, by lines with many loads, took 5.1 to 7.6 ns in
+//! its nets; the model takes 1.5 a net and 3.0 for many loads, 7.5 together. Behind a multiplier, which lies in a column of
+//! its own, nets on the critical path took 3.2 to 4.2 ns; the model takes 4.2. What is on the part is from the family's
+//! data sheet (FPGA-DS-02012).
 //!
 //! `synth_ecp5` (Yosys 0.23) leaves the registers of MULT18X18D unused; the flow of this project moves the register
 //! behind a product there before it places (`verilog::product_registers`), and the model counts with it.
@@ -52,7 +52,7 @@ pub(super) const LFE5U_85: Device = Device {
     product_to_output: 0.74 + 2.7,
     setup: 0.0,
     lut: 0.24,
-    // Four LUT4 as one of six inputs: PFUMX 0.17 and two of L6MUX21, 0.24 each.
+    // A table of seven inputs: PFUMX 0.17 and two of L6MUX21, 0.24 each.
     wide_choice: Some(WideChoice { legs: 4, multiplexers: 0.65 }),
     net: 1.5,
     wide_net: 3.0,

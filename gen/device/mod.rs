@@ -54,13 +54,13 @@ pub struct Device {
     product: (f64, f64),
 }
 
-/// A choice among more than two legs: one table of the widest kind if it takes them all; else levels of tables, and one in
-/// front that decodes the index.
+/// A choice among more than two legs. If one wide table takes them all it is that table; else there are levels of tables,
+/// the last of them wide, behind one that decodes the index.
 #[derive(Clone, Copy, Debug, PartialEq)]
 struct WideChoice {
-    /// Legs that a table of the widest kind takes.
+    /// Legs that a wide table takes, and by which each level divides them.
     legs: u32,
-    /// Delay of the slice's multiplexers, which make that table of others, ns. What comes out of them reaches a flip-flop
+    /// Delay of the slice's multiplexers, which make a wide table of others, ns. What comes out of them reaches a flip-flop
     /// by a net.
     multiplexers: f64,
 }

@@ -9,8 +9,12 @@ pub(super) fn path(schedule: &Schedule) -> Vec<usize> {
     let last = (0..slots.len()).rev().max_by(|a, b| slots[*a].ns.total_cmp(&slots[*b].ns));
     let Some(mut node) = last else { return vec![] };
     if slots[node].ns < schedule.critical.0 {
-        let inner = schedule.critical.1.split('.').next().unwrap_or_default();
-        let holds = |i: &usize| matches!(&schedule.unit.nodes[*i].op, Op::Instance(child) if child.name == inner);
+        let (inner, name) = schedule.critical.1.split_once('.').unwrap_or_default();
+        let holds = |i: &usize| match &schedule.unit.nodes[*i].op {
+            Op::Instance(child) => child.name == inner,
+            // The first of the two clocks of a choice is longer than all that ends in a value.
+            _ => schedule.unit.name == inner && schedule.unit.nodes[*i].name == name,
+        };
         return (0..slots.len()).find(holds).into_iter().collect();
     }
     let mut path = vec![node];

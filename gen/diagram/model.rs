@@ -140,7 +140,7 @@ impl<'a> Maker<'a> {
         for i in &shown {
             let node = &unit.nodes[*i];
             let start = self.schedule.slots[*i].start;
-            let registered = self.schedule.slots[*i].registered && kind(&node.op) != Kind::Choice;
+            let registered = self.schedule.slots[*i].registered && !matches!(node.op, Op::Choose { .. });
             for (place, arg) in node.args.iter().enumerate() {
                 let lagged = matches!(&node.op, Op::Choose { lagged } if place > 0 && lagged[place - 1]);
                 self.edge(arg.0, *i, start, registered, lagged);

@@ -303,7 +303,9 @@ impl Lowered<'_> {
             let driver = Driver::Register { op, args, enable: None, reset: None };
             let id = self.out.push(&format!("{name}_group_{group}"), ty, driver);
             self.describe(id, i, Some(slot.from));
-            self.out.module.signals[id.0].comment = String::new();
+            let (first, last) = (group * GROUP, group * GROUP + legs.len() - 1);
+            let which = if first == last { format!("leg {first}") } else { format!("legs {first} to {last}") };
+            self.out.module.signals[id.0].comment = format!("{which} of {name}");
             chosen.push(id);
         }
         chosen

@@ -3,8 +3,8 @@
 //! As soon as possible, on times (clock, nanoseconds): a node starts when its last operand has arrived; where it would
 //! end after the period it starts a clock later from registers, and where even that is too long it is followed by as
 //! many registers as its delay spans periods (for products that is the rule, and the synthesiser moves the first into
-//! the multiplier). A choice that is too long takes two clocks: among the legs of each group, then among the groups, with
-//! registers between. Units are scheduled by themselves, their inputs arriving from registers in clock 0, and all outputs
+//! the multiplier). A choice among more than four legs that is too long takes two clocks: among the legs of each group,
+//! then among the groups, with registers between; what is too long even so stays so. Units are scheduled by themselves, their inputs arriving from registers in clock 0, and all outputs
 //! leave at one latency; an instance then is one operation of its parent. That fixes the latency; within it nodes then
 //! start where they take the fewest register bits (see [`programme`](super::programme)).
 //!
