@@ -191,11 +191,11 @@ impl<'a> Constraints<'a> {
         let Some(variable) = self.variables[i] else { return };
         let start = Event { variable, offset: 0 };
         if let Op::Choose { lagged } = &unit.nodes[i].op {
-            let limit = slot.ns - self.pass.device.mux(lagged.len());
+            let legs = lagged.len();
             for (leg, lagged) in lagged.iter().enumerate() {
                 let Some((first, last)) = leg_phases(unit, i, leg) else { continue };
                 let lag = if *lagged { self.pass.lag_clocks() } else { 0 };
-                let limit = if *lagged || slot.registered { self.pass.launch() } else { limit };
+                let limit = slot.latest_leg(self.pass.device, legs, *lagged);
                 let arg = unit.nodes[i].args[1 + leg].0;
                 match self.valid[arg].clone() {
                     Valid::Always => {}
@@ -315,7 +315,7 @@ impl<'a> Constraints<'a> {
     fn base(&self, i: usize) -> f64 {
         let slot = self.earliest[i];
         if let Op::Choose { lagged } = &self.pass.unit.nodes[i].op {
-            return slot.ns - self.pass.device.mux(lagged.len());
+            return slot.latest_leg(self.pass.device, lagged.len(), false);
         }
         let always = self.pass.unit.nodes[i].args.iter().filter(|a| matches!(self.valid[a.0], Valid::Always));
         always.map(|a| self.earliest[a.0].ns).fold(self.pass.launch(), f64::max)

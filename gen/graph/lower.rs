@@ -9,6 +9,7 @@ use super::netlist::{Driver, Module, ModuleBuilder, SignalId};
 use super::range::Ranges;
 use super::schedule::{leg_phases, Schedule, Scheduler, GROUP};
 use super::{Op, Range, Rate, Type, Unit};
+use crate::device::Device;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
@@ -34,14 +35,14 @@ pub struct Probe {
 pub struct Lowering<'a> {
     scheduler: &'a mut Scheduler,
     ranges: &'a Ranges,
-    launch: f64,
+    device: &'static Device,
     done: HashMap<*const Unit, Rc<Module>>,
 }
 
 impl<'a> Lowering<'a> {
     /// Lowers for the scheduler's device and clock.
-    pub fn new(scheduler: &'a mut Scheduler, device: &'static crate::device::Device, ranges: &'a Ranges) -> Self {
-        Self { scheduler, ranges, launch: device.launch(), done: HashMap::new() }
+    pub fn new(scheduler: &'a mut Scheduler, device: &'static Device, ranges: &'a Ranges) -> Self {
+        Self { scheduler, ranges, device, done: HashMap::new() }
     }
 
     /// The module of a unit; `probed` brings out the nodes the unit marks.
@@ -69,7 +70,7 @@ impl<'a> Lowering<'a> {
             schedule: &schedule,
             modules: &modules,
             ranges: self.ranges.unit(unit),
-            launch: self.launch,
+            device: self.device,
             out: ModuleBuilder::new(unit.name.clone(), unit.doc.clone()),
             base: vec![None; unit.nodes.len()],
             copies: BTreeMap::new(),
@@ -98,7 +99,7 @@ struct Lowered<'a> {
     schedule: &'a Schedule,
     modules: &'a HashMap<usize, Rc<Module>>,
     ranges: Option<&'a [Option<Range>]>,
-    launch: f64,
+    device: &'static Device,
     out: ModuleBuilder,
     base: Vec<Option<SignalId>>,
     copies: BTreeMap<(usize, i32), SignalId>,
@@ -329,8 +330,7 @@ impl Lowered<'_> {
             let lag = if *is_lagged { lag_clocks } else { 0 };
             let (first, last) = (slot.start + first as i32 + lag, slot.start + last as i32 + lag);
             // The scheduler's own figure: a leg is direct exactly where the scheduler took it to be.
-            let from_registers = *is_lagged || slot.registered;
-            let limit = if from_registers { self.launch } else { slot.ns - self.mux_delay(lagged.len()) };
+            let limit = slot.latest_leg(self.device, lagged.len(), *is_lagged);
             legs.push(Some(self.leg(arg, slot.start, first, last, limit)));
         }
         let any = legs.iter().flatten().next().copied().expect("some leg is read");
@@ -350,17 +350,13 @@ impl Lowered<'_> {
         self.hold(arg, last - self.interval() + 1, first)
     }
 
-    fn mux_delay(&self, legs: usize) -> f64 {
-        self.schedule.mux[legs.min(self.schedule.mux.len() - 1)]
-    }
-
     /// An operand consumed in one clock.
     fn operand(&mut self, arg: usize, clock: i32, registered: bool) -> SignalId {
         let slot = self.schedule.slots[arg];
         let per_pair = slot.from != i32::MIN && slot.until != i32::MAX;
         // The scheduler counts on a whole interval from here.
         let lasts = slot.until >= clock.saturating_add(self.interval());
-        if per_pair && registered && (slot.ns > self.launch || !lasts) {
+        if per_pair && registered && (slot.ns > self.device.launch() || !lasts) {
             return self.hold(arg, clock, clock);
         }
         self.fetch(arg, clock)

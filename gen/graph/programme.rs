@@ -108,8 +108,8 @@ pub struct Programme {
     pub streams: Vec<Stream>,
     /// Per-pair values.
     pub held: Vec<Held>,
-    /// Register bits that no schedule changes: registers behind operations and between the two
-    /// clocks of a choice, first captures, running state.
+    /// Register bits that no schedule changes: registers behind operations and between the two clocks of a choice, first
+    /// captures, running state.
     pub fixed: u64,
 }
 

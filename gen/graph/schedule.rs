@@ -4,9 +4,10 @@
 //! end after the period it starts a clock later from registers, and where even that is too long it is followed by as
 //! many registers as its delay spans periods (for products that is the rule, and the synthesiser moves the first into
 //! the multiplier). A choice among more than four legs that is too long takes two clocks: among the legs of each group,
-//! then among the groups, with registers between; what is too long even so stays so. Units are scheduled by themselves, their inputs arriving from registers in clock 0, and all outputs
-//! leave at one latency; an instance then is one operation of its parent. That fixes the latency; within it nodes then
-//! start where they take the fewest register bits (see [`programme`](super::programme)).
+//! then among the groups, with registers between; what is too long even so stays so. Units are scheduled by themselves,
+//! their inputs arriving from registers in clock 0, and all outputs leave at one latency; an instance then is one
+//! operation of its parent. That fixes the latency; within it nodes then start where they take the fewest register bits
+//! (see [`programme`](super::programme)).
 //!
 //! A per-pair value is valid in a *window* of clocks, at most one interval long. Uses inside the window need no
 //! register at all; a use beyond it captures the value again (a *hold*), which costs one register an interval whatever
@@ -38,6 +39,15 @@ pub struct Slot {
 impl Slot {
     /// A value that is there at any time.
     const ALWAYS: Self = Self { start: i32::MIN, from: i32::MIN, until: i32::MAX, ns: 0.0, registered: false };
+
+    /// Latest arrival, ns, of a leg that a choice with this slot reads as it is; what arrives later is captured first.
+    pub(super) fn latest_leg(&self, device: &Device, legs: usize, lagged: bool) -> f64 {
+        if lagged || self.registered {
+            device.launch()
+        } else {
+            self.ns - device.mux(legs)
+        }
+    }
 }
 
 /// The schedule of one unit.
@@ -55,8 +65,6 @@ pub struct Schedule {
     pub output_ns: f64,
     /// By how many intervals lagged phases follow.
     pub lag: i32,
-    /// Delay of a choice by its number of legs, ns.
-    pub mux: Vec<f64>,
     /// The longest path between registers in the unit and its instances, ns, with the name of its last node.
     pub critical: (f64, String),
     /// All schedules of this latency as a linear programme.
@@ -264,8 +272,6 @@ impl Pass<'_> {
                 critical = child.critical.clone();
             }
         }
-        let legs = unit.nodes.iter().map(|n| n.args.len()).max().unwrap_or(0).min(64);
-        let mux = (0..=legs.max(1)).map(|n| self.device.mux(n)).collect();
         Schedule {
             unit: Rc::clone(unit),
             slots,
@@ -273,7 +279,6 @@ impl Pass<'_> {
             input_path,
             output_ns,
             lag: self.lag,
-            mux,
             critical,
             programme,
             register_bits,
