@@ -3,9 +3,11 @@
 use std::hint::black_box;
 
 use criterion::{criterion_group, criterion_main, Criterion, Throughput};
-use efsat::golden::host::{loose_pair, Host};
-use efsat::golden::{sample, Golden, Pair, Pose};
+use efsat::golden::{Golden, Pair, Pose};
+use efsat::host::sample;
+use efsat::host::{loose_pair, Host};
 use efsat::params::Params;
+use efsat::sample::random_points;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 
@@ -38,7 +40,7 @@ fn exact(c: &mut Criterion) {
     let mut group = c.benchmark_group("points");
     group.throughput(Throughput::Elements(PAIRS as u64));
     let mut rng = ChaCha8Rng::seed_from_u64(1);
-    let points: Vec<[[f64; 3]; 6]> = (0..PAIRS).map(|_| sample::random_points(&mut rng)).collect();
+    let points: Vec<[[f64; 3]; 6]> = (0..PAIRS).map(|_| random_points(&mut rng)).collect();
     group.bench_function("exact::pair", |b| {
         b.iter(|| points.iter().map(|p| efsat::exact::pair(black_box(p)) as u64).sum::<u64>());
     });

@@ -6,8 +6,8 @@ use std::hint::black_box;
 
 use criterion::{criterion_group, criterion_main, BenchmarkId, Criterion, SamplingMode, Throughput};
 use efsat::exact;
-use efsat::golden::host::{Host, SceneHost};
 use efsat::golden::{Golden, Verdict};
+use efsat::host::{Host, SceneHost};
 use efsat::params::Params;
 use efsat::scene::Scene;
 use efsat::software::retest::{retest, retest_batch};

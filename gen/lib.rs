@@ -1,32 +1,8 @@
 #![doc = include_str!("../README.md")]
 
-// Floor 0
-pub mod device;
-pub mod number;
-pub mod params;
-// Floor 1
-pub mod exact;
-pub mod golden;
-pub mod graph;
-pub mod mesh;
-// Floor 2
-pub mod design;
-pub mod diagram;
-pub mod software;
-pub mod verilog;
-pub mod vhdl;
-// Floor 3
-pub mod artefact;
-pub mod driver;
-pub mod scene;
-pub mod stress;
-pub mod wall;
-// Floor 4
-pub mod cosim;
-pub mod synth;
-// Floor 5
-pub mod effects;
-pub mod mutation;
-pub mod report;
-// Floor 6
 pub mod cli;
+
+pub use efsat_evidence::{accuracy, cosim, effects, mutation, stress, synth, wall};
+pub use efsat_geometry::{exact, mesh, pair_file, sample, scene, software, Points};
+pub use efsat_hardware::{device, diagram, graph, number, vhdl};
+pub use efsat_unit::{artefact, design, golden, host, params};

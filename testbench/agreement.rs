@@ -7,9 +7,9 @@
 use efsat::artefact::Stimulus;
 use efsat::cosim::{self, Options, Simulator};
 use efsat::design::Design;
-use efsat::golden::host::{Host, SceneHost};
 use efsat::golden::{Golden, Pair, Pose};
 use efsat::graph::evaluate::Evaluator;
+use efsat::host::{Host, SceneHost};
 use efsat::mesh::Mesh;
 use efsat::params::{Axes, Guard, Params, Projections, Transform, Upper};
 use efsat::scene::{Meeting, Scene};

@@ -2,11 +2,12 @@
 
 use efsat::effects::{frame_contacts, plan, run, Front, Options, Plan, Request, Sampling};
 use efsat::exact::Exact;
-use efsat::golden::host::Host;
 use efsat::golden::{Golden, Verdict};
+use efsat::host::settings::Settings;
+use efsat::host::{Host, Stage};
 use efsat::params::Params;
 use efsat::scene::hierarchy::{Directions, Scratch};
-use efsat::scene::{load, Scene, Stage, Survivors};
+use efsat::scene::{load, Scene, Survivors};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -37,9 +38,9 @@ fn frames(scene: &Scene) -> Vec<usize> {
 }
 
 /// The 11 axes, ceilings and so on of the full unit do not stand in the parameters: 17 axis units may.
-fn request(scene: &Scene) -> Request {
+fn request() -> Request {
     let directions = Directions::of(18).unwrap();
-    Request { costs: false, ..Request::new(scene, Params::default(), directions) }
+    Request { costs: false, ..Request::new(&Settings::default(), Params::default(), directions) }
 }
 
 /// What is wrong about the planned unit, pair by pair: against the full unit and against the exact answer.
@@ -88,7 +89,7 @@ fn the_planned_unit_says_what_the_full_one_says_on_every_ready_scene() {
     let mut sets = BTreeSet::new();
     for path in ready() {
         let scene = load(&path).unwrap();
-        let plan = plan(&scene, &request(&scene)).unwrap();
+        let plan = plan(&scene, &request()).unwrap();
         assert_eq!(plan.full_params.axes.count(), 17);
         let tally = plan.planned.tally;
         if (tally.less_definite, tally.contradictions) != (0, 0) || plan.unit_pairs == 0 {
@@ -105,7 +106,7 @@ fn the_planned_unit_says_what_the_full_one_says_on_every_ready_scene() {
 #[test]
 fn a_unit_without_a_needed_stage_is_noticed() {
     let scene = load(&root().join("scenes/gears.toml")).unwrap();
-    let mut plan = plan(&scene, &request(&scene)).unwrap();
+    let mut plan = plan(&scene, &request()).unwrap();
     assert!(plan.params.renormalise && wrong(&scene, &plan).is_empty());
     plan.params.renormalise = false;
     assert!(!wrong(&scene, &plan).is_empty());
@@ -127,7 +128,7 @@ fn contacts_are_those_of_the_exact_test_whatever_is_switched_off() {
     let scene = load(&path).unwrap();
     let mut counts = BTreeSet::new();
     for switches in [vec![], vec![0], vec![1], vec![2], vec![3, 4, 5, 6]] {
-        let mut request = request(&scene);
+        let mut request = request();
         switches.iter().for_each(|effect| request.wishes[*effect] = efsat::effects::Wish::Off);
         let plan = plan(&scene, &request).unwrap();
         let front = Front::new(&scene, plan.software, request.directions);
@@ -145,7 +146,7 @@ fn contacts_are_those_of_the_exact_test_whatever_is_switched_off() {
 #[test]
 fn contacts_of_a_frame_are_retested() {
     let scene = load(&root().join("scenes/plates.toml")).unwrap();
-    let plan = plan(&scene, &request(&scene)).unwrap();
+    let plan = plan(&scene, &request()).unwrap();
     let front = Front::new(&scene, plan.software, Directions::of(18).unwrap());
     let contacts = frame_contacts(&front, &plan, 0);
     assert!(contacts.iter().all(|contact| contact.exact.is_some()));

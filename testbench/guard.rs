@@ -4,9 +4,10 @@
 use efsat::cosim::inputs;
 use efsat::design::{guard, Design};
 use efsat::exact::{self, Exact};
-use efsat::golden::{sample, Golden, Input, Pair, Pose, Verdict};
+use efsat::golden::{Golden, Input, Pair, Pose, Verdict};
 use efsat::graph::estimate;
 use efsat::graph::evaluate::Evaluator;
+use efsat::host::sample;
 use efsat::params::options::Choice;
 use efsat::params::{Guard, Params, Transform, Upper};
 use rand::SeedableRng;

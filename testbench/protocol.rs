@@ -3,8 +3,9 @@
 use efsat::artefact::vectors::{answer_word, pair_word, pose_word, Word};
 use efsat::artefact::Stimulus;
 use efsat::design::Design;
-use efsat::golden::{sample, Golden, Pair, Pose};
+use efsat::golden::{Golden, Pair, Pose};
 use efsat::graph::simulate::Simulation;
+use efsat::host::sample;
 use efsat::params::Params;
 use rand::SeedableRng;
 

@@ -2,11 +2,12 @@
 //! makes most of them definite, and both formulations of the exact answer agree on every pair.
 
 use efsat::exact::{linear_programme, posed_relation, relation, Exact};
-use efsat::golden::host::{loose_pair, Host, SceneHost};
-use efsat::golden::{sample, Golden, Pair, Pose, Verdict};
+use efsat::golden::{Golden, Pair, Pose, Verdict};
+use efsat::host::{loose_pair, Host, SceneHost};
 use efsat::mesh::Mesh;
 use efsat::number::{Interval, Upper};
 use efsat::params::Params;
+use efsat::sample::random_points;
 use efsat::scene::{load, BroadPhase, Meeting, Scene};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -184,7 +185,7 @@ fn weaker_on_scene(scene: &Scene, params: &Params) -> Weaker {
 fn weaker_on_random_pairs(count: usize, params: &Params) -> Weaker {
     let golden = Golden::new(params);
     let mut rng = ChaCha8Rng::seed_from_u64(1);
-    let sets: Vec<[[f64; 3]; 6]> = (0..count).map(|_| sample::random_points(&mut rng)).collect();
+    let sets: Vec<[[f64; 3]; 6]> = (0..count).map(|_| random_points(&mut rng)).collect();
     let of_pair = |points: &[[f64; 3]; 6]| match loose_pair(points, params) {
         Host::Unit(pair) => Weaker::of(&golden, &Pose::identity(params), &pair, || relation(points).class),
         Host::Decided(_) => Weaker::default(),

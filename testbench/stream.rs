@@ -2,11 +2,11 @@
 
 use efsat::artefact::{design_files_with, stream, stream_vectors, FileSet};
 use efsat::design::Design;
-use efsat::driver::{Driver, StandIn, Statistics, Transfer};
 use efsat::exact::{self, Exact};
-use efsat::golden::sample;
+use efsat::host::driver::{Driver, StandIn, Statistics, Transfer};
 use efsat::params::stream::{StreamFormat, StreamWidth};
 use efsat::params::{Axes, Params, Transform, Upper};
+use efsat::sample::random_points;
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
@@ -271,7 +271,7 @@ fn damaged_packets_are_answered_as_the_stand_in_answers_them() {
 fn the_driver_gets_exact_answers_through_the_wrapper() {
     let Some(ghdl) = ghdl() else { return };
     let mut rng = ChaCha8Rng::seed_from_u64(11);
-    let loose: Vec<[[f64; 3]; 6]> = (0..24).map(|_| sample::random_points(&mut rng)).collect();
+    let loose: Vec<[[f64; 3]; 6]> = (0..24).map(|_| random_points(&mut rng)).collect();
     let mut mesh = || -> Vec<[f64; 3]> { (0..9).map(|_| [0, 1, 2].map(|_| rng.random_range(-1.0..1.0))).collect() };
     let (a, b) = (mesh(), mesh());
     let triangles: Vec<([u32; 3], [u32; 3])> =

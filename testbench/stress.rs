@@ -1,12 +1,12 @@
 //! The stress campaign: a slice of it on several parameter sets, what its families reach, that it replays, and that it
 //! finds answers that are wrong.
 
-use efsat::golden::pair_file::Points;
 use efsat::golden::Verdict;
 use efsat::params::{Axes, Params, Projections, Transform, Upper};
 use efsat::stress::{
     Answer, Answerer, Campaign, Counts, Family, Kind, Model, Plan, Posed, Report, VertexOrder, FAMILIES,
 };
+use efsat::Points;
 use std::process::Command;
 
 fn plan(families: &[&str], each: u64, first: u64, seed: u64) -> Plan {

@@ -8,8 +8,7 @@ use efsat::design::Design;
 use efsat::device;
 use efsat::graph::estimate;
 use efsat::params::{Params, Projections, Transform};
-use efsat::synth::{self, Flow, Report, SynthError};
-use efsat::verilog::{self, tools, ToolError};
+use efsat::synth::{self, tools, verilog, yosys, Flow, Report, SynthError, ToolError};
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -168,7 +167,7 @@ const SMALL: [&str; 4] = ["--width", "8", "--transform-width", "10"];
 
 #[test]
 fn virtex_ii_has_the_predicted_cells() {
-    if verilog::ghdl().is_err() || verilog::yosys::find().is_err() {
+    if verilog::ghdl().is_err() || yosys::find().is_err() {
         return eprintln!("skipped: GHDL or Yosys is not installed");
     }
     let dir = TempDir::new().unwrap();

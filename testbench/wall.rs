@@ -1,5 +1,5 @@
 //! Wall maps: what holds on every map, for the default design and others, and `efsat wall` as a command. That the
-//! report sees what is wrong is shown in `gen/wall/report.rs`.
+//! report sees what is wrong is shown in `gen/evidence/wall/report.rs`.
 
 use efsat::params::{Axes, Params, Projections, Upper};
 use efsat::wall::{Answer, Contact, Grid, Map, Report, Step, CONTACTS, SIZE};

@@ -8,8 +8,8 @@ use super::output::{print, print_json};
 use super::params::ParamArguments;
 use super::progress;
 use super::source;
+use crate::accuracy::{self, sweep, Amount, Campaign, Plan, Progress, Request, Results, Shard, Store, MOST};
 use crate::params::Params;
-use crate::report::{self, sweep, Amount, Campaign, Plan, Progress, Request, Results, Shard, Store, MOST};
 use clap::{Args, FromArgMatches};
 use std::path::{Path, PathBuf};
 
@@ -101,7 +101,7 @@ fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> {
 
 /// The parameters of a point, read as the command line reads them.
 fn point(settings: &[sweep::Setting], base: &Params) -> Result<Params, Failure> {
-    let mut options = report::options(base);
+    let mut options = accuracy::options(base);
     options.extend(settings.iter().map(|setting| (setting.option.clone(), setting.value.clone())));
     params(&options).map_err(|message| {
         // The message names the option; the last setting that does is the place.
@@ -112,7 +112,7 @@ fn point(settings: &[sweep::Setting], base: &Params) -> Result<Params, Failure> 
 }
 
 /// Parameters from options by name.
-fn params(options: &report::Options) -> Result<Params, String> {
+fn params(options: &accuracy::Options) -> Result<Params, String> {
     let command = ParamArguments::augment_args(clap::Command::new("efsat").no_binary_name(true));
     let words = options.iter().map(|(name, value)| format!("--{name}={value}"));
     let matches = command.try_get_matches_from(words).and_then(|matches| ParamArguments::from_arg_matches(&matches));
@@ -130,11 +130,11 @@ impl Arguments {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scene: self.scene.clone(),
             title: scene.name.clone(),
-            digest: report::digest(scene),
+            digest: accuracy::digest(scene),
             pairs: self.pairs.to_string(),
             seed: self.seed,
             sweep: self.sweep.clone(),
-            base: report::options(base),
+            base: accuracy::options(base),
             multipliers: self.multipliers.clone(),
             synth: self.synth,
         }
@@ -179,7 +179,7 @@ fn part_done(arguments: &Arguments, shard: Shard, Progress { found, made }: Prog
 
 /// Writes the page and prints what is in it.
 fn finish(results: &Results, dir: &Path, progress: Progress, json: bool) -> Result<(), Failure> {
-    output::write(dir, &report::files(results))?;
+    output::write(dir, &accuracy::files(results))?;
     if json {
         print_json(&output::Printed::new(results, progress))?;
     } else {
@@ -214,7 +214,7 @@ fn command(request: &Request, transfer: f64) -> String {
     add("seed", &request.seed.to_string(), "1");
     add("multipliers", &list(&request.multipliers), &list(&MULTIPLIERS));
     add("transfer", &transfer.to_string(), "0");
-    for (name, default) in report::options(&Params::default()) {
+    for (name, default) in accuracy::options(&Params::default()) {
         add(&name, &request.base[&name], &default);
     }
     if request.synth {

@@ -6,11 +6,12 @@ use super::params::ParamArguments;
 use super::progress;
 use super::source::{Source, SourceArguments};
 use crate::exact::{self, Exact, Relation};
-use crate::golden::host::{loose_pair, Host};
-use crate::golden::pair_file::Points;
-use crate::golden::{sample, Golden, Pose, Verdict};
+use crate::golden::{Golden, Pose, Verdict};
+use crate::host::{loose_pair, Host, Stage};
 use crate::params::Params;
-use crate::scene::{Meeting, Scene, Stage};
+use crate::sample::random_points;
+use crate::scene::{Meeting, Scene};
+use crate::Points;
 use indicatif::ProgressBar;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -181,7 +182,7 @@ impl Classifier {
         let mut rng = ChaCha8Rng::seed_from_u64(seed);
         let mut left = count;
         while left > 0 {
-            let batch: Vec<Points> = (0..left.min(BATCH as u64)).map(|_| sample::random_points(&mut rng)).collect();
+            let batch: Vec<Points> = (0..left.min(BATCH as u64)).map(|_| random_points(&mut rng)).collect();
             left -= batch.len() as u64;
             self.pairs(&batch, sink, bar)?;
         }

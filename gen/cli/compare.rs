@@ -8,13 +8,14 @@ use super::params::{whole, ParamArguments};
 use super::progress;
 use super::source::{Source, SourceArguments};
 use crate::exact::{self, Exact};
-use crate::golden::host::{loose_pair, Host};
-use crate::golden::pair_file::Points;
-use crate::golden::{sample, Golden, Pose};
+use crate::golden::{Golden, Pose};
+use crate::host::{loose_pair, Host, Stage};
 use crate::mesh;
 use crate::params::Params;
-use crate::scene::{Frame, Scene, Stage};
+use crate::sample::random_points;
+use crate::scene::{Frame, Scene};
 use crate::software::Test;
+use crate::Points;
 use indicatif::ProgressBar;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
@@ -182,7 +183,7 @@ impl Comparison {
         let mut done = 0;
         while done < count {
             let size = (count - done).min(BATCH as u64);
-            let batch: Vec<Points> = (0..size).map(|_| sample::random_points(&mut rng)).collect();
+            let batch: Vec<Points> = (0..size).map(|_| random_points(&mut rng)).collect();
             total = total.merge(&self.loose(&batch, done));
             done += size;
             bar.inc(size);

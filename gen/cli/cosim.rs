@@ -7,11 +7,11 @@ use super::progress;
 use super::source::{count, Source, SourceArguments};
 use crate::artefact::Stimulus;
 use crate::cosim::{self, Netlist, Options, Report, Simulator};
-use crate::golden::host::{loose_pair, Host};
-use crate::golden::pair_file::Points;
 use crate::golden::{Pair, Pose, Verdict};
+use crate::host::{loose_pair, Host, Stage};
 use crate::params::{options::Choice, Params};
-use crate::scene::{Scene, Stage};
+use crate::scene::Scene;
+use crate::Points;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -58,27 +58,6 @@ pub(super) struct Arguments {
     json: bool,
     #[command(flatten)]
     params: ParamArguments,
-}
-
-impl Choice for Simulator {
-    const ALL: &'static [Self] = &[Self::Ghdl, Self::Nvc, Self::Builtin, Self::Verilator(Netlist::Rtl)];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Ghdl => "ghdl",
-            Self::Nvc => "nvc",
-            Self::Builtin => "builtin",
-            Self::Verilator(_) => "verilator",
-        }
-    }
-}
-
-impl Choice for Netlist {
-    const ALL: &'static [Self] = &[Self::Rtl, Self::Mapped];
-
-    fn name(self) -> &'static str {
-        Netlist::name(self)
-    }
 }
 
 /// The JSON object.

@@ -3,7 +3,7 @@
 use crate::artefact::FileSetError;
 use crate::cosim::CosimError;
 use crate::design::top::DesignError;
-use crate::golden::pair_file::PairFileError;
+use crate::pair_file::PairFileError;
 use crate::scene::SceneError;
 use crate::synth::SynthError;
 use clap::error::ErrorKind;

@@ -1,4 +1,4 @@
-//! The command line: one file per command. The only room that prints.
+//! The command line: one file per command. The only module that prints.
 //!
 //! Results go to standard output, everything else to standard error. Exit status: 0 done and everything agreed, 1 a
 //! check failed, 2 the command line or an input file is wrong.

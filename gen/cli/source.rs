@@ -2,8 +2,9 @@
 
 use super::error::Failure;
 use super::output::warn;
-use crate::golden::pair_file::{self, Points};
-use crate::scene::{self, Scene, Settings};
+use crate::host::settings::Settings;
+use crate::scene::{self, Scene};
+use crate::{pair_file, Points};
 use std::path::Path;
 
 /// The word for the built-in scene.
@@ -51,23 +52,25 @@ impl Source {
 /// Reads a scene, or takes the built-in one, for a command that does not plan: what the file says of effects and
 /// parameters is not for it, which is said on standard error.
 pub(super) fn load_scene(name: &str) -> Result<Scene, Failure> {
-    let scene = load_planned(name)?;
-    if scene.settings != Settings::default() {
+    let (scene, settings) = load_planned(name)?;
+    if settings != Settings::default() {
         warn(&format!("{name}: [effects] and [parameters] are for scene plan and scene run; not used here"));
     }
     Ok(scene)
 }
 
-/// Reads a scene, or takes the built-in one. Faces that cannot be used are left out, which is said on standard error.
-pub(super) fn load_planned(name: &str) -> Result<Scene, Failure> {
+/// Reads a scene with its settings, or takes the built-in one. Faces that cannot be used are left out, which is said on
+/// standard error.
+pub(super) fn load_planned(name: &str) -> Result<(Scene, Settings), Failure> {
     if name == HEADLIGHT {
-        return Ok(Scene::default_scene());
+        return Ok((Scene::default_scene(), Settings::default()));
     }
     let scene = scene::load(name.as_ref())?;
+    let settings = Settings::of(&scene, name.as_ref())?;
     for object in scene.objects.iter().filter(|object| object.findings.left_out() > 0) {
         warn(&format!("{name}: object {}: {}", object.name, object.findings));
     }
-    Ok(scene)
+    Ok((scene, settings))
 }
 
 /// A whole number, at least 1.

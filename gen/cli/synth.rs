@@ -53,14 +53,6 @@ pub(super) struct Arguments {
     params: ParamArguments,
 }
 
-impl Choice for Flow {
-    const ALL: &'static [Self] = &Flow::ALL;
-
-    fn name(self) -> &'static str {
-        Flow::name(self)
-    }
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     let device = device::find(&params.device).map_err(|e| Failure::Usage(e.to_string()))?;

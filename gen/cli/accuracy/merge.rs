@@ -1,8 +1,8 @@
 //! `efsat accuracy merge`.
 
 use super::{command, finish, nanoseconds, output, params, points};
+use crate::accuracy::{Plan, Progress, Request, Results, Store};
 use crate::cli::error::Failure;
-use crate::report::{Plan, Progress, Request, Results, Store};
 use std::path::{Path, PathBuf};
 
 /// Joins the parts of a campaign that `efsat accuracy --shard I/N` made, and writes its page

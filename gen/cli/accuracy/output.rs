@@ -1,10 +1,10 @@
 //! The folder of a campaign, and what is printed about it.
 
+use crate::accuracy::campaign::CampaignError;
+use crate::accuracy::store::{StoreError, FILE};
+use crate::accuracy::{Progress, Request, Results};
 use crate::artefact::Scratch;
 use crate::cli::error::Failure;
-use crate::report::campaign::CampaignError;
-use crate::report::store::{StoreError, FILE};
-use crate::report::{Progress, Request, Results};
 use serde::Serialize;
 use std::fs;
 use std::io;

@@ -4,9 +4,9 @@ use super::directions;
 use crate::cli::error::{from_clap, Failure};
 use crate::cli::params::ParamArguments;
 use crate::effects::{Request, Wish};
+use crate::host::settings::{Effect, Parameter, Settings, Switch};
 use crate::params::Params;
 use crate::scene::hierarchy::Directions;
-use crate::scene::{Effect, Parameter, Scene, Switch};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
 
@@ -37,10 +37,9 @@ pub(super) struct GivenArguments {
 
 impl GivenArguments {
     /// What is asked for in all.
-    pub fn request(&self, file: &str, scene: &Scene) -> Result<Request, Failure> {
-        let settings = &scene.settings;
+    pub fn request(&self, file: &str, settings: &Settings) -> Result<Request, Failure> {
         let (params, given) = self.options.params(file, &settings.parameters)?;
-        let mut request = Request::new(scene, params, self.k);
+        let mut request = Request::new(settings, params, self.k);
         for (i, (effect, switch)) in self.effect.iter().enumerate() {
             if self.effect[..i].iter().any(|(before, _)| before == effect) {
                 return Err(Failure::Usage(format!("--effect {effect}: found twice; legal is once")));

@@ -25,8 +25,8 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let scene = load_planned(&arguments.file)?;
-    let request = arguments.given.request(&arguments.file, &scene)?;
+    let (scene, settings) = load_planned(&arguments.file)?;
+    let request = arguments.given.request(&arguments.file, &settings)?;
     let spinner = progress::spinner("measuring");
     let plan = effects::plan(&scene, &request)?;
     spinner.finish_and_clear();

@@ -184,9 +184,9 @@ fn pair(scene: &Scene, contact: &Contact) -> String {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let scene = load_planned(&arguments.file)?;
+    let (scene, settings) = load_planned(&arguments.file)?;
     arguments.check(&scene)?;
-    let mut request = arguments.given.request(&arguments.file, &scene)?;
+    let mut request = arguments.given.request(&arguments.file, &settings)?;
     request.costs = false;
     let output = |path: &Option<PathBuf>| path.as_deref().map(Output::new).transpose();
     let (mut csv, mut pairs) = (output(&arguments.csv)?, output(&arguments.pairs)?);

@@ -1,0 +1,125 @@
+//! What one parameter set answers on the pairs of a campaign.
+
+use super::pairs::{Asked, Pairs};
+use super::timing::{batch_ns, Timing, Yardstick};
+use super::wilson;
+use efsat_geometry::exact::{Exact, Relation};
+use efsat_geometry::Points;
+use efsat_unit::golden::Verdict;
+use efsat_unit::params::Params;
+use serde::{Deserialize, Serialize};
+
+/// Possibly incorrect pairs that the retest is timed on at most, evenly spread.
+const TIMED: usize = 1 << 16;
+
+/// Exact answers as counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Truths {
+    /// No common point.
+    pub separate: u64,
+    /// Common points, the insides disjoint.
+    pub touch: u64,
+    /// The insides meet.
+    pub intersect: u64,
+    /// Pairs of these in one plane.
+    pub coplanar: u64,
+}
+
+impl Truths {
+    /// Counts one more.
+    pub fn add(&mut self, relation: Relation) {
+        match relation.class {
+            Exact::Separate => self.separate += 1,
+            Exact::Touch => self.touch += 1,
+            Exact::Intersect => self.intersect += 1,
+        }
+        self.coplanar += u64::from(relation.coplanar);
+    }
+}
+
+/// A count as a share, with its 95 % bounds.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Share {
+    /// The share.
+    pub share: f64,
+    /// Lower and upper bound.
+    pub bounds: [f64; 2],
+}
+
+impl Share {
+    /// `count` of `all`.
+    pub fn new(count: u64, all: u64) -> Self {
+        Self { share: count as f64 / all.max(1) as f64, bounds: wilson(count, all) }
+    }
+}
+
+/// The verdicts of a parameter set as counts, and what its possibly incorrect pairs cost.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Answers {
+    /// All pairs.
+    pub pairs: u64,
+    /// Called separate.
+    pub separate: u64,
+    /// Called intersecting.
+    pub intersect: u64,
+    /// Left possibly incorrect.
+    pub possibly_incorrect: u64,
+    /// What the possibly incorrect ones are, exactly.
+    pub undecided: Truths,
+    /// Definite answers that contradict the exact one.
+    pub wrong: u64,
+    /// Answered by the host, because they are outside the declared ranges.
+    pub host_decided: u64,
+    /// The exact retest of the possibly incorrect pairs; none if there are none.
+    pub retest: Option<Timing>,
+}
+
+impl Answers {
+    /// Asks all pairs. Also gives the places of the possibly incorrect ones. Nothing is timed.
+    pub(super) fn ask(pairs: &Pairs, params: &Params) -> (Self, Vec<u32>) {
+        let answered = Asked::new(pairs, params).all(|verdict, host| (verdict, host));
+        let mut answers = Self {
+            pairs: pairs.len() as u64,
+            separate: 0,
+            intersect: 0,
+            possibly_incorrect: 0,
+            undecided: Truths::default(),
+            wrong: 0,
+            host_decided: 0,
+            retest: None,
+        };
+        let mut undecided = vec![];
+        for (place, ((verdict, host), relation)) in answered.into_iter().zip(pairs.relations()).enumerate() {
+            let apart = relation.class == Exact::Separate;
+            answers.host_decided += u64::from(host);
+            match verdict {
+                Verdict::Separate => {
+                    answers.separate += 1;
+                    answers.wrong += u64::from(!apart);
+                }
+                Verdict::Intersect => {
+                    answers.intersect += 1;
+                    answers.wrong += u64::from(apart);
+                }
+                Verdict::PossiblyIncorrect => {
+                    answers.possibly_incorrect += 1;
+                    answers.undecided.add(*relation);
+                    undecided.push(place as u32);
+                }
+            }
+        }
+        (answers, undecided)
+    }
+
+    /// Times the retest of the possibly incorrect pairs, at these places.
+    pub(super) fn time(&mut self, pairs: &Pairs, undecided: &[u32], yardstick: &Yardstick) {
+        let places = Pairs::spread(undecided, TIMED);
+        let points: Vec<Points> = places.iter().map(|&place| pairs.points(place as usize)).collect();
+        self.retest = (!points.is_empty()).then(|| yardstick.time(points.len(), || batch_ns(&points)));
+    }
+
+    /// The share of possibly incorrect pairs.
+    pub fn share(&self) -> f64 {
+        self.possibly_incorrect as f64 / self.pairs.max(1) as f64
+    }
+}

@@ -1,0 +1,365 @@
+//! Which plots there are, and what is in them.
+
+use super::break_even::TOLERANCE;
+use super::headline::{grouped, percent, significant, time};
+use super::plot::{
+    Axis, Bar, Bars, Chart, Dot, Label, Line, Mark, Series, Size, Style, BLACK, BLUE, GREEN, GREY, NARROW, ORANGE,
+    PURPLE, SKY, VERMILION, WIDE,
+};
+use super::results::Results;
+use super::row::Row;
+
+/// A plot.
+pub struct Figure {
+    /// Name of its file, without extension.
+    pub name: &'static str,
+    /// What is to be seen.
+    pub caption: String,
+    /// For desks and paper.
+    pub wide: String,
+    /// For phones.
+    pub narrow: String,
+}
+
+impl Figure {
+    fn new(name: &'static str, caption: impl Into<String>, svg: impl Fn(Size) -> String) -> Self {
+        Self { name, caption: caption.into(), wide: svg(WIDE), narrow: svg(NARROW) }
+    }
+}
+
+const COLOURS: [&str; 6] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY];
+const MARKS: [Mark; 4] = [Mark::Circle, Mark::Square, Mark::Diamond, Mark::Triangle];
+
+/// All plots, the main one first.
+pub fn all(results: &Results) -> Vec<Figure> {
+    let mut figures = vec![time_by_width(results), share_by_width(results), share_by_time(results)];
+    figures.push(share_by_multipliers(results));
+    figures.extend(time_by_budget(results));
+    figures.push(causes(results));
+    figures
+}
+
+fn style(colour: &'static str, mark: Mark, line: Line) -> Style {
+    Style { colour, mark, line }
+}
+
+fn series(name: &str, style: Style, rows: &[&Row], dot: impl Fn(&Row) -> Dot) -> Series {
+    Series { name: name.to_owned(), style, dots: rows.iter().map(|row| dot(row)).collect() }
+}
+
+/// A point in words.
+fn about(results: &Results, row: &Row) -> String {
+    let base = &results.base().point.options;
+    let differs =
+        |(name, value): (&String, &String)| (base.get(name) != Some(value)).then(|| format!("{name} {value}"));
+    let what: Vec<String> = row.point.options.iter().filter_map(differs).collect();
+    let what = if what.is_empty() { point_name(results) } else { what.join(", ") };
+    format!(
+        "{what}: {} p.i., {} ns a pair, {} multipliers",
+        percent(row.possibly_incorrect.share),
+        significant(row.effective_ns),
+        grouped(row.point.hardware.cells.multipliers)
+    )
+}
+
+/// What the point around which the sweep goes is called.
+fn point_name(results: &Results) -> String {
+    let paper = super::options(&efsat_unit::params::Params::default());
+    let is_papers = results.base().point.options == paper;
+    if is_papers { "the paper's point" } else { "the point given" }.to_owned()
+}
+
+fn base_label(results: &Results, x: f64, y: f64) -> Label {
+    Label { x, y, text: point_name(results), ring: true }
+}
+
+fn percents([low, high]: [f64; 2]) -> Option<[f64; 2]> {
+    Some([100.0 * low, 100.0 * high])
+}
+
+/// Share of possibly incorrect pairs over the width.
+fn share_by_width(results: &Results) -> Figure {
+    let dot = |row: &Row| Dot {
+        x: row.point.width().into(),
+        y: 100.0 * row.possibly_incorrect.share,
+        bounds: percents(row.possibly_incorrect.bounds),
+        about: about(results, row),
+    };
+    let sticky = [("upper", "sticky"), ("projections", "intersect")];
+    let seventeen = [("upper", "sticky"), ("projections", "intersect"), ("axes", "17")];
+    let lines: [(&str, &[(&str, &str)]); 4] = [
+        ("as in the paper", &[]),
+        ("exact ceilings, intersected projections", &sticky),
+        ("the same with 17 axes", &seventeen),
+        ("without re-normalisation", &[("renormalise", "off")]),
+    ];
+    let mut all: Vec<Series> = lines
+        .iter()
+        .enumerate()
+        .map(|(i, (name, with))| series(name, style(COLOURS[i], MARKS[i], Line::Solid), &results.by_width(with), dot))
+        .filter(|series| series.dots.len() > 1 || series.name == "as in the paper")
+        .collect();
+    let floor = 100.0 * results.floor.share();
+    let widths = all.iter().flat_map(|s| &s.dots).map(|dot| dot.x);
+    let (least, most) = widths.fold((f64::MAX, f64::MIN), |(least, most), x| (least.min(x), most.max(x)));
+    if floor > 0.0 {
+        let ends = [least, most].map(|x| Dot { x, y: floor, bounds: None, about: String::new() });
+        let name = format!("no width decides: {}", percent(results.floor.share()));
+        all.push(Series { name, style: style(GREY, Mark::None, Line::Dashed), dots: ends.to_vec() });
+    }
+    let base = results.base();
+    let chart = Chart {
+        title: "More bits, fewer open answers".to_owned(),
+        about: "Share of possibly incorrect pairs over the working width".to_owned(),
+        x: Axis::linear("working width, bits"),
+        y: Axis::logarithmic("possibly incorrect, share of the pairs (log scale)").with_unit(" %"),
+        labels: vec![base_label(results, base.point.width().into(), 100.0 * base.possibly_incorrect.share)],
+        series: all,
+        none: "none".to_owned(),
+    };
+    let caption =
+        "Each bit of working width leaves fewer pairs possibly incorrect, down to the floor of pairs that no width \
+        decides. Bars are 95 % confidence bounds of the sample.";
+    Figure::new("share-by-width", caption, |size| chart.svg(size))
+}
+
+/// What the transfer of a possibly incorrect pair may take beyond what is given, in words and in ns.
+const TRANSFERS: [(&str, f64); 3] = [("", 0.0), (" + 1 µs", 1e3), (" + 10 µs", 1e4)];
+
+/// Effective time over the width, for several costs of a possibly incorrect pair.
+fn time_by_width(results: &Results) -> Figure {
+    let (at_clock, fastest) = (results.by_width(&[]), results.fastest());
+    let base = results.base();
+    let mut all = vec![];
+    let mut labels = vec![base_label(results, base.point.width().into(), base.effective_ns)];
+    let given = if results.transfer_ns > 0.0 {
+        format!("retest and {} of transfer", time(results.transfer_ns))
+    } else {
+        "retest".to_owned()
+    };
+    let mut line = |name: String, look: Style, rows: &[&Row], more: f64| {
+        let costly = |row: &Row| row.effective_ns + more * row.point.answers.share();
+        let dot = |row: &Row| Dot {
+            x: row.point.width().into(),
+            y: costly(row),
+            bounds: None,
+            about: format!(
+                "{} bits: {} a pair, {} p.i.",
+                row.point.width(),
+                time(costly(row)),
+                percent(row.possibly_incorrect.share)
+            ),
+        };
+        let least = rows.iter().map(|row| costly(row)).fold(f64::INFINITY, f64::min);
+        let good = |row: &&&Row| costly(row) <= least * (1.0 + TOLERANCE);
+        let mut name = name;
+        if let Some(row) = rows.iter().find(good).filter(|_| rows.len() > 1) {
+            name.push_str(&format!(": least from {} bits, {}", row.point.width(), time(costly(row))));
+            labels.push(Label { x: row.point.width().into(), y: costly(row), text: String::new(), ring: true });
+        }
+        all.push(series(&name, look, rows, dot));
+    };
+    for (i, (words, more)) in TRANSFERS.iter().enumerate().rev() {
+        let look = style([BLUE, PURPLE, VERMILION][i], MARKS[i], Line::Solid);
+        line(format!("{given}{words}"), look, &at_clock, *more);
+    }
+    if fastest.len() > 1 {
+        line("fastest clock".to_owned(), style(SKY, Mark::Triangle, Line::Solid), &fastest, 0.0);
+    }
+    let widths = || at_clock.iter().map(|row| f64::from(row.point.width()));
+    let ends = [widths().fold(f64::MAX, f64::min), widths().fold(f64::MIN, f64::max)];
+    for (name, what, colour) in
+        [("f64", "binary64 axes in software", ORANGE), ("retest, batch", "exact in software", GREEN)]
+    {
+        if let Some(step) = results.step(name) {
+            let dots = ends.map(|x| Dot { x, y: step.ns, bounds: None, about: what.to_owned() });
+            all.push(Series {
+                name: what.to_owned(),
+                style: style(colour, Mark::None, Line::Dashed),
+                dots: dots.to_vec(),
+            });
+        }
+    }
+    let clock = base.point.option("frequency");
+    let units = base.point.option("axes-per-clock");
+    let chart = Chart {
+        title: "What a pair costs at each width".to_owned(),
+        about: "Effective time a pair over the working width".to_owned(),
+        x: Axis::linear("working width, bits"),
+        y: Axis::logarithmic("effective time a pair, ns (log scale)"),
+        labels,
+        series: all,
+        none: String::new(),
+    };
+    let caption = format!(
+        "Effective time = clocks a pair over the clock + share of possibly incorrect (p.i.) pairs x their cost: the exact retest as \
+         measured, and what it takes to bring the pair to software (0, 1 or 10 µs more). Small rings mark the least width within \
+         1 % of the least time of a line. {clock} MHz, axes a clock: {units}. The dashed lines are the \
+         same pairs in software alone, on one core of this machine."
+    );
+    Figure::new("time-by-width", caption, |size| chart.svg(size))
+}
+
+/// The rows in groups of axis units, for colour.
+fn by_folding(results: &Results, y: impl Fn(&Row) -> f64, x: impl Fn(&Row) -> f64) -> Vec<Series> {
+    let mut units: Vec<u32> =
+        results.rows.iter().filter_map(|row| row.point.option("axes-per-clock").parse().ok()).collect();
+    units.sort_unstable();
+    units.dedup();
+    let of = |(i, n): (usize, &u32)| {
+        let rows: Vec<&Row> =
+            results.rows.iter().filter(|row| row.point.option("axes-per-clock") == n.to_string()).collect();
+        let name = format!("{n} {} a clock", if *n == 1 { "axis" } else { "axes" });
+        let look = style(COLOURS[i % COLOURS.len()], MARKS[i % MARKS.len()], Line::None);
+        series(&name, look, &rows, |row| Dot { x: x(row), y: y(row), bounds: None, about: about(results, row) })
+    };
+    units.iter().enumerate().map(of).collect()
+}
+
+/// The line through points that nothing beats.
+fn front(results: &Results, x: impl Fn(&Row) -> f64, best: impl Fn(&Row) -> bool) -> Series {
+    let mut rows: Vec<&Row> = results.rows.iter().filter(|row| best(row)).collect();
+    rows.sort_by(|p, q| x(p).total_cmp(&x(q)));
+    rows.dedup_by(|p, q| x(p) == x(q) && p.possibly_incorrect.share == q.possibly_incorrect.share);
+    let look = style(GREY, Mark::None, Line::Solid);
+    let dot =
+        |row: &Row| Dot { x: x(row), y: 100.0 * row.possibly_incorrect.share, bounds: None, about: String::new() };
+    series("best of all", look, &rows, dot)
+}
+
+/// Share over time, hardware and software.
+fn share_by_time(results: &Results) -> Figure {
+    let mut all = vec![front(results, |row| row.effective_ns, |row| row.best_for_time)];
+    all.extend(by_folding(results, |row| 100.0 * row.possibly_incorrect.share, |row| row.effective_ns));
+    let step = |step: &super::results::Step| Dot {
+        x: step.ns,
+        y: 100.0 * step.open.share,
+        bounds: None,
+        about: format!(
+            "{} ({}): {} ns a pair, {} without a right answer",
+            step.rung.name,
+            step.rung.about,
+            significant(step.ns),
+            percent(step.open.share)
+        ),
+    };
+    let software = results.ladder.iter().map(step).collect();
+    all.push(Series {
+        name: "software, one core".to_owned(),
+        style: style(BLACK, Mark::Hollow, Line::None),
+        dots: software,
+    });
+    let base = results.base();
+    let mut labels = vec![base_label(results, base.effective_ns, 100.0 * base.possibly_incorrect.share)];
+    let shown = ["f64, epsilon", "f64", "f32", "filter, batch", "retest, batch", "retest", "predicates", "rational"];
+    let named = shown.iter().filter_map(|name| results.step(name)).map(|step| Label {
+        x: step.ns,
+        y: 100.0 * step.open.share,
+        text: step.rung.name.clone(),
+        ring: false,
+    });
+    labels.extend(named);
+    let chart = Chart {
+        title: "Accuracy against time, hardware and software".to_owned(),
+        about: "Share of pairs without a right definite answer over the effective time a pair".to_owned(),
+        x: Axis::logarithmic("effective time a pair, ns (log scale)"),
+        y: Axis::logarithmic("pairs without a right definite answer (log scale)").with_unit(" %"),
+        series: all,
+        labels,
+        none: "none".to_owned(),
+    };
+    let caption = "Hardware leaves pairs possibly incorrect, which the effective time pays for; plain floating point is wrong \
+        without saying so, and the filter leaves pairs open. Exact methods are in the strip at the bottom. Left and below is better.";
+    Figure::new("share-by-time", caption, |size| chart.svg(size))
+}
+
+/// Share over multipliers.
+fn share_by_multipliers(results: &Results) -> Figure {
+    let multipliers = |row: &Row| row.point.hardware.cells.multipliers as f64;
+    let mut all = vec![front(results, multipliers, |row| row.best_for_multipliers)];
+    all.extend(by_folding(results, |row| 100.0 * row.possibly_incorrect.share, multipliers));
+    let base = results.base();
+    let chart = Chart {
+        title: "Accuracy against multipliers".to_owned(),
+        about: "Share of possibly incorrect pairs over the number of multipliers".to_owned(),
+        x: Axis::logarithmic("multipliers of 18 x 18 bits (log scale)"),
+        y: Axis::logarithmic("possibly incorrect, share of the pairs (log scale)").with_unit(" %"),
+        series: all,
+        labels: vec![base_label(results, multipliers(base), 100.0 * base.possibly_incorrect.share)],
+        none: "none".to_owned(),
+    };
+    let caption =
+        "Up to 18 bits a product takes one multiplier, beyond up to four: the last bits are bought with silicon.";
+    Figure::new("share-by-multipliers", caption, |size| chart.svg(size))
+}
+
+/// Time over width in fixed budgets.
+fn time_by_budget(results: &Results) -> Option<Figure> {
+    let mut budgets: Vec<u64> = results.foldings.iter().map(|fold| fold.budget).collect();
+    budgets.dedup();
+    let of = |(i, budget): (usize, &u64)| {
+        let rows = results.in_budget(*budget);
+        let look = style(COLOURS[i % COLOURS.len()], MARKS[i % MARKS.len()], Line::Solid);
+        series(&format!("{budget} multipliers"), look, &rows, |row| Dot {
+            x: row.point.width().into(),
+            y: row.effective_ns,
+            bounds: None,
+            about: about(results, row),
+        })
+    };
+    let all: Vec<Series> = budgets.iter().enumerate().map(of).filter(|series| !series.dots.is_empty()).collect();
+    let last = |series: &Series| {
+        let dot = series.dots.last().filter(|dot| dot.x != f64::from(results.base().point.width()))?;
+        let text = format!("{} bits", dot.x);
+        Some(Label { x: dot.x, y: dot.y, text, ring: false })
+    };
+    if all.is_empty() {
+        return None;
+    }
+    let base = results.base();
+    let mut labels = vec![base_label(results, base.point.width().into(), base.effective_ns)];
+    labels.retain(|label| all.iter().any(|s| s.dots.iter().any(|dot| (dot.x, dot.y) == (label.x, label.y))));
+    labels.extend(all.iter().filter_map(last));
+    let chart = Chart {
+        title: "The same multipliers, more bits: accuracy costs clocks".to_owned(),
+        about: "Effective time a pair over the width, with the fastest folding that fits".to_owned(),
+        x: Axis::linear("working width, bits"),
+        y: Axis::logarithmic("effective time a pair, ns (log scale)"),
+        labels,
+        series: all,
+        none: String::new(),
+    };
+    let caption =
+        "For each width the fastest folding whose multipliers fit the budget. A line ends where one axis a clock, the \
+        slowest folding there is, takes more: nothing is drawn that cannot be generated.";
+    Some(Figure::new("time-by-budget", caption, |size| chart.svg(size)))
+}
+
+/// Where possibly incorrect answers come from.
+fn causes(results: &Results) -> Figure {
+    let causes = &results.causes;
+    let examined = causes.examined.max(1) as f64;
+    let bar = |name: &str, value: f64, colour| Bar { name: name.to_owned(), value, text: percent(value), colour };
+    let mut bars: Vec<Bar> = causes.stages.iter().map(|cause| bar(&cause.stage, cause.part.max(0.0), BLUE)).collect();
+    let genuine = &causes.genuine;
+    let reasons = [
+        ("touching", genuine.touch),
+        ("coplanar", genuine.coplanar),
+        ("parallel edges", genuine.parallel_edges),
+        ("segment or point", genuine.degenerate),
+    ];
+    bars.extend(reasons.iter().map(|(name, count)| bar(name, *count as f64 / examined, VERMILION)));
+    let chart = Bars {
+        title: "Where possibly incorrect answers come from".to_owned(),
+        about: "Parts of the possibly incorrect pairs by the stage that loses accuracy".to_owned(),
+        bars,
+    };
+    let caption = format!(
+        "{} of the {} possibly incorrect pairs of {}, with each stage made exact in turn: a stage's part is the mean over all \
+         orders. Blue are roundings, red is what no arithmetic decides.",
+        grouped(causes.examined),
+        grouped(causes.undecided),
+        point_name(results)
+    );
+    Figure::new("causes", caption, |size| chart.svg(size))
+}

@@ -1,0 +1,154 @@
+//! Verilator: the printed VHDL, synthesised to a netlist and compiled, under the same vectors as GHDL's testbench.
+//!
+//! The netlist is either what GHDL infers from the VHDL, or that mapped by Yosys to cells of the device's family and
+//! simulated with models of the cells. There are two states only, so what GHDL's simulation says of unknown values stays
+//! needed.
+
+use super::external::{self, file_error};
+use super::{CosimError, Netlist, Options, Run};
+use crate::synth::tools::{self, Tool};
+use crate::synth::{verilog, yosys, ToolError};
+use askama::Template;
+use efsat_unit::artefact::testbench::{self, PACED, RESET_CLOCKS};
+use efsat_unit::artefact::vectors::{formats_line, Word};
+use efsat_unit::artefact::{self, Scratch, Stimulus};
+use efsat_unit::design::Design;
+use efsat_unit::params::options::Choice;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+/// The Verilog that is compiled.
+const NETLIST: &str = "netlist.v";
+
+/// The Verilog of the VHDL, before mapping.
+const SOURCE: &str = "efsat.v";
+
+/// Name of the top entity.
+const TOP: &str = "efsat";
+
+/// A port of the top and its place in a word.
+struct Field {
+    port: String,
+    low: u32,
+    bits: u32,
+}
+
+#[derive(Template)]
+#[template(path = "efsat_tb.cpp", escape = "none")]
+struct Bench {
+    header: Vec<String>,
+    formats: String,
+    paced: usize,
+    patience: usize,
+    full_after: usize,
+    reset_clocks: usize,
+    pair: Vec<Field>,
+    pose: Vec<Field>,
+    answer: Vec<Field>,
+    answer_bits: u32,
+    tag_width: u32,
+    tags: u64,
+    interval: usize,
+    latency: usize,
+}
+
+fn fields(word: &Word) -> Vec<Field> {
+    let mut low = 0;
+    let place = |(port, _, bits): &(String, i128, u32)| {
+        let field = Field { port: port.clone(), low, bits: *bits };
+        low += bits;
+        field
+    };
+    word.fields.iter().map(place).collect()
+}
+
+/// The C++ of the testbench.
+fn bench(design: &Design, command_line: &str) -> String {
+    let p = &design.params;
+    let [pair, pose, answer] = testbench::blank(p);
+    let bench = Bench {
+        header: artefact::origin(command_line),
+        formats: formats_line(p),
+        paced: PACED,
+        patience: testbench::patience(design),
+        full_after: testbench::full_after(design.interval),
+        reset_clocks: RESET_CLOCKS,
+        pair: fields(&pair),
+        pose: fields(&pose),
+        answer: fields(&answer),
+        answer_bits: answer.bits(),
+        tag_width: p.tag_width,
+        tags: 1 << p.tag_width.min(30),
+        interval: design.interval,
+        latency: design.latency,
+    };
+    bench.render().expect("the template renders")
+}
+
+fn find() -> Result<Tool, ToolError> {
+    let install = "apt-get install verilator g++ make";
+    tools::find(&["verilator"], "--version").ok_or(ToolError::Missing { tool: "Verilator", install })
+}
+
+/// Writes netlist, testbench and vectors, compiles, runs and reads the result.
+pub(super) fn run(
+    design: &Design,
+    command_line: &str,
+    stimulus: &Stimulus,
+    netlist: Netlist,
+    options: &Options,
+) -> Result<Run, CosimError> {
+    let verilator = find()?;
+    let temporary;
+    let dir: &Path = match &options.keep {
+        Some(dir) => {
+            std::fs::create_dir_all(dir).map_err(file_error(dir))?;
+            dir
+        }
+        None => {
+            temporary = Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
+            temporary.path()
+        }
+    };
+    let write = |name: &str, text: &str| {
+        let path = dir.join(name);
+        std::fs::write(&path, text).map_err(file_error(&path))
+    };
+    let text = verilog::from_vhdl(&artefact::vhdl_files(design, command_line)?, TOP, dir)?;
+    match netlist {
+        Netlist::Rtl => write(NETLIST, &text)?,
+        Netlist::Mapped => {
+            write(SOURCE, &text)?;
+            yosys::mapped(design.device.family, SOURCE, TOP, NETLIST, dir)?;
+        }
+    }
+    let vectors = format!("{}.vec", testbench::NAME);
+    write(&vectors, &artefact::vectors::text(&design.params, stimulus))?;
+    write("efsat_tb.cpp", &bench(design, command_line))?;
+    let (mut run, seconds) = simulate(&verilator, netlist, dir, &vectors)?;
+    run.simulator = format!("{}, {} netlist", verilator.version, netlist.name());
+    run.simulation = seconds;
+    Ok(run)
+}
+
+/// Compiles the netlist in a folder and runs the testbench on it; what it found, and the time it ran.
+fn simulate(verilator: &Tool, netlist: Netlist, dir: &Path, vectors: &str) -> Result<(Run, Duration), CosimError> {
+    let program = testbench::NAME;
+    // Warnings are about style in netlists that nobody wrote; two states need no care for the unknown.
+    let options = "--cc --exe --build -j 2 -O3 --x-assign fast --x-initial fast --noassert -Wno-fatal";
+    // The code of a mapped netlist is long: its units are compiled once each, and not optimised.
+    let cost = match netlist {
+        Netlist::Rtl => "-MAKEFLAGS OPT_FAST=-O2",
+        Netlist::Mapped => "--inline-mult 1 -MAKEFLAGS OPT_FAST=-O0",
+    };
+    let files = ["--top-module", TOP, "--Mdir", "obj", "-o", program, NETLIST, "efsat_tb.cpp"];
+    let args: Vec<&str> = options.split(' ').chain(cost.split(' ')).chain(files).collect();
+    tools::call(&verilator.path, &args, dir, "verilator.log")?;
+    let dir = dir.canonicalize().map_err(file_error(dir))?;
+    let start = Instant::now();
+    let text = external::call(&dir, &dir.join("obj").join(program).to_string_lossy(), &[vectors.to_owned()], false)?;
+    let seconds = start.elapsed();
+    let log = dir.join("simulation.log");
+    std::fs::write(&log, &text).map_err(file_error(&log))?;
+    Ok((external::parse(&text, "verilator")?, seconds))
+}

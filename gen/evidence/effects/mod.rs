@@ -1,0 +1,35 @@
+//! Effects: which optional stages a scene calls for, and what the unit without the others answers.
+//!
+//! An effect is an optional stage of the unit or of the software before it ([`Effect`](efsat_unit::host::settings::Effect)). Whether a
+//! scene needs one is measured with the reference model on all pairs that survive ([`plan`](fn@plan)); then the unit
+//! without the others is run on the same pairs ([`run`](fn@run)). The rules are on a page of their own,
+//! `docs/effects.md`.
+
+mod bench;
+mod census;
+mod cosimulation;
+mod cost;
+mod found;
+mod front;
+mod measure;
+mod outcome;
+pub mod picture;
+mod plan;
+mod reason;
+mod request;
+mod run;
+mod sample;
+mod stages;
+mod words;
+
+pub use census::Census;
+pub use cosimulation::Cosimulation;
+pub use cost::{Cost, Saving};
+pub use front::{Front, Software};
+pub use measure::Tally;
+pub use outcome::{Contact, Counts, Options, Row, Sampling, Sums, Total};
+pub use plan::{plan, Answers, Finding, Plan};
+pub use request::{Request, Wish};
+pub use run::{frame_contacts, run};
+pub use sample::Place;
+pub use stages::Stages;

@@ -1,0 +1,96 @@
+//! Runs mutants of the generated VHDL: few vectors first, more for those that survive.
+
+use super::{vectors, vhdl, Fate, Mutant};
+use crate::cosim::{Bench, CosimError, Simulator, Trial};
+use efsat_unit::artefact::testbench::PACED;
+use efsat_unit::artefact::{self, testbench};
+use efsat_unit::design::Design;
+use efsat_unit::params::Params;
+use rayon::prelude::*;
+use std::collections::HashMap;
+
+/// Pairs that most mutants do not survive.
+const FEW: usize = 16;
+/// Pairs whose inner nodes are compared.
+const PROBED: usize = 48;
+
+/// How to run.
+#[derive(Clone, Copy, Debug)]
+pub struct Options {
+    /// What runs the mutants: GHDL or nvc.
+    pub simulator: Simulator,
+    /// Pairs for the last runs of a mutant that nothing has killed.
+    pub vectors: usize,
+    /// Names the vectors.
+    pub seed: u64,
+}
+
+/// All mutants of all files of a design, in the order of files and lines.
+///
+/// # Errors
+/// As [`Bench::new`].
+pub fn mutants(params: &Params) -> Result<Vec<Mutant>, CosimError> {
+    let files = artefact::vhdl_files(&Design::new(params, false)?, &params.command_line())?;
+    Ok(enumerate(&files, params))
+}
+
+fn enumerate(files: &[(String, String)], params: &Params) -> Vec<Mutant> {
+    let late = 3 * testbench::half_period(params);
+    files.iter().flat_map(|(name, text)| vhdl::mutants(name.trim_end_matches(".vhd"), text, late)).collect()
+}
+
+/// The unchanged design and the runs that a mutant has to survive.
+pub struct Campaign {
+    few: Bench,
+    probed: Bench,
+    many: Vec<Bench>,
+    /// The mutants of the design with probes, by name: their lines are at other places.
+    twins: HashMap<String, Mutant>,
+}
+
+impl Campaign {
+    /// Prints the design, chooses the vectors and runs the unchanged design on each set.
+    ///
+    /// # Errors
+    /// As [`Bench::new`].
+    pub fn new(params: &Params, options: &Options) -> Result<Self, CosimError> {
+        let bench =
+            |count, seed, probed| Bench::new(params, vectors::stimulus(params, count, seed), options.simulator, probed);
+        let few = bench(FEW, options.seed, false)?;
+        let probed = bench(PROBED, options.seed.wrapping_add(1), true)?;
+        // A testbench runs no more pairs than these with gaps and back-pressure.
+        let runs: Vec<usize> = (0..options.vectors).step_by(PACED).collect();
+        let many = runs.into_par_iter().map(|from| {
+            let seed = options.seed.wrapping_add(2 + from as u64);
+            bench((options.vectors - from).min(PACED), seed, true)
+        });
+        let many = many.collect::<Result<_, _>>()?;
+        let twins = enumerate(probed.files(), params).into_iter().map(|mutant| (mutant.name(), mutant)).collect();
+        Ok(Self { few, probed, many, twins })
+    }
+
+    /// Runs a mutant until something kills it.
+    ///
+    /// # Errors
+    /// As [`Bench::run`].
+    pub fn fate(&self, mutant: &Mutant) -> Result<Fate, CosimError> {
+        let twin = self.twins.get(&mutant.name());
+        let probed = [&self.probed].into_iter().chain(&self.many).map(|bench| (bench, twin));
+        for (bench, mutant) in [(&self.few, Some(mutant))].into_iter().chain(probed) {
+            let Some(mutant) = mutant else { continue };
+            let file = format!("{}.vhd", mutant.unit);
+            let original = bench.files().iter().find(|(name, _)| *name == file);
+            let (name, text) = original.expect("mutants are made from the files of the bench");
+            match bench.run(name, &mutant.apply(text))? {
+                Trial::Agrees => {}
+                Trial::Invalid(why) => return Ok(Fate::Invalid(why)),
+                Trial::Answer(at) => return Ok(Fate::Killed(format!("answer: {at}"))),
+                Trial::Timing(what) => return Ok(Fate::Killed(format!("timing: {what}"))),
+                Trial::Node(node) => return Ok(Fate::Killed(format!("node: {node}"))),
+                Trial::Silent(what) => return Ok(Fate::Killed(format!("silence: {what}"))),
+                Trial::Broken(what) => return Ok(Fate::Killed(format!("simulator: {what}"))),
+            }
+        }
+        Ok(Fate::Survived)
+    }
+}

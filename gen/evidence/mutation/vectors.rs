@@ -1,0 +1,290 @@
+//! Vectors chosen to kill: pairs on whose axes a comparison is decided by a single ulp.
+//!
+//! A bound that is one ulp off shows in a flag only where that bound is at the edge of flipping it. Random pairs
+//! near contact seldom have such an axis, so half of the pairs are made and chosen: in many random ones B is moved until
+//! one ulp decides, and of these are taken those that together have most axes, comparisons and vertices at the edge. A
+//! quarter fills the working grid to its ends, where clamps act, or is as small as an ulp of the input, where enclosures
+//! are as wide as the triangles.
+
+use efsat_hardware::number::Interval;
+use efsat_unit::artefact::Stimulus;
+use efsat_unit::golden::{Golden, Input, Pair, Pose};
+use efsat_unit::params::{Params, Transform};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+use rayon::prelude::*;
+use std::collections::{BTreeMap, HashSet};
+
+/// Random pairs to choose from, for each one chosen.
+const CHOICE: usize = 32;
+/// The fewest and the most random pairs to choose from.
+const SMALLEST: usize = 512;
+const LARGEST: usize = 8192;
+/// The most pairs that are chosen.
+const MOST_CHOSEN: usize = 128;
+
+/// A comparison at the edge: axis, which of the four, what is lacking (0 or 1 ulp), and the ends of A and of B: the vertex
+/// that has the bound, and the set of those that nearly have it.
+type Edge = (usize, usize, i128, (usize, u8), (usize, u8));
+
+/// What the four comparisons of section 6 lack on an axis, in ulps: each holds where its number is positive.
+type Lacking = [i128; 4];
+
+/// `count` pairs: of four two chosen, one at the ends of the working grid or, one in sixteen, tiny (every second of these
+/// under a rotation), and one random, every other time with an edge of one ulp.
+pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
+    let pool = Stimulus::random(params, (count * CHOICE).clamp(SMALLEST, LARGEST), seed);
+    let random: Vec<(Pose, Pair)> =
+        pool.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (*pose, *pair))).collect();
+    let (golden, bound) = (Golden::new(params), params.coordinate_bound() as i64);
+    let near = |x: Input, by: i64| within(bound, x.lo + by, x.sticky);
+    let at_edge = |(i, (pose, pair)): (usize, &(Pose, Pair))| {
+        let mut pair = *pair;
+        // Vertices next to each other: enclosures overlap, and which of them is taken matters.
+        let (one, other, by) = (i % 3, (i / 3) % 3, (i / 9) as i64 % 5 - 2);
+        let triangle = if i % 2 == 0 { &mut pair.a } else { &mut pair.b };
+        triangle[one] = triangle[other].map(|x| near(x, by));
+        (*pose, moved_to_edge(&golden, bound, pose, pair, i / 2))
+    };
+    let all: Vec<(Pose, Pair)> = random.par_iter().enumerate().map(at_edge).chain(random.par_iter().copied()).collect();
+    let edges: Vec<Vec<Edge>> = all.par_iter().map(|(pose, pair)| edges(&golden, pose, pair)).collect();
+    let chosen = cover(&edges, (count / 2).min(MOST_CHOSEN));
+    let mut chosen = chosen.into_iter().map(|i| all[i]);
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    // Strides through the pool, so that few pairs see many poses.
+    let mut random = (0..).map(|i| random[(i * 17) % random.len()]);
+    let mut segments: Vec<(Pose, Vec<Pair>)> = vec![];
+    for number in 0..count {
+        let next = match number % 4 {
+            0 | 2 => chosen.next(),
+            1 if number == 1 && params.transform != Transform::Off => Some(farthest(params)),
+            1 if number % 32 == 13 => Some((Pose::identity(params), tiny(&mut rng))),
+            1 if number % 32 == 29 => {
+                let pose = random.next().map_or_else(|| Pose::identity(params), |(pose, _)| pose);
+                Some((at_origin(&mut rng, pose), tiny(&mut rng)))
+            }
+            1 => Some((Pose::identity(params), extreme(&mut rng, params))),
+            _ => None,
+        };
+        let Some((pose, mut pair)) = next.or_else(|| random.next()) else { break };
+        if number % 8 == 3 {
+            // V1 next to V0, so that coordinates and n_A straddle 0.
+            pair.a[1] = pair.a[0].map(|x| near(x, -1));
+        }
+        match segments.last_mut() {
+            Some((last, pairs)) if *last == pose => pairs.push(pair),
+            _ => segments.push((pose, vec![pair])),
+        }
+    }
+    Stimulus { segments }
+}
+
+/// A number moved into the declared range: where its lower bound is the greatest there is, it is exact.
+fn within(bound: i64, lo: i64, sticky: bool) -> Input {
+    Input { lo: lo.clamp(-bound, bound), sticky: sticky && lo < bound }
+}
+
+/// B as far from A as the declared ranges allow, where magnitudes are greatest.
+fn farthest(params: &Params) -> (Pose, Pair) {
+    let (one, bound) = (Input::exact(params.one() as i64), params.coordinate_bound() as i64);
+    let t = Input::exact(params.translation_bound() as i64);
+    let pose = Pose { m: [[one; 3]; 3], t: [t; 3], bypass: false };
+    (pose, Pair { a: [[Input::exact(-bound); 3]; 3], b: [[Input::exact(bound); 3]; 3] })
+}
+
+/// A pair that fills its box to the last ulp: V0 at or near the origin, the rest next to the same power of two, so that
+/// edges and areas reach what the formats allow.
+fn extreme(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
+    let bound = params.coordinate_bound() as i64;
+    // With re-normalisation upper bounds must stay below a power of two, or the pair is scaled down.
+    let most = bound.ilog2();
+    let bits = if rng.random() { most } else { rng.random_range(2..=most) };
+    let reach = if params.renormalise { (1 << bits) - 1 } else { bound };
+    let mut number = || {
+        let lo = match rng.random_range(0..8) {
+            0..=2 => reach - rng.random_range(0..2),
+            3..=5 => 1 - reach - rng.random_range(0..2),
+            6 => 0,
+            _ => rng.random_range(-reach..=reach),
+        };
+        within(bound, lo, rng.random())
+    };
+    let mut triangle = || [(); 3].map(|()| [(); 3].map(|()| number()));
+    let mut pair = Pair { a: triangle(), b: triangle() };
+    if params.renormalise {
+        pair.a[0] = [Input::exact(0); 3];
+    }
+    if rng.random() {
+        // Half of a face of the box: the greatest area that there is.
+        let (i, sign) = (rng.random_range(0..3), if rng.random() { 1 } else { -1 });
+        let end = |sign: i64| Input::exact(sign * (reach - 1).max(0));
+        for (k, (x, y)) in [(1, 1), (-1, 1), (1, -1)].into_iter().enumerate() {
+            pair.b[k][(i + 1) % 3] = end(x * sign);
+            pair.b[k][(i + 2) % 3] = end(y);
+        }
+    }
+    pair
+}
+
+/// The pose with a translation of next to nothing: it leaves a tiny pair tiny, but B's enclosures as wide as the pair, so
+/// that coordinates of B straddle 0 as far as they can.
+fn at_origin(rng: &mut ChaCha8Rng, pose: Pose) -> Pose {
+    Pose { t: [(); 3].map(|()| Input { lo: -i64::from(rng.random::<bool>()), sticky: rng.random() }), ..pose }
+}
+
+/// A pair in a box of two ulps of the input with V0 in its middle: re-normalised, V0 and all differences are as wide as
+/// half of the box, so that they straddle 0 far from it.
+fn tiny(rng: &mut ChaCha8Rng) -> Pair {
+    let mut number = || Input { lo: -i64::from(rng.random::<bool>()), sticky: rng.random() };
+    let mut triangle = || [(); 3].map(|()| [(); 3].map(|()| number()));
+    let mut pair = Pair { a: triangle(), b: triangle() };
+    pair.a[0] = [Input { lo: 0, sticky: true }; 3];
+    pair
+}
+
+/// Greedy: each time the entry with most that is new; once all is covered, from the beginning.
+fn cover(entries: &[Vec<Edge>], count: usize) -> Vec<usize> {
+    let mut chosen: Vec<usize> = vec![];
+    let mut covered = HashSet::new();
+    while chosen.len() < count.min(entries.len()) {
+        let gain = |i: &usize| entries[*i].iter().filter(|edge| !covered.contains(*edge)).count();
+        let open = (0..entries.len()).filter(|i| !chosen.contains(i));
+        let Some(best) = open.max_by_key(|i| (gain(i), std::cmp::Reverse(*i))) else { break };
+        if gain(&best) == 0 && !covered.is_empty() {
+            covered.clear();
+            continue;
+        }
+        covered.extend(entries[best].iter().copied());
+        chosen.push(best);
+    }
+    chosen
+}
+
+/// The pair with B moved along one coordinate until one ulp decides the comparison that `number` stands for, if some
+/// such place is found by halving.
+fn moved_to_edge(golden: &Golden, bound: i64, pose: &Pose, pair: Pair, number: usize) -> Pair {
+    let moved = |by: i64| {
+        let mut pair = pair;
+        let coordinate = (number / 4) % 3;
+        for w in &mut pair.b {
+            w[coordinate] = within(bound, w[coordinate].lo + by, w[coordinate].sticky);
+        }
+        pair
+    };
+    let lacking = |by: i64| {
+        let axes = Axes::new(golden, pose, &moved(by));
+        let axis = (number / 12) % axes.names().len();
+        axes.lacking(axis)[number % 4]
+    };
+    let (mut from, mut to) = (-bound, bound);
+    let rising = lacking(from) <= 0;
+    if rising == (lacking(to) <= 0) {
+        return pair;
+    }
+    while to - from > 1 {
+        let middle = from + (to - from) / 2;
+        if (lacking(middle) <= 0) == rising {
+            from = middle;
+        } else {
+            to = middle;
+        }
+    }
+    moved(if number % 8 < 4 { from } else { to })
+}
+
+/// What the reference model computes on the axes of a pair.
+struct Axes(BTreeMap<String, Interval>);
+
+impl Axes {
+    fn new(golden: &Golden, pose: &Pose, pair: &Pair) -> Self {
+        Self(golden.trace(pose, pair).into_iter().collect())
+    }
+
+    /// The names of the axes, in one order for all pairs of a parameter set.
+    fn names(&self) -> Vec<&str> {
+        self.0.keys().filter_map(|name| name.strip_prefix("axis.")?.strip_suffix("_x")).collect()
+    }
+
+    fn enclosure(&self, axis: &str, end: &str) -> Interval {
+        self.0[&format!("enclosure.{axis}.{end}")]
+    }
+
+    fn lacking(&self, axis: usize) -> Lacking {
+        let axis = self.names()[axis];
+        let [a_min, a_max, b_min, b_max] = ["a_min", "a_max", "b_min", "b_max"].map(|end| self.enclosure(axis, end));
+        [b_min.lo - a_max.hi, a_min.lo - b_max.hi, b_max.lo - a_min.hi, a_max.lo - b_min.hi]
+    }
+
+    /// The vertex whose projection has this bound (3: none has), and those of the same triangle whose enclosures overlap its.
+    fn end(&self, axis: &str, side: char, bound: Bound, value: i128) -> (usize, u8) {
+        let images = [0, 1, 2].map(|k| self.0.get(&format!("projection.{axis}.{side}{k}")).copied());
+        let Some(k) = (0..3).find(|k| images[*k].is_some_and(|x| bound(&x) == value)) else { return (3, 0) };
+        let overlaps = |other: &Interval| images[k].is_some_and(|x| x.lo <= other.hi && other.lo <= x.hi);
+        let near = (0..3).filter(|i| *i != k && images[*i].as_ref().is_some_and(overlaps));
+        (k, near.fold(0, |set, i| set | 1 << i))
+    }
+}
+
+/// A bound of an interval.
+type Bound = fn(&Interval) -> i128;
+
+/// The comparisons of a pair that one ulp decides, where no other comparison hides it.
+fn edges(golden: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
+    let axes = Axes::new(golden, pose, pair);
+    let (lo, hi): (Bound, Bound) = (|x| x.lo, |x| x.hi);
+    let mut found = vec![];
+    for (number, axis) in axes.names().into_iter().enumerate() {
+        let lacking = axes.lacking(number);
+        // The bound of A, and that of B, that each comparison looks at.
+        let ends = [
+            (("a_max", hi), ("b_min", lo)),
+            (("a_min", lo), ("b_max", hi)),
+            (("a_min", hi), ("b_max", lo)),
+            (("a_max", lo), ("b_min", hi)),
+        ];
+        for (i, (a, b)) in ends.into_iter().enumerate() {
+            // Either says separated, both together overlapping.
+            let other = lacking[i ^ 1];
+            let seen = if i < 2 { other <= 0 } else { other > 0 };
+            if seen && matches!(lacking[i], 0 | 1) {
+                let end = |side, (name, bound): (&str, Bound)| {
+                    axes.end(axis, side, bound, bound(&axes.enclosure(axis, name)))
+                };
+                found.push((number, i, lacking[i], end('v', a), end('w', b)));
+            }
+        }
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_within_the_declared_range() {
+        for (transform, renormalise) in [(Transform::On, true), (Transform::Translate, true), (Transform::Off, false)] {
+            let params = Params { transform, renormalise, ..Params::default() };
+            let bound = params.coordinate_bound() as i64;
+            let stimulus = stimulus(&params, 64, 1);
+            let pairs = stimulus.segments.iter().flat_map(|(_, pairs)| pairs);
+            let mut numbers = pairs.flat_map(|pair| pair.a.iter().chain(&pair.b).flatten());
+            assert_eq!(numbers.find(|x| x.lo < -bound || x.lo + i64::from(x.sticky) > bound), None);
+        }
+    }
+
+    #[test]
+    fn chosen_pairs_have_more_comparisons_at_the_edge_than_random_ones() {
+        let params = Params::default();
+        let golden = Golden::new(&params);
+        let count = |stimulus: &Stimulus| -> usize {
+            let pairs = stimulus.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (pose, pair)));
+            pairs.map(|(pose, pair)| edges(&golden, pose, pair).len()).sum()
+        };
+        let chosen = stimulus(&params, 16, 1);
+        assert_eq!(chosen.pairs(), 16);
+        let random = count(&Stimulus::random(&params, 16, 1));
+        assert!(count(&chosen) > 2 * random.max(10), "{} against {random}", count(&chosen));
+        assert_eq!(chosen.segments, stimulus(&params, 16, 1).segments);
+    }
+}

@@ -1,0 +1,56 @@
+//! The exact answers that verdicts are compared with, each from formulations that share no code.
+
+use super::posed::Posed;
+use efsat_geometry::exact::{self, linear_programme, Exact, Relation};
+use efsat_geometry::software::retest::retest;
+use efsat_geometry::Points;
+use std::fmt;
+
+/// What each formulation says.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Answers {
+    /// The oracle's facets of the Minkowski difference.
+    pub facets: Relation,
+    /// Its linear programme.
+    pub programme: Relation,
+    /// The software retest, which takes pairs in one frame only.
+    pub retest: Option<Exact>,
+}
+
+impl Answers {
+    /// The oracle's answer, which is everyone's if all agree.
+    pub fn class(&self) -> Exact {
+        self.facets.class
+    }
+
+    /// Whether all say the same.
+    pub fn agree(&self) -> bool {
+        self.facets == self.programme && self.retest.is_none_or(|answer| answer == self.class())
+    }
+}
+
+impl fmt::Display for Answers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "facets {}, linear programme {}", self.facets, self.programme)?;
+        self.retest.map_or(Ok(()), |answer| write!(f, ", retest {answer}"))
+    }
+}
+
+/// All formulations for a pair in one frame.
+pub(super) fn loose(points: &Points) -> Answers {
+    Answers {
+        facets: exact::relation(points),
+        programme: linear_programme::relation(points),
+        retest: Some(retest(points)),
+    }
+}
+
+/// All formulations for a pair under a pose.
+pub(super) fn posed(posed: &Posed) -> Answers {
+    let Posed { a, b, motion } = posed;
+    Answers {
+        facets: exact::posed_relation(a, b, &motion.m, &motion.t),
+        programme: linear_programme::posed_relation(a, b, &motion.m, &motion.t),
+        retest: None,
+    }
+}

@@ -1,0 +1,53 @@
+//! The harness in which the whole is placed and routed.
+
+use askama::Template;
+use efsat_hardware::graph::netlist::Module;
+
+/// Name of the harness module.
+pub const TOP: &str = "harness";
+
+/// Name of the file.
+pub const VERILOG: &str = "harness.v";
+
+/// Label of the unit in it.
+pub const INSTANCE: &str = "unit";
+
+/// A port of the unit and its place among all bits of its direction.
+struct Port {
+    name: String,
+    high: u32,
+    low: u32,
+}
+
+#[derive(Template)]
+#[template(path = "harness.v", escape = "none")]
+struct Harness<'a> {
+    name: &'a str,
+    top: &'a str,
+    instance: &'a str,
+    inputs: Vec<Port>,
+    input_bits: u32,
+    outputs: Vec<Port>,
+    output_bits: u32,
+}
+
+/// Ports side by side, and the bits of all.
+fn side_by_side(ports: impl Iterator<Item = (String, u32)>) -> (Vec<Port>, u32) {
+    let mut low = 0;
+    let place = |(name, bits): (String, u32)| {
+        let port = Port { name, high: low + bits - 1, low };
+        low += bits;
+        port
+    };
+    let ports = ports.map(place).collect();
+    (ports, low)
+}
+
+/// The Verilog of the harness of a top module.
+pub fn text(top: &Module) -> String {
+    let inputs = top.inputs.iter().map(|id| (top.signal(*id).name.clone(), top.signal(*id).ty.bits));
+    let outputs = top.outputs.iter().map(|(name, id)| (name.clone(), top.signal(*id).ty.bits));
+    let ((inputs, input_bits), (outputs, output_bits)) = (side_by_side(inputs), side_by_side(outputs));
+    let harness = Harness { name: TOP, top: &top.name, instance: INSTANCE, inputs, input_bits, outputs, output_bits };
+    harness.render().expect("the template renders")
+}

@@ -1,0 +1,239 @@
+//! Open synthesis tools on the generated VHDL: Yosys' counts and nextpnr's clock beside what the device model predicts.
+//!
+//! VHDL, then GHDL, then Verilog ([`verilog`]), then Yosys ([`yosys`]) with one synthesis an entity, so that every count
+//! belongs to a unit of ours. Netlists of cells are read and written in [`netlist`] and [`product_registers`]. For the ECP5
+//! there is a second synthesis of the whole, whose product registers move into the multipliers, placed and
+//! routed with several seeds.
+
+mod cells;
+mod critical_path;
+mod error;
+mod flow;
+mod harness;
+pub mod netlist;
+pub mod product_registers;
+mod route;
+pub mod slices;
+pub mod static_timing;
+pub mod tools;
+mod units;
+pub mod verilog;
+pub mod yosys;
+
+pub use cells::Cells;
+pub use critical_path::{CriticalPath, Step};
+pub use error::{SynthError, ToolError};
+pub use flow::Flow;
+pub use route::{Placed, Routed};
+pub use slices::Slices;
+pub use static_timing::Timing;
+pub use units::Unit;
+
+use efsat_hardware::device::{Device, Family, Resources};
+use efsat_unit::artefact::{self, Scratch};
+use efsat_unit::design::Design;
+use efsat_unit::params::Params;
+use netlist::Netlist;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+/// The Verilog of the whole design; also the mark of a folder that is ours to overwrite.
+pub const VERILOG: &str = "efsat.v";
+
+/// Name of the top entity.
+pub const TOP: &str = "efsat";
+
+/// How to synthesise.
+#[derive(Clone, Debug)]
+pub struct Options {
+    /// Tools and family.
+    pub flow: Flow,
+    /// Placements to try, each with its own seed from 1 up; 0 stops after Yosys.
+    pub seeds: u32,
+    /// The time that one placement may take with its routing.
+    pub limit: Duration,
+    /// Where to leave sources, netlists, logs and reports; a temporary folder if none.
+    pub keep: Option<PathBuf>,
+}
+
+/// What came out.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Tools and family.
+    pub flow: Flow,
+    /// The device that cells are predicted for; the scheduled one if it is of the flow's family.
+    pub counted_for: &'static Device,
+    /// The tools that ran, with their versions.
+    pub tools: Vec<String>,
+    /// The design's units with predicted and, if tools ran, actual cells, the top first.
+    pub top: Unit,
+    /// Clocks between pairs.
+    pub interval: usize,
+    /// Clocks from the acceptance of a pair to the offer of its verdict.
+    pub latency: usize,
+    /// Clock that the schedule expects to reach, in MHz, and the signal its longest path ends at.
+    pub scheduled: (f64, String),
+    /// Static timing of the mapped units, estimated; of Virtex-II alone.
+    pub timing: Option<Timing>,
+    /// What placement and routing reached, where the flow has them.
+    pub routed: Option<Routed>,
+}
+
+impl Report {
+    /// The cells of the whole: as mapped if a tool ran, else as predicted.
+    pub fn cells(&self) -> Resources {
+        self.top.actual.map_or(self.top.predicted, |cells| cells.resources)
+    }
+
+    /// Whether the cells are there on the part, which a placer finds out late.
+    fn fits(&self) -> Result<(), SynthError> {
+        let (cells, part) = (self.cells(), self.counted_for);
+        let kinds = [
+            ("multipliers", cells.multipliers, part.capacity.multipliers),
+            ("LUTs", cells.luts + cells.memory_luts, part.capacity.luts),
+            ("flip-flops", cells.flip_flops, part.capacity.flip_flops),
+        ];
+        match kinds.into_iter().find(|(_, used, there)| used > there) {
+            Some((kind, used, there)) => Err(SynthError::Part { part: part.name, kind, used, there }),
+            None => Ok(()),
+        }
+    }
+
+    /// Slices of a Virtex-II, estimated; none for the other families.
+    pub fn slices(&self) -> Option<Slices> {
+        let cells = self.cells();
+        let estimate = || slices::estimate(cells.luts + cells.memory_luts, cells.flip_flops, None);
+        (self.flow.family() == Family::Virtex2).then(estimate)
+    }
+
+    /// What the prediction and the tools disagree about beyond what is tolerated, in words: any difference in
+    /// multipliers, and a target clock (in MHz) that is missed after routing.
+    pub fn faults(&self, target: u32) -> Vec<String> {
+        let mut faults = vec![];
+        let (predicted, actual) = (self.top.predicted.multipliers, self.cells().multipliers);
+        if predicted != actual {
+            faults.push(format!("{actual} multipliers instead of {predicted}"));
+        }
+        if let Some(routed) = &self.routed {
+            match routed.median() {
+                Some(median) if median >= f64::from(target) => {}
+                Some(median) => faults.push(format!("{median:.1} MHz instead of {target} (median of the seeds)")),
+                None => {
+                    let minutes = routed.limit.as_secs() / 60;
+                    faults.push(format!("not routed in {minutes} minutes a seed; try more --seeds or --minutes"));
+                }
+            }
+        }
+        faults
+    }
+}
+
+/// Synthesises a design. `step` is told what is going on.
+///
+/// # Errors
+/// See [`SynthError`]; counts or a clock that differ from the prediction are no error but part of the report.
+pub fn run(
+    params: &Params,
+    command_line: &str,
+    options: &Options,
+    step: &(dyn Fn(&str) + Sync),
+) -> Result<Report, SynthError> {
+    let design = Design::new(params, false)?;
+    let flow = options.flow;
+    let yosys = yosys::find()?;
+    let nextpnr = if flow.routes() && options.seeds > 0 { Some(route::find()?) } else { None };
+    let temporary;
+    let dir: &Path = match &options.keep {
+        Some(dir) => {
+            claim(dir)?;
+            dir
+        }
+        None => {
+            temporary = Scratch::new().map_err(ToolError::file(&std::env::temp_dir()))?;
+            temporary.path()
+        }
+    };
+    step("GHDL reads the VHDL");
+    let sources = artefact::vhdl_files(&design, command_line)?;
+    let text = verilog::from_vhdl(&sources, TOP, dir)?;
+    let path = dir.join(VERILOG);
+    std::fs::write(&path, text).map_err(ToolError::file(&path))?;
+    step("Yosys, unit by unit");
+    let netlist = units::netlist(&yosys, flow, dir)?;
+    let counts = modelled(&design, flow, Some(&netlist));
+    let timing = if flow.family() == Family::Virtex2 { Some(units::timing(&netlist)?) } else { None };
+    let mut tools = vec![yosys.version.clone()];
+    let routed = match &nextpnr {
+        Some(nextpnr) => {
+            counts.fits()?;
+            tools.push(nextpnr.version.clone());
+            step("Yosys, the whole");
+            route::whole(&yosys, &design, dir)?;
+            Some(route::run(nextpnr, &design, options.seeds, options.limit, dir, step)?)
+        }
+        None => None,
+    };
+    Ok(Report { tools, timing, routed, ..counts })
+}
+
+/// What the device model says of a design, for a flow that does not run.
+///
+/// # Errors
+/// That the design cannot be made.
+pub fn predict(params: &Params, flow: Flow) -> Result<Report, SynthError> {
+    Ok(modelled(&Design::new(params, false)?, flow, None))
+}
+
+/// What the model and the schedule say, beside the counts of a netlist.
+fn modelled(design: &Design, flow: Flow, netlist: Option<&Netlist>) -> Report {
+    let counted_for = flow.device(design.device);
+    let (ns, end) = &design.schedule.critical;
+    Report {
+        flow,
+        counted_for,
+        tools: vec![],
+        top: units::tree(design, counted_for, netlist.map(|netlist| (netlist, flow))),
+        interval: design.interval,
+        latency: design.latency,
+        scheduled: (1000.0 / (ns + design.device.setup()), end.clone()),
+        timing: None,
+        routed: None,
+    }
+}
+
+/// Makes a folder ours, unless it holds files of somebody else.
+fn claim(dir: &Path) -> Result<(), SynthError> {
+    std::fs::create_dir_all(dir).map_err(ToolError::file(dir))?;
+    let mut entries = std::fs::read_dir(dir).map_err(ToolError::file(dir))?;
+    if entries.next().is_none() || dir.join(VERILOG).is_file() {
+        return Ok(());
+    }
+    Err(SynthError::Keep(dir.display().to_string()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use efsat_hardware::device;
+
+    fn predicted(params: &Params) -> Report {
+        predict(params, Flow::of(device::find(&params.device).unwrap())).unwrap()
+    }
+
+    #[test]
+    fn what_does_not_fit_is_not_placed() {
+        let params = Params { device: "lfe5u-85-6".to_owned(), ..Params::default() };
+        assert!(predicted(&params).fits().is_ok());
+        let wide = predicted(&Params { width: 19, ..params });
+        let message = wide.fits().unwrap_err().to_string();
+        assert!(message.starts_with("216 multipliers do not fit on lfe5u-85-6, which has 156"), "{message}");
+    }
+
+    #[test]
+    fn the_schedules_clock_includes_set_up() {
+        let report = predicted(&Params::default());
+        let design = Design::new(&Params::default(), false).unwrap();
+        let ns = 1000.0 / report.scheduled.0;
+        assert!((ns - design.schedule.critical.0 - design.device.setup()).abs() < 1e-9 && ns <= 10.0 + 1e-9, "{ns}");
+    }
+}

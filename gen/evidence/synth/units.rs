@@ -1,0 +1,72 @@
+//! The design's units as a tree, each with predicted and actual cells.
+
+use super::cells::{self, Cells};
+use super::static_timing::{self, Timing};
+use super::{Flow, TOP, VERILOG};
+use crate::synth::netlist::Netlist;
+use crate::synth::tools::Tool;
+use crate::synth::{yosys, ToolError};
+use efsat_hardware::device::{Device, Resources};
+use efsat_hardware::graph::{estimate, netlist::Module};
+use efsat_unit::design::Design;
+use std::ops::Add;
+use std::path::Path;
+
+/// File of the netlist with one module an entity.
+const NETLIST: &str = "units.json";
+
+/// A unit: an entity of the design in its place.
+#[derive(Clone, Debug)]
+pub struct Unit {
+    /// Name of the entity.
+    pub entity: String,
+    /// Instances of it in the unit around it.
+    pub instances: u64,
+    /// What the device model predicts for one instance with everything in it.
+    pub predicted: Resources,
+    /// What the synthesis tool made of one instance with everything in it; none if none ran.
+    pub actual: Option<Cells>,
+    /// The units in it.
+    pub parts: Vec<Unit>,
+}
+
+/// Maps entity by entity, so that nothing is shared between units and every cell belongs to one.
+///
+/// # Errors
+/// What Yosys says.
+pub(super) fn netlist(yosys: &Tool, flow: Flow, dir: &Path) -> Result<Netlist, ToolError> {
+    let commands = format!("read_verilog {VERILOG}\n{}write_json {NETLIST}\n", yosys::units(flow.family(), TOP));
+    yosys::run(yosys, "units", &commands, dir)?;
+    Netlist::read(&dir.join(NETLIST))
+}
+
+/// Static timing of a netlist of units.
+///
+/// # Errors
+/// A netlist that has no timing.
+pub(super) fn timing(netlist: &Netlist) -> Result<Timing, ToolError> {
+    static_timing::estimate(netlist, TOP).map_err(|e| ToolError::failed("static timing", e.to_string()))
+}
+
+/// The units of a design, the top first, predicted for a device, and counted where there is a netlist of a flow.
+pub(super) fn tree(design: &Design, device: &Device, netlist: Option<(&Netlist, Flow)>) -> Unit {
+    unit(&design.top, 1, device, netlist)
+}
+
+fn unit(module: &Module, instances: u64, device: &Device, netlist: Option<(&Netlist, Flow)>) -> Unit {
+    let mut kinds: Vec<(&Module, u64)> = vec![];
+    for instance in &module.instances {
+        match kinds.iter_mut().find(|(known, _)| known.name == instance.module.name) {
+            Some((_, count)) => *count += 1,
+            None => kinds.push((&instance.module, 1)),
+        }
+    }
+    let parts: Vec<Unit> = kinds.into_iter().map(|(part, count)| unit(part, count, device, netlist)).collect();
+    let own = |(netlist, flow): (&Netlist, Flow)| {
+        netlist.modules.get(&module.name).map(|module| cells::own(module, flow.family())).unwrap_or_default()
+    };
+    let in_parts = parts.iter().filter_map(|part| part.actual.map(|cells| cells * part.instances));
+    let actual = netlist.map(|netlist| in_parts.fold(own(netlist), Add::add));
+    let below: Resources = parts.iter().map(|part| part.predicted * part.instances).sum();
+    Unit { entity: module.name.clone(), instances, predicted: estimate::own(module, device) + below, actual, parts }
+}

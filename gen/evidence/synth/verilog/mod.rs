@@ -1,0 +1,88 @@
+//! The generated VHDL read back by GHDL and written as Verilog, for tools that read no VHDL.
+//!
+//! What GHDL infers is checked on the way: a latch, an unbound instance and a signal with two drivers are errors. GHDL
+//! 2.0 writes some Verilog wrongly; [`fixes`] mends what efsat's VHDL meets, and finds nothing to do in the Verilog of
+//! newer versions.
+
+pub mod fixes;
+
+use super::tools::{self, Tool};
+use super::ToolError;
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// The GHDL commands there may be; any back end synthesizes.
+const GHDLS: [&str; 4] = ["ghdl-mcode", "ghdl-llvm", "ghdl-gcc", "ghdl"];
+
+/// What GHDL says of hardware that nobody asked for, some of it as a warning only.
+const UNWANTED: [&str; 3] = ["latch", "not bound", "multiple assignments"];
+
+/// Finds GHDL.
+///
+/// # Errors
+/// That it is not installed.
+pub fn ghdl() -> Result<Tool, ToolError> {
+    let missing = ToolError::Missing { tool: "GHDL", install: "apt-get install ghdl-mcode" };
+    tools::find(&GHDLS, "--version").ok_or(missing)
+}
+
+/// VHDL files (name and text, in dependency order) as one Verilog text, a module an entity. The files are written to
+/// `dir`, which is the caller's to keep or to delete.
+///
+/// # Errors
+/// See [`ToolError`].
+pub fn from_vhdl(files: &[(String, String)], top: &str, dir: &Path) -> Result<String, ToolError> {
+    let ghdl = ghdl()?;
+    for (name, text) in files {
+        let path = dir.join(name);
+        fs::write(&path, text).map_err(ToolError::file(&path))?;
+    }
+    let refused = |message: String| ToolError::failed(&ghdl.version, message);
+    let names = files.iter().map(|(name, _)| name.as_str());
+    let output = Command::new(&ghdl.path)
+        .args(["--synth", "--std=93c", "--out=verilog"])
+        .args(names)
+        .args(["-e", top])
+        .current_dir(dir)
+        .output()
+        .map_err(|e| refused(e.to_string()))?;
+    let said = String::from_utf8_lossy(&output.stderr);
+    if let Some(line) = said.lines().find(|line| UNWANTED.iter().any(|what| line.contains(what))) {
+        return Err(refused(line.to_owned()));
+    }
+    if !output.status.success() {
+        let line = said.lines().find(|line| line.contains(':')).or(said.lines().next());
+        return Err(refused(line.unwrap_or("it failed without a word").to_owned()));
+    }
+    fixes::all(&String::from_utf8_lossy(&output.stdout))
+        .map_err(|reason| refused(format!("Verilog of {top}: {reason}")))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const HEAD: &str = "library ieee;\nuse ieee.std_logic_1164.all;\nentity u is port (a, b : in std_logic; q : out std_logic); end;\narchitecture x of u is\n";
+
+    fn read_back(body: &str) -> Result<String, ToolError> {
+        let dir = tempfile::TempDir::new().unwrap();
+        from_vhdl(&[("u.vhd".to_owned(), format!("{HEAD}{body}\nend;\n"))], "u", dir.path())
+    }
+
+    #[test]
+    fn unwanted_hardware_is_an_error() {
+        if ghdl().is_err() {
+            return eprintln!("skipped: GHDL is not installed");
+        }
+        let refusal = |body: &str| read_back(body).unwrap_err().to_string();
+        let latch = "begin\nprocess (a, b) begin if a = '1' then q <= b; end if; end process;";
+        assert!(refusal(latch).contains("latch"));
+        let drivers = "signal s : std_logic;\nbegin\ns <= a;\ns <= b;\nq <= s;";
+        assert!(refusal(drivers).contains("multiple assignments"));
+        let unbound = "component k port (a : in std_logic; b : out std_logic); end component;\nbegin\nk1 : k port map (a => a, b => q);";
+        assert!(refusal(unbound).contains("not bound"));
+        assert!(refusal("begin\nq <= c;").contains("u.vhd:6"));
+        assert!(read_back("begin\nq <= a and b;").unwrap().contains("module u"));
+    }
+}

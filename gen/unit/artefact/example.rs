@@ -1,0 +1,135 @@
+//! The example design: the wrapped unit behind a UART, and its testbench.
+
+use super::file_lists::FileLists;
+use super::{origin, FileSet};
+use crate::design::Design;
+use crate::golden::{Golden, Input, Pose};
+use crate::host::{loose_pair, Host};
+use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat};
+use askama::Template;
+
+#[derive(Template)]
+#[template(path = "example/uart_receiver.vhd", escape = "none")]
+struct Receiver<'a> {
+    header: &'a [String],
+}
+
+#[derive(Template)]
+#[template(path = "example/uart_transmitter.vhd", escape = "none")]
+struct Transmitter<'a> {
+    header: &'a [String],
+}
+
+#[derive(Template)]
+#[template(path = "example/efsat_uart_top.vhd", escape = "none")]
+struct Top<'a> {
+    header: &'a [String],
+    frequency: u32,
+    width: u32,
+    word_bytes: u32,
+    answer_width: u32,
+    answer_bytes: u32,
+}
+
+#[derive(Template)]
+#[template(path = "example/efsat_uart_tb.vhd", escape = "none")]
+struct Bench<'a> {
+    header: &'a [String],
+    story: &'static str,
+    packets: Vec<Packet>,
+    steps: Vec<String>,
+}
+
+/// Bytes as a constant.
+struct Packet {
+    name: String,
+    what: &'static str,
+    high: usize,
+    rows: Vec<String>,
+}
+
+/// A vertex through a face.
+const POINTS: [[f64; 3]; 6] =
+    [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [1.0, 1.0, -1.0], [1.5, 1.25, 1.0], [2.0, 1.5, 1.25]];
+/// Its tag, cut to the design's.
+const TAG: u64 = 0x5a5a_5a5a_5a5a_5a5a;
+
+fn packet(name: &str, what: &'static str, words: &[u128], bits: u32) -> Packet {
+    let bytes: Vec<u8> = words.iter().flat_map(|w| w.to_le_bytes().into_iter().take(bits as usize / 8)).collect();
+    let all: Vec<String> = bytes.iter().map(|byte| format!("x\"{byte:02x}\"")).collect();
+    let mut rows: Vec<String> = all.chunks(12).map(|row| format!("{},", row.join(", "))).collect();
+    if let Some(last) = rows.last_mut() {
+        last.pop();
+    }
+    Packet { name: name.to_owned(), what, high: bytes.len() - 1, rows }
+}
+
+fn bench(design: &Design, format: &StreamFormat, header: &[String]) -> String {
+    let p = &design.params;
+    let Host::Unit(pair) = loose_pair(&POINTS, p) else { unreachable!("a loose pair is inside the declared ranges") };
+    let pose = Pose::identity(p);
+    let plain = |x: &Input| (x.lo, x.sticky);
+    let header_word = |kind| u128::from(format.header(kind));
+    let tag = TAG & u64::MAX.checked_shr(64 - p.tag_width).unwrap_or(0);
+    let outcome = Golden::new(p).outcome(&pose, &pair);
+    let verdict = AnswerFields {
+        status: verdict_status(outcome.verdict as u8, outcome.outside),
+        tag,
+        separated: outcome.separated,
+        overlapping: outcome.overlapping,
+    };
+    let (width, answer_width) = (format.width.bits(), format.answer_width());
+    let answer = |name, what, fields: &AnswerFields| packet(name, what, &[format.answer(fields)], answer_width);
+    let (mut packets, mut steps) = (vec![], vec![]);
+    let mut exchange = |sent: &str, answer: &str, bytes: Packet, expected: Packet| {
+        steps.extend([format!("send({sent});"), format!("expect_answer({answer});")]);
+        packets.extend([bytes, expected]);
+    };
+    if format.has_pose() {
+        let record = format.pose_record(true, pose.m.iter().flatten().chain(&pose.t).map(plain));
+        let words = [vec![header_word(Kind::Pose)], record].concat();
+        let taken = AnswerFields::report(Report::PoseTaken);
+        exchange(
+            "pose_packet",
+            "pose_answer",
+            packet("pose_packet", "The identity, bypassed.", &words, width),
+            answer("pose_answer", "Pose taken.", &taken),
+        );
+    }
+    let record = format.pair_record(tag, pair.a.iter().chain(&pair.b).flatten().map(plain));
+    let words = [vec![header_word(Kind::Pairs)], record].concat();
+    exchange(
+        "pair_packet",
+        "pair_answer",
+        packet("pair_packet", "A vertex through a face.", &words, width),
+        answer("pair_answer", "Verdict, tag and flags of the reference model.", &verdict),
+    );
+    let unknown = AnswerFields::report(Report::UnknownHeader);
+    exchange(
+        "stray_bytes",
+        "stray_answer",
+        packet("stray_bytes", "No whole word.", &[0xc3_a5_5a], 24),
+        answer("stray_answer", "Malformed: unknown header.", &unknown),
+    );
+    let story = if format.has_pose() { "sends a pose and a pair" } else { "sends a pair" };
+    Bench { header, story, packets, steps }.render().expect("the template renders")
+}
+
+/// Adds the example; returns its texts' description.
+pub(super) fn add(set: &mut FileSet, design: &Design, format: &StreamFormat, lists: &FileLists, command_line: &str) {
+    let header = &origin(command_line)[..];
+    let (width, answer_width) = (format.width.bits(), format.answer_width());
+    let top = Top {
+        header,
+        frequency: design.params.frequency,
+        width,
+        word_bytes: width / 8,
+        answer_width,
+        answer_bytes: answer_width / 8,
+    };
+    let texts = [Receiver { header }.render(), Transmitter { header }.render(), top.render()];
+    for (name, text) in lists.example.iter().zip(texts) {
+        set.insert(*name, text.expect("the template renders"));
+    }
+    set.insert(&lists.benches[2].file, bench(design, format, header));
+}

@@ -1,0 +1,117 @@
+//! Project files for ISE, one folder a device that ISE knows: the last release with Virtex-II is 10.1, Spartan-6 ends
+//! with 14.7. Other families have other tools and no project here.
+
+use super::{origin, FileSet};
+use crate::design::Design;
+use askama::Template;
+use efsat_hardware::device::{self, Device, Family};
+
+#[derive(Template)]
+#[template(path = "ise/efsat.prj", escape = "none")]
+struct SourceList<'a> {
+    files: &'a [String],
+}
+
+#[derive(Template)]
+#[template(path = "ise/efsat.xst", escape = "none")]
+struct Script {
+    part: String,
+    options: &'static [&'static str],
+}
+
+#[derive(Template)]
+#[template(path = "ise/efsat.ucf", escape = "none")]
+struct Constraints<'a> {
+    header: &'a [String],
+    frequency: u32,
+}
+
+#[derive(Template)]
+#[template(path = "ise/project.tcl", escape = "none")]
+struct ProjectScript<'a> {
+    header: &'a [String],
+    project: &'static str,
+    releases: &'static str,
+    family: &'static str,
+    device: &'static str,
+    package: &'static str,
+    speed: &'static str,
+    files: &'a [String],
+}
+
+/// What differs between the releases of ISE that serve a device.
+pub(super) struct Project {
+    /// The part as XST writes it.
+    pub part: String,
+    /// Where the files are.
+    pub folder: String,
+    /// The releases.
+    pub releases: &'static str,
+    /// File name of the project.
+    project: &'static str,
+    /// Options of XST that others do not know.
+    options: &'static [&'static str],
+    device: &'static Device,
+}
+
+impl Project {
+    /// The project of a device, if ISE knows its family.
+    fn new(device: &'static Device) -> Option<Self> {
+        let part = device.part;
+        let (releases, project, options): (_, _, &[&str]) = match device.family {
+            Family::Virtex2 => (
+                "ISE 8.1 to 10.1",
+                "efsat.ise",
+                &["-glob_opt AllClockNets", "-mult_style auto", "-max_fanout 500", "-slice_utilization_ratio 100"],
+            ),
+            Family::Spartan6 => (
+                "ISE 14.7",
+                "efsat.xise",
+                &["-glob_opt AllClockNets", "-use_dsp48 Auto", "-max_fanout 100000", "-shreg_min_size 2"],
+            ),
+            Family::Series7 | Family::Ecp5 => return None,
+        };
+        Some(Self {
+            part: format!("{}{}-{}", part.device, part.speed, part.package),
+            folder: format!("ise/{}", part.family.to_lowercase()),
+            releases,
+            project,
+            options,
+            device,
+        })
+    }
+}
+
+/// One project a device of ISE.
+pub(super) fn projects() -> Vec<Project> {
+    device::all().iter().filter_map(Project::new).collect()
+}
+
+/// Adds all projects; `sources` are the synthesizable files in dependency order.
+pub(super) fn add(set: &mut FileSet, design: &Design, command_line: &str, sources: &[String]) {
+    let header = origin(command_line);
+    for project in projects() {
+        let part = project.device.part;
+        let script = ProjectScript {
+            header: &header,
+            project: project.project,
+            releases: project.releases,
+            family: part.family,
+            device: part.device,
+            package: part.package,
+            speed: part.speed,
+            files: sources,
+        };
+        let constraints = Constraints { header: &header, frequency: design.params.frequency };
+        let options = Script { part: project.part, options: project.options };
+        let texts = [
+            ("efsat.prj", SourceList { files: sources }.render()),
+            ("efsat.xst", options.render()),
+            ("efsat.ucf", constraints.render()),
+            ("project.tcl", script.render()),
+        ];
+        for (name, text) in texts {
+            set.insert(format!("{}/{name}", project.folder), text.expect("the template renders"));
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! From the projections on one axis to the verdict of the pair (contract sections 6 and 7, the paper's equations 3
+//! and 6, and the one test that replaces 7 to 9).
+
+use std::fmt;
+
+use efsat_hardware::number::Interval;
+
+/// The answer of the unit. The discriminants are the codes at its port.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[repr(u8)]
+pub enum Verdict {
+    /// No common point, for certain.
+    Separate = 0,
+    /// A common point, for certain.
+    Intersect = 1,
+    /// Neither is certain: to be treated as an intersection.
+    PossiblyIncorrect = 2,
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Separate => "separate",
+            Self::Intersect => "intersect",
+            Self::PossiblyIncorrect => "possibly-incorrect",
+        })
+    }
+}
+
+/// The verdict of a pair with the flags of all its axes; bit i belongs to axis i in the order of the contract (n_A,
+/// n_B, C_00 .. C_22, then n_A x e_A0 .. 2 and n_B x e_B0 .. 2 with 17 axes).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Outcome {
+    /// Contract section 7.
+    pub verdict: Verdict,
+    /// The axes on which the images are certainly disjoint.
+    pub separated: u32,
+    /// The axes on which the images certainly overlap.
+    pub overlapping: u32,
+    /// A number of the pair or its pose is outside the declared ranges (contract section 10); only guarded units say so.
+    pub outside: bool,
+}
+
+/// The 11 axes whose certain overlap is asked for by `intersect`.
+const ELEVEN: u32 = (1 << 11) - 1;
+
+impl Outcome {
+    /// Section 7: one separated axis decides; else all of the 11 must surely overlap.
+    pub(super) fn new(separated: u32, overlapping: u32) -> Self {
+        let verdict = if separated != 0 {
+            Verdict::Separate
+        } else if overlapping & ELEVEN == ELEVEN {
+            Verdict::Intersect
+        } else {
+            Verdict::PossiblyIncorrect
+        };
+        Self { verdict, separated, overlapping, outside: false }
+    }
+
+    /// Section 10: no flag of any axis is set, so that section 7 makes it possibly-incorrect.
+    pub(super) fn outside() -> Self {
+        Self { outside: true, ..Self::new(0, 0) }
+    }
+}
+
+/// Enclosures of the least and greatest projection of both triangles on one axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Enclosure {
+    pub a_min: Interval<i64>,
+    pub a_max: Interval<i64>,
+    pub b_min: Interval<i64>,
+    pub b_max: Interval<i64>,
+}
+
+impl Enclosure {
+    /// Equation (3) on intervals: the enclosure of a minimum takes the minima of both bounds.
+    #[inline(always)]
+    pub fn new(a: &[Interval<i64>; 3], b: &[Interval<i64>; 3]) -> Self {
+        let min = |x: Interval<i64>, y: Interval<i64>| Interval::new(x.lo.min(y.lo), x.hi.min(y.hi));
+        let max = |x: Interval<i64>, y: Interval<i64>| Interval::new(x.lo.max(y.lo), x.hi.max(y.hi));
+        Self {
+            a_min: min(min(a[0], a[1]), a[2]),
+            a_max: max(max(a[0], a[1]), a[2]),
+            b_min: min(min(b[0], b[1]), b[2]),
+            b_max: max(max(b[0], b[1]), b[2]),
+        }
+    }
+
+    /// Equation (6): the images are certainly disjoint.
+    pub fn separated(&self) -> bool {
+        self.b_min.lo > self.a_max.hi || self.a_min.lo > self.b_max.hi
+    }
+
+    /// The images certainly overlap. Strict: on an axis that projects all six points to one true number t,
+    /// a_min.hi >= t >= b_max.lo, so such an axis can never say this, and that is what makes 11 axes sound.
+    pub fn overlapping(&self) -> bool {
+        self.a_min.hi < self.b_max.lo && self.b_min.hi < self.a_max.lo
+    }
+}

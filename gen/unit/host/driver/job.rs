@@ -1,0 +1,199 @@
+//! A batch of pairs: what is sent, and what its answers mean.
+
+use super::{Answer, Driver, DriverError, Transfer};
+use crate::golden::{Pose, Verdict};
+use crate::host::{Host, SceneHost};
+use crate::params::stream::Report;
+use efsat_geometry::exact::{self, Exact};
+use efsat_geometry::software::retest;
+use rayon::prelude::*;
+
+/// Two meshes of a driver's design.
+#[derive(Debug)]
+pub struct Meshes<'a> {
+    driver: &'a Driver,
+    host: SceneHost,
+    a: &'a [[f64; 3]],
+    b: &'a [[f64; 3]],
+}
+
+impl<'a> Meshes<'a> {
+    pub(super) fn new(driver: &'a Driver, host: SceneHost, a: &'a [[f64; 3]], b: &'a [[f64; 3]]) -> Self {
+        Self { driver, host, a, b }
+    }
+
+    /// The job of some pairs of triangles, given by vertex indices into A and B, with B at M * x + t in the frame of
+    /// A; `m` is indexed `[row][column]`, all numbers are finite. Memory grows with the number of pairs: give them in
+    /// batches.
+    ///
+    /// # Panics
+    /// If an index is outside its mesh.
+    pub fn pose(&'a self, m: &'a [[f64; 3]; 3], t: &'a [f64; 3], pairs: &'a [([u32; 3], [u32; 3])]) -> Job<'a> {
+        let posed = self.host.pose(m, t);
+        let normalised = pairs.iter().map(|&(a, b)| posed.pair(a, b));
+        let geometry = Geometry::Posed { a: self.a, b: self.b, m, t, pairs };
+        Job::new(self.driver, &posed.pose, normalised, geometry)
+    }
+}
+
+/// The pairs as the user gave them, for the retest.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Geometry<'a> {
+    Loose(&'a [[[f64; 3]; 6]]),
+    Posed {
+        a: &'a [[f64; 3]],
+        b: &'a [[f64; 3]],
+        m: &'a [[f64; 3]; 3],
+        t: &'a [f64; 3],
+        pairs: &'a [([u32; 3], [u32; 3])],
+    },
+}
+
+impl Geometry<'_> {
+    /// The exact answers of some pairs.
+    fn retest(&self, open: &[usize]) -> Vec<Exact> {
+        match *self {
+            Self::Loose(pairs) => {
+                let points: Vec<[[f64; 3]; 6]> = open.iter().map(|&i| pairs[i]).collect();
+                retest::retest_parallel(&points)
+            }
+            Self::Posed { a, b, m, t, pairs } => {
+                let corners = |mesh: &[[f64; 3]], triangle: [u32; 3]| triangle.map(|i| mesh[i as usize]);
+                let exact = |&i: &usize| exact::posed_pair(&corners(a, pairs[i].0), &corners(b, pairs[i].1), m, t);
+                open.par_iter().map(exact).collect()
+            }
+        }
+    }
+}
+
+/// How the pairs of a job were decided.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Statistics {
+    /// Outside the declared ranges and separate by their boxes: decided by the host, never sent.
+    pub host_separate: usize,
+    /// Decided by the unit: separate.
+    pub unit_separate: usize,
+    /// Decided by the unit: intersect.
+    pub unit_intersect: usize,
+    /// Decided by neither: retested in software.
+    pub retested: usize,
+}
+
+/// The answers of a job.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Results {
+    /// The exact answer of every pair, in the order given.
+    pub answers: Vec<Exact>,
+    /// Who gave them.
+    pub statistics: Statistics,
+}
+
+/// Pairs on their way through the unit.
+#[derive(Debug)]
+pub struct Job<'a> {
+    driver: &'a Driver,
+    geometry: Geometry<'a>,
+    transfers: Vec<Transfer>,
+    /// By pair: what the host says, none if it is sent.
+    decided: Vec<Option<Verdict>>,
+}
+
+impl<'a> Job<'a> {
+    pub(super) fn new(
+        driver: &'a Driver,
+        pose: &Pose,
+        normalised: impl Iterator<Item = Host>,
+        geometry: Geometry<'a>,
+    ) -> Self {
+        let (mut pairs, mut decided) = (vec![], vec![]);
+        for host in normalised {
+            match host {
+                Host::Unit(pair) => {
+                    pairs.push(pair);
+                    decided.push(None);
+                }
+                Host::Decided(verdict) => decided.push(Some(verdict)),
+            }
+        }
+        let mut transfers = vec![];
+        if !pairs.is_empty() {
+            let normal = "the host sends what is inside the declared ranges, under a pose that the design can do";
+            transfers.extend(driver.pack_pose(pose).expect(normal));
+            transfers.extend(driver.pack_pairs((0..).zip(&pairs)).expect(normal));
+        }
+        Self { driver, geometry, transfers, decided }
+    }
+
+    /// The words to send, in order: a packet with the pose (where the design has one) and a packet of pairs; none if
+    /// the host has decided all pairs.
+    pub fn transfers(&self) -> &[Transfer] {
+        &self.transfers
+    }
+
+    /// Words that the unit sends back: the pose's report and a verdict a pair.
+    pub fn answers_due(&self) -> usize {
+        self.transfers.iter().filter(|transfer| transfer.last).count().saturating_sub(1) + self.sent()
+    }
+
+    fn sent(&self) -> usize {
+        self.decided.iter().filter(|decided| decided.is_none()).count()
+    }
+
+    /// The exact answers, from the words that came back. Pairs that are possibly incorrect are retested by all threads
+    /// of the current pool.
+    ///
+    /// # Errors
+    /// What came back does not answer what was sent; then nothing is known of any pair of the job.
+    pub fn finish(self, answers: &[Transfer]) -> Result<Results, DriverError> {
+        let verdicts = self.verdicts(answers)?;
+        let mut verdicts = verdicts.into_iter();
+        let mut statistics = Statistics::default();
+        let mut open = vec![];
+        let mut found = vec![Exact::Separate; self.decided.len()];
+        for (i, decided) in self.decided.iter().enumerate() {
+            let verdict = decided.or_else(|| verdicts.next()).expect("a verdict was due for every pair sent");
+            match (verdict, decided) {
+                (Verdict::Separate, Some(_)) => statistics.host_separate += 1,
+                (Verdict::Separate, None) => statistics.unit_separate += 1,
+                (Verdict::Intersect, _) => {
+                    // All eleven axes overlap strictly: 0 is inside A - B, so the relative interiors meet.
+                    statistics.unit_intersect += 1;
+                    found[i] = Exact::Intersect;
+                }
+                (Verdict::PossiblyIncorrect, _) => open.push(i),
+            }
+        }
+        statistics.retested = open.len();
+        for (i, exact) in open.iter().zip(self.geometry.retest(&open)) {
+            found[*i] = exact;
+        }
+        Ok(Results { answers: found, statistics })
+    }
+
+    /// The verdicts of the pairs sent, if the answers are what is due.
+    fn verdicts(&self, answers: &[Transfer]) -> Result<Vec<Verdict>, DriverError> {
+        let (due, sent) = (self.answers_due(), self.sent());
+        let tags = u64::MAX.checked_shr(64 - self.driver.format.tag_width).unwrap_or(0);
+        let mut verdicts = vec![];
+        for (at, transfer) in answers.iter().enumerate().take(due) {
+            let answer = self.driver.unpack(transfer.data).ok_or(DriverError::Word { at, data: transfer.data })?;
+            // The answer to the pose comes first, in a packet of its own.
+            let pose = at < due - sent;
+            let last = pose || at + 1 == due;
+            match answer {
+                Answer::Report(Report::PoseTaken) if pose && transfer.last => {}
+                Answer::Report(report) => return Err(DriverError::Reported { at, report }),
+                Answer::Pair { tag, outcome }
+                    if !pose && transfer.last == last && tag == verdicts.len() as u64 & tags =>
+                {
+                    verdicts.push(outcome.verdict);
+                }
+                Answer::Pair { .. } => return Err(DriverError::Order { at }),
+            }
+        }
+        if answers.len() != due {
+            return Err(DriverError::Count { expected: due, found: answers.len() });
+        }
+        Ok(verdicts)
+    }
+}

@@ -1,0 +1,247 @@
+//! The host's side of the stream wrapper: packs pairs and poses into words, unpacks verdicts, retests in software.
+//!
+//! A [`Driver`] knows the format of one design ([`StreamFormat`]). From loose pairs ([`Driver::loose`]) or from two
+//! meshes under a pose ([`Driver::meshes`]) it makes a [`Job`]: the words to send, without the pairs that the host
+//! decides itself. [`Job::finish`] takes the words that came back and gives the exact answer of every pair, those that
+//! the unit calls possibly incorrect retested in software. How words get to the unit and back (DMA, PCIe, UART) is the
+//! user's; [`StandIn`] answers in software as the unit does.
+//!
+//! ```
+//! use efsat_unit::host::driver::{Driver, StandIn};
+//! use efsat_geometry::exact::Exact;
+//! use efsat_unit::params::{stream::StreamWidth, Params};
+//!
+//! // A vertex through a face, on it, and above it.
+//! let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+//! let pair = |z: f64| [face[0], face[1], face[2], [1.0, 1.0, z], [1.5, 1.25, 1.0], [2.0, 1.5, 1.25]];
+//! let pairs = [pair(-0.5), pair(0.0), pair(0.5)];
+//!
+//! let params = Params::default();
+//! let driver = Driver::new(&params, StreamWidth::Bits64)?;
+//! let job = driver.loose(&pairs);
+//! let mut unit = StandIn::new(&params, StreamWidth::Bits64)?;
+//! let answers = unit.answer(job.transfers());
+//! let results = job.finish(&answers)?;
+//! assert_eq!(results.answers, [Exact::Intersect, Exact::Touch, Exact::Separate]);
+//! assert_eq!(results.statistics.retested, 1);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod job;
+mod stand_in;
+#[cfg(test)]
+mod tests;
+
+pub use job::{Job, Meshes, Results, Statistics};
+pub use stand_in::StandIn;
+
+use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
+use crate::host::{self, SceneHost};
+use crate::params::stream::{verdict_status, Kind, Report, StreamFormat, StreamWidth};
+use crate::params::{ParamError, Params, Transform};
+
+/// One word of a stream and its TLAST.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Transfer {
+    /// TDATA.
+    pub data: u128,
+    /// TLAST: the last word of its packet.
+    pub last: bool,
+}
+
+/// What one word from the unit says.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Answer {
+    /// The verdict of the pair that was sent with this tag.
+    Pair {
+        /// Tag, cut to the tag width of the design.
+        tag: u64,
+        /// Verdict and flags of all axes.
+        outcome: Outcome,
+    },
+    /// No verdict.
+    Report(Report),
+}
+
+/// What cannot be sent, or came back and is no answer to what was sent.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum DriverError {
+    /// A word that no unit of this design sends.
+    #[error("found {data:#x} as answer {at}, which no unit of this design sends")]
+    Word {
+        /// Number of the answer, from 0.
+        at: usize,
+        /// The word.
+        data: u128,
+    },
+    /// The unit found a packet malformed, or reported something else than expected.
+    #[error("the unit reports {report:?} as answer {at}")]
+    Reported {
+        /// Number of the answer, from 0.
+        at: usize,
+        /// The report.
+        report: Report,
+    },
+    /// A verdict where the pose's report was expected, or one for another pair.
+    #[error("answer {at} belongs to another pair or packet")]
+    Order {
+        /// Number of the answer, from 0.
+        at: usize,
+    },
+    /// More or fewer answers than expected.
+    #[error("found {found} answers; {expected} are due")]
+    Count {
+        /// Answers due.
+        expected: usize,
+        /// Answers found.
+        found: usize,
+    },
+    /// A pose that the design has no ports for: it would be answered as another one.
+    #[error("the design cannot do this pose: {0}")]
+    Pose(&'static str),
+    /// A number that the words of the design do not hold.
+    #[error("the number {found} does not fit {bits} bits")]
+    Number {
+        /// The number.
+        found: i64,
+        /// Bits of a number in this design.
+        bits: u32,
+    },
+    /// Bytes that are no whole words.
+    #[error("found {found} bytes; legal is a multiple of {word}")]
+    Bytes {
+        /// Bytes found.
+        found: usize,
+        /// Bytes of a word.
+        word: usize,
+    },
+}
+
+/// Packs for, and unpacks from, the stream wrapper of one design.
+#[derive(Clone, Debug)]
+pub struct Driver {
+    params: Params,
+    format: StreamFormat,
+}
+
+fn number(x: &Input) -> (i64, bool) {
+    (x.lo, x.sticky)
+}
+
+/// Words as one packet.
+fn packet(words: Vec<u128>) -> Vec<Transfer> {
+    let count = words.len();
+    words.into_iter().enumerate().map(|(i, data)| Transfer { data, last: i + 1 == count }).collect()
+}
+
+impl Driver {
+    /// The driver of a design.
+    ///
+    /// # Errors
+    /// A parameter outside its range.
+    pub fn new(params: &Params, width: StreamWidth) -> Result<Self, ParamError> {
+        params.validate()?;
+        Ok(Self { params: params.clone(), format: StreamFormat::new(params, width) })
+    }
+
+    /// The format of the words.
+    pub fn format(&self) -> &StreamFormat {
+        &self.format
+    }
+
+    /// The packet that loads a pose for the packets after it; no words for the identity in a design without a transform.
+    ///
+    /// # Errors
+    /// A pose that the design cannot do, or a number that its words do not hold.
+    pub fn pack_pose(&self, pose: &Pose) -> Result<Vec<Transfer>, DriverError> {
+        let identity = Pose::identity(&self.params);
+        let (turned, moved) = (!pose.bypass && pose.m != identity.m, !pose.bypass && pose.t != identity.t);
+        match self.params.transform {
+            Transform::Off if turned || moved => return Err(DriverError::Pose("only the identity")),
+            Transform::Translate if turned => return Err(DriverError::Pose("only translations")),
+            Transform::Off => return Ok(vec![]),
+            Transform::Translate | Transform::On => {}
+        }
+        self.check(pose.m.iter().flatten().chain(&pose.t))?;
+        let mut words = vec![u128::from(self.format.header(Kind::Pose))];
+        words.extend(self.format.pose_record(pose.bypass, pose.m.iter().flatten().chain(&pose.t).map(number)));
+        Ok(packet(words))
+    }
+
+    /// The packet of some pairs with their tags, of which the low bits travel; no words if there are no pairs.
+    ///
+    /// # Errors
+    /// A number that its words do not hold.
+    pub fn pack_pairs<'a>(
+        &self,
+        pairs: impl IntoIterator<Item = (u64, &'a Pair)>,
+    ) -> Result<Vec<Transfer>, DriverError> {
+        let mut words = vec![u128::from(self.format.header(Kind::Pairs))];
+        for (tag, pair) in pairs {
+            let numbers = pair.a.iter().chain(&pair.b).flatten();
+            self.check(numbers.clone())?;
+            words.extend(self.format.pair_record(tag, numbers.map(number)));
+        }
+        Ok(if words.len() == 1 { vec![] } else { packet(words) })
+    }
+
+    /// Whether all numbers fit the words of the design; cut to them they would be others.
+    fn check<'a>(&self, mut numbers: impl Iterator<Item = &'a Input>) -> Result<(), DriverError> {
+        let (format, bits) = (self.params.input(), self.params.transform_width);
+        match numbers.find(|x| !(format.min()..=format.max()).contains(&i128::from(x.lo))) {
+            Some(x) => Err(DriverError::Number { found: x.lo, bits }),
+            None => Ok(()),
+        }
+    }
+
+    /// What a word from the unit says; none if no unit of this design sends it.
+    pub fn unpack(&self, data: u128) -> Option<Answer> {
+        let fields = self.format.answer_fields(data)?;
+        let silent = fields.separated == 0 && fields.overlapping == 0;
+        let outside = fields.status == verdict_status(Verdict::PossiblyIncorrect as u8, true);
+        let verdict = match fields.status {
+            0 => Verdict::Separate,
+            1 => Verdict::Intersect,
+            2 => Verdict::PossiblyIncorrect,
+            _ if outside && silent && self.params.guarded() => Verdict::PossiblyIncorrect,
+            _ => {
+                let report = fields.reported()?;
+                let known = crate::params::stream::AnswerFields::report(report) == fields;
+                return known.then_some(Answer::Report(report));
+            }
+        };
+        let outcome = Outcome { verdict, separated: fields.separated, overlapping: fields.overlapping, outside };
+        Some(Answer::Pair { tag: fields.tag, outcome })
+    }
+
+    /// Words for the unit as little-endian bytes, as they lie in a buffer for DMA. Packet ends are not in it.
+    pub fn bytes(&self, transfers: &[Transfer]) -> Vec<u8> {
+        let word = self.format.width.bits() as usize / 8;
+        transfers.iter().flat_map(|transfer| transfer.data.to_le_bytes().into_iter().take(word)).collect()
+    }
+
+    /// One packet from the unit, from its little-endian bytes.
+    ///
+    /// # Errors
+    /// Bytes that are no whole words.
+    pub fn packet(&self, bytes: &[u8]) -> Result<Vec<Transfer>, DriverError> {
+        let word = self.format.answer_width() as usize / 8;
+        if bytes.len() % word != 0 {
+            return Err(DriverError::Bytes { found: bytes.len(), word });
+        }
+        let data = |bytes: &[u8]| bytes.iter().rev().fold(0, |data, byte| data << 8 | u128::from(*byte));
+        Ok(packet(bytes.chunks(word).map(data).collect()))
+    }
+
+    /// The job of loose pairs a0 a1 a2 b0 b1 b2, all coordinates finite, each normalised by itself. Memory grows with
+    /// the number of pairs: give them in batches.
+    pub fn loose<'a>(&'a self, pairs: &'a [[[f64; 3]; 6]]) -> Job<'a> {
+        let normalised = pairs.iter().map(|points| host::loose_pair(points, &self.params));
+        Job::new(self, &Pose::identity(&self.params), normalised, job::Geometry::Loose(pairs))
+    }
+
+    /// Two meshes by their vertices, normalised once for any number of jobs; all coordinates must be finite.
+    pub fn meshes<'a>(&'a self, a: &'a [[f64; 3]], b: &'a [[f64; 3]]) -> Meshes<'a> {
+        Meshes::new(self, SceneHost::new(a, b, &self.params), a, b)
+    }
+}

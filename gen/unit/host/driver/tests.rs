@@ -1,0 +1,189 @@
+//! The driver against the exact oracle, with the stand-in as the unit.
+
+use super::{Answer, Driver, DriverError, StandIn, Transfer};
+use crate::golden::{Input, Pair, Pose, Verdict};
+use crate::params::stream::{Report, StreamWidth};
+use crate::params::{Axes, Params, Transform, Upper};
+use efsat_geometry::exact::{self, Exact};
+use efsat_geometry::sample;
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+const WIDTHS: [StreamWidth; 3] = [StreamWidth::Bits32, StreamWidth::Bits64, StreamWidth::Bits128];
+
+fn variants() -> Vec<Params> {
+    let base = Params::default();
+    vec![
+        base.clone(),
+        Params { upper: Upper::Sticky, tag_width: 64, axes: Axes::Seventeen, ..base.clone() },
+        Params { transform_width: 48, tag_width: 0, ..base.clone() },
+        Params { transform: Transform::Off, tag_width: 1, upper: Upper::Sticky, ..base.clone() },
+        Params { width: 12, transform_width: 16, transform: Transform::Translate, ..base },
+    ]
+}
+
+fn pairs(count: usize) -> Vec<[[f64; 3]; 6]> {
+    let mut rng = ChaCha8Rng::seed_from_u64(3);
+    (0..count).map(|_| sample::random_points(&mut rng)).collect()
+}
+
+#[test]
+fn final_answers_of_loose_pairs_are_exact() {
+    let pairs = pairs(150);
+    for params in variants() {
+        for width in WIDTHS {
+            let driver = Driver::new(&params, width).unwrap();
+            let job = driver.loose(&pairs);
+            let answers = StandIn::new(&params, width).unwrap().answer(job.transfers());
+            assert_eq!(answers.len(), job.answers_due());
+            let results = job.finish(&answers).unwrap();
+            let expected: Vec<Exact> = pairs.iter().map(exact::pair).collect();
+            assert_eq!(results.answers, expected, "{}", params.command_line());
+            let s = results.statistics;
+            assert_eq!((s.host_separate, s.unit_separate + s.unit_intersect + s.retested), (0, pairs.len()));
+            assert!(s.unit_separate > 10 && s.retested > 10, "{s:?}");
+        }
+    }
+}
+
+#[test]
+fn final_answers_of_posed_meshes_are_exact() {
+    let mut rng = ChaCha8Rng::seed_from_u64(5);
+    let mut mesh = |count: usize| -> Vec<[f64; 3]> {
+        (0..count).map(|_| [0, 1, 2].map(|_| rng.random_range(-1.0..1.0))).collect()
+    };
+    let (a, b) = (mesh(12), mesh(12));
+    let triangles: Vec<([u32; 3], [u32; 3])> =
+        (0..10).flat_map(|i| (0..10).map(move |j| ([i, i + 1, i + 2], [j, j + 1, j + 2]))).collect();
+    let turn = [[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
+    let identity = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    let poses = [(turn, [0.3, 0.2, 0.1]), (identity, [0.5, 0.0, 0.0]), (turn, [40.0, 0.0, 0.0])];
+    let mut host_separate = 0;
+    for params in variants() {
+        let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
+        let meshes = driver.meshes(&a, &b);
+        let mut unit = StandIn::new(&params, StreamWidth::Bits64).unwrap();
+        for (m, t) in &poses {
+            let job = meshes.pose(m, t, &triangles);
+            let answers = unit.answer(job.transfers());
+            let results = job.finish(&answers).unwrap();
+            let corners = |mesh: &[[f64; 3]], triangle: [u32; 3]| triangle.map(|i| mesh[i as usize]);
+            let exact = |(i, j): &([u32; 3], [u32; 3])| exact::posed_pair(&corners(&a, *i), &corners(&b, *j), m, t);
+            assert_eq!(results.answers, triangles.iter().map(exact).collect::<Vec<_>>(), "{}", params.command_line());
+            host_separate += results.statistics.host_separate;
+        }
+    }
+    assert!(host_separate > 100, "the far pose is outside the declared ranges");
+}
+
+#[test]
+fn answers_that_do_not_fit_are_refused() {
+    let params = Params::default();
+    let width = StreamWidth::Bits64;
+    let driver = Driver::new(&params, width).unwrap();
+    let pairs = pairs(3);
+    let good = StandIn::new(&params, width).unwrap().answer(driver.loose(&pairs).transfers());
+    let finish = |answers: &[Transfer]| driver.loose(&pairs).finish(answers).map(|_| ());
+    assert_eq!(finish(&good), Ok(()));
+    assert_eq!(finish(&good[..3]), Err(DriverError::Count { expected: 4, found: 3 }));
+    assert_eq!(finish(&[&good[..], &good[3..]].concat()), Err(DriverError::Count { expected: 4, found: 5 }));
+    let swapped = [good[0], good[2], good[1], good[3]];
+    assert_eq!(finish(&swapped), Err(DriverError::Order { at: 1 }));
+    assert_eq!(finish(&good[1..]), Err(DriverError::Order { at: 0 }), "the pose was not answered");
+    let mut late = good.clone();
+    late[2].last = true;
+    assert_eq!(finish(&late), Err(DriverError::Order { at: 2 }));
+    let mut unknown = good.clone();
+    unknown[1].data |= 1 << 63;
+    assert!(matches!(finish(&unknown), Err(DriverError::Word { at: 1, .. })));
+
+    // A word is lost on the way: the unit notices.
+    let mut lost = driver.loose(&pairs).transfers().to_vec();
+    lost.remove(12);
+    let answers = StandIn::new(&params, width).unwrap().answer(&lost);
+    assert!(finish(&answers).is_err());
+    assert_eq!(driver.unpack(answers.last().unwrap().data), Some(Answer::Report(Report::TooShort)));
+}
+
+#[test]
+fn a_design_refuses_what_was_packed_for_another() {
+    let pairs = pairs(2);
+    for params in &variants()[1..] {
+        let packed = Driver::new(params, StreamWidth::Bits64).unwrap().loose(&pairs).transfers().to_vec();
+        let driver = Driver::new(&Params::default(), StreamWidth::Bits64).unwrap();
+        for answer in StandIn::new(&Params::default(), StreamWidth::Bits64).unwrap().answer(&packed) {
+            assert_eq!(driver.unpack(answer.data), Some(Answer::Report(Report::UnknownHeader)));
+        }
+    }
+}
+
+#[test]
+fn bytes_are_little_endian_words() {
+    let driver = Driver::new(&Params::default(), StreamWidth::Bits64).unwrap();
+    let words = [Transfer { data: 0x0102, last: false }, Transfer { data: 3, last: true }];
+    let bytes = driver.bytes(&words);
+    assert_eq!(bytes, [2, 1, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0]);
+    assert_eq!(driver.packet(&bytes).unwrap(), words, "answers of this design have 64 bits too");
+    assert_eq!(driver.packet(&bytes[1..]), Err(DriverError::Bytes { found: 15, word: 8 }));
+}
+
+#[test]
+fn poses_and_numbers_that_the_words_do_not_hold_are_refused() {
+    let with = |transform| Params { transform, ..Params::default() };
+    let driver = |params: &Params| Driver::new(params, StreamWidth::Bits64).unwrap();
+    let bypassed = Pose::identity(&Params::default());
+    let still = Pose { bypass: false, ..bypassed };
+    let (mut moved, mut turned) = (still, still);
+    moved.t[1] = Input::exact(5);
+    turned.m[0][0].lo -= 1;
+    let refused = |transform, pose: &Pose| driver(&with(transform)).pack_pose(pose).is_err();
+    for (transform, expected) in [(Transform::On, [false, false]), (Transform::Translate, [false, true])] {
+        assert_eq!([&moved, &turned].map(|pose| refused(transform, pose)), expected);
+    }
+    assert_eq!(
+        [&bypassed, &still, &moved, &turned].map(|pose| refused(Transform::Off, pose)),
+        [false, false, true, true]
+    );
+    assert!(!refused(Transform::Translate, &Pose { bypass: true, ..turned }), "with the bypass M is not read");
+
+    let driver = driver(&Params { transform_width: 18, ..Params::default() });
+    let mut pair = Pair::default();
+    pair.b[2][1] = Input::exact(-(1 << 17));
+    assert!(driver.pack_pairs([(0, &pair)]).is_ok());
+    pair.b[2][1].lo -= 1;
+    let error = DriverError::Number { found: -(1 << 17) - 1, bits: 18 };
+    assert_eq!(driver.pack_pairs([(0, &pair)]).unwrap_err(), error);
+    moved.t[0].lo = 1 << 17;
+    assert!(driver.pack_pose(&moved).is_err());
+}
+
+#[test]
+fn a_pair_outside_is_told_and_never_definite() {
+    let params = Params { transform: Transform::Translate, transform_width: 20, ..Params::default() };
+    let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
+    let mut unit = StandIn::new(&params, StreamWidth::Bits64).unwrap();
+    let one = params.one() as i64;
+    // One above the other.
+    let triangle = |z: i64| [[0, 0, z], [one, 0, z], [0, one, z]].map(|v| v.map(Input::exact));
+    let pair = Pair { a: triangle(0), b: triangle(one) };
+    let mut far = pair;
+    far.b[1][2].lo += 1;
+    let answers = unit.answer(&driver.pack_pairs([(1, &pair), (2, &far)]).unwrap());
+    let told: Vec<Answer> = answers.iter().map(|t| driver.unpack(t.data).unwrap()).collect();
+    let outcomes = told.iter().map(|answer| match answer {
+        Answer::Pair { outcome, .. } => (outcome.verdict, outcome.outside),
+        Answer::Report(report) => panic!("{report:?}"),
+    });
+    let expected = [(Verdict::Separate, false), (Verdict::PossiblyIncorrect, true)];
+    assert_eq!(outcomes.collect::<Vec<_>>(), expected);
+    // No unit says so of a definite verdict, and none without a guard at all.
+    assert_eq!(driver.unpack(answers[0].data | 1 << 4), None);
+    let complete = Driver::new(&Params { transform_width: 20, ..Params::default() }, StreamWidth::Bits64).unwrap();
+    assert_eq!(complete.unpack(answers[1].data), None);
+    // A number that is cut to another one on its way: its field is more than the unit reads. The first word after the
+    // header has flags and tag, the next one the first number.
+    let mut words = driver.pack_pairs([(3, &pair)]).unwrap();
+    words[2].data ^= 1 << 20;
+    let cut = unit.answer(&words);
+    assert!(matches!(driver.unpack(cut[0].data), Some(Answer::Pair { tag: 3, outcome }) if outcome.outside));
+}

@@ -1,0 +1,112 @@
+//! A loose pair: both triangles in one frame, normalised together, each pair by its own power of two.
+
+use num_bigint::BigInt;
+use num_traits::Signed;
+
+use super::dyadic::decoded;
+use super::Host;
+use crate::golden::{Input, Pair};
+use crate::params::Params;
+
+/// An integer wide enough for the pair at hand.
+trait Whole:
+    Signed + Ord + Clone + From<i64> + std::ops::Shl<u32, Output = Self> + std::ops::Shr<u32, Output = Self>
+{
+    /// The number of bits of a non-negative number.
+    fn length(&self) -> u32;
+
+    /// The low bits; only asked for what fits.
+    fn low(&self) -> i64;
+}
+
+impl Whole for i128 {
+    fn length(&self) -> u32 {
+        Self::BITS - self.leading_zeros()
+    }
+
+    fn low(&self) -> i64 {
+        *self as i64
+    }
+}
+
+impl Whole for BigInt {
+    fn length(&self) -> u32 {
+        self.bits() as u32
+    }
+
+    fn low(&self) -> i64 {
+        i64::try_from(self).expect("a normalised coordinate has at most 48 bits")
+    }
+}
+
+/// Normalises and quantises the pair a0 a1 a2 b0 b1 b2 of finite points: centred on the exact midpoint of the joint
+/// box, scaled by the largest power of two with all |coordinates| <= 1 (by 1 if all six points coincide).
+///
+/// Such a pair is always inside the declared ranges and its pose is [`Pose::identity`](crate::golden::Pose::identity).
+pub fn loose_pair(points: &[[f64; 3]; 6], params: &Params) -> Host {
+    let numbers = points.map(|point| point.map(decoded));
+    let nonzero = || numbers.iter().flatten().filter(|(mantissa, _)| *mantissa != 0);
+    let grid = nonzero().map(|&(_, exponent)| exponent).min().unwrap_or(0);
+    let top = nonzero().map(|&(m, exponent)| exponent + i128::from(m).abs().length() as i32).max().unwrap_or(0);
+    let fraction = params.input().fraction;
+    // 2x - (min + max) has two bits more than x, and a sign.
+    Host::Unit(if top - grid <= 120 {
+        normalised::<i128>(&numbers, grid, fraction)
+    } else {
+        normalised::<BigInt>(&numbers, grid, fraction)
+    })
+}
+
+/// The pair whose coordinates are the given multiples of powers of two, none finer than 2^grid.
+fn normalised<Z: Whole>(numbers: &[[(i64, i32); 3]; 6], grid: i32, fraction: i32) -> Pair {
+    let at_grid = |(mantissa, exponent): (i64, i32)| {
+        if mantissa == 0 {
+            Z::zero()
+        } else {
+            Z::from(mantissa) << (exponent - grid) as u32
+        }
+    };
+    // Twice the centred coordinates, so that the midpoint is an integer; by axis, then by point.
+    let doubled = [0, 1, 2].map(|axis| {
+        let x = numbers.map(|point| at_grid(point[axis]));
+        let (low, high) = (x.iter().min(), x.iter().max());
+        let ends = low.into_iter().chain(high).fold(Z::zero(), |sum, end| sum + end.clone());
+        x.map(|x| (x << 1) - ends.clone())
+    });
+    let reach = doubled.iter().flatten().map(Z::abs).max().unwrap_or_else(Z::zero);
+    // The least p with reach <= 2^p; the scale is 2^-p.
+    let power = if reach.is_zero() { 0 } else { (reach - Z::one()).length() as i32 };
+    let quantised = |x: &Z| {
+        let shift = fraction - power;
+        if shift >= 0 {
+            return Input::exact((x.clone() << shift as u32).low());
+        }
+        let floor = x.clone() >> shift.unsigned_abs();
+        Input { lo: floor.low(), sticky: floor << shift.unsigned_abs() != *x }
+    };
+    let point = |i: usize| [0, 1, 2].map(|axis| quantised(&doubled[axis][i]));
+    Pair { a: [0, 1, 2].map(point), b: [3, 4, 5].map(point) }
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{Rng, SeedableRng};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use efsat_geometry::sample;
+
+    /// Both integers give the same pair.
+    #[test]
+    fn the_wide_path_agrees_with_the_fast_one() {
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        for _ in 0..2000 {
+            let numbers = sample::random_points(&mut rng).map(|point| point.map(decoded));
+            let grid = numbers.iter().flatten().filter(|x| x.0 != 0).map(|x| x.1).min().unwrap();
+            let fraction = rng.random_range(2..44);
+            let (fast, wide) =
+                (normalised::<i128>(&numbers, grid, fraction), normalised::<BigInt>(&numbers, grid, fraction));
+            assert_eq!(fast, wide);
+        }
+    }
+}

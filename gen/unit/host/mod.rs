@@ -1,0 +1,36 @@
+//! The host side: exact normalisation and quantisation of binary64 geometry (contract section 2).
+//!
+//! Nothing here rounds: binary64 numbers are taken as exact reals, differences and products are formed on integers
+//! with a common power of two, and only [`Input`](crate::golden::Input) is a floor, with its sticky bit.
+
+mod boxes;
+pub mod driver;
+mod dyadic;
+mod loose;
+pub mod sample;
+mod scene;
+#[cfg(feature = "scenes")]
+pub mod settings;
+#[cfg(feature = "scenes")]
+mod stage;
+#[cfg(test)]
+mod tests;
+
+pub use loose::loose_pair;
+pub use scene::{SceneHost, ScenePose};
+#[cfg(feature = "scenes")]
+pub use stage::{Posed, Stage};
+
+use crate::golden::{Pair, Verdict};
+
+/// What the host makes of a pair.
+// A boxed pair would cost an allocation for every pair of a scene.
+#[allow(clippy::large_enum_variant)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Host {
+    /// Inside the declared ranges: for the unit.
+    Unit(Pair),
+    /// Outside the declared ranges: decided here, `separate` if the boxes are strictly disjoint, else
+    /// `possibly-incorrect`.
+    Decided(Verdict),
+}

@@ -1,0 +1,100 @@
+//! A scene made ready for its pairs: quantised for the unit, and as it is for the exact answer.
+
+use super::{SceneHost, ScenePose};
+use crate::params::Params;
+use efsat_geometry::exact::{self, Exact, Relation};
+use efsat_geometry::mesh::Mesh;
+use efsat_geometry::scene::{BroadPhase, Meeting, Scene};
+use efsat_geometry::software::retest::retest;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
+
+/// No rotation.
+const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+
+/// A scene made ready for its pairs: trees, and the meshes of every meeting normalised and quantised.
+pub struct Stage<'a> {
+    scene: &'a Scene,
+    params: Params,
+    /// Finds the meetings and their candidate pairs.
+    pub broad_phase: BroadPhase<'a>,
+    /// The vertices of the meshes, and which mesh each object has.
+    vertices: Vec<Vec<[f64; 3]>>,
+    mesh_of: Vec<usize>,
+    /// Pairs of meshes that have met.
+    hosts: Mutex<HashMap<[usize; 2], Arc<SceneHost>>>,
+}
+
+/// Two objects in the pose in which they meet.
+pub struct Posed<'a> {
+    meshes: [&'a Mesh; 2],
+    vertices: [&'a [[f64; 3]]; 2],
+    host: Arc<SceneHost>,
+    m: [[f64; 3]; 3],
+    t: [f64; 3],
+}
+
+impl<'a> Stage<'a> {
+    /// Prepares a scene.
+    pub fn new(scene: &'a Scene, params: &Params) -> Self {
+        let (meshes, mesh_of) = scene.meshes();
+        let points = |mesh: &&Mesh| mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect();
+        let vertices = meshes.iter().map(points).collect();
+        let params = params.clone();
+        Self { scene, params, broad_phase: scene.broad_phase(), vertices, mesh_of, hosts: Mutex::default() }
+    }
+
+    /// The number of frames.
+    pub fn frames(&self) -> usize {
+        self.scene.frames()
+    }
+
+    /// A meeting of the scene.
+    pub fn posed(&'a self, meeting: &Meeting) -> Posed<'a> {
+        let meshes = [meeting.a, meeting.b].map(|object| self.mesh_of[object]);
+        let vertices = meshes.map(|mesh| self.vertices[mesh].as_slice());
+        let known = self.hosts.lock().unwrap_or_else(PoisonError::into_inner).get(&meshes).cloned();
+        // Two threads may make the same one; it is made without the lock.
+        let host = known.unwrap_or_else(|| {
+            let made = Arc::new(SceneHost::new(vertices[0], vertices[1], &self.params));
+            let mut hosts = self.hosts.lock().unwrap_or_else(PoisonError::into_inner);
+            Arc::clone(hosts.entry(meshes).or_insert(made))
+        });
+        let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)]));
+        Posed { meshes: self.broad_phase.meshes(meeting), vertices, host, m, t: meeting.pose.translation.into() }
+    }
+}
+
+impl Posed<'_> {
+    /// What the unit loads, and the pairs as it reads them.
+    pub fn host(&self) -> ScenePose<'_> {
+        self.host.pose(&self.m, &self.t)
+    }
+
+    /// The vertices of a pair of triangles by their indices.
+    pub fn faces(&self, (a, b): (u32, u32)) -> [[u32; 3]; 2] {
+        [self.meshes[0].faces[a as usize], self.meshes[1].faces[b as usize]]
+    }
+
+    /// The corners of a pair of triangles, each in the frame of its mesh.
+    fn corners(&self, pair: (u32, u32)) -> [[[f64; 3]; 3]; 2] {
+        let [a, b] = self.faces(pair);
+        let [of_a, of_b] = &self.vertices;
+        [a.map(|vertex| of_a[vertex as usize]), b.map(|vertex| of_b[vertex as usize])]
+    }
+
+    /// The exact answer for a pair of triangles.
+    pub fn relation(&self, pair: (u32, u32)) -> Relation {
+        let [a, b] = self.corners(pair);
+        exact::posed_relation(&a, &b, &self.m, &self.t)
+    }
+
+    /// The class of [`relation`](Self::relation), sooner where both triangles are in one frame.
+    pub fn class(&self, pair: (u32, u32)) -> Exact {
+        let [[a0, a1, a2], [b0, b1, b2]] = self.corners(pair);
+        if self.m == IDENTITY && self.t == [0.0; 3] {
+            return retest(&[a0, a1, a2, b0, b1, b2]);
+        }
+        exact::posed_pair(&[a0, a1, a2], &[b0, b1, b2], &self.m, &self.t)
+    }
+}

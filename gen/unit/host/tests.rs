@@ -1,0 +1,268 @@
+//! The host against rational arithmetic.
+
+// Loops over components read like the equations.
+#![allow(clippy::needless_range_loop)]
+
+use num_bigint::BigInt;
+use num_rational::BigRational;
+use num_traits::{One, Signed, Zero};
+use rand::{Rng, SeedableRng};
+use rand_chacha::ChaCha8Rng;
+
+use super::{loose_pair, Host, SceneHost};
+use crate::golden::{Input, Pair, Pose, Verdict};
+use crate::params::{Params, Transform};
+use efsat_geometry::sample;
+
+type Real = BigRational;
+
+fn real(x: f64) -> Real {
+    Real::from_float(x).unwrap()
+}
+
+fn two_to(power: i64) -> Real {
+    let whole = Real::from_integer(BigInt::one() << power.unsigned_abs());
+    if power < 0 {
+        whole.recip()
+    } else {
+        whole
+    }
+}
+
+/// The largest power of two with which `reach` is at most 1; 1 for zero.
+fn scale(reach: &Real) -> Real {
+    if reach.is_zero() {
+        return Real::one();
+    }
+    let mut scale = Real::one();
+    while reach * &scale > Real::one() {
+        scale /= Real::from_integer(2.into());
+    }
+    while reach * &scale * two_to(1) <= Real::one() {
+        scale *= two_to(1);
+    }
+    scale
+}
+
+/// The least and the greatest along each axis.
+fn bounds(points: &[[f64; 3]]) -> [[Real; 2]; 3] {
+    [0, 1, 2].map(|i| {
+        let column = || points.iter().map(|x| real(x[i]));
+        [column().min().unwrap(), column().max().unwrap()]
+    })
+}
+
+fn middle([low, high]: &[Real; 2]) -> Real {
+    (low + high) * two_to(-1)
+}
+
+fn half([low, high]: &[Real; 2]) -> Real {
+    (high - low) * two_to(-1)
+}
+
+/// Floor and sticky bit of the real number.
+fn assert_quantised(found: Input, x: &Real, p: &Params) {
+    let scaled = x * two_to(p.input().fraction.into());
+    assert_eq!(BigInt::from(found.lo), scaled.floor().to_integer(), "{x}");
+    assert_eq!(found.sticky, !scaled.is_integer(), "{x}");
+}
+
+fn unit(host: Host) -> Pair {
+    match host {
+        Host::Unit(pair) => pair,
+        Host::Decided(verdict) => panic!("decided: {verdict}"),
+    }
+}
+
+fn check_loose(points: &[[f64; 3]; 6], p: &Params) {
+    let pair = unit(loose_pair(points, p));
+    let boxes = bounds(points);
+    let scale = scale(&boxes.iter().map(half).max().unwrap());
+    for (k, point) in points.iter().enumerate() {
+        for i in 0..3 {
+            let found = if k < 3 { pair.a[k][i] } else { pair.b[k - 3][i] };
+            assert_quantised(found, &((real(point[i]) - middle(&boxes[i])) * &scale), p);
+        }
+    }
+}
+
+#[test]
+fn loose_pairs_are_normalised_exactly() {
+    let mut rng = ChaCha8Rng::seed_from_u64(1);
+    for (int_bits, transform_width, transform) in
+        [(4, 32, Transform::On), (4, 48, Transform::Off), (8, 18, Transform::Translate)]
+    {
+        let p = Params { int_bits, transform_width, transform, ..Params::default() };
+        for round in 0..100 {
+            let points = sample::random_points(&mut rng);
+            check_loose(&points, &p);
+            // Exponents at both ends of binary64, alone and mixed.
+            let mut extreme = || match rng.random_range(0..8) {
+                0 => 0.0,
+                1 => f64::MAX,
+                2 => -f64::MAX,
+                3 => 5e-324,
+                4 => -5e-324,
+                5 => f64::MIN_POSITIVE,
+                _ => rng.random_range(-1.0..1.0),
+            };
+            if round % 4 == 0 {
+                check_loose(&[(); 6].map(|()| [(); 3].map(|()| extreme())), &p);
+            }
+        }
+        // Spreads around the limit of the fast path.
+        for spread in 50..140 {
+            let mut points = points_at(1.0 + f64::EPSILON);
+            points[5] = [-(-f64::from(spread)).exp2(), -1.75, (-f64::from(spread)).exp2()];
+            check_loose(&points, &p);
+        }
+        // Normal and denormal numbers next to each other.
+        for _ in 0..20 {
+            let mut least = || f64::MIN_POSITIVE * [0.0, 0.25, 0.75, 1.0, -1.0, -0.5, 1.5][rng.random_range(0..7)];
+            check_loose(&[(); 6].map(|()| [(); 3].map(|()| least())), &p);
+        }
+        check_loose(&points_at(0.1), &p);
+        check_loose(&points_at(0.0), &p);
+        check_loose(&points_at(-0.0), &p);
+        let mut denormal = points_at(0.0);
+        denormal[4][1] = 5e-324;
+        check_loose(&denormal, &p);
+    }
+}
+
+fn points_at(x: f64) -> [[f64; 3]; 6] {
+    [[x; 3]; 6]
+}
+
+const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+const ODD: [[f64; 3]; 3] = [[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]];
+
+fn meshes(rng: &mut ChaCha8Rng) -> [Vec<[f64; 3]>; 2] {
+    let mut mesh = |n: usize, size: f64, at: f64| -> Vec<[f64; 3]> {
+        (0..n).map(|_| [(); 3].map(|()| at + size * rng.random_range(-1.0..1.0))).collect()
+    };
+    [mesh(20, 3.7, 1.25), mesh(12, 0.3, -8.0)]
+}
+
+/// The relation that the rewritten pose must keep, on the unit's own inputs: M b' + t' = s (M b + t - c_A), whichever
+/// side applied it.
+#[test]
+fn poses_are_rewritten_exactly() {
+    let mut rng = ChaCha8Rng::seed_from_u64(2);
+    for transform in [Transform::On, Transform::Translate, Transform::Off] {
+        let p = Params { transform, int_bits: 5, ..Params::default() };
+        for (m, t, turned) in
+            [(IDENTITY, [9.0, 9.1, 9.25], false), (IDENTITY, [9.0, 10.0, 9.0], false), (ODD, [2.0, 10.0, 3.0], true)]
+        {
+            let [a, b] = meshes(&mut rng);
+            let host = SceneHost::new(&a, &b, &p);
+            let scene = host.pose(&m, &t);
+            let on_host = transform == Transform::Off || transform == Transform::Translate && turned;
+            assert_eq!(scene.pose.bypass, on_host);
+            let boxes = [bounds(&a), bounds(&b)];
+            let scale = scale(&boxes.iter().flatten().map(half).max().unwrap());
+            let centre = |side: usize| [0, 1, 2].map(|i| middle(&boxes[side][i]));
+            let image = |x: &[Real; 3]| {
+                [0, 1, 2].map(|i| {
+                    let row = (0..3).fold(real(t[i]), |sum, j| sum + real(m[i][j]) * &x[j]);
+                    (row - &centre(0)[i]) * &scale
+                })
+            };
+            if !on_host {
+                let shift = image(&centre(1));
+                for i in 0..3 {
+                    assert_quantised(scene.pose.t[i], &shift[i], &p);
+                    for j in 0..3 {
+                        assert_quantised(scene.pose.m[i][j], &real(m[i][j]), &p);
+                    }
+                }
+            }
+            let mut sent = 0;
+            for k in 0..12u32 {
+                let expected = if on_host {
+                    image(&b[k as usize].map(real))
+                } else {
+                    [0, 1, 2].map(|i| (real(b[k as usize][i]) - &centre(1)[i]) * &scale)
+                };
+                let limit = Real::from_integer(p.coordinate_bound().into()) * two_to(-i64::from(p.input().fraction));
+                let inside = expected.iter().all(|x| x.abs() <= limit);
+                match scene.pair([k, 0, 1], [k, k, k]) {
+                    Host::Unit(pair) => {
+                        assert!(inside);
+                        sent += 1;
+                        for i in 0..3 {
+                            let x = (real(a[k as usize][i]) - &centre(0)[i]) * &scale;
+                            assert_quantised(pair.a[0][i], &x, &p);
+                            assert_quantised(pair.b[0][i], &expected[i], &p);
+                        }
+                    }
+                    Host::Decided(_) => assert!(!inside),
+                }
+            }
+            assert!(sent > 0 || on_host, "{transform:?}");
+        }
+    }
+}
+
+#[test]
+fn the_identity_is_bypassed() {
+    let p = Params::default();
+    let mesh = [[0.0, 0.0, 0.1], [1.0, 0.3, 0.0], [0.0, 2.0, 7.0]];
+    for transform in [Transform::On, Transform::Translate, Transform::Off] {
+        let host = SceneHost::new(&mesh, &mesh, &Params { transform, ..p.clone() });
+        assert_eq!(host.pose(&IDENTITY, &[0.0; 3]).pose, Pose::identity(&p));
+    }
+    // Same orientation, other place: a translation in normalised coordinates.
+    let host = SceneHost::new(&mesh, &mesh.map(|x| [x[0] + 1.0, x[1], x[2]]), &p);
+    assert!(!host.pose(&IDENTITY, &[0.0; 3]).pose.bypass);
+    assert!(host.pose(&IDENTITY, &[-1.0, 0.0, 0.0]).pose.bypass);
+}
+
+/// Out of range: strictly disjoint boxes are `separate`, all others `possibly-incorrect`, and touching is not disjoint.
+#[test]
+fn pairs_outside_the_ranges_are_decided_by_their_boxes() {
+    let a =
+        [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0], [100.0, 0.0, 0.0], [101.0, 0.0, 0.0], [100.0, 1.0, 1.0]];
+    let decided = |transform, b: &[[f64; 3]], m: &[[f64; 3]; 3], t: [f64; 3], triangle: [u32; 3]| {
+        let p = Params { transform, ..Params::default() };
+        SceneHost::new(&a, b, &p).pose(m, &t).pair(triangle, [0, 1, 2])
+    };
+    let b = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0]];
+    // A translation too long for the format.
+    let far = decided(Transform::On, &b, &IDENTITY, [1e5, 0.0, 0.0], [0, 1, 2]);
+    assert_eq!(far, Host::Decided(Verdict::Separate));
+    // A matrix entry just above 1: everything is the host's.
+    let mut stretched = IDENTITY;
+    stretched[0][0] = 1.0 + f64::EPSILON;
+    for (t, expected) in [
+        ([1.0, 0.0, 0.0], Verdict::PossiblyIncorrect),
+        ([1.0 + f64::EPSILON, 0.0, 0.0], Verdict::Separate),
+        ([0.0, 0.0, -1.0], Verdict::PossiblyIncorrect),
+        ([0.0, 0.0, -1.0 - f64::EPSILON], Verdict::Separate),
+    ] {
+        assert_eq!(decided(Transform::On, &b, &stretched, t, [0, 1, 2]), Host::Decided(expected), "{t:?}");
+    }
+    // The host has applied the pose, and one vertex of B left the range of the unit; others did not.
+    let p = Params { transform: Transform::Translate, ..Params::default() };
+    let b = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0], [0.0, 80.0, 0.0]];
+    let host = SceneHost::new(&a, &b, &p);
+    let turn = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
+    let scene = host.pose(&turn, &[50.0, 0.0, 0.0]);
+    assert!(matches!(scene.pair([0, 1, 2], [0, 1, 2]), Host::Unit(_)));
+    let scene = host.pose(&turn, &[0.0, 0.0, 0.0]);
+    assert_eq!(scene.pair([3, 4, 5], [0, 1, 3]), Host::Decided(Verdict::Separate));
+    assert_eq!(scene.pair([0, 1, 2], [0, 1, 3]), Host::Decided(Verdict::PossiblyIncorrect));
+    assert!(matches!(scene.pair([0, 1, 2], [0, 1, 2]), Host::Unit(_)));
+}
+
+#[test]
+fn a_point_mesh_keeps_its_scale() {
+    let p = Params::default();
+    let point = [[3.0, 4.0, 5.0]];
+    let host = SceneHost::new(&point, &point, &p);
+    assert_eq!(unit(host.pose(&IDENTITY, &[0.0; 3]).pair([0; 3], [0; 3])), Pair::default());
+    let scene = host.pose(&IDENTITY, &[1.5, 0.0, 0.0]);
+    assert_eq!(scene.pose.t[0], Input::exact(3 << 27));
+    // Nothing to read from a mesh without vertices, but it can be posed.
+    assert!(SceneHost::new(&[], &[], &p).pose(&IDENTITY, &[0.0; 3]).pose.bypass);
+}

@@ -1,0 +1,226 @@
+//! One validated parameter set, and the table of number formats that follows from it.
+//!
+//! Everything downstream (golden model, graph builders, host side) reads the same [`Params`] and the same
+//! [`Formats`]; nothing else decides a width.
+
+mod formats;
+mod guard;
+pub mod options;
+pub mod stream;
+
+pub use efsat_hardware::number::Upper;
+pub use formats::{AxisKind, Clamp, Formats, Row};
+pub use guard::Guard;
+
+use std::ops::RangeInclusive;
+
+/// Which separating axes are tested.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Axes {
+    /// n_A, n_B and the nine edge cross products: the paper's set.
+    Eleven,
+    /// The eleven and the six in-plane edge normals n_A x e_Ak, n_B x e_Bk, which separate coplanar triangles.
+    Seventeen,
+}
+
+impl Axes {
+    /// The number of axes: 11 or 17.
+    pub const fn count(self) -> usize {
+        match self {
+            Self::Eleven => 11,
+            Self::Seventeen => 17,
+        }
+    }
+}
+
+/// What is done with duplicate projections (section 5 of the contract, the paper's future work).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Projections {
+    /// Compute all six projections of every axis and use them as they come: the paper.
+    All,
+    /// Compute each group of equal projections once.
+    Skip,
+    /// Compute all and intersect the enclosures of equal projections.
+    Intersect,
+}
+
+/// How triangle B reaches triangle A's frame of reference.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Transform {
+    /// B = M * B~ + t.
+    On,
+    /// B = B~ + t.
+    Translate,
+    /// B = B~: both triangles come in one frame.
+    Off,
+}
+
+/// A complete, validated parameter set. Build one with [`Params::default`] and change fields, then
+/// [`validate`](Params::validate).
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Params {
+    /// Working width N of the axis test in bits, 6 to 32.
+    pub width: u32,
+    /// Integral digits K of the input format, sign included, 4 to 8 and at most N - 2.
+    pub int_bits: u32,
+    /// Width T of inputs and frame transform in bits, N to 48.
+    pub transform_width: u32,
+    /// Axis set.
+    pub axes: Axes,
+    /// Axis units side by side, 1 to the number of axes.
+    pub axes_per_clock: usize,
+    /// Duplicate-projection policy.
+    pub projections: Projections,
+    /// Rule for every upper bound.
+    pub upper: Upper,
+    /// Whether pairs are re-normalised one by one (the paper's 2.5).
+    pub renormalise: bool,
+    /// Frame transform.
+    pub transform: Transform,
+    /// Which units carry the guard; see [`Params::guarded`].
+    pub guard: Guard,
+    /// Name of the device model.
+    pub device: String,
+    /// Target clock in MHz, 20 to 250.
+    pub frequency: u32,
+    /// Width of the pair tag in bits, 0 to 64.
+    pub tag_width: u32,
+}
+
+impl Default for Params {
+    /// The paper's design.
+    fn default() -> Self {
+        Self {
+            width: 18,
+            int_bits: 4,
+            transform_width: 32,
+            axes: Axes::Eleven,
+            axes_per_clock: 1,
+            projections: Projections::All,
+            upper: Upper::Implied,
+            renormalise: true,
+            transform: Transform::On,
+            guard: Guard::LeftOut,
+            device: "xc2v6000-4".to_owned(),
+            frequency: 100,
+            tag_width: 16,
+        }
+    }
+}
+
+/// A parameter outside its range: which option, what was given, what is legal.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("--{option} {found}: {legal}")]
+pub struct ParamError {
+    /// Option name without dashes.
+    pub option: &'static str,
+    /// The value found.
+    pub found: String,
+    /// What is legal, in words.
+    pub legal: String,
+}
+
+impl Params {
+    /// Checks every range and every relation between options.
+    ///
+    /// # Errors
+    /// The first option outside its range, with the legal range.
+    pub fn validate(&self) -> Result<(), ParamError> {
+        let (n, k) = (self.width, self.int_bits);
+        let range = |option, found: u32, legal: RangeInclusive<u32>, why: &str| {
+            if legal.contains(&found) {
+                return Ok(());
+            }
+            let legal = format!("legal is {} to {}{why}", legal.start(), legal.end());
+            Err(ParamError { option, found: found.to_string(), legal })
+        };
+        range("width", n, options::WIDTH, "")?;
+        let (least, most) = options::INT_BITS.into_inner();
+        let why = format!(" ({least} to {most}, at most width - 2 = {})", n - 2);
+        range("int-bits", k, least..=most.min(n - 2), &why)?;
+        let widths = n..=options::TRANSFORM_WIDTH;
+        range("transform-width", self.transform_width, widths, &format!(" (at least --width {n})"))?;
+        let axes = self.axes.count() as u32;
+        range("axes-per-clock", self.axes_per_clock as u32, 1..=axes, &format!(" (--axes {axes})"))?;
+        range("frequency", self.frequency, options::FREQUENCY, " MHz")?;
+        range("tag-width", self.tag_width, options::TAG_WIDTH, "")
+    }
+
+    /// Initiation interval in clocks: one pair every ceil(axes / axes per clock).
+    pub fn interval(&self) -> usize {
+        self.axes.count().div_ceil(self.axes_per_clock)
+    }
+
+    /// Transform row units side by side: ceil(9 / interval), none without a transform.
+    pub fn transform_rows(&self) -> usize {
+        match self.transform {
+            Transform::Off => 0,
+            Transform::On | Transform::Translate => 9usize.div_ceil(self.interval()),
+        }
+    }
+
+    /// Format of input coordinates, matrix entries and translation: s{K}.{T-K}.
+    pub fn input(&self) -> efsat_hardware::number::Format {
+        efsat_hardware::number::Format::signed(self.transform_width, self.int_bits as i32)
+    }
+
+    /// Declared bound on the true magnitude of a coordinate, in mantissas of [`Params::input`]: 1, or without the
+    /// transform 2^(K-1) - 2 ulp. That ulp is the input's, but without re-normalisation the working format's, because
+    /// then the coordinate is rounded outward to sK.(N-K) and must still fit.
+    pub fn coordinate_bound(&self) -> i128 {
+        let ulp = if self.renormalise { 1 } else { 1 << (self.transform_width - self.width) };
+        match self.transform {
+            Transform::Off => (1 << (self.transform_width - 1)) - 2 * ulp,
+            _ => self.one(),
+        }
+    }
+
+    /// Declared bound on the true magnitude of a translation entry, in mantissas of [`Params::input`]:
+    /// 2^(K-1) - 4 - 2^(K-T+3).
+    pub fn translation_bound(&self) -> i128 {
+        (1 << (self.transform_width - 1)) - 4 * self.one() - 8
+    }
+
+    /// The mantissa of 1 in [`Params::input`]: 2^(T-K). Also the declared bound on matrix entries.
+    pub fn one(&self) -> i128 {
+        1 << (self.transform_width - self.int_bits)
+    }
+
+    /// The table of formats of the axis test.
+    pub fn formats(&self) -> Formats {
+        Formats::new(self)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_default_is_the_papers() {
+        let p = Params::default();
+        assert!(p.validate().is_ok());
+        assert_eq!((p.interval(), p.transform_rows(), p.input().to_string()), (11, 1, "s4.28".to_owned()));
+    }
+
+    #[test]
+    fn every_option_outside_its_range_is_named() {
+        type Change = fn(&mut Params);
+        let cases: [(Change, &str); 9] = [
+            (|p| p.width = 5, "--width 5: legal is 6 to 32"),
+            (|p| p.width = 33, "--width 33: legal is 6 to 32"),
+            (|p| p.int_bits = 3, "--int-bits 3: legal is 4 to 8 (4 to 8, at most width - 2 = 16)"),
+            (|p| p.transform_width = 17, "--transform-width 17: legal is 18 to 48 (at least --width 18)"),
+            (|p| p.transform_width = 49, "--transform-width 49: legal is 18 to 48 (at least --width 18)"),
+            (|p| p.axes_per_clock = 12, "--axes-per-clock 12: legal is 1 to 11 (--axes 11)"),
+            (|p| p.axes_per_clock = 0, "--axes-per-clock 0: legal is 1 to 11 (--axes 11)"),
+            (|p| p.frequency = 251, "--frequency 251: legal is 20 to 250 MHz"),
+            (|p| p.tag_width = 65, "--tag-width 65: legal is 0 to 64"),
+        ];
+        for (change, message) in cases {
+            let mut p = Params::default();
+            change(&mut p);
+            assert_eq!(p.validate().unwrap_err().to_string(), message);
+        }
+    }
+}
