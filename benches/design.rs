@@ -1,6 +1,6 @@
 //! Making and simulating the default design.
 
-use criterion::{criterion_group, criterion_main, Criterion, Throughput};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use efsat::artefact::{self, Stimulus};
 use efsat::cosim::{self, Options, Simulator};
 use efsat::design::Design;

@@ -2,10 +2,10 @@
 
 use std::hint::black_box;
 
-use criterion::{criterion_group, criterion_main, Criterion, Throughput};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use efsat::golden::{Golden, Pair, Pose};
 use efsat::host::sample;
-use efsat::host::{loose_pair, Host};
+use efsat::host::{Host, loose_pair};
 use efsat::params::Params;
 use efsat::sample::random_points;
 use rand::SeedableRng;

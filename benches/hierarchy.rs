@@ -1,9 +1,9 @@
 //! Speed of the k-DOP hierarchy on two meshes of 20,000 triangles, and a guard: a tumbling turn of 1000 poses must take
 //! less than a minute on the cores at hand.
 
-use criterion::{criterion_group, criterion_main, Criterion};
+use criterion::{Criterion, criterion_group, criterion_main};
 use efsat::mesh::Mesh;
-use efsat::scene::hierarchy::{pairs, Directions, DopTree, Scratch};
+use efsat::scene::hierarchy::{Directions, DopTree, Scratch, pairs};
 use efsat::scene::{Pose, Scene};
 use nalgebra::Point3;
 use rayon::prelude::*;

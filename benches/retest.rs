@@ -4,14 +4,14 @@
 
 use std::hint::black_box;
 
-use criterion::{criterion_group, criterion_main, BenchmarkId, Criterion, SamplingMode, Throughput};
+use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
 use efsat::exact;
 use efsat::golden::{Golden, Verdict};
 use efsat::host::{Host, SceneHost};
 use efsat::params::Params;
 use efsat::scene::Scene;
 use efsat::software::retest::{retest, retest_batch};
-use efsat::software::{robbins_whitesides, Test};
+use efsat::software::{Test, robbins_whitesides};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 

@@ -13,7 +13,7 @@ use efsat::host::{Host, SceneHost};
 use efsat::mesh::Mesh;
 use efsat::params::{Axes, Guard, Params, Projections, Transform, Upper};
 use efsat::scene::{Meeting, Scene};
-use rand::{seq::IndexedRandom, SeedableRng};
+use rand::{SeedableRng, seq::IndexedRandom};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashSet};
 use std::sync::OnceLock;
@@ -298,11 +298,7 @@ fn ghdl_equals_builtin(name: &str, p: &Params) -> Result<(), String> {
     let [ghdl, builtin] = [Simulator::Ghdl, Simulator::Builtin].map(|s| agrees(name, p, 12, s, true));
     let numbers = |r: &cosim::Report| (r.cycles, r.latency, r.initiation_interval, r.total_clocks, r.vectors);
     let [ghdl, builtin] = [numbers(&ghdl?), numbers(&builtin?)];
-    if ghdl == builtin {
-        Ok(())
-    } else {
-        Err(format!("{name}: GHDL {ghdl:?}, built-in {builtin:?}\n{p:?}"))
-    }
+    if ghdl == builtin { Ok(()) } else { Err(format!("{name}: GHDL {ghdl:?}, built-in {builtin:?}\n{p:?}")) }
 }
 
 /// Whether GHDL runs everything that the built-in simulator does, for which it takes many times as long.

@@ -1,7 +1,7 @@
 //! Dataflow pictures: those of the documents are current, and the command line draws every unit or says why not.
 
 use efsat::design::Design;
-use efsat::diagram::{units, Picture};
+use efsat::diagram::{Picture, units};
 use efsat::graph::schedule::Scheduler;
 use efsat::params::{Axes, Params, Projections};
 use std::fs;

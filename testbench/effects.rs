@@ -1,13 +1,13 @@
 //! Effects: the planned unit of a scene says what the full one says, `efsat scene plan` and `efsat scene run`.
 
-use efsat::effects::{frame_contacts, plan, run, Front, Options, Plan, Request, Sampling};
+use efsat::effects::{Front, Options, Plan, Request, Sampling, frame_contacts, plan, run};
 use efsat::exact::Exact;
 use efsat::golden::{Golden, Verdict};
 use efsat::host::settings::Settings;
 use efsat::host::{Host, Stage};
 use efsat::params::Params;
 use efsat::scene::hierarchy::{Directions, Scratch};
-use efsat::scene::{load, Scene, Survivors};
+use efsat::scene::{Scene, Survivors, load};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -264,7 +264,9 @@ fn plans_name_each_effect_with_its_reason_and_saving() {
 
 #[test]
 fn runs_answer_retest_simulate_and_draw() {
-    let home = blocks("[[pose]]\nlabel = 'as \"placed\"'\nobject = 'q'\ntranslation = [1, 0, 0]\n[[pose]]\nobject = 'q'\ntranslation = [0.75, 0.5, 0.25]\n");
+    let home = blocks(
+        "[[pose]]\nlabel = 'as \"placed\"'\nobject = 'q'\ntranslation = [1, 0, 0]\n[[pose]]\nobject = 'q'\ntranslation = [0.75, 0.5, 0.25]\n",
+    );
     let dir = home.path();
     let files = "--csv rows.csv --pairs pairs.csv --picture p.svg --frame 1 --out rtl";
     let report = object(dir, &format!("scene run s.toml --json --simulator builtin {files}"));

@@ -2,7 +2,7 @@
 //! as without a guard.
 
 use efsat::cosim::inputs;
-use efsat::design::{guard, Design};
+use efsat::design::{Design, guard};
 use efsat::exact::{self, Exact};
 use efsat::golden::{Golden, Input, Pair, Pose, Verdict};
 use efsat::graph::estimate;

@@ -1,8 +1,8 @@
 //! The k-DOP hierarchy against brute force on every mesh at hand, and `efsat scene pairs`.
 
-use efsat::exact::{posed_pair, Exact};
-use efsat::mesh::{read, Bounds, Mesh};
-use efsat::scene::hierarchy::{first_hit, pairs, Directions, DopTree, Scratch};
+use efsat::exact::{Exact, posed_pair};
+use efsat::mesh::{Bounds, Mesh, read};
+use efsat::scene::hierarchy::{Directions, DopTree, Scratch, first_hit, pairs};
 use efsat::scene::{Pose, Scene};
 use rayon::prelude::*;
 use serde_json::Value;
@@ -232,8 +232,7 @@ fn broken_faces_are_reported_and_the_scene_goes_on() {
     fs::write(home.path().join("b.toml"), scene).unwrap();
     let (status, output, errors) = efsat(home.path(), "scene pairs b.toml --json", "2");
     assert_eq!(status, Some(0), "{errors}");
-    let expected =
-        "warning: b.toml: object b: faces left out: 1 with fewer than three corners (first: line 16: a face of \
+    let expected = "warning: b.toml: object b: faces left out: 1 with fewer than three corners (first: line 16: a face of \
         2 vertices), 1 with a vertex out of range (first: line 15: vertex '99' in a file of 8); faces kept: 1 \
         degenerate (first: triangle 12)\n";
     assert_eq!(errors, expected);

@@ -5,7 +5,7 @@ use efsat::cosim::{Bench, Simulator, Trial};
 use efsat::mutation::campaign::{self, Campaign, Options};
 use efsat::mutation::model::{self, ModelCampaign};
 use efsat::mutation::score::{Entry, Standing};
-use efsat::mutation::{capped, explained, spread, Kind, Mutant};
+use efsat::mutation::{Kind, Mutant, capped, explained, spread};
 use efsat::params::{Axes, Params, Transform, Upper};
 use rayon::prelude::*;
 use std::collections::HashSet;

@@ -12,10 +12,10 @@ mod rounding;
 mod transform_row;
 
 use efsat::design::multiply::case;
+use efsat::graph::Unit;
 use efsat::graph::evaluate::Evaluator;
 use efsat::graph::range::analyse;
-use efsat::graph::Unit;
-use efsat::number::{floor_shift, upper_shift, Interval, Upper};
+use efsat::number::{Interval, Upper, floor_shift, upper_shift};
 use std::ops::RangeInclusive;
 use std::rc::Rc;
 

@@ -1,7 +1,7 @@
 //! The protocol of the top, clock by clock: which pose a pair gets, what reset does, what back-pressure does.
 
-use efsat::artefact::vectors::{answer_word, pair_word, pose_word, Word};
 use efsat::artefact::Stimulus;
+use efsat::artefact::vectors::{Word, answer_word, pair_word, pose_word};
 use efsat::design::Design;
 use efsat::golden::{Golden, Pair, Pose};
 use efsat::graph::simulate::Simulation;
@@ -91,10 +91,12 @@ fn expected(p: &Params, pose: &Pose, pair: &Pair) -> [i128; 3] {
 /// Pairs that are answered differently under the two poses, and the poses.
 fn telling(p: &Params) -> (Pose, Pose, Vec<Pair>) {
     let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
-    let [first, second] = [0, 1].map(|_| loop {
-        let pose = sample::random_pose(&mut rng, p);
-        if !pose.bypass {
-            break pose;
+    let [first, second] = [0, 1].map(|_| {
+        loop {
+            let pose = sample::random_pose(&mut rng, p);
+            if !pose.bypass {
+                break pose;
+            }
         }
     });
     let mut pairs = vec![];

@@ -1,14 +1,14 @@
 //! The built-in scenes through the program: no definite verdict contradicts the exact answer, re-normalisation is what
 //! makes most of them definite, and both formulations of the exact answer agree on every pair.
 
-use efsat::exact::{linear_programme, posed_relation, relation, Exact};
+use efsat::exact::{Exact, linear_programme, posed_relation, relation};
 use efsat::golden::{Golden, Pair, Pose, Verdict};
-use efsat::host::{loose_pair, Host, SceneHost};
+use efsat::host::{Host, SceneHost, loose_pair};
 use efsat::mesh::Mesh;
 use efsat::number::{Interval, Upper};
 use efsat::params::Params;
 use efsat::sample::random_points;
-use efsat::scene::{load, BroadPhase, Meeting, Scene};
+use efsat::scene::{BroadPhase, Meeting, Scene, load};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;

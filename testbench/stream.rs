@@ -1,6 +1,6 @@
 //! The stream wrapper, the example and the driver in GHDL, against the reference model and the exact oracle.
 
-use efsat::artefact::{design_files_with, stream, stream_vectors, FileSet};
+use efsat::artefact::{FileSet, design_files_with, stream, stream_vectors};
 use efsat::design::Design;
 use efsat::exact::{self, Exact};
 use efsat::host::driver::{Driver, StandIn, Statistics, Transfer};

@@ -1,12 +1,12 @@
 //! The stress campaign: a slice of it on several parameter sets, what its families reach, that it replays, and that it
 //! finds answers that are wrong.
 
+use efsat::Points;
 use efsat::golden::Verdict;
 use efsat::params::{Axes, Params, Projections, Transform, Upper};
 use efsat::stress::{
-    Answer, Answerer, Campaign, Counts, Family, Kind, Model, Plan, Posed, Report, VertexOrder, FAMILIES,
+    Answer, Answerer, Campaign, Counts, FAMILIES, Family, Kind, Model, Plan, Posed, Report, VertexOrder,
 };
-use efsat::Points;
 use std::process::Command;
 
 fn plan(families: &[&str], each: u64, first: u64, seed: u64) -> Plan {
@@ -251,11 +251,7 @@ fn a_wrong_answer_is_found_wherever_it_is_given() {
     // Only where the least vertices come first, in A and in B: one of nine orders of vertices, in one role.
     let in_one_order = |_: &Params, p: &Points, v: Verdict| {
         let sorted = p[..3].is_sorted() && p[3..].is_sorted() && p[0] <= p[3];
-        if sorted && v == Verdict::PossiblyIncorrect {
-            Verdict::Separate
-        } else {
-            v
-        }
+        if sorted && v == Verdict::PossiblyIncorrect { Verdict::Separate } else { v }
     };
     let report = sabotaged(in_one_order, HONEST_POSED, &["vertex-on-face"]).total();
     assert!(report.wrong >= report.pairs && report.wrong < 20 * report.pairs, "{}", report.wrong);
@@ -273,19 +269,11 @@ fn a_wrong_answer_is_found_wherever_it_is_given() {
 
     // Only mirrored, and only scaled or moved: not wrong, but not the same.
     let mirrored = |_: &Params, p: &Points, v: Verdict| {
-        if p.iter().all(|x| x[0] <= 0.0) && v == Verdict::PossiblyIncorrect {
-            Verdict::Separate
-        } else {
-            v
-        }
+        if p.iter().all(|x| x[0] <= 0.0) && v == Verdict::PossiblyIncorrect { Verdict::Separate } else { v }
     };
     assert!(sabotaged(mirrored, HONEST_POSED, &["coplanar-overlapping"]).total().wrong > 0);
     let large = |_: &Params, p: &Points, v: Verdict| {
-        if p.iter().flatten().any(|x| x.abs() > 1e30) {
-            Verdict::PossiblyIncorrect
-        } else {
-            v
-        }
+        if p.iter().flatten().any(|x| x.abs() > 1e30) { Verdict::PossiblyIncorrect } else { v }
     };
     let report = sabotaged(large, HONEST_POSED, &["lattice-17"]);
     assert!(report.total().wrong == 0 && report.total().unstable > 0);
@@ -312,11 +300,7 @@ impl Floating {
             let (a, b) = (image(&p[..3]), image(&p[3..]));
             a.1 < b.0 || b.1 < a.0
         };
-        if axes.iter().any(apart) {
-            Verdict::Separate
-        } else {
-            Verdict::Intersect
-        }
+        if axes.iter().any(apart) { Verdict::Separate } else { Verdict::Intersect }
     }
 }
 

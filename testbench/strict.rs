@@ -2,7 +2,7 @@
 //! errors; and read back by synthesis. `scripts/strict` runs this with more analysers than a distribution has
 //! (docs/strictness.md).
 
-use efsat::artefact::{design_files, FileSet, Scratch};
+use efsat::artefact::{FileSet, Scratch, design_files};
 use efsat::design::Design;
 use efsat::number::Upper;
 use efsat::params::{Axes, Params, Projections, Transform};

@@ -2,13 +2,13 @@
 //!
 //! Tests whose tools are not installed say so on standard error and check nothing.
 
-use efsat::artefact::{vhdl_files, Stimulus};
+use efsat::artefact::{Stimulus, vhdl_files};
 use efsat::cosim::{self, Netlist, Options, Simulator};
 use efsat::design::Design;
 use efsat::device;
 use efsat::graph::estimate;
 use efsat::params::{Params, Projections, Transform};
-use efsat::synth::{self, tools, verilog, yosys, Flow, Report, SynthError, ToolError};
+use efsat::synth::{self, Flow, Report, SynthError, ToolError, tools, verilog, yosys};
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};

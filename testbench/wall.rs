@@ -2,7 +2,7 @@
 //! report sees what is wrong is shown in `gen/evidence/wall/report.rs`.
 
 use efsat::params::{Axes, Params, Projections, Upper};
-use efsat::wall::{Answer, Contact, Grid, Map, Report, Step, CONTACTS, SIZE};
+use efsat::wall::{Answer, CONTACTS, Contact, Grid, Map, Report, SIZE, Step};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

@@ -8,7 +8,7 @@ use super::output::{print, print_json};
 use super::params::ParamArguments;
 use super::progress;
 use super::source;
-use crate::accuracy::{self, sweep, Amount, Campaign, Plan, Progress, Request, Results, Shard, Store, MOST};
+use crate::accuracy::{self, Amount, Campaign, MOST, Plan, Progress, Request, Results, Shard, Store, sweep};
 use crate::params::Params;
 use clap::{Args, FromArgMatches};
 use std::path::{Path, PathBuf};
@@ -196,11 +196,7 @@ fn command(request: &Request, transfer: f64) -> String {
     let mut text = "efsat accuracy".to_owned();
     let quoted = |text: &str| {
         let plain = |c: char| c.is_ascii_alphanumeric() || "-_./,=".contains(c);
-        if text.chars().all(plain) {
-            text.to_owned()
-        } else {
-            format!("'{text}'")
-        }
+        if text.chars().all(plain) { text.to_owned() } else { format!("'{text}'") }
     };
     let mut add = |name: &str, value: &str, default: &str| {
         if value != default {

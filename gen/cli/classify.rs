@@ -1,17 +1,17 @@
 //! `efsat classify`.
 
 use super::error::Failure;
-use super::output::{failure, print, print_json, Verdicts};
+use super::output::{Verdicts, failure, print, print_json};
 use super::params::ParamArguments;
 use super::progress;
 use super::source::{Source, SourceArguments};
+use crate::Points;
 use crate::exact::{self, Exact, Relation};
 use crate::golden::{Golden, Pose, Verdict};
-use crate::host::{loose_pair, Host, Stage};
+use crate::host::{Host, Stage, loose_pair};
 use crate::params::Params;
 use crate::sample::random_points;
 use crate::scene::{Meeting, Scene};
-use crate::Points;
 use indicatif::ProgressBar;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;

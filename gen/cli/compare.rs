@@ -4,25 +4,25 @@ mod tally;
 
 use super::error::Failure;
 use super::output::{print, print_json};
-use super::params::{whole, ParamArguments};
+use super::params::{ParamArguments, whole};
 use super::progress;
 use super::source::{Source, SourceArguments};
+use crate::Points;
 use crate::exact::{self, Exact};
 use crate::golden::{Golden, Pose};
-use crate::host::{loose_pair, Host, Stage};
+use crate::host::{Host, Stage, loose_pair};
 use crate::mesh;
 use crate::params::Params;
 use crate::sample::random_points;
 use crate::scene::{Frame, Scene};
 use crate::software::Test;
-use crate::Points;
 use indicatif::ProgressBar;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rayon::prelude::*;
 use std::convert::Infallible;
 use std::path::PathBuf;
-use tally::{Answer, Tally, TESTS};
+use tally::{Answer, TESTS, Tally};
 
 /// What excludes a mesh. Options of meshes exclude it by themselves: clap does not ask for what an option requires where
 /// an option is given that excludes it.
@@ -92,11 +92,7 @@ impl Units {
             Self::Cube => {
                 let half = scene.objects.iter().map(|object| object.mesh.bounds().half_size()).fold(0.0, f64::max);
                 let (exponent, fraction) = ((half.to_bits() >> 52) as i32 - 1023, half.to_bits() << 12);
-                if half > 0.0 {
-                    (-f64::from(exponent + i32::from(fraction != 0))).exp2()
-                } else {
-                    1.0
-                }
+                if half > 0.0 { (-f64::from(exponent + i32::from(fraction != 0))).exp2() } else { 1.0 }
             }
         }
     }

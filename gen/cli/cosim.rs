@@ -1,17 +1,17 @@
 //! `efsat cosim`.
 
 use super::error::Failure;
-use super::output::{print, print_json, Verdicts};
-use super::params::{choice, whole, ParamArguments};
+use super::output::{Verdicts, print, print_json};
+use super::params::{ParamArguments, choice, whole};
 use super::progress;
-use super::source::{count, Source, SourceArguments};
+use super::source::{Source, SourceArguments, count};
+use crate::Points;
 use crate::artefact::Stimulus;
 use crate::cosim::{self, Netlist, Options, Report, Simulator};
 use crate::golden::{Pair, Pose, Verdict};
-use crate::host::{loose_pair, Host, Stage};
-use crate::params::{options::Choice, Params};
+use crate::host::{Host, Stage, loose_pair};
+use crate::params::{Params, options::Choice};
 use crate::scene::Scene;
-use crate::Points;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::path::PathBuf;

@@ -3,12 +3,12 @@
 use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::print;
-use super::params::{choice, ParamArguments};
-use crate::artefact::{design_files_with, programme_files, FileSet};
+use super::params::{ParamArguments, choice};
+use crate::artefact::{FileSet, design_files_with, programme_files};
 use crate::design::Design;
+use crate::params::Params;
 use crate::params::options::Choice;
 use crate::params::stream::StreamWidth;
-use crate::params::Params;
 use std::path::{Path, PathBuf};
 
 /// Writes the design: VHDL, stream wrapper, example, testbenches, vectors, projects for tools and a manifest

@@ -33,8 +33,7 @@ struct CommandLine {
     command: Command,
 }
 
-const AFTER: &str =
-    "Exit status: 0 done and everything agreed; 1 a check failed (a mismatch, a wrong definite answer); \
+const AFTER: &str = "Exit status: 0 done and everything agreed; 1 a check failed (a mismatch, a wrong definite answer); \
     2 the command line or an input file is wrong.";
 
 #[derive(Debug, Subcommand)]

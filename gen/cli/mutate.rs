@@ -2,7 +2,7 @@
 
 use super::error::Failure;
 use super::output::{print, print_json};
-use super::params::{choice, whole, ParamArguments};
+use super::params::{ParamArguments, choice, whole};
 use super::progress;
 use super::source::seed;
 use crate::cosim::Simulator;
@@ -10,7 +10,7 @@ use crate::mutation::campaign::{self, Campaign, Options};
 use crate::mutation::explained::{self, Explanation};
 use crate::mutation::model::{self, ModelCampaign, ModelError};
 use crate::mutation::score::{Entry, Score, Standing, Tally};
-use crate::mutation::{capped, spread, Fate, Mutant};
+use crate::mutation::{Fate, Mutant, capped, spread};
 use crate::params::options::Choice;
 use rayon::prelude::*;
 use serde::Serialize;

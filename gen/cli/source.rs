@@ -4,7 +4,7 @@ use super::error::Failure;
 use super::output::warn;
 use crate::host::settings::Settings;
 use crate::scene::{self, Scene};
-use crate::{pair_file, Points};
+use crate::{Points, pair_file};
 use std::path::Path;
 
 /// The word for the built-in scene.

@@ -5,7 +5,7 @@ use super::output::{print, print_json};
 use super::params::ParamArguments;
 use super::progress;
 use super::source;
-use crate::stress::{Campaign, Counts, Family, Model, Plan, Report, FAMILIES};
+use crate::stress::{Campaign, Counts, FAMILIES, Family, Model, Plan, Report};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;

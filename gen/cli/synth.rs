@@ -5,10 +5,10 @@ mod table;
 
 use super::error::Failure;
 use super::output::{print, print_json};
-use super::params::{choice, whole, ParamArguments};
+use super::params::{ParamArguments, choice, whole};
 use super::progress;
 use crate::device;
-use crate::params::{options::Choice, Params};
+use crate::params::{Params, options::Choice};
 use crate::synth::{self, Flow, Options, Report};
 use std::path::PathBuf;
 use std::time::Duration;
@@ -86,9 +86,5 @@ fn show(report: &Report, params: &Params, json: bool) -> Result<(), Failure> {
     } else {
         print(&table::text(report, params))?;
     }
-    if faults.is_empty() {
-        Ok(())
-    } else {
-        Err(Failure::Check(faults.join("; ")))
-    }
+    if faults.is_empty() { Ok(()) } else { Err(Failure::Check(faults.join("; "))) }
 }

@@ -7,7 +7,7 @@ use super::progress;
 use crate::artefact::Scratch;
 use crate::params::Params;
 use crate::software::Test;
-use crate::wall::{picture, Contact, Grid, Map, Report, Step, CONTACTS, SIZE};
+use crate::wall::{CONTACTS, Contact, Grid, Map, Report, SIZE, Step, picture};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
 use std::fs;
@@ -141,11 +141,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .iter()
         .filter_map(|map| map.report.fault().map(|fault| format!("{}: {fault}", map.contact.name)))
         .collect();
-    if failed.is_empty() {
-        Ok(())
-    } else {
-        Err(Failure::Check(failed.join("; ")))
-    }
+    if failed.is_empty() { Ok(()) } else { Err(Failure::Check(failed.join("; "))) }
 }
 
 fn table(maps: &[Drawn]) -> String {

@@ -66,7 +66,9 @@ pub enum PairFileError {
         found: usize,
     },
     /// A field that is no finite number.
-    #[error("{file}: line {line}, column {column}: found \"{found}\"; legal is a finite number that binary64 does not round to 0")]
+    #[error(
+        "{file}: line {line}, column {column}: found \"{found}\"; legal is a finite number that binary64 does not round to 0"
+    )]
     Field {
         /// The file as named by the user.
         file: String,

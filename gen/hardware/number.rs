@@ -66,11 +66,7 @@ pub enum Upper {
 /// Lemma R1: `floor_shift(x, d) * 2^d <= x`.
 #[inline(always)]
 pub fn floor_shift(x: i128, drop: i32) -> i128 {
-    if drop >= 0 {
-        x >> drop
-    } else {
-        x << -drop
-    }
+    if drop >= 0 { x >> drop } else { x << -drop }
 }
 
 /// Drops `drop` low bits rounding towards plus infinity by the rule `upper`; a `drop` of zero or less is exact and

@@ -1,6 +1,6 @@
 //! Cross products and projections contain every exact one.
 
-use super::{intervals, minus, plus, product, rounded, sign_cases, tuples, values, Bench, UPPERS};
+use super::{Bench, UPPERS, intervals, minus, plus, product, rounded, sign_cases, tuples, values};
 use efsat::design::cross_product::COORDINATES;
 use efsat::design::interval::Rounding;
 use efsat::design::{cross_product, multiply, projection};

@@ -1,6 +1,6 @@
 //! The comparator against the definition of section 6 of the contract.
 
-use super::{at, intervals, tuples, values, Bench, Bounds};
+use super::{Bench, Bounds, at, intervals, tuples, values};
 use efsat::design::comparator;
 use efsat::params::Projections;
 use rand::{Rng, SeedableRng};

@@ -3,11 +3,11 @@
 use super::renormalise::bit_length;
 use super::renormalise::renormalisers;
 use super::renormalise::scale;
-use super::{at, tuples, Bench, Bounds, UPPERS};
+use super::{Bench, Bounds, UPPERS, at, tuples};
 use efsat::design::interval::{Narrowing, Rounding};
 use efsat::design::{cross_product, interval, multiply, renormalise};
 use efsat::graph::Type;
-use efsat::number::{upper_shift, Upper};
+use efsat::number::{Upper, upper_shift};
 use efsat::params::{AxisKind, Formats, Params, Row, Transform};
 use std::collections::HashSet;
 

@@ -1,7 +1,7 @@
 //! The least integral digits of every row of the formats.
 
-use super::edge::{extents, way};
 use super::UPPERS;
+use super::edge::{extents, way};
 use efsat::design::interval::Narrowing;
 use efsat::design::{cross_product, interval, multiply, projection};
 use efsat::graph::range::analyse;

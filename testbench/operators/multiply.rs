@@ -1,6 +1,6 @@
 //! Multiplication: the contract's, on all small intervals, in tiles, and of quantised numbers.
 
-use super::{at, contains, intervals, product, sign_case, sign_cases, values, Bench, Bounds};
+use super::{Bench, Bounds, at, contains, intervals, product, sign_case, sign_cases, values};
 use efsat::design::multiply;
 use efsat::design::multiply::Span;
 use efsat::graph::Type;

@@ -1,10 +1,10 @@
 //! The static range analysis: that it is sound, and that it can fail.
 
 use super::transform_row::small;
-use super::{at, intervals, values, Bounds};
+use super::{Bounds, at, intervals, values};
 use efsat::artefact::Stimulus;
 use efsat::cosim;
-use efsat::design::{interval, multiply, Design};
+use efsat::design::{Design, interval, multiply};
 use efsat::graph::evaluate::Evaluator;
 use efsat::graph::flat::Flat;
 use efsat::graph::range::{analyse, analyse_flat};

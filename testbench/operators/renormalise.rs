@@ -1,10 +1,10 @@
 //! Re-normalisation: offsets, shifts and the scaling, by definition.
 
-use super::{at, rounded, Bench, Bounds, UPPERS};
+use super::{Bench, Bounds, UPPERS, at, rounded};
 use efsat::design::cross_product::COORDINATES;
 use efsat::design::renormalise;
 use efsat::params::{Params, Transform};
-use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 pub(super) fn bit_length(x: i128) -> u32 {
     128 - x.leading_zeros()

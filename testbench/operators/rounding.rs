@@ -1,10 +1,10 @@
 //! Rounding, clamping, sums and differences: outward, and within one unit in the last place.
 
-use super::{at, contains, intervals, minus, plus, rounded, values, within_one_ulp, Bench, UPPERS};
+use super::{Bench, UPPERS, at, contains, intervals, minus, plus, rounded, values, within_one_ulp};
 use efsat::design::interval::{Narrowing, Rounding};
 use efsat::design::{cross_product, interval};
 use efsat::graph::{Builder, Rate, Type, Unit};
-use efsat::number::{floor_shift, Upper};
+use efsat::number::{Upper, floor_shift};
 use std::rc::Rc;
 
 /// A unit that rounds one interval, by one way or several.

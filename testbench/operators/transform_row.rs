@@ -1,6 +1,6 @@
 //! Rows of the frame transform contain every true row.
 
-use super::{at, plus, product, rounded, Bench, Bounds, UPPERS};
+use super::{Bench, Bounds, UPPERS, at, plus, product, rounded};
 use efsat::design::transform_row::Quantised;
 use efsat::design::{interval, transform_row};
 use efsat::graph::{Builder, Rate};
@@ -8,7 +8,7 @@ use efsat::number::Upper;
 use efsat::params::{Params, Transform};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use std::panic::{catch_unwind, AssertUnwindSafe};
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// The least widths at which inputs have fraction bits.
 pub(super) fn small(upper: Upper) -> Params {

@@ -1,6 +1,6 @@
 //! Claims of the axis units: cross product and projection around their multipliers, and the comparator network.
 
-use super::claim::{number, Claim};
+use super::claim::{Claim, number};
 use super::products::{given_sign_cases, sign_case};
 use super::rounding::claim_rounded;
 use super::settings::Setting;

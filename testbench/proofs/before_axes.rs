@@ -1,6 +1,6 @@
 //! Claims of what comes before the axes: frame transform and re-normalisation.
 
-use super::claim::{number, Claim};
+use super::claim::{Claim, number};
 use super::rounding::claim_rounded;
 use super::settings::Setting;
 use super::unit::Mistake::{NoUlp, NotMissing, OtherBound, Reversed, WrongArm, WrongGate, WrongSign, WrongSlice};

@@ -8,7 +8,7 @@ use super::claim::Claim;
 use super::settings::Setting;
 use super::unit::Mistake::{Inverted, NoUlp, WrongArm, WrongGate, WrongSign};
 use super::unit::Subject;
-use efsat::design::multiply::{self, case, Span};
+use efsat::design::multiply::{self, Span, case};
 use efsat::graph::Type;
 
 const CORNERS: [(&str, &str, &str); 4] =

@@ -1,6 +1,6 @@
 //! What is claimed of an outward rounding: it contains the true number, and is within an ulp of the exact interval.
 
-use super::claim::{number, Claim};
+use super::claim::{Claim, number};
 use efsat::design::interval::Rounding;
 use efsat::number::Upper;
 

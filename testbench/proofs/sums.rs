@@ -2,7 +2,7 @@
 
 use super::claim::Claim;
 use super::rounding::claim_rounded;
-use super::settings::{rule, Setting};
+use super::settings::{Setting, rule};
 use super::unit::Mistake::{NoUlp, OtherBound, Reversed, WrongArm, WrongSign, WrongSlice};
 use super::unit::Subject;
 use efsat::design::interval::{self, Rounding};

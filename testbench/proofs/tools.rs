@@ -69,11 +69,7 @@ pub fn solve(unit: &str, top: &str, claim: &str, seen: &[String], cut: &[String]
     write("wires.v", WIRES);
     let wires = |names: &[String]| names.iter().map(|name| format!(" {top}/w:{name}")).collect::<String>();
     let expose = |option: &str, names: &[String]| {
-        if names.is_empty() {
-            String::new()
-        } else {
-            format!("expose {option}{}\n", wires(names))
-        }
+        if names.is_empty() { String::new() } else { format!("expose {option}{}\n", wires(names)) }
     };
     write(
         "script.ys",

@@ -3,11 +3,11 @@
 use efsat::artefact;
 use efsat::design::Design;
 use efsat::device;
+use efsat::graph::Unit;
 use efsat::graph::lower::Lowering;
 use efsat::graph::netlist::{Driver, Module, Signal};
 use efsat::graph::range::analyse;
 use efsat::graph::schedule::Scheduler;
-use efsat::graph::Unit;
 use efsat::params::Params;
 use efsat::vhdl;
 use std::rc::Rc;

@@ -1,7 +1,7 @@
 //! The folder of a campaign, and what is printed about it.
 
 use crate::accuracy::campaign::CampaignError;
-use crate::accuracy::store::{StoreError, FILE};
+use crate::accuracy::store::{FILE, StoreError};
 use crate::accuracy::{Progress, Request, Results};
 use crate::artefact::Scratch;
 use crate::cli::error::Failure;

@@ -1,7 +1,7 @@
 //! Parameters and effects from the scene file and from the command line, which wins.
 
 use super::directions;
-use crate::cli::error::{from_clap, Failure};
+use crate::cli::error::{Failure, from_clap};
 use crate::cli::params::ParamArguments;
 use crate::effects::{Request, Wish};
 use crate::host::settings::{Effect, Parameter, Settings, Switch};

@@ -11,7 +11,7 @@ use crate::golden::{Golden, Verdict};
 use crate::host::{Host, Posed, ScenePose, Stage};
 use crate::mesh::Findings;
 use crate::params::Params;
-use crate::scene::hierarchy::{first_hit, pairs, Directions, Forest, Scratch, Statistics};
+use crate::scene::hierarchy::{Directions, Forest, Scratch, Statistics, first_hit, pairs};
 use crate::scene::{Frame, Meeting, Object, Scene};
 use rayon::prelude::*;
 use serde::Serialize;

@@ -3,7 +3,7 @@
 mod report;
 
 use super::given::GivenArguments;
-use super::outputs::{quoted, Output};
+use super::outputs::{Output, quoted};
 use crate::artefact::design_files;
 use crate::cli::error::Failure;
 use crate::cli::generate::command_line;

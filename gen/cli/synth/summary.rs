@@ -1,7 +1,7 @@
 //! The JSON object of `efsat synth`.
 
 use crate::device::Resources;
-use crate::params::{options::Choice, Params};
+use crate::params::{Params, options::Choice};
 use crate::synth::{Cells, CriticalPath, Report, Routed, Timing, Unit};
 use serde::Serialize;
 use std::collections::BTreeMap;

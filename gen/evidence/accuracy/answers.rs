@@ -1,10 +1,10 @@
 //! What one parameter set answers on the pairs of a campaign.
 
 use super::pairs::{Asked, Pairs};
-use super::timing::{batch_ns, Timing, Yardstick};
+use super::timing::{Timing, Yardstick, batch_ns};
 use super::wilson;
-use efsat_geometry::exact::{Exact, Relation};
 use efsat_geometry::Points;
+use efsat_geometry::exact::{Exact, Relation};
 use efsat_unit::golden::Verdict;
 use efsat_unit::params::Params;
 use serde::{Deserialize, Serialize};

@@ -70,11 +70,7 @@ impl BreakEven {
     /// The least width that is best, in words: `from 18 bits on`, or `at 18 bits` if greater ones take longer again.
     pub fn best(&self) -> String {
         let width = self.best_width;
-        if self.lasting {
-            format!("from {width} bits on")
-        } else {
-            format!("at {width} bits")
-        }
+        if self.lasting { format!("from {width} bits on") } else { format!("at {width} bits") }
     }
 
     /// Of rows of one series in ascending order of width; none if there are not two.

@@ -3,8 +3,8 @@
 use super::break_even::TOLERANCE;
 use super::headline::{grouped, percent, significant, time};
 use super::plot::{
-    Axis, Bar, Bars, Chart, Dot, Label, Line, Mark, Series, Size, Style, BLACK, BLUE, GREEN, GREY, NARROW, ORANGE,
-    PURPLE, SKY, VERMILION, WIDE,
+    Axis, BLACK, BLUE, Bar, Bars, Chart, Dot, GREEN, GREY, Label, Line, Mark, NARROW, ORANGE, PURPLE, SKY, Series,
+    Size, Style, VERMILION, WIDE,
 };
 use super::results::Results;
 use super::row::Row;
@@ -117,8 +117,7 @@ fn share_by_width(results: &Results) -> Figure {
         series: all,
         none: "none".to_owned(),
     };
-    let caption =
-        "Each bit of working width leaves fewer pairs possibly incorrect, down to the floor of pairs that no width \
+    let caption = "Each bit of working width leaves fewer pairs possibly incorrect, down to the floor of pairs that no width \
         decides. Bars are 95 % confidence bounds of the sample.";
     Figure::new("share-by-width", caption, |size| chart.svg(size))
 }
@@ -329,8 +328,7 @@ fn time_by_budget(results: &Results) -> Option<Figure> {
         series: all,
         none: String::new(),
     };
-    let caption =
-        "For each width the fastest folding whose multipliers fit the budget. A line ends where one axis a clock, the \
+    let caption = "For each width the fastest folding whose multipliers fit the budget. A line ends where one axis a clock, the \
         slowest folding there is, takes more: nothing is drawn that cannot be generated.";
     Some(Figure::new("time-by-budget", caption, |size| chart.svg(size)))
 }

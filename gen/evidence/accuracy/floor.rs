@@ -1,8 +1,8 @@
 //! The floor: what stays possibly incorrect however wide the unit is, and why.
 
+use super::Answers;
 use super::causes::{Case, Exact, Reason, Reasons};
 use super::pairs::{Asked, Pairs};
-use super::Answers;
 use efsat_unit::params::{Axes, AxisKind, Params, Projections, Upper};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};

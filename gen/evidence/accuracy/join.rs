@@ -1,5 +1,6 @@
 //! The results of a campaign, joined from its store.
 
+use super::Share;
 use super::break_even::BreakEven;
 use super::campaign::Keys;
 use super::causes::Causes;
@@ -7,11 +8,10 @@ use super::floor::Floor;
 use super::headline;
 use super::ladder::{Ladder, Rung};
 use super::plan::{Plan, Request};
-use super::point::{options, Point};
+use super::point::{Point, options};
 use super::results::{Fold, Results, Step};
-use super::row::{is_best, Row};
+use super::row::{Row, is_best};
 use super::store::{Drawn, Record, Store};
-use super::Share;
 
 /// A result that is not there yet.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -143,9 +143,5 @@ impl Results {
 fn short(params: &efsat_unit::params::Params, base: &efsat_unit::params::Params) -> String {
     let differences = params.options().into_iter().zip(base.options()).filter(|(x, y)| x != y);
     let words: Vec<String> = differences.map(|((name, value), _)| format!("{name}={value}")).collect();
-    if words.is_empty() {
-        "around which the sweep goes".to_owned()
-    } else {
-        words.join(",")
-    }
+    if words.is_empty() { "around which the sweep goes".to_owned() } else { words.join(",") }
 }

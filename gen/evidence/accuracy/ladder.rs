@@ -2,11 +2,11 @@
 //! thread.
 
 use super::pairs::Pairs;
-use super::timing::{batch_ns, least_ns, Timing, Yardstick};
-use efsat_geometry::exact::{self, Exact};
-use efsat_geometry::software::interval_axes::{decide, decide_batch};
-use efsat_geometry::software::Test;
+use super::timing::{Timing, Yardstick, batch_ns, least_ns};
 use efsat_geometry::Points;
+use efsat_geometry::exact::{self, Exact};
+use efsat_geometry::software::Test;
+use efsat_geometry::software::interval_axes::{decide, decide_batch};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::hint::black_box;

@@ -7,7 +7,7 @@ use super::headline::{capitalised, grouped, percent, significant, time};
 use super::results::Results;
 use super::row::Row;
 use super::store::Drawn;
-use super::table::{self, Cell, Column, COLUMNS};
+use super::table::{self, COLUMNS, Cell, Column};
 use askama::Template;
 
 /// A number worth its size.

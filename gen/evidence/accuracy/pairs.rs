@@ -1,9 +1,9 @@
 //! The pairs of a scene that a campaign asks about: drawn once, with their exact answers, and asked for every point.
 
+use efsat_geometry::Points;
 use efsat_geometry::exact::{self, Relation};
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::{Meeting, Scene};
-use efsat_geometry::Points;
 use efsat_unit::golden::{Golden, Outcome, Pose, Verdict};
 use efsat_unit::host::{Host, SceneHost};
 use efsat_unit::params::Params;
@@ -271,11 +271,7 @@ impl Reservoir {
 fn unit(scene: &Scene) -> f64 {
     let half = scene.objects.iter().map(|object| object.mesh.bounds().half_size()).fold(0.0, f64::max);
     let (exponent, fraction) = ((half.to_bits() >> 52) as i32 - 1023, half.to_bits() << 12);
-    if half > 0.0 {
-        (-f64::from(exponent + i32::from(fraction != 0))).exp2()
-    } else {
-        1.0
-    }
+    if half > 0.0 { (-f64::from(exponent + i32::from(fraction != 0))).exp2() } else { 1.0 }
 }
 
 /// A digest of all numbers of a scene: its meshes, and where they stand in each frame.

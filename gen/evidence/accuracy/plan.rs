@@ -1,7 +1,7 @@
 //! What a campaign has to do: the points of its sweep, and the foldings of its budgets.
 
 use super::budget::{self, Folding};
-use super::point::{model_options, options, Options};
+use super::point::{Options, model_options, options};
 use crate::synth::SynthError;
 use efsat_unit::params::Params;
 use serde::{Deserialize, Serialize};

@@ -1,5 +1,6 @@
 //! Everything the page shows.
 
+use super::Share;
 use super::break_even::BreakEven;
 use super::causes::Causes;
 use super::floor::Floor;
@@ -7,7 +8,6 @@ use super::ladder::Rung;
 use super::plan::Request;
 use super::row::Row;
 use super::store::Drawn;
-use super::Share;
 use serde::Serialize;
 
 /// A rung of the software ladder in nanoseconds.

@@ -3,13 +3,13 @@
 //! A line that a crash cut off has no line feed; it is cut away when the file is opened next. Every line has the key of
 //! what it is the result of: digest of scene and pairs, parameters, version. Equal keys are equal questions.
 
+use super::Truths;
 use super::causes::Causes;
 use super::floor::Floor;
 use super::hardware::Cells;
 use super::ladder::Ladder;
 use super::pairs::hex;
 use super::point::{Options, Point};
-use super::Truths;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;

@@ -3,8 +3,8 @@
 //! A machine that is busy, hot or another one changes both alike; so points that were timed hours apart or on different
 //! machines can be compared, and become nanoseconds by the one yardstick of the ladder.
 
-use efsat_geometry::software::retest::retest_batch;
 use efsat_geometry::Points;
+use efsat_geometry::software::retest::retest_batch;
 use serde::{Deserialize, Serialize};
 use std::hint::black_box;
 use std::time::{Duration, Instant};

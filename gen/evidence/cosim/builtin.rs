@@ -5,9 +5,9 @@
 
 use super::Run;
 use efsat_hardware::graph::simulate::Simulation;
-use efsat_unit::artefact::testbench::{self, PACED, RESET_CLOCKS};
-use efsat_unit::artefact::vectors::{answer_word, pair_word, pose_word, Word};
 use efsat_unit::artefact::Stimulus;
+use efsat_unit::artefact::testbench::{self, PACED, RESET_CLOCKS};
+use efsat_unit::artefact::vectors::{Word, answer_word, pair_word, pose_word};
 use efsat_unit::design::top::{Channel, Design};
 use efsat_unit::golden::Golden;
 

@@ -1,7 +1,7 @@
 //! GHDL and nvc: write design, testbench and vectors to a folder, run, read the result back.
 
-use super::{wave, CosimError, Options, Run, Simulator};
-use efsat_unit::artefact::{self, testbench, Stimulus};
+use super::{CosimError, Options, Run, Simulator, wave};
+use efsat_unit::artefact::{self, Stimulus, testbench};
 use efsat_unit::design::Design;
 use std::path::{Path, PathBuf};
 use std::process::Command;

@@ -16,8 +16,8 @@ pub use probe::inputs;
 pub use trial::{Bench, Trial};
 
 use efsat_unit::artefact::Stimulus;
-use efsat_unit::design::{top::DesignError, Design};
-use efsat_unit::params::{options::Choice, Params};
+use efsat_unit::design::{Design, top::DesignError};
+use efsat_unit::params::{Params, options::Choice};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 

@@ -2,8 +2,8 @@
 
 use efsat_hardware::graph::evaluate::Evaluator;
 use efsat_hardware::graph::lower::Probe;
-use efsat_unit::artefact::vectors::{pair_word, pose_word};
 use efsat_unit::artefact::Stimulus;
+use efsat_unit::artefact::vectors::{pair_word, pose_word};
 use efsat_unit::design::Design;
 
 /// Counts differing values and describes the first difference in data-flow order of the first pair that has one.
@@ -47,11 +47,7 @@ pub(super) fn compare(design: &Design, stimulus: &Stimulus, log: &[(bool, Vec<i1
 fn interpret(bits: i128, probe: &Probe) -> i128 {
     let mask = (1i128 << probe.ty.bits) - 1;
     let bits_only = bits & mask;
-    if probe.ty.signed && bits_only >> (probe.ty.bits - 1) == 1 {
-        bits_only - (1 << probe.ty.bits)
-    } else {
-        bits_only
-    }
+    if probe.ty.signed && bits_only >> (probe.ty.bits - 1) == 1 { bits_only - (1 << probe.ty.bits) } else { bits_only }
 }
 
 /// The inputs of the data path for a pair: the pose as its registers hold it.

@@ -1,8 +1,8 @@
 //! Trials: printed text that was changed on purpose, run until the first difference from the reference model.
 
 use super::external::{self, file_error};
-use super::{probe, CosimError, Simulator};
-use efsat_unit::artefact::{testbench, Scratch, Stimulus};
+use super::{CosimError, Simulator, probe};
+use efsat_unit::artefact::{Scratch, Stimulus, testbench};
 use efsat_unit::design::Design;
 use efsat_unit::params::Params;
 use std::io::{BufRead, BufReader};

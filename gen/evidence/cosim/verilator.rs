@@ -7,10 +7,10 @@
 use super::external::{self, file_error};
 use super::{CosimError, Netlist, Options, Run};
 use crate::synth::tools::{self, Tool};
-use crate::synth::{verilog, yosys, ToolError};
+use crate::synth::{ToolError, verilog, yosys};
 use askama::Template;
 use efsat_unit::artefact::testbench::{self, PACED, RESET_CLOCKS};
-use efsat_unit::artefact::vectors::{formats_line, Word};
+use efsat_unit::artefact::vectors::{Word, formats_line};
 use efsat_unit::artefact::{self, Scratch, Stimulus};
 use efsat_unit::design::Design;
 use efsat_unit::params::options::Choice;

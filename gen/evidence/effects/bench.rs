@@ -1,7 +1,7 @@
 //! Stages of the unit left out one after the other, as long as it stays definite.
 
-use super::measure::{measure, Measured, Tally};
-use super::{reason, Census, Front, Request, Stages, Wish};
+use super::measure::{Measured, Tally, measure};
+use super::{Census, Front, Request, Stages, Wish, reason};
 use efsat_unit::host::settings::Effect;
 use efsat_unit::params::{Params, Transform};
 use std::collections::HashMap;

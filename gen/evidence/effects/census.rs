@@ -1,10 +1,10 @@
 //! What there is in a scene, before any unit is asked.
 
-use super::sample::{mixed, Least, Place};
 use super::Front;
+use super::sample::{Least, Place, mixed};
 use efsat_geometry::mesh::Mesh;
-use efsat_geometry::scene::hierarchy::Statistics;
 use efsat_geometry::scene::Meeting;
+use efsat_geometry::scene::hierarchy::Statistics;
 use efsat_unit::host::Stage;
 use efsat_unit::params::Params;
 use nalgebra::{Matrix3, Point3};

@@ -1,7 +1,7 @@
 //! Co-simulation of the planned unit on pairs of a scene.
 
-use super::sample::{stimulus, Place};
 use super::Front;
+use super::sample::{Place, stimulus};
 use crate::cosim::{self, CosimError, Options, Simulator};
 use efsat_unit::design::Design;
 

@@ -1,7 +1,7 @@
 //! What a unit takes: cells, clocks and time to simulate.
 
-use super::sample::{self, Place};
 use super::Front;
+use super::sample::{self, Place};
 use crate::cosim::{self, CosimError, Options, Simulator};
 use efsat_hardware::graph::estimate;
 use efsat_unit::design::Design;

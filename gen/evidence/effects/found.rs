@@ -1,7 +1,7 @@
 //! What is found in a frame, before it is added up.
 
-use super::outcome::{Contact, Sums};
 use super::Place;
+use super::outcome::{Contact, Sums};
 
 /// A frame, or a part of it.
 #[derive(Default)]

@@ -28,7 +28,7 @@ pub use cost::{Cost, Saving};
 pub use front::{Front, Software};
 pub use measure::Tally;
 pub use outcome::{Contact, Counts, Options, Row, Sampling, Sums, Total};
-pub use plan::{plan, Answers, Finding, Plan};
+pub use plan::{Answers, Finding, Plan, plan};
 pub use request::{Request, Wish};
 pub use run::{frame_contacts, run};
 pub use sample::Place;

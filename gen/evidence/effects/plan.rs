@@ -1,7 +1,7 @@
 //! Which stages a scene needs.
 
 use super::bench::{Bench, Step};
-use super::{reason, Census, Cost, Front, Request, Saving, Software, Stages, Tally, Wish};
+use super::{Census, Cost, Front, Request, Saving, Software, Stages, Tally, Wish, reason};
 use crate::cosim::CosimError;
 use efsat_geometry::scene::Scene;
 use efsat_unit::host::settings::Effect;

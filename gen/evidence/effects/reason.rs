@@ -1,8 +1,8 @@
 //! Why a stage is needed or not, in words.
 
+use super::Census;
 use super::measure::{Measured, Tally};
 use super::words::{grouped, power, share};
-use super::Census;
 
 pub(super) fn broad_phase(objects: usize, census: &Census) -> String {
     format!(
@@ -42,11 +42,7 @@ pub(super) fn transform(census: &Census, measured: bool) -> String {
         grouped(*translations),
         grouped(*rotations)
     );
-    if measured {
-        text + "; pairs would become less definite"
-    } else {
-        text
-    }
+    if measured { text + "; pairs would become less definite" } else { text }
 }
 
 pub(super) fn renormalise(census: &Census, with: &Tally, without: &Tally) -> String {

@@ -1,6 +1,6 @@
 //! Runs mutants of the generated VHDL: few vectors first, more for those that survive.
 
-use super::{vectors, vhdl, Fate, Mutant};
+use super::{Fate, Mutant, vectors, vhdl};
 use crate::cosim::{Bench, CosimError, Simulator, Trial};
 use efsat_unit::artefact::testbench::PACED;
 use efsat_unit::artefact::{self, testbench};

@@ -44,8 +44,7 @@ const BELOW: &str = "a lower bound is never above, and an upper bound never belo
 const LATER: &str = "V0 is first read some clocks after it is taken";
 const SLOT: &str = "held for a slot, and first read more than a clock after it is taken";
 const IDLE: &str = "the bypass changes between slots only, and there the row is idle for two clocks";
-const SHIFTED: &str =
-    "all points go into one OR: the lower bound that is lost is V0's own, 0, and the one that is gained \
+const SHIFTED: &str = "all points go into one OR: the lower bound that is lost is V0's own, 0, and the one that is gained \
     is the last point's again";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
 const OVERWRITTEN: &str = "a first value that is always overwritten";

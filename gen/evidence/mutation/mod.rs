@@ -82,11 +82,7 @@ impl Mutant {
     /// The whole file with the line changed.
     pub fn apply(&self, original: &str) -> String {
         let change = |(i, line): (usize, &str)| {
-            if i + 1 == self.line {
-                format!("{}\n", self.text)
-            } else {
-                format!("{line}\n")
-            }
+            if i + 1 == self.line { format!("{}\n", self.text) } else { format!("{line}\n") }
         };
         original.lines().enumerate().map(change).collect()
     }

@@ -1,12 +1,12 @@
 //! Runs mutants of the reference model: each is compiled by itself and its answers are compared with those of the
 //! evaluated graph of the unchanged design, under several parameter sets.
 
-use super::{rust, vectors, Fate, Mutant};
+use super::{Fate, Mutant, rust, vectors};
 use crate::cosim::inputs;
 use efsat_hardware::graph::evaluate::Evaluator;
 use efsat_unit::artefact::{Scratch, Stimulus};
-use efsat_unit::design::top::DesignError;
 use efsat_unit::design::Design;
+use efsat_unit::design::top::DesignError;
 use efsat_unit::golden::{Golden, Input, Pair, Pose};
 use efsat_unit::params::{Axes, Guard, Params, Projections, Transform, Upper};
 use rayon::prelude::*;
@@ -164,7 +164,7 @@ impl ModelCampaign {
         }
         std::fs::write(dir.join("main.rs"), MAIN)?;
         std::fs::write(dir.join("input"), &self.input)?;
-        let args = ["--edition=2021", "-Copt-level=1", "--cap-lints=allow", "main.rs", "-o", "model"];
+        let args = ["--edition=2024", "-Copt-level=1", "--cap-lints=allow", "main.rs", "-o", "model"];
         let compiler = Command::new("rustc").args(args).current_dir(dir).output()?;
         if !compiler.status.success() {
             let text = String::from_utf8_lossy(&compiler.stderr);

@@ -150,8 +150,7 @@ fn numbers(line: &str) -> Vec<(usize, usize)> {
 mod tests {
     use super::*;
 
-    const TEXT: &str =
-        "//! 1 < 2.\nuse x::{1};\n\n/// At 3.\npub fn next(x: [u8; 3]) -> bool {\n    let y = x.lo + 1; // 4\n    \
+    const TEXT: &str = "//! 1 < 2.\nuse x::{1};\n\n/// At 3.\npub fn next(x: [u8; 3]) -> bool {\n    let y = x.lo + 1; // 4\n    \
                         y >= x[0] && y < \"5 < 6\"\n}\n\n#[cfg(test)]\nmod tests {\n    const A: u8 = 1 + 1;\n}\n";
 
     #[test]

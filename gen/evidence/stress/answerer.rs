@@ -3,7 +3,7 @@
 use super::posed::Posed;
 use efsat_geometry::Points;
 use efsat_unit::golden::{Golden, Pose, Verdict};
-use efsat_unit::host::{loose_pair, Host, SceneHost};
+use efsat_unit::host::{Host, SceneHost, loose_pair};
 use efsat_unit::params::Params;
 
 /// An answer, and whether the host gave it because the pair was outside the declared ranges.

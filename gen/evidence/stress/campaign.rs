@@ -1,9 +1,9 @@
 //! The campaign: every case of a plan, written in every way, asked, and compared with the exact answer.
 
 use super::fault::{Asked, Fault, Kind};
-use super::hash::{fnv, BASIS};
-use super::variants::{vertex_orders, Variant};
-use super::{ladder, truth, Answer, Answerer, Counts, Family, Posed, Report, VertexOrder};
+use super::hash::{BASIS, fnv};
+use super::variants::{Variant, vertex_orders};
+use super::{Answer, Answerer, Counts, Family, Posed, Report, VertexOrder, ladder, truth};
 use efsat_geometry::exact::Exact;
 use efsat_unit::golden::Verdict;
 use efsat_unit::params::Params;

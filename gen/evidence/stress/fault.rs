@@ -2,8 +2,8 @@
 
 use super::posed::Posed;
 use super::truth::Answers;
-use efsat_geometry::exact::Exact;
 use efsat_geometry::Points;
+use efsat_geometry::exact::Exact;
 use efsat_unit::golden::Verdict;
 use std::fmt;
 

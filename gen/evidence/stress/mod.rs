@@ -20,7 +20,7 @@ mod variants;
 
 pub use answerer::{Answer, Answerer, Model, VertexOrder};
 pub use campaign::{Campaign, Plan};
-pub use families::{Family, FAMILIES};
+pub use families::{FAMILIES, Family};
 pub use fault::{Asked, Fault, Kind};
 pub use posed::{Motion, Posed};
 pub use report::{Counts, Report};

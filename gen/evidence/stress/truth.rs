@@ -1,9 +1,9 @@
 //! The exact answers that verdicts are compared with, each from formulations that share no code.
 
 use super::posed::Posed;
-use efsat_geometry::exact::{self, linear_programme, Exact, Relation};
-use efsat_geometry::software::retest::retest;
 use efsat_geometry::Points;
+use efsat_geometry::exact::{self, Exact, Relation, linear_programme};
+use efsat_geometry::software::retest::retest;
 use std::fmt;
 
 /// What each formulation says.

@@ -1,8 +1,8 @@
 //! The ways to write one pair: orders of vertices and roles, turned and mirrored coordinate axes, exact scales and
 //! exact translations. None of them changes how two triangles lie to each other.
 
-use super::families::power_of_two;
 use super::VertexOrder;
+use super::families::power_of_two;
 use efsat_geometry::Points;
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;

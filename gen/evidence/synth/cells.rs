@@ -4,7 +4,7 @@
 //! the LUTs of a Xilinx carry chain are cells of their own). Shift registers and memories are counted in the LUTs they
 //! take. Registers that multipliers take in although Yosys leaves them outside are counted apart.
 
-use crate::synth::netlist::{is_flip_flop, Module};
+use crate::synth::netlist::{Module, is_flip_flop};
 use crate::synth::product_registers::{self, Registered};
 use efsat_hardware::device::{Family, Resources};
 use std::iter::Sum;

@@ -4,8 +4,8 @@
 //! of the design there that directly follows; Yosys does not. On Virtex-II it is counted as part of the multiplier; on
 //! the ECP5 the netlist is changed before it is placed ([`pack`]).
 
-use super::netlist::{is_flip_flop, Bit, Cell, Level, Module, Netlist};
 use super::ToolError;
+use super::netlist::{Bit, Cell, Level, Module, Netlist, is_flip_flop};
 use efsat_hardware::device::Family;
 use std::collections::HashMap;
 use std::path::Path;

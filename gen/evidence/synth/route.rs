@@ -4,10 +4,10 @@
 //! median counts. The router of some does not end, so each has a time limit.
 
 use super::critical_path::{self, CriticalPath, Names, RawPath};
-use super::{harness, VERILOG};
+use super::{VERILOG, harness};
 use crate::synth::product_registers;
 use crate::synth::tools::{self, Tool};
-use crate::synth::{yosys, ToolError};
+use crate::synth::{ToolError, yosys};
 use efsat_unit::design::Design;
 use rayon::prelude::*;
 use serde::Deserialize;

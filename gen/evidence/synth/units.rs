@@ -5,7 +5,7 @@ use super::static_timing::{self, Timing};
 use super::{Flow, TOP, VERILOG};
 use crate::synth::netlist::Netlist;
 use crate::synth::tools::Tool;
-use crate::synth::{yosys, ToolError};
+use crate::synth::{ToolError, yosys};
 use efsat_hardware::device::{Device, Resources};
 use efsat_hardware::graph::{estimate, netlist::Module};
 use efsat_unit::design::Design;

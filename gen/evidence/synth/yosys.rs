@@ -1,8 +1,8 @@
 //! Yosys: from Verilog to a netlist of a family's cells.
 
+use super::ToolError;
 use super::product_registers;
 use super::tools::{self, Tool};
-use super::ToolError;
 use efsat_hardware::device::Family;
 use std::path::Path;
 

@@ -56,8 +56,8 @@ impl Grid {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::wall::step::FINEST;
     use crate::wall::CONTACTS;
+    use crate::wall::step::FINEST;
 
     /// A sum is exact if taking either term from it leaves the other.
     #[test]

@@ -4,7 +4,7 @@ use super::grid::{Grid, SIZE};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::software;
 use efsat_unit::golden::{Golden, Pose, Verdict};
-use efsat_unit::host::{loose_pair, Host};
+use efsat_unit::host::{Host, loose_pair};
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 

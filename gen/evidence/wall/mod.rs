@@ -15,7 +15,7 @@ pub mod picture;
 mod report;
 mod step;
 
-pub use contact::{Contact, CONTACTS};
+pub use contact::{CONTACTS, Contact};
 pub use grid::{Grid, SIZE};
 pub use map::{Answer, Map};
 pub use report::{Band, Report};

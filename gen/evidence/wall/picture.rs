@@ -29,11 +29,7 @@ pub fn png(maps: &[&Map]) -> Vec<u8> {
     let height = SIZE * SCALE;
     let pixel = |x: usize, y: usize| {
         let (map, x) = (x / (SIZE * SCALE + GAP), x % (SIZE * SCALE + GAP));
-        if x < SIZE * SCALE {
-            colour(maps[map].at(y / SCALE, x / SCALE))
-        } else {
-            PAPER
-        }
+        if x < SIZE * SCALE { colour(maps[map].at(y / SCALE, x / SCALE)) } else { PAPER }
     };
     // Two pixels a byte.
     let packed = |y: usize| (0..width / 2).map(move |x| pixel(2 * x, y) << 4 | pixel(2 * x + 1, y));

@@ -1,7 +1,7 @@
 //! A map of verdicts against the exact map.
 
 use super::grid::SIZE;
-use super::groups::{around, beside, distances, groups, Groups};
+use super::groups::{Groups, around, beside, distances, groups};
 use super::map::{Answer, Map};
 use serde::Serialize;
 

@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 
-use super::{minkowski, Relation};
+use super::{Relation, minkowski};
 
 /// `mantissa * 2^exponent`, the mantissa odd or zero.
 #[derive(Clone, Debug)]
@@ -47,11 +47,7 @@ pub(super) fn decide(points: &[[f64; 3]; 6]) -> Relation {
     let top = nonzero().map(|&(mantissa, exponent)| length(mantissa) + exponent).max().unwrap_or(0);
     if top - grid <= SMALL {
         let at = |(mantissa, exponent): (i64, i64)| {
-            if mantissa == 0 {
-                0
-            } else {
-                i128::from(mantissa) << (exponent - grid)
-            }
+            if mantissa == 0 { 0 } else { i128::from(mantissa) << (exponent - grid) }
         };
         return minkowski::decide(&parts.map(|point| point.map(at)));
     }
@@ -93,10 +89,6 @@ impl Scaled {
 
     /// In units of 2^grid.
     fn at(&self, grid: i64) -> BigInt {
-        if self.mantissa == BigInt::ZERO {
-            BigInt::ZERO
-        } else {
-            &self.mantissa << (self.exponent - grid)
-        }
+        if self.mantissa == BigInt::ZERO { BigInt::ZERO } else { &self.mantissa << (self.exponent - grid) }
     }
 }

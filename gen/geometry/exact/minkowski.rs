@@ -138,11 +138,7 @@ pub(super) fn decide<N: Number>(points: &[Vector<N>; 6]) -> Relation {
         }
         (None, Some(u)) => {
             evidence.add(u, points);
-            if is_zero(&cross(&difference(&points[0], &points[3]), u)) {
-                evidence.answer()
-            } else {
-                Exact::Separate
-            }
+            if is_zero(&cross(&difference(&points[0], &points[3]), u)) { evidence.answer() } else { Exact::Separate }
         }
         (None, None) if points[0] == points[3] => Exact::Intersect,
         (None, None) => Exact::Separate,

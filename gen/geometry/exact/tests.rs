@@ -3,7 +3,7 @@
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::{linear_programme, posed_relation, relation, Exact, Relation};
+use super::{Exact, Relation, linear_programme, posed_relation, relation};
 
 type Points = [[f64; 3]; 6];
 type Matrix = [[f64; 3]; 3];

@@ -1,8 +1,8 @@
 //! What was found wrong with the faces of a mesh.
 
-use super::error::Fault;
 use super::Mesh;
-use robust::{orient2d, Coord};
+use super::error::Fault;
+use robust::{Coord, orient2d};
 use serde::Serialize;
 use std::collections::HashSet;
 use std::fmt;

@@ -14,7 +14,7 @@ mod ply;
 mod stl;
 
 pub use bounds::Bounds;
-pub use builtin::{builtin, headlight, BUILTIN};
+pub use builtin::{BUILTIN, builtin, headlight};
 pub use error::MeshError;
 pub use findings::{Defect, Finding, Findings};
 

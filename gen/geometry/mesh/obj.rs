@@ -1,7 +1,7 @@
 //! Wavefront OBJ with the crate `tobj`: vertices and faces; everything else in such a file is skipped.
 
 use super::error::Fault;
-use super::lines::{line_before, LineReader};
+use super::lines::{LineReader, line_before};
 use super::{Defect, Mesh, Parsed};
 use nalgebra::Point3;
 use std::cell::{Cell, OnceCell};

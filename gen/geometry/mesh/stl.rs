@@ -1,7 +1,7 @@
 //! STL, binary and ASCII, with the crate `stl_io`. Coordinates are binary32 in both; binary64 holds them exactly.
 
 use super::error::Fault;
-use super::lines::{line_before, LineReader};
+use super::lines::{LineReader, line_before};
 use super::{Defect, Mesh, Parsed};
 use nalgebra::Point3;
 use std::cell::Cell;

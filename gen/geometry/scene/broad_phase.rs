@@ -1,7 +1,7 @@
 //! The meetings of a scene frame by frame, and their candidate pairs.
 
 use super::meetings::Meetings;
-use super::tree::{candidates, Tree};
+use super::tree::{Tree, candidates};
 use super::{Pose, Scene};
 use crate::mesh::Mesh;
 use rayon::prelude::*;

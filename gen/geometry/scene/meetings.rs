@@ -1,6 +1,6 @@
 //! Which objects of a frame meet.
 
-use super::{sweep, Frame, Meeting, Scene};
+use super::{Frame, Meeting, Scene, sweep};
 use crate::mesh::Bounds;
 
 /// The boxes of a scene's objects, from which the meetings of each frame follow.

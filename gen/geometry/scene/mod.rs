@@ -19,11 +19,11 @@ mod trajectory;
 mod tree;
 
 pub use broad_phase::{BroadPhase, Meeting};
-pub use file::{load, SceneError};
+pub use file::{SceneError, load};
 pub use pose::Pose;
 pub use survivors::Survivors;
 pub use toml::Value;
-pub use tree::{candidates, Tree};
+pub use tree::{Tree, candidates};
 
 use crate::mesh::{Findings, Mesh};
 use motion::Motion;

@@ -1,9 +1,9 @@
 //! What moves in a scene: sweeps, single poses and trajectories, as rules from which every frame is made anew, so that
 //! memory does not grow with the number of frames.
 
-use super::pose::{tumbled, unit, Pose};
-use super::trajectory::Trajectory;
 use super::Object;
+use super::pose::{Pose, tumbled, unit};
+use super::trajectory::Trajectory;
 use nalgebra::{Point3, Vector3};
 
 /// A part of the motion of a scene: a sequence of frames.

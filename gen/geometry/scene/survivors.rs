@@ -1,6 +1,6 @@
 //! The pairs of triangles that the stages before the unit leave.
 
-use super::hierarchy::{pairs, Directions, Forest, Scratch, Statistics};
+use super::hierarchy::{Directions, Forest, Scratch, Statistics, pairs};
 use super::meetings::Meetings;
 use super::{Meeting, Scene};
 use rayon::prelude::*;
@@ -39,11 +39,7 @@ impl<'a> Survivors<'a> {
     /// # Panics
     /// If there is no such frame.
     pub fn meetings(&self, frame: usize) -> Vec<Meeting> {
-        if self.sweeps {
-            self.meetings.overlapping(frame)
-        } else {
-            self.meetings.all(frame)
-        }
+        if self.sweeps { self.meetings.overlapping(frame) } else { self.meetings.all(frame) }
     }
 
     /// All pairs of triangles of a meeting, whether they survive or not.

@@ -465,11 +465,7 @@ fn pairs_come_in_order_whatever_the_number_of_threads() {
     let mut calls = 0;
     let stopped = scene.broad_phase().try_for_each(|_, _| {
         calls += 1;
-        if calls == 3 {
-            Err("enough")
-        } else {
-            Ok(())
-        }
+        if calls == 3 { Err("enough") } else { Ok(()) }
     });
     assert_eq!((stopped, calls), (Err("enough"), 3));
 }

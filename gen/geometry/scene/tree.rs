@@ -8,8 +8,8 @@
 //! If two triangles have a common point, then it lies in both leaf boxes and in the boxes of all their ancestors, so
 //! that every test on the way down sees an overlap: touching boxes count.
 
-use super::enclosure::image;
 use super::Pose;
+use super::enclosure::image;
 use crate::mesh::{Bounds, Mesh};
 use nalgebra::Point3;
 

@@ -18,9 +18,9 @@
 //! * Degenerate: outside of the method. All determinants with a segment's "plane" are zero, so that it is taken for
 //!   coplanar and, projected, for a triangle that holds what lies on its line: errs to "intersect".
 
-use super::planar::{edges, orientation, projected, Point};
-use super::vector::{cross, difference, dot, one_side, triangles};
 use super::Points;
+use super::planar::{Point, edges, orientation, projected};
+use super::vector::{cross, difference, dot, one_side, triangles};
 
 type Triangle = [[f64; 3]; 3];
 
@@ -68,22 +68,14 @@ fn lone(d: [f64; 3]) -> Option<Lone> {
 /// The triangle from vertex `first` on, turned over if asked.
 fn renamed(t: Triangle, first: usize, over: bool) -> Triangle {
     let [p, q, r] = [t[first], t[(first + 1) % 3], t[(first + 2) % 3]];
-    if over {
-        [p, r, q]
-    } else {
-        [p, q, r]
-    }
+    if over { [p, r, q] } else { [p, q, r] }
 }
 
 fn coplanar(a: Triangle, b: Triangle) -> bool {
     let normal = cross(difference(a[1], a[0]), difference(a[2], a[0]));
     let [a, b] = [a, b].map(|triangle| {
         let [p, q, r] = projected(triangle, normal);
-        if orientation(p, q, r) < 0.0 {
-            [p, r, q]
-        } else {
-            [p, q, r]
-        }
+        if orientation(p, q, r) < 0.0 { [p, r, q] } else { [p, q, r] }
     });
     let mut visible = edges(b).into_iter().filter(|&[from, to]| orientation(from, to, a[0]) < 0.0).peekable();
     visible.peek().is_none() || visible.any(|edge| meets(a, edge))

@@ -12,9 +12,9 @@
 //! * Degenerate: B may be a segment that crosses the plane of A, or a point. If A is degenerate it has no plane: all of
 //!   B counts as coplanar, wherever it lies: errs to "intersect".
 
-use super::planar::{any_edges_meet, edges, inside, projected, segments_meet};
-use super::vector::{one_side, triangles, Plane};
 use super::Points;
+use super::planar::{any_edges_meet, edges, inside, projected, segments_meet};
+use super::vector::{Plane, one_side, triangles};
 
 /// Whether the triangles have a common point, in plain binary64.
 pub(super) fn intersect(points: &Points) -> bool {

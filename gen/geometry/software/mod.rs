@@ -17,8 +17,8 @@ mod separating_axes;
 mod tests;
 mod vector;
 
-use crate::exact::Exact;
 use crate::Points;
+use crate::exact::Exact;
 
 /// The tests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

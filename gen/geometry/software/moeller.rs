@@ -17,9 +17,9 @@
 //!   counts as coplanar, wherever the other triangle lies; what the projection then shows may be wrong both ways.
 //! * Small: with the epsilon, triangles of about 1e-2 and less are taken for coplanar when they are not.
 
-use super::planar::{any_edges_meet, projected, strictly_inside};
-use super::vector::{cross, longest, one_side, triangles, Plane};
 use super::Points;
+use super::planar::{any_edges_meet, projected, strictly_inside};
+use super::vector::{Plane, cross, longest, one_side, triangles};
 
 /// The published threshold of plane distances.
 const EPSILON: f64 = 1e-6;

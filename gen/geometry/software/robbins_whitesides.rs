@@ -33,7 +33,7 @@
 //! to an edge, so an edge's line has the triangles on different sides if anything has; strictly if they are separate,
 //! and not holding both if only their relative interiors are disjoint. Points on one line are in lexicographic order.
 
-use robust::{orient2d, orient3d, Coord, Coord3D};
+use robust::{Coord, Coord3D, orient2d, orient3d};
 
 use crate::exact::Exact;
 
@@ -175,11 +175,7 @@ fn on_line(a: [Point; 2], b: [Point; 2]) -> Exact {
 
 /// What triangles with a common point are.
 fn met(properly: bool) -> Exact {
-    if properly {
-        Exact::Intersect
-    } else {
-        Exact::Touch
-    }
+    if properly { Exact::Intersect } else { Exact::Touch }
 }
 
 fn on_one_side(signs: [i8; 3]) -> bool {

@@ -14,8 +14,8 @@
 //! * Degenerate: a segment has no normal, and some separate pairs are left even by 17 axes.
 //! * Binary32: coordinates are rounded first, which moves the triangles.
 
-use super::vector::{cross, difference, dot, triangles};
 use super::Points;
+use super::vector::{cross, difference, dot, triangles};
 use num_traits::Float;
 
 /// Eleven axes in binary32.

@@ -10,7 +10,7 @@
 //! Not known: DSP48E1 from operand to its own output (the cascade output is taken for it), and how its registers divide
 //! the delay.
 
-use super::{fabric, Device, Family, Part, Resources};
+use super::{Device, Family, Part, Resources, fabric};
 
 /// The largest Artix-7.
 pub(super) const XC7A200T: Device = Device {

@@ -5,7 +5,7 @@
 //! 180 multipliers (DSP48A1), 23,038 slices. Not known: how DS162's set-up and clock-to-output of the multiplier's
 //! registers divide its delay; a product takes registers for the delay without them.
 
-use super::{fabric, Device, Family, Part, Resources};
+use super::{Device, Family, Part, Resources, fabric};
 
 /// The largest of the family.
 pub(super) const XC6SLX150: Device = Device {

@@ -1,7 +1,7 @@
 //! The critical path of a unit: the chain of nodes within one clock whose value arrives last.
 
-use crate::graph::schedule::Schedule;
 use crate::graph::Op;
+use crate::graph::schedule::Schedule;
 
 /// The nodes of the path, last one first; empty where an instance holds a longer path than the unit's own nodes.
 pub(super) fn path(schedule: &Schedule) -> Vec<usize> {

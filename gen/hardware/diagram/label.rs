@@ -49,11 +49,7 @@ pub(super) fn operation(unit: &Unit, i: usize) -> String {
         | Op::Phase(..)
         | Op::Output(_) => plain(String::new()),
     };
-    if long.chars().count() <= LONGEST {
-        long
-    } else {
-        short
-    }
+    if long.chars().count() <= LONGEST { long } else { short }
 }
 
 /// The name of an operand: of what it is a name for, and the value of a constant.

@@ -217,7 +217,7 @@ fn first_sentence(doc: &[String]) -> String {
 /// Which nodes some output depends on, and the inputs.
 fn used(unit: &Unit) -> Vec<bool> {
     let mut used: Vec<bool> = unit.nodes.iter().map(|node| matches!(node.op, Op::Input)).collect();
-    let mut open: Vec<usize> = unit.outputs.iter().map(|output| output.1 .0).collect();
+    let mut open: Vec<usize> = unit.outputs.iter().map(|output| output.1.0).collect();
     while let Some(i) = open.pop() {
         if !std::mem::replace(&mut used[i], true) {
             open.extend(unit.nodes[i].args.iter().map(|a| a.0));

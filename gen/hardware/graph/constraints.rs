@@ -1,7 +1,7 @@
 //! From a unit and its earliest schedule to the programme of all schedules of the same latency.
 
 use super::programme::{Event, Held, Programme, Reading, Stream};
-use super::schedule::{delay, leg_phases, Pass, Slot, GROUP};
+use super::schedule::{GROUP, Pass, Slot, delay, leg_phases};
 use super::{Op, Type, Unit};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -306,7 +306,7 @@ impl<'a> Constraints<'a> {
             }
         }
         // Outputs arrive no later than in the earliest schedule, so that what follows them still fits.
-        if self.pass.unit.outputs.iter().any(|o| arrivals[o.1 .0] > output_ns + 1e-9) {
+        if self.pass.unit.outputs.iter().any(|o| arrivals[o.1.0] > output_ns + 1e-9) {
             self.order(from.later(1), PORTS.later(latency));
         }
     }
@@ -340,7 +340,7 @@ impl<'a> Constraints<'a> {
 /// The nodes that some output depends on; of what merely renames its first operand the others do not count.
 fn live(unit: &Unit) -> Vec<bool> {
     let mut live = vec![false; unit.nodes.len()];
-    let mut open: Vec<usize> = unit.outputs.iter().map(|o| o.1 .0).collect();
+    let mut open: Vec<usize> = unit.outputs.iter().map(|o| o.1.0).collect();
     while let Some(i) = open.pop() {
         if !std::mem::replace(&mut live[i], true) {
             let args = &unit.nodes[i].args;

@@ -78,7 +78,7 @@ impl Flat {
         };
         let own = flat.dissolve(top, 0, "", None);
         flat.inputs = top.inputs.iter().map(|i| own[i.node.0]).collect();
-        flat.outputs = top.outputs.iter().map(|o| own[o.1 .0]).collect();
+        flat.outputs = top.outputs.iter().map(|o| own[o.1.0]).collect();
         let names = top.nodes.iter().zip(&own).filter(|(_, flat)| **flat != usize::MAX);
         flat.top_names = names.map(|(node, flat)| (node.name.clone(), *flat)).collect();
         flat.resolve_rates();
@@ -119,7 +119,7 @@ impl Flat {
                         self.bindings.push(Binding { arg: *arg, unit: child_index, input, path: node_path.clone() });
                     }
                     let inner = self.dissolve(child, child_index, &format!("{node_path}."), Some(&operands));
-                    instances.insert(i, child.outputs.iter().map(|o| inner[o.1 .0]).collect());
+                    instances.insert(i, child.outputs.iter().map(|o| inner[o.1.0]).collect());
                 }
                 Op::Output(port) => own[i] = instances[&node.args[0].0][*port],
                 op => {

@@ -7,7 +7,7 @@
 
 use super::netlist::{Driver, Module, ModuleBuilder, SignalId};
 use super::range::Ranges;
-use super::schedule::{leg_phases, Schedule, Scheduler, GROUP};
+use super::schedule::{GROUP, Schedule, Scheduler, leg_phases};
 use super::{Op, Range, Rate, Type, Unit};
 use crate::device::Device;
 use std::collections::{BTreeMap, HashMap};

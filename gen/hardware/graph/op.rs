@@ -31,11 +31,7 @@ impl Type {
 
     /// The least and the greatest value.
     pub const fn limits(self) -> (i128, i128) {
-        if self.signed {
-            (-(1 << (self.bits - 1)), (1 << (self.bits - 1)) - 1)
-        } else {
-            (0, (1 << self.bits) - 1)
-        }
+        if self.signed { (-(1 << (self.bits - 1)), (1 << (self.bits - 1)) - 1) } else { (0, (1 << self.bits) - 1) }
     }
 }
 
@@ -310,11 +306,7 @@ impl Op {
             Op::NegateIf if args[0] == (0, 0) => args[1],
             Op::NegateIf => {
                 let negated = (-args[1].1, -args[1].0);
-                if args[0] == (1, 1) {
-                    negated
-                } else {
-                    hull(&[args[1], negated])
-                }
+                if args[0] == (1, 1) { negated } else { hull(&[args[1], negated]) }
             }
             Op::Multiply => corners(&|a, b| a * b),
             Op::Equal => (0, 1),

@@ -42,11 +42,7 @@ impl Slot {
 
     /// Latest arrival, ns, of a leg that a choice with this slot reads as it is; what arrives later is captured first.
     pub(super) fn latest_leg(&self, device: &Device, legs: usize, lagged: bool) -> f64 {
-        if lagged || self.registered {
-            device.launch()
-        } else {
-            self.ns - device.mux(legs)
-        }
+        if lagged || self.registered { device.launch() } else { self.ns - device.mux(legs) }
     }
 }
 
@@ -239,7 +235,7 @@ impl Pass<'_> {
 
     /// Clocks to the last output, and its arrival.
     fn latency(&self, slots: &[Slot]) -> (i32, f64) {
-        let outputs = || self.unit.outputs.iter().map(|o| slots[o.1 .0]);
+        let outputs = || self.unit.outputs.iter().map(|o| slots[o.1.0]);
         let latency = outputs().map(|s| s.from).max().unwrap_or(0).max(0);
         let late = outputs().filter(|s| s.from == latency);
         (latency, late.map(|s| s.ns).fold(self.launch(), f64::max))

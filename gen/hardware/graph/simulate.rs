@@ -344,11 +344,7 @@ impl Simulation {
 /// elsewhere range analysis has shown that the value fits.
 fn wrap(value: i128, to: Type) -> i128 {
     let low = value & ((1 << to.bits) - 1);
-    if to.signed && low >> (to.bits - 1) == 1 {
-        low - (1 << to.bits)
-    } else {
-        low
-    }
+    if to.signed && low >> (to.bits - 1) == 1 { low - (1 << to.bits) } else { low }
 }
 
 /// Appends the cells of a module; returns the cells of its outputs.
@@ -395,7 +391,7 @@ fn dissolve(module: &Rc<Module>, args: Option<&[usize]>, cells: &mut Vec<Cell>, 
             Driver::Port => {}
             Driver::Combinational { args, .. } => cells[own[i]].args = args.iter().map(id).collect(),
             Driver::Register { args, enable, reset, .. } => {
-                let (enable_cell, reset_cell) = (enable.as_ref().map(id), reset.as_ref().map(|r| (own[r.0 .0], r.1)));
+                let (enable_cell, reset_cell) = (enable.as_ref().map(id), reset.as_ref().map(|r| (own[r.0.0], r.1)));
                 let cell = &mut cells[own[i]];
                 cell.args = args.iter().map(id).collect();
                 if let Action::Register { enable, reset, .. } = &mut cell.action {

@@ -28,11 +28,7 @@ pub fn type_name(t: Type) -> String {
 
 /// The VHDL type of a port.
 pub fn port_type(t: Type) -> String {
-    if is_flag(t) {
-        "std_logic".to_owned()
-    } else {
-        format!("std_logic_vector({} downto 0)", t.bits - 1)
-    }
+    if is_flag(t) { "std_logic".to_owned() } else { format!("std_logic_vector({} downto 0)", t.bits - 1) }
 }
 
 /// Whether a signal is declared as a vector of no number kind: ports and outputs of instances.
@@ -43,11 +39,7 @@ pub fn raw(signal: &Signal) -> bool {
 /// A literal of the given type.
 pub fn literal(value: i128, t: Type) -> String {
     let bits: String = (0..t.bits).rev().map(|i| if (value >> i) & 1 == 1 { '1' } else { '0' }).collect();
-    if is_flag(t) {
-        format!("'{bits}'")
-    } else {
-        format!("\"{bits}\"")
-    }
+    if is_flag(t) { format!("'{bits}'") } else { format!("\"{bits}\"") }
 }
 
 /// Prints the operations of one module.
@@ -77,11 +69,7 @@ impl Printer<'_> {
     /// A signal as a port's value.
     pub fn port_value(&self, id: SignalId) -> String {
         let s = self.signal(id);
-        if raw(s) || is_flag(s.ty) {
-            s.name.clone()
-        } else {
-            format!("std_logic_vector({})", s.name)
-        }
+        if raw(s) || is_flag(s.ty) { s.name.clone() } else { format!("std_logic_vector({})", s.name) }
     }
 
     /// A signal widened (or cut, where the value is known to fit) to a number type.
@@ -117,11 +105,7 @@ impl Printer<'_> {
 
     fn is(&self, id: SignalId, value: usize) -> String {
         let s = self.signal(id);
-        if is_flag(s.ty) {
-            format!("{} = '{value}'", s.name)
-        } else {
-            format!("{} = {value}", self.value(id))
-        }
+        if is_flag(s.ty) { format!("{} = '{value}'", s.name) } else { format!("{} = {value}", self.value(id)) }
     }
 
     /// The expression of an operation with a result of type `to`. `clamp` names the bounds of an [`Op::Clamp`].
@@ -207,11 +191,7 @@ impl Printer<'_> {
                 let part = |id: &SignalId| {
                     let t = self.signal(*id).ty;
                     let value = self.value(*id);
-                    if t.signed == to.signed || is_flag(t) {
-                        value
-                    } else {
-                        format!("{kind}({value})")
-                    }
+                    if t.signed == to.signed || is_flag(t) { value } else { format!("{kind}({value})") }
                 };
                 simple(args.iter().rev().map(part).collect::<Vec<_>>().join(" & "))
             }

@@ -9,5 +9,5 @@ pub mod lint;
 mod names;
 mod view;
 
-pub use names::{check, Clash};
-pub use view::{entity, Entity};
+pub use names::{Clash, check};
+pub use view::{Entity, entity};

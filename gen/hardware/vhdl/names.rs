@@ -77,8 +77,8 @@ pub fn check(module: &Module) -> Result<(), Clash> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::graph::netlist::ModuleBuilder;
     use crate::graph::Type;
+    use crate::graph::netlist::ModuleBuilder;
 
     #[test]
     fn illegal_names_are_refused() {

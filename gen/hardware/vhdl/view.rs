@@ -1,6 +1,6 @@
 //! What the entity template prints: ready text, in order.
 
-use super::expression::{literal, port_type, type_name, Expression, Printer};
+use super::expression::{Expression, Printer, literal, port_type, type_name};
 use super::names::{self, Clash};
 use crate::graph::netlist::{DelayLine, Driver, Module, Signal, SignalId};
 use crate::graph::{Op, Type};
@@ -180,11 +180,7 @@ fn describe(s: &Signal) -> String {
 }
 
 fn zeros(t: Type) -> &'static str {
-    if super::expression::is_flag(t) {
-        "'0'"
-    } else {
-        "(others => '0')"
-    }
+    if super::expression::is_flag(t) { "'0'" } else { "(others => '0')" }
 }
 
 fn declarations(module: &Module, lines: &Lines) -> Vec<Declaration> {

@@ -1,13 +1,13 @@
 //! All files of a generated design, as one value.
 
 use super::file_lists::FileLists;
+use super::{FileSet, Stimulus, origin, vhdl_files};
 use super::{drop_in, example, ise, manifest, stream, stream_vectors, testbench, vectors};
-use super::{origin, vhdl_files, FileSet, Stimulus};
 use crate::design::Design;
 use crate::params::stream::{StreamFormat, StreamWidth};
 use askama::Template;
-use efsat_hardware::vhdl::lint::{lint, Finding};
 use efsat_hardware::vhdl::Clash;
+use efsat_hardware::vhdl::lint::{Finding, lint};
 
 /// Pairs in the vector file: some seconds of simulation.
 const PAIRS: usize = 256;

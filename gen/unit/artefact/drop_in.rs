@@ -1,7 +1,7 @@
 //! Projects for the tools that are not ISE, and instances to copy.
 
 use super::file_lists::{Bench, FileLists};
-use super::{origin, FileSet};
+use super::{FileSet, origin};
 use crate::design::Design;
 use crate::params::stream::StreamFormat;
 use askama::Template;

@@ -1,11 +1,11 @@
 //! The example design: the wrapped unit behind a UART, and its testbench.
 
 use super::file_lists::FileLists;
-use super::{origin, FileSet};
+use super::{FileSet, origin};
 use crate::design::Design;
 use crate::golden::{Golden, Input, Pose};
-use crate::host::{loose_pair, Host};
-use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat};
+use crate::host::{Host, loose_pair};
+use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, verdict_status};
 use askama::Template;
 
 #[derive(Template)]

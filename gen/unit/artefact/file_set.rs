@@ -1,7 +1,7 @@
 //! A set of files as a value: written as a whole or not at all, and compared with what is there.
 
 use super::manifest;
-use super::scratch::{uninterrupted, Scratch};
+use super::scratch::{Scratch, uninterrupted};
 use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::{Path, PathBuf};

@@ -1,7 +1,7 @@
 //! Project files for ISE, one folder a device that ISE knows: the last release with Virtex-II is 10.1, Spartan-6 ends
 //! with 14.7. Other families have other tools and no project here.
 
-use super::{origin, FileSet};
+use super::{FileSet, origin};
 use crate::design::Design;
 use askama::Template;
 use efsat_hardware::device::{self, Device, Family};

@@ -1,9 +1,9 @@
 //! `manifest.json`: what a design is, for programs that read it.
 
-use super::{stream, FileSet};
+use super::{FileSet, stream};
 use crate::design::Design;
-use crate::params::stream::{Kind, StreamFormat};
 use crate::params::Params;
+use crate::params::stream::{Kind, StreamFormat};
 use efsat_hardware::graph::Type;
 use serde::Serialize;
 use sha2::{Digest, Sha256};

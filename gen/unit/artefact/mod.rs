@@ -19,9 +19,9 @@ pub mod stream_vectors;
 pub mod testbench;
 pub mod vectors;
 
-pub use design_files::{design_files, design_files_with, DesignFilesError};
+pub use design_files::{DesignFilesError, design_files, design_files_with};
 pub use file_set::{Difference, FileSet, FileSetError};
 pub use programmes::programme_files;
-pub use scratch::{interrupted, Scratch};
+pub use scratch::{Scratch, interrupted};
 pub use sources::{origin, vhdl_files};
 pub use vectors::Stimulus;

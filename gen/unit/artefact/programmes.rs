@@ -1,6 +1,6 @@
 //! The schedules of a design as linear programmes, for any solver.
 
-use super::{manifest, FileSet};
+use super::{FileSet, manifest};
 use crate::design::Design;
 use std::fmt::Write;
 

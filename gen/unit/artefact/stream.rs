@@ -1,9 +1,9 @@
 //! The AXI4-Stream wrapper of a design and its testbench: strict VHDL-93 from the layout in [`StreamFormat`].
 
 use super::{stream_vectors, testbench};
-use crate::design::top::{pair_numbers, pose_numbers};
 use crate::design::Design;
-use crate::params::stream::{Kind, StreamFormat, BYPASS_AT, TAG_AT};
+use crate::design::top::{pair_numbers, pose_numbers};
+use crate::params::stream::{BYPASS_AT, Kind, StreamFormat, TAG_AT};
 use crate::params::{Params, Upper};
 use askama::Template;
 

@@ -4,10 +4,10 @@
 //! TLAST of each word: `I <word> <last> <whole>` into the wrapper, `O <word> <last>` out of it; other lines are comments.
 //! A word that is not whole lacks its highest byte by TKEEP.
 
-use super::{vectors, Stimulus};
+use super::{Stimulus, vectors};
 use crate::golden::{Golden, Input, Pair, Pose};
-use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat};
 use crate::params::Params;
+use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, verdict_status};
 
 /// Pairs of the first packet that fill the default design.
 pub const FILLING: usize = 22;

@@ -4,7 +4,7 @@
 //! random gaps and back-pressure. Both passes
 //! are one clocked process, so that the built-in simulator can do the same, clock for clock.
 
-use super::vectors::{answer_word, formats_line, pair_word, pose_word, Word};
+use super::vectors::{Word, answer_word, formats_line, pair_word, pose_word};
 use crate::design::top::{Channel, Design};
 use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
 use crate::params::Params;

@@ -1,10 +1,10 @@
 //! The axes of the data path: which axis each unit tests in which phase, on what operands, and how the flags are held.
 
 use super::axes::{Axis, Duplicates, Factor};
-use super::cross_product::{self, select_bits, COORDINATES};
+use super::cross_product::{self, COORDINATES, select_bits};
 use super::interval::{Bounds, Rounding};
 use super::multiply::{self, Factor as Signed};
-use super::pipeline::{rounding, Edges, Flags, Pipeline, Point};
+use super::pipeline::{Edges, Flags, Pipeline, Point, rounding};
 use super::{comparator, projection};
 use crate::params::{AxisKind, Formats, Params, Projections, Row};
 use efsat_hardware::graph::{NodeId, Type, Unit};

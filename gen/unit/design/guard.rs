@@ -7,9 +7,9 @@
 use super::axes::Axis;
 use super::axis_stage::lagged;
 use super::cross_product::COORDINATES;
-use super::interval::{symmetric, Bounds};
+use super::interval::{Bounds, symmetric};
 use super::pipeline::{Pipeline, Source};
-use super::transform_row::{input_type, Quantised};
+use super::transform_row::{Quantised, input_type};
 use crate::params::Params;
 use efsat_hardware::graph::{Builder, NodeId, Op, Rate, Type, Unit};
 use efsat_hardware::number::Upper;

@@ -4,7 +4,7 @@
 //! part in; two cases then say which bounds are multiplied ([`multiply_unit`]). Numbers as they come from the host are
 //! one unit in the last place wide and never straddle zero; their product is simpler ([`quantised_multiply_unit`]).
 
-use super::interval::{self, symmetric, Bounds};
+use super::interval::{self, Bounds, symmetric};
 use efsat_hardware::device::MULTIPLIER_BITS;
 use efsat_hardware::graph::{Builder, Fact, NodeId, Op, Rate, Type, Unit};
 use std::rc::Rc;

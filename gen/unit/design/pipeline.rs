@@ -5,9 +5,9 @@
 //! `s * rows + r` (vertex by vertex), lane j re-normalises point `s * lanes + j` (V0 V1 V2 W0 W1 W2) and axis unit u
 //! tests axis `s * units + u`. Where there is a [guard](super::guard), numbers pass it on their way to the first unit.
 
-use super::cross_product::{select_bits, COORDINATES};
+use super::cross_product::{COORDINATES, select_bits};
 use super::guard::Guards;
-use super::interval::{self, symmetric, Bounds, Narrowing, Rounding};
+use super::interval::{self, Bounds, Narrowing, Rounding, symmetric};
 use super::renormalise;
 use super::transform_row::{self, Quantised};
 use crate::params::{Formats, Params, Row, Transform};

@@ -1,6 +1,6 @@
 //! The projection of one point on an axis: an interval dot product (equation 2).
 
-use super::cross_product::{select_bits, COORDINATES};
+use super::cross_product::{COORDINATES, select_bits};
 use super::interval::{self, Bounds, Rounding};
 use super::multiply::{self, Factor, SIGN_CASE};
 use efsat_hardware::graph::{Builder, Rate, Type, Unit};

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::interval::{cross_component, difference, negated, three, Rounding, Triple, Vector, Wide};
+use super::interval::{Rounding, Triple, Vector, Wide, cross_component, difference, negated, three};
 use crate::params::{Axes, AxisKind, Params};
 
 /// One separating axis.

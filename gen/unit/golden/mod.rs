@@ -23,7 +23,7 @@ mod verdict;
 use axes::{Axis, AxisUnit, Edges, Normals};
 use guard::Guard;
 pub use input::{Input, Pair, Pose};
-use interval::{three, Triple, Wide};
+use interval::{Triple, Wide, three};
 use projection::ProjectionUnit;
 use renormalise::Normaliser;
 use transform::Frame;

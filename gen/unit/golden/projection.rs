@@ -1,7 +1,7 @@
 //! Projections on an axis and what is done with duplicates (contract section 5, the paper's equation 2).
 
 use super::axes::Axis;
-use super::interval::{dots, three, Number, Rounding, Triple, Vector, Wide};
+use super::interval::{Number, Rounding, Triple, Vector, Wide, dots, three};
 use super::verdict::Enclosure;
 use crate::params::{Params, Projections};
 use efsat_hardware::number::Interval;

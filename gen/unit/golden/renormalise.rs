@@ -1,7 +1,7 @@
 //! The pair moved to the origin and scaled up, each coordinate axis by its own power of two (contract section 4, the
 //! paper's 2.5).
 
-use super::interval::{three, Number, Rounding, Triple};
+use super::interval::{Number, Rounding, Triple, three};
 use crate::params::Params;
 use efsat_hardware::number::Interval;
 

@@ -12,15 +12,15 @@ use num_traits::{One, Zero};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::interval::{product, Rounding};
+use super::interval::{Rounding, product};
 use super::verdict::Enclosure;
 use super::{Golden, Input, Pair, Pose, Verdict};
-use crate::host::{loose_pair, sample, Host, SceneHost};
+use crate::host::{Host, SceneHost, loose_pair, sample};
 use crate::params::{Axes, AxisKind, Params, Projections, Transform};
+use efsat_geometry::Points;
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample::random_points;
-use efsat_geometry::Points;
-use efsat_hardware::number::{floor_shift, upper_shift, Format, Interval, Upper};
+use efsat_hardware::number::{Format, Interval, Upper, floor_shift, upper_shift};
 
 /// Parameter sets that meet every option, small and large widths, and i64 and i128 products.
 fn parameter_sets() -> Vec<Params> {
@@ -256,11 +256,7 @@ type Real = BigRational;
 
 fn power_of_two(exponent: i32) -> Real {
     let power = Real::from_integer(BigInt::one() << exponent.unsigned_abs());
-    if exponent < 0 {
-        power.recip()
-    } else {
-        power
-    }
+    if exponent < 0 { power.recip() } else { power }
 }
 
 fn at(mantissa: i128, fraction: i32) -> Real {
@@ -465,11 +461,11 @@ fn point_sets(seed: u64, count: usize) -> Vec<Points> {
 fn definite_verdicts_are_right() {
     let sets = point_sets(9, 1500);
     let answers: Vec<Exact> = sets.iter().map(exact::pair).collect();
-    assert!([Exact::Separate, Exact::Touch, Exact::Intersect].iter().all(|e| answers
-        .iter()
-        .filter(|x| *x == e)
-        .count()
-        > 20));
+    assert!(
+        [Exact::Separate, Exact::Touch, Exact::Intersect]
+            .iter()
+            .all(|e| answers.iter().filter(|x| *x == e).count() > 20)
+    );
     for p in parameter_sets() {
         let golden = Golden::new(&p);
         let mut definite = 0;

@@ -1,7 +1,7 @@
 //! The change of frame, B = M * B~ + t (contract section 3).
 
-use super::interval::{dot, sum, three, Number, Rounding, Triple, Wide};
 use super::Pose;
+use super::interval::{Number, Rounding, Triple, Wide, dot, sum, three};
 use crate::params::{Params, Transform};
 use efsat_hardware::number::{Interval, Upper};
 

@@ -34,10 +34,6 @@ impl Boxes {
             let above = |x: [u32; 3], y: [u32; 3]| x.iter().min() > y.iter().max();
             above(a, b) || above(b, a)
         });
-        if apart {
-            Verdict::Separate
-        } else {
-            Verdict::PossiblyIncorrect
-        }
+        if apart { Verdict::Separate } else { Verdict::PossiblyIncorrect }
     }
 }

@@ -3,8 +3,8 @@
 use num_bigint::BigInt;
 use num_traits::Signed;
 
-use super::dyadic::decoded;
 use super::Host;
+use super::dyadic::decoded;
 use crate::golden::{Input, Pair};
 use crate::params::Params;
 
@@ -60,11 +60,7 @@ pub fn loose_pair(points: &[[f64; 3]; 6], params: &Params) -> Host {
 /// The pair whose coordinates are the given multiples of powers of two, none finer than 2^grid.
 fn normalised<Z: Whole>(numbers: &[[(i64, i32); 3]; 6], grid: i32, fraction: i32) -> Pair {
     let at_grid = |(mantissa, exponent): (i64, i32)| {
-        if mantissa == 0 {
-            Z::zero()
-        } else {
-            Z::from(mantissa) << (exponent - grid) as u32
-        }
+        if mantissa == 0 { Z::zero() } else { Z::from(mantissa) << (exponent - grid) as u32 }
     };
     // Twice the centred coordinates, so that the midpoint is an integer; by axis, then by point.
     let doubled = [0, 1, 2].map(|axis| {

@@ -4,8 +4,8 @@
 //! [-bound, bound]. Those that shall not are made from them one by one ([`Outside`]). Numbers depend on the generator's
 //! state only, so a seed names its inputs on every machine.
 
-use efsat_geometry::sample::{shape, signed};
 use efsat_geometry::Points;
+use efsat_geometry::sample::{shape, signed};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;

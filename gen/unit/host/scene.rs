@@ -2,9 +2,9 @@
 
 use std::borrow::Cow;
 
+use super::Host;
 use super::boxes::Boxes;
 use super::dyadic::Dyadic;
-use super::Host;
 use crate::golden::{Input, Pair, Pose};
 use crate::params::{Params, Transform};
 

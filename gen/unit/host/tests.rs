@@ -9,7 +9,7 @@ use num_traits::{One, Signed, Zero};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
-use super::{loose_pair, Host, SceneHost};
+use super::{Host, SceneHost, loose_pair};
 use crate::golden::{Input, Pair, Pose, Verdict};
 use crate::params::{Params, Transform};
 use efsat_geometry::sample;
@@ -22,11 +22,7 @@ fn real(x: f64) -> Real {
 
 fn two_to(power: i64) -> Real {
     let whole = Real::from_integer(BigInt::one() << power.unsigned_abs());
-    if power < 0 {
-        whole.recip()
-    } else {
-        whole
-    }
+    if power < 0 { whole.recip() } else { whole }
 }
 
 /// The largest power of two with which `reach` is at most 1; 1 for zero.

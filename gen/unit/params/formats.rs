@@ -7,7 +7,7 @@
 //! least with `b <= 2^(k-1) - ulp`; the fraction bits are then `m = N - k`.
 
 use super::{Params, Transform};
-use efsat_hardware::number::{upper_shift, Format, Upper};
+use efsat_hardware::number::{Format, Upper, upper_shift};
 
 /// A bound on the *true* (real) value that the computed interval may stick out of by rounding; clamping the computed
 /// bounds to it is sound because the true value lies inside.

@@ -73,11 +73,7 @@ impl Choice for bool {
     const ALL: &'static [Self] = &[true, false];
 
     fn name(self) -> &'static str {
-        if self {
-            "on"
-        } else {
-            "off"
-        }
+        if self { "on" } else { "off" }
     }
 }
 

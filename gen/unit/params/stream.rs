@@ -96,11 +96,7 @@ pub const BYPASS_AT: u32 = TOP_BIT;
 
 /// The status of a verdict: its code, and whether the pair is outside the declared ranges.
 pub fn verdict_status(code: u8, outside: bool) -> u8 {
-    if outside {
-        code | OUTSIDE
-    } else {
-        code
-    }
+    if outside { code | OUTSIDE } else { code }
 }
 
 /// One word of answers, taken apart.
@@ -190,21 +186,13 @@ impl StreamFormat {
 
     /// Bits from one number to the next.
     pub fn lane(&self) -> u32 {
-        if self.number_bits <= 32 {
-            32
-        } else {
-            64
-        }
+        if self.number_bits <= 32 { 32 } else { 64 }
     }
 
     /// High bits of a number's field that a guarded unit checks to be its sign, because they do not reach it; 0 where there
     /// is nothing to check. All fields from the first number to the end of the record are checked alike.
     pub fn spare_bits(&self) -> u32 {
-        if self.guarded {
-            self.lane() - self.number_bits
-        } else {
-            0
-        }
+        if self.guarded { self.lane() - self.number_bits } else { 0 }
     }
 
     /// The first bit of a number in its record.

@@ -1,6 +1,6 @@
 //! What `efsat scene run` prints.
 
-use super::{failure, output, quoted, Failure};
+use super::{Failure, failure, output, quoted};
 use crate::cli::output::Verdicts;
 use crate::cli::scene::summary::Summary;
 use crate::effects::{Cosimulation, Counts, Finding, Plan, Row, Total, Wish};

@@ -199,11 +199,7 @@ impl<'a> Case<'a> {
         let normalised = |x: Vector| {
             three(|i| {
                 let x = x[i].scaled(-power[i]);
-                if rounds {
-                    x.refined(handed).rounded(working, p.upper)
-                } else {
-                    x
-                }
+                if rounds { x.refined(handed).rounded(working, p.upper) } else { x }
             })
         };
         points.map(|x| x.map(normalised))
@@ -227,11 +223,7 @@ impl Tables<'_> {
     }
 
     fn axis(&self, x: &Interval, row: &Row) -> Interval {
-        if self.exact.has(Stage::Axis) {
-            x.clone()
-        } else {
-            self.rounded(x, row)
-        }
+        if self.exact.has(Stage::Axis) { x.clone() } else { self.rounded(x, row) }
     }
 
     /// Sections 5 and 6 for one axis; `groups` are the points with one true projection, `kept` those of them that
@@ -247,11 +239,7 @@ impl Tables<'_> {
         let row = self.formats.projection(kind);
         let project = |point: &Vector| {
             let x = dot(point, direction);
-            if self.exact.has(Stage::Projection) {
-                x
-            } else {
-                self.rounded(&x, row)
-            }
+            if self.exact.has(Stage::Projection) { x } else { self.rounded(&x, row) }
         };
         let [a, b] = [0, 1].map(|side: usize| {
             let raw = points[side].each_ref().map(project);

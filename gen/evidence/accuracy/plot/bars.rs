@@ -1,6 +1,6 @@
 //! Horizontal bars.
 
-use super::{begin, escaped, text, text_width, Size, GREY};
+use super::{GREY, Size, begin, escaped, text, text_width};
 
 /// A bar; several parts lie side by side.
 #[derive(Clone, Debug, PartialEq)]

@@ -2,7 +2,7 @@
 
 use super::labels::{Places, Rectangle};
 use super::scale::{Axis, Scale};
-use super::{begin, escaped, text, text_width, Size, BLACK, GREY};
+use super::{BLACK, GREY, Size, begin, escaped, text, text_width};
 
 /// Shapes of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -234,9 +234,5 @@ fn mark([x, y]: [f64; 2], style: Style, about: &str) -> String {
 }
 
 fn element(shape: &str) -> &'static str {
-    if shape.starts_with("<circle") {
-        "circle"
-    } else {
-        "path"
-    }
+    if shape.starts_with("<circle") { "circle" } else { "path" }
 }

@@ -1,8 +1,8 @@
 //! The picture as PNG.
 
-use super::font::{glyph, GLYPH};
+use super::font::{GLYPH, glyph};
 use super::view::buffer;
-use super::{Picture, HEIGHT, WIDTH};
+use super::{HEIGHT, Picture, WIDTH};
 
 /// Pixels of a dot of the font.
 const DOT: usize = 2;

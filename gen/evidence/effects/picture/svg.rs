@@ -1,7 +1,7 @@
 //! The picture as SVG: triangles of one colour that follow each other are one path.
 
 use super::view::Item;
-use super::{Picture, HEIGHT, WIDTH};
+use super::{HEIGHT, Picture, WIDTH};
 use std::fmt::Write;
 
 impl Picture {

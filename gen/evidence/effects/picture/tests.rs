@@ -3,7 +3,7 @@
 use super::*;
 use crate::effects::Place;
 use efsat_geometry::exact::Exact;
-use efsat_geometry::mesh::{builtin, Findings};
+use efsat_geometry::mesh::{Findings, builtin};
 use efsat_geometry::scene;
 use std::path::Path;
 

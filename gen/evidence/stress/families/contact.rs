@@ -1,6 +1,6 @@
 //! The classic contacts on a lattice: exactly touching, and swept through the contact by steps of a power of two.
 
-use super::draw::{direction, lattice_triangle, main_direction, normal, pick, power_of_two, whole, Point, Triangle};
+use super::draw::{Point, Triangle, direction, lattice_triangle, main_direction, normal, pick, power_of_two, whole};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 

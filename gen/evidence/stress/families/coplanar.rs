@@ -1,6 +1,6 @@
 //! Pairs in one plane. The plane carries a lattice, so that all six points are on it exactly.
 
-use super::draw::{direction, lattice_point, pick, signed, triangle, whole, Point, Triangle};
+use super::draw::{Point, Triangle, direction, lattice_point, pick, signed, triangle, whole};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 

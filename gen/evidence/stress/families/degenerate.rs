@@ -1,6 +1,6 @@
 //! Segments, points and colinear triangles against each other and against proper triangles, half of them in contact.
 
-use super::draw::{direction, lattice_point, lattice_triangle, pick, whole, Point, Triangle};
+use super::draw::{Point, Triangle, direction, lattice_point, lattice_triangle, pick, whole};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 

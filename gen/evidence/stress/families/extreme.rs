@@ -1,7 +1,7 @@
 //! The ends of the number ranges: binary64, the fixed-point domain and the working grid.
 
 use super::contact;
-use super::draw::{fine, nudged, pick, point_of, power_of_two, signed, triangle, whole, Point, Triangle};
+use super::draw::{Point, Triangle, fine, nudged, pick, point_of, power_of_two, signed, triangle, whole};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 
@@ -42,11 +42,7 @@ pub(super) fn binary64_corners(rng: &mut ChaCha8Rng) -> [Triangle; 2] {
             Point::from_fn(|_, _| {
                 let corner: f64 = pick(rng, &corners);
                 let near = nudged(corner, rng.random_range(-1..=1)).clamp(f64::MIN, f64::MAX);
-                if rng.random() {
-                    near
-                } else {
-                    -near
-                }
+                if rng.random() { near } else { -near }
             })
         })
     })

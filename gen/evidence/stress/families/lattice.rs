@@ -1,6 +1,6 @@
 //! Small axis-aligned grids, where every coincidence happens often.
 
-use super::draw::{lattice_point, pick, whole, Point, Triangle};
+use super::draw::{Point, Triangle, lattice_point, pick, whole};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 

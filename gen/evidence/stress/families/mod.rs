@@ -11,10 +11,10 @@ mod scale;
 mod shared;
 mod sliver;
 
-use super::hash::{fnv, BASIS};
+use super::hash::{BASIS, fnv};
 use draw::{Point, Triangle};
-use efsat_geometry::sample;
 use efsat_geometry::Points;
+use efsat_geometry::sample;
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 

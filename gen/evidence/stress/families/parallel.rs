@@ -1,7 +1,7 @@
 //! Planes and edges that are parallel, or all but parallel.
 
 use super::coplanar::Plane;
-use super::draw::{direction, fine, lattice_point, lattice_triangle, pick, whole, Triangle};
+use super::draw::{Triangle, direction, fine, lattice_point, lattice_triangle, pick, whole};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 

@@ -1,6 +1,6 @@
 //! Sizes and distances far apart.
 
-use super::draw::{brought_near, fine, point, power_of_two, triangle, Point, Triangle};
+use super::draw::{Point, Triangle, brought_near, fine, point, power_of_two, triangle};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 

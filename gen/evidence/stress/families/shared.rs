@@ -1,6 +1,6 @@
 //! Neighbours in a mesh: one, two or three common vertices, exactly or but for a few units in the last place.
 
-use super::draw::{fine, lattice_triangle, nudged, pick, point, triangle, whole, Point, Triangle};
+use super::draw::{Point, Triangle, fine, lattice_triangle, nudged, pick, point, triangle, whole};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 

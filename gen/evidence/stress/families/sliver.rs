@@ -1,6 +1,6 @@
 //! Needles: triangles whose height is a tiny part of their length.
 
-use super::draw::{brought_near, fine, point, triangle, Point, Triangle};
+use super::draw::{Point, Triangle, brought_near, fine, point, triangle};
 use rand::Rng;
 use rand_chacha::ChaCha8Rng;
 

@@ -1,7 +1,7 @@
 //! What cells of Virtex-II do in time.
 
 use super::flatten::Design;
-use super::{delay, Start, TimingError};
+use super::{Start, TimingError, delay};
 use crate::synth::netlist::is_flip_flop;
 use std::collections::HashMap;
 

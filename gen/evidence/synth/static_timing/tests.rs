@@ -1,7 +1,7 @@
 //! Netlists small enough to add up by hand.
 
 use super::*;
-use serde_json::{json, Value};
+use serde_json::{Value, json};
 
 /// A netlist of one module; `names` are its nets.
 fn netlist(cells: Value, names: &[(&str, u64)]) -> Value {

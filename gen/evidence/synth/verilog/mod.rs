@@ -6,8 +6,8 @@
 
 pub mod fixes;
 
-use super::tools::{self, Tool};
 use super::ToolError;
+use super::tools::{self, Tool};
 use std::fs;
 use std::path::Path;
 use std::process::Command;

@@ -1,7 +1,7 @@
 //! A spur gear.
 
-use crate::mesh::angle::sin_cos_degrees;
 use crate::mesh::Mesh;
+use crate::mesh::angle::sin_cos_degrees;
 use nalgebra::Point3;
 
 const TEETH: u32 = 16;

@@ -1,7 +1,7 @@
 //! A globe of meridians and parallels.
 
-use crate::mesh::angle::sin_cos_degrees;
 use crate::mesh::Mesh;
+use crate::mesh::angle::sin_cos_degrees;
 use nalgebra::Point3;
 
 /// A sphere of radius 1 about the origin, `around` meridians and `high` zones. Every quadrilateral of the net is split in

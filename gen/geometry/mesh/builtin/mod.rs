@@ -6,7 +6,7 @@ mod globe;
 mod plate;
 mod sheet;
 
-use super::{stl, Mesh};
+use super::{Mesh, stl};
 use std::sync::{Arc, OnceLock};
 
 /// The headlight as it stands in the repository.

@@ -1,7 +1,7 @@
 //! A wavy sheet.
 
-use crate::mesh::angle::sin_cos_degrees;
 use crate::mesh::Mesh;
+use crate::mesh::angle::sin_cos_degrees;
 use nalgebra::Point3;
 
 /// Squares along an edge.

@@ -6,7 +6,7 @@ mod objects;
 mod tables;
 
 use super::motion::Motion;
-use super::{sweep, Entry, Scene};
+use super::{Entry, Scene, sweep};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use tables::{Entries, SceneTable};

@@ -1,11 +1,11 @@
 //! What moves in a scene file.
 
+use super::Fault;
 use super::numbers::{finite, non_zero, number, pose, rotation, vector};
 use super::tables::{KeyTable, SceneTable, TrackTable, TrajectoryTable, TumbleTable};
-use super::Fault;
+use crate::scene::Object;
 use crate::scene::motion::{Motion, Tumble};
 use crate::scene::trajectory::{Key, Track, Trajectory};
-use crate::scene::Object;
 use nalgebra::Vector3;
 use toml::Spanned;
 

@@ -1,8 +1,8 @@
 //! Numbers and poses of a scene file. TOML can write `inf` and `nan`.
 
-use super::tables::PoseParts;
 use super::Fault;
-use crate::scene::pose::{about, Pose, Rotation};
+use super::tables::PoseParts;
+use crate::scene::pose::{Pose, Rotation, about};
 use nalgebra::{Matrix3, Vector3};
 use toml::Spanned;
 

@@ -1,8 +1,8 @@
 //! The objects of a scene file.
 
+use super::Fault;
 use super::numbers::pose;
 use super::tables::{ObjectTable, Scale, SceneTable};
-use super::Fault;
 use crate::mesh::{self, Findings, Mesh};
 use crate::scene::{Object, Pose};
 use std::collections::HashSet;

@@ -13,7 +13,7 @@ mod tree;
 pub use directions::Directions;
 pub use forest::Forest;
 pub use statistics::Statistics;
-pub use traverse::{first_hit, pairs, Scratch};
+pub use traverse::{Scratch, first_hit, pairs};
 pub use tree::DopTree;
 
 #[cfg(test)]

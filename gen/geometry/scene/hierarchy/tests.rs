@@ -3,9 +3,9 @@
 use super::realign::Realignment;
 use super::tree::scaled;
 use super::*;
-use crate::exact::{posed_pair, Exact};
-use crate::mesh::{headlight, Mesh};
-use crate::scene::pose::{axis_angle, Pose};
+use crate::exact::{Exact, posed_pair};
+use crate::mesh::{Mesh, headlight};
+use crate::scene::pose::{Pose, axis_angle};
 use crate::scene::tree::Node;
 use nalgebra::{Matrix3, Point3, Vector3};
 use num_bigint::BigInt;
@@ -24,11 +24,7 @@ fn rational(x: f64) -> BigRational {
 fn power_of_two(exponent: i32) -> BigRational {
     let one = BigRational::from_integer(1.into());
     let power = BigRational::from_integer(BigInt::from(1) << exponent.unsigned_abs());
-    if exponent < 0 {
-        one / power
-    } else {
-        power
-    }
+    if exponent < 0 { one / power } else { power }
 }
 
 /// A mesh of `count` triangles with corners on a coarse grid around a point, so that they often touch exactly.

@@ -141,11 +141,7 @@ fn mixed(seed: u64, count: usize) -> Vec<Points> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let pair = |i: usize| {
         let points = KINDS[i % KINDS.len()](&mut rng);
-        if rng.random_range(0..16) == 0 {
-            scaled(&mut rng, &points)
-        } else {
-            points
-        }
+        if rng.random_range(0..16) == 0 { scaled(&mut rng, &points) } else { points }
     };
     (0..count).map(pair).collect()
 }

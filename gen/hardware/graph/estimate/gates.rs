@@ -123,11 +123,7 @@ impl Gates {
             a if a == b => Bit::ZERO,
             a => self.make(Gate::Xor(a, b)),
         };
-        if odd {
-            !even
-        } else {
-            even
-        }
+        if odd { !even } else { even }
     }
 
     pub fn mux(&mut self, select: Bit, set: Bit, clear: Bit) -> Bit {

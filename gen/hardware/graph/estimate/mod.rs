@@ -24,7 +24,7 @@ use cover::Passages;
 use gates::{Bit, Gate};
 use registers::{Control, Registers};
 use std::collections::{HashMap, VecDeque};
-use words::{number, Source, Words};
+use words::{Source, Words, number};
 
 /// The resources of one module by itself, without its instances.
 pub fn own(module: &Module, device: &Device) -> Resources {

@@ -1,6 +1,6 @@
 //! The outline of a VHDL file: ports, declarations, and who assigns what where.
 
-use super::token::{tokens, Kind, Token};
+use super::token::{Kind, Token, tokens};
 
 /// Tokens in a row.
 pub(super) type Part = std::ops::Range<usize>;

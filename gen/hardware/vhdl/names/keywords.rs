@@ -70,12 +70,10 @@ mod tests {
         assert!(all.iter().all(|word| word.chars().all(|c| c.is_ascii_lowercase() || c.is_ascii_digit() || c == '_')));
         assert_eq!(all.iter().collect::<BTreeSet<_>>().len(), all.len(), "a word stands twice");
         // Verilog-2005 has 124 words and SystemVerilog-2017 has 248, some of which are keywords above.
-        let verilog =
-            "always and begin case default else end for force function generate if inout library nand nor not \
+        let verilog = "always and begin case default else end for force function generate if inout library nand nor not \
             or parameter release use wait while xnor xor";
         assert_eq!(words(6).count() + verilog.split_ascii_whitespace().count(), 124);
-        let system =
-            "alias assert assume before const context cover eventually new null package property protected pure \
+        let system = "alias assert assume before const context cover eventually new null package property protected pure \
             restrict return sequence static strong type union until with within";
         assert_eq!(words(7).count() + system.split_ascii_whitespace().count() + 124, 248);
         let above: BTreeSet<&str> = all.into_iter().collect();

@@ -37,7 +37,7 @@ pub use stand_in::StandIn;
 
 use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
 use crate::host::{self, SceneHost};
-use crate::params::stream::{verdict_status, Kind, Report, StreamFormat, StreamWidth};
+use crate::params::stream::{Kind, Report, StreamFormat, StreamWidth, verdict_status};
 use crate::params::{ParamError, Params, Transform};
 
 /// One word of a stream and its TLAST.

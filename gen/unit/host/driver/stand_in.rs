@@ -2,7 +2,7 @@
 
 use super::Transfer;
 use crate::golden::{Golden, Input, Pair, Pose, Verdict};
-use crate::params::stream::{verdict_status, AnswerFields, Kind, Report, StreamFormat, StreamWidth, BYPASS_AT, TAG_AT};
+use crate::params::stream::{AnswerFields, BYPASS_AT, Kind, Report, StreamFormat, StreamWidth, TAG_AT, verdict_status};
 use crate::params::{ParamError, Params, Transform, Upper};
 
 /// Answers words as the wrapped unit does, to test what drives it. The state is what wrapper and unit keep: the pose.
