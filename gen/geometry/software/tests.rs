@@ -225,7 +225,7 @@ fn hard_cases() {
             let triangle = |key: &str| serde_json::from_value::<[[f64; 3]; 3]>(case[key].clone()).unwrap();
             let ([a0, a1, a2], [b0, b1, b2]) = (triangle("a"), triangle("b"));
             let contact = case["closed"].as_bool().unwrap();
-            
+
             orders(&[a0, a1, a2, b0, b1, b2]).any(|points| test.intersect(&points) != contact)
         };
         cases.iter().filter(fails).map(|case| case["name"].as_str().unwrap()).collect()
