@@ -12,7 +12,7 @@ use efsat::host::{Host, loose_pair};
 use efsat::params::Params;
 use efsat::sample::random_points;
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
 
 const PAIRS: usize = 4096;
 

@@ -15,8 +15,8 @@ use efsat::params::Params;
 use efsat::scene::Scene;
 use efsat::software::retest::{retest, retest_batch};
 use efsat::software::{Test, robbins_whitesides};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 
 type Points = [[f64; 3]; 6];
 

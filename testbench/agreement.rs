@@ -92,7 +92,7 @@ fn varied(others: &Params) -> Vec<Case> {
 }
 
 fn combined(count: usize) -> Vec<Case> {
-    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(2009);
+    let mut rng = rand::rngs::ChaCha8Rng::seed_from_u64(2009);
     let mut cases = vec![];
     while cases.len() < count {
         let axes = *[Axes::Eleven, Axes::Seventeen].choose(&mut rng).unwrap();

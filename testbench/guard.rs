@@ -11,7 +11,7 @@ use efsat::host::sample;
 use efsat::params::options::Choice;
 use efsat::params::{Guard, Params, Transform, Upper};
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
 
 /// Whether the host would send the number: the real number that it stands for is within the bound.

@@ -90,7 +90,7 @@ fn expected(p: &Params, pose: &Pose, pair: &Pair) -> [i128; 3] {
 
 /// Pairs that are answered differently under the two poses, and the poses.
 fn telling(p: &Params) -> (Pose, Pose, Vec<Pair>) {
-    let mut rng = rand_chacha::ChaCha8Rng::seed_from_u64(4);
+    let mut rng = rand::rngs::ChaCha8Rng::seed_from_u64(4);
     let [first, second] = [0, 1].map(|_| {
         loop {
             let pose = sample::random_pose(&mut rng, p);

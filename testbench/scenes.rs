@@ -10,7 +10,7 @@ use efsat::params::Params;
 use efsat::sample::random_points;
 use efsat::scene::{BroadPhase, Meeting, Scene, load};
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
 use serde_json::Value;
 use std::collections::HashMap;

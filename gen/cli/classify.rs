@@ -14,7 +14,7 @@ use crate::sample::random_points;
 use crate::scene::{Meeting, Scene};
 use indicatif::ProgressBar;
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};

@@ -18,7 +18,7 @@ use crate::scene::{Frame, Scene};
 use crate::software::Test;
 use indicatif::ProgressBar;
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
 use std::convert::Infallible;
 use std::path::PathBuf;

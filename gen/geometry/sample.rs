@@ -2,8 +2,8 @@
 //! generator's state only, so a seed names its pairs on every machine.
 
 use nalgebra::Vector3;
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 use crate::Points;
 

@@ -3,8 +3,8 @@
 use super::{Bench, Bounds, at, intervals, tuples, values};
 use efsat::design::comparator;
 use efsat::params::Projections;
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use std::collections::HashSet;
 
 /// All images (least and greatest projection) that three true projections can have, duplicates being equal.

@@ -4,8 +4,8 @@ use super::{Bench, Bounds, at, contains, intervals, product, sign_case, sign_cas
 use efsat::design::multiply;
 use efsat::design::multiply::Span;
 use efsat::graph::Type;
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use std::collections::HashSet;
 
 #[test]

@@ -6,8 +6,8 @@ use efsat::design::{interval, transform_row};
 use efsat::graph::{Builder, Rate};
 use efsat::number::Upper;
 use efsat::params::{Params, Transform};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// The least widths at which inputs have fraction bits.

@@ -218,11 +218,11 @@ fn share(
             tally.add(verdict, verdicts[0]);
             tally.host_decided += u64::from(host_decided);
         }
-        if let Some([with, without]) = in_plane {
-            if verdicts[without] == Verdict::PossiblyIncorrect {
-                measured.coplanar += u64::from(met.is_coplanar(without, pair));
-                measured.in_plane += u64::from(verdicts[with] != Verdict::PossiblyIncorrect);
-            }
+        if let Some([with, without]) = in_plane
+            && verdicts[without] == Verdict::PossiblyIncorrect
+        {
+            measured.coplanar += u64::from(met.is_coplanar(without, pair));
+            measured.in_plane += u64::from(verdicts[with] != Verdict::PossiblyIncorrect);
         }
     }
     measured

@@ -117,7 +117,7 @@ fn is_code(line: &str, from: usize, to: usize) -> bool {
     let word = |c: char| c.is_alphanumeric() || c == '_' || c == '(';
     // `.lo` is a bound, `.lower` is not.
     let ends = !line[from..to].starts_with('.') || line[from..to].ends_with('(') || !line[to..].starts_with(word);
-    quotes % 2 == 0 && !comment && ends
+    quotes.is_multiple_of(2) && !comment && ends
 }
 
 /// Whole numbers of the code; lengths of arrays and parts of names and of other numbers are none.

@@ -10,8 +10,8 @@ use efsat_hardware::number::Interval;
 use efsat_unit::artefact::Stimulus;
 use efsat_unit::golden::{Golden, Input, Pair, Pose};
 use efsat_unit::params::{Params, Transform};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashSet};
 

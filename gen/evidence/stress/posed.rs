@@ -3,8 +3,8 @@
 use super::families::power_of_two;
 use efsat_geometry::Points;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 /// x to M * x + t; twelve finite numbers, taken as exact.
 #[derive(Clone, Copy, Debug, PartialEq)]

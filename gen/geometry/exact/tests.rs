@@ -1,7 +1,7 @@
 //! Two formulations against each other and against a third, the definition; and against what is known by hand.
 
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 
 use super::{Exact, Relation, linear_programme, posed_relation, relation};
 

@@ -4,8 +4,10 @@
 use super::error::Fault;
 use super::{Defect, Mesh, Parsed};
 use nalgebra::Point3;
-use ply_rs_bw::parser::Parser;
-use ply_rs_bw::ply::{ElementDef, Encoding, Header, Property, PropertyAccess, PropertyType, ScalarType};
+use ply_rs_bw::parser::{ParseError, Parser, Reader};
+use ply_rs_bw::ply::{
+    ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
+};
 
 const HEADER: &str = "legal is a PLY header with the elements vertex (x, y, z) and face (vertex_indices)";
 const ELEMENT: &str = "legal are the numbers that the header declares";
@@ -24,12 +26,15 @@ impl PropertyAccess for Element {
         Self::default()
     }
 
-    fn set_property(&mut self, name: &str, property: Property) {
+    fn set_property(&mut self, name: &str, property: Property) -> PropertyAccessResult {
         if let Some(axis) = ["x", "y", "z"].iter().position(|axis| *axis == name) {
             self.point[axis] = scalar(&property);
         } else if is_corners(name) {
             self.corners = list(&property);
+        } else {
+            return PropertyAccessResult::Ignored;
         }
+        PropertyAccessResult::Set
     }
 }
 
@@ -69,8 +74,9 @@ fn list(property: &Property) -> Vec<i64> {
 /// Reads the bytes of a PLY file. A face of more than three corners becomes the triangle fan of its first one.
 pub(super) fn parse(bytes: &[u8]) -> Result<Parsed, Fault> {
     let parser = Parser::<Element>::new();
-    let mut rest = bytes;
-    let header = parser.read_header(&mut rest).map_err(|e| header_fault(&e.to_string()))?;
+    let mut reader = Reader::new(bytes);
+    let header = parser.read_header(&mut reader).map_err(|e| header_fault(&e.to_string()))?;
+    let rest = reader.into_inner();
     check(&header)?;
     let mut payload = Payload { lines: 1 + newlines(&bytes[..bytes.len() - rest.len()]), rest, header: &header };
     let (mut vertices, mut faces) = (vec![], vec![]);
@@ -184,7 +190,7 @@ impl Payload<'_> {
         self.rest = rest;
         self.lines += 1;
         // The crate's messages run over several lines; the last one says what is wrong.
-        let brief = |e: std::io::Error| fault(e.to_string().lines().last().unwrap_or_default().trim().to_owned());
+        let brief = |e: ParseError| fault(e.to_string().lines().last().unwrap_or_default().trim().to_owned());
         match self.header.encoding {
             Encoding::Ascii => {
                 let text = String::from_utf8_lossy(bytes);

@@ -1,8 +1,8 @@
 //! Tests of the readers: the formats, and every way a file can be wrong.
 
 use super::*;
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use std::io::Write;
 use std::sync::Arc;
 

@@ -80,8 +80,8 @@ fn disjoint(x: &Bounds, y: &Bounds) -> bool {
 mod tests {
     use super::*;
     use nalgebra::Point3;
-    use rand::{Rng, SeedableRng};
-    use rand_chacha::ChaCha8Rng;
+    use rand::rngs::ChaCha8Rng;
+    use rand::{RngExt, SeedableRng};
 
     #[test]
     fn sort_and_sweep_finds_what_brute_force_finds() {

@@ -5,8 +5,8 @@ use crate::mesh::{self, Bounds, Defect};
 use nalgebra::{Matrix3, Point3, Vector3};
 use num_bigint::BigInt;
 use num_traits::Float;
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use std::path::Path;
 
 fn scene_folder() -> std::path::PathBuf {
@@ -429,7 +429,7 @@ fn the_tree_agrees_with_brute_force_on_the_headlight() {
     let boxes = |mesh: &Mesh| (0..mesh.faces.len()).map(|i| mesh::Bounds::of(&mesh.triangle(i))).collect::<Vec<_>>();
     let (a, b) = (boxes(fixed), boxes(&moved));
     // Every fifth triangle of A: the rest would only cost time.
-    let tested = |p: usize| p % 5 == 0;
+    let tested = |p: usize| p.is_multiple_of(5);
     let pairs = broad_phase.pairs(&meeting);
     let found: std::collections::BTreeSet<_> = pairs.into_iter().filter(|&(p, _)| tested(p as usize)).collect();
     assert!(!found.is_empty());

@@ -359,10 +359,10 @@ impl ModuleBuilder {
             }
             let driver = &module.signals[id.0].driver;
             stack.extend(driver.operands());
-            if let Driver::Instance { instance, .. } = driver {
-                if !std::mem::replace(&mut instances[*instance], true) {
-                    stack.extend(&module.instances[*instance].inputs);
-                }
+            if let Driver::Instance { instance, .. } = driver
+                && !std::mem::replace(&mut instances[*instance], true)
+            {
+                stack.extend(&module.instances[*instance].inputs);
             }
         }
         assert!(instances.iter().all(|used| *used), "module {}: an instance is not used", module.name);

@@ -152,9 +152,13 @@ pub(super) fn text(design: &Design, format: Option<&StreamFormat>, command_line:
                 derivation: row.derivation.clone(),
             })
             .collect(),
-        files: files.iter().map(|(name, text)| (name, format!("{:x}", Sha256::digest(text)))).collect(),
+        files: files.iter().map(|(name, text)| (name, digest(text))).collect(),
     };
     serde_json::to_string_pretty(&manifest).expect("keys are strings and numbers are finite")
+}
+
+fn digest(text: &str) -> String {
+    Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The files that a manifest of ours names; none if the text is no manifest of ours.

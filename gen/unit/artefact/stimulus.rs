@@ -4,8 +4,8 @@ use super::Stimulus;
 use crate::golden::Pose;
 use crate::host::sample::{self, Outside};
 use crate::params::{Params, Transform};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 
 /// Pairs under one pose.
 const SEGMENT: usize = 16;

@@ -7,10 +7,10 @@
 use std::collections::HashMap;
 
 use num_bigint::BigInt;
-use num_rational::BigRational;
+use num_rational::Ratio;
 use num_traits::{One, Zero};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 
 use super::interval::{Rounding, product};
 use super::verdict::Enclosure;
@@ -252,7 +252,7 @@ fn the_fast_verdict_is_the_outcomes() {
     assert!(seen.iter().all(|&n| n > 500), "{seen:?}");
 }
 
-type Real = BigRational;
+type Real = Ratio<BigInt>;
 
 fn power_of_two(exponent: i32) -> Real {
     let power = Real::from_integer(BigInt::one() << exponent.unsigned_abs());

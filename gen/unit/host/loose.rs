@@ -86,8 +86,8 @@ fn normalised<Z: Whole>(numbers: &[[(i64, i32); 3]; 6], grid: i32, fraction: i32
 
 #[cfg(test)]
 mod tests {
-    use rand::{Rng, SeedableRng};
-    use rand_chacha::ChaCha8Rng;
+    use rand::rngs::ChaCha8Rng;
+    use rand::{RngExt, SeedableRng};
 
     use super::*;
     use efsat_geometry::sample;

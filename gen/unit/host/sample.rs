@@ -7,8 +7,8 @@
 use efsat_geometry::Points;
 use efsat_geometry::sample::{shape, signed};
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 use crate::golden::{Input, Pair, Pose};
 use crate::params::{Params, Transform, Upper};

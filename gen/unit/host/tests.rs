@@ -4,20 +4,22 @@
 #![allow(clippy::needless_range_loop)]
 
 use num_bigint::BigInt;
-use num_rational::BigRational;
+use num_rational::Ratio;
+use num_traits::float::FloatCore;
 use num_traits::{One, Signed, Zero};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 
 use super::{Host, SceneHost, loose_pair};
 use crate::golden::{Input, Pair, Pose, Verdict};
 use crate::params::{Params, Transform};
 use efsat_geometry::sample;
 
-type Real = BigRational;
+type Real = Ratio<BigInt>;
 
 fn real(x: f64) -> Real {
-    Real::from_float(x).unwrap()
+    let (mantissa, exponent, sign) = x.integer_decode();
+    Real::from_integer(BigInt::from(mantissa) * sign) * two_to(exponent.into())
 }
 
 fn two_to(power: i64) -> Real {

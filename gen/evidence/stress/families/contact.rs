@@ -1,8 +1,8 @@
 //! The classic contacts on a lattice: exactly touching, and swept through the contact by steps of a power of two.
 
 use super::draw::{Point, Triangle, direction, lattice_triangle, main_direction, normal, pick, power_of_two, whole};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 /// Weights are multiples of 1/PARTS and vertices of A multiples of PARTS, so that points of A are whole.
 const PARTS: i32 = 16;

@@ -1,8 +1,8 @@
 //! Pairs in one plane. The plane carries a lattice, so that all six points are on it exactly.
 
 use super::draw::{Point, Triangle, direction, lattice_point, pick, signed, triangle, whole};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 /// The plane of `origin + p u + q v` for whole p and q.
 pub(super) struct Plane {

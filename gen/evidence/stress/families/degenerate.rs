@@ -1,8 +1,8 @@
 //! Segments, points and colinear triangles against each other and against proper triangles, half of them in contact.
 
 use super::draw::{Point, Triangle, direction, lattice_point, lattice_triangle, pick, whole};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 /// Weights are quarters and points multiples of four, so that contacts are exact.
 const PARTS: i32 = 4;

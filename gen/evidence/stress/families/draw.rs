@@ -4,8 +4,8 @@
 //! whole or have few fraction bits: sums of them are exact, which keeps a contact exact and a pair movable.
 
 use nalgebra::Vector3;
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 use std::ops::RangeInclusive;
 
 pub(super) type Point = Vector3<f64>;

@@ -2,8 +2,8 @@
 
 use super::contact;
 use super::draw::{Point, Triangle, fine, nudged, pick, point_of, power_of_two, signed, triangle, whole};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 /// One of the contacts on a lattice, exact or swept by a step that is a whole number; coordinates below 2^11.
 fn lattice_contact(rng: &mut ChaCha8Rng) -> [Triangle; 2] {

@@ -1,8 +1,8 @@
 //! Small axis-aligned grids, where every coincidence happens often.
 
 use super::draw::{Point, Triangle, lattice_point, pick, whole};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 fn on(rng: &mut ChaCha8Rng, reach: i32) -> [Triangle; 2] {
     [(); 2].map(|()| [(); 3].map(|()| lattice_point(rng, reach)))

@@ -16,7 +16,7 @@ use draw::{Point, Triangle};
 use efsat_geometry::Points;
 use efsat_geometry::sample;
 use rand::SeedableRng;
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
 
 pub(super) use draw::power_of_two;
 

@@ -2,8 +2,8 @@
 
 use super::coplanar::Plane;
 use super::draw::{Triangle, direction, fine, lattice_point, lattice_triangle, pick, whole};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 /// Exactly parallel planes, one to eight steps of a power of two apart.
 pub(super) fn planes(rng: &mut ChaCha8Rng) -> [Triangle; 2] {

@@ -1,8 +1,8 @@
 //! Sizes and distances far apart.
 
 use super::draw::{Point, Triangle, brought_near, fine, point, power_of_two, triangle};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 /// B is 2^-8 to 2^-45 of A and close to it.
 pub(super) fn tiny_against_huge(rng: &mut ChaCha8Rng) -> [Triangle; 2] {

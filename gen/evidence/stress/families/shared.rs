@@ -1,8 +1,8 @@
 //! Neighbours in a mesh: one, two or three common vertices, exactly or but for a few units in the last place.
 
 use super::draw::{Point, Triangle, fine, lattice_triangle, nudged, pick, point, triangle, whole};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 /// Two triangles of which the first `common` vertices agree, on a lattice or anywhere; B's vertices then turned round.
 fn neighbours(rng: &mut ChaCha8Rng, common: usize, off: impl Fn(&mut ChaCha8Rng, Point) -> Point) -> [Triangle; 2] {

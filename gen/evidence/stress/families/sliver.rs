@@ -1,8 +1,8 @@
 //! Needles: triangles whose height is a tiny part of their length.
 
 use super::draw::{Point, Triangle, brought_near, fine, point, triangle};
-use rand::Rng;
-use rand_chacha::ChaCha8Rng;
+use rand::RngExt;
+use rand::rngs::ChaCha8Rng;
 
 /// A triangle of length about 1 and a height of 2^-5 to 2^-50, its third vertex anywhere along it.
 fn sliver(rng: &mut ChaCha8Rng) -> Triangle {

@@ -9,21 +9,25 @@ use crate::scene::pose::{Pose, axis_angle};
 use crate::scene::tree::Node;
 use nalgebra::{Matrix3, Point3, Vector3};
 use num_bigint::BigInt;
-use num_rational::BigRational;
+use num_rational::Ratio;
+use num_traits::float::FloatCore;
 use num_traits::{Signed, Zero};
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 
 /// Beyond it offsets are clamped.
 const FAR: i32 = 1 << 28;
 
-fn rational(x: f64) -> BigRational {
-    BigRational::from_float(x).expect("finite")
+type Rational = Ratio<BigInt>;
+
+fn rational(x: f64) -> Rational {
+    let (mantissa, exponent, sign) = x.integer_decode();
+    Rational::from_integer(BigInt::from(mantissa) * sign) * power_of_two(exponent.into())
 }
 
-fn power_of_two(exponent: i32) -> BigRational {
-    let one = BigRational::from_integer(1.into());
-    let power = BigRational::from_integer(BigInt::from(1) << exponent.unsigned_abs());
+fn power_of_two(exponent: i32) -> Rational {
+    let one = Rational::from_integer(1.into());
+    let power = Rational::from_integer(BigInt::from(1) << exponent.unsigned_abs());
     if exponent < 0 { one / power } else { power }
 }
 
@@ -94,13 +98,13 @@ fn triangles_of(tree: &DopTree) -> Vec<Vec<u32>> {
 }
 
 /// The greatest h . (M x + t - c), in steps of a grid, exactly.
-fn exact_offset(points: &[Point3<f64>], h: [i8; 3], pose: &Pose, centre: &Point3<f64>, exponent: i32) -> BigRational {
+fn exact_offset(points: &[Point3<f64>], h: [i8; 3], pose: &Pose, centre: &Point3<f64>, exponent: i32) -> Rational {
     let image = |x: &Point3<f64>| {
-        (0..3).fold(BigRational::zero(), |sum, i| {
+        (0..3).fold(Rational::zero(), |sum, i| {
             let row = (0..3).fold(rational(pose.translation[i]) - rational(centre[i]), |row, j| {
                 row + rational(pose.rotation[(i, j)]) * rational(x[j])
             });
-            sum + row * BigRational::from_integer(h[i].into())
+            sum + row * Rational::from_integer(h[i].into())
         })
     };
     points.iter().map(image).max().expect("a triangle has corners") / power_of_two(exponent)
@@ -126,10 +130,10 @@ fn realigned_offsets_hold_what_is_in_them() {
                 let points: Vec<_> = triangles.iter().flat_map(|&face| meshes[1].triangle(face as usize)).collect();
                 for (index, &offset) in offsets.iter().enumerate().filter(|(_, offset)| **offset < FAR) {
                     let exact = exact_offset(&points, set.vector(index), &pose, &a.centre, a.exponent);
-                    let excess = BigRational::from_integer(offset.into()) - exact;
+                    let excess = Rational::from_integer(offset.into()) - exact;
                     assert!(!excess.is_negative(), "round {round}, {set:?}, node {node}, direction {index}");
                     compared += 1;
-                    tight += u32::from(excess < BigRational::from_integer(64.into()));
+                    tight += u32::from(excess < Rational::from_integer(64.into()));
                 }
             }
             // The offsets of A itself are those of the identity, but for the rounding.
@@ -137,8 +141,8 @@ fn realigned_offsets_hold_what_is_in_them() {
                 let points: Vec<_> = triangles.iter().flat_map(|&face| meshes[0].triangle(face as usize)).collect();
                 for (index, &offset) in a.dop(node).iter().enumerate() {
                     let exact = exact_offset(&points, set.vector(index), &Pose::identity(), &a.centre, a.exponent);
-                    let excess = BigRational::from_integer(offset.into()) - exact;
-                    assert!(!excess.is_negative() && excess < BigRational::from_integer(2.into()));
+                    let excess = Rational::from_integer(offset.into()) - exact;
+                    assert!(!excess.is_negative() && excess < Rational::from_integer(2.into()));
                 }
             }
         }

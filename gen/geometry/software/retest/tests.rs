@@ -1,7 +1,7 @@
 //! The retest and each of its stages against the oracle.
 
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 
 use super::{retest, retest_batch, retest_parallel};

@@ -226,7 +226,7 @@ impl Driver {
     /// Bytes that are no whole words.
     pub fn packet(&self, bytes: &[u8]) -> Result<Vec<Transfer>, DriverError> {
         let word = self.format.answer_width() as usize / 8;
-        if bytes.len() % word != 0 {
+        if !bytes.len().is_multiple_of(word) {
             return Err(DriverError::Bytes { found: bytes.len(), word });
         }
         let data = |bytes: &[u8]| bytes.iter().rev().fold(0, |data, byte| data << 8 | u128::from(*byte));

@@ -65,7 +65,7 @@ impl StandIn {
                     let data = self.format.answer(&self.verdict(record));
                     answers.push(Transfer { data, last: false });
                 }
-                if !body.is_empty() && body.len() % size == 0 {
+                if !body.is_empty() && body.len().is_multiple_of(size) {
                     answers.last_mut().expect("an answer a record").last = true;
                     return;
                 }

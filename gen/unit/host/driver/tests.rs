@@ -6,8 +6,8 @@ use crate::params::stream::{Report, StreamWidth};
 use crate::params::{Axes, Params, Transform, Upper};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample;
-use rand::{Rng, SeedableRng};
-use rand_chacha::ChaCha8Rng;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 
 const WIDTHS: [StreamWidth; 3] = [StreamWidth::Bits32, StreamWidth::Bits64, StreamWidth::Bits128];
 
