@@ -1,8 +1,5 @@
 //! Making and simulating the default design.
 
-// `criterion_group!` makes a public function.
-#![allow(missing_docs)]
-
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use efsat::artefact::{self, Stimulus};
 use efsat::cosim::{self, Options, Simulator};

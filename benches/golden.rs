@@ -1,8 +1,5 @@
 //! Speed of the reference model and of the exact oracle on random pairs: pairs per second on one core.
 
-// `criterion_group!` makes a public function.
-#![allow(missing_docs)]
-
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};

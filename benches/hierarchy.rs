@@ -1,9 +1,6 @@
 //! Speed of the k-DOP hierarchy on two meshes of 20,000 triangles, and a guard: a tumbling turn of 1000 poses must take
 //! less than a minute on the cores at hand.
 
-// `criterion_group!` makes a public function.
-#![allow(missing_docs)]
-
 use criterion::{Criterion, criterion_group, criterion_main};
 use efsat::mesh::Mesh;
 use efsat::scene::hierarchy::{Directions, DopTree, Scratch, pairs};

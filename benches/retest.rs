@@ -2,9 +2,6 @@
 //!
 //! Divide a time by the number of pairs, which is the throughput's element.
 
-// `criterion_group!` makes a public function.
-#![allow(missing_docs)]
-
 use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
