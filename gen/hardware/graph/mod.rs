@@ -1,7 +1,7 @@
 //! The hardware description: typed nodes in units, and their readers.
 //!
 //! A [`Unit`] is a named dataflow graph with ports; units contain instances of units. Time enters in two steps only.
-//! A pair of triangles occupies a *slot* of `interval` clocks (the initiation interval); a node is either *per pair*
+//! A set of inputs, a pair, occupies a *slot* of `interval` clocks (the initiation interval); a node is either *per pair*
 //! (one value, held for the slot) or *per phase* (another value in each clock of the slot). [`Builder::choose`] brings
 //! per-pair values into phases, [`Builder::hold`] takes one phase out: resource sharing is written with these two
 //! and nothing else. Clocks proper appear only when a unit is [scheduled](schedule).
@@ -11,7 +11,7 @@
 //! * [`range`]: static range analysis, the proof that nothing overflows;
 //! * [`schedule`], [`lower`] and [`netlist`]: clocks, registers, modules;
 //! * [`simulate`]: the modules, clock by clock;
-//! * the `vhdl` room: the modules, as text.
+//! * [`vhdl`](crate::vhdl): the modules, as text.
 
 mod constraints;
 mod cut;

@@ -140,7 +140,7 @@ impl Settings {
     /// The settings of a scene that was read from a file.
     ///
     /// # Errors
-    /// An entry that says nothing: what was found and what is legal.
+    /// An entry that is not understood: what was found and what is expected.
     pub fn of(scene: &Scene, file: &Path) -> Result<Self, SceneError> {
         let at = |line| move |message| SceneError { file: file.to_owned(), line: Some(line), message };
         let mut settings = Self::default();
