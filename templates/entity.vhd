@@ -1,15 +1,19 @@
 --------------------------------------------------------------------------------
-{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
-{% endfor -%}
+{%- for line in header %}
+--{% if line.len() > 0 %} {{ line }}{% endif %}
+{%- endfor %}
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+{%- if let Some(package) = package %}
+use work.{{ package }}.all;
+{%- endif %}
 
 entity {{ name }} is
   port (
 {%- for port in ports %}
-    {{ port.name }} : {{ port.direction }} {{ port.ty }}{% if !port.last %};{% endif %}{% if port.comment.len() > 0 %}  -- {{ port.comment }}{% endif %}
+    {{ port.text }}{% if port.comment.len() > 0 %}  -- {{ port.comment }}{% endif %}
 {%- endfor %}
   );
 end entity {{ name }};
@@ -19,42 +23,14 @@ architecture rtl of {{ name }} is
   {{ declaration.text }}{% if declaration.comment.len() > 0 %}  -- {{ declaration.comment }}{% endif %}
 {%- endfor %}
 begin
-{%- for stage in stages %}
-
-  -- ===== {{ stage.title }} =====
-{%- for assignment in stage.assignments %}
-{%- if assignment.comment.len() > 0 %}
-  -- {{ assignment.comment }}
+{%- for block in blocks %}
+{%- if block.heading.len() > 0 %}
+  -- {{ block.heading }}
 {%- endif %}
-{%- for line in assignment.lines %}
+{%- for line in block.lines %}
   {{ line }}
 {%- endfor %}
-{%- endfor %}
-{%- endfor %}
-{%- for instance in instances %}
-
-  {{ instance.label }} : entity work.{{ instance.entity }}
-    port map (
-{%- for connection in instance.connections %}
-      {{ connection.formal }} => {{ connection.actual }}{% if !connection.last %},{% endif %}
-{%- endfor %}
-    );
-{%- endfor %}
-{%- for process in processes %}
-
-  -- {{ process.title }}
-  {{ process.label }} : process (clk)
-  begin
-    if rising_edge(clk) then
-{%- for line in process.lines %}
-      {{ line }}
-{%- endfor %}
-    end if;
-  end process {{ process.label }};
-{%- endfor %}
-
-  -- ===== Outputs =====
-{%- for line in outputs %}
-  {{ line }}
+{%- if !loop.last %}
+{% endif %}
 {%- endfor %}
 end architecture rtl;

@@ -1,8 +1,18 @@
-//! Fixed-point dataflow designs: built as graphs with proven ranges, scheduled for a device, simulated, estimated, drawn
-//! and printed as VHDL-93.
+//! Fixed-point dataflow designs as hardware: built as graphs with proven ranges, scheduled for a device, lowered to
+//! netlists, simulated, estimated, drawn and printed as VHDL-93.
+//!
+//! A module knows those before it alone: [`number`], [`device`], [`expression`] (of VHDL), [`cells`], [`op`] (all there is
+//! to know of an operation), [`graph`] (the builder), [`schedule`], [`netlist`], and their readers [`estimate`], [`vhdl`]
+//! and [`diagram`].
 
+pub mod cells;
 pub mod device;
 pub mod diagram;
+pub mod estimate;
+pub mod expression;
 pub mod graph;
+pub mod netlist;
 pub mod number;
+pub mod op;
+pub mod schedule;
 pub mod vhdl;

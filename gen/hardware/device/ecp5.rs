@@ -31,7 +31,6 @@ static FABRIC: Fabric = Fabric {
     chain_levels: 2,
     carry_cell: 2,
     shortest_sum: 4,
-    shortest_comparison: 4,
     shortest_product: 0,
     multiplier_registers: MultiplierRegisters::Product,
     longest_shift: 0,
@@ -60,4 +59,5 @@ pub(super) const LFE5U_85: Device = Device {
     carry_bit: 0.07 / 2.0,
     // Set-up of the register behind the product.
     product: (3.49, 0.0),
+    product_behind_register: 0.0,
 };

@@ -15,8 +15,6 @@ pub struct Fabric {
     pub carry_cell: usize,
     /// Sums of at most this many bits are made of look-up tables.
     pub shortest_sum: usize,
-    /// Comparisons of at most this many groups of bits (single bits for [`Chains::Complete`]) are.
-    pub shortest_comparison: usize,
     /// Products of fewer bits are made of look-up tables.
     pub shortest_product: u32,
     /// Registers that a multiplier takes in.
@@ -54,7 +52,6 @@ pub(super) static SIX_INPUTS: Fabric = Fabric {
     chain_levels: 0,
     carry_cell: 4,
     shortest_sum: 2,
-    shortest_comparison: 2,
     shortest_product: 9,
     multiplier_registers: MultiplierRegisters::OperandsAndProduct,
     longest_shift: 32,

@@ -32,4 +32,5 @@ pub(super) const XC7A200T: Device = Device {
     carry: 0.124 + 0.533 + 0.337,
     carry_bit: 0.117 / 4.0,
     product: (4.036, 0.0),
+    product_behind_register: 1.5,
 };

@@ -26,4 +26,5 @@ pub(super) const XC6SLX150: Device = Device {
     carry: 0.70,
     carry_bit: 0.025,
     product: (3.2, 0.03),
+    product_behind_register: 1.5,
 };

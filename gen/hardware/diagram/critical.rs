@@ -1,7 +1,7 @@
 //! The critical path of a unit: the chain of nodes within one clock whose value arrives last.
 
 use crate::graph::Op;
-use crate::graph::schedule::Schedule;
+use crate::schedule::Schedule;
 
 /// The nodes of the path, last one first; empty where an instance holds a longer path than the unit's own nodes.
 pub(super) fn path(schedule: &Schedule) -> Vec<usize> {
@@ -12,8 +12,8 @@ pub(super) fn path(schedule: &Schedule) -> Vec<usize> {
         let (inner, name) = schedule.critical.1.split_once('.').unwrap_or_default();
         let holds = |i: &usize| match &schedule.unit.nodes[*i].op {
             Op::Instance(child) => child.name == inner,
-            // The first of the two clocks of a choice is longer than all that ends in a value.
-            _ => schedule.unit.name == inner && schedule.unit.nodes[*i].name == name,
+            // The first of the two clocks of a multiplexer is longer than all that ends in a value.
+            _ => schedule.unit.name == inner && schedule.unit.nodes[*i].name() == name,
         };
         return (0..slots.len()).find(holds).into_iter().collect();
     }

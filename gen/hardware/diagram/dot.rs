@@ -1,6 +1,7 @@
 //! A picture for Graphviz: one cluster a clock.
 
 use super::model::{Kind, Picture, Place};
+use crate::op;
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -34,7 +35,7 @@ impl Picture {
             if edge.critical {
                 style += ", color=\"#d55e00\", penwidth=2.5";
             }
-            if edge.lagged {
+            if edge.late {
                 style += ", style=dashed, constraint=false";
             }
             let _ = writeln!(out, "  n{} -> n{} [{style}];", edge.from, edge.to);
@@ -57,35 +58,41 @@ fn quoted(text: &str) -> String {
 }
 
 impl Kind {
-    /// All kinds.
-    pub const ALL: [Self; 8] =
-        [Self::Port, Self::Product, Self::Sum, Self::Comparison, Self::Choice, Self::Logic, Self::Wire, Self::Instance];
+    /// All kinds, in the order of the legend.
+    pub const ALL: [Self; 9] = [
+        Self::Port,
+        Self::Operation(op::Kind::Product),
+        Self::Operation(op::Kind::Sum),
+        Self::Operation(op::Kind::Comparison),
+        Self::Operation(op::Kind::Multiplexer),
+        Self::Operation(op::Kind::Logic),
+        Self::Operation(op::Kind::Wire),
+        Self::Sharing,
+        Self::Instance,
+    ];
 
-    /// The colour of its boxes: tints of Okabe and Ito's palette, which the colour-blind tell apart.
-    pub fn colour(self) -> &'static str {
+    /// Its fill colour, of tints of Okabe and Ito's palette that the colour-blind tell apart, and its name.
+    fn style(self) -> (&'static str, &'static str) {
         match self {
-            Self::Port => "#ffffff",
-            Self::Product => "#f5cf80",
-            Self::Sum => "#a9d6f2",
-            Self::Comparison => "#8fd1bd",
-            Self::Choice => "#e3bdd1",
-            Self::Logic => "#d4d4d4",
-            Self::Wire => "#f0f0f0",
-            Self::Instance => "#f7f1a8",
+            Self::Port => ("#ffffff", "port"),
+            Self::Operation(op::Kind::Product) => ("#f5cf80", "product"),
+            Self::Operation(op::Kind::Sum) => ("#a9d6f2", "sum"),
+            Self::Operation(op::Kind::Comparison) => ("#8fd1bd", "comparison"),
+            Self::Operation(op::Kind::Multiplexer) => ("#e3bdd1", "multiplexer"),
+            Self::Operation(op::Kind::Logic) => ("#d4d4d4", "logic"),
+            Self::Operation(op::Kind::Wire) => ("#f0f0f0", "wires"),
+            Self::Sharing => ("#f2dce7", "time sharing"),
+            Self::Instance => ("#f7f1a8", "instance"),
         }
     }
 
-    /// Its name in a legend.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Port => "port",
-            Self::Product => "product",
-            Self::Sum => "sum",
-            Self::Comparison => "comparison",
-            Self::Choice => "choice",
-            Self::Logic => "logic",
-            Self::Wire => "wires",
-            Self::Instance => "instance",
-        }
+    /// Its fill colour.
+    pub(super) fn colour(self) -> &'static str {
+        self.style().0
+    }
+
+    /// Its name in the legend.
+    pub(super) fn name(self) -> &'static str {
+        self.style().1
     }
 }

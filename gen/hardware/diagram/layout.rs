@@ -70,7 +70,7 @@ impl Layout {
 
     fn add_nets(&mut self, picture: &Picture) {
         let mut by_port: BTreeMap<(usize, &str), Vec<usize>> = BTreeMap::new();
-        for (e, edge) in picture.edges.iter().enumerate().filter(|(_, edge)| !edge.lagged) {
+        for (e, edge) in picture.edges.iter().enumerate().filter(|(_, edge)| !edge.late) {
             by_port.entry((edge.from, &edge.port)).or_default().push(e);
             self.pins[edge.to].push(e);
         }
@@ -209,7 +209,7 @@ fn boxes(picture: &Picture) -> (Vec<Item>, Vec<i32>) {
     for to in 0..places.len() {
         let inside = |e: &&super::Edge| {
             let from = &places[e.from];
-            e.to == to && !e.lagged && from.start == from.from && from.from == places[to].start
+            e.to == to && !e.late && from.start == from.from && from.from == places[to].start
         };
         level[to] = picture.edges.iter().filter(inside).map(|e| level[e.from] + 1).max().unwrap_or(0);
     }

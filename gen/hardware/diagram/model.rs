@@ -1,8 +1,9 @@
 //! What is to be seen of a schedule: boxes in clocks, and the values between them.
 
 use super::{critical, label};
-use crate::graph::schedule::{Schedule, Slot};
-use crate::graph::{Op, Rate, Type, Unit};
+use crate::graph::{Op, Rate};
+use crate::op::{self, Comb, Type};
+use crate::schedule::{Schedule, Slot};
 use std::collections::HashSet;
 
 /// What a box stands for; it sets the colour.
@@ -10,18 +11,10 @@ use std::collections::HashSet;
 pub enum Kind {
     /// An input or output of the unit.
     Port,
-    /// A product.
-    Product,
-    /// A sum, difference or negation.
-    Sum,
-    /// A comparison, minimum or maximum.
-    Comparison,
-    /// A choice.
-    Choice,
-    /// Logic on single bits, tables.
-    Logic,
-    /// Wires alone: rounding down, slices.
-    Wire,
+    /// A combinational operation.
+    Operation(op::Kind),
+    /// What time sharing takes: multiplexers by phase, captures.
+    Sharing,
     /// An instance of another unit.
     Instance,
 }
@@ -59,7 +52,7 @@ pub struct Edge {
     /// Registers on the way.
     pub registers: i32,
     /// Whether it is read an interval or more later, by a phase that comes before it in the picture.
-    pub lagged: bool,
+    pub late: bool,
     /// Whether it lies on the critical path.
     pub critical: bool,
 }
@@ -97,8 +90,6 @@ impl Picture {
 struct Maker<'a> {
     schedule: &'a Schedule,
     path: HashSet<usize>,
-    /// Nodes that some output depends on; the others are not built.
-    used: Vec<bool>,
     /// The box of each node, where it has one.
     boxes: Vec<Option<usize>>,
     picture: Picture,
@@ -116,20 +107,20 @@ impl<'a> Maker<'a> {
             edges: vec![],
         };
         let path = critical::path(schedule).into_iter().collect();
-        Self { schedule, path, used: used(unit), boxes: vec![None; unit.nodes.len()], picture }
+        Self { schedule, path, boxes: vec![None; unit.nodes.len()], picture }
     }
 
     fn picture(mut self, period: f64) -> Picture {
         let unit = &self.schedule.unit;
-        let shown: Vec<usize> = (0..unit.nodes.len()).filter(|i| self.shown(*i) && self.used[*i]).collect();
+        let shown: Vec<usize> = (0..unit.nodes.len()).filter(|i| self.shown(*i)).collect();
         for i in &shown {
             self.boxes[*i] = Some(self.picture.places.len());
             let slot = self.schedule.slots[*i];
-            let node = &unit.nodes[*i];
+            let (kind, operation) = label::operation(unit, *i);
             let place = Place {
-                name: node.name.clone(),
-                operation: label::operation(unit, *i),
-                kind: kind(&node.op),
+                name: unit.nodes[*i].name(),
+                operation,
+                kind,
                 start: if slot.start == i32::MIN { 0 } else { slot.start },
                 from: if slot.from == i32::MIN { 0 } else { slot.from },
                 ns: slot.ns,
@@ -140,16 +131,16 @@ impl<'a> Maker<'a> {
         for i in &shown {
             let node = &unit.nodes[*i];
             let start = self.schedule.slots[*i].start;
-            let registered = self.schedule.slots[*i].registered && !matches!(node.op, Op::Choose { .. });
+            let registered = self.schedule.slots[*i].registered && !matches!(node.op, Op::Mux { .. });
             for (place, arg) in node.args.iter().enumerate() {
-                let lagged = matches!(&node.op, Op::Choose { lagged } if place > 0 && lagged[place - 1]);
-                self.edge(arg.0, *i, start, registered, lagged);
+                let late = matches!(&node.op, Op::Mux { late } if place > 0 && late[place - 1]);
+                self.edge(arg.0, *i, start, registered, late);
             }
         }
         for (name, node) in &unit.outputs {
             let to = self.picture.places.len();
             let (latency, ns) = (self.schedule.latency, 0.0);
-            let (name, operation) = (name.clone(), "output".to_owned());
+            let (name, operation) = (name.to_string(), "output".to_owned());
             let (start, from, kind, critical) = (latency, latency, Kind::Port, false);
             self.picture.places.push(Place { name, operation, kind, start, from, ns, critical });
             self.connect(node.0, to, latency, false, false, false);
@@ -162,7 +153,10 @@ impl<'a> Maker<'a> {
     /// Whether a node has a box: constants, patterns of phases and what costs nothing have none.
     fn shown(&self, i: usize) -> bool {
         let unit = &self.schedule.unit;
-        let hidden = matches!(unit.nodes[i].op, Op::Constant(_) | Op::Phase(..) | Op::Resize(_) | Op::Output(_));
+        let hidden = matches!(
+            unit.nodes[i].op,
+            Op::Comb(Comb::Constant(_) | Comb::Resize(_)) | Op::Phase(_) | Op::Output(_)
+        );
         !hidden && !unit.renames(i)
     }
 
@@ -174,27 +168,27 @@ impl<'a> Maker<'a> {
         while !self.shown(i) && !unit.nodes[i].args.is_empty() {
             let node = &unit.nodes[i];
             if let (Op::Output(k), Op::Instance(child)) = (&node.op, &unit.node(node.args[0]).op) {
-                port = child.outputs[*k].0.clone();
+                port = child.outputs[*k].0.to_string();
             }
             i = node.args[0].0;
         }
         (i, ty, port)
     }
 
-    fn edge(&mut self, from: usize, to: usize, start: i32, registered: bool, lagged: bool) {
+    fn edge(&mut self, from: usize, to: usize, start: i32, registered: bool, late: bool) {
         let critical = self.path.contains(&from) && self.path.contains(&to);
         let Some(to) = self.boxes[to] else { return };
-        self.connect(from, to, start, registered, lagged, critical);
+        self.connect(from, to, start, registered, late, critical);
     }
 
-    fn connect(&mut self, from: usize, to: usize, start: i32, registered: bool, lagged: bool, critical: bool) {
+    fn connect(&mut self, from: usize, to: usize, start: i32, registered: bool, late: bool, critical: bool) {
         let (carrier, ty, port) = self.carrier(from);
         let Some(place) = self.boxes[carrier] else { return };
         let slot = self.schedule.slots[from];
         let rate = self.schedule.unit.nodes[from].rate;
-        let registers = if lagged { 0 } else { registers(slot, rate, start, registered, self.schedule.unit.interval) };
+        let registers = if late { 0 } else { registers(slot, rate, start, registered, self.schedule.unit.interval) };
         let critical = critical && registers == 0;
-        let edge = Edge { from: place, to, port, format: ty.to_string(), registers, lagged, critical };
+        let edge = Edge { from: place, to, port, format: ty.to_string(), registers, late, critical };
         if !self
             .picture
             .edges
@@ -214,18 +208,6 @@ fn first_sentence(doc: &[String]) -> String {
     end.map_or(text.clone(), |end| format!("{}.", &text[..end]))
 }
 
-/// Which nodes some output depends on, and the inputs.
-fn used(unit: &Unit) -> Vec<bool> {
-    let mut used: Vec<bool> = unit.nodes.iter().map(|node| matches!(node.op, Op::Input)).collect();
-    let mut open: Vec<usize> = unit.outputs.iter().map(|output| output.1.0).collect();
-    while let Some(i) = open.pop() {
-        if !std::mem::replace(&mut used[i], true) {
-            open.extend(unit.nodes[i].args.iter().map(|a| a.0));
-        }
-    }
-    used
-}
-
 /// Registers between a value and a use of it that starts in a clock.
 fn registers(slot: Slot, rate: Rate, start: i32, registered: bool, interval: usize) -> i32 {
     if slot.from == i32::MIN {
@@ -237,30 +219,5 @@ fn registers(slot: Slot, rate: Rate, start: i32, registered: bool, interval: usi
     } else {
         // Captured again once an interval.
         (start - slot.until) / interval.max(1) as i32 + 1
-    }
-}
-
-fn kind(op: &Op) -> Kind {
-    match op {
-        Op::Input => Kind::Port,
-        Op::Multiply => Kind::Product,
-        Op::Add | Op::Subtract | Op::Negate | Op::NegateIf | Op::Magnitude => Kind::Sum,
-        Op::Equal | Op::Clamp(..) => Kind::Comparison,
-        Op::Select | Op::Choose { .. } => Kind::Choice,
-        Op::And | Op::Or | Op::Not | Op::AnyBit | Op::Lookup(..) | Op::ScanOr => Kind::Logic,
-        Op::Instance(_) => Kind::Instance,
-        Op::Constant(_)
-        | Op::SignBit
-        | Op::Floor(_)
-        | Op::Append(_)
-        | Op::LowBits(_)
-        | Op::Resize(_)
-        | Op::Reinterpret(_)
-        | Op::Assert(..)
-        | Op::Fact(_)
-        | Op::Concatenate
-        | Op::Phase(..)
-        | Op::Hold { .. }
-        | Op::Output(_) => Kind::Wire,
     }
 }

@@ -108,7 +108,7 @@ impl Drawing<'_> {
         self.clocks(bottom + 14.0);
         self.title();
         for place in 0..self.picture.places.len() {
-            self.lagged(place);
+            self.late(place);
         }
         // The critical path is drawn last, over everything else.
         for critical in [false, true] {
@@ -252,10 +252,10 @@ impl Drawing<'_> {
     }
 
     /// Values that come from a later place of the picture: the name of where they come from.
-    fn lagged(&mut self, to: usize) {
+    fn late(&mut self, to: usize) {
         let picture = self.picture;
         let item = self.layout.items[to].clone();
-        let edges = picture.edges.iter().filter(|e| e.to == to && e.lagged);
+        let edges = picture.edges.iter().filter(|e| e.to == to && e.late);
         for (i, edge) in edges.enumerate() {
             let text = format!("from {}, an interval ago", picture.places[edge.from].name);
             let y = item.y + TOP + item.height / 2.0 + 9.0 * (i + 1) as f64;

@@ -26,7 +26,7 @@ impl Evaluator {
     /// Computes every node from the values of the top's inputs, in port order.
     ///
     /// # Panics
-    /// If a lemma is violated, see [`Op::Assert`].
+    /// If a lemma is violated, see [`Op::Assume`].
     pub fn run(&mut self, inputs: &[i128]) {
         let interval = self.flat.interval;
         let steps = std::mem::take(&mut self.flat.steps);
@@ -35,12 +35,12 @@ impl Evaluator {
         for step in &steps {
             let node = &self.flat.nodes[step.node];
             let value = match &node.op {
-                Op::Input => {
+                Op::Input { .. } => {
                     let port = self.flat.inputs.iter().position(|i| *i == step.node).expect("a top input");
                     inputs[port]
                 }
-                Op::Phase(values, _) => values[step.phase].unwrap_or(0),
-                Op::Hold { .. } | Op::Choose { .. } => {
+                Op::Phase(values) => values[step.phase].unwrap_or(0),
+                Op::Capture { .. } | Op::Mux { .. } | Op::Earlier(_) => {
                     let operand = self.flat.operands(*step)[0];
                     self.values[operand.node * interval + operand.phase]
                 }
@@ -56,7 +56,10 @@ impl Evaluator {
                         args.push(self.at(*a, step.phase));
                         types.push(self.flat.nodes[*a].ty);
                     }
-                    op.apply(&args, &types, node.ty)
+                    match op {
+                        Op::Comb(op) => op.value(&args, &types, node.ty),
+                        _ => known(op, &args, step.phase).unwrap_or_else(|why| panic!("{}: {why}", node.path)),
+                    }
                 }
             };
             self.values[step.node * interval + step.phase] = value;
@@ -78,4 +81,16 @@ impl Evaluator {
         let port = self.flat.units[0].output(name);
         self.at(self.flat.outputs[port], 0)
     }
+}
+
+/// The value of what is no hardware, its first operand, if what is known of it holds.
+fn known(op: &Op, args: &[i128], phase: usize) -> Result<i128, String> {
+    let holds = match op {
+        Op::Assume((least, most), _, phases) => {
+            phases.get(phase) == Some(&false) || (*least..=*most).contains(&args[0])
+        }
+        Op::Known(fact) => args[0] == fact.value(args),
+        _ => true,
+    };
+    if holds { Ok(args[0]) } else { Err(format!("{op:?} does not hold of {args:?}")) }
 }

@@ -1,6 +1,7 @@
 //! A unit with all its instances dissolved: one list of (node, phase) steps in an order in which operands come first.
 
-use super::{Op, Rate, Type, Unit};
+use super::{Op, Rate, Unit};
+use crate::op::{Comb, Constant, Type};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -46,21 +47,6 @@ pub struct Flat {
     /// Number of phases.
     pub interval: usize,
     top_names: HashMap<String, usize>,
-    /// Instance inputs: flat operand, the unit's index, the input's index, path.
-    pub bindings: Vec<Binding>,
-}
-
-/// An operand bound to an input port of an instance.
-#[derive(Clone, Debug)]
-pub struct Binding {
-    /// Flat operand.
-    pub arg: usize,
-    /// Unit instantiated, as index into [`Flat::units`].
-    pub unit: usize,
-    /// Input port, as index into its inputs.
-    pub input: usize,
-    /// Path of the instance.
-    pub path: String,
 }
 
 impl Flat {
@@ -74,13 +60,12 @@ impl Flat {
             outputs: vec![],
             interval: top.interval,
             top_names: HashMap::new(),
-            bindings: vec![],
         };
         let own = flat.dissolve(top, 0, "", None);
-        flat.inputs = top.inputs.iter().map(|i| own[i.node.0]).collect();
+        flat.inputs = top.inputs.iter().map(|i| own[i.0]).collect();
         flat.outputs = top.outputs.iter().map(|o| own[o.1.0]).collect();
         let names = top.nodes.iter().zip(&own).filter(|(_, flat)| **flat != usize::MAX);
-        flat.top_names = names.map(|(node, flat)| (node.name.clone(), *flat)).collect();
+        flat.top_names = names.map(|(node, flat)| (node.name(), *flat)).collect();
         flat.resolve_rates();
         flat.order();
         flat
@@ -102,22 +87,19 @@ impl Flat {
         let mut late: Vec<(usize, usize)> = vec![];
         if let Some(args) = args {
             for (input, arg) in unit.inputs.iter().zip(args) {
-                own[input.node.0] = *arg;
+                own[input.0] = *arg;
             }
         }
         for (i, node) in unit.nodes.iter().enumerate() {
-            let node_path = format!("{path}{}", node.name);
+            let node_path = format!("{path}{}", node.name());
             match &node.op {
-                Op::Input if args.is_some() => {}
+                Op::Input { .. } if args.is_some() => {}
                 Op::Instance(child) => {
                     let operands: Vec<usize> = node.args.iter().map(|a| own[a.0]).collect();
                     let child_index = self.units.iter().position(|u| Rc::ptr_eq(u, child)).unwrap_or_else(|| {
                         self.units.push(Rc::clone(child));
                         self.units.len() - 1
                     });
-                    for (input, arg) in operands.iter().enumerate() {
-                        self.bindings.push(Binding { arg: *arg, unit: child_index, input, path: node_path.clone() });
-                    }
                     let inner = self.dissolve(child, child_index, &format!("{node_path}."), Some(&operands));
                     instances.insert(i, child.outputs.iter().map(|o| inner[o.1.0]).collect());
                 }
@@ -137,7 +119,7 @@ impl Flat {
                 }
             }
         }
-        // Lagged legs may refer to nodes that came later.
+        // Late operands may refer to nodes that came later.
         for (i, flat) in late {
             self.nodes[flat].args = unit.nodes[i].args.iter().map(|a| own[a.0]).collect();
         }
@@ -149,7 +131,8 @@ impl Flat {
         for i in 0..self.nodes.len() {
             if self.nodes[i].rate == Rate::Any {
                 let joined = self.nodes[i].args.iter().filter(|a| **a < i).map(|a| self.nodes[*a].rate);
-                self.nodes[i].rate = joined.fold(Rate::Any, |r, a| r.join(a).unwrap_or(Rate::Phase));
+                self.nodes[i].rate =
+                    joined.fold(Rate::Any, |r, a| if r == Rate::Phase || a == Rate::Any { r } else { a });
             }
         }
     }
@@ -159,9 +142,11 @@ impl Flat {
         let node = &self.nodes[step.node];
         let at = |arg: usize, phase: usize| Step { node: arg, phase: if self.per_phase(arg) { phase } else { 0 } };
         match &node.op {
-            Op::Hold { phase, .. } => vec![at(node.args[0], *phase)],
-            Op::Choose { .. } => {
-                let leg = self.leg(node, step.phase);
+            Op::Capture { phase, .. } => vec![at(node.args[0], *phase)],
+            // Before the first phase there is nothing; what stands there has no meaning.
+            Op::Earlier(n) => vec![at(node.args[0], step.phase.saturating_sub(*n))],
+            Op::Mux { .. } => {
+                let leg = self.taken(node, step.phase);
                 vec![at(node.args[1 + leg], step.phase)]
             }
             Op::ScanOr => {
@@ -175,8 +160,8 @@ impl Flat {
         }
     }
 
-    fn leg(&self, choose: &FlatNode, phase: usize) -> usize {
-        pattern(&self.nodes[choose.args[0]].op, phase).unwrap_or(0)
+    fn taken(&self, mux: &FlatNode, phase: usize) -> usize {
+        pattern(&self.nodes[mux.args[0]].op, phase).unwrap_or(0)
     }
 
     fn order(&mut self) {
@@ -216,8 +201,8 @@ impl Flat {
 /// If the operation is neither.
 pub fn pattern(op: &Op, phase: usize) -> Option<usize> {
     match op {
-        Op::Phase(values, _) => values[phase].map(|v| v as usize),
-        Op::Constant(value) => Some(*value as usize),
-        other => panic!("a choice needs a phase pattern, found {other:?}"),
+        Op::Phase(values) => values[phase].map(|v| v as usize),
+        Op::Comb(Comb::Constant(Constant(value, _))) => Some(*value as usize),
+        other => panic!("expected a constant of each phase, found {other:?}"),
     }
 }

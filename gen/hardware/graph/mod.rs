@@ -1,31 +1,30 @@
-//! The hardware description: typed nodes in units, and their readers.
+//! The dataflow graph: nodes in units, written with copyable handles and bundles of them.
 //!
-//! A [`Unit`] is a named dataflow graph with ports; units contain instances of units. Time enters in two steps only.
-//! A set of inputs, a pair, occupies a *slot* of `interval` clocks (the initiation interval); a node is either *per pair*
-//! (one value, held for the slot) or *per phase* (another value in each clock of the slot). [`Builder::choose`] brings
-//! per-pair values into phases, [`Builder::hold`] takes one phase out: resource sharing is written with these two
-//! and nothing else. Clocks proper appear only when a unit is [scheduled](schedule).
+//! A [`Unit`] is a named graph with ports; units contain instances of units. Time enters in two steps only. A pair
+//! occupies a *slot* of `interval` clocks (the initiation interval), and a value is either *per pair* (held for the slot)
+//! or *per phase* (another one in each clock of the slot). A unit is shared over the phases with [`Phases`]: a value for
+//! each phase, from which operand multiplexers and capture registers follow. Clocks proper appear only when a unit is
+//! [scheduled](crate::schedule).
 //!
-//! Readers of one graph:
-//! * [`evaluate`]: untimed integers, every node in every phase;
-//! * [`range`]: static range analysis, the proof that nothing overflows;
-//! * [`schedule`], [`lower`] and [`netlist`]: clocks, registers, modules;
-//! * [`simulate`]: the modules, clock by clock;
-//! * [`vhdl`](crate::vhdl): the modules, as text.
+//! What a value is called follows from the structure: a [bundle](Bundle) is named as a whole, and what was given no name
+//! is called after what reads it. Every value's range is known when it is made, and one that does not fit is refused
+//! there.
 
-mod constraints;
-mod cut;
-pub mod estimate;
+mod build;
+mod bundle;
 pub mod evaluate;
 pub mod flat;
-pub mod lower;
-pub mod netlist;
-pub mod op;
-pub mod programme;
-pub mod range;
-pub mod schedule;
-pub mod simulate;
+mod instance;
+mod names;
+mod phases;
+mod place;
 mod unit;
+mod vector;
 
-pub use op::{Fact, Op, Range, Type};
-pub use unit::{Builder, Input, Node, NodeId, Rate, Unit};
+pub use build::{Library, Sig, Top};
+pub use bundle::{Bundle, Signals};
+pub use instance::{Port, Ports, instance};
+pub use phases::Phases;
+pub use place::{Place, Step, append_step};
+pub use unit::{Fact, Node, NodeId, Op, Probe, Rate, Unit};
+pub use vector::Vec3;

@@ -1,13 +1,45 @@
-//! Prints any module hierarchy as strict VHDL-93 with `std_logic_1164` and `numeric_std` alone, and reads the text back
-//! with a lint of its own.
+//! Prints a module hierarchy as strict VHDL-93 with `std_logic_1164`, `numeric_std` and one package of the design's types.
 //!
-//! Everything is computed here; the template only prints. Ports are `std_logic` or `std_logic_vector`, signals inside
-//! are `signed` and `unsigned`.
+//! Bundles become records and arrays; what is done alike with their elements is folded into loops and generate
+//! statements. Everything is computed here; the template only prints.
 
-mod expression;
-pub mod lint;
+mod entity;
+mod fold;
 mod names;
+mod package;
+mod shape;
 mod view;
 
-pub use names::{Clash, check};
-pub use view::{Entity, entity};
+pub use names::Clash;
+
+use crate::netlist::Module;
+use entity::Entity;
+use std::collections::{BTreeSet, HashSet};
+use std::rc::Rc;
+
+/// Prints a hierarchy: file names without their ending and texts, in the order of compilation, the package first. `package`
+/// is its name; `origin` stands above the header of the top.
+///
+/// # Errors
+/// A name that some tool would refuse.
+pub fn print(top: &Rc<Module>, package: &str, origin: &[String]) -> Result<Vec<(String, String)>, Clash> {
+    let modules = top.hierarchy();
+    let records = shape::Records::of(&modules);
+    let is_top = |module: &Rc<Module>| Rc::ptr_eq(module, top);
+    let views: Vec<view::View> = modules.iter().map(|m| view::View::new(m, &records, is_top(m))).collect();
+    let mut types = shape::Types::default();
+    views.iter().for_each(|view| view.shapes().for_each(|shape| types.include(shape)));
+    types.sort();
+    let mut in_use: HashSet<String> = modules.iter().map(|m| m.name.clone()).collect();
+    in_use.extend(package::names(&types));
+    let mut functions = BTreeSet::new();
+    let mut files = vec![];
+    for (module, view) in modules.iter().zip(&views) {
+        names::check(&module.name, view.declared().iter().map(String::as_str), &in_use)?;
+        let entity = Entity::new(view, &types, package, if is_top(module) { origin } else { &[] });
+        functions.extend(entity.functions());
+        files.push((module.name.clone(), entity.text()));
+    }
+    files.insert(0, (package.to_owned(), package::text(package, &types, &functions)));
+    Ok(files)
+}

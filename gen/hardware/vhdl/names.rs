@@ -2,7 +2,6 @@
 
 mod keywords;
 
-use crate::graph::netlist::{DelayLine, Module};
 use keywords::LANGUAGES;
 use std::collections::HashSet;
 
@@ -42,32 +41,23 @@ pub(super) fn fault(name: &str) -> Option<&'static str> {
     (name.ends_with('_') || name.contains("__")).then_some("has a trailing or double underscore")
 }
 
-/// Names of the signal and of the type of a delay line, after its last register.
-pub fn delay_line(module: &Module, line: &DelayLine) -> [String; 2] {
-    let last = line.registers.last().map_or("", |id| &module.signal(*id).name);
-    [format!("{last}_line"), format!("{last}_words")]
-}
-
-/// Checks every name of a module: legal, no keyword, unique (all names are lower case).
+/// Checks the names that an entity declares: expected form, no keyword, unique, and hiding nothing in use (all names are
+/// lower case).
 ///
 /// # Errors
-/// The first name that is not.
-pub fn check(module: &Module) -> Result<(), Clash> {
-    let clash = |name: &str, why| Clash { module: module.name.clone(), name: name.to_owned(), why };
-    let signals = module.signals.iter().map(|s| s.name.as_str());
-    let outputs = module.outputs.iter().map(|o| o.0.as_str());
-    let labels = module.instances.iter().map(|i| i.label.as_str());
-    let entities = module.instances.iter().map(|i| i.module.name.as_str()).collect::<HashSet<_>>();
-    let mut seen = HashSet::from(["clk", "rtl", module.name.as_str()]);
-    if let Some(why) = fault(&module.name) {
-        return Err(clash(&module.name, why));
-    }
-    let lines: Vec<[String; 2]> = module.delay_lines().iter().map(|line| delay_line(module, line)).collect();
-    for name in signals.chain(outputs).chain(labels).chain(lines.iter().flatten().map(String::as_str)) {
+/// The first name that is wrong.
+pub(super) fn check<'a>(
+    entity: &'a str,
+    declared: impl Iterator<Item = &'a str>,
+    in_use: &'a HashSet<String>,
+) -> Result<(), Clash> {
+    let clash = |name: &str, why| Clash { module: entity.to_owned(), name: name.to_owned(), why };
+    let mut seen = HashSet::from(["clk", "rtl", entity]);
+    for name in std::iter::once(entity).chain(declared) {
         if let Some(why) = fault(name) {
             return Err(clash(name, why));
         }
-        if !seen.insert(name) || entities.contains(name) {
+        if name != entity && (!seen.insert(name) || in_use.contains(name)) {
             return Err(clash(name, "is used twice"));
         }
     }
@@ -77,8 +67,6 @@ pub fn check(module: &Module) -> Result<(), Clash> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::graph::Type;
-    use crate::graph::netlist::ModuleBuilder;
 
     #[test]
     fn illegal_names_are_refused() {
@@ -107,15 +95,14 @@ mod tests {
     }
 
     #[test]
-    fn a_clash_in_a_module_is_told_by_module_and_name() {
-        let module = |name: &str| {
-            let mut builder = ModuleBuilder::new("unit", vec![]);
-            let id = builder.input(name, Type::FLAG);
-            builder.output("y", id);
-            check(&builder.finish()).map_err(|clash| clash.to_string())
+    fn a_clash_in_an_entity_is_told_by_entity_and_name() {
+        let names = |name: &'static str| {
+            let in_use = HashSet::from(["choose".to_owned()]);
+            check("unit", [name].into_iter(), &in_use).map_err(|clash| clash.to_string())
         };
-        assert_eq!(module("good"), Ok(()));
-        assert_eq!(module("priority"), Err("unit: priority: is a keyword of SystemVerilog".to_owned()));
-        assert_eq!(module("clk"), Err("unit: clk: is used twice".to_owned()));
+        assert_eq!(names("good"), Ok(()));
+        assert_eq!(names("priority"), Err("unit: priority: is a keyword of SystemVerilog".to_owned()));
+        assert_eq!(names("clk"), Err("unit: clk: is used twice".to_owned()));
+        assert_eq!(names("choose"), Err("unit: choose: is used twice".to_owned()));
     }
 }

@@ -1,429 +1,558 @@
-//! What the entity template prints: ready text, in order.
+//! What a module is as an entity: its objects, and the statements that drive them.
 
-use super::expression::{Expression, Printer, literal, port_type, type_name};
-use super::names::{self, Clash};
-use crate::graph::netlist::{DelayLine, Driver, Module, Signal, SignalId};
-use crate::graph::{Op, Type};
-use askama::Template;
+use super::fold::{self, Shapes, Statement};
+use super::shape::{Object, Records, Shape, objects};
+use crate::expression::{Expression, Index, Name, Sub};
+use crate::graph::{Place, Step, append_step};
+use crate::netlist::{DelayLine, Driver, Module, Signal, SignalId};
+use crate::op::{Comb, Operand, Type};
 use std::collections::{BTreeMap, HashMap, HashSet};
 
-/// One port.
-struct Port {
-    name: String,
-    direction: &'static str,
-    ty: String,
-    comment: String,
-    last: bool,
+/// A constant table of an entity.
+pub(super) struct Table {
+    pub name: String,
+    pub entries: Vec<i128>,
+    pub flags: bool,
 }
 
-/// A declaration: one line.
-struct Declaration {
-    text: String,
-    comment: String,
+/// An object that is delayed by several clocks.
+pub(super) struct Line {
+    /// The object at the end of the line, an array of the clocks: its place among the objects.
+    pub object: usize,
+    /// What goes in.
+    pub source: Expression,
+    /// Clocks.
+    pub length: usize,
 }
 
-/// A concurrent assignment: its lines.
-struct Assignment {
-    comment: String,
-    lines: Vec<String>,
+/// A module, ready to be written down.
+pub(super) struct View<'a> {
+    pub module: &'a Module,
+    /// Whether ports are `std_logic_vector`.
+    pub raw: bool,
+    /// Input ports, then signals.
+    pub objects: Vec<Object>,
+    /// Output ports.
+    pub outputs: Vec<Object>,
+    /// Objects that stand between others and the ports of instances.
+    pub between: Vec<Object>,
+    pub lines: Vec<Line>,
+    /// Instances, folded: the clock in which they begin, and what brings values to and from their ports.
+    pub instances: Vec<(Option<i32>, Vec<Statement>, Vec<Statement>)>,
+    /// The name of each signal that has one.
+    names: Vec<Option<Name>>,
+    /// The signal behind each name.
+    signals: HashMap<Name, SignalId>,
+    shapes: HashMap<String, Shape>,
+    /// Signals that are written where they are read.
+    inlined: Vec<bool>,
+    /// Signals that are the output port they drive.
+    direct: HashSet<SignalId>,
 }
 
-/// Assignments of one clock of the slot.
-struct Stage {
-    title: String,
-    assignments: Vec<Assignment>,
-}
-
-/// A clocked process.
-struct Process {
-    label: String,
-    title: String,
-    /// Statements inside `if rising_edge(clk)`.
-    lines: Vec<String>,
-}
-
-/// A port map entry.
-struct Connection {
-    formal: String,
-    actual: String,
-    last: bool,
-}
-
-/// An instance.
-struct Instance {
-    label: String,
-    entity: String,
-    connections: Vec<Connection>,
-}
-
-/// An entity, ready to print.
-#[derive(Template)]
-#[template(path = "entity.vhd", escape = "none")]
-pub struct Entity {
-    name: String,
-    header: Vec<String>,
-    ports: Vec<Port>,
-    declarations: Vec<Declaration>,
-    stages: Vec<Stage>,
-    instances: Vec<Instance>,
-    processes: Vec<Process>,
-    outputs: Vec<String>,
-}
-
-impl Entity {
-    /// The text.
-    ///
-    /// # Panics
-    /// Never: the template has no part that can fail.
-    pub fn text(&self) -> String {
-        self.render().expect("the template renders")
+impl Shapes for View<'_> {
+    fn shape(&self, base: &str) -> Option<&Shape> {
+        self.shapes.get(base)
     }
 }
 
-/// The view of a module; `origin` is printed above the module's own header.
-///
-/// # Errors
-/// A name that is not legal.
-pub fn entity(module: &Module, origin: &[String]) -> Result<Entity, Clash> {
-    names::check(module)?;
-    let printer = Printer(module);
-    let lines = Lines::of(module);
-    let mut header = origin.to_vec();
-    header.push(String::new());
-    header.extend(module.doc.iter().cloned());
-    if let Some(latency) = module.latency {
-        header.push(String::new());
-        header.push(match latency {
-            0 => "Combinational.".to_owned(),
-            1 => "Latency: 1 clock.".to_owned(),
-            n => format!("Latency: {n} clocks."),
-        });
-    }
-    Ok(Entity {
-        name: module.name.clone(),
-        header,
-        ports: ports(module),
-        declarations: declarations(module, &lines),
-        stages: stages(&printer, &lines),
-        instances: instances(&printer),
-        processes: processes(&printer, &lines),
-        outputs: module.outputs.iter().map(|(name, id)| format!("{name} <= {};", printer.port_value(*id))).collect(),
-    })
+/// Who reads a signal.
+#[derive(Clone, Default)]
+struct Readers {
+    /// Signals, in their operations.
+    operations: Vec<SignalId>,
+    /// Enables, resets, memories and instances, which need a name.
+    names: usize,
+    /// Output ports.
+    outputs: usize,
 }
 
-/// The delay lines of a module, and which signals are in them.
-struct Lines {
-    all: Vec<DelayLine>,
-    /// Registers inside a line: they have no name of their own.
-    inner: HashSet<SignalId>,
-    /// The last register of each line, as index into `all`.
-    last: HashMap<SignalId, usize>,
-}
-
-impl Lines {
-    fn of(module: &Module) -> Self {
-        let all = module.delay_lines();
-        let (mut inner, mut last) = (HashSet::new(), HashMap::new());
-        for (i, line) in all.iter().enumerate() {
-            if let Some((end, before)) = line.registers.split_last() {
-                inner.extend(before);
-                last.insert(*end, i);
-            }
-        }
-        Self { all, inner, last }
-    }
-
-    fn contains(&self, id: SignalId) -> bool {
-        self.inner.contains(&id) || self.last.contains_key(&id)
-    }
-}
-
-fn ports(module: &Module) -> Vec<Port> {
-    let port = |name: &str, direction, t: Type, comment: String| Port {
-        name: name.to_owned(),
-        direction,
-        ty: port_type(t),
-        comment,
-        last: false,
-    };
-    let mut ports = vec![];
-    if module.clocked() {
-        ports.push(port("clk", "in", Type::FLAG, String::new()));
-    }
-    for id in &module.inputs {
-        let s = module.signal(*id);
-        ports.push(port(&s.name, "in", s.ty, describe(s)));
-    }
-    for (name, id) in &module.outputs {
-        let s = module.signal(*id);
-        ports.push(port(name, "out", s.ty, describe(s)));
-    }
-    if let Some(last) = ports.last_mut() {
-        last.last = true;
-    }
-    ports
-}
-
-/// Format, range and equation of a signal.
-fn describe(s: &Signal) -> String {
-    let mut parts = vec![];
-    if s.ty.bits > 1 {
-        parts.push(s.ty.to_string());
-        if let Some((lo, hi)) = s.range {
-            parts.push(format!("[{lo}, {hi}]"));
-        }
-    }
-    if !s.comment.is_empty() {
-        parts.push(s.comment.clone());
-    }
-    parts.join("  ")
-}
-
-fn zeros(t: Type) -> &'static str {
-    if super::expression::is_flag(t) { "'0'" } else { "(others => '0')" }
-}
-
-fn declarations(module: &Module, lines: &Lines) -> Vec<Declaration> {
-    let mut all = vec![];
-    for (i, s) in module.signals.iter().enumerate() {
-        if lines.inner.contains(&SignalId(i)) {
-            continue;
-        }
-        let (name, ty) = (&s.name, type_name(s.ty));
-        let op = match &s.driver {
-            Driver::Combinational { op, .. } => Some(op),
-            Driver::Register { op, .. } => op.as_ref(),
-            _ => None,
+impl<'a> View<'a> {
+    pub fn new(module: &'a Module, records: &Records, raw: bool) -> Self {
+        let readers = readers(module);
+        let inlined: Vec<bool> = (0..module.signals.len()).map(|i| inlined(module, &readers, SignalId(i))).collect();
+        let mut view = Self {
+            module,
+            raw,
+            objects: vec![],
+            outputs: vec![],
+            between: vec![],
+            lines: vec![],
+            instances: vec![],
+            names: vec![None; module.signals.len()],
+            signals: HashMap::new(),
+            shapes: HashMap::new(),
+            inlined,
+            direct: HashSet::new(),
         };
-        if let Some(Op::Clamp(bound, _)) = op {
-            for (end, value) in bounds(name).into_iter().zip([-bound, *bound]) {
-                let text = format!("constant {end} : {ty} := {};", literal(value, s.ty));
-                all.push(Declaration { text, comment: String::new() });
-            }
-        }
-        let text = match &s.driver {
-            _ if lines.last.contains_key(&SignalId(i)) => {
-                let line = &lines.all[lines.last[&SignalId(i)]];
-                let [signal, words] = names::delay_line(module, line);
-                let text = format!("type {words} is array (1 to {}) of {ty};", line.registers.len());
-                all.push(Declaration { text, comment: String::new() });
-                let text = format!("signal {signal} : {words} := (others => {});", zeros(s.ty));
-                let comment = format!("delay line of {}", module.signal(line.source).name);
-                all.push(Declaration { text, comment });
-                format!("signal {name} : {ty};")
-            }
-            Driver::Port => continue,
-            Driver::Combinational { op: Op::Constant(value), .. } => {
-                format!("constant {name} : {ty} := {};", literal(*value, s.ty))
-            }
-            Driver::Combinational { .. } => format!("signal {name} : {ty};"),
-            Driver::Instance { .. } => format!("signal {name} : {};", port_type(s.ty)),
-            Driver::Register { reset: Some((_, value)), .. } => {
-                format!("signal {name} : {ty} := {};", literal(*value, s.ty))
-            }
-            Driver::Register { .. } => format!("signal {name} : {ty} := {};", zeros(s.ty)),
-            Driver::Memory { depth, .. } => {
-                let text = format!("type {name}_words is array (0 to {}) of {ty};", depth - 1);
-                all.push(Declaration { text, comment: String::new() });
-                let text = format!("signal {name}_memory : {name}_words := (others => {});", zeros(s.ty));
-                all.push(Declaration { text, comment: String::new() });
-                format!("signal {name} : {ty};")
-            }
-        };
-        all.push(Declaration { text, comment: describe(s) });
-    }
-    all
-}
-
-/// Names of the constants of a clamp.
-fn bounds(name: &str) -> [String; 2] {
-    [format!("{name}_least"), format!("{name}_most")]
-}
-
-fn concurrent(name: &str, expression: Expression) -> Vec<String> {
-    match expression {
-        Expression::Simple(text) => vec![format!("{name} <= {text};")],
-        Expression::Choice(cases, rest) if cases.is_empty() => vec![format!("{name} <= {rest};")],
-        Expression::Choice(cases, rest) => {
-            let one_line = cases.len() == 1 && cases[0].0.len() + cases[0].1.len() + rest.len() + name.len() < 90;
-            if one_line {
-                return vec![format!("{name} <= {} when {} else {rest};", cases[0].0, cases[0].1)];
-            }
-            let mut lines = vec![format!("{name} <=")];
-            lines.extend(cases.iter().map(|(value, condition)| format!("  {value} when {condition} else")));
-            lines.push(format!("  {rest};"));
-            lines
-        }
-    }
-}
-
-fn sequential(name: &str, expression: Expression) -> Vec<String> {
-    match expression {
-        Expression::Simple(text) => vec![format!("{name} <= {text};")],
-        Expression::Choice(cases, rest) if cases.is_empty() => vec![format!("{name} <= {rest};")],
-        Expression::Choice(cases, rest) => {
-            let mut lines = vec![];
-            for (i, (value, condition)) in cases.iter().enumerate() {
-                lines.push(format!("{} {condition} then", if i == 0 { "if" } else { "elsif" }));
-                lines.push(format!("  {name} <= {value};"));
-            }
-            lines.push("else".to_owned());
-            lines.push(format!("  {name} <= {rest};"));
-            lines.push("end if;".to_owned());
-            lines
-        }
-    }
-}
-
-fn stages(printer: &Printer, delays: &Lines) -> Vec<Stage> {
-    let mut by_clock: BTreeMap<Option<i32>, Vec<Assignment>> = BTreeMap::new();
-    for (i, s) in printer.0.signals.iter().enumerate() {
-        let lines = match &s.driver {
-            _ if delays.last.contains_key(&SignalId(i)) => {
-                let line = &delays.all[delays.last[&SignalId(i)]];
-                let [signal, _] = names::delay_line(printer.0, line);
-                vec![format!("{} <= {signal}({});", s.name, line.registers.len())]
-            }
-            Driver::Combinational { op: Op::Constant(_), .. } => continue,
-            Driver::Combinational { op, args } => {
-                concurrent(&s.name, printer.expression(op, args, s.ty, &bounds(&s.name)))
-            }
-            Driver::Memory { read, .. } => {
-                vec![format!("{0} <= {0}_memory(to_integer({1}));", s.name, printer.value(*read))]
-            }
-            Driver::Port | Driver::Register { .. } | Driver::Instance { .. } => continue,
-        };
-        by_clock.entry(s.clock).or_default().push(Assignment { comment: s.comment.clone(), lines });
-    }
-    by_clock
-        .into_iter()
-        .map(|(clock, assignments)| Stage {
-            title: clock.map_or("State and choice".to_owned(), |c| format!("Clock {c}")),
-            assignments,
-        })
-        .collect()
-}
-
-fn instances(printer: &Printer) -> Vec<Instance> {
-    let module = printer.0;
-    let mut all: Vec<Instance> = vec![];
-    for (index, instance) in module.instances.iter().enumerate() {
-        let inner = &instance.module;
-        let mut connections = vec![];
-        let mut connect = |formal: &str, actual: String| {
-            connections.push(Connection { formal: formal.to_owned(), actual, last: false });
-        };
-        if inner.clocked() {
-            connect("clk", "clk".to_owned());
-        }
-        for (port, actual) in inner.inputs.iter().zip(&instance.inputs) {
-            connect(&inner.signal(*port).name, printer.port_value(*actual));
-        }
-        for (port, (formal, _)) in inner.outputs.iter().enumerate() {
-            let here = |s: &&Signal| matches!(&s.driver, Driver::Instance { instance, port: p } if *instance == index && *p == port);
-            let actual = module.signals.iter().find(here).map_or("open".to_owned(), |s| s.name.clone());
-            connect(formal, actual);
-        }
-        if let Some(last) = connections.last_mut() {
-            last.last = true;
-        }
-        all.push(Instance { label: instance.label.clone(), entity: inner.name.clone(), connections });
-    }
-    all
-}
-
-/// Registers in one process each: by clock where they run free, by enable and reset where they do not.
-fn processes(printer: &Printer, lines: &Lines) -> Vec<Process> {
-    let module = printer.0;
-    type Key = (Option<SignalId>, Option<SignalId>, Option<i32>);
-    let mut groups: BTreeMap<Key, Vec<usize>> = BTreeMap::new();
-    let mut memories = vec![];
-    for (i, s) in module.signals.iter().enumerate() {
-        match &s.driver {
-            _ if lines.contains(SignalId(i)) => {}
-            Driver::Register { enable, reset, .. } => {
-                let clock = if enable.is_none() && reset.is_none() { s.clock } else { None };
-                groups.entry((reset.map(|r| r.0), *enable, clock)).or_default().push(i);
-            }
-            Driver::Memory { write, address, data, .. } => memories.push(Process {
-                label: format!("write_{}", s.name),
-                title: describe(s),
-                lines: vec![
-                    format!("if {} = '1' then", module.signal(*write).name),
-                    format!(
-                        "  {}_memory(to_integer({})) <= {};",
-                        s.name,
-                        printer.value(*address),
-                        printer.value(*data)
-                    ),
-                    "end if;".to_owned(),
-                ],
-            }),
-            _ => {}
-        }
-    }
-    let name = |id: SignalId| module.signal(id).name.clone();
-    let mut all = vec![];
-    for ((reset, enable, clock), members) in groups {
-        let mut loads = vec![];
-        let mut resets = vec![];
-        for i in members {
-            let s = &module.signals[i];
-            let Driver::Register { op, args, reset, .. } = &s.driver else { continue };
-            let expression = match op {
-                Some(op) => printer.expression(op, args, s.ty, &bounds(&s.name)),
-                None => Expression::Simple(printer.value(args[0])),
+        let lines = module.delay_lines();
+        let in_line: HashSet<SignalId> = lines.iter().flat_map(|l| l.registers.clone()).collect();
+        let place = |place: &Place| if raw { Place::new(place.to_string()) } else { place.clone() };
+        let ports = module.outputs.iter().map(|(p, id)| (place(p), module.signal(*id).ty, *id));
+        view.outputs = objects(records, ports);
+        for port in &view.outputs {
+            let alone = |id: &SignalId| {
+                let (r, s) = (&readers[id.0], module.signal(*id));
+                let driven = !matches!(s.driver, Driver::Port) && !in_line.contains(id);
+                driven && !view.inlined[id.0] && r.operations.is_empty() && r.names == 0 && r.outputs == 1
             };
-            loads.extend(sequential(&s.name, expression));
-            if let Some((_, value)) = reset {
-                resets.push(format!("{} <= {};", s.name, literal(*value, s.ty)));
+            // Ports of the top are no numbers.
+            let plain = |id: &SignalId| !raw || module.signal(*id).ty.is_flag();
+            if port.members.iter().all(|(id, _)| alone(id) && plain(id)) {
+                view.direct.extend(port.members.iter().map(|m| m.0));
             }
         }
-        let indent = |lines: Vec<String>| lines.into_iter().map(|l| format!("  {l}"));
-        let (label, title, lines) = match (reset, enable) {
-            (None, None) => match clock {
-                Some(c) => (format!("clock_{c}"), format!("Registers valid in clock {c}."), loads),
-                None => ("phases".to_owned(), "Strobes, phase patterns and running state.".to_owned(), loads),
-            },
-            (None, Some(enable)) => {
-                let enable = name(enable);
-                let mut lines = vec![format!("if {enable} = '1' then")];
-                lines.extend(indent(loads));
-                lines.push("end if;".to_owned());
-                (format!("hold_{enable}"), format!("Held from {enable} to the next."), lines)
-            }
-            (Some(reset), enable) => {
-                let mut lines = vec![format!("if {} = '1' then", name(reset))];
-                lines.extend(indent(resets));
-                let label = match enable {
-                    Some(enable) => {
-                        lines.push(format!("elsif {} = '1' then", name(enable)));
-                        format!("state_{}", name(enable))
-                    }
-                    None => {
-                        lines.push("else".to_owned());
-                        "state".to_owned()
-                    }
-                };
-                lines.extend(indent(loads));
-                lines.push("end if;".to_owned());
-                (label, "State, reset synchronously.".to_owned(), lines)
-            }
+        let inner: HashSet<SignalId> =
+            lines.iter().flat_map(|l| &l.registers[..l.registers.len() - 1]).copied().collect();
+        let declared = |id: &SignalId| {
+            // A constant is a literal, but for one that is part of a bundle.
+            let s = module.signal(*id);
+            let constant =
+                matches!(s.driver, Driver::Combinational { op: Comb::Constant(_), .. }) && s.place.path.is_empty();
+            !view.inlined[id.0] && !constant && !inner.contains(id) && !view.direct.contains(id)
         };
-        all.push(Process { label, title, lines });
-    }
-    if !lines.all.is_empty() {
-        let shift = |line: &DelayLine| {
-            let [signal, _] = names::delay_line(module, line);
-            let kept = line.registers.len() - 1;
-            format!("{signal} <= {} & {signal}(1 to {kept});", printer.value(line.source))
-        };
-        all.push(Process {
-            label: "delay_lines".to_owned(),
-            title: "Delay lines: shift registers without reset, for SRL16.".to_owned(),
-            lines: lines.all.iter().map(shift).collect(),
+        let all = (0..module.signals.len()).map(SignalId).filter(declared);
+        let all = all.map(|id| (module.signal(id), id)).map(|(s, id)| {
+            let is_port = matches!(s.driver, Driver::Port);
+            (if is_port { place(&s.place) } else { s.place.clone() }, s.ty, id)
         });
+        view.objects = objects(records, all.collect::<Vec<_>>().into_iter());
+        let ports: HashSet<String> = view.outputs.iter().map(|o| o.name.clone()).collect();
+        for object in &mut view.objects {
+            if ports.contains(&object.name) {
+                object.name.push_str("_i");
+            }
+        }
+        view.register_names();
+        view.find_lines(&lines);
+        view.find_instances(records);
+        view
     }
-    all.extend(memories);
-    all
+
+    /// The shapes of all objects.
+    pub fn shapes(&self) -> impl Iterator<Item = &Shape> {
+        self.objects.iter().chain(&self.outputs).chain(&self.between).map(|o| &o.shape)
+    }
+
+    /// All names that the entity declares.
+    pub fn declared(&self) -> Vec<String> {
+        let objects = self.objects.iter().chain(&self.outputs).chain(&self.between).map(|o| o.name.clone());
+        let labels = self.instances.iter().flat_map(|i| &i.1).flat_map(Statement::labels);
+        objects.chain(labels).chain(self.tables().into_iter().map(|t| t.name)).collect()
+    }
+
+    fn register_names(&mut self) {
+        for object in &self.objects {
+            self.shapes.insert(object.name.clone(), object.shape.clone());
+            for (id, subs) in &object.members {
+                let name = object.part(subs);
+                self.names[id.0] = Some(name.clone());
+                self.signals.insert(name, *id);
+            }
+        }
+        for port in &self.outputs {
+            self.shapes.insert(port.name.clone(), port.shape.clone());
+            for (id, subs) in port.members.iter().filter(|m| self.direct.contains(&m.0)) {
+                let name = port.part(subs);
+                self.names[id.0] = Some(name.clone());
+                self.signals.insert(name, *id);
+            }
+        }
+    }
+
+    /// Delay lines of whole objects. A line of which only a part is one object has its registers declared one by one.
+    fn find_lines(&mut self, lines: &[DelayLine]) {
+        let by_end: HashMap<SignalId, &DelayLine> =
+            lines.iter().filter_map(|l| l.registers.last().map(|end| (*end, l))).collect();
+        let mut found = vec![];
+        for (i, object) in self.objects.iter().enumerate() {
+            let ends: Vec<Option<&&DelayLine>> = object.members.iter().map(|m| by_end.get(&m.0)).collect();
+            let Some(Some(first)) = ends.first() else { continue };
+            let length = first.registers.len();
+            let even = ends.iter().all(|line| line.is_some_and(|line| line.registers.len() == length));
+            assert!(even, "{}: delay lines of {} differ", self.module.name, object.name);
+            let sources: Vec<(Vec<Sub>, SignalId)> =
+                object.members.iter().zip(&ends).map(|(m, line)| (m.1.clone(), line.expect("even").source)).collect();
+            found.push((i, sources, length));
+        }
+        for (object, sources, length) in found {
+            let (shape, end) = (self.objects[object].shape.clone(), self.objects[object].name.clone());
+            // The line is called after what it delays.
+            let base = end.rsplit_once('_').map_or(end.as_str(), |(base, _)| base);
+            let short = format!("{base}_line");
+            let name = if self.shapes.contains_key(&short) { format!("{end}_line") } else { short };
+            for (id, subs) in &self.objects[object].members {
+                let subs = std::iter::once(Sub::Index(Index::At(length))).chain(subs.iter().cloned()).collect();
+                self.names[id.0] = Some(Name { base: name.clone(), subs });
+            }
+            self.objects[object].name.clone_from(&name);
+            self.shapes.remove(&end);
+            self.shapes.insert(name, Shape::Array { vector: false, size: length + 1, of: Box::new(shape.clone()) });
+            let of: HashMap<&[Sub], SignalId> = sources.iter().map(|(subs, id)| (&subs[..], *id)).collect();
+            let source = self.whole(&shape, &mut vec![], &|subs| of.get(subs).map(|id| self.value(*id)));
+            let source =
+                source.unwrap_or_else(|| panic!("{}: no source of {}", self.module.name, self.objects[object].name));
+            self.lines.push(Line { object, source, length });
+        }
+    }
+
+    /// One value for a whole, from those of its parts.
+    fn whole(
+        &self,
+        shape: &Shape,
+        subs: &mut Vec<Sub>,
+        part: &dyn Fn(&[Sub]) -> Option<Expression>,
+    ) -> Option<Expression> {
+        let steps: Vec<(Sub, &Shape)> = match shape {
+            Shape::Flag | Shape::Number(..) => return part(subs),
+            Shape::Record(_, fields) => fields.iter().map(|(field, shape)| (Sub::Field(field), shape)).collect(),
+            Shape::Array { size, of, .. } => (0..*size).map(|i| (Sub::Index(Index::At(i)), &**of)).collect(),
+        };
+        let mut parts = vec![];
+        for (sub, shape) in steps {
+            subs.push(sub.clone());
+            let value = self.whole(shape, subs, part);
+            subs.pop();
+            parts.push((sub, value?));
+        }
+        let parts: Vec<(&Sub, &Expression)> = parts.iter().map(|(sub, value)| (sub, value)).collect();
+        fold::join_values(self, shape, &parts)
+    }
+
+    pub fn signal(&self, name: &Name) -> Option<(SignalId, &'a Signal)> {
+        self.signals.get(name).map(|id| (*id, self.module.signal(*id)))
+    }
+
+    /// The value of a signal where it is read.
+    pub fn value(&self, id: SignalId) -> Expression {
+        let signal = self.module.signal(id);
+        if let (Driver::Combinational { op: Comb::Constant(c), .. }, None) = (&signal.driver, &self.names[id.0]) {
+            return Expression::Number(c.0, signal.ty);
+        }
+        let Some(name) = &self.names[id.0] else { return self.driven(id) };
+        let name = Expression::Name(name.clone());
+        let port = matches!(signal.driver, Driver::Port);
+        match (self.raw && port && !signal.ty.is_flag(), signal.ty.signed) {
+            (false, _) => name,
+            (true, true) => Expression::call("signed", [name]),
+            (true, false) => Expression::call("unsigned", [name]),
+        }
+    }
+
+    /// What a signal is driven with: the operation, or what a register loads.
+    pub fn driven(&self, id: SignalId) -> Expression {
+        let signal = self.module.signal(id);
+        match &signal.driver {
+            Driver::Combinational { op, args } | Driver::Register { op: Some(op), args, .. } => {
+                let operand = |a: &SignalId| Operand { value: self.value(*a), ty: self.module.signal(*a).ty };
+                let mut operands: Vec<Operand> = args.iter().map(operand).collect();
+                if let Comb::Concatenate(_) = op {
+                    operands = self.whole_vectors(operands);
+                }
+                match op.vhdl(&operands, signal.ty) {
+                    Expression::Table { entries, ty, index, .. } => {
+                        Expression::Table { name: self.table_name(id), entries, ty, index }
+                    }
+                    other => other,
+                }
+            }
+            Driver::Register { args, .. } => self.value(args[0]),
+            _ => panic!("{}: {} is driven by no expression", self.module.name, signal.name()),
+        }
+    }
+
+    /// Operands that are all the elements of a vector, in order, as that vector.
+    fn whole_vectors(&self, operands: Vec<Operand>) -> Vec<Operand> {
+        let element = |operand: &Operand| {
+            let Expression::Name(name) = &operand.value else { return None };
+            let (Sub::Index(Index::At(i)), rest) = name.subs.split_last()? else { return None };
+            let vector = Name { base: name.base.clone(), subs: rest.to_vec() };
+            match self.part(&vector)? {
+                shape @ Shape::Array { size, .. } if shape.is_flags() => Some((vector, *i, *size)),
+                _ => None,
+            }
+        };
+        let mut all = vec![];
+        let mut rest = &operands[..];
+        while let Some(first) = rest.first() {
+            let run = element(first).filter(|(vector, i, size)| {
+                let follows = |(k, x): (usize, &Operand)| element(x).is_some_and(|e| (&e.0, e.1) == (vector, k));
+                *i == 0 && rest.len() >= *size && rest[..*size].iter().enumerate().all(follows)
+            });
+            let taken = match run {
+                Some((vector, _, size)) => {
+                    let value = Expression::call("unsigned", [Expression::Name(vector)]);
+                    all.push(Operand { value, ty: Type::unsigned(size as u32) });
+                    size
+                }
+                None => {
+                    all.push(first.clone());
+                    1
+                }
+            };
+            rest = &rest[taken..];
+        }
+        all
+    }
+
+    fn table_name(&self, id: SignalId) -> String {
+        let name = match &self.names[id.0] {
+            Some(name) => name.subs.iter().fold(name.base.clone(), |mut text, sub| {
+                match sub {
+                    Sub::Index(Index::At(i)) => text.push_str(&format!("_{i}")),
+                    Sub::Index(Index::Loop { .. }) => {}
+                    Sub::Field(field) => text.push_str(&format!("_{field}")),
+                }
+                text
+            }),
+            None => self.module.signal(id).name(),
+        };
+        format!("{name}_table")
+    }
+
+    /// The tables that expressions refer to.
+    pub fn tables(&self) -> Vec<Table> {
+        let mut tables = vec![];
+        for (i, signal) in self.module.signals.iter().enumerate() {
+            let op = match &signal.driver {
+                Driver::Combinational { op, .. } | Driver::Register { op: Some(op), .. } => op,
+                _ => continue,
+            };
+            if let Comb::Lookup(lookup) = op {
+                let name = self.table_name(SignalId(i));
+                tables.push(Table { name, entries: lookup.0.clone(), flags: signal.ty.is_flag() });
+            }
+        }
+        tables
+    }
+
+    /// Statements of the signals that a function gives one, folded by object.
+    pub fn statements(&self, leaf: impl Fn(SignalId, &Signal, &Name) -> Option<Statement>) -> Vec<Statement> {
+        let at_end: HashSet<usize> = self.lines.iter().map(|l| l.object).collect();
+        let objects = self.objects.iter().enumerate().filter(|(i, _)| !at_end.contains(i)).map(|(_, o)| o);
+        let mut all = vec![];
+        for object in objects.chain(&self.outputs) {
+            let leaf = |name: &Name| self.signal(name).and_then(|(id, signal)| leaf(id, signal, name));
+            all.extend(fold::fold(self, &object.shape, &Name::whole(object.name.clone()), 0, &leaf));
+        }
+        all
+    }
+
+    /// Assignments of what drives output ports that are not driven directly.
+    pub fn port_assignments(&self) -> Vec<Statement> {
+        let mut all = vec![];
+        for port in self.outputs.iter().filter(|p| !p.members.iter().all(|m| self.direct.contains(&m.0))) {
+            let of: HashMap<&[Sub], SignalId> = port.members.iter().map(|(id, subs)| (&subs[..], *id)).collect();
+            let leaf = |name: &Name| {
+                let id = of.get(&name.subs[..])?;
+                let value = self.value(*id);
+                let raw = self.raw && !self.module.signal(*id).ty.is_flag();
+                let value = if raw { Expression::call("std_logic_vector", [value]) } else { value };
+                Some(Statement::Assign(name.clone(), value))
+            };
+            all.extend(fold::fold(self, &port.shape, &Name::whole(port.name.clone()), 0, &leaf));
+        }
+        all
+    }
+
+    /// The instances, folded. What cannot be connected as a whole goes through objects of its own.
+    fn find_instances(&mut self, records: &Records) {
+        let module = self.module;
+        let mut groups: BTreeMap<usize, (String, Vec<usize>)> = BTreeMap::new();
+        let mut order: HashMap<String, usize> = HashMap::new();
+        for (i, instance) in module.instances.iter().enumerate() {
+            let place = label(&instance.place);
+            let label = format!("{}{}", place.base, place.suffix);
+            let first = *order.entry(label.clone()).or_insert(i);
+            groups.entry(first).or_insert((label, vec![])).1.push(i);
+        }
+        for (base, members) in groups.into_values() {
+            let places =
+                members.iter().enumerate().map(|(k, i)| (label(&module.instances[*i].place), Type::FLAG, SignalId(k)));
+            let (mut folded, mut assignments) = (vec![], vec![]);
+            for group in objects(records, places) {
+                let alike: Vec<(usize, Vec<Sub>)> =
+                    group.members.iter().map(|(k, s)| (members[k.0], s.clone())).collect();
+                let label = if alike.len() > 1 { &base } else { &group.name };
+                let (instances, more, between) = self.alike(records, label, &group.shape, &alike);
+                for object in between {
+                    self.shapes.insert(object.name.clone(), object.shape.clone());
+                    self.between.push(object);
+                }
+                folded.extend(instances);
+                assignments.extend(more);
+            }
+            self.instances.push((self.begins(members[0]), folded, assignments));
+        }
+    }
+
+    /// Instances that are elements of a bundle, as one statement, and what brings values to and from their ports. Ports
+    /// that are not connected alike go through an array of their own.
+    fn alike(
+        &self,
+        records: &Records,
+        label: &str,
+        shape: &Shape,
+        members: &[(usize, Vec<Sub>)],
+    ) -> (Vec<Statement>, Vec<Statement>, Vec<Object>) {
+        let child = &self.module.instances[members[0].0].module;
+        let mut connections: Vec<Vec<(String, Expression)>> = vec![vec![]; members.len()];
+        let (mut assignments, mut extra) = (vec![], vec![]);
+        if child.clocked() {
+            let clk = ("clk".to_owned(), Expression::Name(Name::whole("clk")));
+            connections.iter_mut().for_each(|c| c.push(clk.clone()));
+        }
+        for (input, port) in ports(records, child) {
+            let value = |k: usize, subs: &[Sub]| self.at_port(members[k].0, input, &port, subs);
+            let whole =
+                |k: usize| self.whole(&port.shape, &mut vec![], &|subs| value(k, subs)).filter(|v| self.is_actual(v));
+            let wholes: Option<Vec<Expression>> = (0..members.len()).map(whole).collect();
+            let fits = |wholes: &Vec<Expression>| members.len() == 1 || self.counts(shape, members, wholes);
+            let actuals = wholes.filter(fits).unwrap_or_else(|| {
+                let between = Name::whole(format!("{}_{}", label, port.name));
+                let array = around(shape, &port.shape);
+                let name = |k: usize| Name { base: between.base.clone(), subs: members[k].1.clone() };
+                let leaf = |n: &Name| {
+                    let k = (0..members.len()).find(|k| n.subs.starts_with(&members[*k].1))?;
+                    let value = value(k, &n.subs[members[k].1.len()..])?;
+                    Some(if input {
+                        Statement::Assign(n.clone(), value)
+                    } else {
+                        let Expression::Name(target) = value else { return None };
+                        Statement::Assign(target, Expression::Name(n.clone()))
+                    })
+                };
+                assignments.extend(fold::fold(self, &array, &between, 0, &leaf));
+                extra.push(Object { name: between.base.clone(), shape: array, members: vec![] });
+                (0..members.len()).map(|k| Expression::Name(name(k))).collect()
+            });
+            connections.iter_mut().zip(actuals).for_each(|(c, actual)| c.push((port.name.clone(), actual)));
+        }
+        let statement = |k: usize| Statement::Instance {
+            label: label.to_owned(),
+            entity: child.name.clone(),
+            connections: connections[k].clone(),
+        };
+        let leaf = |n: &Name| members.iter().position(|m| m.1 == n.subs).map(statement);
+        (fold::fold(self, shape, &Name::whole(label.to_owned()), 0, &leaf), assignments, extra)
+    }
+
+    /// Whether values count with the elements that they are for.
+    fn counts(&self, shape: &Shape, members: &[(usize, Vec<Sub>)], values: &[Expression]) -> bool {
+        let target = |k: usize| Name { base: String::new(), subs: members[k].1.clone() };
+        let leaf = |n: &Name| {
+            let k = (0..members.len()).find(|k| target(*k).subs == n.subs)?;
+            // Instances are never joined, so neither are these.
+            let connections = vec![(String::new(), values[k].clone())];
+            Some(Statement::Instance { label: String::new(), entity: String::new(), connections })
+        };
+        fold::fold(self, shape, &Name::whole(""), 0, &leaf).len() == 1
+    }
+
+    /// The value at a part of a port of an instance: what goes in, or the signal that comes out.
+    fn at_port(&self, instance: usize, input: bool, port: &Object, subs: &[Sub]) -> Option<Expression> {
+        let (index, _) = port.members.iter().find(|m| m.1 == subs)?;
+        if input {
+            return Some(self.value(self.module.instances[instance].inputs[index.0]));
+        }
+        let driven =
+            |s: &Signal| matches!(s.driver, Driver::Instance { instance: i, port } if (i, port) == (instance, index.0));
+        self.module.signals.iter().position(driven).map(|i| self.value(SignalId(i)))
+    }
+
+    /// The clock in which an instance takes its inputs.
+    fn begins(&self, instance: usize) -> Option<i32> {
+        let inputs = &self.module.instances[instance].inputs;
+        inputs.iter().filter_map(|id| self.module.signal(*id).clock).max()
+    }
+
+    /// Whether a value may stand in a port map.
+    fn is_actual(&self, value: &Expression) -> bool {
+        match value {
+            Expression::Name(_) => true,
+            Expression::Number(_, ty) => ty.is_flag(),
+            _ => false,
+        }
+    }
+}
+
+/// The place of an instance among its like: the fields of a record differ in name.
+fn label(place: &Place) -> Place {
+    let is_field = |step: &&Step| matches!(step, Step::Field(..));
+    let mut base = place.base.clone();
+    place.path.iter().filter(is_field).for_each(|step| append_step(&mut base, *step));
+    let path = place.path.iter().filter(|step| !is_field(step)).copied().collect();
+    Place { base, path, suffix: place.suffix.clone() }
+}
+
+/// The input and output ports of a module as objects, their members being numbers of inputs or outputs.
+fn ports(records: &Records, module: &Module) -> Vec<(bool, Object)> {
+    let inputs = module.inputs.iter().map(|id| (module.signal(*id).place.clone(), module.signal(*id).ty));
+    let outputs = module.outputs.iter().map(|(place, id)| (place.clone(), module.signal(*id).ty));
+    let numbered = |ports: Vec<(Place, Type)>| ports.into_iter().enumerate().map(|(k, (p, t))| (p, t, SignalId(k)));
+    let inputs = objects(records, numbered(inputs.collect()));
+    let outputs = objects(records, numbered(outputs.collect()));
+    inputs.into_iter().map(|o| (true, o)).chain(outputs.into_iter().map(|o| (false, o))).collect()
+}
+
+/// An array of as many elements as another, of another kind.
+fn around(shape: &Shape, of: &Shape) -> Shape {
+    match shape {
+        Shape::Array { vector, size, of: inner } => {
+            Shape::Array { vector: *vector, size: *size, of: Box::new(around(inner, of)) }
+        }
+        _ => of.clone(),
+    }
+}
+
+fn readers(module: &Module) -> Vec<Readers> {
+    let mut readers = vec![Readers::default(); module.signals.len()];
+    for (i, signal) in module.signals.iter().enumerate() {
+        match &signal.driver {
+            Driver::Combinational { args, .. } => {
+                args.iter().for_each(|a| readers[a.0].operations.push(SignalId(i)));
+            }
+            Driver::Register { args, enable, reset, .. } => {
+                args.iter().for_each(|a| readers[a.0].operations.push(SignalId(i)));
+                enable.iter().for_each(|e| readers[e.0].names += 1);
+                reset.iter().for_each(|r| readers[r.0.0].names += 1);
+            }
+            Driver::Memory { .. } => signal.driver.operands().iter().for_each(|o| readers[o.0].names += 1),
+            Driver::Port | Driver::Instance { .. } => {}
+        }
+    }
+    module.outputs.iter().for_each(|o| readers[o.1.0].outputs += 1);
+    module.instances.iter().flat_map(|i| &i.inputs).for_each(|id| readers[id.0].names += 1);
+    readers
+}
+
+/// Whether a signal is written where it is read: it has one reader, which can take an expression, and no name of its own.
+/// A table gives its name to a constant.
+fn inlined(module: &Module, readers: &[Readers], id: SignalId) -> bool {
+    let signal = module.signal(id);
+    let Driver::Combinational { op, args } = &signal.driver else { return false };
+    if matches!(op, Comb::Constant(_)) {
+        return false;
+    }
+    let table = matches!(op, Comb::Lookup(_));
+    if (signal.named && !table) || readers[id.0].names > 0 || readers[id.0].outputs > 0 {
+        return false;
+    }
+    // A choice among more than two is a statement of its own.
+    if matches!(op, Comb::Select(_)) && args.len() > 3 {
+        return false;
+    }
+    let [reader] = readers[id.0].operations[..] else { return false };
+    let reading = match &module.signal(reader).driver {
+        Driver::Combinational { op, .. } | Driver::Register { op: Some(op), .. } => op,
+        _ => return true,
+    };
+    // Slices are of names, or of slices of names.
+    if matches!(op, Comb::Floor(_)) {
+        return true;
+    }
+    let cuts =
+        matches!(reading, Comb::Resize(_) | Comb::Select(_) | Comb::Add(_) | Comb::Subtract(_) | Comb::Negate(_));
+    let narrows = cuts && module.signal(reader).ty.bits < signal.ty.bits;
+    !narrows && !matches!(reading, Comb::Floor(_) | Comb::LowBits(_) | Comb::SignBit(_))
 }

@@ -1,7 +1,6 @@
 //! Registers, bit by bit: equal ones are one, some are part of a multiplier, and long delays are shift registers.
 
-use super::gates::Bit;
-use super::words::{Source, Words};
+use crate::cells::{Bit, Source, Words};
 use crate::device::MultiplierRegisters;
 use std::collections::HashMap;
 

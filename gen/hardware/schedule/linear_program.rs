@@ -1,4 +1,4 @@
-//! The schedule of a unit as a linear programme: difference constraints between start clocks, and register bits.
+//! The schedule of a unit as a linear program: difference constraints between start clocks, and register bits.
 //!
 //! One integer start a node. A value that follows the phases is carried by one register a clock to its last use; a
 //! per-pair value is captured again once an interval after its window has closed. But for the whole number of captures the
@@ -95,9 +95,9 @@ pub struct Reading {
     pub captured: bool,
 }
 
-/// The programme of one unit.
+/// The program of one unit.
 #[derive(Clone, Debug)]
-pub struct Programme {
+pub struct LinearProgram {
     /// Names of the variables.
     pub variables: Vec<String>,
     /// Clocks between pairs.
@@ -120,7 +120,7 @@ impl Stream {
     }
 }
 
-impl Programme {
+impl LinearProgram {
     /// Captures of a per-pair value for one use.
     fn captures(&self, held: &Held, reading: &Reading, starts: &[i32]) -> i32 {
         let until = held.windows.iter().map(|w| w.1.clock(starts)).min().unwrap_or(i32::MAX);
@@ -238,7 +238,7 @@ impl Programme {
         side
     }
 
-    /// The programme in CPLEX LP format, the captures of per-pair values as general integers.
+    /// The program in CPLEX LP format, the captures of per-pair values as general integers.
     pub fn text(&self, doc: &str) -> String {
         let mut text = format!("\\ {doc}\nMinimize\n register_bits: {} fixed", self.fixed);
         for s in &self.streams {

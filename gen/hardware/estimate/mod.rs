@@ -1,7 +1,7 @@
 //! What a module is predicted to take of a device, from its signals alone.
 //!
 //! Every signal is written in bits. Sums and comparisons become carry chains, products multipliers, and all else
-//! gates, folded and shared as they are made (`gates`, `words`). What no output depends on is dropped, equal
+//! gates, folded and shared as they are made ([`cells`](crate::cells)). What no output depends on is dropped, equal
 //! registers become one, and the gates that remain are covered by look-up tables (`cover`). What is then counted:
 //!
 //! * look-up tables of the cover, and one for every inverter that stands alone, in front of a carry chain for example;
@@ -13,18 +13,15 @@
 //! Each module is estimated by itself, as in a synthesis that keeps the hierarchy.
 
 mod cover;
-mod gates;
 mod registers;
-mod words;
 
-use super::netlist::{Driver, Module, SignalId};
-use super::{Op, Type};
+use crate::cells::{Bit, Gate, Source, Words, number};
 use crate::device::{Device, Resources};
+use crate::netlist::{Driver, Module, SignalId};
+use crate::op::{Comb, Type, Word};
 use cover::Passages;
-use gates::{Bit, Gate};
 use registers::{Control, Registers};
 use std::collections::{HashMap, VecDeque};
-use words::{Source, Words, number};
 
 /// The resources of one module by itself, without its instances.
 pub fn own(module: &Module, device: &Device) -> Resources {
@@ -108,9 +105,10 @@ impl<'a> Reader<'a> {
         }
     }
 
-    fn operation(&mut self, op: &Op, args: &[SignalId], to: Type) -> Vec<Bit> {
-        let args: Vec<(Vec<Bit>, Type)> = args.iter().map(|a| (self.of(*a), self.module.signal(*a).ty)).collect();
-        self.words.operation(op, &args, to)
+    fn operation(&mut self, op: &Comb, args: &[SignalId], to: Type) -> Vec<Bit> {
+        let word = |a: &SignalId| Word { bits: self.of(*a), ty: self.module.signal(*a).ty };
+        let args: Vec<Word> = args.iter().map(word).collect();
+        op.gates(&mut self.words, &args, to)
     }
 
     /// What goes into the register of a signal: data and control, bit by bit.
@@ -160,9 +158,9 @@ impl<'a> Reader<'a> {
         let live = self.live(&mut roots);
         let products = live.products.iter().filter(|used| **used).count();
         resources.multipliers = products as u64;
-        for (chain, bits) in self.words.chains.iter().zip(&live.chains) {
+        for bits in &live.chains {
             // The sum of the top bit needs no carry out of it; a cell of several bits is there all the same.
-            let unused = usize::from(chain.sums && fabric.carry_cell == 1 && *bits > 0);
+            let unused = usize::from(fabric.carry_cell == 1 && *bits > 0);
             resources.carry += fabric.carry_bits(bits - unused);
         }
         roots.sort_unstable();

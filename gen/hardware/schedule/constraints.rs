@@ -1,9 +1,10 @@
-//! From a unit and its earliest schedule to the programme of all schedules of the same latency.
+//! From a unit and its earliest schedule to the program of all schedules of the same latency.
 
-use super::programme::{Event, Held, Programme, Reading, Stream};
-use super::schedule::{GROUP, Pass, Slot, delay, leg_phases};
-use super::{Op, Type, Unit};
-use std::collections::{BTreeMap, BTreeSet};
+use super::linear_program::{Event, Held, LinearProgram, Reading, Stream};
+use super::{GROUP, Pass, Slot, delay, operand_phases};
+use crate::graph::{Op, Unit};
+use crate::op::Comb;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 /// When a per-pair value is there, as far as one of its sources goes: from one event until before another.
 #[derive(Clone, Copy)]
@@ -23,16 +24,18 @@ enum Valid {
     Pair(Vec<Window>),
 }
 
-/// The programme in the making.
+/// The program in the making.
 pub(super) struct Constraints<'a> {
     pass: &'a Pass<'a>,
     earliest: &'a [Slot],
-    programme: Programme,
+    program: LinearProgram,
     /// Whether an output depends on each node.
     live: Vec<bool>,
     valid: Vec<Valid>,
     /// The variable of each node that has a start of its own.
     pub(super) variables: Vec<Option<usize>>,
+    /// The variable of each bundle, by the clocks in which its elements start and are there.
+    bundles: HashMap<(String, i32, i32), usize>,
     /// The start of each variable in the earliest schedule.
     starts: Vec<i32>,
     /// Place of each node's value among the streams or the held values.
@@ -43,15 +46,15 @@ pub(super) struct Constraints<'a> {
 const PORTS: Event = Event { variable: 0, offset: 0 };
 
 impl<'a> Constraints<'a> {
-    /// The programme, and the variable of each node that has one.
+    /// The program, and the variable of each node that has one.
     pub(super) fn collect(
         pass: &'a Pass<'a>,
         earliest: &'a [Slot],
         latency: i32,
         output_ns: f64,
-    ) -> (Programme, Vec<Option<usize>>) {
+    ) -> (LinearProgram, Vec<Option<usize>>) {
         let count = pass.unit.nodes.len();
-        let programme = Programme {
+        let program = LinearProgram {
             variables: vec!["ports".to_owned()],
             interval: pass.interval(),
             constraints: BTreeMap::new(),
@@ -64,10 +67,11 @@ impl<'a> Constraints<'a> {
         let mut all = Self {
             pass,
             earliest,
-            programme,
+            program,
             live: live(pass.unit),
             valid: vec![],
             variables: none,
+            bundles: HashMap::new(),
             starts: vec![0],
             streams,
             held,
@@ -96,19 +100,24 @@ impl<'a> Constraints<'a> {
         for i in 0..count {
             all.paths(i, latency, output_ns);
         }
-        (all.programme, all.variables)
+        (all.program, all.variables)
     }
 
     fn order(&mut self, earlier: Event, later: Event) {
-        self.programme.order(earlier, later);
+        self.program.order(earlier, later);
     }
 
-    /// A start for a node.
+    /// A start for a node. The elements of a bundle that start together in the earliest schedule go on doing so, so that
+    /// they are printed as one.
     fn variable(&mut self, i: usize) -> Event {
-        let variable = self.programme.variables.len();
-        self.programme.variables.push(self.pass.unit.nodes[i].name.clone());
+        let (node, slot) = (&self.pass.unit.nodes[i], self.earliest[i]);
+        let bundle = (format!("{}{}", node.place.base, node.place.suffix), slot.start, slot.from);
+        let variable = *self.bundles.entry(bundle).or_insert_with(|| {
+            self.program.variables.push(node.name());
+            self.starts.push(slot.start);
+            self.program.variables.len() - 1
+        });
         self.variables[i] = Some(variable);
-        self.starts.push(self.earliest[i].start);
         let start = Event { variable, offset: 0 };
         self.order(PORTS, start);
         start
@@ -121,16 +130,16 @@ impl<'a> Constraints<'a> {
         let interval = self.pass.interval();
         let bits = u64::from(node.ty.bits);
         match &node.op {
-            Op::Input if slot.until == i32::MAX => Valid::Stream(PORTS),
-            Op::Input => Valid::Pair(vec![Window { from: PORTS, until: PORTS.later(interval) }]),
-            Op::Constant(_) | Op::Phase(..) => Valid::Always,
+            Op::Input { .. } if slot.until == i32::MAX => Valid::Stream(PORTS),
+            Op::Input { .. } => Valid::Pair(vec![Window { from: PORTS, until: PORTS.later(slot.until) }]),
+            Op::Comb(Comb::Constant(_)) | Op::Phase(..) => Valid::Always,
             // What no output depends on is no hardware and follows the others.
             _ if !self.live[i] => Valid::Always,
             _ if unit.renames(i) => self.valid[node.args[0].0].clone(),
-            Op::Output(_) => self.valid[node.args[0].0].clone(),
-            Op::Hold { phase, lagged } => {
-                self.programme.fixed += bits;
-                let lag = if *lagged { self.pass.lag_clocks() } else { 0 };
+            Op::Output(_) | Op::Earlier(_) => self.valid[node.args[0].0].clone(),
+            Op::Capture { phase, late } => {
+                self.program.fixed += bits;
+                let lag = if *late { self.pass.lag_clocks() } else { 0 };
                 let Valid::Stream(from) = self.valid[node.args[0].0] else { return Valid::Always };
                 let from = from.later(*phase as i32 + 1 + lag);
                 Valid::Pair(vec![Window { from, until: from.later(interval) }])
@@ -140,11 +149,11 @@ impl<'a> Constraints<'a> {
                 let registers = slot.from - slot.start;
                 match op {
                     Op::Instance(_) => {}
-                    Op::ScanOr => self.programme.fixed += bits,
-                    Op::Choose { lagged } if registers > 0 => {
-                        self.programme.fixed += bits * lagged.len().div_ceil(GROUP) as u64;
+                    Op::ScanOr => self.program.fixed += bits,
+                    Op::Mux { late } if registers > 0 => {
+                        self.program.fixed += bits * late.len().div_ceil(GROUP) as u64;
                     }
-                    _ => self.programme.fixed += bits * registers as u64,
+                    _ => self.program.fixed += bits * registers as u64,
                 }
                 if slot.until == i32::MAX {
                     return Valid::Stream(self.variable(i).later(registers));
@@ -190,13 +199,13 @@ impl<'a> Constraints<'a> {
         let (unit, slot) = (self.pass.unit, self.earliest[i]);
         let Some(variable) = self.variables[i] else { return };
         let start = Event { variable, offset: 0 };
-        if let Op::Choose { lagged } = &unit.nodes[i].op {
-            let legs = lagged.len();
-            for (leg, lagged) in lagged.iter().enumerate() {
-                let Some((first, last)) = leg_phases(unit, i, leg) else { continue };
-                let lag = if *lagged { self.pass.lag_clocks() } else { 0 };
-                let limit = slot.latest_leg(self.pass.device, legs, *lagged);
-                let arg = unit.nodes[i].args[1 + leg].0;
+        if let Op::Mux { late } = &unit.nodes[i].op {
+            let operands = late.len();
+            for (operand, late) in late.iter().enumerate() {
+                let Some((first, last)) = operand_phases(unit, i, operand) else { continue };
+                let lag = if *late { self.pass.lag_clocks() } else { 0 };
+                let limit = slot.latest_operand(self.pass.device, operands, *late);
+                let arg = unit.nodes[i].args[1 + operand].0;
                 match self.valid[arg].clone() {
                     Valid::Always => {}
                     Valid::Stream(from) => {
@@ -239,13 +248,17 @@ impl<'a> Constraints<'a> {
     }
 
     /// A value of every phase is used in a clock.
-    fn carry(&mut self, i: usize, at: Event) {
-        let i = self.carrier(i);
+    fn carry(&mut self, i: usize, mut at: Event) {
+        let mut i = self.carrier(i);
+        while let Op::Earlier(phases) = &self.pass.unit.nodes[i].op {
+            at = at.later(*phases as i32);
+            i = self.carrier(self.pass.unit.nodes[i].args[0].0);
+        }
         let Valid::Stream(from) = self.valid[i] else { return };
-        let streams = &mut self.programme.streams;
+        let streams = &mut self.program.streams;
         let place = *self.streams[i].get_or_insert_with(|| {
             let node = &self.pass.unit.nodes[i];
-            streams.push(Stream { name: node.name.clone(), bits: node.ty.bits, from, uses: vec![] });
+            streams.push(Stream { name: node.name(), bits: node.ty.bits, from, uses: vec![] });
             streams.len() - 1
         });
         if !streams[place].uses.contains(&at) {
@@ -259,11 +272,11 @@ impl<'a> Constraints<'a> {
         for w in windows {
             self.order(w.from.later(i32::from(reading.captured)), reading.first);
         }
-        let held = &mut self.programme.held;
+        let held = &mut self.program.held;
         let place = *self.held[i].get_or_insert_with(|| {
             let node = &self.pass.unit.nodes[i];
             let windows = windows.iter().map(|w| (w.from, w.until)).collect();
-            held.push(Held { name: node.name.clone(), bits: node.ty.bits, windows, uses: vec![] });
+            held.push(Held { name: node.name(), bits: node.ty.bits, windows, uses: vec![] });
             held.len() - 1
         });
         if !held[place].uses.contains(&reading) {
@@ -280,9 +293,9 @@ impl<'a> Constraints<'a> {
         }
         let arrival = match &node.op {
             Op::Instance(_) if from.offset > 0 => self.pass.children[&origin].output_ns,
-            Op::Multiply => self.pass.device.product_launch(),
-            Op::Choose { lagged } if from.offset > 0 => self.pass.launch() + self.pass.choice(lagged.len()),
-            _ if from.offset > 0 || matches!(node.op, Op::Input) => self.pass.launch(),
+            Op::Comb(Comb::Multiply(_)) => self.pass.device.product_launch(),
+            Op::Mux { late } if from.offset > 0 => self.pass.launch() + self.pass.choice(late.len()),
+            _ if from.offset > 0 || matches!(node.op, Op::Input { .. }) => self.pass.launch(),
             _ => self.base(origin) + self.delay(origin),
         };
         let mut arrivals = vec![f64::NEG_INFINITY; self.pass.unit.nodes.len()];
@@ -314,8 +327,8 @@ impl<'a> Constraints<'a> {
     /// Arrival of what does not depend on the schedule at the inputs of a node.
     fn base(&self, i: usize) -> f64 {
         let slot = self.earliest[i];
-        if let Op::Choose { lagged } = &self.pass.unit.nodes[i].op {
-            return slot.latest_leg(self.pass.device, lagged.len(), false);
+        if let Op::Mux { late } = &self.pass.unit.nodes[i].op {
+            return slot.latest_operand(self.pass.device, late.len(), false);
         }
         let always = self.pass.unit.nodes[i].args.iter().filter(|a| matches!(self.valid[a.0], Valid::Always));
         always.map(|a| self.earliest[a.0].ns).fold(self.pass.launch(), f64::max)
@@ -328,11 +341,8 @@ impl<'a> Constraints<'a> {
         match &node.op {
             Op::Instance(_) => self.pass.children[&i].input_path,
             _ if self.earliest[i].from > self.earliest[i].start => f64::INFINITY,
-            Op::Choose { lagged } => self.pass.device.mux(lagged.len()),
-            op => {
-                let types: Vec<Type> = node.args.iter().map(|a| self.pass.unit.node(*a).ty).collect();
-                delay(self.pass.device, op, &types, node.ty)
-            }
+            Op::Mux { late } => self.pass.device.mux(late.len()),
+            _ => delay(self.pass.device, self.pass.unit, i),
         }
     }
 }

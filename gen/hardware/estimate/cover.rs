@@ -6,7 +6,7 @@
 //! which are those of the gates at first; each cover then moves the numbers a third of the way to its own, so that a
 //! gate that one cover passes over is not given up.
 
-use super::gates::{Bit, Gate, Gates};
+use crate::cells::{Bit, Gate, Gates};
 use std::collections::HashMap;
 
 /// Cuts kept for a gate.
@@ -165,7 +165,7 @@ mod tests {
 
     #[test]
     fn a_table_takes_what_has_four_inputs() {
-        let mut gates = Gates::new();
+        let mut gates = Gates::default();
         let x: Vec<Bit> = (0..8).map(|_| gates.leaf()).collect();
         let four = gates.any(&x[..4]);
         let eight = gates.any(&x);
@@ -178,7 +178,7 @@ mod tests {
 
     #[test]
     fn a_choice_before_an_exclusive_disjunction_is_one_table() {
-        let mut gates = Gates::new();
+        let mut gates = Gates::default();
         let [s, a, b, c] = [0; 4].map(|_| gates.leaf());
         let mux = gates.mux(s, a, b);
         let sum = gates.xor(mux, c);
@@ -188,7 +188,7 @@ mod tests {
 
     #[test]
     fn a_table_as_dear_as_three_is_taken_where_it_is_earlier() {
-        let mut gates = Gates::new();
+        let mut gates = Gates::default();
         let x: Vec<Bit> = (0..6).map(|_| gates.leaf()).collect();
         let low = gates.mux(x[0], x[2], x[3]);
         let high = gates.mux(x[0], x[4], x[5]);

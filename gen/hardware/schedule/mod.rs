@@ -1,23 +1,27 @@
 //! Scheduling: when each node of a unit is computed, on a device at a clock period.
 //!
 //! As soon as possible, on times (clock, nanoseconds): a node starts when its last operand has arrived; where it would
-//! end after the period it starts a clock later from registers, and where even that is too long it is followed by as
-//! many registers as its delay spans periods (for products that is the rule, and the synthesiser moves the first into
-//! the multiplier). A choice among more than four legs that is too long takes two clocks: among the legs of each group,
+//! end after the period it starts a clock later from registers, and what is too long even then misses the clock. A product
+//! stands between registers, the one behind it being the multiplier's own. A multiplexer of more than four operands that is too long takes two clocks: among the operands of each group,
 //! then among the groups, with registers between; what is too long even so stays so. Units are scheduled by themselves,
 //! their inputs arriving from registers in clock 0, and all outputs leave at one latency; an instance then is one
 //! operation of its parent. That fixes the latency; within it nodes then start where they take the fewest register bits
-//! (see [`programme`](super::programme)).
+//! (see [`linear_program`]).
 //!
 //! A per-pair value is valid in a *window* of clocks, at most one interval long. Uses inside the window need no
 //! register at all; a use beyond it captures the value again (a *hold*), which costs one register an interval whatever
 //! the distance. A per-phase value moves by one register a clock.
 
-use super::constraints::Constraints;
-use super::flat::pattern;
-use super::programme::Programme;
-use super::{Op, Rate, Type, Unit};
+mod constraints;
+mod cut;
+pub mod linear_program;
+
 use crate::device::Device;
+use crate::graph::flat::pattern;
+use crate::graph::{Op, Rate, Step, Unit};
+use crate::op::{Comb, Type};
+use constraints::Constraints;
+use linear_program::LinearProgram;
 use std::collections::{BTreeMap, HashMap};
 use std::rc::Rc;
 
@@ -40,9 +44,9 @@ impl Slot {
     /// A value that is there at any time.
     const ALWAYS: Self = Self { start: i32::MIN, from: i32::MIN, until: i32::MAX, ns: 0.0, registered: false };
 
-    /// Latest arrival, ns, of a leg that a choice with this slot reads as it is; what arrives later is captured first.
-    pub(super) fn latest_leg(&self, device: &Device, legs: usize, lagged: bool) -> f64 {
-        if lagged || self.registered { device.launch() } else { self.ns - device.mux(legs) }
+    /// Latest arrival, ns, of a operand that a multiplexer with this slot reads as it is; what arrives later is captured first.
+    pub(crate) fn latest_operand(&self, device: &Device, operands: usize, late: bool) -> f64 {
+        if late || self.registered { device.launch() } else { self.ns - device.mux(operands) }
     }
 }
 
@@ -59,13 +63,13 @@ pub struct Schedule {
     pub input_path: f64,
     /// Arrival of the latest output after the edge, ns.
     pub output_ns: f64,
-    /// By how many intervals lagged phases follow.
+    /// By how many intervals late phases follow.
     pub lag: i32,
     /// The longest path between registers in the unit and its instances, ns, with the name of its last node.
     pub critical: (f64, String),
-    /// All schedules of this latency as a linear programme.
-    pub programme: Programme,
-    /// Register bits of this one by the programme.
+    /// All schedules of this latency as a linear program.
+    pub program: LinearProgram,
+    /// Register bits of this one by the program.
     pub register_bits: u64,
     /// Schedules of the instances, by node.
     pub children: BTreeMap<usize, Rc<Schedule>>,
@@ -86,7 +90,7 @@ impl Schedule {
         all
     }
 
-    /// Clocks by which lagged phases follow the others.
+    /// Clocks by which late phases follow the others.
     pub fn lag_clocks(&self) -> i32 {
         self.lag * self.unit.interval as i32
     }
@@ -99,7 +103,7 @@ pub struct Scheduler {
     done: HashMap<*const Unit, Rc<Schedule>>,
 }
 
-/// Legs of a group, where a choice takes two clocks: two bits of the index choose among them.
+/// Legs of a group, where a multiplexer takes two clocks: two bits of the index choose among them.
 pub const GROUP: usize = 4;
 
 /// Lags tried before giving up: a result that needs more intervals than this is a defect of the unit.
@@ -130,8 +134,8 @@ impl Scheduler {
                 _ => None,
             })
             .collect();
-        let lagged = unit.nodes.iter().any(|n| matches!(&n.op, Op::Choose { lagged } if lagged.contains(&true)));
-        let lags = if lagged { 0..MOST_LAG } else { 0..1 };
+        let late = unit.nodes.iter().any(|n| matches!(&n.op, Op::Mux { late } if late.contains(&true)));
+        let lags = if late { 0..MOST_LAG } else { 0..1 };
         let schedule = lags
             .map(|lag| Pass {
                 device: self.device,
@@ -142,7 +146,7 @@ impl Scheduler {
                 lag,
             })
             .find_map(|pass| pass.run())
-            .unwrap_or_else(|| panic!("unit {}: lagged legs depend on themselves", unit.name));
+            .unwrap_or_else(|| panic!("unit {}: late operands depend on themselves", unit.name));
         let schedule = Rc::new(schedule);
         self.done.insert(Rc::as_ptr(unit), Rc::clone(&schedule));
         schedule
@@ -150,13 +154,13 @@ impl Scheduler {
 }
 
 /// The making of one schedule.
-pub(super) struct Pass<'a> {
-    pub(super) device: &'static Device,
+struct Pass<'a> {
+    device: &'static Device,
     period: f64,
-    pub(super) unit: &'a Rc<Unit>,
-    pub(super) children: &'a BTreeMap<usize, Rc<Schedule>>,
+    unit: &'a Rc<Unit>,
+    children: &'a BTreeMap<usize, Rc<Schedule>>,
     /// The nodes that have each node as operand.
-    pub(super) users: Vec<Vec<usize>>,
+    users: Vec<Vec<usize>>,
     lag: i32,
 }
 
@@ -167,7 +171,7 @@ struct Arrival {
     until: i32,
 }
 
-/// What is asked of a node beyond its operands: a start that is not earlier, and for choices legs that arrive no later.
+/// What is asked of a node beyond its operands: a start that is not earlier, and for multiplexers operands that arrive no later.
 #[derive(Clone, Copy)]
 struct Wish {
     start: i32,
@@ -179,35 +183,35 @@ struct Wish {
 const NO_WISH: Wish = Wish { start: i32::MIN, ns: f64::INFINITY, captured: false };
 
 impl Pass<'_> {
-    pub(super) fn launch(&self) -> f64 {
+    fn launch(&self) -> f64 {
         self.device.launch()
     }
 
-    pub(super) fn fits(&self, ns: f64) -> bool {
+    fn fits(&self, ns: f64) -> bool {
         ns + self.device.setup() <= self.period + 1e-9
     }
 
-    pub(super) fn interval(&self) -> i32 {
+    fn interval(&self) -> i32 {
         self.unit.interval as i32
     }
 
-    pub(super) fn lag_clocks(&self) -> i32 {
+    fn lag_clocks(&self) -> i32 {
         self.lag * self.interval()
     }
 
-    /// Runs the pass; none if a lagged leg is not there in time.
+    /// Runs the pass; none if a late operand is not there in time.
     fn run(&self) -> Option<Schedule> {
-        let earliest = self.slots(&vec![NO_WISH; self.unit.nodes.len()]);
-        if !self.lagged_legs_arrive(&earliest) {
+        let earliest = self.aligned();
+        if !self.late_operands_arrive(&earliest) {
             return None;
         }
         let (latency, output_ns) = self.latency(&earliest);
-        let (programme, variables) = Constraints::collect(self, &earliest, latency, output_ns);
-        let mut starts = vec![0; programme.variables.len()];
+        let (program, variables) = Constraints::collect(self, &earliest, latency, output_ns);
+        let mut starts = vec![0; program.variables.len()];
         for (slot, variable) in earliest.iter().zip(&variables) {
             variable.iter().for_each(|v| starts[*v] = slot.start);
         }
-        let best = programme.optimise(&starts);
+        let best = program.optimise(&starts);
         let wish = |(slot, variable): (&Slot, &Option<usize>)| Wish {
             start: variable.map_or(i32::MIN, |v| best[v]),
             ns: slot.ns,
@@ -216,11 +220,77 @@ impl Pass<'_> {
         let wishes: Vec<Wish> = earliest.iter().zip(&variables).map(wish).collect();
         let slots = self.slots(&wishes);
         let as_wished = slots.iter().zip(&variables).all(|(slot, v)| v.is_none_or(|v| slot.start == best[v]));
-        // What the programme does not see (windows of values made from many) may push a node back: then nothing moves.
+        // What the program does not see (windows of values made from many) may push a node back: then nothing moves.
         let (slots, starts) =
-            if as_wished && self.lagged_legs_arrive(&slots) { (slots, best) } else { (earliest, starts) };
-        let register_bits = programme.cost(&starts);
-        Some(self.schedule(slots, programme, register_bits))
+            if as_wished && self.late_operands_arrive(&slots) { (slots, best) } else { (earliest, starts) };
+        let register_bits = program.cost(&starts);
+        Some(self.schedule(slots, program, register_bits))
+    }
+
+    /// The earliest schedule in which the elements of a vector or record start together, unless one is made of another.
+    fn aligned(&self) -> Vec<Slot> {
+        let bundles = self.bundles();
+        let mut wishes = vec![NO_WISH; self.unit.nodes.len()];
+        loop {
+            let slots = self.slots(&wishes);
+            let mut moved = false;
+            for members in &bundles {
+                let start = members.iter().map(|i| slots[*i].start).max().unwrap_or(i32::MIN);
+                for i in members {
+                    moved |= slots[*i].start < start;
+                    wishes[*i].start = start;
+                }
+            }
+            if !moved {
+                return slots;
+            }
+        }
+    }
+
+    /// The nodes that are elements of one vector or record: all of them, or those of one field.
+    fn bundles(&self) -> Vec<Vec<usize>> {
+        let unit = self.unit;
+        let mut bundles: BTreeMap<(String, Vec<Step>), Vec<usize>> = BTreeMap::new();
+        for (i, node) in unit.nodes.iter().enumerate() {
+            let own = matches!(node.op, Op::Comb(_) | Op::Mux { .. }) && !unit.renames(i);
+            let constant = matches!(node.op, Op::Comb(Comb::Constant(_)));
+            let element = node.place.path.iter().any(|step| !matches!(step, Step::Index(_)));
+            let read = !self.users[i].is_empty() || unit.outputs.iter().any(|o| o.1.0 == i);
+            if own && !constant && element && read {
+                let elements = node.place.path.iter().copied().filter(|step| matches!(step, Step::Index(_)));
+                let key = (format!("{}{}", node.place.base, node.place.suffix), elements.collect());
+                bundles.entry(key).or_default().push(i);
+            }
+        }
+        let mut all = vec![];
+        for members in bundles.into_values() {
+            if !self.depend(&members) {
+                all.push(members);
+                continue;
+            }
+            let mut fields: BTreeMap<Option<Step>, Vec<usize>> = BTreeMap::new();
+            for i in members {
+                let field = unit.nodes[i].place.path.iter().copied().find(|step| matches!(step, Step::Field(..)));
+                fields.entry(field).or_default().push(i);
+            }
+            all.extend(fields.into_values().filter(|members| !self.depend(members)));
+        }
+        all
+    }
+
+    /// Whether one of the nodes is made of another.
+    fn depend(&self, nodes: &[usize]) -> bool {
+        let mut seen = vec![false; self.unit.nodes.len()];
+        let mut open: Vec<usize> = nodes.iter().flat_map(|i| self.users[*i].clone()).collect();
+        while let Some(i) = open.pop() {
+            if nodes.contains(&i) {
+                return true;
+            }
+            if !std::mem::replace(&mut seen[i], true) {
+                open.extend(&self.users[i]);
+            }
+        }
+        false
     }
 
     /// All slots, operands before their uses.
@@ -241,7 +311,7 @@ impl Pass<'_> {
         (latency, late.map(|s| s.ns).fold(self.launch(), f64::max))
     }
 
-    fn schedule(&self, slots: Vec<Slot>, programme: Programme, register_bits: u64) -> Schedule {
+    fn schedule(&self, slots: Vec<Slot>, program: LinearProgram, register_bits: u64) -> Schedule {
         let unit = self.unit;
         let (latency, output_ns) = self.latency(&slots);
         // Every node that starts in clock 0 lies on a path from the inputs to the first register.
@@ -249,18 +319,21 @@ impl Pass<'_> {
             Some(child) if slots[i].start == 0 && child.latency > 0 => self.arrival(i, &slots, 0).ns + child.input_path,
             _ if slots[i].from == 0 => slots[i].ns,
             // With registers behind it an operation leaves nothing of the period to what comes before.
-            None if slots[i].start == 0 && !matches!(unit.nodes[i].op, Op::Hold { .. } | Op::Output(_)) => self.period,
+            None if slots[i].start == 0 && !matches!(unit.nodes[i].op, Op::Capture { .. } | Op::Output(_)) => {
+                self.period
+            }
             _ => self.launch(),
         };
         let input_path = (0..slots.len()).map(path).fold(self.launch(), f64::max) - self.launch();
         let mut critical = (0.0, String::new());
         for (i, slot) in slots.iter().enumerate() {
             let ns = match &unit.nodes[i].op {
-                Op::Choose { .. } if slot.from > slot.start => slot.ns.max(self.launch() + self.device.mux(GROUP)),
+                Op::Mux { .. } if slot.from > slot.start => slot.ns.max(self.launch() + self.device.mux(GROUP)),
+                Op::Comb(Comb::Multiply(_)) => self.launch() + delay(self.device, unit, i),
                 _ => slot.ns,
             };
             if ns > critical.0 {
-                critical = (ns, format!("{}.{}", unit.name, unit.nodes[i].name));
+                critical = (ns, format!("{}.{}", unit.name, unit.nodes[i].name()));
             }
         }
         for child in self.children.values() {
@@ -276,7 +349,7 @@ impl Pass<'_> {
             output_ns,
             lag: self.lag,
             critical,
-            programme,
+            program,
             register_bits,
             children: self.children.clone(),
         }
@@ -286,20 +359,22 @@ impl Pass<'_> {
         let node = &self.unit.nodes[i];
         let interval = self.interval();
         match &node.op {
-            Op::Input => {
-                let until = if node.rate == Rate::Pair { interval } else { i32::MAX };
+            Op::Input { early } => {
+                let until = if node.rate == Rate::Pair { interval - *early as i32 } else { i32::MAX };
                 Slot { start: 0, from: 0, until, ns: self.launch(), registered: false }
             }
-            Op::Constant(_) => Slot::ALWAYS,
+            Op::Comb(Comb::Constant(_)) => Slot::ALWAYS,
             _ if self.unit.renames(i) => slots[node.args[0].0],
             Op::Phase(..) => Slot { ns: self.launch(), ..Slot::ALWAYS },
-            Op::Hold { phase, lagged } => {
+            Op::Capture { phase, late } => {
                 let arg = slots[node.args[0].0];
-                let lag = if *lagged { self.lag * interval } else { 0 };
+                let lag = if *late { self.lag * interval } else { 0 };
                 let from = arg.from + *phase as i32 + 1 + lag;
                 Slot { start: from - 1, from, until: from + interval, ns: self.launch(), registered: false }
             }
-            Op::Choose { lagged } => self.place_choose(i, lagged, slots, wish),
+            // In time with its operand, whose delay line it is a tap of.
+            Op::Earlier(_) => Slot { ns: self.launch(), ..slots[node.args[0].0] },
+            Op::Mux { late } => self.place_mux(i, late, slots, wish),
             Op::Output(_) => {
                 let instance = slots[node.args[0].0];
                 let until = if node.rate == Rate::Pair { instance.until } else { i32::MAX };
@@ -316,32 +391,23 @@ impl Pass<'_> {
                 Slot { start, from: start + child.latency, until, ns, registered }
             }
             op => {
-                let types: Vec<Type> = node.args.iter().map(|a| self.unit.node(*a).ty).collect();
-                let delay = delay(self.device, op, &types, node.ty);
+                let delay = delay(self.device, self.unit, i);
                 let arrival = self.arrival(i, slots, if wish.captured { i32::MIN } else { wish.start });
                 if arrival.clock == i32::MIN {
                     return Slot { ns: self.launch() + delay, ..Slot::ALWAYS };
                 }
-                if matches!(op, Op::Multiply) {
-                    let registers = self.registers(delay).max(1);
-                    let wait = i32::from(arrival.ns > self.launch());
-                    let start = arrival.clock + wait;
-                    let from = start + registers;
-                    return Slot { start, from, until: i32::MAX, ns: self.device.product_launch(), registered: true };
+                if matches!(op, Op::Comb(Comb::Multiply(_))) {
+                    // Operands straight from registers, and the register behind the product is the multiplier's own.
+                    let start = arrival.clock + i32::from(arrival.ns > self.launch());
+                    let ns = self.device.product_launch();
+                    return Slot { start, from: start + 1, until: i32::MAX, ns, registered: true };
                 }
                 let (start, ns, registered) = self.start(&arrival, delay, wish);
-                let registers = if self.fits(ns) { 0 } else { self.registers(delay) };
-                let ns = if registers == 0 { ns } else { self.launch() };
                 let until = if registered { start.saturating_add(interval) } else { arrival.until };
-                let until = if node.rate == Rate::Pair { until.saturating_add(registers) } else { i32::MAX };
-                Slot { start, from: start + registers, until, ns, registered }
+                let until = if node.rate == Rate::Pair { until } else { i32::MAX };
+                Slot { start, from: start, until, ns, registered }
             }
         }
-    }
-
-    /// Registers behind an operation that takes `delay` from registers: one a period it spans.
-    fn registers(&self, delay: f64) -> i32 {
-        ((self.launch() + delay + self.device.setup()) / self.period).ceil() as i32
     }
 
     /// Start clock, arrival of the result and whether the operands are registered for it.
@@ -377,26 +443,26 @@ impl Pass<'_> {
         arrival
     }
 
-    /// Whether a choice among that many legs takes two clocks.
-    pub(super) fn divides(&self, legs: usize) -> bool {
-        legs > GROUP && !self.fits(self.launch() + self.device.mux(legs))
+    /// Whether a multiplexer among that many operands takes two clocks.
+    fn divides(&self, operands: usize) -> bool {
+        operands > GROUP && !self.fits(self.launch() + self.device.mux(operands))
     }
 
-    /// Delay of a choice among that many legs from its legs, or from its inner registers, to its output.
-    pub(super) fn choice(&self, legs: usize) -> f64 {
-        self.device.mux(if self.divides(legs) { legs.div_ceil(GROUP) } else { legs })
+    /// Delay of a multiplexer among that many operands from its operands, or from its inner registers, to its output.
+    fn choice(&self, operands: usize) -> f64 {
+        self.device.mux(if self.divides(operands) { operands.div_ceil(GROUP) } else { operands })
     }
 
-    fn place_choose(&self, i: usize, lagged: &[bool], slots: &[Slot], wish: Wish) -> Slot {
+    fn place_mux(&self, i: usize, late: &[bool], slots: &[Slot], wish: Wish) -> Slot {
         let node = &self.unit.nodes[i];
-        let delay = self.choice(lagged.len());
-        let divided = self.divides(lagged.len());
+        let delay = self.choice(late.len());
+        let divided = self.divides(late.len());
         let mut clock = wish.start.max(0);
         loop {
             let (mut ready, mut ns) = (clock, self.launch());
-            for (leg, is_lagged) in lagged.iter().enumerate() {
-                let Some((first, last)) = leg_phases(self.unit, i, leg).filter(|_| !is_lagged) else { continue };
-                let slot = slots[node.args[1 + leg].0];
+            for (operand, is_late) in late.iter().enumerate() {
+                let Some((first, last)) = operand_phases(self.unit, i, operand).filter(|_| !is_late) else { continue };
+                let slot = slots[node.args[1 + operand].0];
                 if slot.from == i32::MIN {
                     continue;
                 }
@@ -422,12 +488,12 @@ impl Pass<'_> {
         }
     }
 
-    fn lagged_legs_arrive(&self, slots: &[Slot]) -> bool {
+    fn late_operands_arrive(&self, slots: &[Slot]) -> bool {
         self.unit.nodes.iter().enumerate().all(|(i, node)| {
-            let Op::Choose { lagged } = &node.op else { return true };
-            lagged.iter().enumerate().filter(|l| *l.1).all(|(leg, _)| {
-                let Some((first, last)) = leg_phases(self.unit, i, leg) else { return true };
-                let slot = slots[node.args[1 + leg].0];
+            let Op::Mux { late } = &node.op else { return true };
+            late.iter().enumerate().filter(|l| *l.1).all(|(operand, _)| {
+                let Some((first, last)) = operand_phases(self.unit, i, operand) else { return true };
+                let slot = slots[node.args[1 + operand].0];
                 let read = |phase: usize| slots[i].start + phase as i32 + self.lag * self.interval();
                 let direct = slot.ns <= self.launch() && read(last) < slot.until;
                 slot.from + i32::from(!direct) <= read(first)
@@ -447,42 +513,23 @@ fn users(unit: &Unit) -> Vec<Vec<usize>> {
     users
 }
 
-/// Delay of an operation from its inputs to its output, nets before it included, ns. Wires take no time.
-pub(super) fn delay(device: &Device, op: &Op, args: &[Type], result: Type) -> f64 {
-    let widest = args.iter().map(|a| a.bits).max().unwrap_or(0);
-    match op {
-        Op::Add | Op::Subtract | Op::Negate => device.chain(result.bits),
-        Op::NegateIf | Op::Magnitude => device.conditional_negation(result.bits),
-        Op::Equal => device.comparison(widest),
-        Op::Clamp(..) => device.comparison(widest) + device.mux(2),
-        Op::Multiply => device.product(result.bits),
-        Op::And | Op::Or | Op::Not | Op::ScanOr => device.tree(2),
-        Op::AnyBit => device.tree(widest),
-        Op::Select => device.mux(args.len() - 1),
-        Op::Lookup(..) => device.tree(args[0].bits),
-        Op::Input
-        | Op::Constant(_)
-        | Op::SignBit
-        | Op::Floor(_)
-        | Op::Append(_)
-        | Op::LowBits(_)
-        | Op::Resize(_)
-        | Op::Reinterpret(_)
-        | Op::Assert(..)
-        | Op::Fact(_)
-        | Op::Concatenate
-        | Op::Phase(..)
-        | Op::Hold { .. }
-        | Op::Choose { .. }
-        | Op::Instance(_)
-        | Op::Output(_) => 0.0,
+/// Delay of a node from its inputs to its output, nets before it included, ns.
+fn delay(device: &Device, unit: &Unit, i: usize) -> f64 {
+    let node = &unit.nodes[i];
+    match &node.op {
+        Op::Comb(op) => {
+            let types: Vec<Type> = node.args.iter().map(|a| unit.node(*a).ty).collect();
+            op.delay(device, &types, node.ty)
+        }
+        Op::ScanOr => device.tree(2),
+        _ => 0.0,
     }
 }
 
-/// First and last phase in which a leg of a choice is read, if any.
-pub fn leg_phases(unit: &Unit, choose: usize, leg: usize) -> Option<(usize, usize)> {
+/// First and last phase in which a operand of a multiplexer is read, if any.
+pub fn operand_phases(unit: &Unit, choose: usize, operand: usize) -> Option<(usize, usize)> {
     let select = &unit.node(unit.nodes[choose].args[0]).op;
-    let mut phases = (0..unit.interval).filter(|s| pattern(select, *s) == Some(leg));
+    let mut phases = (0..unit.interval).filter(|s| pattern(select, *s) == Some(operand));
     let first = phases.next()?;
     Some((first, phases.next_back().unwrap_or(first)))
 }

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 
 /// A bit: the output of a gate, possibly complemented. Complements cost nothing, a look-up table absorbs them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
-pub(super) struct Bit(u32);
+pub struct Bit(u32);
 
 impl Bit {
     /// Always 0.
@@ -52,7 +52,7 @@ impl std::ops::Not for Bit {
 
 /// A gate, its operands made before it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Gate {
+pub enum Gate {
     /// The constant 0; gate 0 and no other.
     Zero,
     /// A bit from elsewhere: a port, register, carry chain, multiplier, memory or instance.
@@ -78,16 +78,21 @@ impl Gate {
 }
 
 /// All gates of a module, operands before users.
-pub(super) struct Gates {
+pub struct Gates {
+    /// The gates.
     pub all: Vec<Gate>,
     known: HashMap<Gate, Bit>,
 }
 
-impl Gates {
-    pub fn new() -> Self {
+/// Nothing but the constant.
+impl Default for Gates {
+    fn default() -> Self {
         Self { all: vec![Gate::Zero], known: HashMap::new() }
     }
+}
 
+impl Gates {
+    /// A bit from elsewhere.
     pub fn leaf(&mut self) -> Bit {
         self.all.push(Gate::Leaf);
         Bit::new(self.all.len() - 1)
@@ -101,6 +106,7 @@ impl Gates {
         })
     }
 
+    /// Conjunction.
     pub fn and(&mut self, a: Bit, b: Bit) -> Bit {
         match (a.min(b), a.max(b)) {
             (Bit::ZERO, _) => Bit::ZERO,
@@ -111,10 +117,12 @@ impl Gates {
         }
     }
 
+    /// Disjunction.
     pub fn or(&mut self, a: Bit, b: Bit) -> Bit {
         !self.and(!a, !b)
     }
 
+    /// Exclusive disjunction.
     pub fn xor(&mut self, a: Bit, b: Bit) -> Bit {
         let odd = a.is_complement() != b.is_complement();
         let (a, b) = (a.plain().min(b.plain()), a.plain().max(b.plain()));
@@ -126,6 +134,7 @@ impl Gates {
         if odd { !even } else { even }
     }
 
+    /// The second bit where the first is set, else the third.
     pub fn mux(&mut self, select: Bit, set: Bit, clear: Bit) -> Bit {
         if select.is_complement() {
             return self.mux(!select, clear, set);

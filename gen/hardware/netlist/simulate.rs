@@ -4,8 +4,8 @@
 //! running disjunctions) form components that are stepped clock by clock; everything else is computed for a whole block
 //! of clocks at a time, signal by signal, in tight loops. The result is that of stepping everything.
 
-use super::netlist::{Driver, Module, SignalId};
-use super::{Op, Type};
+use super::module::{Driver, Module, SignalId};
+use crate::op::{Comb, Resize, Type};
 use std::collections::HashMap;
 use std::rc::Rc;
 
@@ -13,8 +13,8 @@ use std::rc::Rc;
 #[derive(Clone, Debug)]
 enum Action {
     Input,
-    Combinational(Op),
-    Register { op: Option<Op>, enable: Option<usize>, reset: Option<(usize, i128)> },
+    Combinational(Comb),
+    Register { op: Option<Comb>, enable: Option<usize>, reset: Option<(usize, i128)> },
     Memory,
 }
 
@@ -93,7 +93,13 @@ impl Simulation {
         let outputs = dissolve(top, None, &mut cells, &mut inputs);
         let chosen: Vec<usize> = names
             .iter()
-            .map(|name| outputs[top.outputs.iter().position(|(n, _)| n == name).expect("an output of the top")])
+            .map(|name| {
+                outputs[top
+                    .outputs
+                    .iter()
+                    .position(|(place, _)| place.to_string() == *name)
+                    .expect("an output of the top")]
+            })
             .collect();
         let mut used = vec![false; cells.len()];
         let mut stack = chosen.clone();
@@ -173,7 +179,7 @@ impl Simulation {
         self.lanes[cell].set(t, value);
     }
 
-    fn apply(&self, op: &Op, cell: usize, t: usize) -> i128 {
+    fn apply(&self, op: &Comb, cell: usize, t: usize) -> i128 {
         let c = &self.cells[cell];
         let mut args = [0i128; 32];
         let mut types = [Type::FLAG; 32];
@@ -182,12 +188,11 @@ impl Simulation {
                 args[i] = self.lanes[*a].get(t);
                 types[i] = self.cells[*a].ty;
             }
-            let value = op.apply(&args[..c.args.len()], &types[..c.args.len()], c.ty);
-            return if matches!(op, Op::Resize(_)) { wrap(value, c.ty) } else { value };
+            return op.value(&args[..c.args.len()], &types[..c.args.len()], c.ty);
         }
         let args: Vec<i128> = c.args.iter().map(|a| self.lanes[*a].get(t)).collect();
         let types: Vec<Type> = c.args.iter().map(|a| self.cells[*a].ty).collect();
-        op.apply(&args, &types, c.ty)
+        op.value(&args, &types, c.ty)
     }
 
     /// State after clock `t`.
@@ -272,7 +277,7 @@ impl Simulation {
         self.lanes[cell] = lane;
     }
 
-    fn combinational(&mut self, op: &Op, cell: usize) {
+    fn combinational(&mut self, op: &Comb, cell: usize) {
         let mut lane = std::mem::replace(&mut self.lanes[cell], Lane::Narrow(vec![]));
         if !self.narrow(op, cell, &mut lane) {
             for t in 0..self.block {
@@ -282,69 +287,16 @@ impl Simulation {
         self.lanes[cell] = lane;
     }
 
-    /// The common operations on 64-bit lanes; false if this is none.
-    fn narrow(&self, op: &Op, cell: usize, result: &mut Lane) -> bool {
-        let Lane::Narrow(z) = result else { return false };
-        let mut lanes = self.cells[cell].args.iter().map(|a| match &self.lanes[*a] {
+    /// An operation on 64-bit lanes; false if it has wider ones.
+    fn narrow(&self, op: &Comb, cell: usize, result: &mut Lane) -> bool {
+        let Lane::Narrow(results) = result else { return false };
+        let lane = |a: &usize| match &self.lanes[*a] {
             Lane::Narrow(v) => Some(v.as_slice()),
             Lane::Wide(_) => None,
-        });
-        let (a, b) = (lanes.next(), lanes.next());
-        match (op, a, b) {
-            (Op::Constant(c), ..) => z.fill(*c as i64),
-            (_, Some(None), _) | (_, _, Some(None)) => return false,
-            (op, Some(Some(a)), None) => {
-                let each = z.iter_mut().zip(a);
-                match op {
-                    Op::Negate => each.for_each(|(z, a)| *z = -a),
-                    Op::SignBit => each.for_each(|(z, a)| *z = i64::from(*a < 0)),
-                    Op::AnyBit => each.for_each(|(z, a)| *z = i64::from(*a != 0)),
-                    Op::Magnitude => each.for_each(|(z, a)| *z = a.abs()),
-                    Op::Resize(to) => each.for_each(|(z, a)| *z = wrap(i128::from(*a), *to) as i64),
-                    Op::Reinterpret(_) => z.copy_from_slice(a),
-                    Op::Floor(drop) => each.for_each(|(z, a)| *z = a >> drop),
-                    Op::Append(zeros) => each.for_each(|(z, a)| *z = a << zeros),
-                    Op::LowBits(bits) => each.for_each(|(z, a)| *z = a & ((1i64 << bits) - 1)),
-                    Op::Lookup(table, _) => each.for_each(|(z, a)| {
-                        *z = table.get(*a as usize).map_or(0, |value| *value as i64);
-                    }),
-                    Op::Not => {
-                        let ones = (1i64 << self.cells[cell].ty.bits) - 1;
-                        each.for_each(|(z, a)| *z = ones - a);
-                    }
-                    _ => return false,
-                }
-            }
-            (op, Some(Some(a)), Some(Some(b))) => {
-                let pairs = z.iter_mut().zip(a).zip(b);
-                match op {
-                    Op::Add => pairs.for_each(|((z, a), b)| *z = a + b),
-                    Op::Subtract => pairs.for_each(|((z, a), b)| *z = a - b),
-                    Op::Multiply => pairs.for_each(|((z, a), b)| *z = a * b),
-                    Op::NegateIf => pairs.for_each(|((z, a), b)| *z = if *a == 1 { -b } else { *b }),
-                    Op::Equal => pairs.for_each(|((z, a), b)| *z = i64::from(a == b)),
-                    Op::And => pairs.for_each(|((z, a), b)| *z = a & b),
-                    Op::Or => pairs.for_each(|((z, a), b)| *z = a | b),
-                    Op::Select => {
-                        let legs: Option<Vec<&[i64]>> = std::iter::once(Some(b)).chain(lanes).collect();
-                        let Some(legs) = legs else { return false };
-                        let last = legs.len() - 1;
-                        z.iter_mut().zip(a).enumerate().for_each(|(t, (z, s))| *z = legs[(*s as usize).min(last)][t]);
-                    }
-                    _ => return false,
-                }
-            }
-            _ => return false,
-        }
-        true
+        };
+        let lanes: Option<Vec<&[i64]>> = self.cells[cell].args.iter().map(lane).collect();
+        lanes.is_some_and(|lanes| op.lanes(&lanes, self.cells[cell].ty, results))
     }
-}
-
-/// The bits of a value in a type. Only in slots without a pair, or in phases that nobody reads, does this cut anything:
-/// elsewhere range analysis has shown that the value fits.
-fn wrap(value: i128, to: Type) -> i128 {
-    let low = value & ((1 << to.bits) - 1);
-    if to.signed && low >> (to.bits - 1) == 1 { low - (1 << to.bits) } else { low }
 }
 
 /// Appends the cells of a module; returns the cells of its outputs.
@@ -376,7 +328,7 @@ fn dissolve(module: &Rc<Module>, args: Option<&[usize]>, cells: &mut Vec<Cell>, 
     for (i, signal) in module.signals.iter().enumerate() {
         if matches!(signal.driver, Driver::Instance { .. }) {
             own[i] = cells.len();
-            let action = Action::Combinational(Op::Resize(signal.ty));
+            let action = Action::Combinational(Resize(signal.ty).into());
             cells.push(Cell { action, args: vec![], ty: signal.ty });
         }
     }

@@ -2,23 +2,24 @@
 
 use super::*;
 use crate::device;
-use crate::graph::netlist::ModuleBuilder;
+use crate::netlist::{Control, Wire};
+use crate::op::{Add, And, Floor, Less, Multiply, Resize};
 
 const NAMES: [&str; 4] = ["xc2v6000-4", "xc6slx150-3", "xc7a200t-1", "lfe5u-85-6"];
 
-fn module(build: impl FnOnce(&mut ModuleBuilder)) -> std::rc::Rc<Module> {
-    let mut b = ModuleBuilder::new("unit", vec![]);
-    build(&mut b);
-    b.finish()
+fn module(build: impl FnOnce(&Control)) -> std::rc::Rc<Module> {
+    let control = Control::new("unit", vec![]);
+    build(&control);
+    control.finish()
 }
 
 fn of(module: &Module, name: &str) -> Resources {
     own(module, device::find(name).unwrap())
 }
 
-fn registered(b: &mut ModuleBuilder, name: &str, d: SignalId) -> SignalId {
-    let q = b.register(name, b.ty(d));
-    b.drive(q, d, None, None);
+fn registered<'m>(b: &'m Control, name: &str, d: Wire<'m>) -> Wire<'m> {
+    let q = b.register(name, d.ty());
+    q.loads(d, None, None);
     q
 }
 
@@ -26,8 +27,7 @@ fn registered(b: &mut ModuleBuilder, name: &str, d: SignalId) -> SignalId {
 fn a_sum_takes_a_table_and_a_carry_a_bit() {
     let sum = module(|b| {
         let (x, y) = (b.input("x", Type::signed(8, 0)), b.input("y", Type::signed(8, 0)));
-        let sum = b.op("sum", Op::Add, &[x, y]);
-        b.output("z", sum);
+        x.apply(Add(None), &[y]).output("z");
     });
     // Nine bits, of which the top two have the same operands.
     assert_eq!(of(&sum, NAMES[0]), Resources { luts: 8, carry: 8, ..Resources::default() });
@@ -40,40 +40,33 @@ fn a_sum_takes_a_table_and_a_carry_a_bit() {
 fn bits_that_are_constant_or_not_read_take_nothing() {
     let cut = module(|b| {
         let x = b.input("x", Type::signed(8, 0));
-        let wide = b.op("wide", Op::Resize(Type::signed(12, 0)), &[x]);
-        let held = registered(b, "held", wide);
-        let high = b.op("high", Op::Floor(3), &[held]);
-        b.output("z", high);
+        let wide = x.apply(Resize(Type::signed(12, 0)), &[]);
+        registered(b, "held", wide).apply(Floor(3), &[]).output("z");
     });
     // Bits 3 to 7; the four above are copies of bit 7.
     assert_eq!(of(&cut, NAMES[0]), Resources { flip_flops: 5, ..Resources::default() });
 }
 
 #[test]
-fn a_choice_in_front_of_a_sum_is_one_table_a_bit() {
+fn a_multiplexer_in_front_of_a_sum_is_one_table_a_bit() {
     let unit = module(|b| {
         let [x, y, z] = ["x", "y", "z"].map(|name| b.input(name, Type::unsigned(8)));
         let flag = b.input("flag", Type::FLAG);
-        let chosen = b.op("chosen", Op::Select, &[flag, x, y]);
-        let sum = b.op("sum", Op::Add, &[z, chosen]);
-        b.output("s", sum);
+        z.apply(Add(None), &[flag.choose(y, x)]).output("s");
     });
     // The top bit is the last carry alone.
     assert_eq!(of(&unit, NAMES[0]).luts, 8);
-    assert_eq!(of(&unit, NAMES[3]).luts, 8 + 10, "a complete chain leaves no room for the choice");
+    assert_eq!(of(&unit, NAMES[3]).luts, 8 + 10, "a complete chain leaves no room for the multiplexer");
 }
 
 #[test]
-fn a_comparison_with_a_constant_takes_a_carry_for_every_table_of_bits() {
-    let clamp = module(|b| {
-        let x = b.input("x", Type::signed(18, 0));
-        let clamped = b.op("clamped", Op::Clamp(77_777, "none"), &[x]);
-        b.output("z", clamped);
+fn a_comparison_takes_a_carry_for_every_bit() {
+    let less = module(|b| {
+        let (x, y) = (b.input("x", Type::signed(18, 0)), b.input("y", Type::signed(18, 0)));
+        x.apply(Less, &[y]).output("z");
     });
-    // Two comparisons, each of five groups of four bits; or of three groups of six, in a cell of four.
-    assert_eq!(of(&clamp, NAMES[0]).carry, 10);
-    assert_eq!(of(&clamp, NAMES[2]).carry, 8);
-    assert_eq!(of(&clamp, NAMES[3]).carry, 36);
+    // The difference has a bit more; the sum of the top bit needs no carry out of it and the same table as the bit below.
+    assert_eq!(of(&less, NAMES[0]), Resources { luts: 18, carry: 18, ..Resources::default() });
 }
 
 #[test]
@@ -81,10 +74,8 @@ fn registers_of_products_are_where_the_family_has_them() {
     let product = module(|b| {
         let (x, y) = (b.input("x", Type::signed(10, 0)), b.input("y", Type::signed(12, 0)));
         let (x, y) = (registered(b, "x_d", x), registered(b, "y_d", y));
-        let product = b.op("product", Op::Multiply, &[x, y]);
-        let first = registered(b, "first", product);
-        let second = registered(b, "second", first);
-        b.output("z", second);
+        let first = registered(b, "first", x.apply(Multiply, &[y]));
+        registered(b, "second", first).output("z");
     });
     let flip_flops = |name| of(&product, name).flip_flops;
     assert!(NAMES.iter().all(|name| of(&product, name).multipliers == 1));
@@ -98,8 +89,7 @@ fn small_products_are_made_of_tables() {
     let product = |bits| {
         module(|b| {
             let (x, y) = (b.input("x", Type::signed(bits, 0)), b.input("y", Type::signed(5, 0)));
-            let product = b.op("product", Op::Multiply, &[x, y]);
-            b.output("z", product);
+            x.apply(Multiply, &[y]).output("z");
         })
     };
     assert_eq!(of(&product(4), NAMES[0]), Resources { multipliers: 1, ..Resources::default() });
@@ -116,10 +106,10 @@ fn long_delays_are_shift_registers() {
             for i in 0..clocks {
                 x = registered(b, &format!("d{i}"), x);
                 if tap == Some(i) {
-                    b.output("tap", x);
+                    x.output("tap");
                 }
             }
-            b.output("z", x);
+            x.output("z");
         })
     };
     let taken = |clocks, tap, name| {
@@ -139,11 +129,8 @@ fn registers_that_depend_on_themselves_are_counted() {
     let counter = module(|b| {
         let flag = b.input("flag", Type::FLAG);
         let count = b.register("count", Type::unsigned(4));
-        let one = b.constant("one", 1, Type::FLAG);
-        let next = b.op("next", Op::Add, &[count, one]);
-        let next = b.op("next_bits", Op::Resize(Type::unsigned(4)), &[next]);
-        b.drive(count, next, Some(flag), None);
-        b.output("z", count);
+        count.loads(count.plus(1), Some(flag), None);
+        count.output("z");
     });
     // The lowest bit is inverted, the others are copies into the chain.
     assert_eq!(of(&counter, NAMES[0]), Resources { luts: 1, flip_flops: 4, carry: 3, ..Resources::default() });
@@ -154,14 +141,13 @@ fn instances_count_each() {
     let device = device::find(NAMES[0]).unwrap();
     let inner = module(|b| {
         let (x, y) = (b.input("x", Type::FLAG), b.input("y", Type::FLAG));
-        let both = b.op("both", Op::And, &[x, y]);
-        b.output("z", both);
+        x.apply(And, &[y]).output("z");
     });
     let outer = module(|b| {
         let (x, y) = (b.input("x", Type::FLAG), b.input("y", Type::FLAG));
         let first = b.instance("first", &inner, &[x, y])[0];
         let second = b.instance("second", &inner, &[first, y])[0];
-        b.output("q", second);
+        second.output("q");
     });
     assert_eq!(own(&outer, device), Resources::default());
     assert_eq!(whole(&outer, device).luts, 2);

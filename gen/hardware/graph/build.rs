@@ -1,0 +1,619 @@
+//! Units in the making: copyable handles, and the nodes that operators on them make.
+
+use super::bundle::Signals;
+use super::names;
+use super::place::{Place, Step};
+use super::unit::{Fact, Node, NodeId, Op, Probe, Rate, Unit};
+use crate::op::*;
+use std::cell::RefCell;
+use std::collections::HashMap;
+use std::ops;
+use std::rc::Rc;
+
+/// The units of a design in the making.
+#[derive(Default)]
+pub struct Library {
+    drafts: RefCell<Vec<Draft>>,
+    finished: RefCell<HashMap<String, Rc<Unit>>>,
+}
+
+/// A unit in the making.
+struct Draft {
+    unit: Unit,
+    /// Ranges of every node: one, or one per column.
+    ranges: Vec<Vec<Range>>,
+    /// Cases in which per-phase values have ranges of their own: the phases of the unit at the top.
+    columns: usize,
+    /// Values that are connected later, with what they are connected to.
+    later: HashMap<usize, Option<NodeId>>,
+}
+
+impl Draft {
+    /// Removes what no output depends on.
+    fn prune(&mut self) {
+        let mut used = vec![false; self.unit.nodes.len()];
+        let inputs = self.unit.inputs.iter().copied();
+        let mut open: Vec<NodeId> = inputs.chain(self.unit.outputs.iter().map(|o| o.1)).collect();
+        while let Some(id) = open.pop() {
+            if !std::mem::replace(&mut used[id.0], true) {
+                open.extend(&self.unit.nodes[id.0].args);
+                // All outputs of an instance stay, so that every port is connected.
+                if matches!(self.unit.nodes[id.0].op, Op::Instance(_)) {
+                    let outputs = (0..used.len()).filter(|i| self.unit.nodes[*i].args.first() == Some(&id));
+                    open.extend(outputs.map(NodeId));
+                }
+            }
+        }
+        let mut count = 0;
+        let mut place = |used: &bool| {
+            count += usize::from(*used);
+            NodeId(count.wrapping_sub(1))
+        };
+        let places: Vec<NodeId> = used.iter().map(&mut place).collect();
+        let mut kept = used.iter();
+        self.unit.nodes.retain(|_| *kept.next().expect("one flag per node"));
+        let mut kept = used.iter();
+        self.ranges.retain(|_| *kept.next().expect("one flag per node"));
+        let moved = |id: &mut NodeId| *id = places[id.0];
+        self.unit.nodes.iter_mut().flat_map(|n| &mut n.args).for_each(moved);
+        self.unit.inputs.iter_mut().for_each(moved);
+        self.unit.outputs.iter_mut().for_each(|o| moved(&mut o.1));
+        self.unit.probes.retain(|p| used[p.node.0]);
+        self.unit.probes.iter_mut().for_each(|p| moved(&mut p.node));
+    }
+}
+
+/// A signal: a handle of a node in a unit in the making.
+#[derive(Clone, Copy)]
+pub struct Sig<'l> {
+    library: &'l Library,
+    unit: usize,
+    id: NodeId,
+}
+
+impl PartialEq for Sig<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        (self.unit, self.id) == (other.unit, other.id)
+    }
+}
+
+impl Eq for Sig<'_> {}
+
+impl std::fmt::Debug for Sig<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}", self.describe())
+    }
+}
+
+impl Library {
+    /// Begins a unit with `interval` phases. `columns` are the cases in which per-phase values are looked at.
+    pub(super) fn begin(&self, name: &str, doc: &[&str], interval: usize, columns: usize) -> usize {
+        let doc = doc.iter().map(|line| (*line).to_owned()).collect();
+        let unit = Unit::new(name.to_owned(), doc, interval);
+        let mut drafts = self.drafts.borrow_mut();
+        drafts.push(Draft { unit, ranges: vec![], columns, later: HashMap::new() });
+        drafts.len() - 1
+    }
+
+    /// The unit at the top, made by a function from the library to its outputs.
+    pub fn unit<'l, R: Signals<'l>>(
+        &'l self,
+        name: &str,
+        doc: &[&str],
+        interval: usize,
+        body: impl FnOnce(Top<'l>) -> R,
+    ) -> Rc<Unit> {
+        let unit = self.begin(name, doc, interval, interval);
+        let outputs = body(Top { library: self, unit }).signals();
+        self.finish(unit, &outputs)
+    }
+
+    /// The finished unit; one of that name that is the same but for ranges is taken instead.
+    pub(super) fn finish(&self, unit: usize, outputs: &[Sig<'_>]) -> Rc<Unit> {
+        let mut draft = {
+            let mut drafts = self.drafts.borrow_mut();
+            assert_eq!(unit + 1, drafts.len(), "units are finished from the inside outward");
+            drafts.pop().expect("the unit was begun")
+        };
+        for (node, to) in std::mem::take(&mut draft.later) {
+            let to =
+                to.unwrap_or_else(|| panic!("unit {}: a value that comes later is not connected", draft.unit.name));
+            draft.unit.nodes.iter_mut().flat_map(|n| &mut n.args).filter(|a| a.0 == node).for_each(|a| *a = to);
+        }
+        draft.unit.outputs = outputs.iter().map(|o| (Place::default(), o.id)).collect();
+        draft.prune();
+        names::derive(&mut draft.unit);
+        let ranges: Vec<Range> = draft.ranges.into_iter().map(hull).collect();
+        let (mut finished, unit) = (self.finished.borrow_mut(), draft.unit);
+        let known = finished.get(&unit.name).cloned();
+        assert!(known.as_ref().is_none_or(|known| known.same(&unit)), "two different units are called {}", unit.name);
+        let unit = known.unwrap_or_else(|| {
+            let (name, unit) = (unit.name.clone(), Rc::new(unit));
+            finished.insert(name, Rc::clone(&unit));
+            unit
+        });
+        unit.widen(&ranges);
+        unit
+    }
+}
+
+/// The unit at the top in the making: what makes its inputs.
+#[derive(Clone, Copy)]
+pub struct Top<'l> {
+    library: &'l Library,
+    unit: usize,
+}
+
+impl<'l> Top<'l> {
+    pub(super) fn of(library: &'l Library, unit: usize) -> Self {
+        Self { library, unit }
+    }
+
+    /// An input that is held for the pair.
+    pub fn input(self, ty: Type, range: Range) -> Sig<'l> {
+        self.port(ty, vec![range], Rate::Pair)
+    }
+
+    /// An input that changes this many clocks before the slot ends.
+    pub fn input_until(self, ty: Type, range: Range, early: usize) -> Sig<'l> {
+        let input = self.input(ty, range);
+        self.library.with(self.unit, |draft| draft.unit.nodes[input.id.0].op = Op::Input { early });
+        input
+    }
+
+    /// An input with ranges of its own in every case, or the same in all.
+    pub(super) fn port(self, ty: Type, ranges: Vec<Range>, rate: Rate) -> Sig<'l> {
+        let sig = self.library.push(self.unit, Op::Input { early: 0 }, vec![], ty, rate, ranges);
+        self.library.with(self.unit, |draft| draft.unit.inputs.push(sig.id));
+        sig
+    }
+
+    /// Number of phases.
+    pub fn interval(self) -> usize {
+        self.library.with(self.unit, |draft| draft.unit.interval)
+    }
+
+    /// A constant.
+    pub fn constant(self, value: i128, ty: Type) -> Sig<'l> {
+        let op = Op::Comb(Constant(value, ty).into());
+        self.library.shared(self.unit, op, ty, Rate::Any, vec![(value, value)])
+    }
+
+    /// A constant of its own: an element of a bundle.
+    pub fn element(self, value: i128, ty: Type) -> Sig<'l> {
+        let op = Op::Comb(Constant(value, ty).into());
+        self.library.push(self.unit, op, vec![], ty, Rate::Any, vec![(value, value)])
+    }
+
+    /// A constant of each phase; none where it does not matter.
+    pub(super) fn pattern(self, values: Vec<Option<i128>>, ty: Type) -> Sig<'l> {
+        let first = values.iter().flatten().next().copied().unwrap_or(0);
+        // In a multiplexer of one operand the pattern says in which phases that is read.
+        if values.iter().all(|v| v.is_some_and(|v| v == first)) {
+            return self.constant(first, ty);
+        }
+        let ranges = values.iter().map(|v| v.unwrap_or(0)).map(|v| (v, v)).collect();
+        self.library.shared(self.unit, Op::Phase(values), ty, Rate::Phase, ranges)
+    }
+
+    /// A value that is connected later; its type and range are promised.
+    pub fn later(self, ty: Type, range: Range) -> Sig<'l> {
+        let sig = self.library.push(self.unit, Op::Input { early: 0 }, vec![], ty, Rate::Pair, vec![range]);
+        self.library.with(self.unit, |draft| draft.later.insert(sig.id.0, None));
+        sig
+    }
+}
+
+impl Library {
+    fn with<R>(&self, unit: usize, f: impl FnOnce(&mut Draft) -> R) -> R {
+        f(&mut self.drafts.borrow_mut()[unit])
+    }
+
+    fn push(&self, unit: usize, op: Op, args: Vec<NodeId>, ty: Type, rate: Rate, ranges: Vec<Range>) -> Sig<'_> {
+        let id = self.with(unit, |draft| {
+            let (place, comment) = (Place::default(), String::new());
+            draft.unit.nodes.push(Node { op, args, ty, rate, place, named: false, comment });
+            draft.ranges.push(ranges);
+            NodeId(draft.unit.nodes.len() - 1)
+        });
+        let sig = Sig { library: self, unit, id };
+        let (ty, ranges) = (sig.ty(), sig.ranges());
+        for (column, range) in ranges.iter().enumerate() {
+            if !ty.holds(*range) {
+                let case = if ranges.len() > 1 { format!(" in phase {column}") } else { String::new() };
+                sig.refuse(&format!("values from {} to {}{case} do not fit {ty}", range.0, range.1));
+            }
+        }
+        sig
+    }
+
+    /// A node without operands, made once.
+    fn shared(&self, unit: usize, op: Op, ty: Type, rate: Rate, ranges: Vec<Range>) -> Sig<'_> {
+        let known = self.with(unit, |draft| draft.unit.nodes.iter().position(|n| n.op == op && n.ty == ty && !n.named));
+        match known {
+            Some(id) => Sig { library: self, unit, id: NodeId(id) },
+            None => self.push(unit, op, vec![], ty, rate, ranges),
+        }
+    }
+}
+
+impl<'l> Sig<'l> {
+    /// The unit it is in.
+    pub fn unit(self) -> Top<'l> {
+        Top { library: self.library, unit: self.unit }
+    }
+
+    pub(super) fn library(self) -> &'l Library {
+        self.library
+    }
+
+    pub(super) fn columns(self) -> usize {
+        self.library.with(self.unit, |draft| draft.columns)
+    }
+
+    fn node<R>(self, f: impl FnOnce(&mut Node) -> R) -> R {
+        self.library.with(self.unit, |draft| f(&mut draft.unit.nodes[self.id.0]))
+    }
+
+    /// Its type.
+    pub fn ty(self) -> Type {
+        self.node(|n| n.ty)
+    }
+
+    /// How often it changes.
+    pub fn rate(self) -> Rate {
+        self.node(|n| n.rate)
+    }
+
+    /// Its fraction bits.
+    pub fn fraction(self) -> i32 {
+        self.ty().fraction.unwrap_or(0)
+    }
+
+    /// Its ranges: one, or one per phase.
+    pub(super) fn ranges(self) -> Vec<Range> {
+        self.library.with(self.unit, |draft| draft.ranges[self.id.0].clone())
+    }
+
+    /// The range of all its values.
+    pub fn range(self) -> Range {
+        hull(self.ranges())
+    }
+
+    /// Its name, or what it is made of.
+    fn describe(self) -> String {
+        let (op, args, place) = self.node(|n| (n.op.clone(), n.args.clone(), n.place.clone()));
+        if !place.is_empty() {
+            return place.to_string();
+        }
+        let args: Vec<String> = args.iter().map(|id| Sig { id: *id, ..self }.describe()).collect();
+        match op {
+            Op::Comb(op) => format!("{}({})", op.role(), args.join(", ")),
+            Op::Output(_) => args.concat(),
+            Op::Instance(unit) => unit.name.clone(),
+            other => format!("{other:?}({})", args.join(", ")),
+        }
+    }
+
+    /// Refuses what cannot be: a defect of the caller.
+    fn refuse(self, why: &str) -> ! {
+        let unit = self.library.with(self.unit, |draft| draft.unit.name.clone());
+        panic!("unit {unit}, {}: {why}", self.describe())
+    }
+
+    /// An operation on this signal and others.
+    ///
+    /// # Panics
+    /// If the operands do not fit the operation, or values its type.
+    pub fn apply(self, op: impl Into<Comb>, others: &[Self]) -> Self {
+        let op = op.into();
+        let args = joined(&[&[self], others].concat());
+        let types: Vec<Type> = args.iter().map(|a| a.ty()).collect();
+        let ty = op.result(&types).unwrap_or_else(|why| {
+            let operands: Vec<String> = args.iter().map(|a| a.describe()).collect();
+            self.refuse(&format!("{} of {}: {why}", op.role(), operands.join(" and ")))
+        });
+        let ranges = columns(&args, |ranges| op.range(ranges, &types, ty));
+        self.make(Op::Comb(op), &args, ty, ranges)
+    }
+
+    /// A node that reads `args`.
+    fn make(self, op: Op, args: &[Self], ty: Type, ranges: Vec<Range>) -> Self {
+        let rate = args.iter().map(|a| a.rate()).fold(Rate::Any, |a, b| if a == Rate::Any { b } else { a });
+        self.library.push(self.unit, op, args.iter().map(|a| a.id).collect(), ty, rate, ranges)
+    }
+
+    /// The same per-pair value in every phase.
+    fn broadcast(self) -> Self {
+        let select = self.unit().constant(0, Type::FLAG);
+        let known = self.library.with(self.unit, |draft| {
+            let op = Op::Mux { late: vec![false] };
+            draft.unit.nodes.iter().position(|n| n.op == op && n.args == [select.id, self.id])
+        });
+        match known {
+            Some(id) => Self { id: NodeId(id), ..self },
+            None => self.mux(select, &[(self, false)], self.ranges()),
+        }
+    }
+
+    /// A multiplexer among operands, each with whether it is a late one.
+    pub(super) fn mux(self, select: Self, operands: &[(Self, bool)], ranges: Vec<Range>) -> Self {
+        let mut ty = operands[0].0.ty();
+        for (operand, _) in operands {
+            let other = operand.ty();
+            if !other.same_bits(ty) {
+                operand.refuse(&format!("expected {ty} as the other operands of the multiplexer, found {other}"));
+            }
+            ty.fraction = ty.fraction.filter(|_| ty.fraction == other.fraction);
+        }
+        let late = operands.iter().map(|o| o.1).collect();
+        let args = std::iter::once(select.id).chain(operands.iter().map(|o| o.0.id)).collect();
+        self.library.push(self.unit, Op::Mux { late }, args, ty, Rate::Phase, ranges)
+    }
+
+    /// Running disjunction over phases, anew where `first` is set.
+    pub fn or_over_phases(self, first: Self) -> Self {
+        let (mine, first_ranges) = (self.ranges(), first.ranges());
+        let (mut ranges, mut so_far) = (vec![], (0, 0));
+        for column in 0..self.columns() {
+            let fresh = mine[column % mine.len()];
+            let starts = column == 0 || first_ranges[column % first_ranges.len()] == (1, 1);
+            so_far = if starts { fresh } else { Or.range(&[fresh, so_far], &[], self.ty()) };
+            ranges.push(so_far);
+        }
+        self.library.push(self.unit, Op::ScanOr, vec![self.id, first.id], self.ty(), Rate::Phase, ranges)
+    }
+
+    /// Connects a value made by [`Top::later`].
+    pub fn connect(self, value: Self) {
+        let (promised, found) = (self.range(), value.range());
+        if !self.ty().same_bits(value.ty()) || found.0 < promised.0 || promised.1 < found.1 {
+            let expected = format!("{} within {promised:?}", self.ty());
+            self.refuse(&format!("expected {expected}, found {} of {} within {found:?}", value.describe(), value.ty()));
+        }
+        self.library.with(self.unit, |draft| draft.later.insert(self.id.0, Some(value.id)));
+    }
+
+    pub(super) fn set_name(self, base: &str, path: &[Step]) -> Self {
+        self.node(|n| {
+            n.place = Place::at(base, path);
+            n.named = true;
+        });
+        self
+    }
+
+    pub(super) fn set_comment(self, text: &str) -> Self {
+        self.node(|n| n.comment = text.to_owned());
+        self
+    }
+
+    pub(super) fn set_probe(self, phases: &[(usize, bool)]) -> Self {
+        let probe = Probe { node: self.id, phases: phases.to_vec() };
+        self.library.with(self.unit, |draft| draft.unit.probes.push(probe));
+        self
+    }
+
+    pub(super) fn capture_signal(self, phase: usize, late: bool) -> Self {
+        let ranges = self.ranges();
+        let range = ranges[phase % ranges.len()];
+        let op = Op::Capture { phase, late };
+        self.library.push(self.unit, op, vec![self.id], self.ty(), Rate::Pair, vec![range])
+    }
+
+    pub(super) fn assume_range(self, bound: Range, lemma: &'static str, phases: &[bool]) -> Self {
+        let mut ranges = self.ranges();
+        for (column, range) in ranges.iter_mut().enumerate() {
+            if phases.get(column) != Some(&false) {
+                *range = (range.0.max(bound.0), range.1.min(bound.1));
+            }
+        }
+        self.make(Op::Assume(bound, lemma, phases.to_vec()), &[self], self.ty(), ranges)
+    }
+
+    /// The value this many phases before.
+    pub(super) fn earlier_signal(self, phases: usize) -> Self {
+        let ranges = self.ranges();
+        let ranges = (0..ranges.len()).map(|s| ranges[s.saturating_sub(phases)]).collect();
+        self.library.push(self.unit, Op::Earlier(phases), vec![self.id], self.ty(), Rate::Phase, ranges)
+    }
+
+    /// The value, which is known to equal a function of others.
+    pub fn known(self, fact: Fact, of: &[Self]) -> Self {
+        let args = [&[self], of].concat();
+        let ranges = columns(&args, |r| fact.range(r));
+        self.make(Op::Known(fact), &args, self.ty(), ranges)
+    }
+
+    /// The same bits with the binary point elsewhere, or without one.
+    pub fn at_point(self, fraction: Option<i32>) -> Self {
+        if self.ty().fraction == fraction {
+            return self;
+        }
+        self.make(Op::Point, &[self], Type { fraction, ..self.ty() }, self.ranges())
+    }
+
+    pub(super) fn instance_of(self, unit: &Rc<Unit>, args: &[Self]) -> Self {
+        self.make(Op::Instance(Rc::clone(unit)), args, Type::FLAG, vec![(0, 0)])
+    }
+
+    pub(super) fn output_of(self, port: usize, ty: Type, rate: Rate, ranges: Vec<Range>) -> Self {
+        let rate = if rate == Rate::Any { self.rate() } else { rate };
+        self.library.push(self.unit, Op::Output(port), vec![self.id], ty, rate, ranges)
+    }
+}
+
+/// Operands of one node: per-pair values are brought into the phases where others are there already.
+pub(super) fn joined<'l>(args: &[Sig<'l>]) -> Vec<Sig<'l>> {
+    for other in &args[1..] {
+        if other.unit != args[0].unit {
+            args[0].refuse(&format!("{} is in another unit", other.describe()));
+        }
+    }
+    let phases = args.iter().any(|a| a.rate() == Rate::Phase);
+    let bring = |a: &Sig<'l>| if phases && a.rate() == Rate::Pair { a.broadcast() } else { *a };
+    args.iter().map(bring).collect()
+}
+
+/// A range for every column from those of the operands.
+fn columns(args: &[Sig<'_>], f: impl Fn(&[Range]) -> Range) -> Vec<Range> {
+    let all: Vec<Vec<Range>> = args.iter().map(|a| a.ranges()).collect();
+    let count = all.iter().map(Vec::len).max().unwrap_or(1);
+    (0..count).map(|c| f(&all.iter().map(|r| r[c % r.len()]).collect::<Vec<_>>())).collect()
+}
+
+/// Shorthand for operations.
+impl<'l> Sig<'l> {
+    /// A constant with this signal's type.
+    pub fn like(self, value: i128) -> Self {
+        self.unit().constant(value, self.ty())
+    }
+
+    /// The bits above the lowest `drop`, or with a negative number that many zeros appended: the value rounded toward
+    /// minus infinity to fewer fraction bits, or with more of them.
+    pub fn floor(self, drop: i32) -> Self {
+        match drop {
+            0 => self,
+            1.. => self.apply(Floor(drop as u32), &[]),
+            _ => self.apply(Append(drop.unsigned_abs()), &[]),
+        }
+    }
+
+    /// Multiplied by a power of two in as many bits: nothing but signs may be shifted out.
+    pub fn shift_left(self, bits: u32) -> Self {
+        self.apply(ShiftLeft(bits), &[])
+    }
+
+    /// The lowest bits.
+    pub fn low(self, bits: u32) -> Self {
+        if self.ty() == Type::unsigned(bits) { self } else { self.apply(LowBits(bits), &[]) }
+    }
+
+    /// The same value in a type. A sum or choice that has no name yet is made in as many bits at once.
+    pub fn resize(self, ty: Type) -> Self {
+        let own = self.ty();
+        let (op, args, named) = self.node(|n| (n.op.clone(), n.args.clone(), n.named));
+        let bits = Some(ty.bits);
+        let sum: Option<Comb> = match op {
+            Op::Comb(Comb::Add(_)) => Some(Add(bits).into()),
+            Op::Comb(Comb::Subtract(_)) => Some(Subtract(bits).into()),
+            Op::Comb(Comb::Negate(_)) => Some(Negate(bits).into()),
+            Op::Comb(Comb::Select(_)) => Some(Select(bits).into()),
+            _ => None,
+        };
+        match sum.filter(|_| !named && ty.bits < own.bits && ty.signed == own.signed) {
+            _ if own == ty => self,
+            Some(sum) => {
+                let args: Vec<Self> = args.iter().map(|id| Self { id: *id, ..self }).collect();
+                args[0].apply(sum, &args[1..]).resize(ty)
+            }
+            None => self.apply(Resize(ty), &[]),
+        }
+    }
+
+    /// The same value in so many bits of its own kind.
+    pub fn bits(self, bits: u32) -> Self {
+        self.resize(Type { bits, ..self.ty() })
+    }
+
+    /// Flag: some bit is set.
+    pub fn any(self) -> Self {
+        if self.ty().is_flag() { self } else { self.apply(OrReduce, &[]) }
+    }
+
+    /// Flag: it is negative.
+    pub fn negative(self) -> Self {
+        self.apply(SignBit, &[])
+    }
+
+    /// Absolute value.
+    pub fn magnitude(self) -> Self {
+        self.apply(Magnitude, &[])
+    }
+
+    /// Flag: both are equal.
+    pub fn equals(self, other: Self) -> Self {
+        self.apply(Equal, &[other])
+    }
+
+    /// Flag: it is less than another.
+    pub fn less(self, other: Self) -> Self {
+        self.apply(Less, &[other])
+    }
+
+    /// Within `[-bound, bound]`: sound where the true value lies inside by the lemma.
+    pub fn saturate(self, bound: i128, lemma: &'static str) -> Self {
+        let ty = self.ty();
+        let (most, least) = (self.unit().constant(bound, ty), self.unit().constant(-bound, ty));
+        let bits = 129 - bound.leading_zeros();
+        let inside = self.less(least).choose(least, self);
+        most.less(self).choose(most, inside).assume_range((-bound, bound), lemma, &[]).bits(bits.min(ty.bits))
+    }
+
+    /// With this flag set the one, else the other.
+    pub fn choose<B: Signals<'l>>(self, set: B, clear: B) -> B {
+        let clear = clear.signals();
+        let mut i = 0;
+        set.each(|_, set| {
+            i += 1;
+            self.apply(Select::default(), &[clear[i - 1], set])
+        })
+    }
+
+    /// Negated where the flag is set.
+    pub fn negate_if(self, flag: Self) -> Self {
+        flag.apply(NegateIf, &[self])
+    }
+
+    /// Entry of a table by this index.
+    pub fn lookup(self, table: Vec<i128>, ty: Type) -> Self {
+        self.apply(Lookup(table, ty), &[])
+    }
+
+    /// This in the low bits, others above it.
+    pub fn below(self, others: &[Self]) -> Self {
+        if others.is_empty() { self } else { self.apply(Concatenate, others) }
+    }
+}
+
+macro_rules! operator {
+    ($($trait:ident $method:ident $op:expr),*) => {
+        $(impl ops::$trait for Sig<'_> {
+            type Output = Self;
+
+            fn $method(self, other: Self) -> Self {
+                self.apply($op, &[other])
+            }
+        })*
+    };
+}
+
+operator!(Add add Add::default(), Sub sub Subtract::default(), Mul mul Multiply, BitOr bitor Or);
+
+/// A flag that is always set changes nothing.
+impl ops::BitAnd for Sig<'_> {
+    type Output = Self;
+
+    fn bitand(self, other: Self) -> Self {
+        match (self.ty().is_flag(), self.range(), other.range()) {
+            (true, (1, 1), _) => other,
+            (true, _, (1, 1)) => self,
+            _ => self.apply(And, &[other]),
+        }
+    }
+}
+
+impl ops::Neg for Sig<'_> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        self.apply(Negate::default(), &[])
+    }
+}
+
+impl ops::Not for Sig<'_> {
+    type Output = Self;
+
+    fn not(self) -> Self {
+        self.apply(Not, &[])
+    }
+}

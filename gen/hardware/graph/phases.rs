@@ -1,0 +1,111 @@
+//! Time sharing: a value for each phase of the slot.
+
+use super::build::{Sig, Top};
+use super::bundle::Signals;
+use crate::op::Type;
+
+/// What a shared unit works on in each phase; nothing in idle ones. *Late* phases belong to the pair whose slot began a
+/// whole number of intervals earlier: they read results of early phases.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Phases<T> {
+    of: Vec<Option<(T, bool)>>,
+}
+
+impl<T> Phases<T> {
+    /// What is worked on in each of `interval` phases.
+    pub fn new(interval: usize, f: impl FnMut(usize) -> Option<T>) -> Self {
+        Self { of: (0..interval).map(f).map(|x| x.map(|x| (x, false))).collect() }
+    }
+
+    /// Marks late phases.
+    pub fn late(mut self, f: impl Fn(&T) -> bool) -> Self {
+        self.of.iter_mut().flatten().for_each(|(x, late)| *late = f(x));
+        self
+    }
+
+    /// A function of what is worked on in each phase.
+    pub fn map<U>(&self, mut f: impl FnMut(&T) -> U) -> Phases<U> {
+        self.filter_map(|x| Some(f(x)))
+    }
+
+    /// The same, with phases that fall idle.
+    pub fn filter_map<U>(&self, mut f: impl FnMut(&T) -> Option<U>) -> Phases<U> {
+        let each = |x: &Option<(T, bool)>| x.as_ref().and_then(|(x, late)| Some((f(x)?, *late)));
+        Phases { of: self.of.iter().map(each).collect() }
+    }
+
+    /// The phases that are not idle.
+    pub fn busy(&self) -> impl Iterator<Item = (usize, &T)> {
+        self.of.iter().enumerate().filter_map(|(s, x)| x.as_ref().map(|(x, _)| (s, x)))
+    }
+
+    /// Whether all phases are idle.
+    pub fn idle(&self) -> bool {
+        self.of.iter().all(Option::is_none)
+    }
+
+    /// The phases that are not idle, with which of them are late ones: where a value has a meaning.
+    pub fn meaning(&self) -> Vec<(usize, bool)> {
+        self.of.iter().enumerate().filter_map(|(s, x)| x.as_ref().map(|(_, late)| (s, *late))).collect()
+    }
+
+    /// Which phases are not idle.
+    pub fn marks(&self) -> Vec<bool> {
+        self.of.iter().map(Option::is_some).collect()
+    }
+
+    /// What is in a phase.
+    pub fn get(&self, phase: usize) -> Option<&T> {
+        self.of[phase].as_ref().map(|(x, _)| x)
+    }
+
+    /// A value captured in every phase that is not idle, with what was worked on.
+    pub fn capture<'l, 'a, B: Signals<'l>>(&'a self, value: &'a B) -> impl Iterator<Item = (&'a T, B)> {
+        let busy = self.of.iter().enumerate().filter_map(|(s, x)| x.as_ref().map(|x| (s, x)));
+        busy.map(move |(s, (x, late))| (x, value.capture(s, *late)))
+    }
+}
+
+impl Phases<i128> {
+    /// A constant of each phase. Idle phases repeat the first busy one, as the operands of idle phases do, so that what a
+    /// unit computes there is in range too.
+    pub fn constant<'l>(&self, unit: Top<'l>, ty: Type) -> Sig<'l> {
+        let first = self.busy().next().map(|(_, x)| *x);
+        unit.pattern((0..self.of.len()).map(|s| self.get(s).copied().or(first)).collect(), ty)
+    }
+}
+
+impl<'l, B: Signals<'l>> Phases<B> {
+    /// One operand for each phase: a multiplexer for each signal of the bundle, operands that are equal shared.
+    ///
+    /// # Panics
+    /// If all phases are idle.
+    pub fn mux(&self) -> B {
+        // The different operands, and which of them each phase takes.
+        let mut operands: Vec<(Vec<Sig<'l>>, bool)> = vec![];
+        let take = |x: &Option<(B, bool)>| {
+            x.as_ref().map(|(bundle, late)| {
+                let operand = (bundle.signals(), *late);
+                operands.iter().position(|known| *known == operand).unwrap_or_else(|| {
+                    operands.push(operand);
+                    operands.len() - 1
+                })
+            })
+        };
+        let taken: Vec<Option<usize>> = self.of.iter().map(take).collect();
+        let any = self.busy().next().expect("expected a phase that is not idle").1;
+        let Some(first) = any.signals().first().copied() else { return any.clone() };
+        let unit = first.unit();
+        let select = unit.pattern(taken.iter().map(|t| t.map(|t| t as i128)).collect(), Type::index(operands.len()));
+        let mut signals = 0..;
+        any.each(|_, signal| {
+            let i = signals.next().unwrap_or(0);
+            let each: Vec<(Sig<'l>, bool)> = operands.iter().map(|(all, late)| (all[i], *late)).collect();
+            let range = |(s, t): (usize, &Option<usize>)| {
+                let ranges = each[t.unwrap_or(0)].0.ranges();
+                ranges[s % ranges.len()]
+            };
+            signal.mux(select, &each, taken.iter().enumerate().map(range).collect())
+        })
+    }
+}

@@ -1,0 +1,303 @@
+//! Control logic: modules with state, written with copyable handles as units are.
+
+use super::module::{Driver, Instance, Module, Signal, SignalId};
+use crate::graph::{Bundle, Place, Step};
+use crate::op::*;
+use std::cell::RefCell;
+use std::collections::HashSet;
+use std::ops;
+use std::rc::Rc;
+
+/// A module in the making.
+pub struct Control {
+    module: RefCell<Module>,
+}
+
+/// A signal of a module in the making.
+#[derive(Clone, Copy)]
+pub struct Wire<'m> {
+    control: &'m Control,
+    /// Its number in the module.
+    pub id: SignalId,
+}
+
+impl<'m> Bundle<Wire<'m>> for Wire<'m> {
+    fn map(&self, path: &mut Vec<Step>, f: &mut dyn FnMut(&[Step], Self) -> Self) -> Self {
+        f(path, *self)
+    }
+}
+
+impl Control {
+    /// An empty module.
+    pub fn new(name: &str, doc: Vec<String>) -> Self {
+        Self { module: RefCell::new(Module::new(name, doc)) }
+    }
+
+    fn push(&self, place: Place, ty: Type, driver: Driver) -> Wire<'_> {
+        let named = !place.is_empty();
+        let (comment, range, clock) = (String::new(), None, None);
+        let mut module = self.module.borrow_mut();
+        module.signals.push(Signal { place, named, ty, driver, comment, range, clock });
+        Wire { control: self, id: SignalId(module.signals.len() - 1) }
+    }
+
+    /// An input port.
+    pub fn input(&self, place: impl Into<Place>, ty: Type) -> Wire<'_> {
+        let wire = self.push(place.into(), ty, Driver::Port);
+        self.module.borrow_mut().inputs.push(wire.id);
+        wire
+    }
+
+    /// A constant.
+    pub fn constant(&self, value: i128, ty: Type) -> Wire<'_> {
+        self.push(Place::default(), ty, Driver::Combinational { op: Constant(value, ty).into(), args: vec![] })
+    }
+
+    /// A register whose input is connected later by [`Wire::loads`].
+    pub fn register(&self, place: impl Into<Place>, ty: Type) -> Wire<'_> {
+        self.push(place.into(), ty, Driver::Register { op: None, args: vec![], enable: None, reset: None })
+    }
+
+    /// A memory of as many words as the address counts, with one synchronous write port and one asynchronous read port:
+    /// what is read.
+    pub fn memory<'m>(
+        &'m self,
+        place: impl Into<Place>,
+        write: Wire<'m>,
+        address: Wire<'m>,
+        data: Wire<'m>,
+        read: Wire<'m>,
+    ) -> Wire<'m> {
+        let (depth, ty) = (1 << address.ty().bits, data.ty());
+        let [write, address, data, read] = [write, address, data, read].map(|w| w.id);
+        self.push(place.into(), ty, Driver::Memory { write, address, data, read, depth })
+    }
+
+    /// An instance; its outputs, named `{label}_{port}`.
+    ///
+    /// # Panics
+    /// If the operands do not fit its ports.
+    pub fn instance<'m>(&'m self, label: &str, module: &Rc<Module>, inputs: &[Wire<'m>]) -> Vec<Wire<'m>> {
+        assert_eq!(inputs.len(), module.inputs.len(), "instance {label} of {}", module.name);
+        for (given, port) in inputs.iter().zip(&module.inputs) {
+            let port = module.signal(*port);
+            let why = format!("instance {label}: {} at port {}", given.ty(), port.name());
+            assert!(given.ty().same_bits(port.ty), "{why}");
+        }
+        let mut own = self.module.borrow_mut();
+        let instance = own.instances.len();
+        let inputs = inputs.iter().map(|w| w.id).collect();
+        own.instances.push(Instance { place: Place::new(label), module: Rc::clone(module), inputs });
+        drop(own);
+        let outputs = module.outputs.iter().enumerate();
+        outputs
+            .map(|(port, (place, signal))| {
+                let inner = module.signal(*signal);
+                let place = Place { base: format!("{label}_{}", place.base), ..place.clone() };
+                let wire = self.push(place, inner.ty, Driver::Instance { instance, port });
+                self.module.borrow_mut().signals[wire.id.0].range = inner.range;
+                wire
+            })
+            .collect()
+    }
+
+    /// The finished module, without signals that nothing depends on.
+    pub fn finish(self) -> Rc<Module> {
+        let mut module = self.module.into_inner();
+        module.name_signals();
+        Rc::new(module.pruned())
+    }
+}
+
+impl From<&str> for Place {
+    fn from(name: &str) -> Self {
+        Self::new(name)
+    }
+}
+
+impl<'m> Wire<'m> {
+    /// Its type.
+    pub fn ty(self) -> Type {
+        self.control.module.borrow().signals[self.id.0].ty
+    }
+
+    /// Names it.
+    pub fn named(self, place: impl Into<Place>) -> Self {
+        let mut module = self.control.module.borrow_mut();
+        let signal = &mut module.signals[self.id.0];
+        (signal.place, signal.named) = (place.into(), true);
+        self
+    }
+
+    /// Says what it is.
+    pub fn comment(self, text: &str) -> Self {
+        self.control.module.borrow_mut().signals[self.id.0].comment = text.to_owned();
+        self
+    }
+
+    /// Makes it an output port.
+    pub fn output(self, place: impl Into<Place>) {
+        self.control.module.borrow_mut().outputs.push((place.into(), self.id));
+    }
+
+    /// An operation on this signal and others.
+    ///
+    /// # Panics
+    /// If the operands do not fit the operation.
+    pub fn apply(self, op: impl Into<Comb>, others: &[Self]) -> Self {
+        let op = op.into();
+        let args = [&[self], others].concat();
+        let types: Vec<Type> = args.iter().map(|a| a.ty()).collect();
+        let ty = op
+            .result(&types)
+            .unwrap_or_else(|why| panic!("module {}, {}: {why}", self.control.module.borrow().name, op.role()));
+        let args = args.iter().map(|a| a.id).collect();
+        self.control.push(Place::default(), ty, Driver::Combinational { op, args })
+    }
+
+    /// Connects a register: what it loads, when, and the value it is reset to by a flag.
+    ///
+    /// # Panics
+    /// If this is no register, or the types differ.
+    pub fn loads(self, data: Self, when: Option<Self>, reset_to: Option<(Self, i128)>) {
+        let fits = self.ty().same_bits(data.ty());
+        let mut module = self.control.module.borrow_mut();
+        let signal = &mut module.signals[self.id.0];
+        assert!(fits, "register {}", signal.place);
+        let Driver::Register { args, enable, reset, .. } = &mut signal.driver else {
+            panic!("{} is no register", signal.place)
+        };
+        *args = vec![data.id];
+        *enable = when.map(|w| w.id);
+        *reset = reset_to.map(|(flag, value)| (flag.id, value));
+    }
+
+    /// Flag: it equals a number.
+    pub fn is(self, value: i128) -> Self {
+        self.apply(Equal, &[self.control.constant(value, self.ty())])
+    }
+
+    /// Flag: both are equal.
+    pub fn equals(self, other: Self) -> Self {
+        self.apply(Equal, &[other])
+    }
+
+    /// With this flag set the one, else the other.
+    pub fn choose(self, set: Self, clear: Self) -> Self {
+        self.apply(Select::default(), &[clear, set])
+    }
+
+    /// The lowest bits.
+    pub fn low(self, bits: u32) -> Self {
+        if self.ty() == Type::unsigned(bits) { self } else { self.apply(LowBits(bits), &[]) }
+    }
+
+    /// This number plus another, modulo its range.
+    pub fn plus(self, number: i128) -> Self {
+        let ty = self.ty();
+        self.apply(Add(Some(ty.bits)), &[self.control.constant(number, ty)])
+    }
+}
+
+impl ops::BitAnd for Wire<'_> {
+    type Output = Self;
+
+    fn bitand(self, other: Self) -> Self {
+        self.apply(And, &[other])
+    }
+}
+
+impl ops::BitOr for Wire<'_> {
+    type Output = Self;
+
+    fn bitor(self, other: Self) -> Self {
+        self.apply(Or, &[other])
+    }
+}
+
+impl ops::Not for Wire<'_> {
+    type Output = Self;
+
+    fn not(self) -> Self {
+        self.apply(Not, &[])
+    }
+}
+
+impl Module {
+    /// Names what has no name after the one signal that reads it, or after what it is made of.
+    fn name_signals(&mut self) {
+        let mut readers: Vec<Vec<usize>> = vec![vec![]; self.signals.len()];
+        for (i, signal) in self.signals.iter().enumerate() {
+            signal.driver.operands().into_iter().for_each(|o| readers[o.0].push(i));
+        }
+        // Readers come after what they read, but for registers, which have names.
+        for i in (0..self.signals.len()).rev().filter(|i| !self.signals[*i].named).collect::<Vec<_>>() {
+            let role = match &self.signals[i].driver {
+                Driver::Combinational { op, .. } => op.role(),
+                _ => "value",
+            };
+            let near = match readers[i][..] {
+                [reader] => Some(reader),
+                _ => self.signals[i].driver.operands().first().map(|o| o.0),
+            };
+            let near = near.map(|n| self.signals[n].place.to_string()).filter(|n| !n.is_empty());
+            self.signals[i].place = Place::new(near.map_or(role.to_owned(), |n| format!("{n}_{role}")));
+        }
+        let mut known = HashSet::new();
+        for signal in &self.signals {
+            let constant = matches!(&signal.driver, Driver::Combinational { op: Comb::Constant(_), .. });
+            let name = signal.name();
+            assert!(constant || known.insert(name.clone()), "module {}: two signals are called {name}", self.name);
+        }
+    }
+
+    /// The module without signals that nothing depends on.
+    pub(super) fn pruned(mut self) -> Self {
+        let mut used: Vec<bool> = self.signals.iter().map(|s| matches!(s.driver, Driver::Port)).collect();
+        let mut open: Vec<SignalId> = self.outputs.iter().map(|o| o.1).collect();
+        let mut instances = vec![false; self.instances.len()];
+        while let Some(id) = open.pop() {
+            if std::mem::replace(&mut used[id.0], true) {
+                continue;
+            }
+            let driver = &self.signals[id.0].driver;
+            open.extend(driver.operands());
+            let Driver::Instance { instance, .. } = *driver else { continue };
+            if !std::mem::replace(&mut instances[instance], true) {
+                open.extend(&self.instances[instance].inputs);
+            }
+        }
+        assert!(instances.iter().all(|used| *used), "module {}: an instance is not used", self.name);
+        // Flags that are printed as one vector stay together.
+        let vector = |s: &Signal| s.ty.is_flag() && matches!(s.place.path[..], [Step::Index(_)]);
+        let bases: HashSet<String> = used
+            .iter()
+            .zip(&self.signals)
+            .filter(|(used, s)| **used && vector(s))
+            .map(|(_, s)| s.place.base.clone())
+            .collect();
+        let whole: Vec<usize> = (0..used.len())
+            .filter(|i| vector(&self.signals[*i]) && bases.contains(&self.signals[*i].place.base))
+            .collect();
+        for i in whole {
+            used[i] = true;
+            self.signals[i].driver.operands().iter().for_each(|o| used[o.0] = true);
+        }
+        // Outputs of instances stay, so that every port is connected.
+        let mut place = vec![usize::MAX; self.signals.len()];
+        let mut kept = vec![];
+        for (i, signal) in std::mem::take(&mut self.signals).into_iter().enumerate() {
+            if used[i] || matches!(signal.driver, Driver::Instance { .. }) {
+                place[i] = kept.len();
+                kept.push(signal);
+            }
+        }
+        let moved = |id: &mut SignalId| id.0 = place[id.0];
+        kept.iter_mut().for_each(|s| s.driver.operands_mut().into_iter().for_each(moved));
+        self.signals = kept;
+        self.inputs.iter_mut().for_each(moved);
+        self.outputs.iter_mut().for_each(|o| moved(&mut o.1));
+        self.instances.iter_mut().flat_map(|i| &mut i.inputs).for_each(moved);
+        self
+    }
+}

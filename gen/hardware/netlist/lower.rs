@@ -1,0 +1,515 @@
+//! Lowering: a scheduled unit becomes a module, every wait a register.
+//!
+//! Names: a value delayed by n clocks is `name_d<n>`, a per-pair value captured again n clocks later is `name_h<n>`, a
+//! constant of each phase read from phase p of the slot on is `name_at_<p>`, and the strobe of phase p is element p of
+//! `strobe`. A multiplexer that takes two clocks chooses among the operands of each group (`name_group_<g>`) by
+//! `select_in_group_at_<p>`, then among the groups by `select_group_at_<p>`.
+
+use super::module::{Driver, Instance, Module, Signal, SignalId};
+use crate::device::Device;
+use crate::graph::{Op, Place, Rate, Step, Unit};
+use crate::op::{Constant, Equal, Lookup, Or, Select, Type};
+use crate::schedule::{GROUP, Schedule, Scheduler, operand_phases};
+use std::collections::{BTreeMap, HashMap};
+use std::rc::Rc;
+
+/// A node brought out for comparison.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Probe {
+    /// Name of the node.
+    pub name: String,
+    /// Type.
+    pub ty: Type,
+    /// Whether there is a value in each phase.
+    pub per_phase: bool,
+    /// Phases with a meaning, each with the clock of its value relative to phase 0 of the unit's inputs.
+    pub clocks: Vec<(usize, i32)>,
+}
+
+/// Lowers scheduled units to modules, each unit once.
+pub struct Lowering<'a> {
+    scheduler: &'a mut Scheduler,
+    device: &'static Device,
+    done: HashMap<*const Unit, Rc<Module>>,
+}
+
+impl<'a> Lowering<'a> {
+    /// Lowers for the scheduler's device and clock.
+    pub fn new(scheduler: &'a mut Scheduler, device: &'static Device) -> Self {
+        Self { scheduler, device, done: HashMap::new() }
+    }
+
+    /// The module of a unit; `probed` brings out the nodes the unit marks.
+    pub fn lower(&mut self, unit: &Rc<Unit>, probed: bool) -> (Rc<Module>, Vec<Probe>) {
+        let schedule = self.scheduler.schedule(unit);
+        let mut modules = HashMap::new();
+        for (i, node) in unit.nodes.iter().enumerate() {
+            let Op::Instance(child) = &node.op else { continue };
+            let key = Rc::as_ptr(child);
+            let known = self.done.get(&key).cloned();
+            let module = known.unwrap_or_else(|| self.lower(child, false).0);
+            self.done.insert(key, Rc::clone(&module));
+            modules.insert(i, module);
+        }
+        let out = Module::new(&unit.name, unit.doc.clone());
+        let lowered = Lowered {
+            unit: Rc::clone(unit),
+            schedule: &schedule,
+            modules: &modules,
+            device: self.device,
+            out,
+            base: vec![None; unit.nodes.len()],
+            copies: BTreeMap::new(),
+            strobes: vec![],
+            selects: BTreeMap::new(),
+            phase: None,
+            instances: HashMap::new(),
+        };
+        lowered.run(probed)
+    }
+}
+
+/// What is read of the index of a multiplexer.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Digits {
+    /// All of it.
+    All,
+    /// The place of the operand in its group.
+    InGroup,
+    /// The group.
+    Group,
+}
+
+struct Lowered<'a> {
+    unit: Rc<Unit>,
+    schedule: &'a Schedule,
+    modules: &'a HashMap<usize, Rc<Module>>,
+    device: &'static Device,
+    out: Module,
+    /// The signal of each node in the clock in which its value is first there.
+    base: Vec<Option<SignalId>>,
+    /// Later copies, by node and clocks after the first.
+    copies: BTreeMap<(usize, i32), SignalId>,
+    strobes: Vec<SignalId>,
+    selects: BTreeMap<(usize, i32, Digits), SignalId>,
+    phase: Option<SignalId>,
+    /// Number in the module of each instance.
+    instances: HashMap<usize, usize>,
+}
+
+impl Lowered<'_> {
+    fn interval(&self) -> i32 {
+        self.unit.interval as i32
+    }
+
+    fn run(mut self, probed: bool) -> (Rc<Module>, Vec<Probe>) {
+        let unit = Rc::clone(&self.unit);
+        if unit.phased() {
+            let phase = self.push(Place::new("phase"), Type::index(unit.interval), Driver::Port);
+            self.out.signals[phase.0].comment = "phase of the slot: 0 in the first clock of the inputs".to_owned();
+            self.out.inputs.push(phase);
+            self.phase = Some(phase);
+        }
+        for input in &unit.inputs {
+            let id = self.of_node(input.0, Driver::Port);
+            self.out.inputs.push(id);
+        }
+        // Late operands refer to nodes that come later: everything else first, what has late operands connected last.
+        let mut pending = vec![];
+        for (i, node) in unit.nodes.iter().enumerate() {
+            match &node.op {
+                Op::Mux { late } if late.contains(&true) => pending.push((i, self.reserve_mux(i))),
+                _ => self.node(i),
+            }
+        }
+        for (i, id) in pending {
+            let operands = self.mux_operands(i);
+            self.connect_mux(i, id, operands);
+        }
+        let latency = self.schedule.latency;
+        for (place, node) in &unit.outputs {
+            let id = self.fetch(node.0, latency);
+            self.out.outputs.push((place.clone(), id));
+        }
+        let probes = if probed { self.probes() } else { vec![] };
+        self.out.latency = Some(latency);
+        (Rc::new(self.out.pruned()), probes)
+    }
+
+    fn probes(&mut self) -> Vec<Probe> {
+        let unit = Rc::clone(&self.unit);
+        let mut probes = vec![];
+        for probe in &unit.probes {
+            let (i, slot, node) = (probe.node.0, self.schedule.slots[probe.node.0], unit.node(probe.node));
+            let Some(id) = self.base[i] else { continue };
+            let per_phase = node.rate == Rate::Phase;
+            let name = node.name();
+            self.out.outputs.push((Place::new(format!("probe_{name}")), id));
+            let clock = |(phase, late): &(usize, bool)| {
+                let lag = if *late { self.schedule.lag_clocks() } else { 0 };
+                (*phase, slot.from + if per_phase { *phase as i32 + lag } else { 0 })
+            };
+            let clocks = probe.phases.iter().map(clock).collect();
+            probes.push(Probe { name, ty: node.ty, per_phase, clocks });
+        }
+        probes
+    }
+
+    fn push(&mut self, place: Place, ty: Type, driver: Driver) -> SignalId {
+        let (comment, range, clock) = (String::new(), None, None);
+        self.out.signals.push(Signal { place, named: true, ty, driver, comment, range, clock });
+        SignalId(self.out.signals.len() - 1)
+    }
+
+    /// The signal of a node.
+    fn of_node(&mut self, i: usize, driver: Driver) -> SignalId {
+        let node = &self.unit.nodes[i];
+        let (place, named, ty) = (node.place.clone(), node.named, node.ty);
+        let id = self.push(place, ty, driver);
+        self.out.signals[id.0].named = named;
+        let slot = self.schedule.slots[i];
+        self.describe(id, i, (slot.from != i32::MIN).then_some(slot.from));
+        self.base[i] = Some(id);
+        id
+    }
+
+    fn describe(&mut self, id: SignalId, node: usize, clock: Option<i32>) {
+        let signal = &mut self.out.signals[id.0];
+        signal.comment.clone_from(&self.unit.nodes[node].comment);
+        signal.range = Some(self.unit.range(node));
+        signal.clock = clock;
+    }
+
+    fn register(&mut self, place: Place, ty: Type, from: SignalId, enable: Option<SignalId>) -> SignalId {
+        self.push(place, ty, Driver::Register { op: None, args: vec![from], enable, reset: None })
+    }
+
+    /// Computes node `i` from its operands.
+    fn node(&mut self, i: usize) {
+        let unit = Rc::clone(&self.unit);
+        let node = &unit.nodes[i];
+        let slot = self.schedule.slots[i];
+        match &node.op {
+            Op::Input { .. } | Op::Phase(..) | Op::Earlier(_) => {}
+            _ if unit.renames(i) => self.rename(i),
+            Op::Capture { phase, late } => {
+                let arg = node.args[0].0;
+                let lag = if *late { self.schedule.lag_clocks() } else { 0 };
+                let enable = self.strobe(self.schedule.slots[arg].from + *phase as i32 + lag);
+                let args = vec![self.base[arg].expect("operands come first")];
+                self.of_node(i, Driver::Register { op: None, args, enable, reset: None });
+            }
+            Op::Mux { .. } => {
+                let operands = self.mux_operands(i);
+                if slot.from == slot.start && operands.iter().all(|o| *o == operands[0]) {
+                    // One signal in all phases: nothing to choose.
+                    self.base[i] = Some(operands[0]);
+                } else {
+                    let id = self.reserve_mux(i);
+                    self.connect_mux(i, id, operands);
+                }
+            }
+            Op::ScanOr => {
+                let args: Vec<SignalId> = node.args.iter().map(|a| self.fetch(a.0, slot.start)).collect();
+                let so_far = self.register(node.place.suffixed("before"), node.ty, args[0], None);
+                let zero = Driver::Combinational { op: Constant(0, node.ty).into(), args: vec![] };
+                let zero = self.push(Place::new("zero"), node.ty, zero);
+                let kept = Driver::Combinational { op: Select::default().into(), args: vec![args[1], so_far, zero] };
+                let kept = self.push(node.place.suffixed("kept"), node.ty, kept);
+                self.out.signals[kept.0].named = false;
+                let id = self.of_node(i, Driver::Combinational { op: Or.into(), args: vec![args[0], kept] });
+                self.out.signals[so_far.0].driver =
+                    Driver::Register { op: None, args: vec![id], enable: None, reset: None };
+            }
+            Op::Instance(_) => {
+                let inputs = node.args.iter().map(|a| self.operand(a.0, slot.start, slot.registered)).collect();
+                let module = Rc::clone(&self.modules[&i]);
+                self.instances.insert(i, self.out.instances.len());
+                self.out.instances.push(Instance { place: node.place.clone(), module, inputs });
+            }
+            Op::Output(port) => {
+                let instance = self.instances[&node.args[0].0];
+                self.of_node(i, Driver::Instance { instance, port: *port });
+            }
+            Op::Comb(op) => {
+                let args: Vec<SignalId> =
+                    node.args.iter().map(|a| self.operand(a.0, slot.start, slot.registered)).collect();
+                let registers = if slot.from == i32::MIN { 0 } else { slot.from - slot.start };
+                if registers == 0 {
+                    self.of_node(i, Driver::Combinational { op: op.clone(), args });
+                    return;
+                }
+                let driver = Driver::Register { op: Some(op.clone()), args, enable: None, reset: None };
+                if registers == 1 {
+                    self.of_node(i, driver);
+                    return;
+                }
+                // The operation and its first register, then the others.
+                let mut last = self.push(node.place.suffixed("r0"), node.ty, driver);
+                self.describe(last, i, Some(slot.start + 1));
+                for r in 1..registers - 1 {
+                    last = self.register(node.place.suffixed(&format!("r{r}")), node.ty, last, None);
+                    self.describe(last, i, Some(slot.start + r + 1));
+                }
+                self.of_node(i, Driver::Register { op: None, args: vec![last], enable: None, reset: None });
+            }
+            Op::Assume(..) | Op::Known(_) | Op::Point => {}
+        }
+    }
+
+    /// Knowledge, not hardware; what is known of the value is said where it is declared.
+    fn rename(&mut self, i: usize) {
+        let unit = Rc::clone(&self.unit);
+        let node = &unit.nodes[i];
+        let Some(id) = self.base[node.args[0].0] else { return };
+        self.base[i] = Some(id);
+        let signal = &mut self.out.signals[id.0];
+        signal.range = Some(unit.range(i));
+        signal.ty.fraction = node.ty.fraction;
+        if !node.comment.is_empty() {
+            signal.comment.clone_from(&node.comment);
+        }
+        // A name is taken from what has none.
+        if node.named && !signal.named {
+            (signal.place, signal.named) = (node.place.clone(), true);
+        }
+    }
+
+    fn reserve_mux(&mut self, i: usize) -> SignalId {
+        self.of_node(i, Driver::Combinational { op: Select::default().into(), args: vec![] })
+    }
+
+    fn connect_mux(&mut self, i: usize, id: SignalId, operands: Vec<SignalId>) {
+        let (select, slot) = (self.unit.nodes[i].args[0].0, self.schedule.slots[i]);
+        let (select, operands) = if slot.from == slot.start {
+            (self.fetch(select, slot.start), operands)
+        } else {
+            let groups = self.groups(i, &operands);
+            (self.select(select, slot.from, Digits::Group), groups)
+        };
+        let args = std::iter::once(select).chain(operands).collect();
+        self.out.signals[id.0].driver = Driver::Combinational { op: Select::default().into(), args };
+    }
+
+    /// The first of the two clocks of a multiplexer: the chosen operand of each group, registered.
+    fn groups(&mut self, i: usize, operands: &[SignalId]) -> Vec<SignalId> {
+        let unit = Rc::clone(&self.unit);
+        let (node, slot) = (&unit.nodes[i], self.schedule.slots[i]);
+        let mut chosen = vec![];
+        for (group, members) in operands.chunks(GROUP).enumerate() {
+            let (op, args) = if members.iter().all(|o| *o == members[0]) {
+                (None, vec![members[0]])
+            } else {
+                let index = self.select(node.args[0].0, slot.start, Digits::InGroup);
+                (Some(Select::default().into()), std::iter::once(index).chain(members.iter().copied()).collect())
+            };
+            let place = node.place.suffixed(&format!("group_{group}"));
+            let id = self.push(place, node.ty, Driver::Register { op, args, enable: None, reset: None });
+            self.describe(id, i, Some(slot.from));
+            let (first, last) = (group * GROUP, group * GROUP + members.len() - 1);
+            self.out.signals[id.0].comment = format!("operands {first} to {last}");
+            chosen.push(id);
+        }
+        chosen
+    }
+
+    /// The operands of a multiplexer, each as it is in the clocks in which it is read.
+    fn mux_operands(&mut self, i: usize) -> Vec<SignalId> {
+        let unit = Rc::clone(&self.unit);
+        let Op::Mux { late } = &unit.nodes[i].op else { return vec![] };
+        let slot = self.schedule.slots[i];
+        let lag_clocks = self.schedule.lag_clocks();
+        let mut operands = vec![];
+        for (k, is_late) in late.iter().enumerate() {
+            let arg = unit.nodes[i].args[1 + k].0;
+            let Some((first, last)) = operand_phases(&unit, i, k) else {
+                // Never read: any operand will do.
+                operands.push(None);
+                continue;
+            };
+            let lag = if *is_late { lag_clocks } else { 0 };
+            let (first, last) = (slot.start + first as i32 + lag, slot.start + last as i32 + lag);
+            // The scheduler's own figure: an operand is direct exactly where the scheduler took it to be.
+            let limit = slot.latest_operand(self.device, late.len(), *is_late);
+            operands.push(Some(self.mux_operand(arg, slot.start, first, last, limit)));
+        }
+        let any = operands.iter().flatten().next().copied().expect("some operand is read");
+        operands.into_iter().map(|o| o.unwrap_or(any)).collect()
+    }
+
+    /// An operand of a multiplexer that starts in clock `start`, read from clock `first` to clock `last`; values that
+    /// arrive after `limit` nanoseconds are captured first.
+    fn mux_operand(&mut self, arg: usize, start: i32, first: i32, last: i32, limit: f64) -> SignalId {
+        let slot = self.schedule.slots[arg];
+        if slot.from == i32::MIN || slot.until == i32::MAX {
+            return self.fetch(arg, start);
+        }
+        if slot.ns <= limit + 1e-9 && slot.from <= first && last < slot.until {
+            return self.base[arg].expect("operands come first");
+        }
+        self.hold(arg, last - self.interval() + 1, first)
+    }
+
+    /// An operand consumed in one clock.
+    fn operand(&mut self, arg: usize, clock: i32, registered: bool) -> SignalId {
+        let slot = self.schedule.slots[arg];
+        let per_pair = slot.from != i32::MIN && slot.until != i32::MAX;
+        // The scheduler counts on a whole interval from here.
+        let lasts = slot.until >= clock.saturating_add(self.interval());
+        if per_pair && registered && (slot.ns > self.device.launch() || !lasts) {
+            return self.hold(arg, clock, clock);
+        }
+        self.fetch(arg, clock)
+    }
+
+    /// The node that carries the value of node `i` in hardware.
+    fn carrier(&self, mut i: usize) -> usize {
+        while self.unit.renames(i) {
+            i = self.unit.nodes[i].args[0].0;
+        }
+        i
+    }
+
+    /// The value of a node as it is in a clock.
+    fn fetch(&mut self, i: usize, clock: i32) -> SignalId {
+        let i = self.carrier(i);
+        let slot = self.schedule.slots[i];
+        match &self.unit.nodes[i].op {
+            Op::Phase(..) => return self.select(i, clock, Digits::All),
+            Op::Earlier(phases) => return self.fetch(self.unit.nodes[i].args[0].0, clock + *phases as i32),
+            _ => {}
+        }
+        let base = self.base[i].expect("operands come first");
+        if slot.from == i32::MIN || clock == slot.from {
+            return base;
+        }
+        assert!(clock > slot.from, "{}: {} is read before it is there", self.unit.name, self.unit.nodes[i].name());
+        if slot.until == i32::MAX {
+            return self.delayed(i, clock - slot.from);
+        }
+        if clock < slot.until {
+            return base;
+        }
+        self.hold(i, clock, clock)
+    }
+
+    fn delayed(&mut self, i: usize, clocks: i32) -> SignalId {
+        if clocks == 0 {
+            return self.base[i].expect("operands come first");
+        }
+        if let Some(id) = self.copies.get(&(i, clocks)) {
+            return *id;
+        }
+        let before = self.delayed(i, clocks - 1);
+        self.copy(i, clocks, 'd', before, None)
+    }
+
+    fn copy(&mut self, i: usize, clocks: i32, kind: char, from: SignalId, enable: Option<SignalId>) -> SignalId {
+        // A copy is called after the signal, which may have a name that its node has not.
+        let base = self.base[i].expect("operands come first");
+        let place = self.out.signal(base).place.suffixed(&format!("{kind}{clocks}"));
+        let id = self.register(place, self.unit.nodes[i].ty, from, enable);
+        self.describe(id, i, Some(self.schedule.slots[i].from + clocks));
+        let signal = &mut self.out.signals;
+        signal[id.0].ty = signal[base.0].ty;
+        signal[id.0].comment.clear();
+        self.copies.insert((i, clocks), id);
+        id
+    }
+
+    /// A per-pair value captured again so that its window begins in clock `earliest` to `latest`.
+    fn hold(&mut self, i: usize, earliest: i32, latest: i32) -> SignalId {
+        let i = self.carrier(i);
+        let slot = self.schedule.slots[i];
+        let known = self.copies.range((i, earliest - slot.from)..=(i, latest - slot.from)).next_back();
+        if let Some((_, id)) = known {
+            return *id;
+        }
+        let mut source = self.base[i].expect("operands come first");
+        let (mut from, mut until) = (slot.from, slot.until);
+        loop {
+            let at = until.min(latest);
+            let name = || self.unit.nodes[i].name();
+            assert!(at > from, "{}: {} cannot be held from {earliest} to {latest}: {slot:?}", self.unit.name, name());
+            let clocks = at - slot.from;
+            source = match self.copies.get(&(i, clocks)) {
+                Some(id) => *id,
+                None => {
+                    let enable = self.strobe(at - 1);
+                    self.copy(i, clocks, 'h', source, enable)
+                }
+            };
+            if at >= earliest {
+                return source;
+            }
+            (from, until) = (at, at + self.interval());
+        }
+    }
+
+    /// A flag set in the clocks congruent to `clock`; none if that is always.
+    fn strobe(&mut self, clock: i32) -> Option<SignalId> {
+        let interval = self.interval();
+        if interval == 1 {
+            return None;
+        }
+        if self.strobes.is_empty() {
+            // One flag per phase, whether it is read or not, so that they are one vector.
+            let ty = Type::index(interval as usize);
+            for at in 0..interval {
+                let before = i128::from((at - 1).rem_euclid(interval));
+                let number = Driver::Combinational { op: Constant(before, ty).into(), args: vec![] };
+                let number = self.push(Place::new("before_strobe"), ty, number);
+                let args = vec![self.phase_port(), number];
+                let driver = Driver::Register { op: Some(Equal.into()), args, enable: None, reset: None };
+                let place = Place::at("strobe", &[Step::Index(at as usize)]);
+                let id = self.push(place, Type::FLAG, driver);
+                self.out.signals[id.0].comment = "one flag per phase".to_owned();
+                self.strobes.push(id);
+            }
+        }
+        Some(self.strobes[clock.rem_euclid(interval) as usize])
+    }
+
+    fn phase_port(&self) -> SignalId {
+        self.phase.expect("a unit with phases has the port")
+    }
+
+    /// The values of a constant of each phase for a use that starts in `clock`.
+    fn select(&mut self, i: usize, clock: i32, digits: Digits) -> SignalId {
+        let unit = Rc::clone(&self.unit);
+        let interval = self.interval();
+        let at = clock.rem_euclid(interval);
+        if let Some(id) = self.selects.get(&(i, at, digits)) {
+            return *id;
+        }
+        let node = &unit.nodes[i];
+        let Op::Phase(values) = &node.op else { return self.base[i].expect("operands come first") };
+        let group = GROUP as i128;
+        let most = values.iter().flatten().max().copied().unwrap_or(0);
+        let (part, ty) = match digits {
+            Digits::All => ("", node.ty),
+            Digits::InGroup => ("in_group_", Type::index(GROUP)),
+            Digits::Group => ("group_", Type::index((most / group) as usize + 1)),
+        };
+        let value = |phase: i32| {
+            let value = values[phase.rem_euclid(interval) as usize].unwrap_or(0);
+            match digits {
+                Digits::All => value,
+                Digits::InGroup => value % group,
+                Digits::Group => value / group,
+            }
+        };
+        let table = (0..interval).map(|p| value(p + 1 - at)).collect();
+        let driver = Driver::Register {
+            op: Some(Lookup(table, ty).into()),
+            args: vec![self.phase_port()],
+            enable: None,
+            reset: None,
+        };
+        let place = node.place.suffixed(&format!("{part}at_{at}"));
+        let id = self.push(place, ty, driver);
+        self.out.signals[id.0].comment.clone_from(&node.comment);
+        self.selects.insert((i, at, digits), id);
+        id
+    }
+}

@@ -1,0 +1,285 @@
+//! Combinational operations, a file each: what it computes, its type and range, delay, cells, VHDL and picture.
+//!
+//! A new operation is a file here with an [`Operation`] and a line in the list below; CONTRIBUTING.md walks through it.
+
+use crate::cells::{self, Bit, Gates, Words, number};
+use crate::device::Device;
+use crate::expression::Expression;
+
+#[cfg(test)]
+mod tests;
+
+/// Type of a value: a two's-complement or unsigned integer of `bits` bits. One unsigned bit is a flag.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Type {
+    /// Whether the top bit is a sign.
+    pub signed: bool,
+    /// Number of bits, at least one.
+    pub bits: u32,
+    /// Fraction bits, possibly negative: the unit in the last place is 2^-fraction. `None` for what has no binary point
+    /// (flags, selectors) and where the point moves with the phase.
+    pub fraction: Option<i32>,
+}
+
+/// A set of integers from the first to the second bound, both included.
+pub type Range = (i128, i128);
+
+impl Type {
+    /// One bit.
+    pub const FLAG: Self = Self::unsigned(1);
+
+    /// A signed number.
+    pub const fn signed(bits: u32, fraction: i32) -> Self {
+        Self { signed: true, bits, fraction: Some(fraction) }
+    }
+
+    /// An unsigned integer without a binary point.
+    pub const fn unsigned(bits: u32) -> Self {
+        Self { signed: false, bits, fraction: None }
+    }
+
+    /// The unsigned type that counts from 0 to `count - 1`.
+    pub const fn index(count: usize) -> Self {
+        let most = if count > 2 { count - 1 } else { 1 };
+        Self::unsigned(usize::BITS - most.leading_zeros())
+    }
+
+    /// Whether it is one unsigned bit.
+    pub fn is_flag(self) -> bool {
+        !self.signed && self.bits == 1
+    }
+
+    /// The least and the greatest value.
+    pub const fn limits(self) -> Range {
+        if self.signed { (-(1 << (self.bits - 1)), (1 << (self.bits - 1)) - 1) } else { (0, (1 << self.bits) - 1) }
+    }
+
+    /// Whether values of a range fit.
+    pub const fn holds(self, range: Range) -> bool {
+        let (least, greatest) = self.limits();
+        least <= range.0 && range.1 <= greatest
+    }
+
+    /// Whether it has the same bits as another type, wherever the binary point is.
+    pub fn same_bits(self, other: Self) -> bool {
+        (self.signed, self.bits) == (other.signed, other.bits)
+    }
+
+    /// The bits of a value, read in this type.
+    pub fn wrap(self, value: i128) -> i128 {
+        let low = value & ((1 << self.bits) - 1);
+        if self.signed && low >> (self.bits - 1) == 1 { low - (1 << self.bits) } else { low }
+    }
+
+    /// The common type of values that are chosen among or compared: the widest.
+    fn joint(types: &[Self]) -> Result<Self, String> {
+        let (first, rest) = types.split_first().ok_or("expected an operand")?;
+        rest.iter().try_fold(*first, |joint, t| {
+            if t.signed != joint.signed {
+                return Err(format!("expected operands of one sign, found {joint} and {t}"));
+            }
+            let fraction = common_point(joint, *t)?;
+            Ok(Self { bits: joint.bits.max(t.bits), fraction, ..joint })
+        })
+    }
+}
+
+/// The binary point of two values that are added or compared; what has none adapts to the other.
+fn common_point(a: Type, b: Type) -> Result<Option<i32>, String> {
+    match (a.fraction, b.fraction) {
+        (Some(x), Some(y)) if x != y => Err(format!("expected one binary point, found {a} and {b}")),
+        (x, y) => Ok(x.or(y)),
+    }
+}
+
+/// `s4.28`; `18 bits` without a binary point.
+impl std::fmt::Display for Type {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self.fraction {
+            Some(fraction) => {
+                write!(f, "{}{}.{fraction}", if self.signed { 's' } else { 'u' }, self.bits as i32 - fraction)
+            }
+            None if self.is_flag() => write!(f, "flag"),
+            None => write!(f, "{} bits", self.bits),
+        }
+    }
+}
+
+/// An operand in VHDL.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Operand {
+    /// Its value.
+    pub value: Expression,
+    /// Its type.
+    pub ty: Type,
+}
+
+/// An operand in cells.
+pub struct Word {
+    /// Its bits, the lowest first.
+    pub bits: Vec<Bit>,
+    /// Its type.
+    pub ty: Type,
+}
+
+impl Word {
+    /// The word cut, or extended by its own sign, to a number of bits.
+    pub fn resized(&self, bits: u32) -> Vec<Bit> {
+        cells::resized(&self.bits, self.ty.signed, bits)
+    }
+}
+
+/// What an operation is in pictures; it sets the colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A product.
+    Product,
+    /// A sum, difference or negation.
+    Sum,
+    /// A comparison or saturation.
+    Comparison,
+    /// A multiplexer.
+    Multiplexer,
+    /// Logic on bits, tables.
+    Logic,
+    /// Wires alone: slices, constants.
+    Wire,
+}
+
+/// An operation on given types, for the tests that every operation must pass.
+#[derive(Clone, Debug)]
+pub struct Sample {
+    /// The operation.
+    pub op: Comb,
+    /// Its operands.
+    pub types: Vec<Type>,
+}
+
+impl Sample {
+    fn new(op: impl Into<Comb>, types: &[Type]) -> Self {
+        Self { op: op.into(), types: types.to_vec() }
+    }
+}
+
+/// All there is to know of an operation.
+pub trait Operation: std::fmt::Debug {
+    /// What its result is called where nobody gave it a name: `l_x_floor`.
+    fn role(&self) -> &'static str;
+
+    /// Type of the result, from the types of the operands.
+    ///
+    /// # Errors
+    /// What was expected of the operands, and what was found.
+    fn result(&self, args: &[Type]) -> Result<Type, String>;
+
+    /// What it computes, on integers.
+    fn value(&self, args: &[i128], types: &[Type], to: Type) -> i128;
+
+    /// An enclosure of its values, from enclosures of its operands.
+    fn range(&self, args: &[Range], types: &[Type], to: Type) -> Range;
+
+    /// [`value`](Self::value) on many clocks of narrow operands at once, into the last argument. Returns whether it has
+    /// done so; without it the simulator asks for every value.
+    fn lanes(&self, _args: &[&[i64]], _to: Type, _results: &mut [i64]) -> bool {
+        false
+    }
+
+    /// Delay from operands to result, the net before it included, ns.
+    fn delay(&self, device: &Device, args: &[Type], to: Type) -> f64;
+
+    /// Its result in gates, carry chains and multipliers.
+    fn gates(&self, words: &mut Words, args: &[Word], to: Type) -> Vec<Bit>;
+
+    /// Its result in VHDL.
+    fn vhdl(&self, args: &[Operand], to: Type) -> Expression;
+
+    /// Its kind and its text in pictures, with the names of its operands and, for where that is too long, without.
+    fn picture(&self, args: &[String]) -> (Kind, String, String);
+
+    /// Cases in which it is tested against all of the above.
+    fn samples() -> Vec<Sample>
+    where
+        Self: Sized;
+}
+
+macro_rules! operations {
+    ($($file:ident::$name:ident),* $(,)?) => {
+        $(mod $file; pub use $file::$name;)*
+
+        /// One of the combinational operations.
+        #[derive(Clone, Debug, PartialEq)]
+        #[allow(missing_docs, reason = "each is documented where it is defined")]
+        pub enum Comb { $($name($name)),* }
+
+        impl std::ops::Deref for Comb {
+            type Target = dyn Operation;
+
+            fn deref(&self) -> &Self::Target {
+                match self { $(Self::$name(op) => op),* }
+            }
+        }
+
+        $(impl From<$name> for Comb {
+            fn from(op: $name) -> Self {
+                Self::$name(op)
+            }
+        })*
+
+        /// The samples of all operations.
+        pub fn samples() -> Vec<Sample> {
+            [$($name::samples()),*].concat()
+        }
+    };
+}
+
+operations! {
+    add::Add,
+    and::And,
+    append::Append,
+    concatenate::Concatenate,
+    constant::Constant,
+    equal::Equal,
+    floor::Floor,
+    less::Less,
+    lookup::Lookup,
+    low_bits::LowBits,
+    magnitude::Magnitude,
+    multiply::Multiply,
+    negate::Negate,
+    negate_if::NegateIf,
+    not::Not,
+    or::Or,
+    or_reduce::OrReduce,
+    resize::Resize,
+    select::Select,
+    shift_left::ShiftLeft,
+    sign_bit::SignBit,
+    subtract::Subtract,
+}
+
+/// The hull of ranges.
+pub fn hull(ranges: impl IntoIterator<Item = Range>) -> Range {
+    ranges.into_iter().reduce(|a, b| (a.0.min(b.0), a.1.max(b.1))).unwrap_or((0, 0))
+}
+
+/// Operands of bitwise logic: unsigned, of one width.
+fn bitwise(args: &[Type]) -> Result<Type, String> {
+    let joint = Type::joint(args)?;
+    match args.iter().find(|t| t.signed || t.bits != joint.bits) {
+        Some(other) => Err(format!("expected unsigned operands of one width, found {joint} and {other}")),
+        None => Ok(joint),
+    }
+}
+
+/// The text of an operation between two operands.
+fn infix(sign: &str, args: &[String]) -> (String, String) {
+    (format!("{} {sign} {}", args[0], args[1]), format!("a {sign} b"))
+}
+
+/// Cuts sums to their type where that has fewer bits than they may take: in phases that nobody reads, that may cut something.
+fn wrapped(bits: Option<u32>, to: Type, sums: &mut [i64]) {
+    if bits.is_some() {
+        let unused = 64 - to.bits;
+        sums.iter_mut().for_each(|x| *x = if to.signed { *x << unused >> unused } else { *x & to.limits().1 as i64 });
+    }
+}

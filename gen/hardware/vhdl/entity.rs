@@ -1,0 +1,568 @@
+//! An entity as text: declarations, then what happens clock by clock.
+
+use super::fold::{Statement, merged};
+use super::package::FUNCTIONS;
+use super::shape::{Object, Shape, Types};
+use super::view::View;
+use crate::expression::{Expression, Index, Name, Sub, loop_variable};
+use crate::netlist::{Driver, Signal, SignalId};
+use crate::op::Range;
+use askama::Template;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// A port or declaration: its text, and what there is to say of it.
+struct Declaration {
+    text: String,
+    comment: String,
+}
+
+/// Statements under a heading.
+struct Block {
+    heading: String,
+    lines: Vec<String>,
+}
+
+/// An entity, ready to print.
+#[derive(Template)]
+#[template(path = "entity.vhd", escape = "none")]
+pub struct Entity {
+    name: String,
+    header: Vec<String>,
+    /// The package of the design, if the entity uses it.
+    package: Option<String>,
+    ports: Vec<Declaration>,
+    declarations: Vec<Declaration>,
+    blocks: Vec<Block>,
+    /// Functions of the package that it calls.
+    functions: BTreeSet<&'static str>,
+}
+
+/// Longest line.
+const WIDTH: usize = 118;
+
+impl Entity {
+    /// The text.
+    ///
+    /// # Panics
+    /// Never: the template has no part that can fail.
+    pub fn text(&self) -> String {
+        self.render().expect("the template renders")
+    }
+
+    /// Functions of the package that it calls.
+    pub fn functions(&self) -> &BTreeSet<&'static str> {
+        &self.functions
+    }
+
+    pub(super) fn new(view: &View, types: &Types, package: &str, origin: &[String]) -> Self {
+        let module = view.module;
+        let mut header = origin.to_vec();
+        header.extend(module.doc.iter().cloned());
+        match module.latency {
+            None => {}
+            Some(0) => header.push("Combinational.".to_owned()),
+            Some(1) => header.push("Latency: 1 clock.".to_owned()),
+            Some(n) => header.push(format!("Latency: {n} clocks.")),
+        }
+        let printer = Printer { view, types };
+        let (blocks, functions) = printer.blocks();
+        let mut entity = Self {
+            name: module.name.clone(),
+            header,
+            package: None,
+            ports: printer.ports(),
+            declarations: printer.declarations(),
+            blocks,
+            functions,
+        };
+        let uses_types = |d: &Declaration| d.text.contains("_t;") || d.text.ends_with("_t") || d.text.contains("_t :=");
+        let all = entity.ports.iter().chain(&entity.declarations);
+        if !entity.functions.is_empty() || all.into_iter().any(uses_types) || !view.tables().is_empty() {
+            entity.package = Some(package.to_owned());
+        }
+        entity
+    }
+}
+
+struct Printer<'a, 'b> {
+    view: &'a View<'b>,
+    types: &'a Types,
+}
+
+impl Printer<'_, '_> {
+    fn ports(&self) -> Vec<Declaration> {
+        let mut ports: Vec<(String, &str, String, String)> = vec![];
+        if self.view.module.clocked() {
+            ports.push(("clk".to_owned(), "in", "std_logic".to_owned(), String::new()));
+        }
+        let port_type = |shape: &Shape| match shape {
+            Shape::Number(_, bits) if self.view.raw => format!("std_logic_vector({} downto 0)", bits - 1),
+            _ => self.types.name(shape),
+        };
+        for object in &self.view.objects {
+            if self.is_port(object) {
+                ports.push((object.name.clone(), "in", port_type(&object.shape), self.describe(object)));
+            }
+        }
+        for object in &self.view.outputs {
+            ports.push((object.name.clone(), "out", port_type(&object.shape), self.describe(object)));
+        }
+        let widest = ports.iter().map(|p| p.0.len()).max().unwrap_or(0);
+        let last = ports.len() - 1;
+        let each = ports.into_iter().enumerate().map(|(i, (name, direction, ty, comment))| Declaration {
+            text: format!("{name:widest$} : {direction:3} {ty}{}", if i == last { "" } else { ";" }),
+            comment,
+        });
+        each.collect()
+    }
+
+    fn is_port(&self, object: &Object) -> bool {
+        object.members.iter().any(|(id, _)| matches!(self.view.module.signal(*id).driver, Driver::Port))
+    }
+
+    /// Format, bound and equation of an object.
+    fn describe(&self, object: &Object) -> String {
+        let signals: Vec<&Signal> = object.members.iter().map(|(id, _)| self.view.module.signal(*id)).collect();
+        let numbers: Vec<&&Signal> = signals.iter().filter(|s| s.ty.signed).collect();
+        let mut parts = vec![];
+        if let Some(first) = numbers.first() {
+            let format = |s: &Signal| s.ty.fraction.map(|_| s.ty.to_string());
+            if let Some(text) = format(first).filter(|_| numbers.iter().all(|s| s.ty.fraction == first.ty.fraction)) {
+                parts.push(text);
+            }
+            let bound = |r: Range| r.0.unsigned_abs().max(r.1.unsigned_abs());
+            let bounds: Option<Vec<u128>> = numbers.iter().map(|s| s.range.map(bound)).collect();
+            if let Some(bound) = bounds.and_then(|b| b.into_iter().max()) {
+                parts.push(format!("|.| <= {bound}"));
+            }
+        }
+        let comment = &signals.first().map_or("", |s| &s.comment);
+        if !comment.is_empty() && signals.iter().all(|s| s.comment == **comment || s.comment.is_empty()) {
+            parts.push((*comment).to_owned());
+        }
+        parts.join("; ")
+    }
+
+    fn declarations(&self) -> Vec<Declaration> {
+        let mut all = vec![];
+        for table in self.view.tables() {
+            let last = table.entries.len() - 1;
+            let text = if table.flags {
+                let bits: String = table.entries.iter().map(ToString::to_string).collect();
+                format!("constant {} : std_logic_vector(0 to {last}) := \"{bits}\";", table.name)
+            } else {
+                let entries: Vec<String> = table.entries.iter().map(ToString::to_string).collect();
+                format!("constant {} : numbers_t(0 to {last}) := ({});", table.name, entries.join(", "))
+            };
+            all.push(Declaration { text, comment: String::new() });
+        }
+        for (i, object) in self.view.objects.iter().enumerate() {
+            if self.is_port(object) {
+                continue;
+            }
+            let (name, ty) = (&object.name, self.types.name(&object.shape));
+            let comment = self.describe(object);
+            if let Some(line) = self.view.lines.iter().find(|l| l.object == i) {
+                let (length, zero) = (line.length, self.types.zero(&object.shape));
+                let words = if object.shape == Shape::Flag {
+                    format!("std_logic_vector(1 to {length})")
+                } else {
+                    let text = format!("type {name}_t is array (1 to {length}) of {ty};");
+                    all.push(Declaration { text, comment: String::new() });
+                    format!("{name}_t")
+                };
+                all.push(Declaration { text: format!("signal {name} : {words} := (others => {zero});"), comment });
+                continue;
+            }
+            let text = match self.initial(object) {
+                Some(value) => format!("signal {name} : {ty} := {value};"),
+                None => format!("signal {name} : {ty};"),
+            };
+            self.memory(object, &ty, &mut all);
+            all.push(Declaration { text, comment });
+        }
+        for object in &self.view.between {
+            let text = format!("signal {} : {};", object.name, self.types.name(&object.shape));
+            all.push(Declaration { text, comment: String::new() });
+        }
+        all
+    }
+
+    /// The words of a memory.
+    fn memory(&self, object: &Object, ty: &str, all: &mut Vec<Declaration>) {
+        let [(id, _)] = object.members[..] else { return };
+        let Driver::Memory { depth, .. } = &self.view.module.signal(id).driver else { return };
+        let name = &object.name;
+        let text = format!("type {name}_words_t is array (0 to {}) of {ty};", depth - 1);
+        all.push(Declaration { text, comment: String::new() });
+        let zero = self.types.zero(&object.shape);
+        let text = format!("signal {name}_words : {name}_words_t := (others => {zero});");
+        all.push(Declaration { text, comment: String::new() });
+    }
+
+    /// The value that registers begin with.
+    fn initial(&self, object: &Object) -> Option<String> {
+        let begins = |id: &SignalId| match &self.view.module.signal(*id).driver {
+            Driver::Register { reset, .. } => Some(reset.map_or(0, |r| r.1)),
+            _ => None,
+        };
+        let values: Vec<i128> = object.members.iter().filter_map(|m| begins(&m.0)).collect();
+        let first = *values.first()?;
+        if values.iter().all(|v| *v == 0) {
+            return Some(self.types.zero(&object.shape));
+        }
+        let [(id, _)] = object.members[..] else { return None };
+        Some(Expression::Number(first, self.view.module.signal(id).ty).to_string())
+    }
+
+    /// All statements, clock by clock.
+    fn blocks(&self) -> (Vec<Block>, BTreeSet<&'static str>) {
+        let module = self.view.module;
+        let lowered = module.latency.is_some();
+        let mut functions = BTreeSet::new();
+        let mut blocks = vec![];
+        let mut clocks: BTreeSet<Option<i32>> = module.signals.iter().map(|s| s.clock).collect();
+        clocks.extend(self.view.instances.iter().map(|i| i.0));
+        for clock in clocks {
+            let mut lines = vec![];
+            let free = self.view.statements(|id, s, name| {
+                let free = matches!(&s.driver, Driver::Register { enable: None, reset: None, .. });
+                (free && s.clock == clock).then(|| Statement::Assign(name.clone(), self.view.driven(id)))
+            });
+            if !free.is_empty() {
+                let label = match clock {
+                    Some(c) => format!("clock_{c}"),
+                    None if lowered => "selectors".to_owned(),
+                    None => "registers".to_owned(),
+                };
+                self.process(&label, merged(free), &mut functions, &mut lines);
+            }
+            let combinational = self.view.statements(|id, s, name| {
+                let own = matches!(&s.driver, Driver::Combinational { .. }) && s.clock == clock;
+                own.then(|| Statement::Assign(name.clone(), self.view.driven(id)))
+            });
+            let mut concurrent = combinational;
+            let instances = || self.view.instances.iter().filter(|i| i.0 == clock);
+            concurrent.extend(instances().flat_map(|i| i.2.clone()));
+            for statement in merged(concurrent) {
+                self.concurrent(&statement, 0, &mut functions, &mut lines);
+            }
+            for statement in instances().flat_map(|i| &i.1) {
+                self.concurrent(statement, 0, &mut functions, &mut lines);
+            }
+            if lines.is_empty() {
+                continue;
+            }
+            let heading = match clock {
+                Some(c) => format!("Clock {c}"),
+                None if lowered => "Selectors and strobes, set in the clock before their phase".to_owned(),
+                None => String::new(),
+            };
+            blocks.push(Block { heading, lines });
+        }
+        let captured = self.view.statements(|id, s, name| match &s.driver {
+            Driver::Register { enable: Some(enable), reset: None, .. } => {
+                let assign = Statement::Assign(name.clone(), self.view.driven(id));
+                Some(Statement::If(self.view.value(*enable), vec![assign], vec![]))
+            }
+            _ => None,
+        });
+        if !captured.is_empty() {
+            let mut lines = vec![];
+            self.process("captures", merged(captured), &mut functions, &mut lines);
+            blocks.push(Block { heading: "Registers that are loaded once per pair".to_owned(), lines });
+        }
+        let mut rest = vec![];
+        self.delay_lines(&mut rest);
+        if !rest.is_empty() {
+            blocks.push(Block { heading: "Delay lines".to_owned(), lines: rest });
+        }
+        let mut state = vec![];
+        self.state(&mut functions, &mut state);
+        self.memories(&mut state);
+        if !state.is_empty() {
+            blocks.push(Block { heading: "State".to_owned(), lines: state });
+        }
+        let mut outputs = vec![];
+        for statement in merged(self.view.port_assignments()) {
+            self.concurrent(&statement, 0, &mut functions, &mut outputs);
+        }
+        if !outputs.is_empty() {
+            blocks.push(Block { heading: "Outputs".to_owned(), lines: outputs });
+        }
+        (blocks, functions)
+    }
+
+    fn delay_lines(&self, lines: &mut Vec<String>) {
+        if self.view.lines.is_empty() {
+            return;
+        }
+        lines.push("delays : process (clk)".to_owned());
+        lines.push("begin".to_owned());
+        lines.push("  if rising_edge(clk) then".to_owned());
+        for line in &self.view.lines {
+            let name = &self.view.objects[line.object].name;
+            let text = format!("{name} <= {} & {name}(1 to {});", line.source, line.length - 1);
+            lines.extend(wrapped(&text, 4));
+        }
+        lines.push("  end if;".to_owned());
+        lines.push("end process delays;".to_owned());
+    }
+
+    /// Registers with a reset, by reset and enable.
+    fn state(&self, functions: &mut BTreeSet<&'static str>, lines: &mut Vec<String>) {
+        let mut groups: Vec<(SignalId, Option<SignalId>)> = vec![];
+        for signal in &self.view.module.signals {
+            if let Driver::Register { reset: Some((reset, _)), enable, .. } = &signal.driver
+                && !groups.contains(&(*reset, *enable))
+            {
+                groups.push((*reset, *enable));
+            }
+        }
+        let mut statements = vec![];
+        for (flag, when) in groups {
+            let group = |value: &dyn Fn(SignalId, &Signal, i128) -> Expression| {
+                merged(self.view.statements(|id, s, name| match &s.driver {
+                    Driver::Register { reset: Some((reset, start)), enable, .. }
+                        if (*reset, *enable) == (flag, when) =>
+                    {
+                        Some(Statement::Assign(name.clone(), value(id, s, *start)))
+                    }
+                    _ => None,
+                }))
+            };
+            let resets = group(&|_, s, start| Expression::Number(start, s.ty));
+            let loads = group(&|id, _, _| self.view.driven(id));
+            let loads = match when {
+                Some(enable) => vec![Statement::If(self.view.value(enable), loads, vec![])],
+                None => loads,
+            };
+            statements.push(Statement::If(self.view.value(flag), resets, loads));
+        }
+        if !statements.is_empty() {
+            self.process("state", statements, functions, lines);
+        }
+    }
+
+    fn memories(&self, lines: &mut Vec<String>) {
+        for object in &self.view.objects {
+            let [(id, _)] = object.members[..] else { continue };
+            let Driver::Memory { write, address, data, read, .. } = &self.view.module.signal(id).driver else {
+                continue;
+            };
+            let (name, value) = (&object.name, |id: &SignalId| self.view.value(*id));
+            lines.extend([
+                format!("write_{name} : process (clk)"),
+                "begin".to_owned(),
+                "  if rising_edge(clk) then".to_owned(),
+                format!("    if {} then", condition(&value(write))),
+                format!("      {name}_words(to_integer({})) <= {};", value(address), value(data)),
+                "    end if;".to_owned(),
+                "  end if;".to_owned(),
+                format!("end process write_{name};"),
+                format!("{name} <= {name}_words(to_integer({}));", value(read)),
+            ]);
+        }
+    }
+
+    fn process(
+        &self,
+        label: &str,
+        statements: Vec<Statement>,
+        functions: &mut BTreeSet<&'static str>,
+        lines: &mut Vec<String>,
+    ) {
+        lines.push(format!("{label} : process (clk)"));
+        lines.push("begin".to_owned());
+        lines.push("  if rising_edge(clk) then".to_owned());
+        statements.iter().for_each(|s| sequential(s, 2, functions, lines));
+        lines.push("  end if;".to_owned());
+        lines.push(format!("end process {label};"));
+    }
+
+    fn concurrent(
+        &self,
+        statement: &Statement,
+        depth: usize,
+        functions: &mut BTreeSet<&'static str>,
+        lines: &mut Vec<String>,
+    ) {
+        let pad = "  ".repeat(depth);
+        match statement {
+            Statement::Assign(target, value) => {
+                note(value, functions);
+                let text = match value {
+                    Expression::Select(index, legs) => match &legs[..] {
+                        [clear, set] if index.ty.is_flag() => {
+                            vec![format!("{target} <= {set} when {} else {clear};", condition(&index.value))]
+                        }
+                        _ => {
+                            let (last, others) = legs.split_last().expect("a choice has operands");
+                            let mut text = vec![format!("{target} <=")];
+                            for (i, leg) in others.iter().enumerate() {
+                                text.push(format!("  {leg} when {} else", is(index, i)));
+                            }
+                            text.push(format!("  {last};"));
+                            text
+                        }
+                    },
+                    other => vec![format!("{target} <= {other};")],
+                };
+                text.iter().for_each(|t| lines.extend(wrapped(t, 2 * depth)));
+            }
+            Statement::Instance { label, entity, connections } => {
+                let label = if depth > 0 { "unit" } else { label };
+                lines.push(format!("{pad}{label} : entity work.{entity}"));
+                let ports: Vec<String> = connections.iter().map(|(f, a)| format!("{f} => {a}")).collect();
+                lines.extend(wrapped(&format!("port map ({});", ports.join(", ")), 2 * depth + 2));
+            }
+            Statement::Loop { depth: variable, size, body } => {
+                let label = loop_label(body);
+                let variable = loop_variable(*variable);
+                lines.push(format!("{pad}{label} : for {variable} in 0 to {} generate", size - 1));
+                body.iter().for_each(|s| self.concurrent(s, depth + 1, functions, lines));
+                lines.push(format!("{pad}end generate {label};"));
+            }
+            Statement::If(..) => panic!("a flag governs registers alone"),
+        }
+    }
+}
+
+/// The label of a loop: after the first thing in it.
+fn loop_label(body: &[Statement]) -> String {
+    match &body[0] {
+        Statement::Assign(target, _) => {
+            let part = |sub: &Sub| match sub {
+                Sub::Index(Index::At(i)) => format!("_{i}"),
+                Sub::Index(Index::Loop { .. }) => String::new(),
+                Sub::Field(field) => format!("_{field}"),
+            };
+            format!("{}{}_each", target.base, target.subs.iter().map(part).collect::<String>())
+        }
+        Statement::Instance { label, .. } => label.clone(),
+        Statement::Loop { body, .. } => format!("{}_of", loop_label(body)),
+        Statement::If(..) => "each".to_owned(),
+    }
+}
+
+fn sequential(statement: &Statement, depth: usize, functions: &mut BTreeSet<&'static str>, lines: &mut Vec<String>) {
+    let pad = "  ".repeat(depth);
+    match statement {
+        Statement::Assign(target, Expression::Select(index, legs)) if legs.len() > 2 || !simple(target, legs) => {
+            note(&Expression::Select(index.clone(), legs.clone()), functions);
+            let flag = index.ty.is_flag() && legs.len() == 2;
+            let order: Vec<(usize, &Expression)> =
+                if flag { vec![(1, &legs[1]), (0, &legs[0])] } else { legs.iter().enumerate().collect() };
+            let last = order.len() - 1;
+            for (k, (i, leg)) in order.into_iter().enumerate() {
+                let head = match k {
+                    0 => format!("if {} then", if flag { condition(&index.value) } else { is(index, i) }),
+                    k if k < last => format!("elsif {} then", is(index, i)),
+                    _ => "else".to_owned(),
+                };
+                lines.extend(wrapped(&head, 2 * depth));
+                lines.extend(wrapped(&format!("{target} <= {leg};"), 2 * depth + 2));
+            }
+            lines.push(format!("{pad}end if;"));
+        }
+        Statement::Assign(target, value) => {
+            note(value, functions);
+            lines.extend(wrapped(&format!("{target} <= {value};"), 2 * depth));
+        }
+        Statement::If(flag, then, otherwise) => {
+            note(flag, functions);
+            lines.extend(wrapped(&format!("if {} then", condition(flag)), 2 * depth));
+            then.iter().for_each(|s| sequential(s, depth + 1, functions, lines));
+            match &otherwise[..] {
+                [] => {}
+                [Statement::If(other, then, rest)] if rest.is_empty() => {
+                    lines.extend(wrapped(&format!("elsif {} then", condition(other)), 2 * depth));
+                    then.iter().for_each(|s| sequential(s, depth + 1, functions, lines));
+                }
+                _ => {
+                    lines.push(format!("{pad}else"));
+                    otherwise.iter().for_each(|s| sequential(s, depth + 1, functions, lines));
+                }
+            }
+            lines.push(format!("{pad}end if;"));
+        }
+        Statement::Loop { depth: variable, size, body } => {
+            lines.push(format!("{pad}for {} in 0 to {} loop", loop_variable(*variable), size - 1));
+            body.iter().for_each(|s| sequential(s, depth + 1, functions, lines));
+            lines.push(format!("{pad}end loop;"));
+        }
+        Statement::Instance { .. } => panic!("an instance is no sequential statement"),
+    }
+}
+
+/// Whether a choice between two can be written as a function of numbers.
+fn simple(target: &Name, legs: &[Expression]) -> bool {
+    // Whole records and arrays have no such function.
+    let whole = |leg: &Expression| matches!(leg, Expression::Name(name) if name.subs.len() < target.subs.len());
+    legs.len() == 2 && !target.subs.is_empty() && !legs.iter().any(whole)
+}
+
+/// `index = i`, as a condition.
+fn is(index: &crate::op::Operand, i: usize) -> String {
+    if index.ty.is_flag() { format!("{} = '{i}'", index.value) } else { format!("{} = {i}", index.value) }
+}
+
+/// A flag as a condition.
+fn condition(flag: &Expression) -> String {
+    match flag {
+        Expression::Call("flag", args) => args[0].to_string(),
+        Expression::Unary("not", x) if matches!(**x, Expression::Name(_)) => format!("{x} = '0'"),
+        Expression::Name(_) | Expression::Bit(..) | Expression::Call(..) => format!("{flag} = '1'"),
+        other => format!("({other}) = '1'"),
+    }
+}
+
+/// Collects the functions of the package that an expression calls.
+fn note(value: &Expression, functions: &mut BTreeSet<&'static str>) {
+    match value {
+        Expression::Call(name @ ("to_signed" | "to_unsigned"), args) if !matches!(args[0], Expression::Integer(_)) => {
+            functions.insert(name);
+        }
+        Expression::Call(name, _) if FUNCTIONS.contains(name) => {
+            functions.insert(name);
+        }
+        Expression::Select(index, legs) if legs.len() == 2 && index.ty.is_flag() => {
+            functions.insert("choose");
+        }
+        _ => {}
+    }
+    value.parts().into_iter().for_each(|p| note(p, functions));
+}
+
+/// A line, broken where it is too long at the space that is in the fewest parentheses; what follows is indented more.
+fn wrapped(text: &str, indent: usize) -> Vec<String> {
+    let mut lines = vec![];
+    let mut pad = indent;
+    let mut rest = text;
+    while pad + rest.len() > WIDTH {
+        let room = WIDTH - pad;
+        let (mut depth, mut quoted, mut best) = (0, false, None);
+        for (at, c) in rest[..room].char_indices() {
+            match c {
+                '(' => depth += 1,
+                ')' => depth -= 1,
+                '"' => quoted = !quoted,
+                // In a port map between associations alone.
+                ' ' if !quoted
+                    && (!text.starts_with("port map") || rest[..at].ends_with(','))
+                    && at > room / 3
+                    && best.is_none_or(|(least, _)| depth <= least) =>
+                {
+                    best = Some((depth, at));
+                }
+                _ => {}
+            }
+        }
+        let Some((_, at)) = best else { break };
+        lines.push(format!("{}{}", " ".repeat(pad), &rest[..at]));
+        rest = &rest[at + 1..];
+        pad = indent + if text.starts_with("port map") { 10 } else { 4 };
+    }
+    lines.push(format!("{}{rest}", " ".repeat(pad)));
+    lines
+}

@@ -1,0 +1,28 @@
+//! The package of a design: the types of its bundles, and the few functions that its entities share.
+
+use super::shape::Types;
+use askama::Template;
+use std::collections::BTreeSet;
+
+#[derive(Template)]
+#[template(path = "package.vhd", escape = "none")]
+struct Package<'a> {
+    name: &'a str,
+    declarations: Vec<String>,
+    functions: &'a BTreeSet<&'static str>,
+}
+
+/// Functions that only designs that call them have.
+pub(super) const FUNCTIONS: [&str; 7] = ["flag", "less", "choose", "negated_if", "abs_of", "append", "or_reduce"];
+
+/// All names that the package may declare.
+pub(super) fn names(types: &Types) -> Vec<String> {
+    let functions = FUNCTIONS.iter().map(|name| (*name).to_owned());
+    functions.chain(types.names()).chain(["numbers_t".to_owned()]).collect()
+}
+
+/// The text of the package.
+pub(super) fn text(name: &str, types: &Types, functions: &BTreeSet<&'static str>) -> String {
+    let package = Package { name, declarations: types.declarations(), functions };
+    package.render().expect("the template renders")
+}
