@@ -8,7 +8,7 @@ use crate::expression::{Expression, Index, Name, Sub, loop_variable};
 use crate::netlist::{Driver, Signal, SignalId};
 use crate::op::Range;
 use askama::Template;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 /// A port or declaration: its text, and what there is to say of it.
 struct Declaration {
