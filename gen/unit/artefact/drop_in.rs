@@ -5,7 +5,7 @@ use super::{FileSet, origin};
 use crate::design::Design;
 use crate::params::stream::StreamFormat;
 use askama::Template;
-use efsat_hardware::graph::Type;
+use efsat_hardware::op::Type;
 
 /// A part with enough multipliers for the default design, for who has no other in mind.
 const VIVADO_PART: &str = "xc7a200tfbg676-1";
@@ -101,8 +101,8 @@ fn instance(entity: &'static str, ports: Vec<(String, u32)>) -> Instance {
 fn instances(design: &Design, format: &StreamFormat) -> [Instance; 2] {
     let top = &design.top;
     let bits = |ty: Type| ty.bits;
-    let inputs = top.inputs.iter().map(|id| (top.signal(*id).name.clone(), bits(top.signal(*id).ty)));
-    let outputs = top.outputs.iter().map(|(name, id)| (name.clone(), bits(top.signal(*id).ty)));
+    let inputs = top.inputs.iter().map(|id| (top.signal(*id).name(), bits(top.signal(*id).ty)));
+    let outputs = top.outputs.iter().map(|(name, id)| (name.to_string(), bits(top.signal(*id).ty)));
     let unit = [("clk".to_owned(), 1)].into_iter().chain(inputs).chain(outputs).collect();
     let side = |side: &str, bits: u32| {
         [("tdata", bits), ("tkeep", bits / 8), ("tvalid", 1), ("tlast", 1), ("tready", 1)]

@@ -4,7 +4,7 @@ use super::{FileSet, stream};
 use crate::design::Design;
 use crate::params::Params;
 use crate::params::stream::{Kind, StreamFormat};
-use efsat_hardware::graph::Type;
+use efsat_hardware::op::Type;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
@@ -105,8 +105,8 @@ fn ports(design: &Design) -> Vec<Port> {
         format: ty.to_string(),
     };
     let clock = top.clocked().then(|| Port { format: "clock".to_owned(), ..port("clk", "in", Type::FLAG) });
-    let inputs = top.inputs.iter().map(|id| port(&top.signal(*id).name, "in", top.signal(*id).ty));
-    let outputs = top.outputs.iter().map(|(name, id)| port(name, "out", top.signal(*id).ty));
+    let inputs = top.inputs.iter().map(|id| port(&top.signal(*id).name(), "in", top.signal(*id).ty));
+    let outputs = top.outputs.iter().map(|(name, id)| port(&name.to_string(), "out", top.signal(*id).ty));
     clock.into_iter().chain(inputs).chain(outputs).collect()
 }
 

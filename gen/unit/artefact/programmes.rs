@@ -15,7 +15,7 @@ pub fn programme_files(design: &Design, command_line: &str) -> FileSet {
     for (schedule, instances) in design.schedule.hierarchy() {
         let name = &schedule.unit.name;
         let doc = format!("The schedule of {name} in {} clocks; {command_line}", schedule.latency);
-        set.insert(format!("{name}.lp"), schedule.programme.text(&doc));
+        set.insert(format!("{name}.lp"), schedule.program.text(&doc));
         let _ = writeln!(units, "{name},{instances},{}", schedule.register_bits);
     }
     set.insert(UNITS, units);

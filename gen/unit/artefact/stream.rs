@@ -2,7 +2,7 @@
 
 use super::{stream_vectors, testbench};
 use crate::design::Design;
-use crate::design::top::{pair_numbers, pose_numbers};
+use crate::design::top::{pair_ports, pose_ports};
 use crate::params::stream::{BYPASS_AT, Kind, StreamFormat, TAG_AT};
 use crate::params::{Params, Upper};
 use askama::Template;
@@ -89,10 +89,9 @@ fn unit_inputs(p: &Params, format: &StreamFormat, assembly: u32) -> Vec<Field> {
         }
     };
     let base = |kind| assembly - format.record_words(kind) * format.width.bits();
-    numbers(Kind::Pairs, &pair_numbers(), base(Kind::Pairs));
+    numbers(Kind::Pairs, &pair_ports(), base(Kind::Pairs));
     if format.has_pose() {
-        let names: Vec<String> = pose_numbers(p).into_iter().map(|(name, _)| name).collect();
-        numbers(Kind::Pose, &names, base(Kind::Pose));
+        numbers(Kind::Pose, &pose_ports(p), base(Kind::Pose));
     }
     fields
 }
@@ -148,7 +147,7 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
         ),
     ]);
     if format.has_pose() {
-        let names: Vec<String> = pose_numbers(p).iter().map(|(name, _)| name[5..].to_owned()).collect();
+        let names: Vec<String> = pose_ports(p).iter().map(|name| name[5..].to_owned()).collect();
         lines.extend([
             format!(
                 "and {} words for a pose, in the same places: bit 31 bypass, no tag, numbers",

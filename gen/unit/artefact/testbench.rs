@@ -88,8 +88,8 @@ pub fn blank(p: &Params) -> [Word; 3] {
 
 /// The probe ports as one word.
 pub fn probe_word(design: &Design) -> Word {
-    let ports = design.top.outputs.iter().filter(|(name, _)| Design::channel(name) == Channel::Probe);
-    Word { fields: ports.map(|(name, id)| (name.clone(), 0, design.top.signal(*id).ty.bits)).collect() }
+    let ports = design.top.outputs.iter().map(|(place, id)| (place.to_string(), 0, design.top.signal(*id).ty.bits));
+    Word { fields: ports.filter(|(name, ..)| Design::channel(name) == Channel::Probe).collect() }
 }
 
 /// The text of the testbench, `origin` on top.

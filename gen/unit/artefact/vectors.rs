@@ -5,7 +5,7 @@
 //! `V <pair> <answer>`, the answer being verdict, separated, overlapping and, of a unit with a guard, outside from the
 //! low bits up.
 
-use crate::design::top::{pair_numbers, pose_numbers};
+use crate::design::top::{pair_ports, pose_ports};
 use crate::golden::{Golden, Input, Outcome, Pair, Pose};
 use crate::params::{Params, Transform};
 use efsat_hardware::number::Upper;
@@ -60,7 +60,7 @@ impl Word {
 pub fn pair_word(p: &Params, pair: &Pair) -> Word {
     let mut word = Word::default();
     let points = pair.a.iter().chain(&pair.b).flatten();
-    for (name, x) in pair_numbers().iter().zip(points) {
+    for (name, x) in pair_ports().iter().zip(points) {
         word.number(p, name, *x);
     }
     word
@@ -70,7 +70,7 @@ pub fn pair_word(p: &Params, pair: &Pair) -> Word {
 pub fn pose_word(p: &Params, pose: &Pose) -> Word {
     let mut word = Word::default();
     let entries = if p.transform == Transform::On { pose.m.iter().flatten() } else { [].iter().flatten() };
-    for ((name, _), x) in pose_numbers(p).iter().zip(entries.chain(&pose.t)) {
+    for (name, x) in pose_ports(p).iter().zip(entries.chain(&pose.t)) {
         word.number(p, name, *x);
     }
     if p.transform != Transform::Off {

@@ -9,10 +9,6 @@ pub enum Factor {
     EdgeA(usize),
     /// e_Bl.
     EdgeB(usize),
-    /// V2 - V0 = -e_A2.
-    MinusEdgeA2,
-    /// W2 - W0 = -e_B2.
-    MinusEdgeB2,
     /// n_A.
     NormalA,
     /// n_B.
@@ -36,8 +32,9 @@ impl Axis {
     /// All axes of a set, in order: n_A, n_B, C_00 ... C_22, then n_A x e_A0..2, n_B x e_B0..2.
     pub fn all(axes: Axes) -> Vec<Self> {
         let mut list = vec![
-            (AxisKind::NormalA, Factor::EdgeA(0), Factor::MinusEdgeA2),
-            (AxisKind::NormalB, Factor::EdgeB(0), Factor::MinusEdgeB2),
+            // (V1 - V0) x (V2 - V0) = e_2 x e_0: the same products, so the same intervals.
+            (AxisKind::NormalA, Factor::EdgeA(2), Factor::EdgeA(0)),
+            (AxisKind::NormalB, Factor::EdgeB(2), Factor::EdgeB(0)),
         ];
         for k in 0..3 {
             list.extend((0..3).map(|l| (AxisKind::Cross(k), Factor::EdgeA(k), Factor::EdgeB(l))));

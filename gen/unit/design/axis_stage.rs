@@ -1,343 +1,230 @@
 //! The axes of the data path: which axis each unit tests in which phase, on what operands, and how the flags are held.
 
-use super::axes::{Axis, Duplicates, Factor};
-use super::cross_product::{self, COORDINATES, select_bits};
-use super::interval::{Bounds, Rounding};
-use super::multiply::{self, Factor as Signed};
-use super::pipeline::{Edges, Flags, Pipeline, Point, rounding};
-use super::{comparator, projection};
-use crate::params::{AxisKind, Formats, Params, Projections, Row};
-use efsat_hardware::graph::{NodeId, Type, Unit};
-use std::rc::Rc;
+use super::axes::{Axis, Duplicates, Factor as Of};
+use super::comparator::{DUPLICATES, Owners, comparator};
+use super::cross_product::cross_product;
+use super::interval::{Factor, Factors, Interval};
+use super::pipeline::{Edges, Path};
+use super::projection::projection;
+use super::rounding::{Rounding, Roundings, working};
+use efsat_hardware::graph::{Phases, Sig, Signals, Vec3};
+use efsat_hardware::op::Type;
+use crate::params::{AxisKind, Formats, Projections, Row};
 
-impl Pipeline<'_> {
-    /// All axes: cross products, projections, comparators, and the flags of each axis, clear for a pair `outside`.
-    pub(super) fn axes(&mut self, points: &[Point], edges: &Edges, outside: Option<NodeId>) -> Flags {
-        let p = self.p;
-        let all = Axis::all(p.axes);
-        let units = p.axes_per_clock;
-        let jobs: Vec<Vec<Option<Axis>>> =
-            (0..units).map(|u| (0..self.interval).map(|s| all.get(s * units + u).copied()).collect()).collect();
-        let shared = Shared::new(p, &self.formats, &all);
-        let pure = |jobs: &[Option<Axis>]| jobs.iter().flatten().all(Axis::in_plane);
-        // Units that test an in-plane axis and nothing else wait for the normals; the others come first.
-        let (late, early): (Vec<usize>, Vec<usize>) = (0..units).partition(|u| pure(&jobs[*u]));
-        let mut open = vec![];
-        let mut crosses: Vec<Option<Point>> = vec![None; units];
-        for u in early {
-            crosses[u] = Some(self.cross(u, &jobs[u], &shared, edges, None, &mut open));
-        }
-        if p.axes.count() > 11 {
-            let normals = [0, 1].map(|i: usize| {
-                let (u, s) = (i % units, i / units);
-                let l = crosses[u].expect("normals are tested early");
-                let name = all[i].name();
-                [0, 1, 2].map(|c| {
-                    let mut held =
-                        |end: &str, node| self.b.hold(&format!("{name}_{}_{end}", COORDINATES[c]), node, s, false);
-                    let lo = held("lo", l[c].lo);
-                    Bounds { lo, hi: held("hi", l[c].hi) }
-                })
-            });
-            for (choice, leg, factor, c, upper) in open {
-                let normal = normals[usize::from(factor == Factor::NormalB)][c];
-                self.b.connect(choice, leg, if upper { normal.hi } else { normal.lo });
+/// All axes: what each says, *separated* and *overlapping*, held for the pair and clear for one `outside`.
+pub(super) fn axes<'l>(
+    path: &Path<'l, '_>,
+    points: &[Factors<'l>; 6],
+    edges: &Edges<'l>,
+    outside: Option<Sig<'l>>,
+) -> (Vec<Sig<'l>>, Vec<Sig<'l>>) {
+    let (p, formats) = (path.p, &path.formats);
+    let all = Axis::all(p.axes);
+    let units = p.axes_per_clock;
+    let jobs = |u: usize| {
+        let jobs = Phases::new(p.interval(), |s| all.get(s * units + u).copied());
+        // In-plane axes need a finished normal: in a unit that tests others too they come a number of slots later.
+        let pure = jobs.busy().all(|(_, axis)| axis.in_plane());
+        (jobs.late(|axis| axis.in_plane() && !pure), pure)
+    };
+    let jobs: Vec<(Phases<Axis>, bool)> = (0..units).map(jobs).collect();
+    let stage = Stage { path, edges, cross: Table::crosses(formats, &all), project: Table::projections(formats, &all) };
+    // The normals as the in-plane axes take them: connected when they have been computed.
+    let promised = [AxisKind::NormalA, AxisKind::NormalB].map(|kind| {
+        let bound = formats.axis(kind).bound;
+        let number = || path.u.later(working(p), (-bound, bound));
+        let factor = || Factor {
+            interval: Interval { lo: number(), hi: number() },
+            sign_case: path.u.later(Type::unsigned(2), (0, 3)),
+        };
+        (p.axes.count() > 11).then(|| Vec3::each(|_| factor()))
+    });
+    let mut l: Vec<Option<Factors<'l>>> = vec![None; units];
+    let early = jobs.iter().enumerate().filter(|(_, (_, pure))| !pure);
+    for (u, (jobs, _)) in early {
+        l[u] = Some(stage.cross(u, jobs, promised));
+    }
+    let normals = [0, 1].map(|i: usize| {
+        let l = l[i % units].expect("normals are tested early");
+        (p.axes.count() > 11).then(|| l.capture(i / units, false).named(["n_a", "n_b"][i]))
+    });
+    for (promised, normal) in promised.signals().into_iter().zip(normals.signals()) {
+        promised.connect(normal);
+    }
+    for (u, (jobs, _)) in jobs.iter().enumerate().filter(|(_, (_, pure))| *pure) {
+        l[u] = Some(stage.cross(u, jobs, normals));
+    }
+    let mut flags: Vec<Option<(Sig<'l>, Sig<'l>)>> = vec![None; all.len()];
+    for (u, (jobs, _)) in jobs.iter().enumerate() {
+        let said = stage.decide(u, jobs, points, l[u].expect("every unit has axes"));
+        let (separated, overlapping) = match outside {
+            None => said,
+            // Section 7 then makes the pair possibly incorrect.
+            Some(outside) => {
+                let inside = !jobs.map(|_| outside).mux();
+                (said.0 & inside, said.1 & inside)
             }
-            for u in late {
-                crosses[u] = Some(self.cross(u, &jobs[u], &shared, edges, Some(&normals), &mut vec![]));
-            }
+        };
+        let said = (separated.named_at("axis_separated", u), overlapping.named_at("axis_overlapping", u));
+        jobs.capture(&said).for_each(|(axis, said)| flags[axis.index] = Some(said));
+    }
+    let (separated, overlapping): (Vec<_>, Vec<_>) = flags.into_iter().flatten().unzip();
+    (separated.named("separated"), overlapping.named("overlapping"))
+}
+
+/// What all axis units share.
+struct Stage<'l, 'a, 'p> {
+    path: &'a Path<'l, 'p>,
+    edges: &'a Edges<'l>,
+    cross: Table,
+    project: Table,
+}
+
+impl<'l> Stage<'l, '_, '_> {
+    fn factor(&self, of: Of, normals: [Option<Factors<'l>>; 2]) -> Factors<'l> {
+        match of {
+            Of::EdgeA(k) => self.edges.a[k],
+            Of::EdgeB(l) => self.edges.b[l],
+            Of::NormalA => normals[0].expect("17 axes have normals"),
+            Of::NormalB => normals[1].expect("17 axes have normals"),
         }
-        let names = ["v0", "v1", "v2", "w0", "w1", "w2"];
-        let points: Vec<[Signed; 3]> =
-            names.iter().zip(points).map(|(name, x)| self.signed(name, &shared, *x)).collect();
-        let mut flags: Vec<Option<(NodeId, NodeId)>> = vec![None; all.len()];
-        for (u, jobs) in jobs.iter().enumerate() {
-            let l = crosses[u].expect("every unit has axes");
-            let l = self.signed(&format!("axis_{u}_l"), &shared, l);
-            let flags_now = self.decide(u, jobs, &shared, &points, l);
-            let (separated, overlapping) = self.silenced(u, jobs, outside, flags_now);
-            for (s, axis) in jobs.iter().enumerate() {
-                let Some(axis) = axis else { continue };
-                let lagged = lagged(jobs, axis);
-                let name = axis.name();
-                let separated = self.b.hold(&format!("separated_{name}"), separated, s, lagged);
-                let overlapping = self.b.hold(&format!("overlapping_{name}"), overlapping, s, lagged);
-                flags[axis.index] = Some((separated, overlapping));
-            }
-        }
-        let (separated, overlapping) = flags.into_iter().flatten().unzip();
-        Flags { separated, overlapping }
     }
 
-    /// The cross product of unit `u`.
-    fn cross(
-        &mut self,
-        u: usize,
-        jobs: &[Option<Axis>],
-        shared: &Shared,
-        edges: &Edges,
-        normals: Option<&[Point; 2]>,
-        open: &mut Vec<(NodeId, usize, Factor, usize, bool)>,
-    ) -> Point {
-        let name = format!("axis_{u}");
-        let mut args = vec![];
-        for (side, of) in [("e", (|a| a.left) as fn(&Axis) -> Factor), ("f", |a| a.right)] {
-            let phases: Vec<Option<(Factor, bool)>> =
-                jobs.iter().map(|job| job.map(|axis| (of(&axis), lagged(jobs, &axis)))).collect();
-            let (select, legs) = self.pattern(&format!("{name}_{side}"), &phases);
-            for (c, coordinate) in COORDINATES.iter().enumerate() {
-                for (end, upper) in [("lo", false), ("hi", true)] {
-                    let value = |factor: Factor| {
-                        let point = match factor {
-                            Factor::EdgeA(k) => edges.a[k],
-                            Factor::EdgeB(l) => edges.b[l],
-                            Factor::MinusEdgeA2 => edges.minus_a2,
-                            Factor::MinusEdgeB2 => edges.minus_b2,
-                            Factor::NormalA => normals?[0],
-                            Factor::NormalB => normals?[1],
-                        };
-                        Some(if upper { point[c].hi } else { point[c].lo })
-                    };
-                    let nodes: Vec<(Option<NodeId>, bool)> =
-                        legs.iter().map(|(factor, lagged)| (value(*factor), *lagged)).collect();
-                    let choice = self.b.choose(&format!("{name}_{side}_{coordinate}_{end}"), select, &nodes);
-                    for (leg, (node, _)) in nodes.iter().enumerate() {
-                        if node.is_none() {
-                            open.push((choice, leg, legs[leg].0, c, upper));
-                        }
-                    }
-                    args.push(choice);
-                }
-            }
-        }
-        if shared.axis_roundings.len() > 1 {
-            let values: Vec<Option<usize>> =
-                jobs.iter().map(|job| job.map(|axis| shared.axis_rounding(&self.formats, axis.kind))).collect();
-            args.push(self.control(&format!("{name}_rounding"), &values, select_bits(shared.axis_roundings.len())));
-        }
-        let l = self.b.instance(&format!("{name}_cross"), &shared.cross, &args);
-        for node in &l {
-            self.b.probe(*node, meaningful(jobs));
-        }
-        [0, 1, 2].map(|c| Bounds { lo: l[2 * c], hi: l[2 * c + 1] })
-    }
-
-    /// A vector with the sign cases of its components, found once for all its products.
-    fn signed(&mut self, name: &str, shared: &Shared, x: Point) -> [Signed; 3] {
-        [0, 1, 2].map(|c| multiply::factor(&mut self.b, &format!("{name}_{}", COORDINATES[c]), &shared.sign_case, x[c]))
+    /// The axes of unit `u`, with their sign cases.
+    fn cross(&self, u: usize, jobs: &Phases<Axis>, normals: [Option<Factors<'l>>; 2]) -> Factors<'l> {
+        let e = jobs.map(|axis| self.factor(axis.left, normals)).mux().named_at("axis_e", u);
+        let f = jobs.map(|axis| self.factor(axis.right, normals)).mux().named_at("axis_f", u);
+        let roundings = self.cross.roundings(self.path, jobs, &format!("axis{u}_rounding"));
+        let l = cross_product(e, f, &roundings, &self.cross.text).probe(&jobs.meaning());
+        l.map(Interval::factor).named_at("axis_l", u)
     }
 
     /// Projections and comparators of unit `u`.
-    fn decide(
-        &mut self,
-        u: usize,
-        jobs: &[Option<Axis>],
-        shared: &Shared,
-        points: &[[Signed; 3]],
-        l: [Signed; 3],
-    ) -> (NodeId, NodeId) {
-        let p = self.p;
-        let name = format!("axis_{u}");
-        let several = shared.projection_roundings.len() > 1;
-        let rounding = several.then(|| {
-            let values: Vec<Option<usize>> =
-                jobs.iter().map(|job| job.map(|axis| shared.projection_rounding(&self.formats, axis.kind))).collect();
-            self.control(
-                &format!("{name}_projection_rounding"),
-                &values,
-                select_bits(shared.projection_roundings.len()),
-            )
-        });
-        let mut results = vec![];
-        for slot in 0..shared.slots {
-            let phases: Vec<Option<(usize, bool)>> = jobs
-                .iter()
-                .map(|job| {
-                    let axis = (*job)?;
-                    Some((shared.point(&axis, p.projections, slot)?, lagged(jobs, &axis)))
-                })
-                .collect();
-            let slot_name = format!("{name}_p{slot}");
-            if phases.iter().all(Option::is_none) {
-                // No axis of this unit projects so many points: the comparator is told to ignore the slot.
-                results.extend_from_within(..2);
+    fn decide(&self, u: usize, jobs: &Phases<Axis>, points: &[Factors<'l>; 6], l: Factors<'l>) -> (Sig<'l>, Sig<'l>) {
+        let (p, unit) = (self.path.p, self.path.u);
+        let count = |axis: &Axis| axis.projected(0, p.projections).len() + axis.projected(1, p.projections).len();
+        let slots = Axis::all(p.axes).iter().map(count).max().unwrap_or(6);
+        let roundings = self.project.roundings(self.path, jobs, &format!("projection{u}_rounding"));
+        let mut image: Vec<Interval<Sig<'l>>> = vec![];
+        for slot in 0..slots {
+            let point = jobs.filter_map(|axis| projected(axis, p.projections, slot, slots));
+            if point.idle() {
+                // No axis of this unit projects so many points: the comparator is told to ignore the projection.
+                image.push(image[0]);
                 continue;
             }
-            let (select, legs) = self.pattern(&format!("{slot_name}_point"), &phases);
-            let mut chosen = |what: &str, of: fn(&Signed) -> NodeId| {
-                [0, 1, 2].map(|c| {
-                    let leg = |(i, lagged): &(usize, bool)| (Some(of(&points[*i][c])), *lagged);
-                    let nodes: Vec<(Option<NodeId>, bool)> = legs.iter().map(leg).collect();
-                    self.b.choose(&format!("{slot_name}_{}_{what}", COORDINATES[c]), select, &nodes)
-                })
-            };
-            let lo = chosen("lo", |x| x.bounds.lo);
-            let hi = chosen("hi", |x| x.bounds.hi);
-            let sign_cases = chosen("sign_case", |x| x.sign_case);
-            let mut args: Vec<NodeId> = (0..3).flat_map(|c| [lo[c], hi[c]]).collect();
-            args.extend(l.iter().flat_map(|x| x.bounds.nodes()));
-            args.extend(sign_cases);
-            args.extend(l.iter().map(|x| x.sign_case));
-            args.extend(rounding);
-            let out = self.b.instance(&format!("{slot_name}_project"), &shared.projection, &args);
-            for node in &out {
-                let meaning: Vec<(usize, bool)> =
-                    meaningful(jobs).into_iter().filter(|(s, _)| phases[*s].is_some()).collect();
-                self.b.probe(*node, meaning);
-            }
-            results.extend(out);
+            let v = point.map(|i| points[*i]).mux();
+            let meaning = point.meaning();
+            image.push(projection(v, l, &roundings, &self.project.text).probe(&meaning));
         }
-        match p.projections {
-            Projections::All => {}
-            Projections::Skip => {
-                for (triangle, t) in ["a", "b"].into_iter().enumerate() {
-                    for i in 1..3 {
-                        let slot = if triangle == 0 { i } else { shared.slots - 1 - i };
-                        let values: Vec<Option<usize>> = jobs
-                            .iter()
-                            .map(|job| job.map(|a| usize::from(i < a.projected(triangle, p.projections).len())))
-                            .collect();
-                        results.push(self.control(&format!("{name}_{t}_has_{slot}"), &values, 1));
-                    }
-                }
-            }
-            Projections::Intersect => {
-                for (triangle, t) in ["a", "b"].into_iter().enumerate() {
-                    let code = |axis: Axis| match axis.duplicates(triangle) {
-                        Duplicates::None => 0,
-                        Duplicates::Edge(k) => 1 + k,
-                        Duplicates::All => 4,
-                    };
-                    let values: Vec<Option<usize>> = jobs.iter().map(|job| job.map(code)).collect();
-                    results.push(self.control(&format!("{name}_duplicates_{t}"), &values, comparator::DUPLICATE_BITS));
-                }
-            }
-        }
-        let out = self.b.instance(&format!("{name}_compare"), &shared.compare, &results);
-        self.b.probe(out[0], meaningful(jobs));
-        self.b.probe(out[1], meaningful(jobs));
-        (out[0], out[1])
-    }
-}
-
-/// Whether the phase of an axis is a lagged one: in-plane axes in a unit that tests others too.
-pub(super) fn lagged(jobs: &[Option<Axis>], axis: &Axis) -> bool {
-    axis.in_plane() && !jobs.iter().flatten().all(Axis::in_plane)
-}
-
-/// The phases of a unit in which there is an axis, and which of them are lagged.
-fn meaningful(jobs: &[Option<Axis>]) -> Vec<(usize, bool)> {
-    let phase = |(s, job): (usize, &Option<Axis>)| job.map(|axis| (s, lagged(jobs, &axis)));
-    jobs.iter().enumerate().filter_map(phase).collect()
-}
-
-/// The units that all axis units share, and their roundings.
-struct Shared {
-    sign_case: Rc<Unit>,
-    cross: Rc<Unit>,
-    projection: Rc<Unit>,
-    compare: Rc<Unit>,
-    axis_roundings: Vec<Rounding>,
-    projection_roundings: Vec<Rounding>,
-    slots: usize,
-}
-
-impl Shared {
-    fn new(p: &Params, formats: &Formats, axes: &[Axis]) -> Self {
-        let mut axis_roundings = vec![];
-        let mut projection_roundings = vec![];
-        let (mut left, mut right, mut axis_bound, mut projection_bound) = (0, 0, 0, 0);
-        let mut notes: [Vec<String>; 2] = Default::default();
-        let coordinate = formats.coordinate_a.format;
-        for axis in axes {
-            let (e, f) = (factor_row(formats, axis.left), factor_row(formats, axis.right));
-            (left, right) = (e.bound.max(left), f.bound.max(right));
-            axis_bound = formats.axis(axis.kind).bound.max(axis_bound);
-            projection_bound = formats.projection(axis.kind).bound.max(projection_bound);
-            let (l, image) = (formats.axis(axis.kind), formats.projection(axis.kind));
-            let clamped = l.clamp.map_or(String::new(), |c| format!(", clamped by lemma {}", c.lemma));
-            let bounded = |row: &Row| format!("{}, |.| <= {} ulp", row.format, row.bound);
-            let (name, e, f) = (l.name, e.format, f.format);
-            remember(&mut notes[0], format!("  {name}: {e} x {f} -> {}{clamped}", bounded(l)));
-            remember(&mut notes[1], format!("  {}: {coordinate} * {} -> {}", image.name, l.format, bounded(image)));
-            remember(&mut axis_roundings, axis_way(formats, axis.kind));
-            remember(&mut projection_roundings, projection_way(formats, axis.kind));
-        }
-        let point = formats.coordinate_a.bound.max(formats.coordinate_b.bound);
-        let (bits, upper) = (p.width, p.upper);
-        let widest = left.max(right).max(axis_bound).max(point);
-        let sign_case = multiply::sign_case_unit(Type::signed(bits, 0), widest);
-        let spec = cross_product::Spec {
-            bits,
-            left,
-            right,
-            roundings: &axis_roundings,
-            upper,
-            notes: &notes[0],
-            sign_case: &sign_case,
+        let image = if u == 0 && p.axes_per_clock == 1 { image.named("p") } else { image.named(&format!("axis{u}_p")) };
+        let flag = |triangle: usize, i: usize| {
+            let has = jobs.map(|axis| i128::from(i < axis.projected(triangle, p.projections).len()));
+            has.constant(unit, Type::FLAG)
         };
-        let cross = cross_product::unit(&spec);
-        let roundings = &projection_roundings;
-        let spec = projection::Spec { bits, point, axis: axis_bound, roundings, upper, notes: &notes[1] };
-        let projection = projection::unit(&spec);
-        let count = |a: &Axis| a.projected(0, p.projections).len() + a.projected(1, p.projections).len();
-        let slots = axes.iter().map(count).max().unwrap_or(6);
-        let compare = comparator::unit(p.width, projection_bound, slots, p.projections);
-        Self { sign_case, cross, projection, compare, axis_roundings, projection_roundings, slots }
+        let code = |triangle: usize| {
+            let code = jobs.map(|axis| match axis.duplicates(triangle) {
+                Duplicates::None => 0,
+                Duplicates::Edge(k) => 1 + k as i128,
+                Duplicates::All => 4,
+            });
+            code.constant(unit, DUPLICATES)
+        };
+        let owners = match p.projections {
+            Projections::All => Owners::Fixed,
+            Projections::Skip => Owners::Shared([0, 1].map(|t| vec![flag(t, 1), flag(t, 2)])),
+            Projections::Intersect => Owners::Intersected([code(0), code(1)]),
+        };
+        let (separated, overlapping) = comparator(image, owners);
+        (separated.probe(&jobs.meaning()), overlapping.probe(&jobs.meaning()))
+    }
+}
+
+/// The point (V0 V1 V2 W0 W1 W2) that a projection unit projects on an axis: A's from the first unit on, B's from the last
+/// one down.
+fn projected(axis: &Axis, policy: Projections, slot: usize, slots: usize) -> Option<usize> {
+    if policy != Projections::Skip {
+        return Some(slot);
+    }
+    let (a, b) = (axis.projected(0, policy), axis.projected(1, policy));
+    a.get(slot).copied().or_else(|| b.get(slots - 1 - slot).map(|l| 3 + l))
+}
+
+/// The roundings of a unit by kind of axis, and its formats in words.
+struct Table {
+    ways: Vec<(AxisKind, Rounding)>,
+    text: Vec<String>,
+}
+
+impl Table {
+    fn crosses(formats: &Formats, axes: &[Axis]) -> Self {
+        let row = |axis: &Axis| {
+            let (e, f) = (row_of(formats, axis.left), row_of(formats, axis.right));
+            let l = formats.axis(axis.kind);
+            (e.format.fraction + f.format.fraction, l, [e.format.to_string(), f.format.to_string()])
+        };
+        Self::new(axes, ["e", "f", "l"], row)
     }
 
-    fn axis_rounding(&self, formats: &Formats, kind: AxisKind) -> usize {
-        let way = axis_way(formats, kind);
-        self.axis_roundings.iter().position(|w| *w == way).expect("collected from all kinds")
+    fn projections(formats: &Formats, axes: &[Axis]) -> Self {
+        let row = |axis: &Axis| {
+            let (v, l) = (formats.coordinate_a.format, formats.axis(axis.kind).format);
+            (v.fraction + l.fraction, formats.projection(axis.kind), [v.to_string(), l.to_string()])
+        };
+        Self::new(axes, ["v", "l", "p"], row)
     }
 
-    fn projection_rounding(&self, formats: &Formats, kind: AxisKind) -> usize {
-        let way = projection_way(formats, kind);
-        self.projection_roundings.iter().position(|w| *w == way).expect("collected from all kinds")
-    }
-
-    /// The point (V0 V1 V2 W0 W1 W2) that projection unit `slot` projects on an axis: A's from the first unit on, B's
-    /// from the last one down.
-    fn point(&self, axis: &Axis, policy: Projections, slot: usize) -> Option<usize> {
-        let (a, b) = (axis.projected(0, policy), axis.projected(1, policy));
-        if policy != Projections::Skip {
-            return Some(slot);
+    /// `row` gives the exact fraction bits, the row of the result and the formats of the operands.
+    fn new<'f>(axes: &[Axis], names: [&str; 3], row: impl Fn(&Axis) -> (i32, &'f Row, [String; 2])) -> Self {
+        let [e, f, l] = names;
+        let mut text = vec![format!("  {:<12} {e:<7} {f:<7} {l:<7} {:<10} rounding", "axis", format!("|{l}| <="))];
+        let mut ways: Vec<(AxisKind, Rounding)> = vec![];
+        for axis in axes {
+            let (fraction, to, [e, f]) = row(axis);
+            let way = Rounding::to_row(fraction, to);
+            if ways.iter().any(|w| w.0 == axis.kind) {
+                continue;
+            }
+            ways.push((axis.kind, way));
+            let cut = match way.drop {
+                drop if drop > 0 => format!("{drop} bits dropped"),
+                0 => "exact".to_owned(),
+                drop => format!("{} zeros appended", -drop),
+            };
+            let saturated =
+                way.saturate.map_or(String::new(), |(bound, lemma)| format!(", within +-{bound}: lemma {lemma}"));
+            let (format, bound) = (to.format.to_string(), to.bound);
+            text.push(format!("  {:<12} {e:<7} {f:<7} {format:<7} {bound:<10} {cut}{saturated}", kind_name(axis.kind)));
         }
-        let from_last = self.slots - 1 - slot;
-        a.get(slot).copied().or_else(|| b.get(from_last).map(|l| 3 + l))
+        Self { ways, text }
+    }
+
+    fn way(&self, kind: AxisKind) -> Rounding {
+        self.ways.iter().find(|w| w.0 == kind).expect("collected from all axes").1
+    }
+
+    fn roundings<'l>(&self, path: &Path<'l, '_>, jobs: &Phases<Axis>, name: &str) -> Roundings<'l> {
+        let all: Vec<Rounding> = self.ways.iter().map(|w| w.1).collect();
+        Roundings::by_phase(path.p, &all, &jobs.map(|axis| self.way(axis.kind)), path.u, name)
     }
 }
 
-/// Adds what is not there yet.
-fn remember<T: PartialEq>(all: &mut Vec<T>, one: T) {
-    if !all.contains(&one) {
-        all.push(one);
+/// What the axes of a kind are called.
+fn kind_name(kind: AxisKind) -> String {
+    match kind {
+        AxisKind::NormalA => "n_a".to_owned(),
+        AxisKind::NormalB => "n_b".to_owned(),
+        AxisKind::Cross(k) => format!("c_{k}0 to c_{k}2"),
+        AxisKind::InPlaneA(k) => format!("n_a x e_a{k}"),
+        AxisKind::InPlaneB => "n_b x e_b".to_owned(),
     }
 }
 
-fn factor_row(formats: &Formats, factor: Factor) -> &Row {
+fn row_of(formats: &Formats, factor: Of) -> &Row {
     match factor {
-        Factor::EdgeA(k) => &formats.edge_a[k],
-        Factor::MinusEdgeA2 => &formats.edge_a[2],
-        Factor::EdgeB(_) | Factor::MinusEdgeB2 => &formats.edge_b,
-        Factor::NormalA => formats.axis(AxisKind::NormalA),
-        Factor::NormalB => formats.axis(AxisKind::NormalB),
+        Of::EdgeA(k) => &formats.edge_a[k],
+        Of::EdgeB(_) => &formats.edge_b,
+        Of::NormalA => formats.axis(AxisKind::NormalA),
+        Of::NormalB => formats.axis(AxisKind::NormalB),
     }
-}
-
-fn axis_way(formats: &Formats, kind: AxisKind) -> Rounding {
-    let (left, right) = match kind {
-        AxisKind::NormalA => (Factor::EdgeA(0), Factor::EdgeA(2)),
-        AxisKind::NormalB => (Factor::EdgeB(0), Factor::EdgeB(2)),
-        AxisKind::Cross(k) => (Factor::EdgeA(k), Factor::EdgeB(0)),
-        AxisKind::InPlaneA(k) => (Factor::NormalA, Factor::EdgeA(k)),
-        AxisKind::InPlaneB => (Factor::NormalB, Factor::EdgeB(0)),
-    };
-    let exact = factor_row(formats, left).format.fraction + factor_row(formats, right).format.fraction;
-    rounding(exact, formats.axis(kind))
-}
-
-fn projection_way(formats: &Formats, kind: AxisKind) -> Rounding {
-    let exact = formats.coordinate_a.format.fraction + formats.axis(kind).format.fraction;
-    rounding(exact, formats.projection(kind))
 }

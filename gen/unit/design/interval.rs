@@ -1,189 +1,177 @@
-//! Interval operators: add, subtract, and the outward roundings.
+//! Interval arithmetic on signals: sums, differences, and products by sign cases.
 
-use efsat_hardware::graph::{Builder, Fact, NodeId, Op, Range, Rate, Type, Unit};
-use efsat_hardware::number::Upper;
-use std::rc::Rc;
+use super::product::product;
+use efsat_hardware::graph::{Bundle, Sig, Signals, Step, Vec3};
+use efsat_hardware::op::Type;
+use efsat_hardware::{entity, record};
+use std::ops::{Add, Mul, Neg, Sub};
 
-/// The two bounds of an interval in a graph.
+record! {
+    /// An enclosure of a real number.
+    Interval "interval" {
+        /// Lower bound.
+        lo: S,
+        /// Upper bound.
+        hi: S,
+    }
+}
+
+/// An interval that is going to be multiplied, with its sign case, which is an object of its own in VHDL.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Bounds {
-    /// Lower bound.
-    pub lo: NodeId,
-    /// Upper bound.
-    pub hi: NodeId,
+pub struct Factor<S> {
+    /// The interval.
+    pub interval: Interval<S>,
+    /// Which bounds a product takes; see [`sign`].
+    pub sign_case: S,
 }
 
-impl Bounds {
-    /// The bounds as an array, for ports.
-    pub fn nodes(self) -> [NodeId; 2] {
-        [self.lo, self.hi]
+impl<S: Copy + Bundle<S>> Bundle<S> for Factor<S> {
+    fn map(&self, path: &mut Vec<Step>, f: &mut dyn FnMut(&[Step], S) -> S) -> Self {
+        let interval = self.interval.map(path, f);
+        path.push(Step::Beside("case"));
+        let sign_case = self.sign_case.map(path, f);
+        path.pop();
+        Self { interval, sign_case }
     }
 }
 
-/// A symmetric range.
-pub fn symmetric(bound: i128) -> Range {
-    (-bound, bound)
-}
+/// Three intervals.
+pub type Vector<'l> = Vec3<Interval<Sig<'l>>>;
+/// Three factors.
+pub type Factors<'l> = Vec3<Factor<Sig<'l>>>;
 
-/// Two input ports `{name}_lo` and `{name}_hi`.
-pub fn input(b: &mut Builder, name: &str, ty: Type, range: Range) -> Bounds {
-    let lo = b.input(&format!("{name}_lo"), ty, range, Rate::Any);
-    let hi = b.input(&format!("{name}_hi"), ty, range, Rate::Any);
-    Bounds { lo, hi }
-}
+impl<'l> Add for Interval<Sig<'l>> {
+    type Output = Self;
 
-/// Two output ports `{name}_lo` and `{name}_hi`, or `lo` and `hi` for an empty name.
-pub fn output(b: &mut Builder, name: &str, x: Bounds) {
-    let join = |end: &str| if name.is_empty() { end.to_owned() } else { format!("{name}_{end}") };
-    b.output(&join("lo"), x.lo);
-    b.output(&join("hi"), x.hi);
-}
-
-/// Instantiates a unit whose outputs are intervals.
-pub fn instance(b: &mut Builder, name: &str, unit: &Rc<Unit>, args: &[Bounds], extra: &[NodeId]) -> Vec<Bounds> {
-    let args: Vec<NodeId> = args.iter().flat_map(|x| x.nodes()).chain(extra.iter().copied()).collect();
-    b.instance(name, unit, &args).chunks_exact(2).map(|c| Bounds { lo: c[0], hi: c[1] }).collect()
-}
-
-/// How a value is brought to its format: drop low bits outward (negative: append zeros), then clamp.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct Rounding {
-    /// Low bits dropped.
-    pub drop: i32,
-    /// Bound on the true value, and its lemma.
-    pub clamp: Option<(i128, &'static str)>,
-}
-
-/// Rounds outward to `bits` bits; where there are several ways, `select` chooses among them.
-pub fn round(
-    b: &mut Builder,
-    name: &str,
-    x: Bounds,
-    ways: &[Rounding],
-    select: Option<NodeId>,
-    upper: Upper,
-    bits: u32,
-) -> Bounds {
-    let single = ways.len() == 1;
-    let mut rounded = vec![];
-    for (i, way) in ways.iter().enumerate() {
-        let name = if single { name.to_owned() } else { format!("{name}_way_{i}") };
-        rounded.push(round_one(b, &name, x, *way, upper, single));
+    fn add(self, y: Self) -> Self {
+        Self { lo: self.lo + y.lo, hi: self.hi + y.hi }
     }
-    let end = |b: &mut Builder, end: &str, of: fn(&Bounds) -> NodeId| {
-        let value = match select.filter(|_| !single) {
-            None => of(&rounded[0]),
-            Some(select) => {
-                let legs: Vec<NodeId> = std::iter::once(select).chain(rounded.iter().map(of)).collect();
-                b.op(&format!("{name}_chosen_{end}"), Op::Select, &legs)
-            }
+}
+
+impl<'l> Sub for Interval<Sig<'l>> {
+    type Output = Self;
+
+    fn sub(self, y: Self) -> Self {
+        Self { lo: self.lo - y.hi, hi: self.hi - y.lo }
+    }
+}
+
+impl<'l> Neg for Interval<Sig<'l>> {
+    type Output = Self;
+
+    fn neg(self) -> Self {
+        Self { lo: -self.hi, hi: -self.lo }
+    }
+}
+
+impl<'l> Interval<Sig<'l>> {
+    /// The bounds without their binary points: what works on mantissas serves every format.
+    fn mantissa(self) -> Self {
+        Self { lo: self.lo.at_point(None), hi: self.hi.at_point(None) }
+    }
+
+    /// The interval with its sign case.
+    pub fn factor(self) -> Factor<Sig<'l>> {
+        Factor { interval: self, sign_case: sign_case(self) }
+    }
+}
+
+impl<'l> Factor<Sig<'l>> {
+    fn mantissa(self) -> Self {
+        Self { interval: self.interval.mantissa(), ..self }
+    }
+}
+
+/// The sign cases of an interval. Bit 0: `lo + hi < 0`; bit 1: the interval straddles zero.
+pub mod sign {
+    /// `0 <= lo`.
+    pub const POSITIVE: usize = 0b00;
+    /// `lo < 0` and `hi <= 0`.
+    pub const NEGATIVE: usize = 0b01;
+    /// `lo < 0 < hi`, the upper bound being at least as far from zero.
+    pub const UPPER: usize = 0b10;
+    /// `lo < 0 < hi`, the lower bound being farther from zero.
+    pub const LOWER: usize = 0b11;
+}
+
+/// Which bounds a product takes of an interval.
+pub fn sign_case<'l>(x: Interval<Sig<'l>>) -> Sig<'l> {
+    let doc = [
+        "The sign case of an interval, which tells a product what bounds to take.",
+        "  00: 0 <= lo        01: lo < 0, hi <= 0",
+        "  10: lo < 0 < hi, -lo <= hi        11: lo < 0 < hi, -lo > hi",
+    ];
+    let x = x.mantissa();
+    entity!("sign_case", &doc, (x) => {
+        let above = !x.hi.negative() & x.hi.low(x.hi.ty().bits - 1).any();
+        let straddles = (x.lo.negative() & above).named("straddles").comment("lo < 0 < hi");
+        let lower = (x.lo + x.hi).negative();
+        lower.below(&[straddles]).named("number")
+    })
+}
+
+impl<'l> Mul for Factor<Sig<'l>> {
+    type Output = Interval<Sig<'l>>;
+
+    fn mul(self, y: Self) -> Self::Output {
+        multiply(self, y)
+    }
+}
+
+/// `x * y`, exact, by sign cases (Kulisch): two products; where both factors straddle zero the result is `[-P, P]` with
+/// `P = max(-x_lo, x_hi) * max(-y_lo, y_hi)`.
+pub fn multiply<'l>(x: Factor<Sig<'l>>, y: Factor<Sig<'l>>) -> Interval<Sig<'l>> {
+    let doc = [
+        "p = x * y, exact, by sign cases: two products.",
+        "",
+        "  x \\ y   y_lo >= 0                   y_hi <= 0                   y straddles 0",
+        "  x_lo>=0  [x_lo*y_lo, x_hi*y_hi]      [x_hi*y_lo, x_lo*y_hi]      [x_hi*y_lo, x_hi*y_hi]",
+        "  x_hi<=0  [x_lo*y_hi, x_hi*y_lo]      [x_hi*y_hi, x_lo*y_lo]      [x_lo*y_hi, x_lo*y_lo]",
+        "  x str.0  [x_lo*y_hi, x_hi*y_hi]      [x_hi*y_lo, x_lo*y_lo]      [-P, P]",
+        "",
+        "  P = max(-x_lo, x_hi) * max(-y_lo, y_hi): the bounds farther from zero, one of them negated where their",
+        "  signs would give the other end. Sign cases are those of unit sign_case.",
+    ];
+    let (x, y) = (x.mantissa(), y.mantissa());
+    entity!("interval_multiply", &doc, (x, y) => {
+        let cases = y.sign_case.below(&[x.sign_case]).named("cases").comment("4 * (sign case of x) + (sign case of y)");
+        let flag = |name: &str, rule: &dyn Fn(usize, usize) -> bool| {
+            let table = (0..16).map(|i| i128::from(rule(i >> 2, i & 3))).collect();
+            cases.lookup(table, Type::FLAG).named(name)
         };
-        b.resize(&format!("{name}_{end}"), value, true, bits)
-    };
-    Bounds { lo: end(b, "lo", |x| x.lo), hi: end(b, "hi", |x| x.hi) }
-}
-
-fn round_one(b: &mut Builder, name: &str, x: Bounds, way: Rounding, upper: Upper, keep_point: bool) -> Bounds {
-    let cut = |b: &mut Builder, end: &str, value: NodeId| match way.drop {
-        0 => value,
-        drop if drop > 0 => {
-            let id = b.op(&format!("{name}_floor_{end}"), Op::Floor(drop as u32), &[value]);
-            b.comment(id, "floor: drop the low bits")
-        }
-        drop => b.op(&format!("{name}_append_{end}"), Op::Append(drop.unsigned_abs()), &[value]),
-    };
-    let lo = cut(b, "lo", x.lo);
-    let floor = cut(b, "hi", x.hi);
-    let hi = if way.drop <= 0 {
-        floor
-    } else {
-        let fraction = b.ty(floor).fraction;
-        match upper {
-            Upper::Implied => {
-                let ulp = b.constant(&format!("{name}_ulp"), 1, Type { fraction, ..Type::FLAG });
-                let id = b.add(&format!("{name}_up"), floor, ulp);
-                b.comment(id, "floor + ulp (equation 5)")
-            }
-            Upper::Sticky => {
-                let low = b.op(&format!("{name}_dropped"), Op::LowBits(way.drop as u32), &[x.hi]);
-                let any = b.op(&format!("{name}_sticky"), Op::AnyBit, &[low]);
-                let any = b.op(&format!("{name}_sticky_ulp"), Op::Reinterpret(fraction), &[any]);
-                let up = b.add(&format!("{name}_up"), floor, any);
-                b.comment(up, "exact ceiling: floor + OR of the dropped bits");
-                b.op(&format!("{name}_ceiling"), Op::Fact(Fact::Ceiling(way.drop as u32)), &[up, x.hi])
-            }
-        }
-    };
-    let finish = |b: &mut Builder, end: &str, value: NodeId| {
-        let value = match way.clamp {
-            Some((bound, lemma)) => {
-                let id = b.op(&format!("{name}_clamp_{end}"), Op::Clamp(bound, lemma), &[value]);
-                b.comment(id, format!("the true value is within +-{bound}: lemma {lemma}"))
-            }
-            None => value,
+        let straddles = |case: usize| case >= sign::UPPER;
+        // The flags of one end: which bounds it takes, and whether one is negated.
+        let end = |name: &str, takes: fn(usize, usize) -> bool, same_sign: bool| {
+            let takes_x_hi = flag(&format!("{name}_takes_x_hi"), &takes);
+            let takes_y_hi = flag(&format!("{name}_takes_y_hi"), &|x, y| takes(y, x));
+            let both = move |x, y| straddles(x) && straddles(y) && (x == y) == same_sign;
+            let negates_x = flag(&format!("{name}_negates_x"), &both);
+            let x = takes_x_hi.choose(x.interval.hi, x.interval.lo).negate_if(negates_x);
+            let y = takes_y_hi.choose(y.interval.hi, y.interval.lo);
+            product(x, y)
         };
-        if keep_point || b.ty(value).fraction == 0 {
-            value
-        } else {
-            // Several formats share these bits; the binary point moves with the phase.
-            b.op(&format!("{name}_bits_{end}"), Op::Reinterpret(0), &[value])
-        }
-    };
-    Bounds { lo: finish(b, "lo", lo), hi: finish(b, "hi", hi) }
+        let lo = end("lo", takes_upper_for_least, true);
+        let hi = end("hi", takes_upper_for_greatest, false);
+        Interval { lo, hi }.named("p")
+    })
 }
 
-/// `x + y`, exact.
-pub fn add_unit(name: &str, x: (Type, Range), y: (Type, Range)) -> Rc<Unit> {
-    let mut b = Builder::new(name, 1, &["Interval addition, exact: [x_lo + y_lo, x_hi + y_hi]."]);
-    let x = input(&mut b, "x", x.0, x.1);
-    let y = input(&mut b, "y", y.0, y.1);
-    let lo = b.add("sum_lo", x.lo, y.lo);
-    let hi = b.add("sum_hi", x.hi, y.hi);
-    output(&mut b, "", Bounds { lo, hi });
-    b.finish()
+/// Whether the least product takes the upper bound of the factor whose sign case is `own`.
+fn takes_upper_for_least(own: usize, other: usize) -> bool {
+    match (own, other) {
+        (_, sign::NEGATIVE) => true,
+        (_, sign::POSITIVE) => false,
+        (sign::POSITIVE | sign::UPPER, _) => true,
+        _ => false,
+    }
 }
 
-/// What follows an interval subtraction.
-#[derive(Clone, Copy, Debug)]
-pub struct Narrowing {
-    /// A bound on the exact difference that ranges cannot see, with its lemma.
-    pub bound: Option<(i128, &'static str)>,
-    /// Rounding.
-    pub rounding: Rounding,
-    /// Bits of the result.
-    pub bits: u32,
-    /// Rule for upper bounds.
-    pub upper: Upper,
-}
-
-/// `x - y`, exact, or narrowed to a format.
-pub fn subtract_unit(name: &str, x: (Type, Range), y: (Type, Range), narrowing: Option<Narrowing>) -> Rc<Unit> {
-    let doc = match narrowing {
-        None => "Interval subtraction, exact: [x_lo - y_hi, x_hi - y_lo].",
-        Some(_) => "Interval subtraction [x_lo - y_hi, x_hi - y_lo], rounded outward.",
-    };
-    let mut b = Builder::new(name, 1, &[doc]);
-    let x = input(&mut b, "x", x.0, x.1);
-    let y = input(&mut b, "y", y.0, y.1);
-    let lo = b.subtract("difference_lo", x.lo, y.hi);
-    let hi = b.subtract("difference_hi", x.hi, y.lo);
-    let exact = Bounds { lo, hi };
-    let result = match narrowing {
-        None => exact,
-        Some(Narrowing { bound, rounding, bits, upper }) => {
-            let bounded = match bound {
-                None => exact,
-                Some((bound, lemma)) => {
-                    let op = Op::Assert(symmetric(bound), lemma);
-                    let lo = b.op("bounded_lo", op.clone(), &[exact.lo]);
-                    let hi = b.op("bounded_hi", op, &[exact.hi]);
-                    b.comment(lo, format!("within +-{bound}: lemma {lemma}"));
-                    Bounds { lo, hi }
-                }
-            };
-            round(&mut b, "rounded", bounded, &[rounding], None, upper, bits)
-        }
-    };
-    output(&mut b, "", result);
-    b.finish()
+/// Whether the greatest product does.
+fn takes_upper_for_greatest(own: usize, other: usize) -> bool {
+    match (own, other) {
+        (_, sign::NEGATIVE) => false,
+        (_, sign::POSITIVE) => true,
+        (sign::POSITIVE | sign::UPPER, _) => true,
+        _ => false,
+    }
 }

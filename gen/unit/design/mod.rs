@@ -1,9 +1,9 @@
-//! The design: builders of the paper's units, from the interval operators to the top.
+//! The design: the paper's units as functions of bundles, from the interval operators to the top.
 //!
-//! One file a unit, each a function from formats to a [`Unit`](efsat_hardware::graph::Unit); the entity that is printed has the
-//! file's name. Reading order: [`interval`] and [`multiply`] (operators), [`cross_product`], [`projection`], [`comparator`] (one axis),
-//! [`transform_row`], [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
-//! `axis_stage`), [`sequencer`] and [`top`] (handshakes).
+//! One file per unit; the entity that is printed has the file's name. Reading order: [`interval`], [`product`] and
+//! [`rounding`] (operators), [`cross_product`], [`projection`], [`comparator`] (one axis), [`transform_row`],
+//! [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
+//! [`axis_stage`]), [`sequencer`] and [`top`] (handshakes).
 
 pub mod axes;
 mod axis_stage;
@@ -11,12 +11,14 @@ pub mod comparator;
 pub mod cross_product;
 pub mod guard;
 pub mod interval;
-pub mod multiply;
+pub mod number;
 pub mod pipeline;
+pub mod product;
 pub mod projection;
 pub mod renormalise;
+pub mod rounding;
 pub mod sequencer;
 pub mod top;
 pub mod transform_row;
 
-pub use top::Design;
+pub use top::{Design, Probes};

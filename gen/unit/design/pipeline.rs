@@ -1,488 +1,347 @@
 //! The data path of one pair: which unit works on what in which phase of the slot.
 //!
-//! Transform rows, re-normalisation lanes and axis units are shared over the phases; everything here is said with
-//! [`Builder::choose`] and [`Builder::hold`], the schedule finds the clocks. In phase s, transform unit r computes row
-//! `s * rows + r` (vertex by vertex), lane j re-normalises point `s * lanes + j` (V0 V1 V2 W0 W1 W2) and axis unit u
-//! tests axis `s * units + u`. Where there is a [guard](super::guard), numbers pass it on their way to the first unit.
+//! Transform rows, re-normalisation lanes and axis units are shared over the phases. In phase s, transform unit r computes
+//! row `s * rows + r` (vertex by vertex), a lane re-normalises one point, and axis unit u tests axis `s * units + u`. Where
+//! there is a [guard](super::guard), numbers pass it on their way to the first unit.
 
-use super::cross_product::{COORDINATES, select_bits};
-use super::guard::Guards;
-use super::interval::{self, Bounds, Narrowing, Rounding, symmetric};
+use super::axis_stage;
+use super::guard::{Guards, any};
+use super::interval::{Factor, Factors, Interval, Vector};
+use super::number::Number;
 use super::renormalise;
-use super::transform_row::{self, Quantised};
+use super::rounding::{Rounding, Roundings};
+use super::transform_row::{transform_row, translate_row};
+use efsat_hardware::graph::{Library, Phases, Sig, Signals, Top, Unit, Vec3};
+use efsat_hardware::op::Type;
 use crate::params::{Formats, Params, Row, Transform};
-use efsat_hardware::graph::{Builder, NodeId, Op, Rate, Type, Unit};
 use std::rc::Rc;
 
-/// The coordinates of a point, or the components of a vector.
-pub(super) type Point = [Bounds; 3];
+/// A point as it comes from the host.
+type Point<'l> = Vec3<Number<Sig<'l>>>;
 
 /// The data path for a parameter set. Its inputs are the pair and its pose, held for the slot; its outputs are
 /// `verdict`, `separated` and `overlapping` (bit i: axis i), and `outside` where there is a guard.
 pub fn unit(p: &Params) -> Rc<Unit> {
-    let interval = p.interval();
-    let b = Builder::new(
-        "pair_pipeline",
-        interval,
-        &[
-            "The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the",
-            "phases of the slot; a value held for the pair is named after the node, its later copies end in _h<clocks>.",
-        ],
-    );
-    let mut path = Pipeline { b, p, formats: p.formats(), interval, guards: Guards::default() };
-    let (v, w, pose) = path.inputs();
-    let (points, is_a) = path.transformed(&v, &w, pose);
-    let points = path.working_points(&points, &is_a);
-    let edges = path.edges(&points);
-    let outside = path.outside();
-    let flags = path.axes(&points, &edges, outside);
-    path.verdict(&flags);
-    if let Some(outside) = outside {
-        path.b.output("outside", outside);
-    }
-    path.b.finish()
+    let doc = [
+        "The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of",
+        "the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.",
+    ];
+    Library::default().unit("pair_pipeline", &doc, p.interval(), |u| {
+        let path = Path { u, p, formats: p.formats(), guards: Guards::new(u, p) };
+        let (v, w, pose) = path.inputs();
+        let b = pose.map(|pose| path.transformed(&w, &pose));
+        let (points, edges) = path.working(&v, &w, b.as_ref());
+        let outside = path.guards.outside();
+        let (separated, overlapping) = axis_stage::axes(&path, &points, &edges, outside);
+        // Section 7.
+        let separate = any(&separated).named("separate");
+        let surely = (!(!overlapping[0].below(&overlapping[1..11])).any()).named("all_overlap");
+        let (intersect, unknown) = (!separate & surely, !separate & !surely);
+        let verdict = intersect.below(&[unknown]).named("verdict");
+        let verdict = verdict.comment("00 separate, 01 intersect, 10 possibly incorrect");
+        ((verdict, outside), (separated, overlapping))
+    })
 }
 
-struct Pose {
-    m: Vec<Vec<Quantised>>,
-    t: Vec<Quantised>,
-    bypass: NodeId,
+/// The pose of B: rows of M, t, and whether both are left out.
+struct Pose<'l> {
+    m: Option<[Point<'l>; 3]>,
+    t: Point<'l>,
+    bypass: Sig<'l>,
 }
 
-/// A point before re-normalisation: lower bounds, and upper bounds where they exist apart (B after the transform).
-#[derive(Clone)]
-pub(super) enum Source {
-    Input([Quantised; 3]),
-    Transformed(Point),
+/// The edges of both triangles.
+pub(super) struct Edges<'l> {
+    pub a: [Factors<'l>; 3],
+    pub b: [Factors<'l>; 3],
 }
 
-impl Source {
-    /// Coordinate `c` of an input.
-    pub(super) fn input(&self, c: usize) -> Option<Quantised> {
+/// A point before re-normalisation: an input, or one of B after the transform.
+#[derive(Clone, Copy)]
+enum Source<'l> {
+    Input(Point<'l>),
+    Transformed(Vector<'l>),
+}
+
+impl<'l> Source<'l> {
+    fn input(&self) -> Option<Point<'l>> {
         match self {
-            Self::Input(x) => Some(x[c]),
+            Self::Input(x) => Some(*x),
             Self::Transformed(_) => None,
         }
     }
 
-    /// Coordinate `c` of a transformed point.
-    pub(super) fn transformed(&self, c: usize) -> Option<Bounds> {
+    fn transformed(&self) -> Option<Vector<'l>> {
         match self {
             Self::Input(_) => None,
-            Self::Transformed(x) => Some(x[c]),
+            Self::Transformed(x) => Some(*x),
         }
     }
-}
 
-/// The edges of both triangles, and the two negated ones that the normals take.
-pub(super) struct Edges {
-    pub(super) a: [Point; 3],
-    pub(super) b: [Point; 3],
-    pub(super) minus_a2: Point,
-    pub(super) minus_b2: Point,
-}
-
-/// What every axis says, held for the pair.
-pub(super) struct Flags {
-    pub(super) separated: Vec<NodeId>,
-    pub(super) overlapping: Vec<NodeId>,
+    fn lower(&self) -> Vec3<Sig<'l>> {
+        match self {
+            Self::Input(x) => x.map(|n| n.lo),
+            Self::Transformed(x) => x.map(|n| n.lo),
+        }
+    }
 }
 
 /// The data path in the making.
-pub(super) struct Pipeline<'a> {
-    pub(super) b: Builder,
-    pub(super) p: &'a Params,
-    pub(super) formats: Formats,
-    pub(super) interval: usize,
-    pub(super) guards: Guards,
+pub(super) struct Path<'l, 'p> {
+    pub u: Top<'l>,
+    pub p: &'p Params,
+    pub formats: Formats,
+    guards: Guards<'l, 'p>,
 }
 
-impl Pipeline<'_> {
-    fn inputs(&mut self) -> (Vec<[Quantised; 3]>, Vec<[Quantised; 3]>, Option<Pose>) {
+impl<'l> Path<'l, '_> {
+    fn inputs(&self) -> ([Point<'l>; 3], [Point<'l>; 3], Option<Pose<'l>>) {
         let p = self.p;
-        let mut number = |name: String, bound| {
-            if p.guarded() {
-                Quantised::word(&mut self.b, &name, p, Rate::Pair)
-            } else {
-                Quantised::input(&mut self.b, &name, p, bound, Rate::Pair)
-            }
-        };
-        let mut triangle = |name: &str| -> Vec<[Quantised; 3]> {
-            (0..3).map(|k| COORDINATES.map(|c| number(format!("{name}{k}_{c}"), p.coordinate_bound()))).collect()
-        };
-        let v = triangle("in_v");
-        let w = triangle("in_w");
-        if p.transform == Transform::Off {
-            return (v, w, None);
-        }
-        let rows = if p.transform == Transform::On { 3 } else { 0 };
-        let m = (0..rows).map(|i| (0..3).map(|j| number(format!("pose_m{i}{j}"), p.one())).collect()).collect();
-        let t = COORDINATES.iter().map(|c| number(format!("pose_t_{c}"), p.translation_bound())).collect();
-        let bypass = self.b.input("pose_bypass", Type::FLAG, (0, 1), Rate::Pair);
-        (v, w, Some(Pose { m, t, bypass }))
+        // Where a pose is loaded in the last phase, that phase does not read it.
+        let early = usize::from(p.pose_is_free_in_last_phase());
+        let point = |bound: i128, early: usize| Vec3::each(|_| Number::input(self.u, p, bound, early));
+        let triangle = |name| [(); 3].map(|()| point(p.coordinate_bound(), 0)).named(name);
+        let (v, w) = (triangle("in_v"), triangle("in_w"));
+        let pose = (p.transform != Transform::Off).then(|| Pose {
+            m: (p.transform == Transform::On).then(|| [(); 3].map(|()| point(p.one(), early)).named("pose_m")),
+            t: point(p.translation_bound(), early).named("pose_t"),
+            bypass: self.u.input_until(Type::FLAG, (0, 1), early).named("pose_bypass"),
+        });
+        (v, w, pose)
     }
 
-    /// A select pattern and the legs it chooses among, from the leg of each phase.
-    pub(super) fn pattern<T: PartialEq + Copy>(&mut self, name: &str, phases: &[Option<T>]) -> (NodeId, Vec<T>) {
-        let mut legs: Vec<T> = vec![];
-        let values = phases
-            .iter()
-            .map(|leg| {
-                leg.map(|leg| {
-                    let known = legs.iter().position(|l| *l == leg);
-                    known.unwrap_or_else(|| {
-                        legs.push(leg);
-                        legs.len() - 1
-                    }) as i128
-                })
-            })
-            .collect();
-        let ty = Type::unsigned(select_bits(legs.len()));
-        (self.b.phase(name, values, ty), legs)
-    }
-
-    /// A constant of each phase. Idle phases repeat the first busy one, as the operands of idle phases do, so that what
-    /// a unit computes there is in range too.
-    pub(super) fn control(&mut self, name: &str, values: &[Option<usize>], bits: u32) -> NodeId {
-        let first = values.iter().flatten().next().copied();
-        let values = values.iter().map(|v| v.or(first).map(|v| v as i128)).collect();
-        self.b.phase(name, values, Type::unsigned(bits))
-    }
-
-    /// Section 3: all six points in A's frame; the flags say which still are inputs.
-    fn transformed(
-        &mut self,
-        v: &[[Quantised; 3]],
-        w: &[[Quantised; 3]],
-        pose: Option<Pose>,
-    ) -> (Vec<Source>, Vec<bool>) {
-        let mut points: Vec<Source> = v.iter().map(|x| Source::Input(*x)).collect();
-        let Some(pose) = pose else {
-            points.extend(w.iter().map(|x| Source::Input(*x)));
-            return (points, vec![true; 6]);
-        };
-        let units = self.p.transform_rows();
-        let row = transform_row::unit(self.p);
-        let mut results: Vec<Vec<Option<Bounds>>> = vec![vec![None; 3]; 3];
+    /// Section 3: B's vertices in A's frame.
+    fn transformed(&self, w: &[Point<'l>; 3], pose: &Pose<'l>) -> [Vector<'l>; 3] {
+        let (p, units) = (self.p, self.p.transform_rows());
+        let mut b: [Option<Interval<Sig<'l>>>; 9] = [None; 9];
         for r in 0..units {
-            let jobs: Vec<Option<usize>> =
-                (0..self.interval).map(|s| Some(s * units + r).filter(|index| *index < 9)).collect();
-            if jobs.iter().all(Option::is_none) {
+            let rows = Phases::new(p.interval(), |s| Some(s * units + r).filter(|row| *row < 9));
+            if rows.idle() {
                 continue;
             }
-            let name = format!("row_{r}");
-            let (vertex, vertices) =
-                self.pattern(&format!("{name}_vertex"), &jobs.iter().map(|j| j.map(|j| j / 3)).collect::<Vec<_>>());
-            let (component, components) =
-                self.pattern(&format!("{name}_component"), &jobs.iter().map(|j| j.map(|j| j % 3)).collect::<Vec<_>>());
-            let mut args: Vec<NodeId> = vec![];
-            let busy: Vec<bool> = jobs.iter().map(Option::is_some).collect();
-            let mut take = |path: &mut Self, name: String, select, numbers: Vec<Quantised>, bound| {
-                let chosen = path.chosen(&name, select, &numbers);
-                args.extend(path.guarded(&name, chosen, bound, &busy).nodes());
-            };
-            let (coordinate, translation) = (self.p.coordinate_bound(), self.p.translation_bound());
-            if self.p.transform == Transform::On {
-                for j in 0..3 {
-                    let column = components.iter().map(|i| pose.m[*i][j]).collect();
-                    take(self, format!("{name}_m{j}"), component, column, self.p.one());
+            let busy = rows.marks();
+            let bypass = rows.map(|_| pose.bypass).mux();
+            let guarded =
+                |number: Number<Sig<'l>>, bound, name: &str| self.guards.guarded([number], bound, &busy, name)[0];
+            // With the bypass t is 0.
+            let t = rows.map(|row| pose.t[row % 3]).mux().named_at("row_t_pose", r);
+            let t = guarded(or_else(bypass, None, t), p.translation_bound(), &format!("row{r}_t"));
+            let row = match &pose.m {
+                Some(m) => {
+                    let entries = rows.map(|row| m[row % 3]).mux().named_at("row_m_pose", r);
+                    // With the bypass M is the identity.
+                    let diagonal = |j: usize| rows.map(|row| i128::from(row % 3 == j)).constant(self.u, Type::FLAG);
+                    let diagonal = Vec3::each(diagonal).named_at("row_diagonal", r);
+                    let entry = |j: usize| {
+                        let lo = entries[j].lo;
+                        or_else(bypass, Some(diagonal[j].choose(lo.like(p.one()), lo.like(0))), entries[j])
+                    };
+                    let m = Vec3::each(entry);
+                    let m = Vec3(self.guards.guarded(m.0, p.one(), &busy, &format!("row{r}_m")));
+                    let x = rows.map(|row| w[row / 3]).mux().named_at("row_x", r);
+                    let x = Vec3(self.guards.guarded(x.0, p.coordinate_bound(), &busy, &format!("row{r}_x")));
+                    transform_row(p, m, x, t, bypass)
                 }
-                for j in [0, 1, 2] {
-                    let column = vertices.iter().map(|k| w[*k][j]).collect();
-                    take(self, format!("{name}_x{j}"), vertex, column, coordinate);
+                None => {
+                    let x = rows.map(|row| w[row / 3][row % 3]).mux().named_at("row_x", r);
+                    translate_row(guarded(x, p.coordinate_bound(), &format!("row{r}_x")), t, bypass)
                 }
-            } else {
-                let (job, coordinates) = self.pattern(&format!("{name}_job"), &jobs);
-                let column = coordinates.iter().map(|j| w[j / 3][j % 3]).collect();
-                take(self, format!("{name}_x0"), job, column, coordinate);
-            }
-            let column = components.iter().map(|i| pose.t[*i]).collect();
-            take(self, format!("{name}_t"), component, column, translation);
-            args.push(self.b.broadcast(&format!("{name}_bypass"), pose.bypass));
-            let outputs = self.b.instance(&name, &row, &args);
-            for (s, job) in jobs.iter().enumerate() {
-                let Some(job) = job else { continue };
-                let (k, c) = (job / 3, COORDINATES[job % 3]);
-                let lo = self.b.hold(&format!("b{k}_{c}_lo"), outputs[0], s, false);
-                let hi = self.b.hold(&format!("b{k}_{c}_hi"), outputs[1], s, false);
-                self.b.comment(lo, format!("B's vertex {k} in A's frame, {c}"));
-                self.b.probe(lo, vec![(0, false)]);
-                self.b.probe(hi, vec![(0, false)]);
-                results[k][job % 3] = Some(Bounds { lo, hi });
-            }
-        }
-        for vertex in results {
-            let done: Vec<Bounds> = vertex.into_iter().flatten().collect();
-            points.push(Source::Transformed([done[0], done[1], done[2]]));
-        }
-        (points, [true, true, true, false, false, false].to_vec())
-    }
-
-    /// The number that a pattern chooses in each phase.
-    pub(super) fn chosen(&mut self, name: &str, select: NodeId, numbers: &[Quantised]) -> Quantised {
-        let mut part = |name: &str, part: usize| {
-            let legs: Vec<(Option<NodeId>, bool)> =
-                numbers.iter().filter_map(|n| n.nodes().nth(part)).map(|n| (Some(n), false)).collect();
-            (!legs.is_empty()).then(|| self.b.choose(name, select, &legs))
-        };
-        let lo = part(name, 0).expect("a number has a lower bound");
-        Quantised { lo, sticky: part(&format!("{name}_sticky"), 1), bound: None }
-    }
-
-    /// Section 4: the points at working width.
-    fn working_points(&mut self, points: &[Source], is_input: &[bool]) -> Vec<Point> {
-        let p = self.p;
-        let names = ["v0", "v1", "v2", "w0", "w1", "w2"];
-        if !p.renormalise {
-            let unit = renormalise::round_unit(p);
-            let mut working = vec![];
-            for (i, source) in points.iter().enumerate() {
-                let point = match source {
-                    Source::Transformed(point) => *point,
-                    Source::Input(x) => [0, 1, 2].map(|c| {
-                        let name = format!("in_{}_{}", names[i], COORDINATES[c]);
-                        let x = self.guarded(&name, x[c], p.coordinate_bound(), &[]);
-                        x.bounds(&mut self.b, &format!("{name}_bounds"), p, None)
-                    }),
-                };
-                let rounded = interval::instance(&mut self.b, &format!("{}_round", names[i]), &unit, &point, &[]);
-                working.push(self.named_point(names[i], &rounded));
-            }
-            return working;
-        }
-        let lanes = 6usize.div_ceil(self.interval);
-        let offset = renormalise::offset_unit(p);
-        let shift = renormalise::shift_unit(p);
-        let scale = renormalise::scale_unit(p);
-        let Source::Input(v0) = points[0] else { unreachable!("A is never transformed") };
-        let bound = p.coordinate_bound();
-        let v0 = [0, 1, 2].map(|c| self.guarded(&format!("in_v0_{}", COORDINATES[c]), v0[c], bound, &[]));
-        let points = [&[Source::Input(v0)], &points[1..]].concat();
-        let origin: Vec<NodeId> =
-            (0..3).map(|c| self.b.broadcast(&format!("origin_{}", COORDINATES[c]), v0[c].lo)).collect();
-        let jobs = |j: usize| -> Vec<Option<usize>> {
-            (0..self.interval).map(|s| Some(s * lanes + j).filter(|point| *point < 6)).collect()
-        };
-        let all_jobs: Vec<Vec<Option<usize>>> = (0..lanes).map(jobs).collect();
-        let mut offsets = vec![];
-        let mut magnitudes: [Vec<NodeId>; 3] = Default::default();
-        for (j, jobs) in all_jobs.iter().enumerate() {
-            if jobs.iter().all(Option::is_none) {
-                continue;
-            }
-            let lane = self.lane(j, jobs, &points, is_input);
-            let out = {
-                let mut args: Vec<NodeId> = lane.iter().flat_map(|x| x.nodes()).collect();
-                args.extend(&origin);
-                self.b.instance(&format!("offset_{j}"), &offset, &args)
             };
-            // Outputs come coordinate by coordinate: offset lo, hi, magnitude.
-            let mut point = vec![];
-            for c in 0..3 {
-                let [lo, hi, magnitude] = [out[3 * c], out[3 * c + 1], out[3 * c + 2]];
-                point.push(Bounds { lo, hi });
-                let idle: Vec<Option<usize>> = jobs.iter().map(|j| Some(usize::from(j.is_some()))).collect();
-                magnitudes[c].push(if idle.contains(&Some(0)) {
-                    self.masked(&format!("magnitude_{j}_{}", COORDINATES[c]), magnitude, &idle)
-                } else {
-                    magnitude
-                });
-            }
-            offsets.push((j, jobs.clone(), point));
+            let row = row.named_at("row", r);
+            rows.capture(&row).for_each(|(row, value)| b[*row] = Some(value));
         }
-        let shifts = self.shifts(&magnitudes, &all_jobs, &shift);
-        let mut working: Vec<Option<Point>> = vec![None; 6];
-        for (j, jobs, point) in offsets {
-            let scaled = interval::instance(&mut self.b, &format!("scale_{j}"), &scale, &point, &shifts);
-            for (s, job) in jobs.iter().enumerate() {
-                let Some(i) = *job else { continue };
-                let mut held = vec![];
-                for (c, x) in COORDINATES.iter().zip(&scaled) {
-                    let lo = self.b.hold(&format!("{}_{c}_lo", names[i]), x.lo, s, false);
-                    let hi = self.b.hold(&format!("{}_{c}_hi", names[i]), x.hi, s, false);
-                    held.push(Bounds { lo, hi });
-                }
-                working[i] = Some(self.probed_point(&held));
-            }
-        }
-        working.into_iter().flatten().collect()
+        let of = |row: usize| b[row].expect("every row is computed");
+        let b = [0, 1, 2].map(|k| Vec3::each(|i| of(3 * k + i)));
+        b.named("b").comment("B's vertices in A's frame").probe(&[(0, false)])
     }
 
-    fn named_point(&mut self, name: &str, x: &[Bounds]) -> Point {
-        // The instance's outputs under the names that the re-normalised points have too.
-        let alias = |path: &mut Self, c: &str, end: &str, node| {
-            let ty = path.b.ty(node);
-            path.b.op(&format!("{name}_{c}_{end}"), Op::Resize(ty), &[node])
-        };
-        let named: Vec<Bounds> = COORDINATES
-            .iter()
-            .zip(x)
-            .map(|(c, x)| Bounds { lo: alias(self, c, "lo", x.lo), hi: alias(self, c, "hi", x.hi) })
-            .collect();
-        self.probed_point(&named)
-    }
-
-    fn probed_point(&mut self, x: &[Bounds]) -> Point {
-        for node in x.iter().flat_map(|x| x.nodes()) {
-            self.b.probe(node, vec![(0, false)]);
+    /// Section 4: the points at working width, and the edges.
+    fn working(
+        &self,
+        v: &[Point<'l>; 3],
+        w: &[Point<'l>; 3],
+        b: Option<&[Vector<'l>; 3]>,
+    ) -> ([Factors<'l>; 6], Edges<'l>) {
+        let mut sources = v.map(Source::Input).to_vec();
+        match b {
+            Some(b) => sources.extend(b.map(Source::Transformed)),
+            None => sources.extend(w.map(Source::Input)),
         }
-        [x[0], x[1], x[2]]
-    }
-
-    /// The operand of one lane in each phase: lower bounds as they are, upper bounds made where they are implied.
-    fn lane(&mut self, j: usize, jobs: &[Option<usize>], points: &[Source], is_input: &[bool]) -> Vec<Bounds> {
-        if self.p.guarded() {
-            return self.guarded_lane(j, jobs, points, is_input);
-        }
-        let name = format!("lane_{j}");
-        let p = self.p;
-        let (select, legs) = self.pattern(&format!("{name}_point"), jobs);
-        let of = |want: bool| -> Vec<Option<usize>> {
-            jobs.iter().map(|job| job.filter(|i| is_input[*i] == want)).collect()
-        };
-        let (inputs, transformed) = (of(true), of(false));
-        let has = |jobs: &[Option<usize>]| jobs.iter().any(Option::is_some);
-        let own = has(&inputs).then(|| self.pattern(&format!("{name}_input"), &inputs));
-        let other = has(&transformed).then(|| self.pattern(&format!("{name}_transformed"), &transformed));
-        let which: Vec<Option<usize>> = jobs.iter().map(|job| job.map(|i| usize::from(is_input[i]))).collect();
-        let from_input = self.control(&format!("{name}_from_input"), &which, 1);
-        let mut point = vec![];
-        for (c, coordinate) in COORDINATES.iter().enumerate() {
-            let name = format!("{name}_{coordinate}");
-            let lower = |i: usize| match &points[i] {
-                Source::Input(x) => x[c].lo,
-                Source::Transformed(x) => x[c].lo,
-            };
-            let lo_legs: Vec<(Option<NodeId>, bool)> = legs.iter().map(|i| (Some(lower(*i)), false)).collect();
-            let lo = self.b.choose(&format!("{name}_lo"), select, &lo_legs);
-            let implied = own.as_ref().map(|(select, legs)| {
-                let sticky: Vec<(Option<NodeId>, bool)> = legs
-                    .iter()
-                    .filter_map(|i| match &points[*i] {
-                        Source::Input(x) => x[c].sticky.map(|s| (Some(s), false)),
-                        Source::Transformed(_) => None,
-                    })
-                    .collect();
-                let sticky = (!sticky.is_empty()).then(|| self.b.choose(&format!("{name}_sticky"), *select, &sticky));
-                // In phases of B the sum is not used; it must fit all the same.
-                Quantised { lo, sticky, bound: None }.bounds(&mut self.b, &format!("{name}_input"), p, None).hi
-            });
-            let computed = other.as_ref().map(|(select, legs)| {
-                let legs: Vec<(Option<NodeId>, bool)> = legs
-                    .iter()
-                    .filter_map(|i| match &points[*i] {
-                        Source::Transformed(x) => Some((Some(x[c].hi), false)),
-                        Source::Input(_) => None,
-                    })
-                    .collect();
-                self.b.choose(&format!("{name}_transformed_hi"), *select, &legs)
-            });
-            let hi = match (implied, computed) {
-                (Some(hi), None) | (None, Some(hi)) => hi,
-                (Some(implied), Some(computed)) => self.b.either(&format!("{name}_hi"), from_input, implied, computed),
-                (None, None) => unreachable!("a lane has points"),
-            };
-            point.push(Bounds { lo, hi });
-        }
-        point
-    }
-
-    /// The value in phases with a job, zero in idle ones.
-    fn masked(&mut self, name: &str, value: NodeId, busy: &[Option<usize>]) -> NodeId {
-        let busy = self.control(&format!("{name}_busy"), busy, 1);
-        let ty = self.b.ty(value);
-        let zero = self.b.constant(&format!("{name}_zero"), 0, ty);
-        self.b.either(&format!("{name}_masked"), busy, value, zero)
-    }
-
-    /// The common shift of each coordinate, in every phase.
-    fn shifts(&mut self, magnitudes: &[Vec<NodeId>; 3], jobs: &[Vec<Option<usize>>], unit: &Rc<Unit>) -> Vec<NodeId> {
-        let last = jobs.iter().flat_map(|j| j.iter().rposition(Option::is_some)).max().unwrap_or(0);
-        let mut shifts = vec![];
-        for (c, lanes) in COORDINATES.iter().zip(magnitudes) {
-            let mut word = self.b.or_all(&format!("magnitudes_{c}"), lanes);
-            if self.interval > 1 {
-                let first: Vec<Option<usize>> = (0..self.interval).map(|s| Some(usize::from(s == 0))).collect();
-                let first = self.control(&format!("magnitudes_{c}_first"), &first, 1);
-                word = self.b.scan_or(&format!("magnitudes_{c}_all"), word, first);
-            }
-            let word = self.b.hold(&format!("magnitude_{c}"), word, last, false);
-            self.b.comment(word, format!("OR of the magnitudes of the twelve bounds, {c}"));
-            let flags = self.b.instance(&format!("shift_{c}"), unit, &[word]);
-            for (i, flag) in flags.into_iter().enumerate() {
-                shifts.push(self.b.broadcast(&format!("shift_{c}_by_{i}"), flag));
-            }
-        }
-        shifts
-    }
-
-    /// e_Xk = X_(k+1) - X_k (equation 1), and the two negated ones that the normals take.
-    fn edges(&mut self, points: &[Point]) -> Edges {
-        let f = self.formats.clone();
-        let (p, grid) = (self.p, f.coordinate_a.format.fraction);
-        let ty = Type::signed(p.width, grid);
-        let unit = |name: &str, row: &Row, coordinate: i128, lemma: Option<(i128, &'static str)>| {
-            let range = symmetric(coordinate);
-            let rounding = rounding(grid, row);
-            let narrowing = Narrowing { bound: lemma, rounding, bits: p.width, upper: p.upper };
-            interval::subtract_unit(name, (ty, range), (ty, range), Some(narrowing))
-        };
-        let anchored = p.renormalise.then(|| ((1i128 << grid) + 1, "anchored-edge"));
-        let kinds = [
-            unit("edge_a_anchored", &f.edge_a[0], f.coordinate_a.bound, anchored),
-            unit("edge_a", &f.edge_a[1], f.coordinate_a.bound, None),
-            unit("edge_b", &f.edge_b, f.coordinate_b.bound, None),
-        ];
-        let mut edge = |name: &str, unit: &Rc<Unit>, from: Point, to: Point| -> Point {
-            [0, 1, 2].map(|c| {
-                let name = format!("{name}_{}", COORDINATES[c]);
-                let x = interval::instance(&mut self.b, &name, unit, &[to[c], from[c]], &[])[0];
-                self.b.probe(x.lo, vec![(0, false)]);
-                self.b.probe(x.hi, vec![(0, false)]);
-                x
+        let (points, streamed) = if self.p.renormalise { self.renormalised(sources) } else { self.rounded(&sources) };
+        let probed =
+            |x: [Factors<'l>; 3], name: &str| x.each(|_, signal| signal).named(name).map(|x| x.probe(&[(0, false)]));
+        let [v0, v1, v2, w0, w1, w2] = points;
+        let (v, w) = (probed([v0, v1, v2], "v"), probed([w0, w1, w2], "w"));
+        let direct = |triangle: usize, k: usize, x: &[Factors<'l>; 3]| {
+            let known = streamed.iter().find(|(edge, _)| *edge == (triangle, k)).map(|(_, edge)| *edge);
+            known.unwrap_or_else(|| {
+                let (from, to) = (x[k].map(|x| x.interval), x[(k + 1) % 3].map(|x| x.interval));
+                let (way, lemma) = self.edge_format(triangle, k);
+                let exact = to - from;
+                let exact = lemma.map_or(exact, |bound| exact.assume(bound, "anchored-edge"));
+                let ty = Type::signed(self.p.width, self.grid() - way.drop);
+                let roundings = Roundings::one(way, self.p.upper, ty);
+                exact.map(|x| x.round_outward(&roundings).factor())
             })
         };
-        let (v, w) = points.split_at(3);
-        let of_a = |k: usize| if k == 1 { &kinds[1] } else { &kinds[0] };
-        let a = [0, 1, 2].map(|k| edge(&format!("e_a{k}"), of_a(k), v[k], v[(k + 1) % 3]));
-        let b = [0, 1, 2].map(|k| edge(&format!("e_b{k}"), &kinds[2], w[k], w[(k + 1) % 3]));
-        let (minus_a2, minus_b2) = (self.negated("minus_e_a2", a[2]), self.negated("minus_e_b2", b[2]));
-        Edges { a, b, minus_a2, minus_b2 }
+        let a = probed([0, 1, 2].map(|k| direct(0, k, &v)), "e_a");
+        let b = probed([0, 1, 2].map(|k| direct(1, k, &w)), "e_b");
+        ([v[0], v[1], v[2], w[0], w[1], w[2]], Edges { a, b })
     }
 
-    fn negated(&mut self, name: &str, x: Point) -> Point {
-        [0, 1, 2].map(|c| {
-            let mut minus = |end: &str, node| {
-                let name = format!("{name}_{}_{end}", COORDINATES[c]);
-                let bits = self.b.ty(node).bits;
-                let wide = self.b.op(&format!("{name}_wide"), Op::Negate, &[node]);
-                self.b.resize(&name, wide, true, bits)
+    /// Fraction bits of the coordinates.
+    fn grid(&self) -> i32 {
+        self.formats.coordinate_a.format.fraction
+    }
+
+    /// The rounding of edge `k` of a triangle, and where re-normalisation bounds it by the lemma anchored-edge, that bound.
+    fn edge_format(&self, triangle: usize, k: usize) -> (Rounding, Option<i128>) {
+        let row: &Row = if triangle == 0 { &self.formats.edge_a[k] } else { &self.formats.edge_b };
+        let anchored = self.p.renormalise && triangle == 0 && k != 1;
+        (Rounding::to_row(self.grid(), row), anchored.then(|| (1 << self.grid()) + 1))
+    }
+
+    /// Without re-normalisation: every point rounded by itself.
+    fn rounded(&self, sources: &[Source<'l>]) -> ([Factors<'l>; 6], Vec<Streamed<'l>>) {
+        let bound = self.p.coordinate_bound();
+        let point = |i: usize| {
+            let point = match &sources[i] {
+                Source::Transformed(point) => *point,
+                Source::Input(x) => {
+                    let name = if i < 3 { format!("in_v{i}") } else { format!("in_w{}", i - 3) };
+                    Vec3(self.guards.guarded(x.0, bound, &[], &name)).map(|x| x.declared(bound))
+                }
             };
-            let lo = minus("lo", x[c].hi);
-            Bounds { lo, hi: minus("hi", x[c].lo) }
-        })
+            renormalise::round(self.p, point).map(Interval::factor)
+        };
+        (std::array::from_fn(point), vec![])
     }
 
-    /// Section 7.
-    fn verdict(&mut self, flags: &Flags) {
-        let b = &mut self.b;
-        let separate = b.or_all("any_separated", &flags.separated);
-        let surely = b.tree("all_overlapping", Op::And, &flags.overlapping[..11]);
-        let not_separate = b.op("none_separated", Op::Not, &[separate]);
-        let not_surely = b.op("not_all_overlapping", Op::Not, &[surely]);
-        let intersect = b.and("is_intersect", not_separate, surely);
-        let possibly = b.and("is_possibly_incorrect", not_separate, not_surely);
-        let verdict = b.op("verdict_code", Op::Concatenate, &[intersect, possibly]);
-        b.comment(verdict, "00 separate, 01 intersect, 10 possibly incorrect");
-        let separated = b.op("separated_flags", Op::Concatenate, &flags.separated);
-        let overlapping = b.op("overlapping_flags", Op::Concatenate, &flags.overlapping);
-        b.output("verdict", verdict);
-        b.output("separated", separated);
-        b.output("overlapping", overlapping);
+    /// Re-normalised points, and the edges between points that follow each other in a lane.
+    fn renormalised(&self, mut sources: Vec<Source<'l>>) -> ([Factors<'l>; 6], Vec<Streamed<'l>>) {
+        let (p, bound) = (self.p, self.p.coordinate_bound());
+        let v0 = sources[0].input().expect("A is never transformed");
+        // All others are taken relative to V0, so it has a guard of its own.
+        let v0 = Vec3(self.guards.guarded(v0.0, bound, &[], "in_v0"));
+        sources[0] = Source::Input(v0);
+        let origin = v0.map(|x| x.lo);
+        let lanes = lanes(p.interval());
+        let mut offsets = vec![];
+        let mut magnitudes = vec![];
+        for (j, jobs) in lanes.iter().enumerate() {
+            let point = self.lane(jobs, &sources, j).named_at("lane", j);
+            let (offset, magnitude) = renormalise::offset(p, point, origin);
+            offsets.push(offset.named_at("offset", j));
+            magnitudes.push(magnitude.named_at("magnitude", j));
+        }
+        let last = lanes.iter().filter_map(|jobs| jobs.busy().last()).map(|(s, _)| s).max().unwrap_or(0);
+        let word = Vec3::each(|c| magnitudes.iter().map(|m| m[c]).reduce(|a, b| a | b).expect("a lane has points"));
+        let word = if p.interval() > 1 {
+            let first = Phases::new(p.interval(), |s| Some(i128::from(s == 0))).constant(self.u, Type::FLAG);
+            word.map(|word| word.or_over_phases(first)).named("magnitude_so_far")
+        } else {
+            word
+        };
+        let word = word.capture(last, false).named("magnitudes").comment("OR of the magnitudes of the twelve bounds");
+        let shift = word.map(|word| renormalise::leading_zeros(p, word)).named("shift");
+        let mut points: [Option<Factors<'l>>; 6] = [None; 6];
+        let mut edges = vec![];
+        for (j, jobs) in lanes.iter().enumerate() {
+            let scaled = renormalise::scale(p, offsets[j], shift.clone()).named_at("scaled", j);
+            let factors = scaled.map(Interval::factor).named_at("scaled", j);
+            for (point, value) in jobs.capture(&factors) {
+                points[*point].get_or_insert(value);
+            }
+            self.stream_edges(jobs, scaled, j, &mut edges);
+        }
+        let mut points = points.map(|point| point.expect("every point is in a lane"));
+        // V0 is taken relative to its own lower bounds.
+        points[0] = points[0].map(|x| {
+            let zero = self.u.element(0, x.interval.lo.ty());
+            let sign_case = self.u.element(0, x.sign_case.ty());
+            Factor { interval: Interval { lo: zero, hi: x.interval.hi }, sign_case }
+        });
+        (points, edges)
+    }
+
+    /// The operand of a lane in each phase. Of inputs the upper bounds are made behind the multiplexer.
+    fn lane(&self, jobs: &Phases<usize>, sources: &[Source<'l>], j: usize) -> Vector<'l> {
+        let (inputs, transformed) =
+            (jobs.filter_map(|i| sources[*i].input()), jobs.filter_map(|i| sources[*i].transformed()));
+        if inputs.idle() {
+            return transformed.mux();
+        }
+        let is_input = |i: &usize| i128::from(sources[*i].input().is_some());
+        let from_input = jobs.map(is_input).constant(self.u, Type::FLAG).named_at("lane_from_input", j);
+        if transformed.idle() || self.p.guarded() {
+            let point = inputs.mux().named_at("lane_input", j);
+            // V0 alone has passed its guard.
+            let alone = jobs.busy().all(|(_, i)| *i == 0);
+            let bound = self.p.coordinate_bound();
+            let guarded = || Vec3(self.guards.guarded(point.0, bound, &inputs.marks(), &format!("lane{j}_input")));
+            let point = if alone { point } else { guarded() }.map(Number::interval);
+            return if transformed.idle() { point } else { from_input.choose(point, transformed.mux()) };
+        }
+        let lo = jobs.map(|i| sources[*i].lower()).mux().named_at("lane_lower", j);
+        let sticky = inputs.map(|point| point.map(|x| x.sticky)).mux();
+        let implied = lo.zip(sticky, |lo, sticky| Number { lo, sticky }.interval().hi);
+        let upper = transformed.map(|point| point.map(|x| x.hi)).mux();
+        let hi = implied.zip(upper, |implied, upper| from_input.choose(implied, upper));
+        lo.zip(hi, |lo, hi| Interval { lo, hi })
+    }
+
+    /// The edges between neighbours in a lane: `e_k = X_(k+1) - X_k` (equation 1).
+    fn stream_edges(&self, jobs: &Phases<usize>, scaled: Vector<'l>, j: usize, edges: &mut Vec<Streamed<'l>>) {
+        let mut before = None;
+        let streamed = Phases::new(self.p.interval(), |s| {
+            let (from, to) = (before, jobs.get(s).copied());
+            before = to;
+            let (from, to) = (from?, to?);
+            let follows = from / 3 == to / 3 && (from + 1) % 3 == to % 3;
+            follows.then_some((from / 3, from % 3))
+        });
+        // Only lanes that take a triangle around stream its edges.
+        if streamed.busy().count() < 3 {
+            return;
+        }
+        // In idle phases, where any two points may meet, as for an edge of which nothing is known.
+        let ways = Phases::new(self.p.interval(), |s| {
+            let (triangle, k) = streamed.get(s).copied().unwrap_or((0, 1));
+            Some(self.edge_format(triangle, k).0)
+        });
+        let all: Vec<Rounding> = ways.busy().map(|(_, way)| *way).collect();
+        let anchored = streamed.map(|(triangle, k)| self.edge_format(*triangle, *k).1);
+        let marks: Vec<bool> = (0..self.p.interval()).map(|s| anchored.get(s).is_some_and(Option::is_some)).collect();
+        let exact = (scaled - scaled.earlier(1)).named_at("difference", j);
+        let bound = (1 << self.grid()) + 1;
+        let exact = if marks.contains(&true) { exact.assume_in(&marks, bound, "anchored-edge") } else { exact };
+        let roundings = Roundings::by_phase(self.p, &all, &ways, self.u, "edge_rounding");
+        let edge = exact.map(|x| x.round_outward(&roundings)).named_at("edge", j);
+        let factors = edge.map(Interval::factor).named_at("edge", j);
+        edges.extend(streamed.capture(&factors).map(|(edge, value)| (*edge, value)));
     }
 }
 
-/// From exact fraction bits to a row's format.
-pub(super) fn rounding(exact_fraction: i32, row: &Row) -> Rounding {
-    Rounding { drop: exact_fraction - row.format.fraction, clamp: row.clamp.map(|c| (c.bound, c.lemma)) }
+/// An edge by triangle and number.
+type Streamed<'l> = ((usize, usize), Factors<'l>);
+
+/// The points that each lane takes, phase by phase: V0 V1 V2 W0 W1 W2. Where there is time a triangle's first vertex
+/// comes once more behind its last, so that the edges can be formed on the way.
+fn lanes(interval: usize) -> Vec<Phases<usize>> {
+    let lists: Vec<Vec<usize>> = match interval {
+        8.. => vec![vec![0, 1, 2, 0, 3, 4, 5, 3]],
+        6 | 7 => vec![vec![0, 1, 2, 3, 4, 5]],
+        4 | 5 => vec![vec![0, 1, 2, 0], vec![3, 4, 5, 3]],
+        _ => {
+            let lanes = 6usize.div_ceil(interval);
+            (0..lanes).map(|j| (j..6).step_by(lanes).collect()).collect()
+        }
+    };
+    lists.into_iter().map(|list| Phases::new(interval, |s| list.get(s).copied())).collect()
+}
+
+/// The number, or with the flag set an exact one: another, or 0.
+fn or_else<'l>(flag: Sig<'l>, exact: Option<Sig<'l>>, number: Number<Sig<'l>>) -> Number<Sig<'l>> {
+    let lo = flag.choose(exact.unwrap_or_else(|| number.lo.like(0)), number.lo);
+    Number { lo, sticky: number.sticky.map(|sticky| !flag & sticky) }
 }

@@ -159,6 +159,11 @@ impl Params {
         }
     }
 
+    /// Whether no transform row is computed in the last phase of a slot, so that a pose can be loaded in it.
+    pub fn pose_is_free_in_last_phase(&self) -> bool {
+        (self.interval() - 1) * self.transform_rows() >= 9
+    }
+
     /// Format of input coordinates, matrix entries and translation: s{K}.{T-K}.
     pub fn input(&self) -> efsat_hardware::number::Format {
         efsat_hardware::number::Format::signed(self.transform_width, self.int_bits as i32)

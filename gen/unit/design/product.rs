@@ -1,0 +1,71 @@
+//! Exact products from hardware multipliers.
+
+use efsat_hardware::device::MULTIPLIER_BITS;
+use efsat_hardware::entity;
+use efsat_hardware::graph::{Fact, Sig, Signals};
+use efsat_hardware::op::Type;
+
+/// Bits that a partial product takes of an operand: a multiplier's width less the sign.
+const PART: u32 = MULTIPLIER_BITS - 1;
+
+/// An exact product: one hardware multiplier, or where an operand is too wide for it, partial products of 17 unsigned bits
+/// each under a signed top.
+pub fn product<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
+    let name = format!("multiply_{}_{}", x.ty().bits, y.ty().bits);
+    if x.ty().bits <= MULTIPLIER_BITS && y.ty().bits <= MULTIPLIER_BITS {
+        let doc =
+            ["p = x * y, with the register of the multiplier: alone, so that synthesis takes it in (Xilinx AR 13182)."];
+        return entity!(&name, &doc, (x, y) => (x * y).named("p"));
+    }
+    let doc = [
+        "p = x * y, exact, from parts of 17 unsigned bits under a signed top, a multiplier for each two of them. Products",
+        "of parts that are as far apart as they are wide stand side by side without adding.",
+    ];
+    entity!(&name, &doc, (x, y) => wide(x, y).named("p"))
+}
+
+fn wide<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
+    let (xs, ys) = (parts(x), parts(y));
+    let (last_x, last_y) = (xs.len() - 1, ys.len() - 1);
+    let mut diagonals: Vec<(u32, Sig<'l>)> = vec![];
+    for diagonal in -(last_y as i32)..=last_x as i32 {
+        let places = (0..=last_x).filter_map(|i| Some((i, usize::try_from(i as i32 - diagonal).ok()?)));
+        let places: Vec<(usize, usize)> = places.filter(|(_, j)| *j <= last_y).collect();
+        let part = |(i, j): &(usize, usize)| {
+            let part = product(xs[*i], ys[*j]).named(&format!("part_{i}{j}"));
+            // Only the topmost part may be negative; the others are products of unsigned parts.
+            let bits = |bits: u32, k: usize, last: usize| if k < last { PART } else { bits - PART * last as u32 };
+            let bits = bits(x.ty().bits, *i, last_x) + bits(y.ty().bits, *j, last_y);
+            part.resize(Type { signed: *i == last_x || *j == last_y, bits, fraction: None })
+        };
+        let all: Vec<Sig<'l>> = places.iter().map(part).collect();
+        let (i, j) = places[0];
+        diagonals.push(((i + j) as u32 * PART, all[0].below(&all[1..])));
+    }
+    // From the highest place down: the low bits of a diagonal pass by the adders.
+    diagonals.sort_by_key(|(place, _)| std::cmp::Reverse(*place));
+    let (mut at, mut sum) = diagonals[0];
+    for (place, diagonal) in &diagonals[1..] {
+        let below = at - place;
+        sum = match below {
+            0 => *diagonal + sum,
+            _ => {
+                let diagonal = diagonal.named(&format!("diagonal_{place}"));
+                diagonal.low(below).below(&[(diagonal.floor(below as i32) + sum).named(&format!("above_{place}"))])
+            }
+        };
+        at = *place;
+    }
+    sum.known(Fact::Product, &[x, y]).bits(x.ty().bits + y.ty().bits)
+}
+
+/// The parts of a factor, the lowest first, each in as many bits as a multiplier takes.
+fn parts(x: Sig<'_>) -> Vec<Sig<'_>> {
+    let ty = Type { signed: true, bits: MULTIPLIER_BITS, fraction: None };
+    if x.ty().bits <= MULTIPLIER_BITS {
+        return vec![x.resize(ty)];
+    }
+    let mut all = vec![x.low(PART).resize(ty)];
+    all.extend(parts(x.floor(PART as i32)));
+    all
+}

@@ -1,0 +1,100 @@
+//! Rounding outward: the lower bound toward minus infinity, the upper bound toward plus infinity.
+
+use super::interval::Interval;
+use efsat_hardware::graph::{Fact, Phases, Sig, Signals, Top};
+use efsat_hardware::number::Upper;
+use efsat_hardware::op::{Select, Type};
+use crate::params::{Params, Row};
+
+/// How a value is brought to its format: low bits dropped outward (negative: zeros appended), then saturated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Rounding {
+    /// Low bits dropped.
+    pub drop: i32,
+    /// Bound on the true value, and its lemma.
+    pub saturate: Option<(i128, &'static str)>,
+}
+
+impl Rounding {
+    /// From so many fraction bits to a row's format.
+    pub fn to_row(fraction: i32, row: &Row) -> Self {
+        Self { drop: fraction - row.format.fraction, saturate: row.clamp.map(|c| (c.bound, c.lemma)) }
+    }
+}
+
+/// The roundings that a unit is shared by, and which of them is in force.
+#[derive(Clone)]
+pub struct Roundings<'l> {
+    /// The different ones.
+    ways: Vec<Rounding>,
+    /// The number of the one in force, if there are several.
+    pub select: Option<Sig<'l>>,
+    /// Rule for upper bounds.
+    upper: Upper,
+    /// Type of the result.
+    ty: Type,
+}
+
+impl<'l> Roundings<'l> {
+    /// One rounding, to a type.
+    pub fn one(way: Rounding, upper: Upper, ty: Type) -> Self {
+        Self { ways: vec![way], select: None, upper, ty }
+    }
+
+    /// A rounding per phase, to the working width; `all` are the ones of all units that are to be alike.
+    pub fn by_phase(p: &Params, all: &[Rounding], phases: &Phases<Rounding>, unit: Top<'l>, name: &str) -> Self {
+        let mut ways: Vec<Rounding> = vec![];
+        all.iter().for_each(|way| {
+            if !ways.contains(way) {
+                ways.push(*way)
+            }
+        });
+        let number = phases.map(|way| ways.iter().position(|w| w == way).expect("one of all") as i128);
+        let select = (ways.len() > 1).then(|| number.constant(unit, Type::index(ways.len())).named(name));
+        Self { ways, select, upper: p.upper, ty: working(p) }
+    }
+
+    /// The same, chosen by another signal: a port of the unit that rounds.
+    pub fn selected_by(&self, select: Option<Sig<'l>>) -> Self {
+        Self { select, ..self.clone() }
+    }
+}
+
+/// A number of the working width whose binary point depends on the phase.
+pub fn working(p: &Params) -> Type {
+    Type { signed: true, bits: p.width, fraction: None }
+}
+
+impl<'l> Interval<Sig<'l>> {
+    /// Rounded outward by the rounding in force.
+    pub fn round_outward(self, roundings: &Roundings<'l>) -> Self {
+        let ways: Vec<Self> = roundings.ways.iter().map(|way| self.rounded(*way, roundings.upper)).collect();
+        let end = |of: fn(&Self) -> Sig<'l>| match roundings.select {
+            None => of(&ways[0]).resize(roundings.ty),
+            Some(select) => {
+                let ways: Vec<Sig<'l>> = ways.iter().map(|way| of(way).at_point(None)).collect();
+                select.apply(Select::default(), &ways).resize(roundings.ty)
+            }
+        };
+        Self { lo: end(|x| x.lo), hi: end(|x| x.hi) }
+    }
+
+    fn rounded(self, way: Rounding, upper: Upper) -> Self {
+        let (lo, floor) = (self.lo.floor(way.drop), self.hi.floor(way.drop));
+        let hi = match upper {
+            _ if way.drop <= 0 => floor,
+            // floor + ulp (equation 5)
+            Upper::Implied => floor + floor.unit().constant(1, Type::FLAG),
+            // Exact ceiling: floor + OR of the dropped bits.
+            Upper::Sticky => {
+                let drop = way.drop as u32;
+                (floor + self.hi.low(drop).any()).known(Fact::Ceiling(drop), &[self.hi])
+            }
+        };
+        let saturated = |x: Sig<'l>| match way.saturate {
+            Some((bound, lemma)) => x.saturate(bound, lemma),
+            None => x,
+        };
+        Self { lo: saturated(lo), hi: saturated(hi) }
+    }
+}
