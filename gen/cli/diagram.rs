@@ -5,7 +5,7 @@ use super::output::print;
 use crate::artefact::Scratch;
 use crate::design::Design;
 use crate::diagram::{self, Picture};
-use crate::graph::schedule::Scheduler;
+use crate::schedule::Scheduler;
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 

@@ -21,10 +21,7 @@ pub(super) enum Failure {
 
 impl From<DesignError> for Failure {
     fn from(e: DesignError) -> Self {
-        match e {
-            DesignError::Param(_) | DesignError::Device(_) => Self::Usage(e.to_string()),
-            DesignError::Range(_) => Self::Check(e.to_string()),
-        }
+        Self::Usage(e.to_string())
     }
 }
 

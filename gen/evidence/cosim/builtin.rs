@@ -4,7 +4,7 @@
 //! in each clock; then the whole design runs on these inputs a block of clocks at a time.
 
 use super::Run;
-use efsat_hardware::graph::simulate::Simulation;
+use efsat_hardware::netlist::simulate::Simulation;
 use efsat_unit::artefact::Stimulus;
 use efsat_unit::artefact::testbench::{self, PACED, RESET_CLOCKS};
 use efsat_unit::artefact::vectors::{Word, answer_word, pair_word, pose_word};
@@ -62,7 +62,7 @@ impl<'a> Builtin<'a> {
 
     fn port(&self, name: &str) -> Option<usize> {
         let top = &self.design.top;
-        top.inputs.iter().position(|id| top.signal(*id).name == name)
+        top.inputs.iter().position(|id| top.signal(*id).name() == name)
     }
 
     /// Runs all vectors and compares the answers.
@@ -104,7 +104,7 @@ impl<'a> Builtin<'a> {
         let port = |name: &str| self.port(name);
         let ports = ["reset", "in_valid", "pose_valid", "out_ready"].map(port);
         for (i, id) in self.design.top.inputs.iter().enumerate() {
-            let name = &self.design.top.signal(*id).name;
+            let name = &self.design.top.signal(*id).name();
             let control = Design::channel(name) == Channel::Control;
             assert!(control || !unit.reaches(i), "a handshake depends on {name}");
         }
@@ -218,7 +218,7 @@ impl<'a> Builtin<'a> {
         let shape = |pick: fn(&Record) -> Option<&Word>| records.iter().find_map(pick).map(ports).unwrap_or_default();
         let pair_ports = shape(|r| if let Record::Pair(word, _) = r { Some(word) } else { None });
         let pose_ports = shape(|r| if let Record::Pose(word) = r { Some(word) } else { None });
-        let output = |name: &str| top.outputs.iter().position(|(n, _)| n == name);
+        let output = |name: &str| top.outputs.iter().position(|(n, _)| n.to_string() == name);
         let [_, _, answer] = testbench::blank(&self.design.params);
         let answers: Vec<usize> = answer.fields.iter().map(|f| output(&f.0).expect("an output")).collect();
         let tag = output("out_tag");

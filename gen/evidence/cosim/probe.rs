@@ -1,7 +1,7 @@
 //! Inner nodes: what the simulated design shows on its probe ports against the evaluated graph.
 
 use efsat_hardware::graph::evaluate::Evaluator;
-use efsat_hardware::graph::lower::Probe;
+use efsat_hardware::netlist::lower::Probe;
 use efsat_unit::artefact::Stimulus;
 use efsat_unit::artefact::vectors::{pair_word, pose_word};
 use efsat_unit::design::Design;

@@ -3,7 +3,7 @@
 use super::external::{self, file_error};
 use super::{CosimError, Simulator, probe};
 use efsat_unit::artefact::{Scratch, Stimulus, testbench};
-use efsat_unit::design::Design;
+use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
@@ -171,7 +171,7 @@ impl Bench {
             }
             Ok(run) if self.probed => {
                 // A design is not to be shared by threads, so every run has its own.
-                let design = Design::new(&self.params, true)?;
+                let design = Design::new(&self.params, Probes::All)?;
                 let log = external::probes(&design, &dir.join(format!("{}.probe", testbench::NAME)))?;
                 let (_, first) = probe::compare(&design, &self.stimulus, &log);
                 return Ok((first.map_or(Trial::Agrees, Trial::Node), run.total));

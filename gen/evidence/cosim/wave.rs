@@ -23,7 +23,7 @@ pub(super) fn layout(design: &Design, wave: &Path) -> String {
     };
     let own = |names: &[&str]| names.iter().map(|n| ((*n).to_owned(), 1)).collect::<Vec<_>>();
     group("Handshakes", own(&["clk", "reset", "in_valid", "in_ready", "out_valid", "out_ready"]));
-    if design.top.inputs.iter().any(|id| design.top.signal(*id).name == "pose_valid") {
+    if design.top.inputs.iter().any(|id| design.top.signal(*id).name() == "pose_valid") {
         group("Pose", own(&["pose_valid", "pose_ready"]));
     }
     let tag = design.params.tag_width;
@@ -32,8 +32,8 @@ pub(super) fn layout(design: &Design, wave: &Path) -> String {
     }
     let ports = design.top.outputs.iter().map(|(name, id)| (format!("unit.{name}"), design.top.signal(*id).ty.bits));
     group("Answers", ports.filter(|(name, _)| name.starts_with("unit.out_")).collect());
-    let phases = design.top.signals.iter().filter(|s| s.name == "control_phase");
-    group("Phase", phases.map(|s| (format!("unit.{}", s.name), s.ty.bits)).collect());
+    let phases = design.top.signals.iter().filter(|s| s.name() == "control_phase");
+    group("Phase", phases.map(|s| (format!("unit.{}", s.name()), s.ty.bits)).collect());
     lines.push(String::new());
     lines.join("\n")
 }

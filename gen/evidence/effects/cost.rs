@@ -3,8 +3,8 @@
 use super::Front;
 use super::sample::{self, Place};
 use crate::cosim::{self, CosimError, Options, Simulator};
-use efsat_hardware::graph::estimate;
-use efsat_unit::design::Design;
+use efsat_hardware::estimate;
+use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
 use serde::Serialize;
 
@@ -36,7 +36,7 @@ impl Cost {
     /// # Errors
     /// Parameters out of range.
     pub fn new(front: &Front<'_>, params: &Params, places: &[Place]) -> Result<Self, CosimError> {
-        let design = Design::new(params, false)?;
+        let design = Design::new(params, Probes::None)?;
         let cells = estimate::whole(&design.top, design.device);
         let (stimulus, _) = sample::stimulus(front, params, places);
         let options = Options { simulator: Simulator::Builtin, keep: None, wave: None, probe: false };

@@ -5,8 +5,8 @@ use super::{Fate, Mutant, rust, vectors};
 use crate::cosim::inputs;
 use efsat_hardware::graph::evaluate::Evaluator;
 use efsat_unit::artefact::{Scratch, Stimulus};
-use efsat_unit::design::Design;
 use efsat_unit::design::top::DesignError;
+use efsat_unit::design::{Design, Probes};
 use efsat_unit::golden::{Golden, Input, Pair, Pose};
 use efsat_unit::params::{Axes, Guard, Params, Projections, Transform, Upper};
 use rayon::prelude::*;
@@ -238,7 +238,7 @@ fn input(p: &Params, stimulus: &Stimulus) -> String {
 /// The answers of the evaluated graph, and a digest of the inner signals of the unchanged model, which are those of the
 /// graph (`testbench/agreement.rs`).
 fn expected(p: &Params, stimulus: &Stimulus) -> Result<Vec<String>, DesignError> {
-    let design = Design::new(p, false)?;
+    let design = Design::new(p, Probes::None)?;
     let golden = Golden::new(p);
     let mut evaluator = Evaluator::new(&design.pipeline);
     let mut answer = |pose: &Pose, pair: &Pair| {

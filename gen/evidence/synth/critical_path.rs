@@ -5,7 +5,7 @@
 //! way to the next.
 
 use super::harness;
-use efsat_hardware::graph::netlist::Module;
+use efsat_hardware::netlist::Module;
 use serde::Deserialize;
 use std::collections::HashSet;
 
@@ -65,10 +65,10 @@ impl Names {
     /// The names in a top module.
     pub fn new(top: &Module) -> Self {
         fn collect(module: &Module, prefix: &str, names: &mut HashSet<String>) {
-            names.extend(module.signals.iter().map(|signal| format!("{prefix}{}", signal.name)));
+            names.extend(module.signals.iter().map(|signal| format!("{prefix}{}", signal.name())));
             names.extend(module.outputs.iter().map(|(name, _)| format!("{prefix}{name}")));
             for instance in &module.instances {
-                collect(&instance.module, &format!("{prefix}{}.", instance.label), names);
+                collect(&instance.module, &format!("{prefix}{}.", instance.place), names);
             }
         }
         let mut names = HashSet::new();

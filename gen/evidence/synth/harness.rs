@@ -1,7 +1,7 @@
 //! The harness in which the whole is placed and routed.
 
 use askama::Template;
-use efsat_hardware::graph::netlist::Module;
+use efsat_hardware::netlist::Module;
 
 /// Name of the harness module.
 pub const TOP: &str = "harness";
@@ -45,8 +45,8 @@ fn side_by_side(ports: impl Iterator<Item = (String, u32)>) -> (Vec<Port>, u32) 
 
 /// The Verilog of the harness of a top module.
 pub fn text(top: &Module) -> String {
-    let inputs = top.inputs.iter().map(|id| (top.signal(*id).name.clone(), top.signal(*id).ty.bits));
-    let outputs = top.outputs.iter().map(|(name, id)| (name.clone(), top.signal(*id).ty.bits));
+    let inputs = top.inputs.iter().map(|id| (top.signal(*id).name(), top.signal(*id).ty.bits));
+    let outputs = top.outputs.iter().map(|(name, id)| (name.to_string(), top.signal(*id).ty.bits));
     let ((inputs, input_bits), (outputs, output_bits)) = (side_by_side(inputs), side_by_side(outputs));
     let harness = Harness { name: TOP, top: &top.name, instance: INSTANCE, inputs, input_bits, outputs, output_bits };
     harness.render().expect("the template renders")

@@ -31,7 +31,7 @@ pub use units::Unit;
 
 use efsat_hardware::device::{Device, Family, Resources};
 use efsat_unit::artefact::{self, Scratch};
-use efsat_unit::design::Design;
+use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
 use netlist::Netlist;
 use std::path::{Path, PathBuf};
@@ -138,7 +138,7 @@ pub fn run(
     options: &Options,
     step: &(dyn Fn(&str) + Sync),
 ) -> Result<Report, SynthError> {
-    let design = Design::new(params, false)?;
+    let design = Design::new(params, Probes::None)?;
     let flow = options.flow;
     let yosys = yosys::find()?;
     let nextpnr = if flow.routes() && options.seeds > 0 { Some(route::find()?) } else { None };
@@ -181,7 +181,7 @@ pub fn run(
 /// # Errors
 /// That the design cannot be made.
 pub fn predict(params: &Params, flow: Flow) -> Result<Report, SynthError> {
-    Ok(modelled(&Design::new(params, false)?, flow, None))
+    Ok(modelled(&Design::new(params, Probes::None)?, flow, None))
 }
 
 /// What the model and the schedule say, beside the counts of a netlist.
@@ -232,7 +232,7 @@ mod tests {
     #[test]
     fn the_schedules_clock_includes_set_up() {
         let report = predicted(&Params::default());
-        let design = Design::new(&Params::default(), false).unwrap();
+        let design = Design::new(&Params::default(), Probes::None).unwrap();
         let ns = 1000.0 / report.scheduled.0;
         assert!((ns - design.schedule.critical.0 - design.device.setup()).abs() < 1e-9 && ns <= 10.0 + 1e-9, "{ns}");
     }

@@ -7,7 +7,7 @@ use crate::synth::netlist::Netlist;
 use crate::synth::tools::Tool;
 use crate::synth::{ToolError, yosys};
 use efsat_hardware::device::{Device, Resources};
-use efsat_hardware::graph::{estimate, netlist::Module};
+use efsat_hardware::{estimate, netlist::Module};
 use efsat_unit::design::Design;
 use std::ops::Add;
 use std::path::Path;

@@ -153,10 +153,8 @@ impl<'a> Maker<'a> {
     /// Whether a node has a box: constants, patterns of phases and what costs nothing have none.
     fn shown(&self, i: usize) -> bool {
         let unit = &self.schedule.unit;
-        let hidden = matches!(
-            unit.nodes[i].op,
-            Op::Comb(Comb::Constant(_) | Comb::Resize(_)) | Op::Phase(_) | Op::Output(_)
-        );
+        let hidden =
+            matches!(unit.nodes[i].op, Op::Comb(Comb::Constant(_) | Comb::Resize(_)) | Op::Phase(_) | Op::Output(_));
         !hidden && !unit.renames(i)
     }
 

@@ -36,7 +36,10 @@ fn boxes_stand_in_their_clocks_and_values_wait_in_registers() {
     let names: Vec<&str> = picture.places.iter().map(|p| p.name.as_str()).collect();
     assert_eq!(names, ["in_a", "in_b", "in_c", "product", "product_floor", "sum", "magnitude", "magnitude"]);
     let (product, place) = find(&picture, "product");
-    assert_eq!((place.start, place.operation.as_str(), place.kind), (0, "in_a \u{d7} in_b", Kind::Operation(op::Kind::Product)));
+    assert_eq!(
+        (place.start, place.operation.as_str(), place.kind),
+        (0, "in_a \u{d7} in_b", Kind::Operation(op::Kind::Product))
+    );
     let (sum, place) = find(&picture, "sum");
     assert!(place.start >= 1 && place.start == picture.places[product].from);
     let waiting = picture.edges.iter().find(|e| e.from == find(&picture, "in_c").0).unwrap();

@@ -96,7 +96,8 @@ fn evaluate(words: &Words, args: &[Word], values: &[i128], result: &[Bit]) -> i1
         known.extend(arg.bits.iter().enumerate().map(|(i, bit)| (bit.gate(), (value >> i) & 1 == 1)));
     }
     let bits = |known: &HashMap<usize, bool>, bits: &[Bit]| -> Option<i128> {
-        let each = bits.iter().enumerate().map(|(i, b)| Some(i128::from(known.get(&b.gate())? ^ b.is_complement()) << i));
+        let each =
+            bits.iter().enumerate().map(|(i, b)| Some(i128::from(known.get(&b.gate())? ^ b.is_complement()) << i));
         each.sum()
     };
     for (i, gate) in words.gates.all.iter().enumerate() {

@@ -84,7 +84,6 @@ mod tests {
             ("protected", "is a keyword of VHDL-2000"),
             ("Context", "is a keyword of VHDL-2008"),
             ("View", "is a keyword of VHDL-2019"),
-            ("rose", "is a keyword of PSL"),
             ("Reg", "is a keyword of Verilog-2005"),
             ("Logic", "is a keyword of SystemVerilog"),
             ("Numeric_Std", "is a name of the packages in use"),

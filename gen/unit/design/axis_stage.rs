@@ -7,9 +7,9 @@ use super::interval::{Factor, Factors, Interval};
 use super::pipeline::{Edges, Path};
 use super::projection::projection;
 use super::rounding::{Rounding, Roundings, working};
+use crate::params::{AxisKind, Formats, Projections, Row};
 use efsat_hardware::graph::{Phases, Sig, Signals, Vec3};
 use efsat_hardware::op::Type;
-use crate::params::{AxisKind, Formats, Projections, Row};
 
 /// All axes: what each says, *separated* and *overlapping*, held for the pair and clear for one `outside`.
 pub(super) fn axes<'l>(

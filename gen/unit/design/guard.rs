@@ -5,10 +5,10 @@
 //! operand multiplexer; numbers that enter all at once have one each.
 
 use super::number::Number;
+use crate::params::Params;
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Phases, Sig, Signals, Top};
 use efsat_hardware::op::Type;
-use crate::params::Params;
 use std::cell::RefCell;
 
 /// A number within `bound`, whatever the word, and whether it was outside.

@@ -1,10 +1,10 @@
 //! Numbers as the host quantises them: a lower bound, and how far above it the upper bound is.
 
 use super::interval::Interval;
+use crate::params::Params;
 use efsat_hardware::graph::{Sig, Signals, Top};
 use efsat_hardware::number::Upper;
 use efsat_hardware::op::Type;
-use crate::params::Params;
 use efsat_hardware::record;
 
 record! {

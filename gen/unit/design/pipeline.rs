@@ -11,9 +11,9 @@ use super::number::Number;
 use super::renormalise;
 use super::rounding::{Rounding, Roundings};
 use super::transform_row::{transform_row, translate_row};
+use crate::params::{Formats, Params, Row, Transform};
 use efsat_hardware::graph::{Library, Phases, Sig, Signals, Top, Unit, Vec3};
 use efsat_hardware::op::Type;
-use crate::params::{Formats, Params, Row, Transform};
 use std::rc::Rc;
 
 /// A point as it comes from the host.
@@ -312,12 +312,12 @@ impl<'l> Path<'l, '_> {
         let all: Vec<Rounding> = ways.busy().map(|(_, way)| *way).collect();
         let anchored = streamed.map(|(triangle, k)| self.edge_format(*triangle, *k).1);
         let marks: Vec<bool> = (0..self.p.interval()).map(|s| anchored.get(s).is_some_and(Option::is_some)).collect();
-        let exact = (scaled - scaled.earlier(1)).named_at("difference", j);
+        let exact = (scaled - scaled.earlier(1)).named_at("lane_difference", j);
         let bound = (1 << self.grid()) + 1;
         let exact = if marks.contains(&true) { exact.assume_in(&marks, bound, "anchored-edge") } else { exact };
-        let roundings = Roundings::by_phase(self.p, &all, &ways, self.u, "edge_rounding");
-        let edge = exact.map(|x| x.round_outward(&roundings)).named_at("edge", j);
-        let factors = edge.map(Interval::factor).named_at("edge", j);
+        let roundings = Roundings::by_phase(self.p, &all, &ways, self.u, "lane_edge_rounding");
+        let edge = exact.map(|x| x.round_outward(&roundings)).named_at("lane_edge", j);
+        let factors = edge.map(Interval::factor).named_at("lane_edge", j);
         edges.extend(streamed.capture(&factors).map(|(edge, value)| (*edge, value)));
     }
 }

@@ -4,10 +4,10 @@
 use super::interval::{Interval, Vector};
 use super::number::input_type;
 use super::rounding::{Rounding, Roundings};
+use crate::params::Params;
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Vec3};
 use efsat_hardware::op::Type;
-use crate::params::Params;
 
 /// Bits of the magnitude of a difference of two bounds.
 fn magnitude_bits(p: &Params) -> u32 {

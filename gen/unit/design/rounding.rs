@@ -1,10 +1,10 @@
 //! Rounding outward: the lower bound toward minus infinity, the upper bound toward plus infinity.
 
 use super::interval::Interval;
+use crate::params::{Params, Row};
 use efsat_hardware::graph::{Fact, Phases, Sig, Signals, Top};
 use efsat_hardware::number::Upper;
 use efsat_hardware::op::{Select, Type};
-use crate::params::{Params, Row};
 
 /// How a value is brought to its format: low bits dropped outward (negative: zeros appended), then saturated.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -2,13 +2,13 @@
 
 use super::sequencer::{self, PoseReading};
 use super::{number::input_type, pipeline};
+use crate::params::{ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, UnknownDevice};
 use efsat_hardware::graph::{Place, Step, Unit};
 use efsat_hardware::netlist::lower::{Lowering, Probe};
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::number::Upper;
 use efsat_hardware::op::{Concatenate, Floor, LowBits, Type};
-use crate::params::{ParamError, Params, Transform};
 use efsat_hardware::schedule::{Schedule, Scheduler};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -48,6 +48,12 @@ pub enum Probes {
     All,
 }
 
+impl From<bool> for Probes {
+    fn from(all: bool) -> Self {
+        if all { Self::All } else { Self::None }
+    }
+}
+
 /// A design: parameters, proven graph, schedule and modules.
 pub struct Design {
     /// Parameters.
@@ -75,13 +81,13 @@ impl Design {
     ///
     /// # Errors
     /// Parameters out of range, or an unknown device.
-    pub fn new(params: &Params, probes: Probes) -> Result<Self, DesignError> {
+    pub fn new(params: &Params, probes: impl Into<Probes>) -> Result<Self, DesignError> {
         params.validate()?;
         let device = device::find(&params.device)?;
         let pipeline = pipeline::unit(params);
         let mut scheduler = Scheduler::new(device, params.frequency);
         let schedule = scheduler.schedule(&pipeline);
-        let (path, probes) = Lowering::new(&mut scheduler, device).lower(&pipeline, probes == Probes::All);
+        let (path, probes) = Lowering::new(&mut scheduler, device).lower(&pipeline, probes.into() == Probes::All);
         let interval = params.interval();
         Ok(Self {
             params: params.clone(),
@@ -161,8 +167,7 @@ fn words(p: &Params, numbers: Vec<Number>) -> Vec<(String, Place, Type)> {
         place
     };
     let each = numbers.into_iter().flat_map(|n| {
-        let sticky =
-            (p.upper == Upper::Sticky).then(|| (format!("{}_sticky", n.port), part(&n.place, 1), Type::FLAG));
+        let sticky = (p.upper == Upper::Sticky).then(|| (format!("{}_sticky", n.port), part(&n.place, 1), Type::FLAG));
         [(n.port, part(&n.place, 0), input_type(p))].into_iter().chain(sticky)
     });
     each.collect()

@@ -3,10 +3,10 @@
 use super::interval::Interval;
 use super::number::Number;
 use super::product::product;
+use crate::params::Params;
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Vec3};
 use efsat_hardware::number::Upper;
-use crate::params::Params;
 
 /// `b = m0 x0 + m1 x1 + m2 x2 + t`, exact, then rounded outward once.
 ///
