@@ -160,12 +160,12 @@ package body {{ name }} is
 {% endif %}
 {%- if functions.contains("or_reduce") %}
   function or_reduce(x : unsigned) return std_logic is
+    variable any : std_logic := '0';
   begin
-    if x = 0 then
-      return '0';
-    else
-      return '1';
-    end if;
+    for i in x'range loop
+      any := any or x(i);
+    end loop;
+    return any;
   end function or_reduce;
 {% endif %}
 end package body {{ name }};

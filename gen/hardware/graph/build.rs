@@ -382,6 +382,16 @@ impl<'l> Sig<'l> {
         self
     }
 
+    /// Says what kind of value it is: where it has no name of its own, that ends the name of what reads it.
+    pub fn called(self, role: &str) -> Self {
+        self.node(|n| {
+            if !n.named {
+                n.place = Place::new(role);
+            }
+        });
+        self
+    }
+
     pub(super) fn set_comment(self, text: &str) -> Self {
         self.node(|n| n.comment = text.to_owned());
         self
@@ -545,8 +555,9 @@ impl<'l> Sig<'l> {
         let ty = self.ty();
         let (most, least) = (self.unit().constant(bound, ty), self.unit().constant(-bound, ty));
         let bits = 129 - bound.leading_zeros();
-        let inside = self.less(least).choose(least, self);
-        most.less(self).choose(most, inside).assume_range((-bound, bound), lemma, &[]).bits(bits.min(ty.bits))
+        let inside = self.less(least).called("too_low").choose(least, self).called("raised");
+        let saturated = most.less(self).called("too_high").choose(most, inside).called("saturated");
+        saturated.assume_range((-bound, bound), lemma, &[]).bits(bits.min(ty.bits))
     }
 
     /// With this flag set the one, else the other.

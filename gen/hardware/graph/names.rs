@@ -29,7 +29,8 @@ pub(super) fn derive(unit: &mut Unit) {
     for (i, place) in places.into_iter().enumerate() {
         let node = &mut unit.nodes[i];
         node.place = place;
-        if matches!(node.op, Op::Comb(Comb::Constant(_))) {
+        // Neither constants nor what is no hardware is declared.
+        if matches!(node.op, Op::Comb(Comb::Constant(_)) | Op::Assume(..) | Op::Known(_) | Op::Point) {
             continue;
         }
         if let Some(other) = known.insert(node.name(), i) {
@@ -43,8 +44,12 @@ pub(super) fn derive(unit: &mut Unit) {
     }
 }
 
-/// What kind of value a node is.
+/// What kind of value a node is: what it was called, or what its operation makes; nothing of a step that only says what
+/// is known.
 fn role(node: &Node) -> String {
+    if !node.place.is_empty() {
+        return node.place.base.clone();
+    }
     let role = match &node.op {
         Op::Comb(Comb::Floor(op)) => return format!("floor_{}", op.0),
         Op::Comb(op) => op.role(),
@@ -53,9 +58,7 @@ fn role(node: &Node) -> String {
         Op::Mux { .. } => "operand",
         Op::ScanOr => "so_far",
         Op::Earlier(_) => "before",
-        Op::Assume(..) => "assumed",
-        Op::Known(_) => "known",
-        Op::Point => "point",
+        Op::Assume(..) | Op::Known(_) | Op::Point => "",
         Op::Instance(_) => "unit",
         Op::Input { .. } => "port",
         Op::Output(_) => "result",
@@ -92,7 +95,10 @@ fn place(unit: &Unit, readers: &[Vec<usize>], i: usize) -> Place {
         [reader] if reader != usize::MAX => {
             let reading = &unit.nodes[reader];
             let at: Vec<usize> = (0..reading.args.len()).filter(|k| reading.args[*k].0 == i).collect();
-            let above = place(unit, readers, reader);
+            let mut above = place(unit, readers, reader);
+            if matches!(reading.op, Op::Comb(Comb::Resize(_))) && !reading.named {
+                above.suffix.truncate(above.suffix.len() - "_resized".len());
+            }
             if let Op::Instance(child) = &reading.op {
                 let port = &child.node(child.inputs[at[0]]).place;
                 let base = format!("{}{}_{}", above.base, above.suffix.trim_end_matches("_unit"), port.base);
@@ -105,11 +111,8 @@ fn place(unit: &Unit, readers: &[Vec<usize>], i: usize) -> Place {
                 !arg.named && role(arg) == role(node)
             };
             let twins = (0..reading.args.len()).filter(same).count() > at.len();
-            let suffix = match (twins, at[0]) {
-                (false, _) => role(node),
-                (true, k) => format!("{}_{}", role(node), ORDINALS.get(k).copied().unwrap_or("last")),
-            };
-            above.suffixed(&suffix)
+            let above = above.suffixed(&role(node));
+            if twins { above.suffixed(ORDINALS.get(at[0]).copied().unwrap_or("last")) } else { above }
         }
         _ => {
             let below = node.args.first().map_or_else(|| Place::new(unit.name.clone()), |a| source(unit, a.0));

@@ -46,7 +46,8 @@ impl Place {
 
     /// What was made of it.
     pub fn suffixed(&self, suffix: &str) -> Self {
-        Self { suffix: format!("{}_{suffix}", self.suffix), ..self.clone() }
+        let separator = if suffix.is_empty() { "" } else { "_" };
+        Self { suffix: format!("{}{separator}{suffix}", self.suffix), ..self.clone() }
     }
 
     /// Whether there is no name yet.

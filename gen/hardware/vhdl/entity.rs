@@ -105,7 +105,10 @@ impl Printer<'_, '_> {
             }
         }
         for object in &self.view.outputs {
-            ports.push((object.name.clone(), "out", port_type(&object.shape), self.describe(object)));
+            // A register that is the port itself.
+            let initial = self.initial(object).filter(|_| self.view.is_direct(object));
+            let ty = port_type(&object.shape) + &initial.map_or(String::new(), |value| format!(" := {value}"));
+            ports.push((object.name.clone(), "out", ty, self.describe(object)));
         }
         let widest = ports.iter().map(|p| p.0.len()).max().unwrap_or(0);
         let last = ports.len() - 1;

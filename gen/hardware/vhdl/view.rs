@@ -338,10 +338,15 @@ impl<'a> View<'a> {
         all
     }
 
+    /// Whether an output port is driven by the statements of its signals.
+    pub fn is_direct(&self, port: &Object) -> bool {
+        port.members.iter().all(|m| self.direct.contains(&m.0))
+    }
+
     /// Assignments of what drives output ports that are not driven directly.
     pub fn port_assignments(&self) -> Vec<Statement> {
         let mut all = vec![];
-        for port in self.outputs.iter().filter(|p| !p.members.iter().all(|m| self.direct.contains(&m.0))) {
+        for port in self.outputs.iter().filter(|p| !self.is_direct(p)) {
             let of: HashMap<&[Sub], SignalId> = port.members.iter().map(|(id, subs)| (&subs[..], *id)).collect();
             let leaf = |name: &Name| {
                 let id = of.get(&name.subs[..])?;

@@ -84,11 +84,11 @@ impl<'l> Interval<Sig<'l>> {
         let hi = match upper {
             _ if way.drop <= 0 => floor,
             // floor + ulp (equation 5)
-            Upper::Implied => floor + floor.unit().constant(1, Type::FLAG),
+            Upper::Implied => (floor + floor.unit().constant(1, Type::FLAG)).called("up"),
             // Exact ceiling: floor + OR of the dropped bits.
             Upper::Sticky => {
                 let drop = way.drop as u32;
-                (floor + self.hi.low(drop).any()).known(Fact::Ceiling(drop), &[self.hi])
+                (floor + self.hi.low(drop).any().called("inexact")).called("up").known(Fact::Ceiling(drop), &[self.hi])
             }
         };
         let saturated = |x: Sig<'l>| match way.saturate {
