@@ -3,6 +3,7 @@
 
 mod accuracy;
 mod agreement;
+mod baseline;
 mod cli;
 mod compare;
 mod diagrams;

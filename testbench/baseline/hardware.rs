@@ -1,0 +1,182 @@
+//! What a design shows in the built-in simulator, clock by clock: answers at the ports of the unit, inner signals at its
+//! probes. Nothing else of the baseline knows how a design is made; ports and probes are found by their names.
+
+use super::vectors::Segment;
+use super::{Seen, Signals};
+use efsat::artefact::vectors::{pair_word, pose_word, Word};
+use efsat::design::Design;
+use efsat::golden::Golden;
+use efsat::graph::simulate::Simulation;
+use efsat::params::{Params, Projections, Transform};
+use std::collections::HashMap;
+
+/// Clocks of reset.
+const RESET: usize = 4;
+
+/// What is answered.
+const ANSWER: [&str; 4] = ["out_verdict", "out_separated", "out_overlapping", "out_outside"];
+
+/// Clocks without an answer after which there will be none.
+const PATIENCE: usize = 10_000;
+
+/// The unit, driven at its ports.
+struct Ports {
+    simulation: Simulation,
+    inputs: HashMap<String, usize>,
+    outputs: HashMap<String, usize>,
+}
+
+impl Ports {
+    fn new(design: &Design) -> Self {
+        let top = &design.top;
+        let inputs = top.inputs.iter().enumerate().map(|(i, id)| (top.signal(*id).name.clone(), i));
+        let outputs = top.outputs.iter().enumerate().map(|(i, (name, _))| (name.clone(), i));
+        Self { simulation: Simulation::new(top, 1), inputs: inputs.collect(), outputs: outputs.collect() }
+    }
+
+    /// Sets an input in the coming clock; not every unit has every port.
+    fn set(&mut self, name: &str, value: i128) {
+        if let Some(port) = self.inputs.get(name) {
+            self.simulation.set(*port, 0, value);
+        }
+    }
+
+    /// An output in the clock last run; zero where there is no such port.
+    fn get(&self, name: &str) -> i128 {
+        self.outputs.get(name).map_or(0, |port| self.simulation.output(*port, 0))
+    }
+}
+
+/// What there is to be taken by the unit.
+struct Offer {
+    valid: &'static str,
+    ready: &'static str,
+    word: Word,
+}
+
+fn offers(p: &Params, segments: &[Segment]) -> Vec<Offer> {
+    let mut offers = vec![];
+    for (pose, pairs) in segments {
+        if p.transform != Transform::Off {
+            offers.push(Offer { valid: "pose_valid", ready: "pose_ready", word: pose_word(p, pose) });
+        }
+        let pair = |pair| Offer { valid: "in_valid", ready: "in_ready", word: pair_word(p, pair) };
+        offers.extend(pairs.iter().map(pair));
+    }
+    offers
+}
+
+/// Runs all vectors at full speed through a design with probes.
+pub fn seen(p: &Params, segments: &[Segment]) -> Vec<Seen> {
+    let design = Design::new(p, true).unwrap_or_else(|e| panic!("{e}"));
+    let probes: Vec<String> = design.probes.iter().map(|probe| format!("probe_{}", probe.name)).collect();
+    let mut ports = Ports::new(&design);
+    let offers = offers(p, segments);
+    let pairs = segments.iter().map(|segment| segment.1.len()).sum();
+    let (mut next, mut accepted, mut answers, mut log, mut silent) = (0, vec![], vec![], vec![], 0);
+    while answers.len() < pairs {
+        let offer = if log.len() < RESET { None } else { offers.get(next) };
+        ports.set("reset", i128::from(log.len() < RESET));
+        ports.set("out_ready", 1);
+        for valid in ["in_valid", "pose_valid"] {
+            ports.set(valid, i128::from(offer.is_some_and(|offer| offer.valid == valid)));
+        }
+        for (name, value, _) in offer.iter().flat_map(|offer| &offer.word.fields) {
+            ports.set(name, *value);
+        }
+        ports.simulation.run();
+        if let Some(offer) = offer.filter(|offer| ports.get(offer.ready) == 1) {
+            if offer.valid == "in_valid" {
+                accepted.push(log.len());
+            }
+            next += 1;
+        }
+        silent += 1;
+        if ports.get("out_valid") == 1 {
+            answers.push(ANSWER.map(|name| ports.get(name)));
+            silent = 0;
+        }
+        assert!(silent < PATIENCE, "{} of {pairs} pairs are answered", answers.len());
+        log.push(probes.iter().map(|name| ports.get(name)).collect::<Vec<i128>>());
+    }
+    let names = Names::new(p, segments);
+    let signals = accepted.iter().map(|clock| {
+        let mut signals = Signals::new();
+        for (i, probe) in design.probes.iter().enumerate() {
+            for (phase, later) in &probe.clocks {
+                let (signal, part) = names.signal(&probe.name, *phase);
+                // Phase 0 of the data path is the clock after acceptance.
+                signals.entry(signal).or_default()[part] = log[clock + 1 + *later as usize][i];
+            }
+        }
+        signals
+    });
+    answers.into_iter().zip(signals).map(|(answer, signals)| Seen { answer, signals }).collect()
+}
+
+/// An axis: its name, and the points of A and of B that are projected on it.
+#[derive(Default)]
+struct Axis {
+    name: String,
+    points: [Vec<String>; 2],
+}
+
+/// What the reference model calls the nodes of a design.
+struct Names {
+    axes: Vec<Axis>,
+    per_clock: usize,
+    skip: bool,
+}
+
+impl Names {
+    /// Axes and points in the order of the reference model's trace, of whatever pair.
+    fn new(p: &Params, segments: &[Segment]) -> Self {
+        let (pose, pairs) = &segments[0];
+        let mut axes: Vec<Axis> = vec![];
+        for (signal, _) in Golden::new(p).trace(pose, &pairs[0]) {
+            let Some((name, point)) = signal.strip_prefix("projection.").and_then(|rest| rest.split_once('.')) else {
+                continue;
+            };
+            if axes.last().is_none_or(|axis| axis.name != name) {
+                axes.push(Axis { name: name.to_owned(), ..Axis::default() });
+            }
+            let axis = axes.last_mut().expect("an axis");
+            axis.points[usize::from(point.starts_with('w'))].push(point.to_owned());
+        }
+        Self { axes, per_clock: p.axes_per_clock, skip: p.projections == Projections::Skip }
+    }
+
+    /// The signal behind a node in a phase, and which of its two values the node is.
+    fn signal(&self, node: &str, phase: usize) -> (String, usize) {
+        let (stem, end) = node.rsplit_once('_').expect("a name of several parts");
+        let part = match end {
+            "lo" | "separated" => 0,
+            "hi" | "overlapping" => 1,
+            _ => panic!("unknown probe {node}"),
+        };
+        let axis = |unit: &str| &self.axes[phase * self.per_clock + unit.parse::<usize>().expect("a number")];
+        let name = match *stem.split('_').collect::<Vec<_>>() {
+            [point, c] if point.starts_with('b') => format!("transform.w{}_{c}", &point[1..]),
+            [point, c] => format!("renormalise.{point}_{c}"),
+            ["e", edge, c] => format!("edge.{edge}_{c}"),
+            ["axis", unit, "cross", "l", c] => format!("axis.{}_{c}", axis(unit).name),
+            ["axis", unit, slot, "project", "p"] => {
+                let axis = axis(unit);
+                let point = self.projected(axis, slot[1..].parse().expect("a number"));
+                format!("projection.{}.{point}", axis.name)
+            }
+            ["axis", unit, "compare"] => format!("flags.{}", axis(unit).name),
+            _ => panic!("unknown probe {node}"),
+        };
+        (name, part)
+    }
+
+    /// The point that a projection unit projects on an axis: A's from the first unit on, B's behind them, or, where
+    /// duplicates are skipped, from the last unit down.
+    fn projected<'a>(&self, axis: &'a Axis, slot: usize) -> &'a str {
+        let [a, b] = &axis.points;
+        let units = self.axes.iter().map(|axis| axis.points.concat().len()).max().expect("axes");
+        let of_b = || if self.skip { units - 1 - slot } else { slot - a.len() };
+        a.get(slot).unwrap_or_else(|| &b[of_b()])
+    }
+}
