@@ -56,11 +56,7 @@ impl Seen {
     /// The verdict's code, or 3 for a pair outside.
     fn kind(&self) -> usize {
         let [verdict, .., outside] = self.answer;
-        if outside == 1 {
-            3
-        } else {
-            verdict as usize
-        }
+        if outside == 1 { 3 } else { verdict as usize }
     }
 }
 

@@ -3,10 +3,10 @@
 
 use super::vectors::Segment;
 use super::{Seen, Signals};
-use efsat::artefact::vectors::{pair_word, pose_word, Word};
-use efsat::design::Design;
+use efsat::artefact::vectors::{Word, pair_word, pose_word};
+use efsat::design::{Design, Probes};
 use efsat::golden::Golden;
-use efsat::graph::simulate::Simulation;
+use efsat::netlist::simulate::Simulation;
 use efsat::params::{Params, Projections, Transform};
 use std::collections::HashMap;
 
@@ -29,8 +29,8 @@ struct Ports {
 impl Ports {
     fn new(design: &Design) -> Self {
         let top = &design.top;
-        let inputs = top.inputs.iter().enumerate().map(|(i, id)| (top.signal(*id).name.clone(), i));
-        let outputs = top.outputs.iter().enumerate().map(|(i, (name, _))| (name.clone(), i));
+        let inputs = top.inputs.iter().enumerate().map(|(i, id)| (top.signal(*id).name(), i));
+        let outputs = top.outputs.iter().enumerate().map(|(i, (name, _))| (name.to_string(), i));
         Self { simulation: Simulation::new(top, 1), inputs: inputs.collect(), outputs: outputs.collect() }
     }
 
@@ -68,7 +68,7 @@ fn offers(p: &Params, segments: &[Segment]) -> Vec<Offer> {
 
 /// Runs all vectors at full speed through a design with probes.
 pub fn seen(p: &Params, segments: &[Segment]) -> Vec<Seen> {
-    let design = Design::new(p, true).unwrap_or_else(|e| panic!("{e}"));
+    let design = Design::new(p, Probes::All).unwrap_or_else(|e| panic!("{e}"));
     let probes: Vec<String> = design.probes.iter().map(|probe| format!("probe_{}", probe.name)).collect();
     let mut ports = Ports::new(&design);
     let offers = offers(p, segments);
@@ -104,7 +104,7 @@ pub fn seen(p: &Params, segments: &[Segment]) -> Vec<Seen> {
         let mut signals = Signals::new();
         for (i, probe) in design.probes.iter().enumerate() {
             for (phase, later) in &probe.clocks {
-                let (signal, part) = names.signal(&probe.name, *phase);
+                let Some((signal, part)) = names.signal(&probe.name, *phase) else { continue };
                 // Phase 0 of the data path is the clock after acceptance.
                 signals.entry(signal).or_default()[part] = log[clock + 1 + *later as usize][i];
             }
@@ -146,29 +146,38 @@ impl Names {
         Self { axes, per_clock: p.axes_per_clock, skip: p.projections == Projections::Skip }
     }
 
-    /// The signal behind a node in a phase, and which of its two values the node is.
-    fn signal(&self, node: &str, phase: usize) -> (String, usize) {
+    /// The signal behind a node in a phase, and which of its two values the node is; none for a sign case, which follows
+    /// from its interval.
+    fn signal(&self, node: &str, phase: usize) -> Option<(String, usize)> {
+        let axis = |unit: &str| &self.axes[phase * self.per_clock + unit.parse::<usize>().expect("a number")];
+        if let Some(unit) = node.strip_prefix("axis_separated") {
+            return Some((format!("flags.{}", axis(unit).name), 0));
+        }
+        if let Some(unit) = node.strip_prefix("axis_overlapping") {
+            return Some((format!("flags.{}", axis(unit).name), 1));
+        }
         let (stem, end) = node.rsplit_once('_').expect("a name of several parts");
         let part = match end {
-            "lo" | "separated" => 0,
-            "hi" | "overlapping" => 1,
+            "lo" => 0,
+            "hi" => 1,
+            "case" => return None,
             _ => panic!("unknown probe {node}"),
         };
-        let axis = |unit: &str| &self.axes[phase * self.per_clock + unit.parse::<usize>().expect("a number")];
+        let image = |unit: &str, slot: &str| {
+            let axis = axis(unit);
+            let point = self.projected(axis, slot.parse().expect("a number"));
+            format!("projection.{}.{point}", axis.name)
+        };
         let name = match *stem.split('_').collect::<Vec<_>>() {
             [point, c] if point.starts_with('b') => format!("transform.w{}_{c}", &point[1..]),
+            [slot] if slot.starts_with('p') => image("0", &slot[1..]),
+            [unit, slot] if unit.starts_with("axis") => image(&unit[4..], &slot[1..]),
             [point, c] => format!("renormalise.{point}_{c}"),
             ["e", edge, c] => format!("edge.{edge}_{c}"),
-            ["axis", unit, "cross", "l", c] => format!("axis.{}_{c}", axis(unit).name),
-            ["axis", unit, slot, "project", "p"] => {
-                let axis = axis(unit);
-                let point = self.projected(axis, slot[1..].parse().expect("a number"));
-                format!("projection.{}.{point}", axis.name)
-            }
-            ["axis", unit, "compare"] => format!("flags.{}", axis(unit).name),
+            ["axis", unit, c] => format!("axis.{}_{c}", axis(&unit[1..]).name),
             _ => panic!("unknown probe {node}"),
         };
-        (name, part)
+        Some((name, part))
     }
 
     /// The point that a projection unit projects on an axis: A's from the first unit on, B's behind them, or, where

@@ -12,11 +12,7 @@ pub fn options(p: &Params) -> String {
     let (given, default) = (p.options(), Params::default().options());
     let other = given.iter().zip(&default).filter(|(given, default)| given != default);
     let options: Vec<String> = other.map(|((name, value), _)| format!("--{name} {value}")).collect();
-    if options.is_empty() {
-        "(default)".to_owned()
-    } else {
-        options.join(" ")
-    }
+    if options.is_empty() { "(default)".to_owned() } else { options.join(" ") }
 }
 
 /// All parameter sets, the default first.

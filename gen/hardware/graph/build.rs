@@ -527,7 +527,7 @@ impl<'l> Sig<'l> {
 
     /// Flag: some bit is set.
     pub fn any(self) -> Self {
-        if self.ty().is_flag() { self } else { self.apply(OrReduce, &[]) }
+        if self.ty().is_flag() { self.at_point(None) } else { self.apply(OrReduce, &[]) }
     }
 
     /// Flag: it is negative.

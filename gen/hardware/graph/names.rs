@@ -115,7 +115,9 @@ fn place(unit: &Unit, readers: &[Vec<usize>], i: usize) -> Place {
             if twins { above.suffixed(ORDINALS.get(at[0]).copied().unwrap_or("last")) } else { above }
         }
         _ => {
-            let below = node.args.first().map_or_else(|| Place::new(unit.name.clone()), |a| source(unit, a.0));
+            // A multiplexer is made of its operands, not of what chooses among them.
+            let first = usize::from(matches!(node.op, Op::Mux { .. }));
+            let below = node.args.get(first).map_or_else(|| Place::new(unit.name.clone()), |a| source(unit, a.0));
             below.suffixed(&role(node))
         }
     }

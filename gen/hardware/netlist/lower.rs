@@ -147,7 +147,9 @@ impl Lowered<'_> {
             self.out.outputs.push((Place::new(format!("probe_{name}")), id));
             let clock = |(phase, late): &(usize, bool)| {
                 let lag = if *late { self.schedule.lag_clocks() } else { 0 };
-                (*phase, slot.from + if per_phase { *phase as i32 + lag } else { 0 })
+                // A constant is there at any time.
+                let from = slot.from.max(0);
+                (*phase, from + if per_phase { *phase as i32 + lag } else { 0 })
             };
             let clocks = probe.phases.iter().map(clock).collect();
             probes.push(Probe { name, ty: node.ty, per_phase, clocks });

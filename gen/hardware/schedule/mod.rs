@@ -22,7 +22,7 @@ use crate::graph::{Op, Rate, Step, Unit};
 use crate::op::{Comb, Type};
 use constraints::Constraints;
 use linear_program::LinearProgram;
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 use std::rc::Rc;
 
 /// When a node's value is there.
@@ -105,6 +105,9 @@ pub struct Scheduler {
 
 /// Legs of a group, where a multiplexer takes two clocks: two bits of the index choose among them.
 pub const GROUP: usize = 4;
+
+/// Rounds in which bundles are aligned before those that still move are given up.
+const MOST_MOVES: usize = 64;
 
 /// Lags tried before giving up: a result that needs more intervals than this is a defect of the unit.
 const MOST_LAG: i32 = 256;
@@ -229,21 +232,29 @@ impl Pass<'_> {
 
     /// The earliest schedule in which the elements of a vector or record start together, unless one is made of another.
     fn aligned(&self) -> Vec<Slot> {
-        let bundles = self.bundles();
-        let mut wishes = vec![NO_WISH; self.unit.nodes.len()];
+        let mut bundles = self.bundles();
         loop {
-            let slots = self.slots(&wishes);
-            let mut moved = false;
-            for members in &bundles {
-                let start = members.iter().map(|i| slots[*i].start).max().unwrap_or(i32::MIN);
-                for i in members {
-                    moved |= slots[*i].start < start;
-                    wishes[*i].start = start;
+            let mut wishes = vec![NO_WISH; self.unit.nodes.len()];
+            let mut moving = HashSet::new();
+            for _ in 0..MOST_MOVES {
+                let slots = self.slots(&wishes);
+                moving.clear();
+                for (bundle, members) in bundles.iter().enumerate() {
+                    let start = members.iter().map(|i| slots[*i].start).max().unwrap_or(i32::MIN);
+                    for i in members {
+                        if slots[*i].start < start {
+                            moving.insert(bundle);
+                        }
+                        wishes[*i].start = start;
+                    }
+                }
+                if moving.is_empty() {
+                    return slots;
                 }
             }
-            if !moved {
-                return slots;
-            }
+            // Bundles made of parts of each other push each other on for ever: their elements start on their own.
+            let mut bundle = 0..;
+            bundles.retain(|_| !bundle.next().is_some_and(|b| moving.contains(&b)));
         }
     }
 
@@ -392,9 +403,14 @@ impl Pass<'_> {
             }
             op => {
                 let delay = delay(self.device, self.unit, i);
-                let arrival = self.arrival(i, slots, if wish.captured { i32::MIN } else { wish.start });
-                if arrival.clock == i32::MIN {
-                    return Slot { ns: self.launch() + delay, ..Slot::ALWAYS };
+                let mut arrival = self.arrival(i, slots, if wish.captured { i32::MIN } else { wish.start });
+                match node.rate {
+                    // Made of constants of each phase alone: they are there at any time, but another one in every clock.
+                    Rate::Phase => arrival.clock = arrival.clock.max(0),
+                    _ if arrival.clock == i32::MIN => {
+                        return Slot { ns: self.launch() + delay, ..Slot::ALWAYS };
+                    }
+                    _ => {}
                 }
                 if matches!(op, Op::Comb(Comb::Multiply(_))) {
                     // Operands straight from registers, and the register behind the product is the multiplier's own.

@@ -276,7 +276,7 @@ impl Printer<'_, '_> {
             blocks.push(Block { heading: "Registers that are loaded once per pair".to_owned(), lines });
         }
         let mut rest = vec![];
-        self.delay_lines(&mut rest);
+        self.delay_lines(&mut functions, &mut rest);
         if !rest.is_empty() {
             blocks.push(Block { heading: "Delay lines".to_owned(), lines: rest });
         }
@@ -296,7 +296,7 @@ impl Printer<'_, '_> {
         (blocks, functions)
     }
 
-    fn delay_lines(&self, lines: &mut Vec<String>) {
+    fn delay_lines(&self, functions: &mut BTreeSet<&'static str>, lines: &mut Vec<String>) {
         if self.view.lines.is_empty() {
             return;
         }
@@ -305,7 +305,12 @@ impl Printer<'_, '_> {
         lines.push("  if rising_edge(clk) then".to_owned());
         for line in &self.view.lines {
             let name = &self.view.objects[line.object].name;
-            let text = format!("{name} <= {} & {name}(1 to {});", line.source, line.length - 1);
+            let (length, before) = (line.length, line.length - 1);
+            let text = match &line.source {
+                Some(source) => format!("{name} <= {source} & {name}(1 to {before});"),
+                None => format!("{name}(2 to {length}) <= {name}(1 to {before});"),
+            };
+            line.parts.iter().for_each(|part| sequential(part, 2, functions, lines));
             lines.extend(wrapped(&text, 4));
         }
         lines.push("  end if;".to_owned());
@@ -451,7 +456,7 @@ fn loop_label(body: &[Statement]) -> String {
 fn sequential(statement: &Statement, depth: usize, functions: &mut BTreeSet<&'static str>, lines: &mut Vec<String>) {
     let pad = "  ".repeat(depth);
     match statement {
-        Statement::Assign(target, Expression::Select(index, legs)) if legs.len() > 2 || !simple(target, legs) => {
+        Statement::Assign(target, Expression::Select(index, legs)) if !(index.ty.is_flag() && simple(target, legs)) => {
             note(&Expression::Select(index.clone(), legs.clone()), functions);
             let flag = index.ty.is_flag() && legs.len() == 2;
             let order: Vec<(usize, &Expression)> =

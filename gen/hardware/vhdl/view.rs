@@ -19,8 +19,10 @@ pub(super) struct Table {
 pub(super) struct Line {
     /// The object at the end of the line, an array of the clocks: its place among the objects.
     pub object: usize,
-    /// What goes in.
-    pub source: Expression,
+    /// What goes in, where that is one value.
+    pub source: Option<Expression>,
+    /// Else how the first of the line takes in each part.
+    pub parts: Vec<Statement>,
     /// Clocks.
     pub length: usize,
 }
@@ -102,21 +104,30 @@ impl<'a> View<'a> {
                 view.direct.extend(port.members.iter().map(|m| m.0));
             }
         }
-        let inner: HashSet<SignalId> =
-            lines.iter().flat_map(|l| &l.registers[..l.registers.len() - 1]).copied().collect();
-        let declared = |id: &SignalId| {
-            // A constant is a literal, but for one that is part of a bundle.
-            let s = module.signal(*id);
-            let constant =
-                matches!(s.driver, Driver::Combinational { op: Comb::Constant(_), .. }) && s.place.path.is_empty();
-            !view.inlined[id.0] && !constant && !inner.contains(id) && !view.direct.contains(id)
-        };
-        let all = (0..module.signals.len()).map(SignalId).filter(declared);
-        let all = all.map(|id| (module.signal(id), id)).map(|(s, id)| {
-            let is_port = matches!(s.driver, Driver::Port);
-            (if is_port { place(&s.place) } else { s.place.clone() }, s.ty, id)
-        });
-        view.objects = objects(records, all.collect::<Vec<_>>().into_iter());
+        let mut lines = lines;
+        loop {
+            let inner: HashSet<SignalId> =
+                lines.iter().flat_map(|l| &l.registers[..l.registers.len() - 1]).copied().collect();
+            let declared = |id: &SignalId| {
+                // A constant is a literal, but for one that is part of a bundle.
+                let s = module.signal(*id);
+                let constant =
+                    matches!(s.driver, Driver::Combinational { op: Comb::Constant(_), .. }) && s.place.path.is_empty();
+                !view.inlined[id.0] && !constant && !inner.contains(id) && !view.direct.contains(id)
+            };
+            let all = (0..module.signals.len()).map(SignalId).filter(declared);
+            let all = all.map(|id| (module.signal(id), id)).map(|(s, id)| {
+                let is_port = matches!(s.driver, Driver::Port);
+                (if is_port { place(&s.place) } else { s.place.clone() }, s.ty, id)
+            });
+            view.objects = objects(records, all.collect::<Vec<_>>().into_iter());
+            // Lines of different lengths that end in one object are registers one by one.
+            let uneven: HashSet<SignalId> = view.uneven(&lines);
+            if uneven.is_empty() {
+                break;
+            }
+            lines.retain(|line| !line.registers.last().is_some_and(|end| uneven.contains(end)));
+        }
         let ports: HashSet<String> = view.outputs.iter().map(|o| o.name.clone()).collect();
         for object in &mut view.objects {
             if ports.contains(&object.name) {
@@ -160,19 +171,26 @@ impl<'a> View<'a> {
         }
     }
 
-    /// Delay lines of whole objects. A line of which only a part is one object has its registers declared one by one.
+    /// The ends of delay lines in objects that are not delayed as a whole.
+    fn uneven(&self, lines: &[DelayLine]) -> HashSet<SignalId> {
+        let lengths: HashMap<SignalId, usize> =
+            lines.iter().filter_map(|l| l.registers.last().map(|end| (*end, l.registers.len()))).collect();
+        let length = |member: &(SignalId, Vec<Sub>)| lengths.get(&member.0);
+        let even = |object: &&Object| object.members.iter().all(|m| length(m) == length(&object.members[0]));
+        let uneven = self.objects.iter().filter(|object| !even(object));
+        uneven.flat_map(|object| object.members.iter().filter(|m| length(m).is_some()).map(|m| m.0)).collect()
+    }
+
+    /// Delay lines of whole objects.
     fn find_lines(&mut self, lines: &[DelayLine]) {
         let by_end: HashMap<SignalId, &DelayLine> =
             lines.iter().filter_map(|l| l.registers.last().map(|end| (*end, l))).collect();
         let mut found = vec![];
         for (i, object) in self.objects.iter().enumerate() {
-            let ends: Vec<Option<&&DelayLine>> = object.members.iter().map(|m| by_end.get(&m.0)).collect();
-            let Some(Some(first)) = ends.first() else { continue };
+            let Some(first) = by_end.get(&object.members[0].0) else { continue };
             let length = first.registers.len();
-            let even = ends.iter().all(|line| line.is_some_and(|line| line.registers.len() == length));
-            assert!(even, "{}: delay lines of {} differ", self.module.name, object.name);
             let sources: Vec<(Vec<Sub>, SignalId)> =
-                object.members.iter().zip(&ends).map(|(m, line)| (m.1.clone(), line.expect("even").source)).collect();
+                object.members.iter().map(|(id, subs)| (subs.clone(), by_end[id].source)).collect();
             found.push((i, sources, length));
         }
         for (object, sources, length) in found {
@@ -190,9 +208,11 @@ impl<'a> View<'a> {
             self.shapes.insert(name, Shape::Array { vector: false, size: length + 1, of: Box::new(shape.clone()) });
             let of: HashMap<&[Sub], SignalId> = sources.iter().map(|(subs, id)| (&subs[..], *id)).collect();
             let source = self.whole(&shape, &mut vec![], &|subs| of.get(subs).map(|id| self.value(*id)));
-            let source =
-                source.unwrap_or_else(|| panic!("{}: no source of {}", self.module.name, self.objects[object].name));
-            self.lines.push(Line { object, source, length });
+            // What is no whole is taken in part by part.
+            let first = Name { base: self.objects[object].name.clone(), subs: vec![Sub::Index(Index::At(1))] };
+            let leaf = |n: &Name| Some(Statement::Assign(n.clone(), self.value(*of.get(&n.subs[1..])?)));
+            let parts = if source.is_some() { vec![] } else { fold::fold(self, &shape, &first, 0, &leaf) };
+            self.lines.push(Line { object, source, parts, length });
         }
     }
 
@@ -375,10 +395,12 @@ impl<'a> View<'a> {
             let places =
                 members.iter().enumerate().map(|(k, i)| (label(&module.instances[*i].place), Type::FLAG, SignalId(k)));
             let (mut folded, mut assignments) = (vec![], vec![]);
-            for group in objects(records, places) {
+            let groups = objects(records, places);
+            let alone = groups.len() == 1;
+            for group in groups {
                 let alike: Vec<(usize, Vec<Sub>)> =
                     group.members.iter().map(|(k, s)| (members[k.0], s.clone())).collect();
-                let label = if alike.len() > 1 { &base } else { &group.name };
+                let label = if alike.len() > 1 && alone { &base } else { &group.name };
                 let (instances, more, between) = self.alike(records, label, &group.shape, &alike);
                 for object in between {
                     self.shapes.insert(object.name.clone(), object.shape.clone());

@@ -57,15 +57,15 @@ pub(super) fn axes<'l>(
     let mut flags: Vec<Option<(Sig<'l>, Sig<'l>)>> = vec![None; all.len()];
     for (u, (jobs, _)) in jobs.iter().enumerate() {
         let said = stage.decide(u, jobs, points, l[u].expect("every unit has axes"));
-        let (separated, overlapping) = match outside {
+        let said = match outside {
             None => said,
             // Section 7 then makes the pair possibly incorrect.
             Some(outside) => {
-                let inside = !jobs.map(|_| outside).mux();
-                (said.0 & inside, said.1 & inside)
+                let inside = !jobs.map(|_| outside).mux().named_at("axis_outside", u);
+                let (separated, overlapping) = (said.0 & inside, said.1 & inside);
+                (separated.named_at("axis_counts_separated", u), overlapping.named_at("axis_counts_overlapping", u))
             }
         };
-        let said = (separated.named_at("axis_separated", u), overlapping.named_at("axis_overlapping", u));
         jobs.capture(&said).for_each(|(axis, said)| flags[axis.index] = Some(said));
     }
     let (separated, overlapping): (Vec<_>, Vec<_>) = flags.into_iter().flatten().unzip();
@@ -92,8 +92,9 @@ impl<'l> Stage<'l, '_, '_> {
 
     /// The axes of unit `u`, with their sign cases.
     fn cross(&self, u: usize, jobs: &Phases<Axis>, normals: [Option<Factors<'l>>; 2]) -> Factors<'l> {
-        let e = jobs.map(|axis| self.factor(axis.left, normals)).mux().named_at("axis_e", u);
-        let f = jobs.map(|axis| self.factor(axis.right, normals)).mux().named_at("axis_f", u);
+        let factor = |of: Of| self.factor(of, normals).map(Factor::mantissa);
+        let e = jobs.map(|axis| factor(axis.left)).mux().named_at("axis_e", u);
+        let f = jobs.map(|axis| factor(axis.right)).mux().named_at("axis_f", u);
         let roundings = self.cross.roundings(self.path, jobs, &format!("axis{u}_rounding"));
         let l = cross_product(e, f, &roundings, &self.cross.text).probe(&jobs.meaning());
         l.map(Interval::factor).named_at("axis_l", u)
@@ -105,6 +106,7 @@ impl<'l> Stage<'l, '_, '_> {
         let count = |axis: &Axis| axis.projected(0, p.projections).len() + axis.projected(1, p.projections).len();
         let slots = Axis::all(p.axes).iter().map(count).max().unwrap_or(6);
         let roundings = self.project.roundings(self.path, jobs, &format!("projection{u}_rounding"));
+        let name = if p.axes_per_clock == 1 { "p".to_owned() } else { format!("axis{u}_p") };
         let mut image: Vec<Interval<Sig<'l>>> = vec![];
         for slot in 0..slots {
             let point = jobs.filter_map(|axis| projected(axis, p.projections, slot, slots));
@@ -113,14 +115,13 @@ impl<'l> Stage<'l, '_, '_> {
                 image.push(image[0]);
                 continue;
             }
-            let v = point.map(|i| points[*i]).mux();
+            let v = point.map(|i| points[*i]).mux().named_at(&format!("axis{u}_v"), slot);
             let meaning = point.meaning();
-            image.push(projection(v, l, &roundings, &self.project.text).probe(&meaning));
+            image.push(projection(v, l, &roundings, &self.project.text).named_at(&name, slot).probe(&meaning));
         }
-        let image = if u == 0 && p.axes_per_clock == 1 { image.named("p") } else { image.named(&format!("axis{u}_p")) };
         let flag = |triangle: usize, i: usize| {
             let has = jobs.map(|axis| i128::from(i < axis.projected(triangle, p.projections).len()));
-            has.constant(unit, Type::FLAG)
+            has.constant(unit, Type::FLAG).named(&format!("axis{u}_has_{}{i}", ["a", "b"][triangle]))
         };
         let code = |triangle: usize| {
             let code = jobs.map(|axis| match axis.duplicates(triangle) {
@@ -128,7 +129,7 @@ impl<'l> Stage<'l, '_, '_> {
                 Duplicates::Edge(k) => 1 + k as i128,
                 Duplicates::All => 4,
             });
-            code.constant(unit, DUPLICATES)
+            code.constant(unit, DUPLICATES).named(&format!("axis{u}_duplicates_{}", ["a", "b"][triangle]))
         };
         let owners = match p.projections {
             Projections::All => Owners::Fixed,
@@ -136,7 +137,8 @@ impl<'l> Stage<'l, '_, '_> {
             Projections::Intersect => Owners::Intersected([code(0), code(1)]),
         };
         let (separated, overlapping) = comparator(image, owners);
-        (separated.probe(&jobs.meaning()), overlapping.probe(&jobs.meaning()))
+        let separated = separated.named_at("axis_separated", u).probe(&jobs.meaning());
+        (separated, overlapping.named_at("axis_overlapping", u).probe(&jobs.meaning()))
     }
 }
 

@@ -93,7 +93,8 @@ impl<'l, 'p> Guards<'l, 'p> {
                 self.of_phases.borrow_mut().push((busy.to_vec(), flag));
             }
         }
-        guarded.map(|g| g.0).named(&format!("{name}_inside"))
+        guarded.map(|g| g.0.lo).named(&format!("{name}_inside"));
+        guarded.map(|g| g.0)
     }
 
     /// Whether some number of the pair or its pose is outside, held for the pair; none in a unit without guards.

@@ -77,7 +77,8 @@ impl<'l> Interval<Sig<'l>> {
 }
 
 impl<'l> Factor<Sig<'l>> {
-    fn mantissa(self) -> Self {
+    /// The factor without binary points.
+    pub fn mantissa(self) -> Self {
         Self { interval: self.interval.mantissa(), ..self }
     }
 }

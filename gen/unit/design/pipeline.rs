@@ -120,12 +120,13 @@ impl<'l> Path<'l, '_> {
                 continue;
             }
             let busy = rows.marks();
-            let bypass = rows.map(|_| pose.bypass).mux();
+            let bypass = rows.map(|_| pose.bypass).mux().named_at("row_bypass", r);
             let guarded =
                 |number: Number<Sig<'l>>, bound, name: &str| self.guards.guarded([number], bound, &busy, name)[0];
             // With the bypass t is 0.
             let t = rows.map(|row| pose.t[row % 3]).mux().named_at("row_t_pose", r);
-            let t = guarded(or_else(bypass, None, t), p.translation_bound(), &format!("row{r}_t"));
+            let t = or_else(bypass, None, t).named_at("row_t", r);
+            let t = guarded(t, p.translation_bound(), &format!("row{r}_t"));
             let row = match &pose.m {
                 Some(m) => {
                     let entries = rows.map(|row| m[row % 3]).mux().named_at("row_m_pose", r);
@@ -136,7 +137,7 @@ impl<'l> Path<'l, '_> {
                         let lo = entries[j].lo;
                         or_else(bypass, Some(diagonal[j].choose(lo.like(p.one()), lo.like(0))), entries[j])
                     };
-                    let m = Vec3::each(entry);
+                    let m = Vec3::each(entry).named_at("row_m", r);
                     let m = Vec3(self.guards.guarded(m.0, p.one(), &busy, &format!("row{r}_m")));
                     let x = rows.map(|row| w[row / 3]).mux().named_at("row_x", r);
                     let x = Vec3(self.guards.guarded(x.0, p.coordinate_bound(), &busy, &format!("row{r}_x")));
@@ -144,7 +145,7 @@ impl<'l> Path<'l, '_> {
                 }
                 None => {
                     let x = rows.map(|row| w[row / 3][row % 3]).mux().named_at("row_x", r);
-                    translate_row(guarded(x, p.coordinate_bound(), &format!("row{r}_x")), t, bypass)
+                    translate_row(p, guarded(x, p.coordinate_bound(), &format!("row{r}_x")), t, bypass)
                 }
             };
             let row = row.named_at("row", r);
@@ -279,7 +280,7 @@ impl<'l> Path<'l, '_> {
             let alone = jobs.busy().all(|(_, i)| *i == 0);
             let bound = self.p.coordinate_bound();
             let guarded = || Vec3(self.guards.guarded(point.0, bound, &inputs.marks(), &format!("lane{j}_input")));
-            let point = if alone { point } else { guarded() }.map(Number::interval);
+            let point = if alone { point } else { guarded() }.map(|x| x.declared(bound));
             return if transformed.idle() { point } else { from_input.choose(point, transformed.mux()) };
         }
         let lo = jobs.map(|i| sources[*i].lower()).mux().named_at("lane_lower", j);

@@ -11,6 +11,12 @@ const PART: u32 = MULTIPLIER_BITS - 1;
 /// An exact product: one hardware multiplier, or where an operand is too wide for it, partial products of 17 unsigned bits
 /// each under a signed top.
 pub fn product<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
+    // One entity serves all binary points.
+    let fraction = x.ty().fraction.zip(y.ty().fraction).map(|(x, y)| x + y);
+    mantissas(x.at_point(None), y.at_point(None)).at_point(fraction)
+}
+
+fn mantissas<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
     let name = format!("multiply_{}_{}", x.ty().bits, y.ty().bits);
     if x.ty().bits <= MULTIPLIER_BITS && y.ty().bits <= MULTIPLIER_BITS {
         let doc =

@@ -25,8 +25,9 @@ pub enum PoseReading {
     Always,
 }
 
-/// The sequencer of a data path whose outputs are there `latency` clocks after phase 0 of the inputs.
-pub fn module(interval: usize, latency: i32, pose: PoseReading) -> Rc<Module> {
+/// The sequencer of a data path whose outputs are there `latency` clocks after phase 0 of the inputs, and that may read a
+/// pose.
+pub fn module(interval: usize, latency: i32, pose: Option<PoseReading>) -> Rc<Module> {
     let depth = places(latency, interval);
     let address = depth.trailing_zeros();
     let doc = [
@@ -34,8 +35,9 @@ pub fn module(interval: usize, latency: i32, pose: PoseReading) -> Rc<Module> {
         "in the result queue is free; the data path itself never stops.",
     ];
     let m = Control::new("sequencer", doc.map(str::to_owned).to_vec());
-    let [reset, in_valid, pose_valid, out_ready] =
-        ["reset", "in_valid", "pose_valid", "out_ready"].map(|name| m.input(name, Type::FLAG));
+    let [reset, in_valid] = ["reset", "in_valid"].map(|name| m.input(name, Type::FLAG));
+    let pose = pose.map(|reading| (reading, m.input("pose_valid", Type::FLAG)));
+    let out_ready = m.input("out_ready", Type::FLAG);
     let one = || m.constant(1, Type::FLAG);
     let running = m.register("running", Type::FLAG);
     running.comment("clear in reset and in the first clock after: nothing is accepted").loads(
@@ -104,14 +106,16 @@ pub fn module(interval: usize, latency: i32, pose: PoseReading) -> Rc<Module> {
     accepted.count.low(address).named("accept_place").output("accept_address");
     decided.low(address).named("decide_place").output("decide_address");
     taken.count.low(address).named("take_place").output("take_address");
-    let pose_ready = match pose {
+    let Some((reading, pose_valid)) = pose else { return m.finish() };
+    let pose_ready = match reading {
         PoseReading::NotLast => running & in_phase("pose_phase", interval - 2),
         PoseReading::Always => {
             // A pose waits until the running slot is over, then takes effect for the next pair.
             let pending = m.register("pose_pending", Type::FLAG);
             let load = m.register("load_pose", Type::FLAG);
             let ready = (running & !pending).named("pose_accepts");
-            let next = ((pending & !load) | (pose_valid & ready)).named("pose_pending_next");
+            let waits = (pending & !load).named("pose_waits");
+            let next = (waits | (pose_valid & ready)).named("pose_pending_next");
             pending.loads(next, None, Some((reset, 0)));
             let last_next = phase.map_or_else(one, |phase| phase.is(interval as i128 - 2));
             load.loads(next & last_next, None, Some((reset, 0)));

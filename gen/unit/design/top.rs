@@ -176,7 +176,8 @@ fn words(p: &Params, numbers: Vec<Number>) -> Vec<(String, Place, Type)> {
 fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
     let interval = p.interval();
     let has_pose = p.transform != Transform::Off;
-    let reading = if has_pose && p.pose_is_free_in_last_phase() { PoseReading::NotLast } else { PoseReading::Always };
+    let reading = if p.pose_is_free_in_last_phase() { PoseReading::NotLast } else { PoseReading::Always };
+    let reading = has_pose.then_some(reading);
     let control = sequencer::module(interval, latency, reading);
     let m = Control::new("efsat", header(p, latency as usize + 4, sequencer::places(latency, interval)));
     let reset = m.input("reset", Type::FLAG);
@@ -186,11 +187,12 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
         words.into_iter().map(|(port, place, ty)| (place, m.input(port.as_str(), ty))).collect()
     };
     let pair = ports(words(p, pair_numbers()));
-    let pose_valid = if has_pose { m.input("pose_valid", Type::FLAG) } else { m.constant(0, Type::FLAG) };
+    let pose_valid = has_pose.then(|| m.input("pose_valid", Type::FLAG));
     let pose = ports(words(p, pose_numbers(p)));
     let bypass = has_pose.then(|| m.input("pose_bypass", Type::FLAG));
     let out_ready = m.input("out_ready", Type::FLAG);
-    let signals = m.instance("control", &control, &[reset, in_valid, pose_valid, out_ready]);
+    let control_inputs: Vec<Wire> = [reset, in_valid].into_iter().chain(pose_valid).chain([out_ready]).collect();
+    let signals = m.instance("control", &control, &control_inputs);
     let of = |name: &str| signals[control.outputs.iter().position(|(n, _)| n.base == name).expect("an output")];
 
     // The pair of the running slot; without one the last pair stays, so that nothing toggles.
@@ -201,7 +203,7 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
         register.loads(port, Some(of("accept")), None);
         inputs.insert(place, register);
     }
-    if let Some(bypass) = bypass {
+    if let (Some(bypass), Some(reading)) = (bypass, reading) {
         let held = |place: &Place, prefix: &str| Place { base: place.base.replace("pose_", prefix), ..place.clone() };
         let words = pose.into_iter().chain([(Place::new("pose_bypass"), bypass)]);
         for (place, port) in words {

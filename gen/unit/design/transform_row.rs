@@ -55,17 +55,26 @@ pub fn transform_row<'l>(
             Upper::Implied => floor + !bypass,
             Upper::Sticky => floor + hi.low(fraction as u32).any(),
         };
-        Interval { lo: lo.floor(fraction).resize(ty), hi: hi.resize(ty) }.named("b")
+        bounded(p, Interval { lo: lo.floor(fraction), hi }).each(|_, end| end.resize(ty)).named("b")
     })
 }
 
 /// `b = x + t`, a pure translation, exact.
-pub fn translate_row<'l>(x: Number<Sig<'l>>, t: Number<Sig<'l>>, bypass: Sig<'l>) -> Interval<Sig<'l>> {
+pub fn translate_row<'l>(p: &Params, x: Number<Sig<'l>>, t: Number<Sig<'l>>, bypass: Sig<'l>) -> Interval<Sig<'l>> {
     let doc = ["One coordinate of the frame transform, b = x + t (a pure translation), exact. With bypass t is exact."];
     entity!("transform_row", &doc, (x, t, bypass) => {
         let ty = x.lo.ty();
         let x = x.interval();
         let t_hi = t.lo + t.sticky.unwrap_or(!bypass);
-        Interval { lo: (x.lo + t.lo).resize(ty), hi: (x.hi + t_hi).resize(ty) }.named("b")
+        bounded(p, Interval { lo: x.lo + t.lo, hi: x.hi + t_hi }).each(|_, end| end.resize(ty)).named("b")
     })
+}
+
+/// What the declared ranges say of a transformed coordinate: with a sticky bit an upper bound is no farther from zero than
+/// the declared one, which the lower bound and the bit do not tell each by itself.
+fn bounded<'l>(p: &Params, b: Interval<Sig<'l>>) -> Interval<Sig<'l>> {
+    match p.upper {
+        Upper::Implied => b,
+        Upper::Sticky => Interval { hi: b.hi.assume(p.formats().transformed_bound(), "declared-range"), ..b },
+    }
 }
