@@ -6,7 +6,7 @@
 
 use efsat::artefact::Stimulus;
 use efsat::cosim::{self, Options, Simulator};
-use efsat::design::Design;
+use efsat::design::{Design, Probes};
 use efsat::golden::{Golden, Pair, Pose};
 use efsat::graph::evaluate::Evaluator;
 use efsat::host::{Host, SceneHost};
@@ -256,7 +256,7 @@ fn graph_equals_reference_model_in_every_inner_signal() {
     let mut cases = varied(&Params::default());
     cases.extend(combined(20));
     cases.par_iter().for_each(|(name, p)| {
-        let design = Design::new(p, true).unwrap_or_else(|e| panic!("{name}: {e}"));
+        let design = Design::new(p, Probes::All).unwrap_or_else(|e| panic!("{name}: {e}"));
         let golden = Golden::new(p);
         let mut evaluator = Evaluator::new(&design.pipeline);
         let nodes = traced(p, &design);
@@ -333,7 +333,7 @@ fn a_broken_design_is_caught_and_the_first_wrong_node_named() {
     // The design of one parameter set against the vectors of another that has the same ports.
     let p = Params::default();
     let other = Params { projections: Projections::Intersect, ..p.clone() };
-    let design = Design::new(&other, false).unwrap();
+    let design = Design::new(&other, Probes::None).unwrap();
     let stimulus = Stimulus::random(&p, 200, 5);
     let wrong = Design { params: p.clone(), ..design };
     let report = cosim::run_design(&wrong, "test", &stimulus, &options(Simulator::Builtin, false)).unwrap();
@@ -344,8 +344,8 @@ fn a_broken_design_is_caught_and_the_first_wrong_node_named() {
 fn a_wrong_inner_node_is_named_with_both_values() {
     // The modules of one format against the graph of another with the same ports and names.
     let p = Params::default();
-    let other = Design::new(&Params { int_bits: 5, ..p.clone() }, true).unwrap();
-    let wrong = Design { pipeline: other.pipeline, ..Design::new(&p, true).unwrap() };
+    let other = Design::new(&Params { int_bits: 5, ..p.clone() }, Probes::All).unwrap();
+    let wrong = Design { pipeline: other.pipeline, ..Design::new(&p, Probes::All).unwrap() };
     let report = cosim::run_design(&wrong, "test", &Stimulus::random(&p, 40, 5), &options(Simulator::Builtin, true));
     let message = report.unwrap().first_mismatch.unwrap();
     assert!(message.contains("node b") && message.contains("expected"), "{message}");

@@ -1,8 +1,8 @@
 //! Dataflow pictures: those of the documents are current, and the command line draws every unit or says why not.
 
-use efsat::design::Design;
+use efsat::design::{Design, Probes};
 use efsat::diagram::{Picture, units};
-use efsat::graph::schedule::Scheduler;
+use efsat::schedule::Scheduler;
 use efsat::params::{Axes, Params, Projections};
 use std::fs;
 use std::path::Path;
@@ -12,7 +12,7 @@ use std::process::{Command, Output};
 const SHOWN: [&str; 3] = ["comparator_network", "projection", "projection_multiply"];
 
 fn pictures(params: &Params) -> Vec<Picture> {
-    let design = Design::new(params, false).unwrap();
+    let design = Design::new(params, Probes::None).unwrap();
     let mut scheduler = Scheduler::new(design.device, params.frequency);
     units(&design.pipeline).iter().map(|unit| Picture::new(&scheduler.schedule(unit), scheduler.period())).collect()
 }
@@ -45,7 +45,7 @@ fn every_unit_has_a_picture() {
     let mut wrong = vec![];
     for picture in [default(), folded, fast].iter().flat_map(pictures) {
         let (svg, dot) = (picture.svg(), picture.dot());
-        let drawn = picture.edges.iter().filter(|edge| !edge.lagged).count();
+        let drawn = picture.edges.iter().filter(|edge| !edge.late).count();
         let whole = svg.matches("marker-end").count() == drawn && dot.matches(" -> ").count() == picture.edges.len();
         let numbers = !svg.contains("NaN") && !svg.contains("inf\"");
         let outputs = picture.places.iter().any(|place| place.operation == "output");

@@ -2,17 +2,22 @@
 //! as without a guard.
 
 use efsat::cosim::inputs;
-use efsat::design::{Design, guard};
+use efsat::design::guard::guard;
+use efsat::design::number::{Number, input_type};
+use efsat::design::{Design, Probes};
 use efsat::exact::{self, Exact};
 use efsat::golden::{Golden, Input, Pair, Pose, Verdict};
-use efsat::graph::estimate;
+use efsat::estimate;
 use efsat::graph::evaluate::Evaluator;
+use efsat::graph::{Library, Signals, Unit};
+use efsat::op::Type;
 use efsat::host::sample;
 use efsat::params::options::Choice;
 use efsat::params::{Guard, Params, Transform, Upper};
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
+use std::rc::Rc;
 
 /// Whether the host would send the number: the real number that it stands for is within the bound.
 fn sent(x: Input, upper: Upper, bound: i128) -> bool {
@@ -43,12 +48,22 @@ fn small() -> Vec<Params> {
     sets
 }
 
+/// The guard of one number by itself, for any word.
+fn alone(p: &Params, bound: i128) -> Rc<Unit> {
+    Library::default().unit("bench", &[], 1, |top| {
+        let sticky = (p.upper == Upper::Sticky).then(|| top.input(Type::FLAG, (0, 1)));
+        let word = Number { lo: top.input(input_type(p), input_type(p).limits()), sticky }.named("word");
+        let (passed, outside) = guard("guard", word, bound);
+        (passed.lo.named("passed"), outside.named("outside"))
+    })
+}
+
 /// Lemma guard: what comes out is within the bound, and it is the number wherever that is inside.
 #[test]
 fn guards_let_through_what_is_inside_and_nothing_else() {
     for p in small() {
         for bound in [p.coordinate_bound(), p.one(), p.translation_bound()] {
-            let mut unit = Evaluator::new(&guard::unit("guard", &p, bound));
+            let mut unit = Evaluator::new(&alone(&p, bound));
             let mut found = [0; 2];
             for x in words(&p) {
                 let values = [i128::from(x.lo), i128::from(x.sticky)];
@@ -69,9 +84,10 @@ fn guards_let_through_what_is_inside_and_nothing_else() {
 fn the_formats_of_a_guarded_unit_hold_for_every_word() {
     for p in small() {
         // The range analysis is part of making the design: it starts from these ranges.
-        let design = Design::new(&p, false).unwrap();
+        let design = Design::new(&p, Probes::None).unwrap();
         for input in &design.pipeline.inputs {
-            assert_eq!(input.range, design.pipeline.node(input.node).ty.limits(), "{p:?}");
+            let ty = design.pipeline.node(*input).ty;
+            assert_eq!(design.pipeline.range(input.0), ty.limits(), "{p:?}");
         }
     }
 }
@@ -79,9 +95,9 @@ fn the_formats_of_a_guarded_unit_hold_for_every_word() {
 #[test]
 fn only_units_without_a_stage_have_one() {
     let guards = |p: &Params| {
-        let design = Design::new(p, false).unwrap();
+        let design = Design::new(p, Probes::None).unwrap();
         let entities = design.top.hierarchy().iter().filter(|module| module.name.starts_with("guard_")).count();
-        let ports = design.top.outputs.iter().filter(|(name, _)| name == "out_outside").count();
+        let ports = design.top.outputs.iter().filter(|(name, _)| name.to_string() == "out_outside").count();
         (entities, ports)
     };
     let with = |transform, renormalise, guard| guards(&Params { transform, renormalise, guard, ..Params::default() });
@@ -114,7 +130,7 @@ fn every_word(p: &Params, place: usize, seed: u64) -> Result<[usize; 2], String>
     let golden = Golden::new(p);
     let complete = p.transform == Transform::On && p.renormalise;
     let unguarded = Golden::new(&Params { guard: Guard::LeftOut, ..p.clone() });
-    let design = Design::new(p, false).unwrap();
+    let design = Design::new(p, Probes::None).unwrap();
     let mut graph = Evaluator::new(&design.pipeline);
     let exactly = |x: &mut Input| x.sticky = false;
     // A pair that is answered definitely, so that there is something to lose.
@@ -207,7 +223,7 @@ fn no_word_outside_is_answered_definitely() {
 
 /// LUTs (shift registers included), flip-flops, and clocks to the verdict that are predicted.
 fn predicted(p: &Params) -> [u64; 3] {
-    let design = Design::new(p, false).unwrap();
+    let design = Design::new(p, Probes::None).unwrap();
     let cells = estimate::whole(&design.top, design.device);
     [cells.luts + cells.memory_luts, cells.flip_flops, design.latency as u64]
 }
@@ -247,7 +263,7 @@ fn the_costs_are_as_recorded() {
         Params { transform: Transform::Off, renormalise: false, ..base },
     ];
     let alone = sets.iter().map(|p| {
-        let design = Design::new(p, false).unwrap();
+        let design = Design::new(p, Probes::None).unwrap();
         let path = design.top.hierarchy().into_iter().find(|module| module.name == "pair_pipeline").unwrap();
         let guards: Vec<_> = path.instances.iter().filter(|i| i.module.name.starts_with("guard_")).collect();
         let luts: u64 = guards.iter().map(|i| estimate::whole(&i.module, design.device).luts).sum();

@@ -2,9 +2,9 @@
 
 use efsat::artefact::Stimulus;
 use efsat::artefact::vectors::{Word, answer_word, pair_word, pose_word};
-use efsat::design::Design;
+use efsat::design::{Design, Probes};
 use efsat::golden::{Golden, Pair, Pose};
-use efsat::graph::simulate::Simulation;
+use efsat::netlist::simulate::Simulation;
 use efsat::host::sample;
 use efsat::params::Params;
 use rand::SeedableRng;
@@ -17,7 +17,7 @@ struct Unit {
 
 impl Unit {
     fn new(params: &Params) -> Self {
-        let design = Design::new(params, false).unwrap();
+        let design = Design::new(params, Probes::None).unwrap();
         let simulation = Simulation::new(&design.top, 1);
         let mut unit = Self { design, simulation };
         unit.set("reset", 1);
@@ -30,7 +30,7 @@ impl Unit {
 
     fn set(&mut self, name: &str, value: i128) {
         let top = &self.design.top;
-        let port = top.inputs.iter().position(|id| top.signal(*id).name == name);
+        let port = top.inputs.iter().position(|id| top.signal(*id).name() == name);
         self.simulation.set(port.unwrap_or_else(|| panic!("no input {name}")), 0, value);
     }
 
@@ -46,7 +46,7 @@ impl Unit {
 
     /// An output in the clock just run.
     fn get(&self, name: &str) -> i128 {
-        let port = self.design.top.outputs.iter().position(|(n, _)| n == name);
+        let port = self.design.top.outputs.iter().position(|(n, _)| n.to_string() == name);
         self.simulation.output(port.unwrap_or_else(|| panic!("no output {name}")), 0)
     }
 

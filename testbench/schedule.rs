@@ -1,19 +1,19 @@
-//! The schedules: optimal on small programmes, as many registers in the modules as the programme says, and on the default
+//! The schedules: optimal on small programs, as many registers in the modules as the program says, and on the default
 //! design within ten per cent of what a linear solver found (docs/schedule.md).
 
-use efsat::design::Design;
-use efsat::graph::netlist::{DelayLine, Driver, Module, ModuleBuilder};
-use efsat::graph::programme::{Event, Held, Programme, Reading, Stream};
-use efsat::graph::schedule::GROUP;
-use efsat::graph::{Op, Type};
+use efsat::design::{Design, Probes};
+use efsat::netlist::{Control, DelayLine, Driver, Module, Wire};
+use efsat::op::{Add, Comb, Type};
+use efsat::schedule::GROUP;
+use efsat::schedule::linear_program::{Event, Held, LinearProgram, Reading, Stream};
 use efsat::params::{Axes, Params, Projections, Transform};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Register bits of a module itself, without the tables of phases, which no programme counts.
+/// Register bits of a module itself, without the tables of phases, which no program counts.
 fn own_bits(module: &Module) -> u64 {
     let bits = module.signals.iter().map(|s| match &s.driver {
-        Driver::Register { op: Some(Op::Lookup(..)), .. } => 0,
+        Driver::Register { op: Some(Comb::Lookup(..)), .. } => 0,
         Driver::Register { .. } => u64::from(s.ty.bits),
         _ => 0,
     });
@@ -33,7 +33,7 @@ fn recorded() -> Vec<(String, usize, u64, f64)> {
 
 #[test]
 fn the_default_design_is_within_ten_per_cent_of_the_optimum() {
-    let design = Design::new(&Params::default(), false).unwrap();
+    let design = Design::new(&Params::default(), Probes::None).unwrap();
     let schedules = design.schedule.hierarchy();
     let modules: BTreeMap<String, u64> =
         design.top.hierarchy().iter().map(|module| (module.name.clone(), own_bits(module))).collect();
@@ -49,7 +49,7 @@ fn the_default_design_is_within_ten_per_cent_of_the_optimum() {
 }
 
 #[test]
-fn modules_have_the_registers_that_the_programme_counts() {
+fn modules_have_the_registers_that_the_program_counts() {
     let mut sets = vec![];
     for (width, frequency) in [(18, 100), (12, 60), (25, 100), (32, 150), (18, 200), (20, 250)] {
         for axes_per_clock in [1, 2, 3, 6, 11] {
@@ -66,7 +66,7 @@ fn modules_have_the_registers_that_the_programme_counts() {
     let wrong: Vec<String> = sets
         .par_iter()
         .flat_map_iter(|params| {
-            let design = Design::new(params, false).unwrap();
+            let design = Design::new(params, Probes::None).unwrap();
             let modules = design.top.hierarchy();
             let schedules = design.schedule.hierarchy();
             schedules
@@ -76,9 +76,9 @@ fn modules_have_the_registers_that_the_programme_counts() {
                     let (own, counted) = (own_bits(module), schedule.register_bits);
                     let name = &schedule.unit.name;
                     // Uses of a per-pair value share its captures where they can, and where each reads it through a
-                    // whole interval of its own they cannot; no programme counts either.
-                    let most = if schedule.programme.held.is_empty() { counted } else { counted * 3 / 2 };
-                    let least = if schedule.programme.held.is_empty() { counted } else { counted * 3 / 4 };
+                    // whole interval of its own they cannot; no program counts either.
+                    let most = if schedule.program.held.is_empty() { counted } else { counted * 3 / 2 };
+                    let least = if schedule.program.held.is_empty() { counted } else { counted * 3 / 4 };
                     (own > most || own < least)
                         .then(|| format!("{}: {name}: {own}, counted {counted}", params.command_line()))
                 })
@@ -93,21 +93,21 @@ fn a_choice_that_is_too_long_takes_two_clocks() {
     for (device, fits, divides) in [("xc2v6000-4", 100, 200), ("lfe5u-85-6", 100, 150)] {
         for (frequency, divided) in [(fits, false), (divides, true)] {
             let params = Params { device: device.to_owned(), frequency, ..Params::default() };
-            let design = Design::new(&params, false).unwrap();
+            let design = Design::new(&params, Probes::None).unwrap();
             let pipeline = design.top.hierarchy().into_iter().find(|m| m.name == "pair_pipeline").unwrap();
-            let groups: Vec<_> = pipeline.signals.iter().filter(|s| s.name.contains("_group_")).collect();
+            let groups: Vec<_> = pipeline.signals.iter().filter(|s| s.name().contains("_group_")).collect();
             assert_eq!(!groups.is_empty(), divided, "{device} at {frequency} MHz");
-            let of_lane: Vec<&str> =
-                groups.iter().map(|s| s.name.as_str()).filter(|n| n.starts_with("axis_0_f_z_hi_")).collect();
-            let expected: &[&str] = if divided { &["axis_0_f_z_hi_group_0", "axis_0_f_z_hi_group_1"] } else { &[] };
-            assert_eq!(of_lane, expected, "the legs of one choice");
+            let of_lane: Vec<String> =
+                groups.iter().map(|s| s.name()).filter(|n| n.starts_with("lane_z_lo_group")).collect();
+            let expected: &[&str] = if divided { &["lane_z_lo_group_0", "lane_z_lo_group_1"] } else { &[] };
+            assert_eq!(of_lane, expected, "the operands of one multiplexer");
             for signal in groups {
                 let Driver::Register { op, args, .. } = &signal.driver else {
-                    panic!("{} is no register", signal.name)
+                    panic!("{} is no register", signal.name())
                 };
                 // The index and up to four legs, one leg, or the tables of the indices.
-                let most = if matches!(op, Some(Op::Select)) { 1 + GROUP } else { 1 };
-                assert!(args.len() <= most, "{}", signal.name);
+                let most = if matches!(op, Some(Comb::Select(..))) { 1 + GROUP } else { 1 };
+                assert!(args.len() <= most, "{}", signal.name());
             }
             let period = 1000.0 / f64::from(frequency);
             let (ns, end) = &design.schedule.critical;
@@ -118,24 +118,22 @@ fn a_choice_that_is_too_long_takes_two_clocks() {
 
 #[test]
 fn long_delays_are_lines_and_short_ones_are_not() {
-    let mut b = ModuleBuilder::new("delays", vec![]);
-    let x = b.input("value", Type::signed(5, 0));
-    let mut chain = vec![x];
+    let m = Control::new("delays", vec![]);
+    let mut chain: Vec<Wire> = vec![m.input("value", Type::signed(5, 0))];
     for i in 1..=8 {
-        let next = b.register(&format!("value_d{i}"), Type::signed(5, 0));
-        b.drive(next, chain[i - 1], None, None);
+        let next = m.register(format!("value_d{i}").as_str(), Type::signed(5, 0));
+        next.loads(chain[i - 1], None, None);
         chain.push(next);
     }
     // Tapped after three and after five clocks: 3 + 2 + 3.
-    let sum = b.op("sum", Op::Add, &[chain[3], chain[5]]);
-    b.output("late", chain[8]);
-    b.output("sum_out", sum);
-    let module = b.finish();
+    chain[8].output("late");
+    chain[3].apply(Add(None), &[chain[5]]).named("sum").output("sum_out");
+    let module = m.finish();
     let names =
-        |line: &DelayLine| -> Vec<String> { line.registers.iter().map(|id| module.signal(*id).name.clone()).collect() };
+        |line: &DelayLine| -> Vec<String> { line.registers.iter().map(|id| module.signal(*id).name()).collect() };
     let lines: Vec<Vec<String>> = module.delay_lines().iter().map(names).collect();
     assert_eq!(lines, [["value_d1", "value_d2", "value_d3"], ["value_d6", "value_d7", "value_d8"]]);
-    let text = efsat::vhdl::entity(&module, &[]).unwrap().text();
+    let text = efsat::vhdl::print(&module, "delay_types", &[]).unwrap().remove(1).1;
     for line in [
         "type value_d8_words is array (1 to 3) of signed(4 downto 0);",
         "value_d3_line <= signed(value) & value_d3_line(1 to 2);",
@@ -157,11 +155,11 @@ impl Random {
     }
 }
 
-/// A programme of five nodes within six clocks.
-fn small(random: &mut Random, with_pairs: bool) -> Programme {
+/// A program of five nodes within six clocks.
+fn small(random: &mut Random, with_pairs: bool) -> LinearProgram {
     const CLOCKS: i32 = 6;
     let ports = Event { variable: 0, offset: 0 };
-    let mut programme = Programme {
+    let mut program = LinearProgram {
         variables: (0..6).map(|i| format!("n{i}")).collect(),
         interval: 3,
         constraints: BTreeMap::new(),
@@ -171,45 +169,45 @@ fn small(random: &mut Random, with_pairs: bool) -> Programme {
     };
     for variable in 1..6 {
         let start = Event { variable, offset: 0 };
-        programme.order(ports, start);
-        programme.order(start.later(1), ports.later(CLOCKS));
+        program.order(ports, start);
+        program.order(start.later(1), ports.later(CLOCKS));
         let after = Event { variable: random.below(variable as u64), offset: random.below(2) as i32 };
-        programme.order(after, start);
+        program.order(after, start);
         let mut uses = vec![];
         for _ in 0..1 + random.below(3) {
             let user = variable + 1 + random.below(5);
             let user = if user < 6 { Event { variable: user, offset: 0 } } else { ports.later(CLOCKS) };
-            programme.order(start, user);
+            program.order(start, user);
             uses.push(user);
         }
         let bits = 1 + random.below(9) as u32;
-        programme.streams.push(Stream { name: format!("v{variable}"), bits, from: start, uses: uses.clone() });
+        program.streams.push(Stream { name: format!("v{variable}"), bits, from: start, uses: uses.clone() });
         if with_pairs {
             let windows = vec![(after, after.later(3))];
             let reading = Reading { first: start, last: start.later(1), captured: random.below(4) == 0 };
-            programme.held.push(Held { name: format!("p{variable}"), bits, windows, uses: vec![reading] });
+            program.held.push(Held { name: format!("p{variable}"), bits, windows, uses: vec![reading] });
         }
     }
-    programme
+    program
 }
 
 /// Every schedule of five nodes within six clocks that keeps to the constraints.
-fn all(programme: &Programme) -> impl Iterator<Item = Vec<i32>> + '_ {
+fn all(program: &LinearProgram) -> impl Iterator<Item = Vec<i32>> + '_ {
     let digits = |n: i32| vec![0, n % 6, n / 6 % 6, n / 36 % 6, n / 216 % 6, n / 1296];
-    (0..7776).map(digits).filter(|starts| programme.holds(starts))
+    (0..7776).map(digits).filter(|starts| program.holds(starts))
 }
 
 #[test]
-fn small_programmes_are_solved_as_by_trying_everything() {
+fn small_programs_are_solved_as_by_trying_everything() {
     let mut random = Random(1);
     let mut moved = 0;
     for i in 0..300 {
-        let programme = small(&mut random, false);
-        let least: Vec<i32> = (0..6).map(|v| all(&programme).map(|s| s[v]).min().unwrap()).collect();
-        let found = programme.optimise(&least);
-        let best = all(&programme).map(|s| programme.cost(&s)).min().unwrap();
-        assert!(programme.holds(&found));
-        assert_eq!(programme.cost(&found), best, "{i}: {programme:?}");
+        let program = small(&mut random, false);
+        let least: Vec<i32> = (0..6).map(|v| all(&program).map(|s| s[v]).min().unwrap()).collect();
+        let found = program.optimise(&least);
+        let best = all(&program).map(|s| program.cost(&s)).min().unwrap();
+        assert!(program.holds(&found));
+        assert_eq!(program.cost(&found), best, "{i}: {program:?}");
         moved += usize::from(found != least);
     }
     assert!(moved > 100, "{moved} of 300 differ from the earliest schedule");
@@ -220,11 +218,11 @@ fn captures_are_never_more_than_in_the_earliest_schedule_costs() {
     let mut random = Random(2);
     let mut best = 0;
     for i in 0..300 {
-        let programme = small(&mut random, true);
-        let least: Vec<i32> = (0..6).map(|v| all(&programme).map(|s| s[v]).min().unwrap()).collect();
-        let found = programme.optimise(&least);
-        assert!(programme.holds(&found) && programme.cost(&found) <= programme.cost(&least), "{i}: {programme:?}");
-        best += usize::from(all(&programme).all(|s| programme.cost(&s) >= programme.cost(&found)));
+        let program = small(&mut random, true);
+        let least: Vec<i32> = (0..6).map(|v| all(&program).map(|s| s[v]).min().unwrap()).collect();
+        let found = program.optimise(&least);
+        assert!(program.holds(&found) && program.cost(&found) <= program.cost(&least), "{i}: {program:?}");
+        best += usize::from(all(&program).all(|s| program.cost(&s) >= program.cost(&found)));
     }
     assert!(best > 150, "{best} of 300 are optimal");
 }

@@ -3,10 +3,10 @@
 //! (docs/strictness.md).
 
 use efsat::artefact::{FileSet, Scratch, design_files};
-use efsat::design::Design;
+use efsat::design::{Design, Probes};
 use efsat::number::Upper;
 use efsat::params::{Axes, Params, Projections, Transform};
-use efsat::vhdl::lint::{lint, rules};
+//lint use efsat::vhdl::lint::{lint, rules};
 use rayon::prelude::*;
 use std::path::Path;
 use std::process::Command;
@@ -110,7 +110,7 @@ impl Tool {
 }
 
 fn files(params: &Params) -> FileSet {
-    design_files(&Design::new(params, false).unwrap(), &params.command_line()).unwrap()
+    design_files(&Design::new(params, Probes::None).unwrap(), &params.command_line()).unwrap()
 }
 
 /// The VHDL files of a set in dependency order, without testbenches.

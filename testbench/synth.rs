@@ -4,9 +4,9 @@
 
 use efsat::artefact::{Stimulus, vhdl_files};
 use efsat::cosim::{self, Netlist, Options, Simulator};
-use efsat::design::Design;
+use efsat::design::{Design, Probes};
 use efsat::device;
-use efsat::graph::estimate;
+use efsat::estimate;
 use efsat::params::{Params, Projections, Transform};
 use efsat::synth::{self, Flow, Report, SynthError, ToolError, tools, verilog, yosys};
 use serde_json::Value;
@@ -181,7 +181,7 @@ fn virtex_ii_has_the_predicted_cells() {
         assert!(actual > 0.0 && (predicted / actual - 1.0).abs() <= 0.15, "{field}: {predicted} instead of {actual}");
     }
     // All products are registered, and nothing else than registers stands behind them.
-    let multipliers = Design::new(&small(), false).unwrap().top.multipliers() as u64;
+    let multipliers = Design::new(&small(), Probes::None).unwrap().top.multipliers() as u64;
     assert_eq!((count("actual", "multipliers"), count("actual", "registered_multipliers")), (multipliers, multipliers));
     assert!(count("actual", "absorbed_flip_flops") >= 16 * multipliers);
     adds_up(&value["units"]);
@@ -217,7 +217,7 @@ fn predictions_need_no_tools() {
         .output()
         .unwrap();
     let value: Value = serde_json::from_slice(&output.stdout).unwrap();
-    let design = Design::new(&small(), false).unwrap();
+    let design = Design::new(&small(), Probes::None).unwrap();
     let resources = estimate::whole(&design.top, design.device);
     assert_eq!(output.status.code(), Some(0));
     assert_eq!(value["units"]["predicted"]["luts"], resources.luts);
@@ -265,7 +265,7 @@ fn a_missing_tool_is_named() {
 /// What the VHDL of the default design becomes has the signed products that it was written with.
 #[test]
 fn products_stay_signed() {
-    let files = vhdl_files(&Design::new(&small(), false).unwrap(), "").unwrap();
+    let files = vhdl_files(&Design::new(&small(), Probes::None).unwrap(), "").unwrap();
     let dir = TempDir::new().unwrap();
     match verilog::from_vhdl(&files, "efsat", dir.path()) {
         Ok(text) => assert!(text.matches("$signed(").count() >= 2 && !text.contains("// smul")),

@@ -15,7 +15,7 @@ use std::cell::RefCell;
 ///
 /// With `2^d` the greatest power of two that divides the bound, the number is `h 2^d + low`: it is outside where `h` is
 /// beyond `bound / 2^d`, or equal to it with something below.
-fn guard<'l>(name: &str, number: Number<Sig<'l>>, bound: i128) -> (Number<Sig<'l>>, Sig<'l>) {
+pub fn guard<'l>(name: &str, number: Number<Sig<'l>>, bound: i128) -> (Number<Sig<'l>>, Sig<'l>) {
     let doc = [
         "The guard of an input number (section 10 of the contract): outside its declared range it is flagged, and its low",
         "bits alone go on, a number inside. Whatever the word is, all formats behind hold what is computed from it.",
