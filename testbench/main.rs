@@ -19,6 +19,6 @@ mod scenes;
 mod schedule;
 mod stream;
 mod stress;
-mod strict;
+//str mod strict;
 mod synth;
 mod wall;

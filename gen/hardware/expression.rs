@@ -59,8 +59,8 @@ pub enum Expression {
     Call(&'static str, Vec<Expression>),
     /// An integer argument of a function.
     Integer(i128),
-    /// A number that counts with a loop.
-    Count(Index),
+    /// A number of a type that counts with a loop.
+    Count(Index, Type),
     /// Bits of a name, `(high downto low)`.
     Slice(Box<Expression>, u32, u32),
     /// One bit of a name.
@@ -146,7 +146,7 @@ impl Expression {
     /// The direct parts, in order.
     pub fn parts(&self) -> Vec<&Self> {
         match self {
-            Self::Name(_) | Self::Number(..) | Self::Integer(_) | Self::Count(_) => vec![],
+            Self::Name(_) | Self::Number(..) | Self::Integer(_) | Self::Count(..) => vec![],
             Self::Binary(a, _, b) => vec![a, b],
             Self::Unary(_, a) | Self::Slice(a, ..) | Self::Bit(a, _) => vec![a],
             Self::Call(_, args) => args.iter().collect(),
@@ -160,7 +160,7 @@ impl Expression {
         let operand =
             |o: &Operand, f: &mut dyn FnMut(&Self) -> Self| Box::new(Operand { value: f(&o.value), ty: o.ty });
         match self {
-            Self::Name(_) | Self::Number(..) | Self::Integer(_) | Self::Count(_) => self.clone(),
+            Self::Name(_) | Self::Number(..) | Self::Integer(_) | Self::Count(..) => self.clone(),
             Self::Binary(a, op, b) => Self::Binary(Box::new(f(a)), op, Box::new(f(b))),
             Self::Unary(op, a) => Self::Unary(op, Box::new(f(a))),
             Self::Slice(a, high, low) => Self::Slice(Box::new(f(a)), *high, *low),
@@ -261,13 +261,16 @@ impl Display for Expression {
             Self::Name(name) => write!(f, "{name}"),
             Self::Number(value, ty) => write!(f, "{}", literal(*value, *ty)),
             Self::Integer(value) => write!(f, "{value}"),
-            Self::Count(index) => write!(f, "{index}"),
+            Self::Count(index, ty) => {
+                write!(f, "to_{}({index}, {})", if ty.signed { "signed" } else { "unsigned" }, ty.bits)
+            }
             Self::Binary(a, op, b) => {
                 // In arithmetic and comparisons numeric_std takes small numbers as they are.
                 let number = |x: &Self| match x {
                     Self::Number(value, ty) if *op != "&" && !ty.is_flag() && (0..1 << 31).contains(value) => {
                         Some(value.to_string())
                     }
+                    Self::Count(index, _) if *op != "&" => Some(index.to_string()),
                     _ => None,
                 };
                 let binding = self.binding();

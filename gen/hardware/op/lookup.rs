@@ -40,6 +40,11 @@ impl Operation for Lookup {
     }
 
     fn vhdl(&self, args: &[Operand], to: Type) -> Expression {
+        if args[0].ty.is_flag() {
+            // A flag is no number that an array could be indexed with.
+            let entry = |i: usize| Expression::Number(self.0[i.min(self.0.len() - 1)], to);
+            return Expression::Select(Box::new(args[0].clone()), vec![entry(0), entry(1)]);
+        }
         Expression::Table { name: String::new(), entries: self.0.clone(), ty: to, index: Box::new(args[0].clone()) }
     }
 

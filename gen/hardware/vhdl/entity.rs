@@ -307,6 +307,7 @@ impl Printer<'_, '_> {
             let name = &self.view.objects[line.object].name;
             let (length, before) = (line.length, line.length - 1);
             let text = match &line.source {
+                Some(source @ Expression::Binary(..)) => format!("{name} <= ({source}) & {name}(1 to {before});"),
                 Some(source) => format!("{name} <= {source} & {name}(1 to {before});"),
                 None => format!("{name}(2 to {length}) <= {name}(1 to {before});"),
             };

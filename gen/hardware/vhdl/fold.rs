@@ -289,7 +289,7 @@ pub(super) fn unify_values(shapes: &dyn Shapes, all: &[&Expression], depth: usiz
         let number = |e: &&Expression| e.number().and_then(|n| usize::try_from(n).ok());
         let numbers: Option<Vec<usize>> = all.iter().map(number).collect();
         let index = run(&numbers?, all.len(), depth)?;
-        return (!ty.is_flag()).then_some(Expression::Count(index));
+        return (!ty.is_flag()).then_some(Expression::Count(index, *ty));
     }
     let shell = |e: &Expression| e.with_parts(|_| Expression::Integer(0));
     if all.iter().any(|e| shell(e) != shell(first)) {
@@ -327,7 +327,7 @@ fn counts(value: &Expression, depth: usize) -> bool {
     let counted = |index: &Index| matches!(index, Index::Loop { depth: own, .. } if *own == depth);
     match value {
         Expression::Name(name) => name.subs.iter().any(|sub| matches!(sub, Sub::Index(index) if counted(index))),
-        Expression::Count(index) => counted(index),
+        Expression::Count(index, _) => counted(index),
         other => other.parts().into_iter().any(|part| counts(part, depth)),
     }
 }

@@ -338,7 +338,10 @@ impl<'a> View<'a> {
                 Driver::Combinational { op, .. } | Driver::Register { op: Some(op), .. } => op,
                 _ => continue,
             };
-            if let Comb::Lookup(lookup) = op {
+            let index = signal.driver.operands().first().map(|id| self.module.signal(*id).ty);
+            if let Comb::Lookup(lookup) = op
+                && !index.is_some_and(Type::is_flag)
+            {
                 let name = self.table_name(SignalId(i));
                 tables.push(Table { name, entries: lookup.0.clone(), flags: signal.ty.is_flag() });
             }

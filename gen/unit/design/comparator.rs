@@ -36,9 +36,12 @@ pub fn comparator<'l>(p: Vec<Interval<Sig<'l>>>, owners: Owners<'l>) -> (Sig<'l>
         }),
         Owners::Shared(has) => entity!("comparator_network", &doc, (p, has) => {
             let own = |i: usize, first: usize, has: Sig<'l>| has.choose(p[i], p[first]);
-            let a = [p[0], own(1, 0, has[0][0]), own(2, 0, has[0][1])].named("a");
-            let b = [p[last], own(last - 1, last, has[1][0]), own(last - 2, last, has[1][1])].named("b");
-            decide(&a, &b)
+            let others = |triangle: usize, [second, third]: [usize; 2], first: usize, name: &str| {
+                let has = &has[triangle];
+                let [second, third] = [own(second, first, has[0]), own(third, first, has[1])].named(name);
+                [p[first], second, third]
+            };
+            decide(&others(0, [1, 2], 0, "a"), &others(1, [last - 1, last - 2], last, "b"))
         }),
     }
 }
