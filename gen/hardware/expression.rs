@@ -234,7 +234,8 @@ impl Display for Index {
             Self::Loop { depth, plus, modulo } => {
                 let variable = loop_variable(*depth);
                 match (plus, modulo) {
-                    (0, _) => write!(f, "{variable}"),
+                    (0, None) => write!(f, "{variable}"),
+                    (0, Some(size)) => write!(f, "{variable} mod {size}"),
                     (plus, None) => write!(f, "{variable} + {plus}"),
                     (plus, Some(size)) => write!(f, "({variable} + {plus}) mod {size}"),
                 }

@@ -97,7 +97,8 @@ fn place(unit: &Unit, readers: &[Vec<usize>], i: usize) -> Place {
             let at: Vec<usize> = (0..reading.args.len()).filter(|k| reading.args[*k].0 == i).collect();
             let mut above = place(unit, readers, reader);
             if matches!(reading.op, Op::Comb(Comb::Resize(_))) && !reading.named {
-                above.suffix.truncate(above.suffix.len() - "_resized".len());
+                let at = above.suffix.rfind("_resized").expect("the reader's own role");
+                above.suffix.replace_range(at..at + "_resized".len(), "");
             }
             if let Op::Instance(child) = &reading.op {
                 let port = &child.node(child.inputs[at[0]]).place;

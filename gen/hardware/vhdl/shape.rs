@@ -263,6 +263,20 @@ pub(super) struct Member {
     pub path: Vec<Step>,
     pub ty: Type,
     pub id: SignalId,
+    pub process: Option<Process>,
+}
+
+/// The process that drives a signal; none for a concurrent statement.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Process {
+    /// Registers of a clock of the pair's slot.
+    Clock(Option<i32>),
+    /// Registers that are loaded once per pair.
+    Captures,
+    /// Delay lines.
+    Delays,
+    /// Registers with a reset.
+    State,
 }
 
 /// Members by their first step, which is taken away, with their places before.
@@ -302,7 +316,12 @@ impl Object {
 }
 
 /// The objects that signals at places become: whole bundles where all of a bundle is there, else their parts.
-pub(super) fn objects(records: &Records, places: impl Iterator<Item = (Place, Type, SignalId)>) -> Vec<Object> {
+/// What one process drives is no object together with anything else: in its loops it would drive all of it.
+pub(super) fn objects(
+    records: &Records,
+    places: impl Iterator<Item = (Place, Type, SignalId)>,
+    process: &dyn Fn(SignalId) -> Option<Process>,
+) -> Vec<Object> {
     let places: Vec<(Place, Type, SignalId)> = places.collect();
     let mut sizes = Sizes::new();
     for (place, ..) in &places {
@@ -320,7 +339,7 @@ pub(super) fn objects(records: &Records, places: impl Iterator<Item = (Place, Ty
             place.path.remove(0);
         }
         let key = (place.base.clone(), place.suffix);
-        let member = Member { base: place.base, path: place.path, ty, id };
+        let member = Member { base: place.base, path: place.path, ty, id, process: process(id) };
         match bundles.iter_mut().find(|b| b.0 == key) {
             Some((_, members)) => members.push(member),
             None => bundles.push((key, vec![member])),
@@ -332,7 +351,8 @@ pub(super) fn objects(records: &Records, places: impl Iterator<Item = (Place, Ty
 
 /// The fewest objects that are all of the members.
 fn collect(records: &Records, base: &str, suffix: &str, members: &[Member], sizes: &Sizes) -> Vec<Object> {
-    if let Some((shape, subs)) = records.shape(members, sizes, 0) {
+    let together = members.iter().all(|m| m.process == members[0].process);
+    if let Some((shape, subs)) = records.shape(members, sizes, 0).filter(|_| together) {
         let members = members.iter().map(|m| m.id).zip(subs).collect();
         return vec![Object { name: format!("{base}{suffix}"), shape, members }];
     }

@@ -1,7 +1,7 @@
 //! What a module is as an entity: its objects, and the statements that drive them.
 
 use super::fold::{self, Shapes, Statement};
-use super::shape::{Object, Records, Shape, objects};
+use super::shape::{Object, Process, Records, Shape, objects};
 use crate::expression::{Expression, Index, Name, Sub};
 use crate::graph::{Place, Step, append_step};
 use crate::netlist::{DelayLine, Driver, Module, Signal, SignalId};
@@ -91,7 +91,7 @@ impl<'a> View<'a> {
         let in_line: HashSet<SignalId> = lines.iter().flat_map(|l| l.registers.clone()).collect();
         let place = |place: &Place| if raw { Place::new(place.to_string()) } else { place.clone() };
         let ports = module.outputs.iter().map(|(p, id)| (place(p), module.signal(*id).ty, *id));
-        view.outputs = objects(records, ports);
+        view.outputs = objects(records, ports, &|_| None);
         for port in &view.outputs {
             let alone = |id: &SignalId| {
                 let (r, s) = (&readers[id.0], module.signal(*id));
@@ -100,7 +100,9 @@ impl<'a> View<'a> {
             };
             // Ports of the top are no numbers.
             let plain = |id: &SignalId| !raw || module.signal(*id).ty.is_flag();
-            if port.members.iter().all(|(id, _)| alone(id) && plain(id)) {
+            let driver = |id: &SignalId| process(module, *id);
+            let together = port.members.iter().all(|(id, _)| driver(id) == driver(&port.members[0].0));
+            if together && port.members.iter().all(|(id, _)| alone(id) && plain(id)) {
                 view.direct.extend(port.members.iter().map(|m| m.0));
             }
         }
@@ -120,7 +122,9 @@ impl<'a> View<'a> {
                 let is_port = matches!(s.driver, Driver::Port);
                 (if is_port { place(&s.place) } else { s.place.clone() }, s.ty, id)
             });
-            view.objects = objects(records, all.collect::<Vec<_>>().into_iter());
+            let ends: HashSet<SignalId> = lines.iter().filter_map(|l| l.registers.last().copied()).collect();
+            let process = |id| if ends.contains(&id) { Some(Process::Delays) } else { process(module, id) };
+            view.objects = objects(records, all.collect::<Vec<_>>().into_iter(), &process);
             // Lines of different lengths that end in one object are registers one by one.
             let uneven: HashSet<SignalId> = view.uneven(&lines);
             if uneven.is_empty() {
@@ -398,7 +402,7 @@ impl<'a> View<'a> {
             let places =
                 members.iter().enumerate().map(|(k, i)| (label(&module.instances[*i].place), Type::FLAG, SignalId(k)));
             let (mut folded, mut assignments) = (vec![], vec![]);
-            let groups = objects(records, places);
+            let groups = objects(records, places, &|_| None);
             let alone = groups.len() == 1;
             for group in groups {
                 let alike: Vec<(usize, Vec<Sub>)> =
@@ -520,8 +524,8 @@ fn ports(records: &Records, module: &Module) -> Vec<(bool, Object)> {
     let inputs = module.inputs.iter().map(|id| (module.signal(*id).place.clone(), module.signal(*id).ty));
     let outputs = module.outputs.iter().map(|(place, id)| (place.clone(), module.signal(*id).ty));
     let numbered = |ports: Vec<(Place, Type)>| ports.into_iter().enumerate().map(|(k, (p, t))| (p, t, SignalId(k)));
-    let inputs = objects(records, numbered(inputs.collect()));
-    let outputs = objects(records, numbered(outputs.collect()));
+    let inputs = objects(records, numbered(inputs.collect()), &|_| None);
+    let outputs = objects(records, numbered(outputs.collect()), &|_| None);
     inputs.into_iter().map(|o| (true, o)).chain(outputs.into_iter().map(|o| (false, o))).collect()
 }
 
@@ -554,6 +558,17 @@ fn readers(module: &Module) -> Vec<Readers> {
     module.outputs.iter().for_each(|o| readers[o.1.0].outputs += 1);
     module.instances.iter().flat_map(|i| &i.inputs).for_each(|id| readers[id.0].names += 1);
     readers
+}
+
+/// The process that drives a signal, if it is no delay line's.
+fn process(module: &Module, id: SignalId) -> Option<Process> {
+    let signal = module.signal(id);
+    match &signal.driver {
+        Driver::Register { reset: Some(_), .. } => Some(Process::State),
+        Driver::Register { enable: Some(_), .. } => Some(Process::Captures),
+        Driver::Register { .. } => Some(Process::Clock(signal.clock)),
+        _ => None,
+    }
 }
 
 /// Whether a signal is written where it is read: it has one reader, which can take an expression, and no name of its own.
