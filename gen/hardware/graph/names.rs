@@ -96,8 +96,9 @@ fn place(unit: &Unit, readers: &[Vec<usize>], i: usize) -> Place {
             let reading = &unit.nodes[reader];
             let at: Vec<usize> = (0..reading.args.len()).filter(|k| reading.args[*k].0 == i).collect();
             let mut above = place(unit, readers, reader);
+            // A resize that goes into an instance is called after the port, and does not end so.
             if matches!(reading.op, Op::Comb(Comb::Resize(_))) && !reading.named {
-                above.suffix.truncate(above.suffix.len() - "_resized".len());
+                above.suffix = above.suffix.strip_suffix("_resized").unwrap_or(&above.suffix).to_owned();
             }
             if let Op::Instance(child) = &reading.op {
                 let port = &child.node(child.inputs[at[0]]).place;
