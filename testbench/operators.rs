@@ -14,12 +14,13 @@ mod transform_row;
 
 use efsat::design::interval::Interval as Bundle;
 use efsat::graph::evaluate::Evaluator;
-use efsat::graph::flat::Flat;
-use efsat::graph::{Library, Op, Sig, Signals, Top, Vec3};
+use efsat::graph::flat::FlatNode;
+use efsat::graph::{Library, Op, Sig, Signals, Top, Unit, Vec3};
 use efsat::number::{Interval, Upper, floor_shift, upper_shift};
 use efsat::op::{Comb, Range, Type};
 use std::ops::RangeInclusive;
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::rc::Rc;
 
 type Bounds = Interval<i128>;
 
@@ -38,10 +39,6 @@ fn values(x: Bounds) -> RangeInclusive<i128> {
     x.lo..=x.hi
 }
 
-fn contains(x: Bounds, value: i128) -> bool {
-    x.lo <= value && value <= x.hi
-}
-
 /// Every way to take one item out of `count` times the same list.
 fn tuples<T: Copy>(items: &[T], count: u32, mut visit: impl FnMut(&[T])) {
     let mut tuple = vec![items[0]; count as usize];
@@ -53,16 +50,6 @@ fn tuples<T: Copy>(items: &[T], count: u32, mut visit: impl FnMut(&[T])) {
         }
         visit(&tuple);
     }
-}
-
-/// The range that the graph claims of each node of its dissolved form.
-fn claimed(flat: &Flat) -> Vec<Range> {
-    let claim = |node: &efsat::graph::flat::FlatNode| match node.op {
-        // What a shift would lose shows in its value; where that is chosen, the choice has a bound.
-        Op::Comb(Comb::ShiftLeft(_)) => (i128::MIN, i128::MAX),
-        _ => flat.units[node.origin.0].range(node.origin.1),
-    };
-    flat.nodes.iter().map(claim).collect()
 }
 
 /// A unit under test: inputs and outputs are in the order in which they were made. At every run all values are compared
@@ -81,15 +68,30 @@ impl Bench {
     /// A unit that is shared over phases.
     fn shared(interval: usize, body: impl for<'l> FnOnce(Top<'l>) -> Vec<Sig<'l>>) -> Self {
         let library = Library::default();
-        let evaluator = Evaluator::new(&library.unit("bench", &[], interval, |top| body(top).named("result")));
-        Self { claimed: claimed(evaluator.flat()), evaluator, inputs: vec![] }
+        Self::of(&library.unit("bench", &[], interval, |top| body(top).named("result")))
+    }
+
+    fn of(unit: &Rc<Unit>) -> Self {
+        let evaluator = Evaluator::new(unit);
+        let flat = evaluator.flat();
+        let claim = |node: &FlatNode| match node.op {
+            // What a shift would lose shows in its value; where that is chosen, the choice has a bound.
+            Op::Comb(Comb::ShiftLeft(_)) => (i128::MIN, i128::MAX),
+            _ => flat.units[node.origin.0].range(node.origin.1),
+        };
+        Self { claimed: flat.nodes.iter().map(claim).collect(), evaluator, inputs: vec![] }
+    }
+
+    /// Sets the inputs: intervals and then single values.
+    fn set(&mut self, x: &[Bounds], extra: &[i128]) {
+        self.inputs.clear();
+        self.inputs.extend(x.iter().flat_map(|x| [x.lo, x.hi]).chain(extra.iter().copied()));
+        assert_eq!(self.inputs.len(), self.evaluator.flat().inputs.len());
     }
 
     /// Runs on intervals and then single values.
     fn run(&mut self, x: &[Bounds], extra: &[i128]) -> Vec<i128> {
-        self.inputs.clear();
-        self.inputs.extend(x.iter().flat_map(|x| [x.lo, x.hi]).chain(extra.iter().copied()));
-        assert_eq!(self.inputs.len(), self.evaluator.flat().inputs.len());
+        self.set(x, extra);
         self.evaluator.run(&self.inputs);
         let flat = self.evaluator.flat();
         for step in &flat.steps {
@@ -104,25 +106,17 @@ impl Bench {
         self.run(x, extra).chunks(2).map(|x| at(x[0], x[1])).collect()
     }
 
-    /// Whether the evaluator finds that something assumed does not hold.
+    /// Whether the evaluator finds, by itself, that something assumed does not hold.
     fn refuses(&mut self, x: &[Bounds], extra: &[i128]) -> bool {
-        catch_unwind(AssertUnwindSafe(|| self.evaluator_alone(x, extra))).is_err()
+        self.set(x, extra);
+        catch_unwind(AssertUnwindSafe(|| self.evaluator.run(&self.inputs))).is_err()
     }
-
-    fn evaluator_alone(&mut self, x: &[Bounds], extra: &[i128]) {
-        let inputs: Vec<i128> = x.iter().flat_map(|x| [x.lo, x.hi]).chain(extra.iter().copied()).collect();
-        self.evaluator.run(&inputs);
-    }
-}
-
-/// An interval with bounds within a range.
-fn within(top: Top<'_>, ty: Type, range: Range) -> Bundle<Sig<'_>> {
-    Bundle { lo: top.input(ty, range), hi: top.input(ty, range) }
 }
 
 /// Named intervals with bounds no farther from zero than one number.
 fn inputs<'l, const N: usize>(top: Top<'l>, name: &str, ty: Type, bound: i128) -> [Bundle<Sig<'l>>; N] {
-    [(); N].map(|()| within(top, ty, (-bound, bound))).named(name)
+    let end = || top.input(ty, (-bound, bound));
+    [(); N].map(|()| Bundle { lo: end(), hi: end() }).named(name)
 }
 
 /// The same as a vector.
@@ -151,17 +145,4 @@ fn minus(x: Bounds, y: Bounds) -> Bounds {
 
 fn rounded(x: Bounds, drop: i32, upper: Upper) -> Bounds {
     at(floor_shift(x.lo, drop), upper_shift(x.hi, drop, upper))
-}
-
-/// That `r` is `x` with `drop` bits dropped: outward, and by no more than one unit in the last place of the result.
-fn within_one_ulp(r: Bounds, x: Bounds, drop: i32, upper: Upper) -> bool {
-    let (finer, ulp) = (1i128 << (-drop).max(0), 1i128 << drop.max(0));
-    let below = x.lo * finer - r.lo * ulp;
-    let above = r.hi * ulp - x.hi * finer;
-    let most_above = match upper {
-        _ if drop <= 0 => 0,
-        Upper::Implied => ulp,
-        Upper::Sticky => ulp - 1,
-    };
-    (0..ulp).contains(&below) && (0..=most_above).contains(&above)
 }

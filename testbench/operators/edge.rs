@@ -115,12 +115,8 @@ pub(super) fn way(exact: i32, row: &Row, fewer: i32, truth: Option<(i128, i32, &
 fn clamped_edges_and_normals_contain_the_true_ones() {
     let mut lemmas = HashSet::new();
     for upper in UPPERS {
-        for (width, transform, renormalise) in [
-            (6, Transform::On, true),
-            (7, Transform::On, true),
-            (6, Transform::Off, false),
-            (6, Transform::Translate, false),
-        ] {
+        let (on, translate, off) = (Transform::On, Transform::Translate, Transform::Off);
+        for (width, transform, renormalise) in [(6, on, true), (7, on, true), (6, off, false), (6, translate, false)] {
             let p = Params { width, transform_width: width, transform, renormalise, upper, ..Params::default() };
             let f = p.formats();
             let (coordinate, edge_row, normal_row) = (&f.coordinate_b, &f.edge_b, f.axis(AxisKind::NormalB));

@@ -44,13 +44,8 @@ fn possible(body: impl for<'l> FnOnce(Top<'l>) -> Vec<Sig<'l>>) -> bool {
 fn every_row_has_the_least_integral_digits() {
     let mut rows = 0;
     for width in [6, 9, 18, 25] {
-        for (transform, renormalise) in [
-            (Transform::On, true),
-            (Transform::Off, true),
-            (Transform::On, false),
-            (Transform::Translate, false),
-            (Transform::Off, false),
-        ] {
+        let (on, translate, off) = (Transform::On, Transform::Translate, Transform::Off);
+        for (transform, renormalise) in [(on, true), (off, true), (on, false), (translate, false), (off, false)] {
             for upper in UPPERS {
                 let transform_width = width.max(12);
                 let axes = Axes::Seventeen;

@@ -21,24 +21,14 @@ fn number<'l>(top: Top<'l>, p: &Params, bound: i128) -> Number<Sig<'l>> {
     Number { lo, sticky: (p.upper == Upper::Sticky).then(|| top.input(Type::FLAG, (0, 1))) }
 }
 
-/// A true number, in halves of an input's unit in the last place, as the host quantises it.
-#[derive(Clone, Copy, Debug)]
-struct Quantised {
-    /// Its bounds.
-    bounds: Bounds,
-    /// Its words.
-    lo: i128,
-    sticky: i128,
-}
-
-fn quantised(halves: i128, upper: Upper) -> Quantised {
-    let (lo, sticky) = (halves >> 1, halves & 1);
-    Quantised { bounds: at(lo, lo + if upper == Upper::Implied { 1 } else { sticky }), lo, sticky }
+/// The bounds of a true number as the host quantises it, in halves of an input's unit in the last place.
+fn quantised(halves: i128, upper: Upper) -> Bounds {
+    at(halves >> 1, (halves >> 1) + if upper == Upper::Implied { 1 } else { halves & 1 })
 }
 
 /// The words of numbers, and then the flag for the bypass.
-fn words(numbers: &[Quantised], upper: Upper, bypass: Option<bool>) -> Vec<i128> {
-    let words = |x: &Quantised| if upper == Upper::Implied { vec![x.lo] } else { vec![x.lo, x.sticky] };
+fn words(numbers: &[Bounds], upper: Upper, bypass: Option<bool>) -> Vec<i128> {
+    let words = |x: &Bounds| if upper == Upper::Implied { vec![x.lo] } else { vec![x.lo, x.hi - x.lo] };
     numbers.iter().flat_map(words).chain(bypass.map(i128::from)).collect()
 }
 
@@ -51,8 +41,8 @@ fn sticky_bounds_stay_within_the_declared_range() {
         let mut unit = Bench::new(|top| number(top, &p, bound).named("x").declared(bound).signals());
         for halves in -2 * bound..=2 * bound {
             let x = quantised(halves, upper);
-            assert_eq!(unit.bounds(&[], &words(&[x], upper, None)), [x.bounds]);
-            assert!(upper == Upper::Implied || x.bounds.hi <= bound);
+            assert_eq!(unit.bounds(&[], &words(&[x], upper, None)), [x]);
+            assert!(upper == Upper::Implied || x.hi <= bound);
         }
         // A number outside its declared range is noticed.
         assert!(upper == Upper::Implied || unit.refuses(&[], &[bound, 1]));
@@ -92,8 +82,8 @@ fn transform_rows_contain_every_true_row() {
                 let truth = [term[0][0], term[1][0], term[2][0], term[0][1], term[1][1], term[2][1], t];
                 let q = truth.map(|halves| quantised(halves, upper));
                 let found = unit.bounds(&[], &words(&q, upper, Some(false)))[0];
-                let t = at(q[6].lo << f, q[6].bounds.hi << f);
-                let sum = (0..3).map(|j| product(q[j].bounds, q[3 + j].bounds)).fold(t, plus);
+                let t = at(q[6].lo << f, q[6].hi << f);
+                let sum = (0..3).map(|j| product(q[j], q[3 + j])).fold(t, plus);
                 assert_eq!(found, rounded(sum, f, upper), "{truth:?}");
                 let exact: i128 = term.iter().map(|[m, x]| m * x).sum::<i128>() + (truth[6] << (f + 1));
                 assert!(found.lo << (f + 2) <= exact && exact <= found.hi << (f + 2), "{truth:?} {found:?}");
@@ -119,9 +109,9 @@ fn bypassed_rows_return_their_coordinate() {
             let mut xs = [other, -other, x].map(|halves| quantised(halves.clamp(-limit, limit), upper));
             xs.swap(row, 2);
             let numbers = [&m[..], &xs[..], &[exact(0)]].concat();
-            assert_eq!(unit.bounds(&[], &words(&numbers, upper, Some(true))), [xs[row].bounds]);
+            assert_eq!(unit.bounds(&[], &words(&numbers, upper, Some(true))), [xs[row]]);
             let numbers = [xs[row], exact(0)];
-            assert_eq!(translated.bounds(&[], &words(&numbers, upper, Some(true))), [xs[row].bounds]);
+            assert_eq!(translated.bounds(&[], &words(&numbers, upper, Some(true))), [xs[row]]);
         }
     }
 }
@@ -145,7 +135,7 @@ fn translated_rows_contain_every_true_row() {
         for (x, t) in (-x_limit..=x_limit).flat_map(|x| (-t_limit..=t_limit).map(move |t| (x, t))) {
             let q = [x, t].map(|halves| quantised(halves, upper));
             let found = unit.bounds(&[], &words(&q, upper, Some(false)))[0];
-            assert_eq!(found, plus(q[0].bounds, q[1].bounds));
+            assert_eq!(found, plus(q[0], q[1]));
             assert!(2 * found.lo <= x + t && x + t <= 2 * found.hi);
         }
     }
