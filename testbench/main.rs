@@ -12,7 +12,7 @@ mod guard;
 mod hierarchy;
 mod house;
 //mut mod mutation;
-//ops mod operators;
+mod operators;
 //prf mod proofs;
 mod protocol;
 mod scenes;

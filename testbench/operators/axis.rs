@@ -1,33 +1,39 @@
 //! Cross products and projections contain every exact one.
 
-use super::{Bench, UPPERS, intervals, minus, plus, product, rounded, sign_cases, tuples, values};
-use efsat::design::cross_product::COORDINATES;
-use efsat::design::interval::Rounding;
-use efsat::design::{cross_product, multiply, projection};
-use efsat::graph::Type;
+use super::{Bench, UPPERS, intervals, minus, plus, product, rounded, tuples, values, vector};
+use efsat::design::cross_product::cross_product;
+use efsat::design::interval::Interval;
+use efsat::design::projection::projection;
+use efsat::design::rounding::{Rounding, Roundings};
+use efsat::graph::{Phases, Signals};
+use efsat::op::Type;
+use efsat::params::Params;
 
 #[test]
 fn cross_products_contain_every_cross_product() {
-    let roundings = [Rounding { drop: 1, clamp: None }, Rounding { drop: 0, clamp: None }];
     for upper in UPPERS {
-        let sign_case = &multiply::sign_case_unit(Type::signed(4, 0), 2);
-        let spec =
-            cross_product::Spec { bits: 4, left: 1, right: 1, roundings: &roundings, upper, notes: &[], sign_case };
-        let mut unit = Bench::new(&cross_product::unit(&spec));
+        // Another rounding in each of two phases.
+        let p = Params { width: 4, upper, ..Params::default() };
+        let ways = [1, 0].map(|drop| Rounding { drop, saturate: None });
+        let mut unit = Bench::shared(2, |top| {
+            let [e, f] =
+                ["e", "f"].map(|name| vector(top, name, Type::signed(4, 1), 1).map(Interval::factor).named(name));
+            let phases = Phases::new(2, |s| Some(ways[s]));
+            let l = cross_product(e, f, &Roundings::by_phase(&p, &ways, &phases, top, "rounding"), &[]).named("l");
+            phases.capture(&l).flat_map(|(_, l)| l.signals()).collect()
+        });
         tuples(&intervals(-1..=1), 6, |x| {
             let (e, f) = x.split_at(3);
-            let way = usize::from(x[0].lo == x[5].hi);
-            unit.run(x, &[way as i128]);
+            let found = unit.bounds(x, &[]);
             for (i, (j, k)) in [(1, 2), (2, 0), (0, 1)].into_iter().enumerate() {
-                let found = unit.interval(&format!("l_{}", COORDINATES[i]));
                 let exact = minus(product(e[j], f[k]), product(e[k], f[j]));
-                let drop = roundings[way].drop;
-                assert_eq!(found, rounded(exact, drop, upper), "{x:?}");
-                for (a, b) in values(e[j]).flat_map(|a| values(f[k]).map(move |b| (a, b))) {
-                    for (c, d) in values(e[k]).flat_map(|c| values(f[j]).map(move |d| (c, d))) {
-                        let component = a * b - c * d;
-                        assert!(found.lo << drop <= component && component <= found.hi << drop, "{x:?}");
-                    }
+                let components = values(e[j])
+                    .flat_map(|a| values(f[k]).map(move |b| (a, b)))
+                    .flat_map(|(a, b)| values(e[k]).flat_map(move |c| values(f[j]).map(move |d| a * b - c * d)));
+                let (least, greatest) = components.fold((9, -9), |(lo, hi), c| (c.min(lo), c.max(hi)));
+                for (way, found) in ways.iter().zip([found[i], found[3 + i]]) {
+                    assert_eq!(found, rounded(exact, way.drop, upper), "{x:?}");
+                    assert!(found.lo << way.drop <= least && greatest <= found.hi << way.drop, "{x:?}");
                 }
             }
         });
@@ -36,14 +42,16 @@ fn cross_products_contain_every_cross_product() {
 
 #[test]
 fn projections_contain_every_dot_product() {
-    let roundings = [Rounding { drop: 1, clamp: None }];
     for upper in UPPERS {
-        let spec = projection::Spec { bits: 4, point: 1, axis: 1, roundings: &roundings, upper, notes: &[] };
-        let mut unit = Bench::new(&projection::unit(&spec));
+        let mut unit = Bench::new(|top| {
+            let [v, l] =
+                ["v", "l"].map(|name| vector(top, name, Type::signed(4, 1), 1).map(Interval::factor).named(name));
+            let roundings = Roundings::one(Rounding { drop: 1, saturate: None }, upper, Type::signed(4, 1));
+            projection(v, l, &roundings, &[]).signals()
+        });
         tuples(&intervals(-1..=1), 6, |x| {
             let (v, l) = x.split_at(3);
-            unit.run(x, &sign_cases(x));
-            let found = unit.interval("p");
+            let found = unit.bounds(x, &[])[0];
             let exact = (0..3).map(|i| product(v[i], l[i])).reduce(plus).unwrap();
             assert_eq!(found, rounded(exact, 1, upper), "{x:?}");
             // The terms are independent: their extremes are those of the sum.

@@ -1,13 +1,13 @@
-//! Edges and normals: their extents, and what clamping to them leaves inside.
+//! Edges and normals: their extents, and what saturation at them leaves inside.
 
-use super::renormalise::bit_length;
-use super::renormalise::renormalisers;
-use super::renormalise::scale;
-use super::{Bench, Bounds, UPPERS, at, tuples};
-use efsat::design::interval::{Narrowing, Rounding};
-use efsat::design::{cross_product, interval, multiply, renormalise};
-use efsat::graph::Type;
+use super::renormalise::{bit_length, flags, renormalisers, scaled, word};
+use super::{Bench, Bounds, UPPERS, at, inputs, tuples};
+use efsat::design::cross_product::cross_product;
+use efsat::design::interval::Interval;
+use efsat::design::rounding::{Rounding, Roundings};
+use efsat::graph::{Signals, Vec3};
 use efsat::number::{Upper, upper_shift};
+use efsat::op::Type;
 use efsat::params::{AxisKind, Formats, Params, Row, Transform};
 use std::collections::HashSet;
 
@@ -16,20 +16,17 @@ use std::collections::HashSet;
 #[test]
 fn anchored_edges_stay_within_one_and_an_ulp() {
     for p in renormalisers() {
-        let (bits, stages) = (renormalise::magnitude_bits(&p), renormalise::stages(&p));
+        let (bits, stages) = word(&p);
         let row = &p.formats().edge_a[0];
         let grid = p.formats().coordinate_a.format.fraction;
         let one = 1i128 << grid;
-        let ty = Type::signed(p.width, grid);
-        let narrowing = Narrowing {
-            bound: Some((one + 1, "anchored-edge")),
-            rounding: Rounding { drop: grid - row.format.fraction, clamp: None },
-            bits: p.width,
-            upper: p.upper,
-        };
-        let mut edge =
-            Bench::new(&interval::subtract_unit("edge", (ty, (-one, one)), (ty, (-one, one)), Some(narrowing)));
-        let mut unit = Bench::new(&renormalise::scale_unit(&p));
+        let roundings = roundings(&p, way(grid, row, 0, None), row.format.fraction);
+        let mut unit = Bench::new(|top| {
+            let Vec3([v0, v1, _]) = scaled(top, &p);
+            let exact = [v1 - v0, v0 - v1].named("exact");
+            let edges = exact.assume(one + 1, "anchored-edge").map(|x| x.round_outward(&roundings));
+            [edges, exact].signals()
+        });
         let reach = 2 * p.coordinate_bound();
         let widths: &[i128] = if p.upper == Upper::Implied { &[1] } else { &[0, 1] };
         let mut greatest = 0;
@@ -37,13 +34,10 @@ fn anchored_edges_stay_within_one_and_an_ulp() {
             for (v0_width, v1_width) in widths.iter().flat_map(|x| widths.iter().map(move |y| (*x, *y))) {
                 let (v0, v1) = (at(0, v0_width), at(lo, lo + v1_width));
                 for length in bit_length(v0.hi | v1.lo.abs() | v1.hi.abs()).max(1)..=bits {
-                    let [v0, v1, _] = scale(&mut unit, [v0, v1, v0], bits - length, stages);
-                    for [to, from] in [[v1, v0], [v0, v1]] {
-                        edge.run(&[to, from], &[]);
-                        let found = edge.interval("");
-                        assert!(-row.bound <= found.lo && found.hi <= row.bound, "{to:?} {from:?} {found:?}");
-                        greatest = greatest.max(to.hi - from.lo).max(from.hi - to.lo);
-                    }
+                    let found = unit.bounds(&[v0, v1, v0], &flags(bits - length, stages));
+                    let (edges, exact) = found.split_at(2);
+                    assert!(edges.iter().all(|e| -row.bound <= e.lo && e.hi <= row.bound), "{v0:?} {v1:?} {edges:?}");
+                    greatest = exact.iter().map(|e| e.hi).fold(greatest, i128::max);
                 }
             }
         }
@@ -51,6 +45,11 @@ fn anchored_edges_stay_within_one_and_an_ulp() {
         let inexact = p.upper == Upper::Implied || reach >= 2 * one - 1;
         assert_eq!(greatest, one + i128::from(inexact), "{p:?}");
     }
+}
+
+/// Rounding to a type of the working width.
+pub(super) fn roundings<'l>(p: &Params, way: Rounding, fraction: i32) -> Roundings<'l> {
+    Roundings::one(way, p.upper, Type::signed(p.width, fraction))
 }
 
 /// Lemma triangle-area: twice the area of a triangle in a box is at most the product of the box's sides.
@@ -99,75 +98,60 @@ fn holds(x: Bounds, value: i128, drop: i32) -> bool {
     x.lo << coarser <= value << finer && value << finer <= x.hi << coarser
 }
 
-/// The rounding to a row, with `fewer` integral digits less than it has; the clamp is the row's, or the least mantissa
+/// The rounding to a row, with `fewer` integral digits less than it has; saturated as the row is, or at the least mantissa
 /// above a true bound where that is given as bound, fraction bits and lemma.
 pub(super) fn way(exact: i32, row: &Row, fewer: i32, truth: Option<(i128, i32, &'static str)>) -> Rounding {
     let fraction = row.format.fraction + fewer;
-    let clamp = match truth {
+    let saturate = match truth {
         None => row.clamp.map(|c| (c.bound, c.lemma)),
         Some((bound, at, lemma)) => Some((upper_shift(bound, at - fraction, Upper::Sticky), lemma)),
     };
-    Rounding { drop: exact - fraction, clamp }
+    Rounding { drop: exact - fraction, saturate }
 }
 
-/// Edges and normal of B with their clamps, on triangles in and near the corners of the domain: whatever is clamped,
+/// Edges and normal of B, saturated, on triangles in and near the corners of the domain: whatever is saturated,
 /// the true number stays inside.
 #[test]
 fn clamped_edges_and_normals_contain_the_true_ones() {
-    let mut clamps = HashSet::new();
+    let mut lemmas = HashSet::new();
     for upper in UPPERS {
-        for (width, transform, renormalise) in [
-            (6, Transform::On, true),
-            (7, Transform::On, true),
-            (6, Transform::Off, false),
-            (6, Transform::Translate, false),
-        ] {
+        let (on, translate, off) = (Transform::On, Transform::Translate, Transform::Off);
+        for (width, transform, renormalise) in [(6, on, true), (7, on, true), (6, off, false), (6, translate, false)] {
             let p = Params { width, transform_width: width, transform, renormalise, upper, ..Params::default() };
             let f = p.formats();
             let (coordinate, edge_row, normal_row) = (&f.coordinate_b, &f.edge_b, f.axis(AxisKind::NormalB));
-            clamps.extend([edge_row, normal_row].into_iter().filter_map(|r| r.clamp).map(|c| c.lemma));
-            let grid = coordinate.format.fraction;
-            let ty = Type::signed(p.width, grid);
-            let range = (-coordinate.bound, coordinate.bound);
-            let narrowing = Narrowing { bound: None, rounding: way(grid, edge_row, 0, None), bits: p.width, upper };
-            let mut edge = Bench::new(&interval::subtract_unit("edge_b", (ty, range), (ty, range), Some(narrowing)));
-            let rounding = way(2 * edge_row.format.fraction, normal_row, 0, None);
-            let spec = cross_product::Spec {
-                bits: p.width,
-                left: edge_row.bound,
-                right: edge_row.bound,
-                roundings: &[rounding],
-                upper,
-                notes: &[],
-                sign_case: &multiply::sign_case_unit(Type::signed(p.width, 0), edge_row.bound),
-            };
-            let mut cross = Bench::new(&cross_product::unit(&spec));
+            lemmas.extend([edge_row, normal_row].into_iter().filter_map(|r| r.clamp).map(|c| c.lemma));
+            let (grid, fraction) = (coordinate.format.fraction, edge_row.format.fraction);
+            let to_edge = roundings(&p, way(grid, edge_row, 0, None), fraction);
+            let to_normal = roundings(&p, way(2 * fraction, normal_row, 0, None), normal_row.format.fraction);
+            let mut unit = Bench::new(|top| {
+                // Vertices in the plane z = 0.
+                let [x0, x1, x2, y0, y1, y2] = inputs(top, "w", Type::signed(p.width, grid), coordinate.bound);
+                let edges = [x1 - x0, y1 - y0, x0 - x2, y0 - y2].named("exact").map(|e| e.round_outward(&to_edge));
+                let [x, y, back_x, back_y] = edges.named("edge");
+                // W1 - W0, and W2 - W0 as the negated edge; component z reads nothing of the third one.
+                let e = Vec3([x, y, x]).map(Interval::factor).named("e");
+                let f = [-back_x, -back_y].map(|e| e.each(|_, end| end.bits(p.width)));
+                let f = Vec3([f[0], f[1], f[0]]).map(Interval::factor).named("f");
+                [x, y, back_x, back_y, cross_product(e, f, &to_normal, &[])[2]].signals()
+            });
             // Half an ulp, so that the true numbers lie on and off the grid; the box is the lemma's.
             let half = extents(&p, &f)[1] - 1;
             tuples(&[-half, 1 - half, -1, 0, half - 2, half], 6, |w| {
-                // Vertices in the plane z = 0: x0 x1 x2 y0 y1 y2.
-                let enclosure = |x: i128| {
+                let enclosure = |x: &i128| {
                     let hi = if upper == Upper::Implied { (x >> 1) + 1 } else { -(-x >> 1) };
                     at(x >> 1, hi.min(coordinate.bound))
                 };
-                let mut difference = |to: usize, from: usize| {
-                    edge.run(&[enclosure(w[to]), enclosure(w[from])], &[]);
-                    let found = edge.interval("");
-                    let drop = grid - edge_row.format.fraction;
-                    assert!(holds(found, w[to] - w[from], drop + 1), "{w:?} {found:?} {p:?}");
-                    found
-                };
-                // W1 - W0, and W2 - W0 as the negated edge.
-                let e = [difference(1, 0), difference(4, 3), at(0, 0)];
-                let minus = |x: Bounds| at(-x.hi, -x.lo);
-                let g = [minus(difference(0, 2)), minus(difference(3, 5)), at(0, 0)];
-                cross.run(&[e[0], e[1], e[2], g[0], g[1], g[2]], &[]);
-                let found = cross.interval("l_z");
+                let found = unit.bounds(&w.iter().map(enclosure).collect::<Vec<_>>(), &[]);
+                for (found, (to, from)) in found.iter().zip([(1, 0), (4, 3), (0, 2), (3, 5)]) {
+                    assert!(holds(*found, w[to] - w[from], grid - fraction + 1), "{w:?} {found:?} {p:?}");
+                }
+                let found = found[4];
                 let truth = (w[1] - w[0]) * (w[5] - w[3]) - (w[4] - w[3]) * (w[2] - w[0]);
                 assert!(holds(found, truth, 2 * grid - normal_row.format.fraction + 2), "{w:?} {found:?} {p:?}");
                 assert!(-normal_row.bound <= found.lo && found.hi <= normal_row.bound);
             });
         }
     }
-    assert_eq!(clamps, HashSet::from(["edge-extent", "triangle-area"]));
+    assert_eq!(lemmas, HashSet::from(["edge-extent", "triangle-area"]));
 }

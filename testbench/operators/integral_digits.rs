@@ -1,13 +1,14 @@
 //! The least integral digits of every row of the formats.
 
-use super::UPPERS;
-use super::edge::{extents, way};
-use efsat::design::interval::Narrowing;
-use efsat::design::{cross_product, interval, multiply, projection};
-use efsat::graph::range::analyse;
-use efsat::graph::{Type, Unit};
+use super::edge::{extents, roundings, way};
+use super::{UPPERS, inputs, vector};
+use efsat::design::cross_product::cross_product;
+use efsat::design::interval::{Factors, Interval};
+use efsat::design::projection::projection;
+use efsat::graph::{Library, Sig, Signals, Top};
+use efsat::op::Type;
 use efsat::params::{Axes, AxisKind, Formats, Params, Row, Transform};
-use std::rc::Rc;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// The rows an axis is made of, left and right factor.
 fn factors(f: &Formats, kind: AxisKind) -> [&Row; 2] {
@@ -20,28 +21,39 @@ fn factors(f: &Formats, kind: AxisKind) -> [&Row; 2] {
     }
 }
 
-/// The least-k rule: range analysis proves the unit with the row's format, and rejects the same unit with one integral
-/// digit fewer, whatever lemma helps it.
+/// A factor of a product.
+fn factor<'l>(top: Top<'l>, name: &str, fraction: i32, bound: i128, p: &Params) -> Factors<'l> {
+    vector(top, name, Type::signed(p.width, fraction), bound).map(Interval::factor).named(name)
+}
+
+/// Whether a unit can be made; if not, the reason must be what a rounding makes.
+fn possible(body: impl for<'l> FnOnce(Top<'l>) -> Vec<Sig<'l>>) -> bool {
+    let made = catch_unwind(AssertUnwindSafe(|| {
+        Library::default().unit("row", &[], 1, |top| body(top).named("result"));
+    }));
+    let Err(why) = made else { return true };
+    let why = why.downcast::<String>().expect("a message");
+    assert!([", resized(", ", sum(floor("].iter().any(|made| why.contains(made)), "{why}");
+    assert!(why.contains(" do not fit "), "{why}");
+    false
+}
+
+/// The least-k rule: a unit with the row's format can be made, and the same unit with one integral digit fewer cannot,
+/// whatever lemma helps it.
 #[test]
 fn every_row_has_the_least_integral_digits() {
     let mut rows = 0;
     for width in [6, 9, 18, 25] {
-        for (transform, renormalise) in [
-            (Transform::On, true),
-            (Transform::Off, true),
-            (Transform::On, false),
-            (Transform::Translate, false),
-            (Transform::Off, false),
-        ] {
+        let (on, translate, off) = (Transform::On, Transform::Translate, Transform::Off);
+        for (transform, renormalise) in [(on, true), (off, true), (on, false), (translate, false), (off, false)] {
             for upper in UPPERS {
                 let transform_width = width.max(12);
                 let axes = Axes::Seventeen;
                 let p = Params { width, transform_width, axes, transform, renormalise, upper, ..Params::default() };
                 let f = p.formats();
-                let mut check = |row: &Row, unit: &dyn Fn(i32) -> Rc<Unit>| {
-                    analyse(&unit(0)).unwrap_or_else(|e| panic!("{}: {e} {p:?}", row.name));
-                    let fewer = analyse(&unit(1)).err().unwrap_or_else(|| panic!("{} is loose: {p:?}", row.name));
-                    assert!(fewer.path.contains("rounded"), "{fewer}");
+                let mut check = |row: &Row, unit: &dyn Fn(i32) -> bool| {
+                    assert!(unit(0), "{} does not fit: {p:?}", row.name);
+                    assert!(!unit(1), "{} is loose: {p:?}", row.name);
                     rows += 1;
                 };
                 let grid = f.coordinate_a.format.fraction;
@@ -55,16 +67,14 @@ fn every_row_has_the_least_integral_digits() {
                 ];
                 for (row, coordinate, extent, anchored) in edges {
                     check(row, &|fewer| {
-                        let ty = Type::signed(width, grid);
-                        let range = (-coordinate, coordinate);
                         let truth = (fewer > 0 && !anchored).then_some((extent, grid, "edge-extent"));
-                        let narrowing = Narrowing {
-                            bound: anchored.then_some((one + 1, "anchored-edge")),
-                            rounding: way(grid, row, fewer, truth),
-                            bits: width,
-                            upper,
-                        };
-                        interval::subtract_unit("edge", (ty, range), (ty, range), Some(narrowing))
+                        let to = roundings(&p, way(grid, row, fewer, truth), row.format.fraction + fewer);
+                        possible(|top| {
+                            let [x, y] = inputs(top, "x", Type::signed(width, grid), coordinate);
+                            let exact = (x - y).named("exact");
+                            let exact = if anchored { exact.assume(one + 1, "anchored-edge") } else { exact };
+                            exact.round_outward(&to).signals()
+                        })
                     });
                 }
                 let mut kinds = vec![AxisKind::NormalA, AxisKind::NormalB, AxisKind::InPlaneB];
@@ -79,23 +89,23 @@ fn every_row_has_the_least_integral_digits() {
                     check(row, &|fewer| {
                         let truth = area.filter(|_| fewer > 0).map(|area| (area, 2 * grid, "triangle-area"));
                         let exact = left.format.fraction + right.format.fraction;
-                        let roundings = &[way(exact, row, fewer, truth)];
-                        let (left, right) = (left.bound, right.bound);
-                        cross_product::unit(&cross_product::Spec {
-                            bits: width,
-                            left,
-                            right,
-                            roundings,
-                            upper,
-                            notes: &[],
-                            sign_case: &multiply::sign_case_unit(Type::signed(width, 0), left.max(right)),
+                        let to = roundings(&p, way(exact, row, fewer, truth), row.format.fraction + fewer);
+                        possible(|top| {
+                            let e = factor(top, "e", left.format.fraction, left.bound, &p);
+                            let f = factor(top, "f", right.format.fraction, right.bound, &p);
+                            cross_product(e, f, &to, &[]).signals()
                         })
                     });
-                    let (point, axis) = (f.coordinate_a.bound.max(f.coordinate_b.bound), row.bound);
+                    let (point, axis) = (f.coordinate_a.bound.max(f.coordinate_b.bound), row);
                     let projected = f.projection(kind);
                     check(projected, &|fewer| {
-                        let roundings = &[way(grid + row.format.fraction, projected, fewer, None)];
-                        projection::unit(&projection::Spec { bits: width, point, axis, roundings, upper, notes: &[] })
+                        let exact = way(grid + axis.format.fraction, projected, fewer, None);
+                        let to = roundings(&p, exact, projected.format.fraction + fewer);
+                        possible(|top| {
+                            let v = factor(top, "v", grid, point, &p);
+                            let l = factor(top, "l", axis.format.fraction, axis.bound, &p);
+                            projection(v, l, &to, &[]).signals()
+                        })
                     });
                 }
                 if renormalise {

@@ -1,19 +1,19 @@
-//! The static range analysis: that it is sound, and that it can fail.
+//! Ranges: that no value leaves the one that the graph claims, and that what cannot be is refused.
 
+use super::Bench;
 use super::transform_row::small;
-use super::{Bounds, at, intervals, values};
 use efsat::artefact::Stimulus;
 use efsat::cosim;
-use efsat::design::{Design, interval, multiply};
-use efsat::graph::evaluate::Evaluator;
-use efsat::graph::flat::Flat;
-use efsat::graph::range::{analyse, analyse_flat};
-use efsat::graph::{Builder, Op, Rate, Type};
+use efsat::design::Design;
+use efsat::graph::{Fact, Library, Phases, Sig, Signals, Top};
 use efsat::number::Upper;
+use efsat::op::{Add, Range, Type};
 use efsat::params::{Axes, Params, Projections, Transform};
+use efsat_hardware::entity;
 use std::collections::HashSet;
+use std::panic::{AssertUnwindSafe, catch_unwind};
 
-/// Whole data paths: in every phase every value lies in its analysed range, at the corners of the declared input ranges
+/// Whole data paths: in every phase every value lies in its claimed range, at the corners of the declared input ranges
 /// too.
 #[test]
 fn analysed_ranges_contain_every_value() {
@@ -30,109 +30,87 @@ fn analysed_ranges_contain_every_value() {
     ];
     for p in sets {
         let design = Design::new(&p, false).unwrap_or_else(|e| panic!("{e} {p:?}"));
-        let flat = Flat::new(&design.pipeline);
-        let (_, ranges) = analyse_flat(&flat).unwrap();
-        let mut evaluator = Evaluator::new(&design.pipeline);
-        let (mut steps, mut reached) = (0usize, HashSet::new());
+        let mut bench = Bench::of(&design.pipeline);
+        let (mut steps, mut reached) = (0, HashSet::new());
         for (pose, pairs) in &Stimulus::random(&p, 160, 5).segments {
             for pair in pairs {
-                evaluator.run(&cosim::inputs(&design, pose, pair));
-                for step in &flat.steps {
-                    let value = evaluator.at(step.node, step.phase);
-                    let key = step.node * flat.interval + step.phase;
-                    let (lo, hi) = ranges[key];
-                    let path = &flat.nodes[step.node].path;
-                    assert!(lo <= value && value <= hi, "{path}: {value} not in [{lo}, {hi}] {p:?}");
-                    steps += 1;
-                    if value == lo || value == hi {
-                        reached.insert(key);
-                    }
-                }
+                bench.run(&[], &cosim::inputs(&design, pose, pair));
+                let flat = bench.evaluator.flat();
+                let ends = flat.steps.iter().filter(|step| {
+                    let (lo, hi) = bench.claimed[step.node];
+                    [lo, hi].contains(&bench.evaluator.at(step.node, step.phase))
+                });
+                reached.extend(ends.map(|step| step.node));
+                steps += flat.steps.len();
             }
         }
         // The ranges are not vacuous: many are reached at one end or the other.
-        assert!(steps > 100_000 && 4 * reached.len() > flat.steps.len(), "{} of {}", reached.len(), flat.steps.len());
+        let nodes = bench.claimed.len();
+        assert!(steps > 100_000 && 4 * reached.len() > nodes, "{} of {nodes}", reached.len());
     }
 }
 
-/// The analysis fails where it must: a result cut too narrow, and an operand beyond a port's declared range.
-#[test]
-fn an_overflow_is_reported_with_its_path() {
-    let inner = |bits: u32| {
-        let mut b = Builder::new("inner", 1, &[]);
-        let x = b.input("x", Type::signed(6, 0), (-20, 20), Rate::Any);
-        let sum = b.add("sum", x, x);
-        let narrow = b.resize("narrow", sum, true, bits);
-        b.output("narrow", narrow);
-        b.finish()
-    };
-    let outer = |bits: u32, range: (i128, i128)| {
-        let unit = inner(bits);
-        let mut b = Builder::new("outer", 1, &[]);
-        let x = b.input("x", Type::signed(6, 0), range, Rate::Any);
-        let result = b.instance("twice", &unit, &[x])[0];
-        b.output("result", result);
-        b.finish()
-    };
-    assert!(analyse(&outer(7, (-20, 20))).is_ok());
-    let overflow = analyse(&outer(6, (-20, 20))).unwrap_err();
-    assert_eq!((overflow.path.as_str(), overflow.range), ("twice.narrow", (-40, 40)));
-    assert_eq!(overflow.to_string(), "twice.narrow, phase 0: values from -40 to 40 do not fit s6.0");
-    let overflow = analyse(&outer(7, (-21, 20))).unwrap_err();
-    assert!(overflow.path.starts_with("twice, port x"), "{overflow}");
-    // A multiplier is as wide as the declared bounds of its factors; what exceeds them does not fit.
-    let ty = Type::signed(6, 0);
-    assert!(analyse(&multiply::multiply_unit("multiply", (ty, 31), (ty, 31))).is_ok());
-    let mut b = Builder::new("wrapper", 1, &[]);
-    let x = interval::input(&mut b, "x", ty, (-32, 31));
-    let unit = multiply::multiply_unit("multiply", (ty, 31), (ty, 31));
-    let x = multiply::Factor { bounds: x, sign_case: b.constant("x_sign_case", 0, multiply::SIGN_CASE) };
-    let out = multiply::instance(&mut b, "product", &unit, x, x);
-    interval::output(&mut b, "", out);
-    assert!(analyse(&b.finish()).unwrap_err().path.starts_with("product"));
+/// Two inputs.
+fn numbers(top: Top<'_>, range: Range) -> [Sig<'_>; 2] {
+    ["x", "y"].map(|name| top.input(Type::signed(6, 0), range).named(name))
 }
 
-/// The operations' ranges enclose their values, on all small operands.
+/// Why a unit of the inputs x and y within a range cannot be made.
+fn refusal(range: Range, body: impl for<'l> FnOnce(Top<'l>, Sig<'l>, Sig<'l>) -> Sig<'l>) -> Option<String> {
+    let made = catch_unwind(AssertUnwindSafe(|| {
+        Library::default().unit("outer", &[], 2, |top| {
+            let [x, y] = numbers(top, range);
+            body(top, x, y).named("result")
+        });
+    }));
+    made.err().map(|why| *why.downcast::<String>().expect("a message"))
+}
+
+/// What does not fit is refused where it is made, in whatever unit that is, with names and numbers.
 #[test]
-fn ranges_of_operations_enclose_their_values() {
-    let signed = Type::signed(4, 0);
-    let unsigned = Type::unsigned(3);
-    let alike = |op: Op, ty: Type, count: usize| (op, vec![ty; count]);
-    let all = [
-        alike(Op::Add, signed, 2),
-        alike(Op::Subtract, signed, 2),
-        alike(Op::Multiply, signed, 2),
-        alike(Op::Equal, signed, 2),
-        alike(Op::And, unsigned, 2),
-        alike(Op::Or, unsigned, 2),
-        alike(Op::Concatenate, unsigned, 2),
-        (Op::Concatenate, vec![unsigned, signed]),
-        (Op::NegateIf, vec![Type::FLAG, signed]),
-        alike(Op::Negate, signed, 1),
-        alike(Op::Magnitude, signed, 1),
-        alike(Op::SignBit, signed, 1),
-        alike(Op::Floor(2), signed, 1),
-        alike(Op::Append(2), signed, 1),
-        alike(Op::LowBits(2), signed, 1),
-        alike(Op::Clamp(3, "edge-extent"), signed, 1),
-        alike(Op::Not, unsigned, 1),
-        alike(Op::AnyBit, unsigned, 1),
+fn an_overflow_is_refused_by_name() {
+    let of_sum = |most: i128, bits| {
+        refusal((-most, most), |_, x, y| entity!("inner", &[], (x, y) => x.apply(Add(Some(bits)), &[y]).named("sum")))
+    };
+    let found = |why: &str| Some(format!("unit {why}"));
+    assert_eq!((of_sum(20, 7), of_sum(15, 6)), (None, None));
+    assert_eq!(of_sum(20, 6), found("inner, sum(x, y): values from -40 to 40 do not fit s6.0"));
+    let of_phases = |range| {
+        refusal(range, |top, x, _| {
+            let operand = Phases::new(2, |s| Some([top.constant(0, x.ty()), x][s])).mux().named("operand");
+            operand.apply(Add(Some(6)), &[operand])
+        })
+    };
+    assert_eq!(of_phases((-15, 15)), None);
+    let in_phase = "outer, sum(operand, operand): values from -40 to 40 in phase 1 do not fit s6.0";
+    assert_eq!(of_phases((-20, 20)), found(in_phase));
+    let promised = |most: i128| {
+        refusal((-20, 20), move |top, x, y| {
+            let later = top.later(x.ty(), (-most, most)).named("promised");
+            later.connect(x);
+            later + y
+        })
+    };
+    assert_eq!(promised(20), None);
+    let broken = "outer, promised: expected s6.0 within (-19, 19), found x of s6.0 within (-20, 20)";
+    assert_eq!(promised(19), found(broken));
+}
+
+/// What is assumed of a value is checked at every evaluation.
+#[test]
+fn what_is_assumed_and_false_is_found() {
+    fn assumed(known: impl for<'l> FnOnce([Sig<'l>; 2]) -> Sig<'l>) -> Bench {
+        Bench::new(|top| vec![known(numbers(top, (-5, 5)))])
+    }
+    let mut units = [
+        assumed(|[x, y]| (x + y).assume(4, "of some")),
+        assumed(|[x, y]| (x + y).known(Fact::Product, &[x, y])),
+        assumed(|[x, y]| (x.floor(2) + y.at_point(None)).known(Fact::Ceiling(2), &[x])),
     ];
-    for (op, types) in all {
-        let result = op.result(&types).unwrap();
-        // The least number of a type has no negative in it, and the range says so.
-        let fits = |range: (i128, i128)| result.limits().0 <= range.0 && range.1 <= result.limits().1;
-        let operands: Vec<Vec<Bounds>> = types.iter().map(|t| intervals(t.limits().0..=t.limits().1)).collect();
-        let none = vec![at(0, 0)];
-        for x in &operands[0] {
-            for y in operands.get(1).unwrap_or(&none) {
-                let range = op.range(&[(x.lo, x.hi), (y.lo, y.hi)][..types.len()], &types, result);
-                assert!(fits(range) || matches!(op, Op::NegateIf) && y.lo == signed.limits().0, "{op:?} {x:?} {y:?}");
-                for (a, b) in values(*x).flat_map(|a| values(*y).map(move |b| (a, b))) {
-                    let value = op.apply(&[a, b][..types.len()], &types, result);
-                    assert!(range.0 <= value && value <= range.1, "{op:?} {a} {b}: {value} in {range:?}");
-                }
-            }
+    for (x, y) in (-5..=5i128).flat_map(|x| (-5..=5).map(move |y| (x, y))) {
+        let holds = [(x + y).abs() <= 4, x + y == x * y, (x >> 2) + y == -(-x >> 2)];
+        for (unit, holds) in units.iter_mut().zip(holds) {
+            assert_eq!(unit.refuses(&[], &[x, y]), !holds, "{x} {y}");
         }
     }
 }

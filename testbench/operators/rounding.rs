@@ -1,63 +1,62 @@
-//! Rounding, clamping, sums and differences: outward, and within one unit in the last place.
+//! Rounding, saturation, sums and differences: by definition. That a rounding by definition is outward and within one unit
+//! in the last place, the tests of `gen/hardware/number.rs` show.
 
-use super::{Bench, UPPERS, at, contains, intervals, minus, plus, rounded, values, within_one_ulp};
-use efsat::design::interval::{Narrowing, Rounding};
-use efsat::design::{cross_product, interval};
-use efsat::graph::{Builder, Rate, Type, Unit};
-use efsat::number::{Upper, floor_shift};
-use std::rc::Rc;
+use super::{Bench, UPPERS, at, inputs, intervals, minus, plus, rounded, values};
+use efsat::design::rounding::{Rounding, Roundings};
+use efsat::graph::{Phases, Signals};
+use efsat::number::Upper;
+use efsat::op::Type;
+use efsat::params::Params;
 
-/// A unit that rounds one interval, by one way or several.
-fn rounding_unit(ty: Type, ways: &[Rounding], upper: Upper, bits: u32) -> Rc<Unit> {
-    let mut b = Builder::new("rounding", 1, &[]);
-    let x = interval::input(&mut b, "x", ty, ty.limits());
-    let several = ways.len() > 1;
-    let ways_type = Type::unsigned(cross_product::select_bits(ways.len()));
-    let select = several.then(|| b.input("way", ways_type, (0, ways.len() as i128 - 1), Rate::Any));
-    let result = interval::round(&mut b, "rounded", x, ways, select, upper, bits);
-    interval::output(&mut b, "", result);
-    b.finish()
+/// A unit that rounds one interval.
+fn single(ty: Type, way: Rounding, upper: Upper, bits: u32) -> Bench {
+    let to = Type::signed(bits, ty.fraction.unwrap() - way.drop);
+    let roundings = Roundings::one(way, upper, to);
+    Bench::new(|top| inputs::<1>(top, "x", ty, ty.limits().1)[0].round_outward(&roundings).signals())
 }
 
 #[test]
 fn rounding_is_outward_and_within_one_ulp() {
     let ty = Type::signed(8, 5);
-    let ways: Vec<Rounding> = [-3, -1, 0, 1, 2, 5, 7].map(|drop| Rounding { drop, clamp: None }).to_vec();
+    let ways = [-3, -1, 0, 1, 2, 5, 7].map(|drop| Rounding { drop, saturate: None });
     for upper in UPPERS {
-        let mut several = Bench::new(&rounding_unit(ty, &ways, upper, 12));
-        for (number, way) in ways.iter().enumerate() {
-            let mut single = Bench::new(&rounding_unit(ty, &[*way], upper, 12));
-            for x in -128..128 {
-                for width in [0, 1, 2, 3, 31, 64] {
-                    let x = at(x, (x + width).min(127));
-                    single.run(&[x], &[]);
-                    several.run(&[x], &[number as i128]);
-                    let found = single.interval("");
-                    assert_eq!(found, rounded(x, way.drop, upper), "{x:?} {way:?}");
-                    assert_eq!(found, several.interval(""), "{x:?} {way:?}");
-                    assert!(within_one_ulp(found, x, way.drop, upper), "{x:?} {way:?} {found:?}");
+        // Another rounding in each phase.
+        let p = Params { width: 12, upper, ..Params::default() };
+        let mut several = Bench::shared(ways.len(), |top| {
+            let [x] = inputs(top, "x", ty, 127);
+            let phases = Phases::new(ways.len(), |s| Some(ways[s]));
+            let roundings = Roundings::by_phase(&p, &ways, &phases, top, "way");
+            let rounded = x.round_outward(&roundings).named("rounded");
+            phases.capture(&rounded).flat_map(|(_, x)| x.signals()).collect()
+        });
+        let mut singles = ways.map(|way| single(ty, way, upper, 12));
+        for x in -127..128 {
+            for width in [0, 1, 2, 3, 31, 64] {
+                let x = at(x, (x + width).min(127));
+                for ((way, unit), several) in ways.iter().zip(&mut singles).zip(several.bounds(&[x], &[])) {
+                    let found = unit.bounds(&[x], &[])[0];
+                    assert_eq!((found, several), (rounded(x, way.drop, upper), found), "{x:?} {way:?}");
                 }
             }
         }
     }
 }
 
-/// Clamping to a bound on the true value keeps the true value, wherever it lies in the interval.
+/// Saturation at a bound on the true value keeps the true value, wherever it lies in the interval.
 #[test]
-fn clamping_keeps_every_value_within_the_bound() {
-    let ty = Type::signed(7, 0);
-    for upper in UPPERS {
-        for drop in [0, 1, 2] {
-            let bound = 9i128;
-            let way = Rounding { drop, clamp: Some((bound, "edge-extent")) };
-            let mut unit = Bench::new(&rounding_unit(ty, &[way], upper, 5));
-            for x in intervals(-64..=63) {
-                unit.run(&[x], &[]);
-                let found = unit.interval("");
-                assert!(-bound <= found.lo && found.lo <= found.hi && found.hi <= bound);
-                for value in values(x).filter(|v| v.abs() <= bound << drop) {
-                    assert!(found.lo << drop <= value && value <= found.hi << drop, "{x:?} {found:?} {value}");
-                }
+fn saturation_keeps_every_value_within_the_bound() {
+    let bound = 9i128;
+    for (upper, drop) in UPPERS.into_iter().flat_map(|upper| [0, 1, 2].map(|drop| (upper, drop))) {
+        let way = Rounding { drop, saturate: Some((bound, "edge-extent")) };
+        let mut unit = single(Type::signed(7, 0), way, upper, 5);
+        for x in intervals(-63..=63) {
+            let found = unit.bounds(&[x], &[])[0];
+            assert!(-bound <= found.lo && found.lo <= found.hi && found.hi <= bound);
+            let exact = rounded(x, drop, upper);
+            let expected = [exact.lo, exact.hi].map(|end| end.clamp(-bound, bound));
+            assert_eq!([found.lo, found.hi], expected, "{x:?}");
+            for value in values(x).filter(|v| v.abs() <= bound << drop) {
+                assert!(found.lo << drop <= value && value <= found.hi << drop, "{x:?} {found:?} {value}");
             }
         }
     }
@@ -66,33 +65,25 @@ fn clamping_keeps_every_value_within_the_bound() {
 #[test]
 fn sums_and_differences_are_contained_within_one_ulp() {
     let ty = Type::signed(4, 0);
-    let all = intervals(-7..=7);
-    let mut add = Bench::new(&interval::add_unit("add", (ty, (-7, 7)), (ty, (-7, 7))));
-    let mut exact = Bench::new(&interval::subtract_unit("subtract", (ty, (-7, 7)), (ty, (-7, 7)), None));
-    for x in &all {
-        for y in &all {
-            add.run(&[*x, *y], &[]);
-            exact.run(&[*x, *y], &[]);
-            assert_eq!((add.interval(""), exact.interval("")), (plus(*x, *y), minus(*x, *y)));
+    let ways: Vec<_> = UPPERS.into_iter().flat_map(|upper| [-1, 0, 1, 2].map(|drop| (upper, drop))).collect();
+    let mut unit = Bench::new(|top| {
+        let [x, y] = inputs(top, "x", ty, 7);
+        let difference = (x - y).named("difference");
+        let mut results = [x + y, difference, -x].signals();
+        for (i, (upper, drop)) in ways.iter().enumerate() {
+            let roundings = Roundings::one(Rounding { drop: *drop, saturate: None }, *upper, Type::signed(6, -drop));
+            results.extend(difference.round_outward(&roundings).named_at("rounded", i).signals());
         }
-    }
-    for upper in UPPERS {
-        for drop in [-1, 0, 1, 2] {
-            let rounding = Rounding { drop, clamp: None };
-            let narrowing = Narrowing { bound: None, rounding, bits: 6, upper };
-            let unit = interval::subtract_unit("subtract", (ty, (-7, 7)), (ty, (-7, 7)), Some(narrowing));
-            let mut unit = Bench::new(&unit);
-            for x in &all {
-                for y in &all {
-                    unit.run(&[*x, *y], &[]);
-                    let found = unit.interval("");
-                    assert!(within_one_ulp(found, minus(*x, *y), drop, upper), "{x:?} {y:?} {found:?}");
-                    let fits = |d: i128| contains(at(floor_shift(found.lo, -drop), found.hi << drop.max(0)), d);
-                    // With fraction bits appended the difference is exact, else it is compared at its own point.
-                    let inside = |d: i128| if drop < 0 { contains(found, d << -drop) } else { fits(d) };
-                    assert!(values(*x).all(|a| values(*y).all(|b| inside(a - b))), "{x:?} {y:?} {found:?}");
-                }
-            }
+        results
+    });
+    let all = intervals(-7..=7);
+    for (x, y) in all.iter().flat_map(|x| all.iter().map(move |y| (*x, *y))) {
+        let found = unit.bounds(&[x, y], &[]);
+        assert_eq!(found[..3], [plus(x, y), minus(x, y), at(-x.hi, -x.lo)]);
+        assert!(values(x).all(|a| values(y).all(|b| values(found[0]).contains(&(a + b)))), "{x:?} {y:?}");
+        assert!(values(x).all(|a| values(y).all(|b| values(found[1]).contains(&(a - b)))), "{x:?} {y:?}");
+        for ((upper, drop), found) in ways.iter().zip(&found[3..]) {
+            assert_eq!(*found, rounded(minus(x, y), *drop, *upper), "{x:?} {y:?}");
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use super::flat::{Flat, Step};
 use super::{Op, Unit};
+use crate::op::{Comb, ShiftLeft};
 use std::rc::Rc;
 
 /// Evaluates a unit; made once, used for many pairs.
@@ -29,10 +30,9 @@ impl Evaluator {
     /// If a lemma is violated, see [`Op::Assume`].
     pub fn run(&mut self, inputs: &[i128]) {
         let interval = self.flat.interval;
-        let steps = std::mem::take(&mut self.flat.steps);
         let mut args = Vec::with_capacity(64);
         let mut types = Vec::with_capacity(64);
-        for step in &steps {
+        for step in &self.flat.steps {
             let node = &self.flat.nodes[step.node];
             let value = match &node.op {
                 Op::Input { .. } => {
@@ -57,6 +57,8 @@ impl Evaluator {
                         types.push(self.flat.nodes[*a].ty);
                     }
                     match op {
+                        // What hardware would lose stays, so that a bound on it is checked and not a bound on what is left.
+                        Op::Comb(Comb::ShiftLeft(ShiftLeft(bits))) => args[0] << bits,
                         Op::Comb(op) => op.value(&args, &types, node.ty),
                         _ => known(op, &args, step.phase).unwrap_or_else(|why| panic!("{}: {why}", node.path)),
                     }
@@ -64,7 +66,6 @@ impl Evaluator {
             };
             self.values[step.node * interval + step.phase] = value;
         }
-        self.flat.steps = steps;
     }
 
     /// Value of a flat node in a phase, after [`Evaluator::run`].

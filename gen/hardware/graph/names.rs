@@ -96,9 +96,11 @@ fn place(unit: &Unit, readers: &[Vec<usize>], i: usize) -> Place {
             let reading = &unit.nodes[reader];
             let at: Vec<usize> = (0..reading.args.len()).filter(|k| reading.args[*k].0 == i).collect();
             let mut above = place(unit, readers, reader);
+            // A resize that goes into an instance is called after the port, and does not end so.
             if matches!(reading.op, Op::Comb(Comb::Resize(_))) && !reading.named {
-                let at = above.suffix.rfind("_resized").expect("the reader's own role");
-                above.suffix.replace_range(at..at + "_resized".len(), "");
+                if let Some(at) = above.suffix.rfind("_resized") {
+                    above.suffix.replace_range(at..at + "_resized".len(), "");
+                }
             }
             if let Op::Instance(child) = &reading.op {
                 let port = &child.node(child.inputs[at[0]]).place;

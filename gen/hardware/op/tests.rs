@@ -35,20 +35,37 @@ fn every_operation_has_samples_of_its_own_role() {
     assert_eq!(roles.len(), names.len(), "{roles:?}");
 }
 
+/// All ranges of values of a type.
+fn subranges(ty: &Type) -> Vec<Range> {
+    let (least, most) = ty.limits();
+    (least..=most).flat_map(|lo| (lo..=most).map(move |hi| (lo, hi))).collect()
+}
+
+/// The range of single values is the value, at the least, and a range only grows when one of an operand does. So whatever
+/// the ranges of operands are, all values of them are in the range of the result.
 #[test]
-fn values_lie_in_the_range_of_their_operands() {
+fn ranges_of_operations_enclose_their_values() {
     for Case { op, types, to } in cases() {
         for args in operands(&types) {
             let value = op.value(&args, &types, to);
-            // Of every operand the values from this one up, and of single values alone.
-            let up: Vec<Range> = args.iter().zip(&types).map(|(x, ty)| (*x, ty.limits().1)).collect();
             let alone: Vec<Range> = args.iter().map(|x| (*x, *x)).collect();
-            for ranges in [up, alone] {
-                let (least, most) = op.range(&ranges, &types, to);
-                // Others are refused when a unit is built.
-                let fits = to.holds((least, most));
-                let within = (least..=most).contains(&value);
-                assert!(within || !fits, "{op:?} of {args:?} is {value}, range {least} to {most}");
+            let (least, most) = op.range(&alone, &types, to);
+            // What does not fit is refused when a unit is built.
+            assert!((least..=most).contains(&value) || !to.holds((least, most)), "{op:?} of {args:?} is {value}");
+        }
+        let all = types.iter().map(subranges).fold(vec![vec![]], |all: Vec<Vec<Range>>, each| {
+            all.iter().flat_map(|ranges| each.iter().map(|r| [&ranges[..], &[*r]].concat())).collect()
+        });
+        for ranges in all {
+            let (least, most) = op.range(&ranges, &types, to);
+            for k in (0..types.len()).filter(|k| ranges[*k].0 < ranges[*k].1) {
+                let (lo, hi) = ranges[k];
+                for part in [(lo + 1, hi), (lo, hi - 1)] {
+                    let mut parts = ranges.clone();
+                    parts[k] = part;
+                    let (lo, hi) = op.range(&parts, &types, to);
+                    assert!(least <= lo && hi <= most || !to.holds((least, most)), "{op:?} of {ranges:?}, {parts:?}");
+                }
             }
         }
     }
