@@ -5,6 +5,7 @@
 
 mod entity;
 mod fold;
+pub mod lint;
 mod names;
 mod package;
 mod shape;

@@ -7,6 +7,7 @@ use crate::design::Design;
 use crate::params::stream::{StreamFormat, StreamWidth};
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
+use efsat_hardware::vhdl::lint::{Finding, lint};
 
 /// Pairs in the vector file: some seconds of simulation.
 const PAIRS: usize = 256;
@@ -17,6 +18,9 @@ pub enum DesignFilesError {
     /// A name that is no legal VHDL.
     #[error("names: {0}")]
     Name(#[from] Clash),
+    /// A text that the target's tools would not take.
+    #[error("lint: {0}")]
+    Lint(Finding),
 }
 
 /// A line of the table of files.
@@ -76,6 +80,13 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
     describe(lists.wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
     example::add(&mut set, design, &format, &lists, command_line);
     describe("example", "The wrapped unit behind a UART, a whole design, and its testbench.");
+
+    let synthesised = lists.synthesised();
+    let texts: Vec<(&str, &str)> =
+        synthesised.iter().filter_map(|name| set.get(name).map(|text| (name.as_ref(), text))).collect();
+    if let Some(finding) = lint(&texts).into_iter().next() {
+        return Err(DesignFilesError::Lint(finding));
+    }
 
     let [unit_bench, stream_bench, _] = &lists.benches;
     set.insert(&unit_bench.file, testbench::text(design, &origin));

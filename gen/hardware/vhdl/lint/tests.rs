@@ -1,237 +1,155 @@
-//! One bad example a rule, each a good pair of files with one thing changed.
+//! Good files that every rule passes, and for each rule changes of them that it does not.
 
 use super::*;
 use std::collections::BTreeSet;
 
-const MULTIPLY: &str = "\
-library ieee;
+const FILES: [(&str, &str); 3] = [("types_pkg.vhd", TYPES), ("multiply.vhd", MULTIPLY), ("top.vhd", TOP)];
+
+const TYPES: &str = "library ieee;
+use ieee.numeric_std.all;
+package types_pkg is
+  type interval_t is record
+    lo, hi : signed(7 downto 0);
+  end record interval_t;
+  type vectors_t is array (0 to 5, 0 to 2) of interval_t;
+end package types_pkg;
+";
+
+const MULTIPLY: &str = "library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-
 entity multiply is
-  port (
-    clk : in std_logic;
-    in_a : in std_logic_vector(7 downto 0);  -- s8.0
-    in_b : in std_logic_vector(7 downto 0);
-    p : out std_logic_vector(15 downto 0)
-  );
+  port (clk : in std_logic; factor, other : in signed(7 downto 0); p : out signed(15 downto 0));
 end entity multiply;
-
-architecture rtl of multiply is
-  signal a_high : signed(3 downto 0);
-  signal product_p : signed(11 downto 0) := (others => '0');
-begin
-  a_high <= signed(in_a(7 downto 4));
-
+architecture rtl of multiply is begin
   clock_1 : process (clk)
   begin
-    if rising_edge(clk) then
-      product_p <= a_high * signed(in_b);
-    end if;
+    if rising_edge(clk) then  -- s8.0
+      p <= factor * other; end if;
   end process clock_1;
-
-  p <= std_logic_vector(resize(product_p, 16));
 end architecture rtl;
 ";
 
-const TOP: &str = "\
-library ieee;
+const TOP: &str = "library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
-
+use work.types_pkg.all;
 entity top is
-  port (
-    clk : in std_logic;
-    reset : in std_logic;
-    in_x : in std_logic_vector(7 downto 0);
-    in_y : in std_logic_vector(7 downto 0);
-    flag : out std_logic;
-    z : out std_logic_vector(15 downto 0)
-  );
+  port (clk : in std_logic; aresetn : in std_logic; operand : in signed(7 downto 0);
+        flags : out std_logic_vector(1 downto 0); p : out signed(15 downto 0));
 end entity top;
-
 architecture rtl of top is
-  type words is array (0 to 3) of unsigned(7 downto 0);
-  signal memory : words := (others => (others => '0'));
-  signal x_r : signed(7 downto 0) := (others => '0');
-  signal y_r : signed(7 downto 0) := (others => '0');
-  signal state : std_logic := '1';
-  signal level : unsigned(1 downto 0) := (others => '0');
-  signal below : std_logic;
-  signal chosen : std_logic;
-  signal part_p : std_logic_vector(15 downto 0);
+  constant text : string := \"wait?\" & character'('?');
+  type state_of is (idle, busy);
+  type line_t is array (1 to 4) of vectors_t;
+  signal state : state_of := idle;
+  signal product : signed(15 downto 0);
+  signal data : signed(7 downto 0) := (others => '0');
+  signal vectors : vectors_t;
+  signal level : unsigned(1 downto 0) := \"00\";
 begin
-  below <= '1' when x_r < y_r else '0';
-  with level select chosen <= below when \"01\", not below when others;
-
-  part : entity work.multiply
-    port map (
-      clk => clk,
-      in_a => std_logic_vector(x_r),
-      in_b => std_logic_vector(y_r),
-      p => part_p
-    );
-
+  flags <= level(1) & '1' when state = idle and level /= \"10\" else std_logic_vector'('0' & '1');  -- wait, after
+  p <= product;
+  unit : entity work.multiply
+    port map (clk => clk, factor => vectors(0, 1).lo, other => data, p => product);
   registers : process (clk)
   begin
     if rising_edge(clk) then
-      x_r <= signed(in_x);
-      y_r <= -signed(in_y);
-      memory(to_integer(level)) <= unsigned(in_x);
-      if reset = '1' then
-        state <= '1';
-        level <= \"00\";
-      elsif below = '1' then
-        state <= not state;
-      else
-        case level is
-          when \"00\" => level <= \"01\";
-          when others => null;
-        end case;
-      end if;
+      if state = idle then null; else data <= operand; end if;
+      if aresetn = '0' then level <= \"00\"; elsif state = busy then level <= level + 1; data <= operand; end if;
+      for i in 0 to 2 loop vectors(0, i).lo <= data; vectors(0, i).hi <= data; end loop;
+      case state is
+        when idle => state <= busy;
+        when others => case level is when \"01\" => state <= idle; when others => null; end case;
+      end case;
     end if;
   end process registers;
-
-  flag <= state and chosen;
-  z <= part_p;
 end architecture rtl;
 ";
 
-fn findings(multiply: &str, top: &str) -> Vec<Finding> {
-    lint(&[("multiply.vhd", multiply), ("top.vhd", top)])
+/// Rule, a snippet of the good files, and what stands in its place: `\t` a tab, `\s` a blank, `\l` many of them.
+const BAD: &str = r#"
+characters | -- s8.0 | -- 8 µm
+characters | -- s8.0 | \t-- s8.0
+characters | -- s8.0 | -- s8.0\s
+line-length | p <= product; | p <= \l product;
+names | state_of | wire
+names | signal data | signal reg
+names | vectors_t is | vectors__t is
+libraries | library ieee; | library ieee, unisim;
+libraries | use ieee.numeric_std.all; | use ieee.std_logic_arith.all;
+libraries | use work.types_pkg.all; | use work.types_pkg.all; use std.textio.all;
+constructs | p <= product; | p <= product after 1 ns;
+constructs | state <= busy; | wait for 10 ns;
+constructs | p : out | p : inout
+constructs | type state_of | shared variable count : natural; type state_of
+constructs | type state_of | constant volts : real := 1.0; type state_of
+constructs | type state_of | component multiply is end component; type state_of
+constructs | product | \product\
+constructs | state = idle and | (level ?= "00") = '1' and
+constructs | -- s8.0 | /* s8.0 */
+constructs | flags <= level(1) | flags <= or level
+constructs | registers : process (clk) | registers : process (all)
+direct-entity | unit : entity work.multiply | unit : multiply
+direct-entity | unit : entity work.multiply | unit : entity other.multiply
+named-association | clk => clk, factor | clk, factor
+clocked-process | registers : process (clk) | registers : process (clk, aresetn)
+clocked-process | clk : in std_logic; a | clock : in std_logic; a
+clocked-process | if rising_edge(clk) then | if clk = '0' then null; elsif rising_edge(clk) then
+clocked-process | end process registers; | level <= "00"; end process registers;
+clocked-process | end process registers; | if state = idle then null; end if; end process registers;
+clocked-process | other; end if; | other; else null; end if;
+clocked-process | p <= product; | p <= product when rising_edge(clk);
+product | factor * other; | factor * other + 1;
+product | p <= factor * other; | if factor > other then p <= factor * other; end if;
+product | end process clock_1; | end process clock_1; q <= factor;
+product | p <= product; | p <= data * data;
+reset | level <= "00"; | level <= "00"; data <= operand;
+reset | level <= "00"; | if level = "01" then p <= product; end if;
+reset | level <= "00"; | for i in 0 to 2 loop vectors(0, i).lo <= data; end loop;
+reset | level <= "00"; | if level = "01" then null; else data <= operand; end if;
+reset | level <= "00"; | case level is when others => data <= operand; end case;
+reset | elsif state = busy | elsif state = busy or aresetn = '0'
+dimensions | type vectors_t is array (0 to 5, | type vectors_t is array (0 to 5, 0 to 1,
+dimensions | type line_t is array (1 to 4) | type line_t is array (1 to 4, 0 to 1)
+record-fields | hi : signed(7 downto 0) | hi : signed
+record-fields | hi : signed(7 downto 0) | hi : std_logic_vector
+case-others | when others => null; |
+case-others | when others => case | when busy => case
+"#;
+
+fn findings(from: &str, to: &str) -> Vec<Finding> {
+    let texts = FILES.map(|(name, text)| (name, text.replace(from, to)));
+    lint(&texts.each_ref().map(|(name, text)| (*name, text.as_str())))
 }
 
 #[test]
-fn good_files_pass() {
-    assert_eq!(findings(MULTIPLY, TOP), []);
-}
-
-/// Rule, text of a good file, and what stands there in its place.
-const BAD: [(&str, &str, &str); 62] = [
-    ("ascii", "-- s8.0", "-- 8 \u{b5}m"),
-    ("ascii", "-- s8.0", "-- \u{1}"),
-    ("names", "below", "label"),
-    ("names", "below", "Priority"),
-    ("names", "below", "_below"),
-    ("names", "below", "be__low"),
-    ("names", "chosen", "X_R"),
-    ("names", "registers", "memory"),
-    ("names", "part :", "level :"),
-    ("names", "below", "\\below\\"),
-    ("libraries", "use ieee.numeric_std.all", "use ieee.std_logic_arith.all"),
-    ("libraries", "use ieee.numeric_std.all", "use ieee.std_logic_unsigned.all"),
-    ("libraries", "use ieee.numeric_std.all", "use std.textio.all"),
-    ("libraries", "library ieee;", "library ieee, unisim;"),
-    ("constructs", "a_high <= signed(in_a(7 downto 4));", "a_high <= signed(in_a(7 downto 4)) after 1 ns;"),
-    ("constructs", "signal a_high", "shared variable a_high"),
-    ("constructs", "signal below : std_logic;", "signal below : std_logic; constant volts : real := 1.0;"),
-    ("constructs", "state <= not state;", "wait for 10 ns;"),
-    ("constructs", "signal below : std_logic;", "signal below : std_logic; component multiply is end component;"),
-    ("constructs", "signal below : std_logic;", "signal below : std_logic; function f return bit;"),
-    ("constructs", "library ieee;", "context ieee.ieee_std_context;"),
-    ("vhdl-2008", "not below when others", "?? below when others"),
-    ("vhdl-2008", "x_r < y_r", "(x_r ?= y_r) = '1'"),
-    ("vhdl-2008", "\"01\", not", "2d\"1\", not"),
-    ("vhdl-2008", "\"01\", not", "8x\"01\", not"),
-    ("vhdl-2008", "\"01\", not", "ux\"01\", not"),
-    ("vhdl-2008", "flag <= state and", "flag <= or level and"),
-    ("vhdl-2008", "process (clk)", "process (all)"),
-    ("vhdl-2008", "case level is", "case? level is"),
-    ("vhdl-2008", "flag <= ", "one : if true generate else generate end generate; flag <= "),
-    ("vhdl-2008", "-- s8.0", "/* s8.0 */"),
-    ("vhdl-2008", "below <= '1' when x_r < y_r else '0'", "below <= << signal .top.part.a_high : std_logic >>"),
-    ("choice-in-process", "state <= not state", "state <= '1' when below = '0' else '0'"),
-    ("choice-in-process", "state <= not state", "with below select state <= '1' when '1', '0' when others"),
-    ("ports", "in_a : in std_logic_vector(7 downto 0)", "in_a : in signed(7 downto 0)"),
-    ("ports", "p : out", "p : inout"),
-    ("ports", "p : out", "p : buffer"),
-    ("ports", "reset : in std_logic", "reset : in std_logic := '0'"),
-    ("out-port-read", "z <= part_p", "z <= part_p or z"),
-    ("out-port-read", "state <= not state", "state <= not FLAG"),
-    ("direct-entity", "entity work.multiply", "multiply"),
-    ("direct-entity", "entity work.multiply", "entity other.multiply"),
-    ("named-association", "clk => clk,", "clk,"),
-    ("clocked-process", "rising_edge", "falling_edge"),
-    ("clocked-process", "if rising_edge(clk) then", "if clk'event and clk = '1' then"),
-    ("clocked-process", "  end process registers", "    state <= '0';\n  end process registers"),
-    ("asynchronous-reset", "registers : process (clk)", "registers : process (clk, reset)"),
-    ("asynchronous-reset", "registers : process (clk)", "registers : process"),
-    ("initial-value", "signal x_r : signed(7 downto 0) := (others => '0')", "signal x_r : signed(7 downto 0)"),
-    ("initial-value", "signal below : std_logic", "signal below : std_logic := '0'"),
-    ("reset-value", "state : std_logic := '1'", "state : std_logic := '0'"),
-    ("reset-value", "level <= \"00\";", "level <= \"10\";"),
-    ("product", "a_high * signed(in_b)", "resize(a_high * signed(in_b), 12)"),
-    ("product", "a_high * signed(in_b)", "a_high * signed(in_b) + 1"),
-    ("product", "p <= std_logic_vector(resize(product_p, 16))", "p <= std_logic_vector(signed(in_a) * signed(in_b))"),
-    ("product", "product_p <= a_high", "if reset = '1' then product_p <= (others => '0'); end if; product_p <= a_high"),
-    ("aggregate", "x_r < y_r else", "x_r = (others => '0') else"),
-    ("case-others", "when others => null;", ""),
-    ("bound", "entity work.multiply", "entity work.multiplier"),
-    ("one-driver", "z <= part_p;", "z <= part_p; below <= x_r(0);"),
-    ("declared", "state <= not state", "reset <= not state"),
-    ("product-operand", "in_b => std_logic_vector(y_r)", "in_b => std_logic_vector(-y_r)"),
-];
-
-/// More of the rules that see all files.
-const ACROSS: [(&str, &str, &str); 6] = [
-    ("bound", "      in_b => std_logic_vector(y_r),\n", ""),
-    ("bound", "clk => clk,", "clk => clk, c => open,"),
-    ("one-driver", "z <= part_p;", ""),
-    ("one-driver", "z <= part_p;", "z <= part_p; part_p <= (others => '0');"),
-    ("product-operand", "a_high <= signed(in_a(7 downto 4));", "a_high <= signed(in_a(7 downto 4)) + 1;"),
-    ("product-operand", "in_a => std_logic_vector(x_r)", "in_a => std_logic_vector(chosen & x_r(6 downto 0))"),
-];
-
-#[test]
-fn every_bad_example_is_caught_by_its_rule() {
-    let mut missed = vec![];
-    for (rule, from, to) in BAD.iter().chain(&ACROSS) {
-        let (multiply, top) = (MULTIPLY.replacen(from, to, 1), TOP.replace(from, to));
-        assert!(multiply != MULTIPLY || top != TOP, "{from} stands nowhere");
-        let found = findings(&multiply, &top);
-        if !found.iter().any(|f| f.rule == *rule) {
-            missed.push(format!("{rule}: {to}: {found:?}"));
-        }
+fn good_files_pass_and_every_rule_catches_its_bad_examples() {
+    assert_eq!(lint(&FILES), []);
+    let mut names = BTreeSet::new();
+    for example in BAD.trim().lines() {
+        let parts: Vec<&str> = example.split('|').map(str::trim).collect();
+        let (rule, from, to) = (parts[0], parts[1], parts[2]);
+        assert!(FILES.iter().any(|(_, text)| text.contains(from)), "{from} stands nowhere");
+        let to = to.replace(r"\t", "\t").replace(r"\s", " ").replace(r"\l", &" ".repeat(200));
+        let found = findings(from, &to);
+        assert!(found.iter().any(|finding| finding.rule == rule), "{example}: {found:?}");
+        names.insert(rule);
     }
-    assert!(missed.is_empty(), "{}", missed.join("\n"));
+    assert_eq!(names, rules().iter().map(|rule| rule.0).collect(), "every rule has a bad example");
 }
 
 #[test]
-fn every_rule_has_a_bad_example() {
-    let rules: BTreeSet<&str> = rules().iter().map(|rule| rule.0).collect();
-    let examples: BTreeSet<&str> = BAD.iter().chain(&ACROSS).map(|example| example.0).collect();
-    assert_eq!(rules, examples);
-}
-
-/// What is not generated today and is good all the same.
-#[test]
-fn attributes_loops_and_generates_pass() {
-    let declared =
-        "signal below : std_logic;\n  attribute keep : string;\n  attribute keep of below : signal is \"true\";";
-    let looped = "for i in 0 to 2 loop memory(i + 1) <= memory(i); end loop; memory(0) <= unsigned(in_x)";
-    let top = TOP
-        .replace("signal below : std_logic;", declared)
-        .replace("memory(to_integer(level)) <= unsigned(in_x)", looped)
-        .replace(
-            "  flag <= state and chosen;",
-            "  always_on : if true generate\n    flag <= state and chosen;\n  end generate;",
-        );
-    assert_eq!(findings(MULTIPLY, &top.replace("always_on", "one")), []);
-}
-
-#[test]
-fn a_finding_is_told_by_file_line_and_rule() {
-    let top = TOP.replace("z <= part_p;", "z <= part_p or z;");
-    let found: Vec<String> = findings(MULTIPLY, &top).iter().map(ToString::to_string).collect();
-    assert_eq!(found, ["top.vhd:59: out-port-read: z is read"]);
+fn a_finding_is_told_by_file_line_and_what_is_expected() {
+    let found = findings("hi : signed(7 downto 0)", "hi : signed").remove(0);
+    assert_eq!(found.to_string(), "types_pkg.vhd:5: signed without a range; expected a range");
 }
 
 #[test]
 fn any_text_is_read_to_its_end() {
-    for end in 0..TOP.len() {
-        lint(&[("top.vhd", &TOP[..end])]);
-        lint(&[("top.vhd", &TOP[end..])]);
+    for text in [TYPES, MULTIPLY, TOP, "x'('1'&\"open\n'", "'\u{e9}'\u{e9}\"\u{e9}--", "type a is array (a of a"] {
+        for (at, _) in text.char_indices() {
+            lint(&[("begin.vhd", &text[..at]), ("end.vhd", &text[at..])]);
+        }
     }
-    let loops = TOP.replace("z <= part_p;", "z <= part_p; below <= chosen;").replace("x_r < y_r else '0'", "below");
-    assert!(!findings(MULTIPLY, &loops).is_empty());
 }
