@@ -19,6 +19,6 @@ mod scenes;
 mod schedule;
 mod stream;
 mod stress;
-//str mod strict;
+mod strict;
 mod synth;
 mod wall;

@@ -88,8 +88,8 @@ struct Lowered<'a> {
     out: Module,
     /// The signal of each node in the clock in which its value is first there.
     base: Vec<Option<SignalId>>,
-    /// Later copies, by node and clocks after the first.
-    copies: BTreeMap<(usize, i32), SignalId>,
+    /// Later copies, by the signal that carries a value first and clocks after that.
+    copies: BTreeMap<(SignalId, i32), SignalId>,
     strobes: Vec<SignalId>,
     selects: BTreeMap<(usize, i32, Digits), SignalId>,
     phase: Option<SignalId>,
@@ -396,10 +396,11 @@ impl Lowered<'_> {
     }
 
     fn delayed(&mut self, i: usize, clocks: i32) -> SignalId {
+        let base = self.base[i].expect("operands come first");
         if clocks == 0 {
-            return self.base[i].expect("operands come first");
+            return base;
         }
-        if let Some(id) = self.copies.get(&(i, clocks)) {
+        if let Some(id) = self.copies.get(&(base, clocks)) {
             return *id;
         }
         let before = self.delayed(i, clocks - 1);
@@ -415,7 +416,7 @@ impl Lowered<'_> {
         let signal = &mut self.out.signals;
         signal[id.0].ty = signal[base.0].ty;
         signal[id.0].comment.clear();
-        self.copies.insert((i, clocks), id);
+        self.copies.insert((base, clocks), id);
         id
     }
 
@@ -423,18 +424,19 @@ impl Lowered<'_> {
     fn hold(&mut self, i: usize, earliest: i32, latest: i32) -> SignalId {
         let i = self.carrier(i);
         let slot = self.schedule.slots[i];
-        let known = self.copies.range((i, earliest - slot.from)..=(i, latest - slot.from)).next_back();
+        let base = self.base[i].expect("operands come first");
+        let known = self.copies.range((base, earliest - slot.from)..=(base, latest - slot.from)).next_back();
         if let Some((_, id)) = known {
             return *id;
         }
-        let mut source = self.base[i].expect("operands come first");
+        let mut source = base;
         let (mut from, mut until) = (slot.from, slot.until);
         loop {
             let at = until.min(latest);
             let name = || self.unit.nodes[i].name();
             assert!(at > from, "{}: {} cannot be held from {earliest} to {latest}: {slot:?}", self.unit.name, name());
             let clocks = at - slot.from;
-            source = match self.copies.get(&(i, clocks)) {
+            source = match self.copies.get(&(base, clocks)) {
                 Some(id) => *id,
                 None => {
                     let enable = self.strobe(at - 1);

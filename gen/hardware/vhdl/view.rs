@@ -253,7 +253,10 @@ impl<'a> View<'a> {
         if let (Driver::Combinational { op: Comb::Constant(c), .. }, None) = (&signal.driver, &self.names[id.0]) {
             return Expression::Number(c.0, signal.ty);
         }
-        let Some(name) = &self.names[id.0] else { return self.driven(id) };
+        let Some(name) = &self.names[id.0] else {
+            assert!(self.inlined[id.0], "{}: {} is not declared", self.module.name, signal.name());
+            return self.driven(id);
+        };
         let name = Expression::Name(name.clone());
         let port = matches!(signal.driver, Driver::Port);
         match (self.raw && port && !signal.ty.is_flag(), signal.ty.signed) {
