@@ -1,15 +1,24 @@
-//! Reads the generated VHDL: which line assigns what, and the types of all names. The text has few and regular forms,
-//! one statement or one arm of a choice a line.
+//! Reads the printed VHDL: the types of names, and of which tokens each statement is made.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
-/// What a line does.
+/// A word, number, literal or sign, and where it begins.
+#[derive(Clone, Copy, Debug)]
+pub struct Token<'a> {
+    /// What is written.
+    pub text: &'a str,
+    /// Where.
+    pub at: usize,
+}
+
+/// What a statement does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// `constant c : t := v;`.
-    Constant,
-    /// A concurrent assignment, or an arm of one.
-    Concurrent,
+    /// `constant x_table : t := v;`.
+    Table,
+    /// An assignment outside clocked processes, or what a function returns.
+    Value,
     /// An assignment at a clock edge.
     Register,
     /// The value of a register in reset.
@@ -20,125 +29,308 @@ pub enum Role {
     Actual,
 }
 
-/// A line that does something.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Statement {
-    /// Line of the file, from 1.
-    pub line: usize,
+/// What may be changed.
+#[derive(Clone, Debug)]
+pub struct Statement<'a> {
     /// What it does.
     pub role: Role,
-    /// What is assigned; of a condition the first signal assigned under it; of an actual `instance.port`.
+    /// What is assigned, with fields and without indices; of a condition the first name assigned under it; of a function
+    /// its name; of an actual `instance.port`.
     pub target: String,
-    /// Where in the line the part that may be changed begins and ends.
-    pub span: (usize, usize),
+    /// The name assigned, if it is assigned as a whole; of an actual the unit.
+    pub name: &'a str,
+    /// Which of the scopes its names are in.
+    pub scope: usize,
+    /// The tokens of the expression.
+    pub tokens: Range<usize>,
 }
 
-/// The text of an entity, read.
+/// A port, signal, constant, variable or parameter.
+#[derive(Clone, Copy, Debug)]
+pub struct Name<'a> {
+    /// Its type as it is written.
+    pub ty: &'a str,
+    /// Place in the order of declarations.
+    pub order: usize,
+    /// An output, which cannot be read.
+    pub out: bool,
+}
+
+/// A type of the text.
+#[derive(Debug)]
+enum Type<'a> {
+    Record(Vec<(&'a str, &'a str)>),
+    Array(i64, i64, &'a str),
+}
+
+/// A file, read.
 #[derive(Debug)]
 pub struct Source<'a> {
-    /// All lines.
-    pub lines: Vec<&'a str>,
-    /// Types of ports, signals and constants, and the order in which they are declared.
-    pub types: HashMap<&'a str, (&'a str, usize)>,
-    /// The lines of the architecture that do something.
-    pub statements: Vec<Statement>,
+    /// The whole text.
+    pub text: &'a str,
+    /// All of it but comments.
+    pub tokens: Vec<Token<'a>>,
+    /// Names of the entity at 0, then those of each function of a package.
+    pub scopes: Vec<HashMap<&'a str, Name<'a>>>,
+    /// All that may be changed.
+    pub statements: Vec<Statement<'a>>,
+    types: HashMap<&'a str, Type<'a>>,
 }
 
-/// The text before a comment.
-fn code(line: &str) -> &str {
-    line.split("--").next().unwrap_or_default().trim_end()
+/// Splits a text.
+fn tokens(text: &str) -> Vec<Token<'_>> {
+    let (mut found, mut at) = (vec![], 0);
+    let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    while let Some(first) = text[at..].chars().next() {
+        let rest = &text[at..];
+        let comment = rest.starts_with("--");
+        let length = match first {
+            _ if comment => rest.find('\n').unwrap_or(rest.len()),
+            c if word(c) => rest.find(|c| !word(c)).unwrap_or(rest.len()),
+            '"' => rest[1..].find('"').map_or(rest.len(), |end| end + 2),
+            '\'' if rest.get(2..).is_some_and(|rest| rest.starts_with('\'')) => 3,
+            _ if ["<=", ":=", "=>", "/="].iter().any(|sign| rest.starts_with(sign)) => 2,
+            c => c.len_utf8(),
+        };
+        if !comment && !first.is_whitespace() {
+            found.push(Token { text: &rest[..length], at });
+        }
+        at += length;
+    }
+    found
+}
+
+/// The ends of the range of `signed(17 downto 0)` and the like, the lower one first.
+fn range(ty: &str) -> Option<(i64, i64)> {
+    let inside = ty.split_once('(')?.1.strip_suffix(')')?;
+    let (a, b) = inside.split_once(" downto ").or_else(|| inside.split_once(" to "))?;
+    let (a, b) = (a.parse::<i64>().ok()?, b.parse::<i64>().ok()?);
+    Some((a.min(b), a.max(b)))
 }
 
 impl<'a> Source<'a> {
-    /// Reads the file of an entity.
+    /// Reads a file.
     pub fn new(text: &'a str) -> Self {
-        let mut source = Self { lines: text.lines().collect(), types: HashMap::new(), statements: vec![] };
-        let body = source.lines.iter().position(|line| line.starts_with("architecture ")).unwrap_or(source.lines.len());
-        for i in 0..source.lines.len() {
-            source.declaration(i, i > body);
-        }
-        source.body(body);
+        let (tokens, scopes) = (tokens(text), vec![HashMap::new()]);
+        let mut source = Self { text, tokens, scopes, statements: vec![], types: HashMap::new() };
+        source.read();
         source
     }
 
-    /// The type of a name.
-    pub fn type_of(&self, name: &str) -> Option<&'a str> {
-        self.types.get(name).map(|t| t.0)
+    /// The text of a token, or nothing beyond the end.
+    pub fn word(&self, i: usize) -> &'a str {
+        self.tokens.get(i).map_or("", |token| token.text)
     }
 
-    /// A port, signal or constant.
-    fn declaration(&mut self, i: usize, inside: bool) {
-        let text = code(self.lines[i]).trim_start();
-        let Some((head, rest)) = text.split_once(" : ") else { return };
-        let words: Vec<&str> = head.split(' ').collect();
-        let name = match (inside, words.as_slice()) {
-            (false, [name]) => name,
-            (true, ["signal" | "constant", name]) => name,
-            _ => return,
-        };
-        let ty = rest.trim_end_matches(';').trim_start_matches("in ").trim_start_matches("out ");
-        let (ty, value) = ty.split_once(" := ").unwrap_or((ty, ""));
-        let order = self.types.len();
-        self.types.insert(name, (ty, order));
-        if words[0] == "constant" && !value.is_empty() {
-            let start = self.lines[i].find(" := ").unwrap_or_default() + 4;
-            let target = (*name).to_owned();
-            let span = (start, start + value.len());
-            self.statements.push(Statement { line: i + 1, role: Role::Constant, target, span });
+    /// Where some tokens stand in the text.
+    pub fn span(&self, tokens: &Range<usize>) -> Range<usize> {
+        let last = self.tokens[tokens.end - 1];
+        self.tokens[tokens.start].at..last.at + last.text.len()
+    }
+
+    /// Some tokens as they are written.
+    pub fn part(&self, tokens: &Range<usize>) -> &'a str {
+        if tokens.is_empty() { "" } else { &self.text[self.span(tokens)] }
+    }
+
+    /// The first of the given words from a token on that is not in brackets opened there, or the bracket that closes.
+    pub fn seek(&self, from: usize, words: &[&str]) -> usize {
+        let mut depth = 0;
+        for i in from..self.tokens.len() {
+            let word = self.word(i);
+            if depth == 0 && (words.contains(&word) || word == ")") {
+                return i;
+            }
+            depth += i32::from(word == "(") - i32::from(word == ")");
+        }
+        self.tokens.len()
+    }
+
+    /// What stands between the bracket at `open` and the one that closes it, split at `sign`; and the place after it.
+    pub fn list(&self, open: usize, sign: &str) -> (Vec<Range<usize>>, usize) {
+        let (mut items, mut from) = (vec![], open + 1);
+        loop {
+            let to = self.seek(from, &[sign]);
+            items.push(from..to);
+            if self.word(to) != sign {
+                return (items, to + 1);
+            }
+            from = to + 1;
         }
     }
 
-    /// Assignments, conditions and port maps below line `start`.
-    fn body(&mut self, start: usize) {
-        let (mut open, mut label, mut clocked, mut reset) = (None::<String>, "", false, false);
-        for i in start..self.lines.len() {
-            let line = code(self.lines[i]);
-            let text = line.trim_start();
-            let indent = line.len() - text.len();
-            let mut add = |role, target: String, from: usize, to: usize| {
-                self.statements.push(Statement { line: i + 1, role, target, span: (from, to) });
+    /// The range of a type's indices and the type of its elements.
+    pub fn array(&self, package: &Self, ty: &'a str) -> Option<(i64, i64, &'a str)> {
+        match self.types.get(ty).or_else(|| package.types.get(ty)) {
+            Some(Type::Array(low, high, element)) => Some((*low, *high, element)),
+            Some(Type::Record(_)) => None,
+            None => range(ty).map(|(low, high)| (low, high, "std_logic")),
+        }
+    }
+
+    /// The type of a field of a record.
+    pub fn field(&self, package: &Self, ty: &str, field: &str) -> Option<&'a str>
+    where
+        Self: 'a,
+    {
+        match self.types.get(ty).or_else(|| package.types.get(ty))? {
+            Type::Record(fields) => fields.iter().find(|(name, _)| *name == field).map(|(_, ty)| *ty),
+            Type::Array(..) => None,
+        }
+    }
+
+    /// The place after the indices and fields of a name.
+    pub fn selected(&self, name: usize) -> usize {
+        let mut i = name + 1;
+        loop {
+            i = match self.word(i) {
+                "(" => self.list(i, ",").1,
+                "." => i + 2,
+                _ => return i,
             };
-            let end = line.trim_end_matches([';', ',']).len();
-            if let Some(target) = &open {
-                let arm = text.strip_suffix(" else").map_or(end, |_| line.len() - " else".len());
-                add(Role::Concurrent, target.clone(), indent, arm);
-                if text.ends_with(';') {
-                    open = None;
-                }
-            } else if let Some((target, _)) = text.split_once(" <=") {
-                let target = target.split('(').next().unwrap_or(target).to_owned();
-                let from = indent + text.find(" <=").unwrap_or_default() + " <= ".len();
-                if from >= line.len() {
-                    open = Some(target);
-                } else {
-                    let role = match (clocked, reset) {
-                        (false, _) => Role::Concurrent,
-                        (true, false) => Role::Register,
-                        (true, true) => Role::Reset,
-                    };
-                    add(role, target, from, end);
-                }
-            } else if let Some((instance, _)) = text.split_once(" : entity work.") {
-                label = instance;
-            } else if let Some((formal, _)) = text.split_once(" => ") {
-                if formal != "clk" {
-                    add(Role::Actual, format!("{label}.{formal}"), indent + formal.len() + 4, end);
-                }
-            } else if text.contains(" : process") {
-                (clocked, reset) = (true, false);
-            } else if text.starts_with("end process") {
-                clocked = false;
-            } else if let Some(condition) = text.strip_suffix(" then") {
-                if !condition.contains("rising_edge") {
-                    reset = condition == "if reset = '1'";
-                    let next = self.lines[i + 1..].iter().find_map(|l| l.split_once(" <=")).map(|(t, _)| t.trim());
-                    let from = indent + condition.find(' ').unwrap_or_default() + 1;
-                    let target = next.unwrap_or_default().split('(').next().unwrap_or_default().to_owned();
-                    add(Role::Condition, target, from, indent + condition.len());
-                }
-            } else if text == "else" {
-                reset = false;
+        }
+    }
+
+    /// `a, b : [in|out] type [:= value]`; the place after the type.
+    fn declare(&mut self, from: usize) -> usize {
+        let colon = self.seek(from, &[":"]);
+        let out = self.word(colon + 1) == "out";
+        let start = colon + 1 + usize::from(out || self.word(colon + 1) == "in");
+        let end = self.seek(start, &[";", ":="]);
+        let ty = self.part(&(start..end));
+        for i in (from..colon).step_by(2) {
+            let scope = self.scopes.last_mut().expect("the entity's is the first");
+            let order = scope.len();
+            scope.insert(self.tokens[i].text, Name { ty, order, out });
+        }
+        end
+    }
+
+    /// A record or array; the place after it.
+    fn define(&mut self, name: usize) -> usize {
+        let kind = name + 2;
+        let (ty, end) = if self.word(kind) == "record" {
+            let (mut fields, mut i) = (vec![], kind + 1);
+            while self.word(i) != "end" {
+                let end = self.seek(i, &[";"]);
+                fields.push((self.word(i), self.part(&(i + 2..end))));
+                i = end + 1;
             }
+            (Type::Record(fields), i)
+        } else {
+            let (bounds, after) = self.list(kind + 1, ",");
+            let (low, high) = range(self.part(&(kind..after))).unwrap_or((0, i64::from(bounds.len() > 1)));
+            let end = self.seek(after, &[";"]);
+            (Type::Array(low, high, self.part(&(after + 1..end))), end)
+        };
+        self.types.insert(self.word(name), ty);
+        self.seek(end, &[";"])
+    }
+
+    /// All declarations and statements.
+    fn read(&mut self) {
+        let (mut i, mut label, mut unit, mut function) = (0, "", "", "");
+        let (mut clocked, mut reset) = (false, false);
+        while i < self.tokens.len() {
+            let add = |source: &mut Self, role, target: String, name, tokens| {
+                let scope = source.scopes.len() - 1;
+                source.statements.push(Statement { role, target, name, scope, tokens });
+            };
+            i = match (self.word(i), self.word(i + 1)) {
+                ("end", what) => {
+                    clocked &= what != "process";
+                    reset &= what != "if";
+                    self.seek(i, &[";"])
+                }
+                ("type", _) => self.define(i + 1),
+                ("signal" | "variable" | "constant", name) => {
+                    let from = self.declare(i + 1);
+                    let end = self.seek(from, &[";"]);
+                    if name.ends_with("_table") {
+                        add(self, Role::Table, name.to_owned(), "", from + 1..end);
+                    }
+                    end
+                }
+                ("function", name) => {
+                    function = name;
+                    self.scopes.push(HashMap::new());
+                    let (parameters, end) = self.list(i + 2, ";");
+                    parameters.iter().for_each(|parameter| {
+                        self.declare(parameter.start);
+                    });
+                    // `return type is`
+                    end + 2
+                }
+                ("port", "(") => {
+                    let (ports, end) = self.list(i + 1, ";");
+                    ports.iter().for_each(|port| {
+                        self.declare(port.start);
+                    });
+                    end
+                }
+                ("entity", "work") => {
+                    unit = self.word(i + 3);
+                    i + 4
+                }
+                ("port", "map") => {
+                    let (actuals, end) = self.list(i + 2, ",");
+                    for actual in actuals {
+                        let target = format!("{label}.{}", self.word(actual.start));
+                        add(self, Role::Actual, target, unit, actual.start + 2..actual.end);
+                    }
+                    end
+                }
+                ("for", _) => self.seek(i, &["generate", "loop"]) + 1,
+                ("process", _) => {
+                    clocked = true;
+                    i + 1
+                }
+                ("if" | "elsif", first) => {
+                    let end = self.seek(i, &["then"]);
+                    if first != "rising_edge" {
+                        reset = first == "reset";
+                        let mut next = end + 1;
+                        if self.word(next) == "for" {
+                            next = self.seek(next, &["loop"]) + 1;
+                        }
+                        let target = if function.is_empty() { self.word(next) } else { function };
+                        add(self, Role::Condition, target.to_owned(), "", i + 1..end);
+                    }
+                    end
+                }
+                ("else", _) => {
+                    reset = false;
+                    i + 1
+                }
+                ("return", _) => {
+                    let end = self.seek(i, &[";"]);
+                    add(self, Role::Value, function.to_owned(), "", i + 1..end);
+                    end
+                }
+                (name, ":") => {
+                    if name != "unit" {
+                        label = name;
+                    }
+                    i + 2
+                }
+                (name, _) => match self.scopes.last().and_then(|scope| scope.get(name)).copied() {
+                    Some(_) if matches!(self.word(self.selected(i)), "<=" | ":=") => {
+                        let sign = self.selected(i);
+                        let end = self.seek(sign, &[";"]);
+                        let role = match (clocked, reset) {
+                            (false, _) => Role::Value,
+                            (true, false) => Role::Register,
+                            (true, true) => Role::Reset,
+                        };
+                        let dot = (i + 1..sign).find(|k| self.word(*k) == ".");
+                        let field = dot.map_or(String::new(), |dot| format!(".{}", self.word(dot + 1)));
+                        let target = if function.is_empty() { format!("{name}{field}") } else { function.to_owned() };
+                        add(self, role, target, if sign == i + 1 { name } else { "" }, sign + 1..end);
+                        end
+                    }
+                    _ => i + 1,
+                },
+            };
         }
     }
 }
