@@ -56,13 +56,6 @@ pub struct Name<'a> {
     pub out: bool,
 }
 
-/// A type of the text.
-#[derive(Debug)]
-enum Type<'a> {
-    Record(Vec<(&'a str, &'a str)>),
-    Array(i64, i64, &'a str),
-}
-
 /// A file, read.
 #[derive(Debug)]
 pub struct Source<'a> {
@@ -74,7 +67,6 @@ pub struct Source<'a> {
     pub scopes: Vec<HashMap<&'a str, Name<'a>>>,
     /// All that may be changed.
     pub statements: Vec<Statement<'a>>,
-    types: HashMap<&'a str, Type<'a>>,
 }
 
 /// Splits a text.
@@ -100,19 +92,11 @@ fn tokens(text: &str) -> Vec<Token<'_>> {
     found
 }
 
-/// The ends of the range of `signed(17 downto 0)` and the like, the lower one first.
-fn range(ty: &str) -> Option<(i64, i64)> {
-    let inside = ty.split_once('(')?.1.strip_suffix(')')?;
-    let (a, b) = inside.split_once(" downto ").or_else(|| inside.split_once(" to "))?;
-    let (a, b) = (a.parse::<i64>().ok()?, b.parse::<i64>().ok()?);
-    Some((a.min(b), a.max(b)))
-}
-
 impl<'a> Source<'a> {
     /// Reads a file.
     pub fn new(text: &'a str) -> Self {
         let (tokens, scopes) = (tokens(text), vec![HashMap::new()]);
-        let mut source = Self { text, tokens, scopes, statements: vec![], types: HashMap::new() };
+        let mut source = Self { text, tokens, scopes, statements: vec![] };
         source.read();
         source
     }
@@ -159,26 +143,6 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The range of a type's indices and the type of its elements.
-    pub fn array(&self, package: &Self, ty: &'a str) -> Option<(i64, i64, &'a str)> {
-        match self.types.get(ty).or_else(|| package.types.get(ty)) {
-            Some(Type::Array(low, high, element)) => Some((*low, *high, element)),
-            Some(Type::Record(_)) => None,
-            None => range(ty).map(|(low, high)| (low, high, "std_logic")),
-        }
-    }
-
-    /// The type of a field of a record.
-    pub fn field(&self, package: &Self, ty: &str, field: &str) -> Option<&'a str>
-    where
-        Self: 'a,
-    {
-        match self.types.get(ty).or_else(|| package.types.get(ty))? {
-            Type::Record(fields) => fields.iter().find(|(name, _)| *name == field).map(|(_, ty)| *ty),
-            Type::Array(..) => None,
-        }
-    }
-
     /// The place after the indices and fields of a name.
     pub fn selected(&self, name: usize) -> usize {
         let mut i = name + 1;
@@ -206,27 +170,6 @@ impl<'a> Source<'a> {
         end
     }
 
-    /// A record or array; the place after it.
-    fn define(&mut self, name: usize) -> usize {
-        let kind = name + 2;
-        let (ty, end) = if self.word(kind) == "record" {
-            let (mut fields, mut i) = (vec![], kind + 1);
-            while self.word(i) != "end" {
-                let end = self.seek(i, &[";"]);
-                fields.push((self.word(i), self.part(&(i + 2..end))));
-                i = end + 1;
-            }
-            (Type::Record(fields), i)
-        } else {
-            let (bounds, after) = self.list(kind + 1, ",");
-            let (low, high) = range(self.part(&(kind..after))).unwrap_or((0, i64::from(bounds.len() > 1)));
-            let end = self.seek(after, &[";"]);
-            (Type::Array(low, high, self.part(&(after + 1..end))), end)
-        };
-        self.types.insert(self.word(name), ty);
-        self.seek(end, &[";"])
-    }
-
     /// All declarations and statements.
     fn read(&mut self) {
         let (mut i, mut label, mut unit, mut function) = (0, "", "", "");
@@ -242,7 +185,6 @@ impl<'a> Source<'a> {
                     reset &= what != "if";
                     self.seek(i, &[";"])
                 }
-                ("type", _) => self.define(i + 1),
                 ("signal" | "variable" | "constant", name) => {
                     let from = self.declare(i + 1);
                     let end = self.seek(from, &[";"]);

@@ -70,11 +70,6 @@ impl<'a> Editor<'a> {
         self.source.scopes[self.statement.scope].get(name).copied()
     }
 
-    /// The package whose types all files use.
-    fn package(&self) -> &'a Source<'a> {
-        self.sources.iter().find(|(unit, _)| unit.ends_with("_types")).map_or(self.source, |(_, source)| source)
-    }
-
     /// Changes of the statement as a whole.
     fn statement(&mut self, number: usize, late: u32) {
         let (source, whole) = (self.source, self.statement.tokens.clone());
@@ -136,7 +131,11 @@ impl<'a> Editor<'a> {
                 "when" => self.arm(i),
                 _ if self.word(i + 1) == "(" && self.known(word).is_none() => self.call(i),
                 _ if word.starts_with('"') || self.statement.role == Role::Table => self.entry(i),
-                _ if word.parse::<u64>().is_ok() => self.number(i),
+                _ if word.parse::<u64>().is_ok() => {
+                    if before == "=" || (matches!(before, "+" | "-") && word != "1") {
+                        self.next(i);
+                    }
+                }
                 _ if !reads || before == "." || self.word(i + 1) == "'" || self.known(word).is_none() => {}
                 _ => {
                     self.name(i);
@@ -219,28 +218,17 @@ impl<'a> Editor<'a> {
             ("negated_if", [flag, x]) => self.replace(Kind::Case, name..end, *x, format!("{flag} never negates")),
             ("abs_of", [x]) => self.replace(Kind::Operand, name..end, format!("unsigned({x})"), "magnitude without abs"),
             ("to_signed" | "to_unsigned", [_, _]) => {
-                let last = arguments[0].end - 1;
-                if let Ok(number) = self.word(last).parse::<u64>() {
-                    let old = parts[0];
-                    let new = (number + 1).to_string();
-                    self.replace(Kind::Constant, last..last + 1, &new, format!("{old} -> {}", old.replace(self.word(last), &new)));
-                }
+                self.next(arguments[0].end - 1);
             }
-            ("shift_left", [_, steps]) => {
-                if let Ok(number) = steps.parse::<u64>() {
-                    self.exchange(Kind::Constant, arguments[1].clone(), &(number + 1).to_string());
-                }
-            }
+            ("shift_left", [_, _]) => self.next(arguments[1].start),
             _ => {}
         }
     }
 
-    /// A number that is compared or added.
-    fn number(&mut self, i: usize) {
-        let compared = self.word(i - 1) == "=";
-        if compared || (matches!(self.word(i - 1), "+" | "-") && self.word(i) != "1") {
-            let next = self.word(i).parse::<u64>().map_or(0, |number| number + 1);
-            self.exchange(Kind::Constant, i..i + 1, &next.to_string());
+    /// One more than a number, if it is one.
+    fn next(&mut self, i: usize) {
+        if let Ok(number) = self.word(i).parse::<u64>() {
+            self.exchange(Kind::Constant, i..i + 1, &(number + 1).to_string());
         }
     }
 
@@ -305,42 +293,29 @@ impl<'a> Editor<'a> {
 
     /// Fields and indices of a name: the other bound, another component, bits one off. The next word to look at.
     fn selectors(&mut self, name: usize) -> usize {
-        let mut ty = self.known(self.word(name)).map_or("", |known| known.ty);
         let mut i = name + 1;
         loop {
             match self.word(i) {
                 "." => {
-                    let field = self.word(i + 1);
-                    let own = self.source.field(self.package(), ty, field).unwrap_or_default();
-                    if let Some(other) = [("lo", "hi"), ("hi", "lo")].iter().find(|(old, _)| *old == field).map(|(_, new)| new) {
-                        let cut = matches!(self.word(i + 2), "(" | ",");
-                        if cut || self.source.field(self.package(), ty, other) == Some(own) {
-                            let old = self.source.part(&(name..i + 2));
-                            self.replace(Kind::Bound, i + 1..i + 2, *other, format!("{old} -> .{other}"));
-                        }
+                    let other = if self.word(i + 1) == "lo" { "hi" } else { "lo" };
+                    if matches!(self.word(i + 1), "lo" | "hi") {
+                        let old = self.source.part(&(name..i + 2));
+                        self.replace(Kind::Bound, i + 1..i + 2, other, format!("{old} -> .{other}"));
                     }
-                    (ty, i) = (own, i + 2);
+                    i += 2;
                 }
                 "(" => {
                     let (inside, end) = self.source.list(i, ",");
-                    let Some((low, high, element)) = self.source.array(self.package(), ty) else { return i };
                     if inside[0].clone().any(|k| self.known(self.word(k)).is_some()) {
-                        // Read from a table or memory.
+                        // The index is a signal: it has names of its own.
                         return i;
                     }
                     let words: Vec<&str> = inside[0].clone().map(|k| self.word(k)).collect();
-                    let slice = words.contains(&"downto") || words.contains(&"to");
-                    if let Some(new) = moved(&words, low, high) {
-                        let line = self.word(name).ends_with("_line");
-                        let kind = match (line, element == "std_logic") {
-                            (true, _) => Kind::Delay,
-                            (false, true) => Kind::Constant,
-                            (false, false) => Kind::Operand,
-                        };
+                    if let Some(new) = moved(&words) {
+                        let kind = if self.word(name).ends_with("_line") { Kind::Delay } else { Kind::Constant };
                         let old = self.source.part(&(name..end));
                         self.replace(kind, inside[0].clone(), &new, format!("{old} -> ({new})"));
                     }
-                    ty = if slice { ty } else { element };
                     i = end;
                 }
                 _ => return i,
@@ -350,22 +325,18 @@ impl<'a> Editor<'a> {
 }
 
 /// An index or slice beside the one that is written.
-fn moved(index: &[&str], low: i64, high: i64) -> Option<String> {
-    let number = |word: &str| word.parse::<i64>().ok();
-    match index {
-        [n] => match number(n) {
-            Some(n) if n > low => Some((n - 1).to_string()),
-            Some(n) => (n < high).then(|| (n + 1).to_string()),
-            None => (high > low).then(|| format!("({n} + 1) mod {}", high + 1)),
-        },
+fn moved(index: &[&str]) -> Option<String> {
+    let number = |word: &str| word.parse::<u32>().ok();
+    Some(match index {
+        [n] => number(n).map_or(0, |n| n.checked_sub(1).unwrap_or(1)).to_string(),
         [h, "downto", l] => match (number(h)?, number(l)?) {
-            (h, l) if l > low => Some(format!("{} downto {}", h - 1, l - 1)),
-            (h, l) => (h < high).then(|| format!("{} downto {}", h + 1, l + 1)),
+            (h, 0) => format!("{} downto 1", h + 1),
+            (h, l) => format!("{} downto {}", h - 1, l - 1),
         },
-        [v, "+", n] => Some(format!("{v} + {}", number(n)? - 1)),
-        ["(", v, "+", n, ")", "mod", m] => Some(format!("({v} + {}) mod {m}", number(n)? - 1)),
-        _ => None,
-    }
+        [v, "+", n] => format!("{v} + {}", number(n)? - 1),
+        ["(", v, "+", n, ")", "mod", m] => format!("({v} + {}) mod {m}", number(n)? - 1),
+        _ => return None,
+    })
 }
 
 /// The name without `_d1`, `_h11` and the like.
