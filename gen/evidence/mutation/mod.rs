@@ -11,7 +11,7 @@ pub mod explained;
 pub mod model;
 pub mod rust;
 pub mod score;
-pub mod text;
+mod text;
 pub mod vectors;
 pub mod vhdl;
 

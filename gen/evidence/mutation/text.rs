@@ -3,15 +3,6 @@
 use std::collections::HashMap;
 use std::ops::Range;
 
-/// A word, number, literal or sign, and where it begins.
-#[derive(Clone, Copy, Debug)]
-pub struct Token<'a> {
-    /// What is written.
-    pub text: &'a str,
-    /// Where.
-    pub at: usize,
-}
-
 /// What a statement does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
@@ -32,7 +23,6 @@ pub enum Role {
 /// What may be changed.
 #[derive(Clone, Debug)]
 pub struct Statement<'a> {
-    /// What it does.
     pub role: Role,
     /// What is assigned, with fields and without indices; of a condition the first name assigned under it; of a function
     /// its name; of an actual `instance.port`.
@@ -45,32 +35,28 @@ pub struct Statement<'a> {
     pub tokens: Range<usize>,
 }
 
-/// A port, signal, constant, variable or parameter.
+/// The type of a port, signal, constant, variable or parameter, its place in the order of declarations, and whether it
+/// is an output, which cannot be read.
 #[derive(Clone, Copy, Debug)]
 pub struct Name<'a> {
-    /// Its type as it is written.
     pub ty: &'a str,
-    /// Place in the order of declarations.
     pub order: usize,
-    /// An output, which cannot be read.
     pub out: bool,
 }
 
 /// A file, read.
 #[derive(Debug)]
 pub struct Source<'a> {
-    /// The whole text.
     pub text: &'a str,
-    /// All of it but comments.
-    pub tokens: Vec<Token<'a>>,
+    /// Where words, numbers, literals and signs are; comments are left out.
+    tokens: Vec<Range<usize>>,
     /// Names of the entity at 0, then those of each function of a package.
     pub scopes: Vec<HashMap<&'a str, Name<'a>>>,
-    /// All that may be changed.
     pub statements: Vec<Statement<'a>>,
 }
 
 /// Splits a text.
-fn tokens(text: &str) -> Vec<Token<'_>> {
+fn tokens(text: &str) -> Vec<Range<usize>> {
     let (mut found, mut at) = (vec![], 0);
     let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
     while let Some(first) = text[at..].chars().next() {
@@ -85,7 +71,7 @@ fn tokens(text: &str) -> Vec<Token<'_>> {
             c => c.len_utf8(),
         };
         if !comment && !first.is_whitespace() {
-            found.push(Token { text: &rest[..length], at });
+            found.push(at..at + length);
         }
         at += length;
     }
@@ -95,21 +81,19 @@ fn tokens(text: &str) -> Vec<Token<'_>> {
 impl<'a> Source<'a> {
     /// Reads a file.
     pub fn new(text: &'a str) -> Self {
-        let (tokens, scopes) = (tokens(text), vec![HashMap::new()]);
-        let mut source = Self { text, tokens, scopes, statements: vec![] };
+        let mut source = Self { text, tokens: tokens(text), scopes: vec![HashMap::new()], statements: vec![] };
         source.read();
         source
     }
 
     /// The text of a token, or nothing beyond the end.
     pub fn word(&self, i: usize) -> &'a str {
-        self.tokens.get(i).map_or("", |token| token.text)
+        self.tokens.get(i).map_or("", |token| &self.text[token.clone()])
     }
 
     /// Where some tokens stand in the text.
     pub fn span(&self, tokens: &Range<usize>) -> Range<usize> {
-        let last = self.tokens[tokens.end - 1];
-        self.tokens[tokens.start].at..last.at + last.text.len()
+        self.tokens[tokens.start].start..self.tokens[tokens.end - 1].end
     }
 
     /// Some tokens as they are written.
@@ -120,14 +104,12 @@ impl<'a> Source<'a> {
     /// The first of the given words from a token on that is not in brackets opened there, or the bracket that closes.
     pub fn seek(&self, from: usize, words: &[&str]) -> usize {
         let mut depth = 0;
-        for i in from..self.tokens.len() {
-            let word = self.word(i);
-            if depth == 0 && (words.contains(&word) || word == ")") {
-                return i;
-            }
+        let ends = |i: &usize| {
+            let (word, at) = (self.word(*i), depth);
             depth += i32::from(word == "(") - i32::from(word == ")");
-        }
-        self.tokens.len()
+            at == 0 && (words.contains(&word) || word == ")")
+        };
+        (from..self.tokens.len()).find(ends).unwrap_or(self.tokens.len())
     }
 
     /// What stands between the bracket at `open` and the one that closes it, split at `sign`; and the place after it.
@@ -136,142 +118,113 @@ impl<'a> Source<'a> {
         loop {
             let to = self.seek(from, &[sign]);
             items.push(from..to);
-            if self.word(to) != sign {
-                return (items, to + 1);
-            }
             from = to + 1;
+            if self.word(to) != sign {
+                return (items, from);
+            }
         }
     }
 
     /// The place after the indices and fields of a name.
     pub fn selected(&self, name: usize) -> usize {
-        let mut i = name + 1;
-        loop {
-            i = match self.word(i) {
-                "(" => self.list(i, ",").1,
-                "." => i + 2,
-                _ => return i,
-            };
+        match self.word(name + 1) {
+            "(" => self.selected(self.list(name + 1, ",").1 - 1),
+            "." => self.selected(name + 2),
+            _ => name + 1,
         }
     }
 
-    /// `a, b : [in|out] type [:= value]`; the place after the type.
+    /// `a, b : [in|out] type`, the place after it.
     fn declare(&mut self, from: usize) -> usize {
         let colon = self.seek(from, &[":"]);
         let out = self.word(colon + 1) == "out";
         let start = colon + 1 + usize::from(out || self.word(colon + 1) == "in");
         let end = self.seek(start, &[";", ":="]);
-        let ty = self.part(&(start..end));
+        let (ty, scope) = (self.part(&(start..end)), self.scopes.len() - 1);
         for i in (from..colon).step_by(2) {
-            let scope = self.scopes.last_mut().expect("the entity's is the first");
-            let order = scope.len();
-            scope.insert(self.tokens[i].text, Name { ty, order, out });
+            let (name, order) = (self.word(i), self.scopes[scope].len());
+            self.scopes[scope].insert(name, Name { ty, order, out });
         }
+        end
+    }
+
+    /// The items of a list of ports or parameters; the place after it.
+    fn declare_list(&mut self, open: usize) -> usize {
+        let (items, end) = self.list(open, ";");
+        for item in items {
+            self.declare(item.start);
+        }
+        end
+    }
+
+    fn add(&mut self, role: Role, target: impl Into<String>, name: &'a str, tokens: Range<usize>) -> usize {
+        let (end, scope) = (tokens.end, self.scopes.len() - 1);
+        self.statements.push(Statement { role, target: target.into(), name, scope, tokens });
         end
     }
 
     /// All declarations and statements.
     fn read(&mut self) {
-        let (mut i, mut label, mut unit, mut function) = (0, "", "", "");
-        let (mut clocked, mut reset) = (false, false);
+        let (mut i, mut label, mut function, mut clocked, mut reset) = (0, "", "", false, false);
         while i < self.tokens.len() {
-            let add = |source: &mut Self, role, target: String, name, tokens| {
-                let scope = source.scopes.len() - 1;
-                source.statements.push(Statement { role, target, name, scope, tokens });
-            };
-            i = match (self.word(i), self.word(i + 1)) {
-                ("end", what) => {
-                    clocked &= what != "process";
-                    reset &= what != "if";
-                    self.seek(i, &[";"])
-                }
-                ("signal" | "variable" | "constant", name) => {
-                    let from = self.declare(i + 1);
-                    let end = self.seek(from, &[";"]);
-                    if name.ends_with("_table") {
-                        add(self, Role::Table, name.to_owned(), "", from + 1..end);
-                    }
+            let (word, next) = (self.word(i), self.word(i + 1));
+            let end = self.seek(i, &[";"]);
+            i = match word {
+                "end" => {
+                    (clocked, reset) = (clocked && next != "process", reset && next != "if");
                     end
                 }
-                ("function", name) => {
-                    function = name;
+                "signal" | "variable" | "constant" => {
+                    let value = self.declare(i + 1) + 1;
+                    if next.ends_with("_table") { self.add(Role::Table, next, "", value..end) } else { end }
+                }
+                "function" => {
+                    function = next;
                     self.scopes.push(HashMap::new());
-                    let (parameters, end) = self.list(i + 2, ";");
-                    parameters.iter().for_each(|parameter| {
-                        self.declare(parameter.start);
-                    });
-                    // `return type is`
-                    end + 2
+                    // A type follows the word `return`, no value.
+                    self.declare_list(i + 2) + 2
                 }
-                ("port", "(") => {
-                    let (ports, end) = self.list(i + 1, ";");
-                    ports.iter().for_each(|port| {
-                        self.declare(port.start);
-                    });
-                    end
-                }
-                ("entity", "work") => {
-                    unit = self.word(i + 3);
-                    i + 4
-                }
-                ("port", "map") => {
+                "port" if next == "(" => self.declare_list(i + 1),
+                "port" => {
+                    let unit = self.word(i - 1);
                     let (actuals, end) = self.list(i + 2, ",");
                     for actual in actuals {
                         let target = format!("{label}.{}", self.word(actual.start));
-                        add(self, Role::Actual, target, unit, actual.start + 2..actual.end);
+                        self.add(Role::Actual, target, unit, actual.start + 2..actual.end);
                     }
                     end
                 }
-                ("for", _) => self.seek(i, &["generate", "loop"]) + 1,
-                ("process", _) => {
-                    clocked = true;
+                "for" => self.seek(i, &["generate", "loop"]) + 1,
+                "if" | "elsif" if next != "rising_edge" => {
+                    reset = next == "reset";
+                    let then = self.seek(i, &["then"]);
+                    let inner = if self.word(then + 1) == "for" { self.seek(then, &["loop"]) } else { then };
+                    let target = if function.is_empty() { self.word(inner + 1) } else { function };
+                    self.add(Role::Condition, target, "", i + 1..then)
+                }
+                "return" => self.add(Role::Value, function, "", i + 1..end),
+                "process" | "else" => {
+                    (clocked, reset) = (clocked || word == "process", false);
                     i + 1
                 }
-                ("if" | "elsif", first) => {
-                    let end = self.seek(i, &["then"]);
-                    if first != "rising_edge" {
-                        reset = first == "reset";
-                        let mut next = end + 1;
-                        if self.word(next) == "for" {
-                            next = self.seek(next, &["loop"]) + 1;
-                        }
-                        let target = if function.is_empty() { self.word(next) } else { function };
-                        add(self, Role::Condition, target.to_owned(), "", i + 1..end);
-                    }
-                    end
-                }
-                ("else", _) => {
-                    reset = false;
-                    i + 1
-                }
-                ("return", _) => {
-                    let end = self.seek(i, &[";"]);
-                    add(self, Role::Value, function.to_owned(), "", i + 1..end);
-                    end
-                }
-                (name, ":") => {
-                    if name != "unit" {
-                        label = name;
-                    }
+                _ if next == ":" => {
+                    label = if word == "unit" { label } else { word };
                     i + 2
                 }
-                (name, _) => match self.scopes.last().and_then(|scope| scope.get(name)).copied() {
-                    Some(_) if matches!(self.word(self.selected(i)), "<=" | ":=") => {
-                        let sign = self.selected(i);
-                        let end = self.seek(sign, &[";"]);
-                        let role = match (clocked, reset) {
-                            (false, _) => Role::Value,
-                            (true, false) => Role::Register,
-                            (true, true) => Role::Reset,
-                        };
-                        let dot = (i + 1..sign).find(|k| self.word(*k) == ".");
-                        let field = dot.map_or(String::new(), |dot| format!(".{}", self.word(dot + 1)));
-                        let target = if function.is_empty() { format!("{name}{field}") } else { function.to_owned() };
-                        add(self, role, target, if sign == i + 1 { name } else { "" }, sign + 1..end);
-                        end
+                _ if self.scopes[self.scopes.len() - 1].contains_key(word) => {
+                    let sign = self.selected(i);
+                    if !matches!(self.word(sign), "<=" | ":=") {
+                        i += 1;
+                        continue;
                     }
-                    _ => i + 1,
-                },
+                    let role = [[Role::Value, Role::Register], [Role::Value, Role::Reset]][usize::from(reset)];
+                    let dot = (i..sign).find(|k| self.word(*k) == ".");
+                    let field = dot.map_or(String::new(), |dot| format!(".{}", self.word(dot + 1)));
+                    let target = if function.is_empty() { format!("{word}{field}") } else { function.to_owned() };
+                    let whole = if sign == i + 1 { word } else { "" };
+                    self.add(role[usize::from(clocked)], target, whole, sign + 1..end)
+                }
+                _ => i + 1,
             };
         }
     }

@@ -114,15 +114,13 @@ impl<'a> Editor<'a> {
         let mut i = start;
         while i < end {
             let (word, before) = (self.word(i), if i > start { self.word(i - 1) } else { "" });
-            let binary = !matches!(before, "" | "(" | "," | "else" | "when" | "=" | "&");
             match word {
                 "not" => self.replace(Kind::Case, i..i + 1, "", format!("not {} -> without not", self.word(i + 1))),
-                "and" => self.exchange(Kind::Case, i..i + 1, "or"),
-                "or" => self.exchange(Kind::Case, i..i + 1, "and"),
+                "and" | "or" => self.exchange(Kind::Case, i..i + 1, if word == "and" { "or" } else { "and" }),
                 "xor" => self.exchange(Kind::Operand, i..i + 1, "or"),
-                "+" | "-" if binary => self.sum(i),
-                "-" => self.replace(Kind::Operand, i..i + 1, "", "sign dropped"),
-                "&" if !self.statement.target.ends_with("_line") => self.swap(i, Kind::Operand, "exchanged"),
+                "-" if matches!(before, "" | "(" | ",") => self.replace(Kind::Operand, i..i + 1, "", "sign dropped"),
+                "+" | "-" => self.sum(i),
+                "&" if !self.statement.target.ends_with("_line") => self.swap(i),
                 "=" if !self.word(i + 1).starts_with('\'') => self.exchange(Kind::Comparison, i..i + 1, "/="),
                 "'0'" | "'1'" => {
                     let kind = if before == "=" { Kind::Case } else { Kind::Constant };
@@ -164,19 +162,20 @@ impl<'a> Editor<'a> {
     }
 
     /// The operands of a sign in the other order.
-    fn swap(&mut self, sign: usize, kind: Kind, change: &str) {
+    fn swap(&mut self, sign: usize) {
         let (left, right) = self.operands(sign);
         let [a, b] = [&left, &right].map(|side| self.source.part(side));
-        self.replace(kind, left.start..right.end, format!("{b} {} {a}", self.word(sign)), format!("{a} and {b} {change}"));
+        let new = format!("{b} {} {a}", self.word(sign));
+        self.replace(Kind::Operand, left.start..right.end, new, format!("{a} and {b} exchanged"));
     }
 
     /// A sum or difference; an addend of one unit or of a flag rounds up.
     fn sum(&mut self, sign: usize) {
         let (left, right) = self.operands(sign);
-        let counts = self.source.part(&left).contains(self.statement.name) && !self.statement.name.is_empty();
-        let flag = self.word(right.start) == "to_signed" && self.word(right.start + 3) != ",";
-        let flag = flag || self.word(right.start) == "to_signed" && self.known(self.word(right.start + 2)).is_some();
         let addend = self.source.part(&right);
+        // A counter goes on by one; what rounds is added to something else.
+        let counts = !self.statement.name.is_empty() && self.source.part(&left).contains(self.statement.name);
+        let flag = addend.starts_with("to_signed(") && self.word(right.start + 2).parse::<u64>().is_err();
         if addend == "1" && !counts {
             self.replace(Kind::Rounding, sign..right.end, "", "ulp dropped");
             self.replace(Kind::Rounding, right, "2", "an ulp too many");
@@ -187,7 +186,7 @@ impl<'a> Editor<'a> {
         } else {
             self.exchange(Kind::Operand, sign..sign + 1, if self.word(sign) == "+" { "-" } else { "+" });
             if self.word(sign) == "-" {
-                self.swap(sign, Kind::Operand, "exchanged");
+                self.swap(sign);
             }
         }
     }
@@ -216,10 +215,10 @@ impl<'a> Editor<'a> {
                 self.replace(Kind::Case, arguments[1].clone(), *b, format!("{a} -> {b}, always"));
             }
             ("negated_if", [flag, x]) => self.replace(Kind::Case, name..end, *x, format!("{flag} never negates")),
-            ("abs_of", [x]) => self.replace(Kind::Operand, name..end, format!("unsigned({x})"), "magnitude without abs"),
-            ("to_signed" | "to_unsigned", [_, _]) => {
-                self.next(arguments[0].end - 1);
+            ("abs_of", [x]) => {
+                self.replace(Kind::Operand, name..end, format!("unsigned({x})"), "magnitude without abs")
             }
+            ("to_signed" | "to_unsigned", [_, _]) => self.next(arguments[0].end - 1),
             ("shift_left", [_, _]) => self.next(arguments[1].start),
             _ => {}
         }
@@ -270,7 +269,15 @@ impl<'a> Editor<'a> {
 
     /// The upper bound that belongs to a lower one, or the reverse.
     fn other_bound(&self, name: &str) -> Option<&'a str> {
-        let flip = |word| if word == "lo" { "hi" } else if word == "hi" { "lo" } else { word };
+        let flip = |word| {
+            if word == "lo" {
+                "hi"
+            } else if word == "hi" {
+                "lo"
+            } else {
+                word
+            }
+        };
         let other = name.split('_').map(flip).collect::<Vec<_>>().join("_");
         let scope = &self.source.scopes[self.statement.scope];
         let (other, known) = scope.get_key_value(other.as_str())?;
@@ -345,5 +352,91 @@ fn undelayed(name: &str) -> &str {
     match digits.strip_suffix("_d").or_else(|| digits.strip_suffix("_h")) {
         Some(base) if digits != name => base,
         _ => name,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const PACKAGE: &str = "package body p_types is
+  function less(x, y : signed) return std_logic is
+  begin
+    return flag(x < y);
+  end function less;
+end package body p_types;
+";
+    const TEXT: &str = "entity u is
+  port (
+    clk : in  std_logic;
+    x   : in  interval_4_t;  -- s3.0; \"no\" literal
+    y   : in  interval_4_t;
+    z   : out interval_4_t
+  );
+end entity u;
+
+architecture rtl of u is
+  constant turn_table : numbers_t(0 to 2) := (0, 3, 5);
+  signal low : signed(3 downto 0);
+  signal low_d1 : signed(3 downto 0) := (others => '0');
+  signal word_line : std_logic_vector(1 to 3) := (others => '0');
+begin
+  low <= x.lo(3 downto 0) - 1 when less(x.hi, y.lo) = '1' else
+      choose(word_line(3), y.lo, to_signed(-7, 4));
+  part : for i in 0 to 2 generate
+    unit : entity work.u
+      port map (clk => clk, x => x,
+                y => y, z => z);
+  end generate part;
+
+  clock_1 : process (clk)
+  begin
+    if rising_edge(clk) then
+      if word_line(2) = '1' then
+        low_d1 <= low;
+      end if;
+    end if;
+  end process clock_1;
+  z.hi <= resize(low_d1, 5) + 1;
+end architecture rtl;
+";
+
+    fn files() -> Vec<(String, String)> {
+        [("p_types", PACKAGE), ("u", TEXT)].map(|(name, text)| (format!("{name}.vhd"), text.to_owned())).to_vec()
+    }
+
+    #[test]
+    fn statements_yield_the_mutants_that_their_forms_allow() {
+        let all: Vec<String> = mutants(&files(), 15_000).iter().map(|m| format!("{} {}", m.line, m.name())).collect();
+        for expected in [
+            "4 p_types:less:operand:x -> y",
+            "11 u:turn_table:constant:entry 2: 5 -> 0",
+            "16 u:low:bound:x.lo -> .hi",
+            "16 u:low:rounding:ulp dropped",
+            "16 u:low:comparison:x.hi < y.lo -> <=",
+            "16 u:low:case:'1' -> '0'",
+            "17 u:low:case:y.lo and to_signed(-7, 4) exchanged",
+            "17 u:low:constant:7 -> 8",
+            "17 u:low:delay:word_line(3) -> (2)",
+            "20 u:part.x:operand:x and y",
+            "27 u:low_d1:case:without the condition word_line(2) = '1'",
+            "28 u:low_d1:delay:a register too many",
+            "32 u:z.hi:delay:low_d1 -> low",
+        ] {
+            assert!(all.iter().any(|found| found == expected), "no {expected} in {all:#?}");
+        }
+    }
+
+    #[test]
+    fn mutants_change_what_they_say() {
+        let changed = |change: &str| {
+            let all = mutants(&files(), 15_000);
+            all.iter().find(|mutant| mutant.change == change).unwrap().apply(TEXT)
+        };
+        let late = TEXT.replace("low_d1 <= low;", "low_d1 <= transport low after 15000 ps;");
+        assert_eq!(changed("a register too many"), late);
+        assert_eq!(changed("x.hi < y.lo -> <="), TEXT.replace("less(x.hi, y.lo)", "(not less(y.lo, x.hi))"));
+        let swapped = "x => y,\n                y => x,";
+        assert_eq!(changed("x and y"), TEXT.replace("x => x,\n                y => y,", swapped));
     }
 }
