@@ -34,6 +34,7 @@ const EQUAL: &str = "of two equal numbers either is the least and the greatest";
 const ZERO: &str = "the two differ where the factor is 0, and 0 times either bound is 0";
 const AT_BOUND: &str = "the two differ where the number is the bound itself, and both arms give the bound";
 const BELOW: &str = "a lower bound is never above, and an upper bound never below, what the true value can be";
+const LATER: &str = "all of triangle A, and B from its second vertex on, is first read some clocks after it is taken";
 const IDLE: &str = "the bypass changes between slots only, and there the row is idle for two clocks";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
 const OVERWRITTEN: &str = "a first value that is always overwritten";
@@ -41,7 +42,8 @@ const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 b
 const UNUSED: &str = "no unit of the design chooses between flags by this function";
 const LAST_PHASE: &str = "full counts in the last phase only, and the clock before it accepts nothing";
 const RUNNING: &str = "pose_phase and last_phase are first set many clocks after reset, when running is long set";
-const NOT_MOVED: &str = "the other one is looked at: after reset nothing has been taken";
+const NOT_MOVED: &str = "after reset nothing has been taken, and either flag says that the queue is empty";
+const ALWAYS: &str = "the flag is the constant 1";
 
 /// Mutants of the generated VHDL.
 pub const VHDL: &[Explanation] = &[
@@ -57,6 +59,7 @@ pub const VHDL: &[Explanation] = &[
     same("sequencer:running:delay:a register too many", RUNNING),
     same("sequencer:pose_accept:operand:takes_pose -> pose_phase", RUNNING),
     same("sequencer:empty_if_moved:constant:'1' -> '0'", NOT_MOVED),
+    same("sequencer:taken_moved:constant:'0' -> '1'", NOT_MOVED),
     hidden(
         "sequencer:full_if_still:delay:a register too many",
         "a place of the queue that becomes free in the clock before the last phase is seen a slot later; the answers stay",
@@ -71,8 +74,23 @@ pub const VHDL: &[Explanation] = &[
     same("comparator_network:*_min.*:comparison:* -> <=", EQUAL),
     same("comparator_network:*_max.*:comparison:* -> <=", EQUAL),
     same("cross_product:l_*saturated*:comparison:* -> <=", AT_BOUND),
-    same("cross_product:l_saturated.lo:case:to_signed(65536, *, the next arm", BELOW),
-    same("cross_product:l_saturated.hi:case:to_signed(-65536, *, always", BELOW),
+    same("cross_product:l_saturated.lo:case:to_signed(* -> *, the next arm", BELOW),
+    same("cross_product:l_saturated.lo:constant:exact_lo_floor_*(i) -> (0)", BELOW),
+    same("cross_product:l_saturated.lo:constant:65536 -> 65537", BELOW),
+    same("cross_product:l_saturated.hi:case:to_signed(-* -> *, always", BELOW),
+    same("cross_product:l_saturated.hi:constant:65536 -> 65537 #2", BELOW),
+    same("cross_product:l_lo_saturated_too_high_d1:delay:*", BELOW),
+    same("cross_product:l_lo_saturated_too_high_d1:constant:*", BELOW),
+    same("cross_product:l_hi_saturated_raised_too_low_d1:delay:*", BELOW),
+    same("cross_product:l_hi_saturated_raised_too_low_d1:constant:*", BELOW),
+    same("efsat:pair_v:delay:a register too many*", LATER),
+    same("efsat:pair_w:delay:a register too many #4", LATER),
+    same("efsat:pair_w:delay:a register too many #5", LATER),
+    same("efsat:pair_w:delay:a register too many #6", LATER),
+    same("efsat:pair_w:delay:a register too many #7", LATER),
+    same("efsat:pair_w:delay:a register too many #8", LATER),
+    same("efsat:pair_w:delay:a register too many #9", LATER),
+    same("projection:p.hi:rounding:ulp forced", ALWAYS),
 ];
 
 /// Mutants of the reference model.

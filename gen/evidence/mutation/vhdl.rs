@@ -32,6 +32,9 @@ pub fn mutants(files: &[(String, String)], late: u32) -> Vec<Mutant> {
     all
 }
 
+/// What an operand ends at; at the last two only one of a sign that binds closer.
+const ENDS: [&str; 8] = [",", "when", "else", "&", "=", ";", "and", "or"];
+
 /// Finds the changes of one statement.
 struct Editor<'a> {
     sources: &'a [(String, Source<'a>)],
@@ -116,7 +119,14 @@ impl<'a> Editor<'a> {
             let (word, before) = (self.word(i), if i > start { self.word(i - 1) } else { "" });
             match word {
                 "not" => self.replace(Kind::Case, i..i + 1, "", format!("not {} -> without not", self.word(i + 1))),
-                "and" | "or" => self.exchange(Kind::Case, i..i + 1, if word == "and" { "or" } else { "and" }),
+                "and" | "or" => {
+                    // In brackets: `a and b or c` is no VHDL.
+                    let (left, right) = self.operands(i, &ENDS[..6]);
+                    let [a, b] = [&left, &right].map(|side| self.source.part(side));
+                    let other = if word == "and" { "or" } else { "and" };
+                    let change = format!("{word} -> {other}");
+                    self.replace(Kind::Case, left.start..right.end, format!("(({a}) {other} ({b}))"), change);
+                }
                 "xor" => self.exchange(Kind::Operand, i..i + 1, "or"),
                 "-" if matches!(before, "" | "(" | ",") => self.replace(Kind::Operand, i..i + 1, "", "sign dropped"),
                 "+" | "-" => self.sum(i),
@@ -146,24 +156,23 @@ impl<'a> Editor<'a> {
     }
 
     /// The operands of a sign: what stands on either side of it.
-    fn operands(&self, sign: usize) -> (Range<usize>, Range<usize>) {
-        const ENDS: [&str; 8] = [",", "when", "else", "&", "and", "or", "=", ";"];
+    fn operands(&self, sign: usize, ends: &[&str]) -> (Range<usize>, Range<usize>) {
         let (mut from, mut depth) = (sign, 0);
         while from > self.statement.tokens.start {
             let word = self.word(from - 1);
             depth += i32::from(word == ")") - i32::from(word == "(");
-            if depth < 0 || (depth == 0 && ENDS.contains(&word)) {
+            if depth < 0 || (depth == 0 && ends.contains(&word)) {
                 break;
             }
             from -= 1;
         }
-        let to = self.source.seek(sign + 1, &ENDS).min(self.statement.tokens.end);
+        let to = self.source.seek(sign + 1, ends).min(self.statement.tokens.end);
         (from..sign, sign + 1..to)
     }
 
     /// The operands of a sign in the other order.
     fn swap(&mut self, sign: usize) {
-        let (left, right) = self.operands(sign);
+        let (left, right) = self.operands(sign, &ENDS);
         let [a, b] = [&left, &right].map(|side| self.source.part(side));
         let new = format!("{b} {} {a}", self.word(sign));
         self.replace(Kind::Operand, left.start..right.end, new, format!("{a} and {b} exchanged"));
@@ -171,7 +180,7 @@ impl<'a> Editor<'a> {
 
     /// A sum or difference; an addend of one unit or of a flag rounds up.
     fn sum(&mut self, sign: usize) {
-        let (left, right) = self.operands(sign);
+        let (left, right) = self.operands(sign, &ENDS);
         let addend = self.source.part(&right);
         // A counter goes on by one; what rounds is added to something else.
         let counts = !self.statement.name.is_empty() && self.source.part(&left).contains(self.statement.name);
@@ -193,7 +202,7 @@ impl<'a> Editor<'a> {
 
     /// The value of an arm never taken.
     fn arm(&mut self, when: usize) {
-        let (value, _) = self.operands(when);
+        let (value, _) = self.operands(when, &ENDS);
         let next = self.source.seek(when, &["else"]) + 1;
         let next = next..self.source.seek(next, &["when", ";"]).min(self.statement.tokens.end);
         let [old, new] = [&value, &next].map(|arm| self.source.part(arm));
