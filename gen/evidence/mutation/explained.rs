@@ -36,6 +36,7 @@ const AT_BOUND: &str = "the two differ where the number is the bound itself, and
 const BELOW: &str = "a lower bound is never above, and an upper bound never below, what the true value can be";
 const LATER: &str = "all of triangle A, and B from its second vertex on, is first read some clocks after it is taken";
 const ORIGIN: &str = "V0 is the origin: all its lower bounds are 0";
+const POSE: &str = "a pose is taken in the last phase but one, and first read at the end of phase 0";
 const IDLE: &str = "the bypass changes between slots only, and there the row is idle for two clocks";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
 const OVERWRITTEN: &str = "a first value that is always overwritten";
@@ -92,6 +93,7 @@ pub const VHDL: &[Explanation] = &[
     same("efsat:pair_w:delay:a register too many #8", LATER),
     same("efsat:pair_w:delay:a register too many #9", LATER),
     same("pair_pipeline:p_unit_v.lo:constant:v(0)(i) -> (0)", ORIGIN),
+    same("efsat:active_*:delay:a register too many*", POSE),
     same("projection:p.hi:rounding:ulp forced", ALWAYS),
 ];
 
