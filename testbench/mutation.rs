@@ -27,26 +27,22 @@ fn ghdl_is_missing() -> bool {
 }
 
 #[test]
-fn every_mutant_of_the_default_design_changes_one_line_and_has_a_name_of_its_own() {
+fn every_mutant_of_the_default_design_changes_its_file_and_has_a_name_of_its_own() {
     let params = Params::default();
     let all = campaign::mutants(&params).unwrap();
     let design = efsat::design::Design::new(&params, false).unwrap();
     let files = efsat::artefact::vhdl_files(&design, &params.command_line()).unwrap();
     let names: HashSet<String> = all.iter().map(Mutant::name).collect();
-    assert!(all.len() > 3000 && names.len() == all.len(), "{} names of {} mutants", names.len(), all.len());
+    assert!(all.len() > 2000 && names.len() == all.len(), "{} names of {} mutants", names.len(), all.len());
     for (name, text) in &files {
         let mutants: Vec<&Mutant> = all.iter().filter(|mutant| format!("{}.vhd", mutant.unit) == *name).collect();
-        assert!(mutants.len() >= 4, "{name} has {} mutants", mutants.len());
-        let wrong = mutants.par_iter().find_any(|mutant| {
-            let changed = mutant.apply(text);
-            let differ = text.lines().zip(changed.lines()).filter(|(a, b)| a != b).count();
-            differ != 1 || changed.lines().count() != text.lines().count()
-        });
-        assert_eq!(wrong, None);
+        assert!(mutants.len() >= 3, "{name} has {} mutants", mutants.len());
+        let changed: HashSet<String> = mutants.par_iter().map(|mutant| mutant.apply(text)).collect();
+        assert!(changed.len() == mutants.len() && !changed.contains(text), "{name}: a mutant twice, or no change");
     }
     for kind in Kind::ALL {
         let units: HashSet<&str> = all.iter().filter(|m| m.kind == kind).map(|m| m.unit.as_str()).collect();
-        assert!(units.len() >= 5, "{kind} in {units:?}");
+        assert!(units.len() >= 4, "{kind} in {units:?}");
     }
 }
 
@@ -71,19 +67,16 @@ fn unchanged_and_equivalent_text_is_not_killed_and_wrong_text_is() {
         assert!(text.contains(from), "{text}");
         bench.run(name, &text.replace(from, to)).unwrap()
     };
-    let multiply = |from: &str, to: &str| try_line("axis_multiply.vhd", from, to);
+    let multiply = |from: &str, to: &str| try_line("interval_multiply.vhd", from, to);
     assert_eq!(multiply("architecture", "architecture"), Trial::Agrees);
     // Of two equal numbers either is the lesser.
-    let lesser = ["resize(signed(p1_lo), 9);", "resize(signed(p1_lo), 9) - 1;"];
+    let lesser = ["less(p(0).lo, p(1).lo);", "not less(p(1).lo, p(0).lo);"];
     assert_eq!(try_line("comparator_network.vhd", lesser[0], lesser[1]), Trial::Agrees);
-    assert!(matches!(multiply("  lo <= std_logic_vector(", "  lo <= not std_logic_vector("), Trial::Answer(_)));
+    assert!(matches!(multiply("y.hi, y.lo)", "y.lo, y.hi)"), Trial::Answer(_)));
     assert!(matches!(multiply("end architecture rtl;", "end architecture;;"), Trial::Invalid(_)));
     // Another type, and another length, which only elaboration tells.
-    assert!(matches!(multiply("lo_y <= signed(y_hi) when", "lo_y <= y_hi when"), Trial::Invalid(_)));
-    assert!(matches!(
-        multiply("lo_y <= signed(y_hi) when", "lo_y <= signed(y_hi(4 downto 0)) when"),
-        Trial::Invalid(_)
-    ));
+    assert!(matches!(multiply("<= x_case & y_case;", "<= y;"), Trial::Invalid(_)));
+    assert!(matches!(multiply("<= x_case & y_case;", "<= x_case;"), Trial::Invalid(_)));
     // A unit that never offers an answer is silent.
     let closed = try_line("sequencer.vhd", "out_valid <= offered;", "out_valid <= '0';");
     assert!(matches!(closed, Trial::Silent(_)));

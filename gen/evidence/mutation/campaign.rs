@@ -35,8 +35,7 @@ pub fn mutants(params: &Params) -> Result<Vec<Mutant>, CosimError> {
 }
 
 fn enumerate(files: &[(String, String)], params: &Params) -> Vec<Mutant> {
-    let late = 3 * testbench::half_period(params);
-    files.iter().flat_map(|(name, text)| vhdl::mutants(name.trim_end_matches(".vhd"), text, late)).collect()
+    vhdl::mutants(files, 3 * testbench::half_period(params))
 }
 
 /// The unchanged design and the runs that a mutant has to survive.

@@ -32,49 +32,68 @@ const fn hidden(pattern: &'static str, reason: &'static str) -> Explanation {
 
 const EQUAL: &str = "of two equal numbers either is the least and the greatest";
 const ZERO: &str = "the two differ where the factor is 0, and 0 times either bound is 0";
-const ORIGIN: &str =
-    "V0 is the origin after re-normalisation, so what separates its projection from another of A fits a bit less";
 const AT_BOUND: &str = "the two differ where the number is the bound itself, and both arms give the bound";
-const RANGE: &str = "the proven range leaves the two top bits equal";
-const SAME_LENGTH: &str =
-    "the two top bits differ in the greatest number alone, a power of two, which one more does not make longer";
-const DROPPED: &str = "the bit stays among those that are dropped, and floor + ulp does not look at them";
-const NEVER_ZERO: &str = "an upper bound is one ulp above the lower one, so the OR of the magnitudes is never 0";
 const BELOW: &str = "a lower bound is never above, and an upper bound never below, what the true value can be";
-const LATER: &str = "V0 is first read some clocks after it is taken";
-const SLOT: &str = "held for a slot, and first read more than a clock after it is taken";
+const LATER: &str = "all of triangle A, and B from its second vertex on, is first read some clocks after it is taken";
+const ORIGIN: &str = "V0 is the origin: all its lower bounds are 0";
+const POSE: &str = "a pose is taken in the last phase but one, and first read at the end of phase 0";
 const IDLE: &str = "the bypass changes between slots only, and there the row is idle for two clocks";
-const SHIFTED: &str = "all points go into one OR: the lower bound that is lost is V0's own, 0, and the one that is gained \
-    is the last point's again";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
 const OVERWRITTEN: &str = "a first value that is always overwritten";
 const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 bits in either case";
+const UNUSED: &str = "no unit of the design chooses between flags by this function";
+const LAST_PHASE: &str = "full counts in the last phase only, and the clock before it accepts nothing";
+const RUNNING: &str = "pose_phase and last_phase are first set many clocks after reset, when running is long set";
+const NOT_MOVED: &str = "after reset nothing has been taken, and either flag says that the queue is empty";
+const ALWAYS: &str = "the flag is the constant 1";
 
 /// Mutants of the generated VHDL.
 pub const VHDL: &[Explanation] = &[
-    same("transform_row:*:delay:bypass_d* -> bypass*", IDLE),
-    same("transform_row:bypass_d4:delay:(4) -> (3)", IDLE),
-    same("transform_row:*:delay:b_up_inexact_d* -> b_up_inexact*", IDLE),
-    same("renormalise_offset:magnitudes_*:delay:magnitude_*_lo_d1 -> magnitude_*_lo", SHIFTED),
-    same("renormalise_shift:*:delay:*_d1 -> *", STEADY),
-    same("renormalise_scale:*:delay:shift_*_d1 -> *", STEADY),
-    same("sequencer:slot_*_holds:delay:a register too many", SLOT),
-    same("renormalise_offset:magnitude_*_lo_bits:constant:(*", RANGE),
-    same("renormalise_offset:magnitude_*_hi_bits:constant:(* #2", SAME_LENGTH),
-    same("renormalise_scale:moved_*:constant:last bit of a literal -> 1", DROPPED),
-    same("pair_pipeline:magnitude*_zero:constant:last bit of a literal -> 1", NEVER_ZERO),
-    same("cross_product:*_clamp_lo:case:*_most -> *_least, the next arm", BELOW),
-    same("cross_product:*_clamp_hi:case:*_least -> *, the next arm", BELOW),
-    same("efsat:pair_v0_*:delay:a register too many", LATER),
+    same("efsat_types:choose:case:'1' -> '0'", UNUSED),
+    same("efsat_types:choose:operand:condition -> if_set", UNUSED),
+    same("efsat_types:choose:operand:if_set -> condition", UNUSED),
+    same("efsat_types:choose:operand:if_clear -> if_set", UNUSED),
+    same("sequencer:full:*:full_if_moved -> *", LAST_PHASE),
+    same("sequencer:full_if_moved:*", LAST_PHASE),
+    same("sequencer:accepted_moved:constant:'0' -> '1'", LAST_PHASE),
+    same("sequencer:accepted_moved:delay:a register too many", LAST_PHASE),
+    same("sequencer:running:constant:'0' -> '1'", RUNNING),
+    same("sequencer:running:delay:a register too many", RUNNING),
+    same("sequencer:pose_accept:operand:takes_pose -> pose_phase", RUNNING),
+    same("sequencer:empty_if_moved:constant:'1' -> '0'", NOT_MOVED),
+    same("sequencer:taken_moved:constant:'0' -> '1'", NOT_MOVED),
     hidden(
-        "sequencer:running:delay:a register too many",
-        "pose_ready rises one clock later after reset; no pose is loaded before the end of the slot either way",
+        "sequencer:full_if_still:delay:a register too many",
+        "a place of the queue that becomes free in the clock before the last phase is seen a slot later; the answers stay",
     ),
-    same("comparator_network:*_order_difference:comparison:< -> <=", EQUAL),
-    same("comparator_network:a_lo_order:constant:(*", ORIGIN),
-    same("comparator_network:a_hi_order:constant:(*", ORIGIN),
-    same("cross_product:*_clamp_*:comparison:> -> >=", AT_BOUND),
-    same("cross_product:*_clamp_*:comparison:< -> <=", AT_BOUND),
+    same("transform_row:*:delay:bypass_*", IDLE),
+    same("transform_row:bypass_*:delay:a register too many", IDLE),
+    same("transform_row:b*.hi:delay:b_hi_not_d* -> *", IDLE),
+    same("transform_row:b_hi_not_d*:delay:a register too many", IDLE),
+    same("renormalise_shift:*:delay:*_d1 -> *", STEADY),
+    same("comparator_network:*_ordered_*:comparison:* -> <=", EQUAL),
+    same("comparator_network:*_min.*:comparison:* -> <=", EQUAL),
+    same("comparator_network:*_max.*:comparison:* -> <=", EQUAL),
+    same("cross_product:l_*saturated*:comparison:* -> <=", AT_BOUND),
+    same("cross_product:l_saturated.lo:case:to_signed(* -> *, the next arm", BELOW),
+    same("cross_product:l_saturated.lo:constant:exact_lo_floor_6(i) -> (0)", BELOW),
+    same("cross_product:l_saturated.lo:constant:65536 -> 65537", BELOW),
+    same("cross_product:l_saturated.hi:case:to_signed(-* -> *, always", BELOW),
+    same("cross_product:l_saturated.hi:constant:65536 -> 65537 #2", BELOW),
+    same("cross_product:l_lo_saturated_too_high_d1:delay:*", BELOW),
+    same("cross_product:l_lo_saturated_too_high_d1:constant:*", BELOW),
+    same("cross_product:l_hi_saturated_raised_too_low_d1:delay:*", BELOW),
+    same("cross_product:l_hi_saturated_raised_too_low_d1:constant:*", BELOW),
+    same("efsat:pair_v:delay:a register too many*", LATER),
+    same("efsat:pair_w:delay:a register too many #4", LATER),
+    same("efsat:pair_w:delay:a register too many #5", LATER),
+    same("efsat:pair_w:delay:a register too many #6", LATER),
+    same("efsat:pair_w:delay:a register too many #7", LATER),
+    same("efsat:pair_w:delay:a register too many #8", LATER),
+    same("efsat:pair_w:delay:a register too many #9", LATER),
+    same("pair_pipeline:p_unit_v.lo:constant:v(0)(i) -> (0)", ORIGIN),
+    same("efsat:active_*:delay:a register too many*", POSE),
+    same("projection:p.hi:rounding:ulp forced", ALWAYS),
 ];
 
 /// Mutants of the reference model.

@@ -1,6 +1,6 @@
 //! Mutation: the checks themselves are checked.
 //!
-//! A *mutant* is a small change of one line of the generated VHDL ([`vhdl`]) or of the reference model ([`model`]):
+//! A *mutant* is a small change of one statement of the generated VHDL ([`vhdl`]) or of the reference model ([`model`]):
 //! bounds swapped, a rounding direction, a comparison, a sign case, an operand, a delay, a constant. Co-simulation, or
 //! the comparison with the evaluated graph, must notice it, which *kills* the mutant. One that survives is either
 //! *equivalent*, that is, no input whatever tells it from the original, and then [`explained`] says why; or it shows a
@@ -11,11 +11,12 @@ pub mod explained;
 pub mod model;
 pub mod rust;
 pub mod score;
-pub mod text;
+mod text;
 pub mod vectors;
 pub mod vhdl;
 
 use std::fmt;
+use std::ops::Range;
 
 /// What is changed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -56,7 +57,7 @@ impl fmt::Display for Kind {
     }
 }
 
-/// A changed line.
+/// A change of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mutant {
     /// Entity of the design, or source file of the model.
@@ -69,8 +70,10 @@ pub struct Mutant {
     pub kind: Kind,
     /// How, in a few words: `x_hi -> x_lo`.
     pub change: String,
-    /// The new line.
-    pub text: String,
+    /// What is cut out of the file, in bytes.
+    pub place: Range<usize>,
+    /// What takes its place.
+    pub new: String,
 }
 
 impl Mutant {
@@ -79,12 +82,9 @@ impl Mutant {
         format!("{}:{}:{}:{}", self.unit, self.target, self.kind, self.change)
     }
 
-    /// The whole file with the line changed.
+    /// The whole file, changed.
     pub fn apply(&self, original: &str) -> String {
-        let change = |(i, line): (usize, &str)| {
-            if i + 1 == self.line { format!("{}\n", self.text) } else { format!("{line}\n") }
-        };
-        original.lines().enumerate().map(change).collect()
+        format!("{}{}{}", &original[..self.place.start], self.new, &original[self.place.end..])
     }
 }
 

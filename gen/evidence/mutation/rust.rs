@@ -50,7 +50,11 @@ pub fn mutants(file: &str, text: &str) -> Vec<Mutant> {
     let mut all = vec![];
     let mut places = HashMap::<String, usize>::new();
     let mut item = String::new();
-    for (i, line) in text.lines().enumerate() {
+    let lines = text.split_inclusive('\n').scan(0, |at, line| {
+        *at += line.len();
+        Some((*at - line.len(), line.trim_end()))
+    });
+    for (i, (start, line)) in lines.enumerate() {
         if line == "#[cfg(test)]" {
             break;
         }
@@ -94,8 +98,8 @@ pub fn mutants(file: &str, text: &str) -> Vec<Mutant> {
             if *count > 1 {
                 change = format!("{change} #{count}");
             }
-            let text = format!("{}{new}{}", &line[..from], &line[to..]);
-            all.push(Mutant { unit: file.to_owned(), line: i + 1, target: item.clone(), kind, change, text });
+            let (unit, target, place) = (file.to_owned(), item.clone(), start + from..start + to);
+            all.push(Mutant { unit, line: i + 1, target, kind, change, place, new });
         }
     }
     all

@@ -155,7 +155,8 @@ mod tests {
             target: "x".to_owned(),
             kind: Kind::Case,
             change: "c".to_owned(),
-            text: String::new(),
+            place: 0..0,
+            new: String::new(),
         };
         const fn said(claim: Claim) -> Explanation {
             Explanation { pattern: "u:x:case:c", claim, reason: "because" }

@@ -1,15 +1,15 @@
-//! Reads the generated VHDL: which line assigns what, and the types of all names. The text has few and regular forms,
-//! one statement or one arm of a choice a line.
+//! Reads the printed VHDL: the types of names, and of which tokens each statement is made.
 
 use std::collections::HashMap;
+use std::ops::Range;
 
-/// What a line does.
+/// What a statement does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Role {
-    /// `constant c : t := v;`.
-    Constant,
-    /// A concurrent assignment, or an arm of one.
-    Concurrent,
+    /// `constant x_table : t := v;`.
+    Table,
+    /// An assignment outside clocked processes, or what a function returns.
+    Value,
     /// An assignment at a clock edge.
     Register,
     /// The value of a register in reset.
@@ -20,125 +20,212 @@ pub enum Role {
     Actual,
 }
 
-/// A line that does something.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Statement {
-    /// Line of the file, from 1.
-    pub line: usize,
-    /// What it does.
+/// What may be changed.
+#[derive(Clone, Debug)]
+pub struct Statement<'a> {
     pub role: Role,
-    /// What is assigned; of a condition the first signal assigned under it; of an actual `instance.port`.
+    /// What is assigned, with fields and without indices; of a condition the first name assigned under it; of a function
+    /// its name; of an actual `instance.port`.
     pub target: String,
-    /// Where in the line the part that may be changed begins and ends.
-    pub span: (usize, usize),
+    /// The name assigned, if it is assigned as a whole; of an actual the unit.
+    pub name: &'a str,
+    /// Which of the scopes its names are in.
+    pub scope: usize,
+    /// The tokens of the expression.
+    pub tokens: Range<usize>,
 }
 
-/// The text of an entity, read.
+/// The type of a port, signal, constant, variable or parameter, its place in the order of declarations, and whether it
+/// is an output, which cannot be read.
+#[derive(Clone, Copy, Debug)]
+pub struct Name<'a> {
+    pub ty: &'a str,
+    pub order: usize,
+    pub out: bool,
+}
+
+/// A file, read.
 #[derive(Debug)]
 pub struct Source<'a> {
-    /// All lines.
-    pub lines: Vec<&'a str>,
-    /// Types of ports, signals and constants, and the order in which they are declared.
-    pub types: HashMap<&'a str, (&'a str, usize)>,
-    /// The lines of the architecture that do something.
-    pub statements: Vec<Statement>,
+    pub text: &'a str,
+    /// Where words, numbers, literals and signs are; comments are left out.
+    tokens: Vec<Range<usize>>,
+    /// Names of the entity at 0, then those of each function of a package.
+    pub scopes: Vec<HashMap<&'a str, Name<'a>>>,
+    pub statements: Vec<Statement<'a>>,
 }
 
-/// The text before a comment.
-fn code(line: &str) -> &str {
-    line.split("--").next().unwrap_or_default().trim_end()
+/// Splits a text.
+fn tokens(text: &str) -> Vec<Range<usize>> {
+    let (mut found, mut at) = (vec![], 0);
+    let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
+    while let Some(first) = text[at..].chars().next() {
+        let rest = &text[at..];
+        let comment = rest.starts_with("--");
+        let length = match first {
+            _ if comment => rest.find('\n').unwrap_or(rest.len()),
+            c if word(c) => rest.find(|c| !word(c)).unwrap_or(rest.len()),
+            '"' => rest[1..].find('"').map_or(rest.len(), |end| end + 2),
+            '\'' if rest.get(2..).is_some_and(|rest| rest.starts_with('\'')) => 3,
+            _ if ["<=", ":=", "=>", "/="].iter().any(|sign| rest.starts_with(sign)) => 2,
+            c => c.len_utf8(),
+        };
+        if !comment && !first.is_whitespace() {
+            found.push(at..at + length);
+        }
+        at += length;
+    }
+    found
 }
 
 impl<'a> Source<'a> {
-    /// Reads the file of an entity.
+    /// Reads a file.
     pub fn new(text: &'a str) -> Self {
-        let mut source = Self { lines: text.lines().collect(), types: HashMap::new(), statements: vec![] };
-        let body = source.lines.iter().position(|line| line.starts_with("architecture ")).unwrap_or(source.lines.len());
-        for i in 0..source.lines.len() {
-            source.declaration(i, i > body);
-        }
-        source.body(body);
+        let mut source = Self { text, tokens: tokens(text), scopes: vec![HashMap::new()], statements: vec![] };
+        source.read();
         source
     }
 
-    /// The type of a name.
-    pub fn type_of(&self, name: &str) -> Option<&'a str> {
-        self.types.get(name).map(|t| t.0)
+    /// The text of a token, or nothing beyond the end.
+    pub fn word(&self, i: usize) -> &'a str {
+        self.tokens.get(i).map_or("", |token| &self.text[token.clone()])
     }
 
-    /// A port, signal or constant.
-    fn declaration(&mut self, i: usize, inside: bool) {
-        let text = code(self.lines[i]).trim_start();
-        let Some((head, rest)) = text.split_once(" : ") else { return };
-        let words: Vec<&str> = head.split(' ').collect();
-        let name = match (inside, words.as_slice()) {
-            (false, [name]) => name,
-            (true, ["signal" | "constant", name]) => name,
-            _ => return,
+    /// Where some tokens stand in the text.
+    pub fn span(&self, tokens: &Range<usize>) -> Range<usize> {
+        self.tokens[tokens.start].start..self.tokens[tokens.end - 1].end
+    }
+
+    /// Some tokens as they are written.
+    pub fn part(&self, tokens: &Range<usize>) -> &'a str {
+        if tokens.is_empty() { "" } else { &self.text[self.span(tokens)] }
+    }
+
+    /// The first of the given words from a token on that is not in brackets opened there, or the bracket that closes.
+    pub fn seek(&self, from: usize, words: &[&str]) -> usize {
+        let mut depth = 0;
+        let ends = |i: &usize| {
+            let (word, at) = (self.word(*i), depth);
+            depth += i32::from(word == "(") - i32::from(word == ")");
+            at == 0 && (words.contains(&word) || word == ")")
         };
-        let ty = rest.trim_end_matches(';').trim_start_matches("in ").trim_start_matches("out ");
-        let (ty, value) = ty.split_once(" := ").unwrap_or((ty, ""));
-        let order = self.types.len();
-        self.types.insert(name, (ty, order));
-        if words[0] == "constant" && !value.is_empty() {
-            let start = self.lines[i].find(" := ").unwrap_or_default() + 4;
-            let target = (*name).to_owned();
-            let span = (start, start + value.len());
-            self.statements.push(Statement { line: i + 1, role: Role::Constant, target, span });
+        (from..self.tokens.len()).find(ends).unwrap_or(self.tokens.len())
+    }
+
+    /// What stands between the bracket at `open` and the one that closes it, split at `sign`; and the place after it.
+    pub fn list(&self, open: usize, sign: &str) -> (Vec<Range<usize>>, usize) {
+        let (mut items, mut from) = (vec![], open + 1);
+        loop {
+            let to = self.seek(from, &[sign]);
+            items.push(from..to);
+            from = to + 1;
+            if self.word(to) != sign {
+                return (items, from);
+            }
         }
     }
 
-    /// Assignments, conditions and port maps below line `start`.
-    fn body(&mut self, start: usize) {
-        let (mut open, mut label, mut clocked, mut reset) = (None::<String>, "", false, false);
-        for i in start..self.lines.len() {
-            let line = code(self.lines[i]);
-            let text = line.trim_start();
-            let indent = line.len() - text.len();
-            let mut add = |role, target: String, from: usize, to: usize| {
-                self.statements.push(Statement { line: i + 1, role, target, span: (from, to) });
+    /// The place after the indices and fields of a name.
+    pub fn selected(&self, name: usize) -> usize {
+        match self.word(name + 1) {
+            "(" => self.selected(self.list(name + 1, ",").1 - 1),
+            "." => self.selected(name + 2),
+            _ => name + 1,
+        }
+    }
+
+    /// `a, b : [in|out] type`, the place after it.
+    fn declare(&mut self, from: usize) -> usize {
+        let colon = self.seek(from, &[":"]);
+        let out = self.word(colon + 1) == "out";
+        let start = colon + 1 + usize::from(out || self.word(colon + 1) == "in");
+        let end = self.seek(start, &[";", ":="]);
+        let (ty, scope) = (self.part(&(start..end)), self.scopes.len() - 1);
+        for i in (from..colon).step_by(2) {
+            let (name, order) = (self.word(i), self.scopes[scope].len());
+            self.scopes[scope].insert(name, Name { ty, order, out });
+        }
+        end
+    }
+
+    /// The items of a list of ports or parameters; the place after it.
+    fn declare_list(&mut self, open: usize) -> usize {
+        let (items, end) = self.list(open, ";");
+        for item in items {
+            self.declare(item.start);
+        }
+        end
+    }
+
+    fn add(&mut self, role: Role, target: impl Into<String>, name: &'a str, tokens: Range<usize>) -> usize {
+        let (end, scope) = (tokens.end, self.scopes.len() - 1);
+        self.statements.push(Statement { role, target: target.into(), name, scope, tokens });
+        end
+    }
+
+    /// All declarations and statements.
+    fn read(&mut self) {
+        let (mut i, mut label, mut function, mut clocked, mut reset) = (0, "", "", false, false);
+        while i < self.tokens.len() {
+            let (word, next) = (self.word(i), self.word(i + 1));
+            let end = self.seek(i, &[";"]);
+            i = match word {
+                "end" => {
+                    (clocked, reset) = (clocked && next != "process", reset && next != "if");
+                    end
+                }
+                "signal" | "variable" | "constant" => {
+                    let value = self.declare(i + 1) + 1;
+                    if next.ends_with("_table") { self.add(Role::Table, next, "", value..end) } else { end }
+                }
+                "function" => {
+                    function = next;
+                    self.scopes.push(HashMap::new());
+                    // A type follows the word `return`, no value.
+                    self.declare_list(i + 2) + 2
+                }
+                "port" if next == "(" => self.declare_list(i + 1),
+                "port" => {
+                    let unit = self.word(i - 1);
+                    let (actuals, end) = self.list(i + 2, ",");
+                    for actual in actuals {
+                        let target = format!("{label}.{}", self.word(actual.start));
+                        self.add(Role::Actual, target, unit, actual.start + 2..actual.end);
+                    }
+                    end
+                }
+                "for" => self.seek(i, &["generate", "loop"]) + 1,
+                "if" | "elsif" if next != "rising_edge" => {
+                    reset = next == "reset";
+                    let then = self.seek(i, &["then"]);
+                    let inner = if self.word(then + 1) == "for" { self.seek(then, &["loop"]) } else { then };
+                    let target = if function.is_empty() { self.word(inner + 1) } else { function };
+                    self.add(Role::Condition, target, "", i + 1..then)
+                }
+                "return" => self.add(Role::Value, function, "", i + 1..end),
+                "process" | "else" => {
+                    (clocked, reset) = (clocked || word == "process", false);
+                    i + 1
+                }
+                _ if next == ":" => {
+                    label = if word == "unit" { label } else { word };
+                    i + 2
+                }
+                _ if self.scopes[self.scopes.len() - 1].contains_key(word) => {
+                    let sign = self.selected(i);
+                    if !matches!(self.word(sign), "<=" | ":=") {
+                        i += 1;
+                        continue;
+                    }
+                    let role = [[Role::Value, Role::Register], [Role::Value, Role::Reset]][usize::from(reset)];
+                    let dot = (i..sign).find(|k| self.word(*k) == ".");
+                    let field = dot.map_or(String::new(), |dot| format!(".{}", self.word(dot + 1)));
+                    let target = if function.is_empty() { format!("{word}{field}") } else { function.to_owned() };
+                    let whole = if sign == i + 1 { word } else { "" };
+                    self.add(role[usize::from(clocked)], target, whole, sign + 1..end)
+                }
+                _ => i + 1,
             };
-            let end = line.trim_end_matches([';', ',']).len();
-            if let Some(target) = &open {
-                let arm = text.strip_suffix(" else").map_or(end, |_| line.len() - " else".len());
-                add(Role::Concurrent, target.clone(), indent, arm);
-                if text.ends_with(';') {
-                    open = None;
-                }
-            } else if let Some((target, _)) = text.split_once(" <=") {
-                let target = target.split('(').next().unwrap_or(target).to_owned();
-                let from = indent + text.find(" <=").unwrap_or_default() + " <= ".len();
-                if from >= line.len() {
-                    open = Some(target);
-                } else {
-                    let role = match (clocked, reset) {
-                        (false, _) => Role::Concurrent,
-                        (true, false) => Role::Register,
-                        (true, true) => Role::Reset,
-                    };
-                    add(role, target, from, end);
-                }
-            } else if let Some((instance, _)) = text.split_once(" : entity work.") {
-                label = instance;
-            } else if let Some((formal, _)) = text.split_once(" => ") {
-                if formal != "clk" {
-                    add(Role::Actual, format!("{label}.{formal}"), indent + formal.len() + 4, end);
-                }
-            } else if text.contains(" : process") {
-                (clocked, reset) = (true, false);
-            } else if text.starts_with("end process") {
-                clocked = false;
-            } else if let Some(condition) = text.strip_suffix(" then") {
-                if !condition.contains("rising_edge") {
-                    reset = condition == "if reset = '1'";
-                    let next = self.lines[i + 1..].iter().find_map(|l| l.split_once(" <=")).map(|(t, _)| t.trim());
-                    let from = indent + condition.find(' ').unwrap_or_default() + 1;
-                    let target = next.unwrap_or_default().split('(').next().unwrap_or_default().to_owned();
-                    add(Role::Condition, target, from, indent + condition.len());
-                }
-            } else if text == "else" {
-                reset = false;
-            }
         }
     }
 }

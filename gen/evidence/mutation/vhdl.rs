@@ -1,425 +1,451 @@
-//! Mutants of the generated VHDL: every change that the forms of its lines allow, in the order of the lines.
+//! Mutants of the generated VHDL: every change that the forms of its statements allow, in the order of the text.
 
-use super::text::{Role, Source, Statement};
+use super::text::{Name, Role, Source, Statement};
 use super::{Kind, Mutant};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
+use std::ops::Range;
 
-/// All mutants of the file of an entity. `late` is one and a half periods of the clock, in picoseconds.
-pub fn mutants(unit: &str, text: &str, late: u32) -> Vec<Mutant> {
-    let source = Source::new(text);
-    let mut all: Vec<Mutant> = vec![];
-    let mut places = HashMap::<String, usize>::new();
-    for (i, statement) in source.statements.iter().enumerate() {
-        let next = source.statements.get(i + 1).filter(|next| next.target == statement.target);
-        let mut editor = Editor { unit, source: &source, statement, found: vec![] };
-        editor.names();
-        editor.rounding();
-        editor.conditions();
-        editor.arms(next);
-        editor.logic();
-        editor.arithmetic();
-        editor.literals();
-        editor.indices();
-        editor.register(late);
-        editor.found.sort_by_key(|mutant| mutant.kind);
-        for mut mutant in editor.found {
-            // The same change at another place of the same target: the place is counted.
-            let count = places.entry(mutant.name()).or_default();
-            *count += 1;
-            if *count > 1 {
-                mutant.change = format!("{} #{count}", mutant.change);
+/// All mutants of the files of a design. `late` is one and a half periods of the clock, in picoseconds.
+pub fn mutants(files: &[(String, String)], late: u32) -> Vec<Mutant> {
+    let unit = |name: &str| name.trim_end_matches(".vhd").to_owned();
+    let sources: Vec<(String, Source)> = files.iter().map(|(name, text)| (unit(name), Source::new(text))).collect();
+    let mut all = vec![];
+    for (unit, source) in &sources {
+        let (mut places, mut seen) = (HashMap::<String, usize>::new(), HashSet::new());
+        for (number, statement) in source.statements.iter().enumerate() {
+            let mut editor = Editor { sources: &sources, unit, source, statement, found: vec![] };
+            editor.statement(number, late);
+            editor.expression();
+            editor.found.sort_by_key(|mutant| mutant.kind);
+            editor.found.retain(|mutant| seen.insert(mutant.apply(source.text)));
+            for mut mutant in editor.found {
+                // The same change at another place of the same target: the place is counted.
+                let count = places.entry(mutant.name()).or_default();
+                *count += 1;
+                if *count > 1 {
+                    mutant.change = format!("{} #{count}", mutant.change);
+                }
+                all.push(mutant);
             }
-            all.push(mutant);
         }
     }
     all
 }
 
+/// What an operand ends at; at the last two only one of a sign that binds closer.
+const ENDS: [&str; 8] = [",", "when", "else", "&", "=", ";", "and", "or"];
+
 /// Finds the changes of one statement.
 struct Editor<'a> {
+    sources: &'a [(String, Source<'a>)],
     unit: &'a str,
     source: &'a Source<'a>,
-    statement: &'a Statement,
+    statement: &'a Statement<'a>,
     found: Vec<Mutant>,
 }
 
 impl<'a> Editor<'a> {
-    fn line(&self) -> &'a str {
-        self.source.lines[self.statement.line - 1]
-    }
-
-    /// The part that may be changed.
-    fn part(&self) -> &'a str {
-        &self.line()[self.statement.span.0..self.statement.span.1]
-    }
-
-    /// A mutant with `from..to` of the part replaced.
-    fn replace(&mut self, kind: Kind, (from, to): (usize, usize), new: &str, change: impl Into<String>) {
-        let (line, start) = (self.line(), self.statement.span.0);
+    /// A mutant with some tokens replaced.
+    fn replace(&mut self, kind: Kind, tokens: Range<usize>, new: impl Into<String>, change: impl AsRef<str>) {
+        let place = self.source.span(&tokens);
         self.found.push(Mutant {
             unit: self.unit.to_owned(),
-            line: self.statement.line,
+            line: self.source.text[..place.start].matches('\n').count() + 1,
             target: self.statement.target.clone(),
             kind,
-            change: change.into(),
-            text: format!("{}{new}{}", &line[..start + from], &line[start + to..]),
+            change: change.as_ref().split_whitespace().collect::<Vec<_>>().join(" "),
+            place,
+            new: new.into(),
         });
     }
 
-    /// A mutant with the whole part replaced.
-    fn rewrite(&mut self, kind: Kind, new: &str, change: impl Into<String>) {
-        self.replace(kind, (0, self.part().len()), new, change);
+    /// The same, described by what is replaced and what it is replaced with.
+    fn exchange(&mut self, kind: Kind, tokens: Range<usize>, new: &str) {
+        let old = self.source.part(&tokens);
+        self.replace(kind, tokens, new, format!("{old} -> {new}"));
     }
 
-    fn target_type(&self) -> &'a str {
-        self.source.type_of(&self.statement.target).unwrap_or_default()
+    fn word(&self, i: usize) -> &'a str {
+        self.source.word(i)
     }
 
-    /// The declared names in the part, with their places.
-    fn used(&self) -> Vec<(usize, &'a str)> {
-        let part = self.part();
-        let word = |c: char| c.is_ascii_alphanumeric() || c == '_';
-        let mut at = 0;
-        let mut used = vec![];
-        while at < part.len() {
-            let rest = &part[at..];
-            let length = rest.find(|c| !word(c)).unwrap_or(rest.len());
-            if length > 0 && self.source.types.contains_key(&rest[..length]) {
-                used.push((at, &rest[..length]));
-            }
-            at += length.max(1);
-        }
-        used
+    fn known(&self, name: &str) -> Option<Name<'a>> {
+        self.source.scopes[self.statement.scope].get(name).copied()
     }
 
-    /// Other names in place of those that are used: the other bound, a neighbour, a register earlier.
-    fn names(&mut self) {
-        for (at, name) in self.used() {
-            let place = (at, at + name.len());
-            let bound = self.other_bound(name);
-            if let Some(other) = &bound {
-                self.replace(Kind::Bound, place, other, format!("{name} -> {other}"));
+    /// Changes of the statement as a whole.
+    fn statement(&mut self, number: usize, late: u32) {
+        let (source, whole) = (self.source, self.statement.tokens.clone());
+        let part = source.part(&whole);
+        match self.statement.role {
+            Role::Register => {
+                self.replace(Kind::Delay, whole, format!("transport {part} after {late} ps"), "a register too many");
             }
-            if let Some(other) = self.neighbour(name, bound.as_deref()) {
-                self.replace(Kind::Operand, place, other, format!("{name} -> {other}"));
+            Role::Condition if self.statement.scope == 0 => {
+                self.replace(Kind::Case, whole, "true", format!("without the condition {part}"));
             }
-            if let Some(earlier) = self.earlier(name, self.part()[place.1..].starts_with('(')) {
-                // A port takes words as they are, and no conversion of a conversion.
-                let word = earlier.split_once('(').map(|(_, word)| word.trim_end_matches(')'));
-                match word.filter(|_| self.part() == format!("std_logic_vector({name})")) {
-                    Some(word) => self.rewrite(Kind::Delay, word, format!("{name} -> {word}")),
-                    None => self.replace(Kind::Delay, place, &earlier, format!("{name} -> {earlier}")),
+            Role::Actual => {
+                let port = self.port(self.statement);
+                let mut others = source.statements[number + 1..].iter().take_while(|s| s.role == Role::Actual);
+                let same = |other: &&Statement| other.name == self.statement.name && self.port(other) == port;
+                if let Some(other) = others.find(same).filter(|_| port.is_some()) {
+                    let second = source.part(&other.tokens);
+                    let between = &source.text[source.span(&whole).end..source.span(&other.tokens).start];
+                    let new = format!("{second}{between}{part}");
+                    self.replace(Kind::Operand, whole.start..other.tokens.end, new, format!("{part} and {second}"));
                 }
+            }
+            _ => {}
+        }
+        if self.statement.target.contains("inexact") || self.statement.target.ends_with("sticky") {
+            self.replace(Kind::Rounding, self.statement.tokens.clone(), "'0'", "sticky bit dropped");
+            self.replace(Kind::Rounding, self.statement.tokens.clone(), "'1'", "sticky bit forced");
+        }
+    }
+
+    /// Type and direction of the port that an actual belongs to.
+    fn port(&self, actual: &Statement) -> Option<(&'a str, bool)> {
+        let (_, unit) = self.sources.iter().find(|(unit, _)| unit == actual.name)?;
+        let formal = actual.target.rsplit('.').next()?;
+        unit.scopes[0].get(formal).filter(|_| formal != "clk").map(|name| (name.ty, name.out))
+    }
+
+    /// Changes of single words and of what belongs to them.
+    fn expression(&mut self) {
+        let Range { start, end } = self.statement.tokens;
+        let reads = self.statement.role != Role::Actual || self.port(self.statement).is_some_and(|(_, out)| !out);
+        let mut i = start;
+        while i < end {
+            let (word, before) = (self.word(i), if i > start { self.word(i - 1) } else { "" });
+            match word {
+                "not" => self.replace(Kind::Case, i..i + 1, "", format!("not {} -> without not", self.word(i + 1))),
+                "and" | "or" => {
+                    // In brackets: `a and b or c` is no VHDL.
+                    let (left, right) = self.operands(i, &ENDS[..6]);
+                    let [a, b] = [&left, &right].map(|side| self.source.part(side));
+                    let other = if word == "and" { "or" } else { "and" };
+                    let change = format!("{word} -> {other}");
+                    self.replace(Kind::Case, left.start..right.end, format!("(({a}) {other} ({b}))"), change);
+                }
+                "xor" => self.exchange(Kind::Operand, i..i + 1, "or"),
+                "-" if matches!(before, "" | "(" | ",") => self.replace(Kind::Operand, i..i + 1, "", "sign dropped"),
+                "+" | "-" => self.sum(i),
+                "&" if !self.statement.target.ends_with("_line") => self.swap(i),
+                "=" if !self.word(i + 1).starts_with('\'') => self.exchange(Kind::Comparison, i..i + 1, "/="),
+                "'0'" | "'1'" => {
+                    let kind = if before == "=" { Kind::Case } else { Kind::Constant };
+                    self.exchange(kind, i..i + 1, if word == "'0'" { "'1'" } else { "'0'" });
+                }
+                "when" => self.arm(i),
+                _ if self.word(i + 1) == "(" && self.known(word).is_none() => self.call(i),
+                _ if word.starts_with('"') || self.statement.role == Role::Table => self.entry(i),
+                _ if word.parse::<u64>().is_ok() => {
+                    if before == "=" || (matches!(before, "+" | "-") && word != "1") {
+                        self.next(i);
+                    }
+                }
+                _ if !reads || before == "." || self.word(i + 1) == "'" || self.known(word).is_none() => {}
+                _ => {
+                    self.name(i);
+                    i = self.selectors(i);
+                    continue;
+                }
+            }
+            i += 1;
+        }
+    }
+
+    /// The operands of a sign: what stands on either side of it.
+    fn operands(&self, sign: usize, ends: &[&str]) -> (Range<usize>, Range<usize>) {
+        let (mut from, mut depth) = (sign, 0);
+        while from > self.statement.tokens.start {
+            let word = self.word(from - 1);
+            depth += i32::from(word == ")") - i32::from(word == "(");
+            if depth < 0 || (depth == 0 && ends.contains(&word)) {
+                break;
+            }
+            from -= 1;
+        }
+        let to = self.source.seek(sign + 1, ends).min(self.statement.tokens.end);
+        (from..sign, sign + 1..to)
+    }
+
+    /// The operands of a sign in the other order.
+    fn swap(&mut self, sign: usize) {
+        let (left, right) = self.operands(sign, &ENDS);
+        let [a, b] = [&left, &right].map(|side| self.source.part(side));
+        let new = format!("{b} {} {a}", self.word(sign));
+        self.replace(Kind::Operand, left.start..right.end, new, format!("{a} and {b} exchanged"));
+    }
+
+    /// A sum or difference; an addend of one unit or of a flag rounds up.
+    fn sum(&mut self, sign: usize) {
+        let (left, right) = self.operands(sign, &ENDS);
+        let addend = self.source.part(&right);
+        // A counter goes on by one; what rounds is added to something else.
+        let counts = !self.statement.name.is_empty() && self.source.part(&left).contains(self.statement.name);
+        let flag = addend.starts_with("to_signed(") && self.word(right.start + 2).parse::<u64>().is_err();
+        if addend == "1" && !counts {
+            self.replace(Kind::Rounding, sign..right.end, "", "ulp dropped");
+            self.replace(Kind::Rounding, right, "2", "an ulp too many");
+        } else if flag {
+            self.replace(Kind::Rounding, sign..right.end, "", "ulp dropped");
+            let (arguments, _) = self.source.list(right.start + 1, ",");
+            self.replace(Kind::Rounding, arguments[0].clone(), "'1'", "ulp forced");
+        } else {
+            self.exchange(Kind::Operand, sign..sign + 1, if self.word(sign) == "+" { "-" } else { "+" });
+            if self.word(sign) == "-" {
+                self.swap(sign);
+            }
+        }
+    }
+
+    /// The value of an arm never taken.
+    fn arm(&mut self, when: usize) {
+        let (value, _) = self.operands(when, &ENDS);
+        let next = self.source.seek(when, &["else"]) + 1;
+        let next = next..self.source.seek(next, &["when", ";"]).min(self.statement.tokens.end);
+        let [old, new] = [&value, &next].map(|arm| self.source.part(arm));
+        self.replace(Kind::Case, value, new, format!("{old} -> {new}, the next arm"));
+    }
+
+    /// The functions of the package.
+    fn call(&mut self, name: usize) {
+        let (arguments, end) = self.source.list(name + 1, ",");
+        let parts: Vec<&str> = arguments.iter().map(|argument| self.source.part(argument)).collect();
+        match (self.word(name), parts.as_slice()) {
+            ("less", [a, b]) => {
+                self.replace(Kind::Comparison, name..end, format!("less({b}, {a})"), format!("{a} < {b} -> >"));
+                self.replace(Kind::Comparison, name..end, format!("(not less({b}, {a}))"), format!("{a} < {b} -> <="));
+            }
+            ("choose", [flag, a, b]) => {
+                let new = format!("choose({flag}, {b}, {a})");
+                self.replace(Kind::Case, name..end, new, format!("{a} and {b} exchanged"));
+                self.replace(Kind::Case, arguments[1].clone(), *b, format!("{a} -> {b}, always"));
+            }
+            ("negated_if", [flag, x]) => self.replace(Kind::Case, name..end, *x, format!("{flag} never negates")),
+            ("abs_of", [x]) => {
+                self.replace(Kind::Operand, name..end, format!("unsigned({x})"), "magnitude without abs")
+            }
+            ("to_signed" | "to_unsigned", [_, _]) => self.next(arguments[0].end - 1),
+            ("shift_left", [_, _]) => self.next(arguments[1].start),
+            _ => {}
+        }
+    }
+
+    /// One more than a number, if it is one.
+    fn next(&mut self, i: usize) {
+        if let Ok(number) = self.word(i).parse::<u64>() {
+            self.exchange(Kind::Constant, i..i + 1, &(number + 1).to_string());
+        }
+    }
+
+    /// Bits of a table one by one; a number becomes the next greater of the table, the greatest the least.
+    fn entry(&mut self, i: usize) {
+        let (word, inside) = (self.word(i), self.statement.tokens.start + 1..self.statement.tokens.end - 1);
+        if let Some(bits) = word.strip_prefix('"') {
+            for (place, bit) in bits.trim_end_matches('"').char_indices() {
+                let other = if bit == '0' { '1' } else { '0' };
+                let new = format!("{}{other}{}", &word[..=place], &word[place + 2..]);
+                self.replace(Kind::Constant, i..i + 1, new, format!("entry {place}: {bit} -> {other}"));
+            }
+        } else if let Ok(number) = word.parse::<u64>() {
+            let entries = || inside.clone().step_by(2).filter_map(|k| self.word(k).parse::<u64>().ok());
+            let next = entries().filter(|entry| *entry > number).min().or(entries().min()).unwrap_or_default();
+            let place = (i - inside.start) / 2;
+            self.replace(Kind::Constant, i..i + 1, next.to_string(), format!("entry {place}: {number} -> {next}"));
+        }
+    }
+
+    /// Other names in place of one: the other bound, a neighbour, what its register takes its value from.
+    fn name(&mut self, i: usize) {
+        let name = self.word(i);
+        let bound = self.other_bound(name);
+        if let Some(other) = bound {
+            self.exchange(Kind::Bound, i..i + 1, other);
+        }
+        if let Some(other) = self.neighbour(name, bound) {
+            self.exchange(Kind::Operand, i..i + 1, other);
+        }
+        let taken = |s: &&Statement| s.role == Role::Register && s.name == name && s.scope == self.statement.scope;
+        if let Some(register) = self.source.statements.iter().find(taken) {
+            let from = register.tokens.clone();
+            if self.known(self.word(from.start)).is_some() && self.source.selected(from.start) == from.end {
+                self.exchange(Kind::Delay, i..i + 1, self.source.part(&from));
             }
         }
     }
 
     /// The upper bound that belongs to a lower one, or the reverse.
-    fn other_bound(&self, name: &str) -> Option<String> {
-        let mut words: Vec<&str> = name.split('_').collect();
-        let last = words.iter().rposition(|word| matches!(*word, "lo" | "hi"))?;
-        words[last] = if words[last] == "lo" { "hi" } else { "lo" };
-        let other = words.join("_");
-        let fits = self.source.type_of(&other) == self.source.type_of(name) && other != self.statement.target;
+    fn other_bound(&self, name: &str) -> Option<&'a str> {
+        let flip = |word| {
+            if word == "lo" {
+                "hi"
+            } else if word == "hi" {
+                "lo"
+            } else {
+                word
+            }
+        };
+        let other = name.split('_').map(flip).collect::<Vec<_>>().join("_");
+        let scope = &self.source.scopes[self.statement.scope];
+        let (other, known) = scope.get_key_value(other.as_str())?;
+        let fits = *other != name && known.ty == self.known(name)?.ty && *other != self.statement.name;
         fits.then_some(other)
     }
 
     /// The name of the same type that is declared last before this one, or else first after it.
     fn neighbour(&self, name: &str, bound: Option<&str>) -> Option<&'a str> {
-        let (ty, order) = self.source.types[name];
-        let fits = |(other, (t, _)): &(&&'a str, &(&str, usize))| {
-            let known = [Some(name), bound, Some(self.statement.target.as_str())].contains(&Some(**other));
-            *t == ty && !known && undelayed(other) != undelayed(name) && **other != "clk"
+        let Name { ty, order, .. } = self.known(name)?;
+        let assigned = self.statement.target.split('.').next();
+        let fits = |(other, n): &(&&'a str, &Name)| {
+            let near = [Some(name), bound, assigned].contains(&Some(**other));
+            n.ty == ty && !n.out && !near && undelayed(other) != undelayed(name) && **other != "clk"
         };
-        let others = || self.source.types.iter().filter(fits);
-        let before = others().filter(|(_, (_, o))| *o < order).max_by_key(|(_, (_, o))| *o);
-        before.or_else(|| others().min_by_key(|(_, (_, o))| *o)).map(|(other, _)| *other)
+        let others = || self.source.scopes[self.statement.scope].iter().filter(fits);
+        let before = others().filter(|(_, n)| n.order < order).max_by_key(|(_, n)| n.order);
+        before.or_else(|| others().min_by_key(|(_, n)| n.order)).map(|(other, _)| *other)
     }
 
-    /// What a register takes its value from, if it is one of a chain.
-    fn earlier(&self, name: &str, sliced: bool) -> Option<String> {
-        let (base, steps) = delay(name)?;
-        let before = match steps {
-            1 => base.to_owned(),
-            _ => format!("{}{}", &name[..name.len() - steps.to_string().len()], steps - 1),
-        };
-        let (own, of_before) = (self.source.type_of(name)?, self.source.type_of(&before)?);
-        if own == of_before {
-            return Some(before);
-        }
-        let (kind, range) = own.split_once('(')?;
-        let raw = of_before.strip_prefix("std_logic_vector(") == Some(range);
-        (raw && !sliced).then(|| format!("{kind}({before})"))
-    }
-
-    /// Ulps and sticky bits.
-    fn rounding(&mut self) {
-        let (target, part) = (self.statement.target.clone(), self.part());
-        if self.statement.role == Role::Constant && target.ends_with("_ulp") {
-            self.rewrite(Kind::Rounding, "'0'", "ulp dropped");
-        }
-        if self.statement.role != Role::Concurrent {
-            return;
-        }
-        if let Some(at) = part.find(" + resize(signed'('0' & ") {
-            let ulp = &part[at..].trim_start_matches(" + resize(signed'('0' & ").split(')').next();
-            if !ulp.is_some_and(|ulp| ulp.ends_with("_ulp")) {
-                // A magnitude is converted as a whole.
-                let rest = if part.starts_with("unsigned(") { ")" } else { "" };
-                self.replace(Kind::Rounding, (at, part.len()), rest, "ulp dropped");
-            }
-            self.replace(Kind::Rounding, (part.len(), part.len()), " + 1", "an ulp too many");
-        }
-        if target.ends_with("_floor_lo") && self.target_type().starts_with("signed") {
-            self.rewrite(Kind::Rounding, &format!("{part} + 1"), "lower bound rounded up");
-        }
-        if self.target_type() == "std_logic" && (target.ends_with("_sticky") || target.ends_with("_inexact")) {
-            self.rewrite(Kind::Rounding, "'0'", "sticky bit dropped");
-            self.rewrite(Kind::Rounding, "'1'", "sticky bit forced");
-        }
-    }
-
-    /// Where the condition of the statement begins and ends.
-    fn condition(&self) -> Option<(usize, usize)> {
-        let part = self.part();
-        if self.statement.role == Role::Condition {
-            return Some((0, part.len()));
-        }
-        let from = part.find(" when ")? + " when ".len();
-        Some((from, from + part[from..].find(" else ").unwrap_or(part.len() - from)))
-    }
-
-    fn conditions(&mut self) {
-        let Some((from, to)) = self.condition() else { return };
-        let part = self.part();
-        for (sign, others) in [(" < ", [" <= ", " > "]), (" > ", [" >= ", " < "])] {
-            for (at, _) in part[from..to].match_indices(sign) {
-                for other in others {
-                    let change = format!("{} -> {}", sign.trim(), other.trim());
-                    self.replace(Kind::Comparison, (from + at, from + at + sign.len()), other, change);
+    /// Fields and indices of a name: the other bound, another component, bits one off. The next word to look at.
+    fn selectors(&mut self, name: usize) -> usize {
+        let mut i = name + 1;
+        loop {
+            match self.word(i) {
+                "." => {
+                    let other = if self.word(i + 1) == "lo" { "hi" } else { "lo" };
+                    if matches!(self.word(i + 1), "lo" | "hi") {
+                        let old = self.source.part(&(name..i + 2));
+                        self.replace(Kind::Bound, i + 1..i + 2, other, format!("{old} -> .{other}"));
+                    }
+                    i += 2;
                 }
-            }
-        }
-        for (at, sign) in part[from..to].match_indices(" = ") {
-            let place = (from + at, from + at + sign.len());
-            let rest = &part[place.1..];
-            let flag = rest.starts_with('\'');
-            let kind = if flag { Kind::Case } else { Kind::Comparison };
-            self.replace(kind, place, " /= ", "= -> /=");
-            let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
-            if let Ok(number) = rest[..digits].parse::<u32>() {
-                let change = format!("{number} -> {}", number + 1);
-                self.replace(Kind::Constant, (place.1, place.1 + digits), &(number + 1).to_string(), change);
-            }
-        }
-    }
-
-    /// The values of a choice: swapped, or the next one in place of this one.
-    fn arms(&mut self, next: Option<&Statement>) {
-        let part = self.part();
-        let Some((value, rest)) = part.split_once(" when ") else { return };
-        if let Some((condition, other)) = rest.split_once(" else ") {
-            self.rewrite(Kind::Case, &format!("{other} when {condition} else {value}"), "arms swapped");
-        } else if let Some(next) = next {
-            let line = self.source.lines[next.line - 1];
-            let next = &line[next.span.0..next.span.1];
-            let other = next.split_once(" when ").map_or(next, |(value, _)| value);
-            self.replace(Kind::Case, (0, value.len()), other, format!("{value} -> {other}, the next arm"));
-        }
-    }
-
-    fn logic(&mut self) {
-        let part = self.part();
-        if part.contains(" when ") || self.statement.role == Role::Condition {
-            return;
-        }
-        if let Some(positive) = part.strip_prefix("not ") {
-            self.rewrite(Kind::Case, positive, "not dropped");
-        }
-        for (sign, other) in [(" and ", " or "), (" or ", " and ")] {
-            if let Some((left, right)) = part.split_once(sign) {
-                let change = format!("{} -> {}", sign.trim(), other.trim());
-                self.rewrite(Kind::Case, &format!("{left}{other}{right}"), change);
-                if self.target_type() == "std_logic" {
-                    self.rewrite(Kind::Case, &format!("(not {left}){sign}{right}"), format!("not {left}"));
-                    self.rewrite(Kind::Case, &format!("{left}{sign}(not {right})"), format!("not {right}"));
+                "(" => {
+                    let (inside, end) = self.source.list(i, ",");
+                    if inside[0].clone().any(|k| self.known(self.word(k)).is_some()) {
+                        // The index is a signal: it has names of its own.
+                        return i;
+                    }
+                    let words: Vec<&str> = inside[0].clone().map(|k| self.word(k)).collect();
+                    if let Some(new) = moved(&words) {
+                        let kind = if self.word(name).ends_with("_line") { Kind::Delay } else { Kind::Constant };
+                        let old = self.source.part(&(name..end));
+                        self.replace(kind, inside[0].clone(), &new, format!("{old} -> ({new})"));
+                    }
+                    i = end;
                 }
+                _ => return i,
             }
-        }
-    }
-
-    fn arithmetic(&mut self) {
-        let part = self.part();
-        if part.contains(" when ") {
-            return;
-        }
-        if let Some((left, right)) = part.split_once(" - ") {
-            self.rewrite(Kind::Operand, &format!("{right} - {left}"), "operands exchanged");
-            self.rewrite(Kind::Operand, &format!("{left} + {right}"), "- -> +");
-            if self.statement.target.ends_with("_difference") {
-                self.rewrite(Kind::Comparison, &format!("{part} - 1"), "< -> <=");
-            }
-        }
-        if let Some((left, right)) = part.split_once(" + ") {
-            self.rewrite(Kind::Operand, &format!("{left} - {right}"), "+ -> -");
-        }
-        if let Some(positive) = part.strip_prefix('-') {
-            self.rewrite(Kind::Operand, positive, "sign dropped");
-        }
-        let pieces: Vec<&str> = part.split(" & ").collect();
-        if pieces.len() > 1 && !part.contains(['"', '\'']) {
-            let mut swapped = pieces.clone();
-            swapped.swap(0, 1);
-            self.rewrite(Kind::Operand, &swapped.join(" & "), "first two exchanged");
-        }
-    }
-
-    fn literals(&mut self) {
-        let part = self.part();
-        let bare = self.statement.role != Role::Condition && !part.contains(" when ");
-        if bare && matches!(part, "'0'" | "'1'") && !self.statement.target.ends_with("_ulp") {
-            let other = if part == "'0'" { "'1'" } else { "'0'" };
-            self.rewrite(Kind::Constant, other, format!("{part} -> {other}"));
-        }
-        let quotes: Vec<usize> = part.match_indices('"').map(|(at, _)| at).collect();
-        for pair in quotes.chunks_exact(2) {
-            let last = pair[1] - 1;
-            let other = if &part[last..=last] == "0" { "1" } else { "0" };
-            self.replace(Kind::Constant, (last, last + 1), other, format!("last bit of a literal -> {other}"));
-        }
-    }
-
-    /// Slices and single bits, off by one.
-    fn indices(&mut self) {
-        let part = self.part();
-        for (at, name) in self.used() {
-            let open = at + name.len();
-            let Some(inside) = part[open..].strip_prefix('(').and_then(|rest| rest.split(')').next()) else { continue };
-            let place = (open + 1, open + 1 + inside.len());
-            let range = self.source.type_of(name).and_then(|ty| ty.split_once('(')).map_or("", |(_, range)| range);
-            let high: Option<u32> = range.split(' ').next().and_then(|high| high.parse().ok());
-            let moved = match inside.split_once(" downto ") {
-                Some((h, l)) => match (h.parse::<u32>(), l.parse::<u32>()) {
-                    (Ok(h), Ok(l)) if l > 0 => format!("{} downto {}", h - 1, l - 1),
-                    (Ok(h), Ok(l)) if high.is_some_and(|high| h < high) => format!("{} downto {}", h + 1, l + 1),
-                    _ => continue,
-                },
-                None => match inside.parse::<u32>() {
-                    Ok(0) if high.is_some_and(|high| high > 0) => "1".to_owned(),
-                    Ok(bit) if bit > 0 => (bit - 1).to_string(),
-                    _ => continue,
-                },
-            };
-            let kind = if name.ends_with("_line") { Kind::Delay } else { Kind::Constant };
-            self.replace(kind, place, &moved, format!("({inside}) -> ({moved})"));
-        }
-    }
-
-    /// A register more: the value arrives one clock edge later.
-    fn register(&mut self, late: u32) {
-        if self.statement.role == Role::Register {
-            let late = format!("transport {} after {late} ps", self.part());
-            self.rewrite(Kind::Delay, &late, "a register too many");
         }
     }
 }
 
-/// The name without `_d1`, `_r2` and the like, and the number.
-fn delay(name: &str) -> Option<(&str, usize)> {
-    let (base, last) = name.rsplit_once('_')?;
-    let steps = last.strip_prefix(['d', 'r'])?.parse().ok()?;
-    (steps > 0).then_some((base, steps))
+/// An index or slice beside the one that is written.
+fn moved(index: &[&str]) -> Option<String> {
+    let number = |word: &str| word.parse::<u32>().ok();
+    Some(match index {
+        [n] => number(n).map_or(0, |n| n.checked_sub(1).unwrap_or(1)).to_string(),
+        [h, "downto", l] => match (number(h)?, number(l)?) {
+            (h, 0) => format!("{} downto 1", h + 1),
+            (h, l) => format!("{} downto {}", h - 1, l - 1),
+        },
+        [v, "+", n] => format!("{v} + {}", number(n)? - 1),
+        ["(", v, "+", n, ")", "mod", m] => format!("({v} + {}) mod {m}", number(n)? - 1),
+        _ => return None,
+    })
 }
 
+/// The name without `_d1`, `_h11` and the like.
 fn undelayed(name: &str) -> &str {
-    delay(name).map_or(name, |(base, _)| base)
+    let digits = name.trim_end_matches(|c: char| c.is_ascii_digit());
+    match digits.strip_suffix("_d").or_else(|| digits.strip_suffix("_h")) {
+        Some(base) if digits != name => base,
+        _ => name,
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    const PACKAGE: &str = "package body p_types is
+  function less(x, y : signed) return std_logic is
+  begin
+    return flag(x < y);
+  end function less;
+end package body p_types;
+";
     const TEXT: &str = "entity u is
   port (
-    clk : in std_logic;
-    x_lo : in std_logic_vector(4 downto 0);  -- s5.0
-    x_hi : in std_logic_vector(4 downto 0)
+    clk : in  std_logic;
+    x   : in  interval_4_t;  -- s3.0; \"no\" literal
+    y   : in  interval_4_t;
+    z   : out interval_4_t
   );
 end entity u;
 
 architecture rtl of u is
-  constant up_ulp : std_logic := '1';
+  constant turn_table : numbers_t(0 to 2) := (0, 3, 5);
   signal low : signed(3 downto 0);
-  signal high : signed(3 downto 0);
   signal low_d1 : signed(3 downto 0) := (others => '0');
-  signal high_d1 : signed(3 downto 0) := (others => '0');
-  signal below : std_logic;
-  signal least : signed(3 downto 0);
+  signal word_line : std_logic_vector(1 to 3) := (others => '0');
 begin
-  low <= signed(x_lo(4 downto 1));
-  below <= '1' when low < high else '0';
-  least <=
-    low_d1 when below = '1' else
-    -high_d1;
+  low <= x.lo(3 downto 0) - 1 when less(x.hi, y.lo) = '1' else
+      choose(word_line(3), y.lo, to_signed(-7, 4));
+  part : for i in 0 to 2 generate
+    unit : entity work.u
+      port map (clk => clk, x => x,
+                y => y, z => z);
+  end generate part;
 
   clock_1 : process (clk)
   begin
     if rising_edge(clk) then
-      low_d1 <= low;
+      if word_line(2) = '1' then
+        low_d1 <= low;
+      end if;
     end if;
   end process clock_1;
+  z.hi <= resize(low_d1, 5) + 1;
 end architecture rtl;
 ";
 
-    fn changes(target: &str) -> Vec<String> {
-        let all = mutants("u", TEXT, 15_000);
-        all.iter().filter(|m| m.target == target).map(|m| format!("{} {}: {}", m.line, m.kind, m.change)).collect()
+    fn files() -> Vec<(String, String)> {
+        [("p_types", PACKAGE), ("u", TEXT)].map(|(name, text)| (format!("{name}.vhd"), text.to_owned())).to_vec()
     }
 
     #[test]
-    fn lines_yield_the_mutants_that_their_forms_allow() {
-        assert_eq!(changes("up_ulp"), ["10 rounding: ulp dropped"]);
-        assert_eq!(changes("low"), ["18 bound: x_lo -> x_hi", "18 constant: (4 downto 1) -> (3 downto 0)"]);
-        let below = changes("below");
-        for change in ["19 comparison: < -> <=", "19 comparison: < -> >", "19 case: arms swapped"] {
-            assert!(below.iter().any(|b| b == change), "{below:?}");
-        }
-        let least = changes("least");
-        for change in [
-            "21 case: low_d1 -> -high_d1, the next arm",
-            "21 case: = -> /=",
-            "21 delay: low_d1 -> low",
-            "22 operand: sign dropped",
+    fn statements_yield_the_mutants_that_their_forms_allow() {
+        let all: Vec<String> = mutants(&files(), 15_000).iter().map(|m| format!("{} {}", m.line, m.name())).collect();
+        for expected in [
+            "4 p_types:less:operand:x -> y",
+            "11 u:turn_table:constant:entry 2: 5 -> 0",
+            "16 u:low:bound:x.lo -> .hi",
+            "16 u:low:rounding:ulp dropped",
+            "16 u:low:comparison:x.hi < y.lo -> <=",
+            "16 u:low:case:'1' -> '0'",
+            "17 u:low:case:y.lo and to_signed(-7, 4) exchanged",
+            "17 u:low:constant:7 -> 8",
+            "17 u:low:delay:word_line(3) -> (2)",
+            "20 u:part.x:operand:x and y",
+            "27 u:low_d1:case:without the condition word_line(2) = '1'",
+            "28 u:low_d1:delay:a register too many",
+            "32 u:z.hi:delay:low_d1 -> low",
         ] {
-            assert!(least.iter().any(|l| l == change), "{least:?}");
+            assert!(all.iter().any(|found| found == expected), "no {expected} in {all:#?}");
         }
-        assert!(changes("low_d1").contains(&"27 delay: a register too many".to_owned()));
     }
 
     #[test]
-    fn a_mutant_differs_in_exactly_one_line() {
-        let all = mutants("u", TEXT, 15_000);
-        assert!(all.len() > 12);
-        for mutant in &all {
-            let changed = mutant.apply(TEXT);
-            let differ: Vec<usize> = TEXT
-                .lines()
-                .zip(changed.lines())
-                .enumerate()
-                .filter(|(_, (a, b))| a != b)
-                .map(|(i, _)| i + 1)
-                .collect();
-            assert_eq!((differ, changed.lines().count()), (vec![mutant.line], TEXT.lines().count()), "{mutant:?}");
-        }
-        let mut names: Vec<String> = all.iter().map(Mutant::name).collect();
-        names.sort();
-        names.dedup();
-        assert_eq!(names.len(), all.len(), "names are unique");
-    }
-
-    #[test]
-    fn a_register_too_many_arrives_one_edge_later() {
-        let late = mutants("u", TEXT, 15_000).into_iter().find(|m| m.change == "a register too many").unwrap();
-        assert_eq!(late.text.trim(), "low_d1 <= transport low after 15000 ps;");
+    fn mutants_change_what_they_say() {
+        let changed = |change: &str| {
+            let all = mutants(&files(), 15_000);
+            all.iter().find(|mutant| mutant.change == change).unwrap().apply(TEXT)
+        };
+        let late = TEXT.replace("low_d1 <= low;", "low_d1 <= transport low after 15000 ps;");
+        assert_eq!(changed("a register too many"), late);
+        assert_eq!(changed("x.hi < y.lo -> <="), TEXT.replace("less(x.hi, y.lo)", "(not less(y.lo, x.hi))"));
+        let swapped = "x => y,\n                y => x,";
+        assert_eq!(changed("x and y"), TEXT.replace("x => x,\n                y => y,", swapped));
     }
 }
