@@ -136,8 +136,8 @@ fn a_small_sweep_end_to_end() {
         number(&rows.iter().find(fits).unwrap()["answers"]["possibly_incorrect"])
     });
     assert!(widths.is_sorted_by(|x, y| x >= y) && widths[0] > 3 * widths[2], "{widths:?}");
-    assert_eq!(number(&base[0]["hardware"]["cells"]["multipliers"]), 72);
-    // The folding of two axes a clock is there for 144 multipliers, and none for 20 bits in 72.
+    assert_eq!(number(&base[0]["hardware"]["cells"]["multipliers"]), 60);
+    // The folding of two axes per clock is there for 144 multipliers, and none for 20 bits in 72.
     let fold = |budget: usize, width: usize| {
         let folds = found["foldings"].as_array().unwrap();
         folds.iter().find(|f| number(&f["budget"]) == budget && number(&f["width"]) == width).unwrap()

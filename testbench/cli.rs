@@ -278,7 +278,7 @@ fn the_manifest_has_the_fields_of_the_contract() {
         line.starts_with("efsat generate --width 18 --int-bits 4 ")
             && line.ends_with(" --tag-width 16 --stream-width 64")
     );
-    assert_eq!((&manifest["initiation_interval"], &manifest["multipliers"]), (&Value::from(11), &Value::from(72)));
+    assert_eq!((&manifest["initiation_interval"], &manifest["multipliers"]), (&Value::from(11), &Value::from(60)));
     assert!(manifest["latency"].as_u64().unwrap() > 0);
     assert_eq!(manifest["parameters"].as_object().unwrap().len(), 13);
     assert_eq!(manifest["guard"], false);

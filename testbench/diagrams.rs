@@ -9,7 +9,7 @@ use std::path::Path;
 use std::process::{Command, Output};
 
 /// The pictures of docs/diagrams.md; scripts/diagrams draws them.
-const SHOWN: [&str; 3] = ["comparator_network", "projection", "projection_multiply"];
+const SHOWN: [&str; 3] = ["comparator_network", "interval_multiply", "projection"];
 
 fn pictures(params: &Params) -> Vec<Picture> {
     let design = Design::new(params, Probes::None).unwrap();
@@ -72,7 +72,7 @@ fn generate_writes_the_picture_and_nothing_else() {
 #[test]
 fn wrong_command_lines_are_told_in_one_line() {
     let lines = [
-        ("generate --unit nothing --svg x.svg", "--unit nothing: legal is one of transform_multiply, "),
+        ("generate --unit nothing --svg x.svg", "--unit nothing: legal is one of multiply_18_18, "),
         ("generate --unit projection", "--unit projection: needs --dot FILE or --svg FILE"),
         ("generate --svg x.svg", "--unit"),
         ("generate --svg x.svg --out rtl", "--out"),

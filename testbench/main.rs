@@ -11,7 +11,7 @@ mod effects;
 mod guard;
 mod hierarchy;
 mod house;
-//mut mod mutation;
+mod mutation;
 mod operators;
 //prf mod proofs;
 mod protocol;

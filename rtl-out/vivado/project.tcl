@@ -7,25 +7,17 @@ set part [expr {$argc > 0 ? [lindex $argv 0] : "xc7a200tfbg676-1"}]
 set here [file dirname [file normalize [info script]]]
 create_project -force -part $part efsat [file join $here efsat]
 add_files -norecurse [list \
+  [file join $here .. efsat_types.vhd] \
   [file join $here .. sequencer.vhd] \
-  [file join $here .. transform_multiply.vhd] \
-  [file join $here .. transform_add_two.vhd] \
-  [file join $here .. transform_add_t.vhd] \
-  [file join $here .. transform_add_all.vhd] \
+  [file join $here .. multiply_18_18.vhd] \
+  [file join $here .. multiply_32_32.vhd] \
   [file join $here .. transform_row.vhd] \
   [file join $here .. renormalise_offset.vhd] \
   [file join $here .. renormalise_shift.vhd] \
   [file join $here .. renormalise_scale.vhd] \
-  [file join $here .. edge_a_anchored.vhd] \
-  [file join $here .. edge_a.vhd] \
-  [file join $here .. edge_b.vhd] \
   [file join $here .. sign_case.vhd] \
-  [file join $here .. axis_multiply.vhd] \
-  [file join $here .. axis_subtract.vhd] \
+  [file join $here .. interval_multiply.vhd] \
   [file join $here .. cross_product.vhd] \
-  [file join $here .. projection_multiply.vhd] \
-  [file join $here .. projection_add_two.vhd] \
-  [file join $here .. projection_add_three.vhd] \
   [file join $here .. projection.vhd] \
   [file join $here .. comparator_network.vhd] \
   [file join $here .. pair_pipeline.vhd] \

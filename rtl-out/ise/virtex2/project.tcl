@@ -10,25 +10,17 @@ project set family Virtex2
 project set device xc2v6000
 project set package bf957
 project set speed -4
+xfile add ../../efsat_types.vhd
 xfile add ../../sequencer.vhd
-xfile add ../../transform_multiply.vhd
-xfile add ../../transform_add_two.vhd
-xfile add ../../transform_add_t.vhd
-xfile add ../../transform_add_all.vhd
+xfile add ../../multiply_18_18.vhd
+xfile add ../../multiply_32_32.vhd
 xfile add ../../transform_row.vhd
 xfile add ../../renormalise_offset.vhd
 xfile add ../../renormalise_shift.vhd
 xfile add ../../renormalise_scale.vhd
-xfile add ../../edge_a_anchored.vhd
-xfile add ../../edge_a.vhd
-xfile add ../../edge_b.vhd
 xfile add ../../sign_case.vhd
-xfile add ../../axis_multiply.vhd
-xfile add ../../axis_subtract.vhd
+xfile add ../../interval_multiply.vhd
 xfile add ../../cross_product.vhd
-xfile add ../../projection_multiply.vhd
-xfile add ../../projection_add_two.vhd
-xfile add ../../projection_add_three.vhd
 xfile add ../../projection.vhd
 xfile add ../../comparator_network.vhd
 xfile add ../../pair_pipeline.vhd
