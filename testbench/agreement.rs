@@ -4,6 +4,7 @@
 //! four combinations unless EFSAT_AGREEMENT is `full`. The comparison of answers includes the flags of every axis, so
 //! that a parameter set whose verdicts are all possibly-incorrect is checked too.
 
+use crate::baseline::hardware::Names;
 use efsat::artefact::Stimulus;
 use efsat::cosim::{self, Options, Simulator};
 use efsat::design::{Design, Probes};
@@ -204,51 +205,18 @@ fn flags_tell_more_than_verdicts_where_all_verdicts_are_possibly_incorrect() {
     assert!(flags.len() > 20, "{} different flag words", flags.len());
 }
 
-/// The name in the reference model's trace of a node of the data path, if it has one.
-fn traced(p: &Params, design: &Design) -> Vec<(usize, usize, String, bool)> {
-    // Node names of the data path follow a few patterns; phases come from the probes.
-    let evaluator = Evaluator::new(&design.pipeline);
-    let axes = efsat::design::axes::Axis::all(p.axes);
+/// The nodes of the data path that are signals of the reference model's trace: node, phase, signal, and 1 for an upper bound.
+fn traced(p: &Params, design: &Design, stimulus: &Stimulus) -> Vec<(usize, usize, String, usize)> {
+    let (evaluator, names) = (Evaluator::new(&design.pipeline), Names::new(p, &stimulus.segments));
     let mut found = vec![];
     for probe in &design.probes {
         let node = evaluator.flat().top_node(&probe.name).expect("a node");
-        let Some((stem, end)) = probe.name.rsplit_once('_') else { continue };
-        let upper = match end {
-            "lo" => false,
-            "hi" => true,
-            _ => continue,
-        };
-        let parts: Vec<&str> = stem.split('_').collect();
         for (phase, _) in &probe.clocks {
-            let axis = |unit: &str| axes.get(phase * p.axes_per_clock + unit.parse::<usize>().expect("a number"));
-            let name = match parts.as_slice() {
-                [b, c] if b.starts_with('b') => format!("transform.w{}_{c}", &b[1..]),
-                [point, c] if point.starts_with(['v', 'w']) => format!("renormalise.{point}_{c}"),
-                ["e", edge, c] => format!("edge.{edge}_{c}"),
-                ["axis", unit, "cross", "l", c] => format!("axis.{}_{c}", axis(unit).expect("an axis").name()),
-                ["axis", unit, slot, "project", "p"] => {
-                    let axis = axis(unit).expect("an axis");
-                    let slot: usize = slot[1..].parse().expect("a number");
-                    let (a, b) = (axis.projected(0, p.projections), axis.projected(1, p.projections));
-                    let last = if p.projections == Projections::Skip { slots(p) - 1 } else { 5 };
-                    let point = match a.get(slot) {
-                        Some(k) => format!("v{k}"),
-                        None if p.projections == Projections::Skip => format!("w{}", b[last - slot]),
-                        None => format!("w{}", slot - 3),
-                    };
-                    format!("projection.{}.{point}", axis.name())
-                }
-                other => panic!("unknown node {other:?}"),
-            };
-            found.push((node, *phase, name, upper));
+            let signal = names.signal(&probe.name, *phase).filter(|(signal, _)| !signal.starts_with("flags."));
+            found.extend(signal.map(|(signal, part)| (node, *phase, signal, part)));
         }
     }
     found
-}
-
-fn slots(p: &Params) -> usize {
-    let axes = efsat::design::axes::Axis::all(p.axes);
-    axes.iter().map(|a| a.projected(0, p.projections).len() + a.projected(1, p.projections).len()).max().unwrap()
 }
 
 #[test]
@@ -259,16 +227,17 @@ fn graph_equals_reference_model_in_every_inner_signal() {
         let design = Design::new(p, Probes::All).unwrap_or_else(|e| panic!("{name}: {e}"));
         let golden = Golden::new(p);
         let mut evaluator = Evaluator::new(&design.pipeline);
-        let nodes = traced(p, &design);
+        let stimulus = Stimulus::random(p, 40, 11).followed_by(Stimulus::outside(p));
+        let nodes = traced(p, &design, &stimulus);
         assert!(nodes.len() >= 2 * (18 + 18 + 33 + 44), "{name}: {} signals compared", nodes.len());
-        for (pose, pairs) in &Stimulus::random(p, 40, 11).followed_by(Stimulus::outside(p)).segments {
+        for (pose, pairs) in &stimulus.segments {
             for pair in pairs {
                 evaluator.run(&cosim::inputs(&design, pose, pair));
                 let trace: BTreeMap<_, _> = golden.trace(pose, pair).into_iter().collect();
-                for (node, phase, signal, upper) in &nodes {
+                for (node, phase, signal, part) in &nodes {
                     let x = trace.get(signal).unwrap_or_else(|| panic!("{name}: the model has no {signal}"));
-                    let expected = if *upper { x.hi } else { x.lo };
-                    assert_eq!(evaluator.at(*node, *phase), expected, "{name}: {signal}, upper {upper}\n{p:?}");
+                    let expected = [x.lo, x.hi][*part];
+                    assert_eq!(evaluator.at(*node, *phase), expected, "{name}: {signal}, bound {part}\n{p:?}");
                 }
                 let outcome = golden.outcome(pose, pair);
                 assert_eq!(evaluator.output("verdict"), outcome.verdict as i128, "{name}");

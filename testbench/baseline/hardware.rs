@@ -122,7 +122,7 @@ struct Axis {
 }
 
 /// What the reference model calls the nodes of a design.
-struct Names {
+pub struct Names {
     axes: Vec<Axis>,
     per_clock: usize,
     skip: bool,
@@ -130,7 +130,7 @@ struct Names {
 
 impl Names {
     /// Axes and points in the order of the reference model's trace, of whatever pair.
-    fn new(p: &Params, segments: &[Segment]) -> Self {
+    pub fn new(p: &Params, segments: &[Segment]) -> Self {
         let (pose, pairs) = &segments[0];
         let mut axes: Vec<Axis> = vec![];
         for (signal, _) in Golden::new(p).trace(pose, &pairs[0]) {
@@ -148,7 +148,7 @@ impl Names {
 
     /// The signal behind a node in a phase, and which of its two values the node is; none for a sign case, which follows
     /// from its interval.
-    fn signal(&self, node: &str, phase: usize) -> Option<(String, usize)> {
+    pub fn signal(&self, node: &str, phase: usize) -> Option<(String, usize)> {
         let axis = |unit: &str| &self.axes[phase * self.per_clock + unit.parse::<usize>().expect("a number")];
         if let Some(unit) = node.strip_prefix("axis_separated") {
             return Some((format!("flags.{}", axis(unit).name), 0));

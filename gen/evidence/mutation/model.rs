@@ -243,10 +243,7 @@ fn expected(p: &Params, stimulus: &Stimulus) -> Result<Vec<String>, DesignError>
     let mut evaluator = Evaluator::new(&design.pipeline);
     let mut answer = |pose: &Pose, pair: &Pair| {
         evaluator.run(&inputs(&design, pose, pair));
-        let verdict = evaluator.output("verdict");
-        let flags =
-            |name| (0..p.axes.count()).map(|axis| evaluator.output(&format!("{name}{axis}")) << axis).sum::<i128>();
-        let [separated, overlapping] = ["separated", "overlapping"].map(flags);
+        let [verdict, separated, overlapping] = ["verdict", "separated", "overlapping"].map(|name| evaluator.output(name));
         let outside = if p.guarded() { evaluator.output("outside") } else { 0 };
         format!("{verdict} {separated} {overlapping} {outside} {}", digest(&golden, pose, pair))
     };

@@ -1,7 +1,7 @@
 //! Untimed evaluation: every node of a graph in every phase, on integers.
 
 use super::flat::{Flat, Step};
-use super::{Op, Unit};
+use super::{Op, Place, Unit, place};
 use crate::op::{Comb, ShiftLeft};
 use std::rc::Rc;
 
@@ -74,13 +74,19 @@ impl Evaluator {
         self.values[node * self.flat.interval + phase]
     }
 
-    /// Value of an output of the top (in phase 0 where it is per phase).
+    /// Value of an output of the top (in phase 0 where it is per phase), or of a vector of flags.
     ///
     /// # Panics
     /// If there is no such output.
     pub fn output(&self, name: &str) -> i128 {
-        let port = self.flat.units[0].output(name);
-        self.at(self.flat.outputs[port], 0)
+        let unit = &self.flat.units[0];
+        let value = |port: usize| self.at(self.flat.outputs[port], 0);
+        let flag = |i: usize| unit.outputs.iter().position(|(at, _)| *at == Place::at(name, &[place::Step::Index(i)]));
+        match flag(0) {
+            // A vector of flags, the first in bit 0.
+            Some(_) => (0..).map_while(flag).enumerate().map(|(i, port)| value(port) << i).sum(),
+            None => value(unit.output(name)),
+        }
     }
 }
 
