@@ -51,8 +51,9 @@ fn small() -> Vec<Params> {
 /// The guard of one number by itself, for any word.
 fn alone(p: &Params, bound: i128) -> Rc<Unit> {
     Library::default().unit("bench", &[], 1, |top| {
+        let lo = top.input(input_type(p), input_type(p).limits());
         let sticky = (p.upper == Upper::Sticky).then(|| top.input(Type::FLAG, (0, 1)));
-        let word = Number { lo: top.input(input_type(p), input_type(p).limits()), sticky }.named("word");
+        let word = Number { lo, sticky }.named("word");
         let (passed, outside) = guard("guard", word, bound);
         (passed.lo.named("passed"), outside.named("outside"))
     })

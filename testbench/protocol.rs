@@ -118,46 +118,45 @@ fn a_pose_holds_for_pairs_accepted_in_a_later_clock() {
         let mut unit = Unit::new(&p);
         // After reset: the bypass.
         unit.send(&pairs[0], 1);
-        // A pose, then a pair in a later clock.
+        // A pose, then a pair in a later clock. A unit takes a pose within a slot.
         unit.put(&pose_word(&p, &first));
         unit.set("pose_valid", 1);
-        unit.clock();
-        assert_eq!(unit.get("pose_ready"), 1, "no pose is pending");
+        let taken = (0..p.interval()).any(|_| {
+            unit.clock();
+            unit.get("pose_ready") == 1
+        });
+        assert!(taken, "no pose is pending");
         unit.set("pose_valid", 0);
         unit.send(&pairs[1], 2);
-        // A pose and a pair accepted in the very same clock: offer the pose only where the pair is accepted.
-        let mut same = Unit::new(&p);
-        same.put(&pair_word(&p, &pairs[2]));
-        same.set("in_tag", 3);
-        same.set("in_valid", 1);
-        same.put(&pose_word(&p, &second));
-        let mut clocks_to_ready = 0;
-        loop {
-            same.clock();
-            if same.get("in_ready") == 1 {
-                break;
+        // A pose and a pair offered at once, from every clock of the slot on: the pair has the new pose if that was accepted in
+        // an earlier clock, and the old one if both are accepted in the same.
+        for wait in 0..p.interval() {
+            let mut both = Unit::new(&p);
+            (0..wait).for_each(|_| both.clock());
+            both.put(&pair_word(&p, &pairs[2]));
+            both.set("in_tag", 3);
+            both.set("in_valid", 1);
+            both.put(&pose_word(&p, &second));
+            both.set("pose_valid", 1);
+            let mut accepted = [None; 2];
+            for clock in 0..2 * p.interval() + 1 {
+                both.clock();
+                for (i, (ready, valid)) in [("in_ready", "in_valid"), ("pose_ready", "pose_valid")].into_iter().enumerate() {
+                    if accepted[i].is_none() && both.get(ready) == 1 {
+                        accepted[i] = Some(clock);
+                    }
+                    both.set(valid, i128::from(accepted[i].is_none()));
+                }
             }
-            clocks_to_ready += 1;
+            let [Some(pair), Some(pose)] = accepted else { panic!("pair and pose are accepted within two slots") };
+            both.send(&pairs[3], 4);
+            let in_force = if pose < pair { second } else { Pose::identity(&p) };
+            assert_eq!(both.take(), (3, expected(&p, &in_force, &pairs[2])), "offered after {wait} clocks");
+            assert_eq!(both.take(), (4, expected(&p, &second, &pairs[3])), "the next pair has the new pose");
         }
-        let mut same = Unit::new(&p);
-        for _ in 0..clocks_to_ready {
-            same.clock();
-        }
-        same.put(&pair_word(&p, &pairs[2]));
-        same.set("in_tag", 3);
-        same.set("in_valid", 1);
-        same.put(&pose_word(&p, &second));
-        same.set("pose_valid", 1);
-        same.clock();
-        assert_eq!((same.get("in_ready"), same.get("pose_ready")), (1, 1), "both accepted in one clock");
-        same.set("in_valid", 0);
-        same.set("pose_valid", 0);
-        same.send(&pairs[3], 4);
 
         assert_eq!(unit.take(), (1, expected(&p, &Pose::identity(&p), &pairs[0])));
         assert_eq!(unit.take(), (2, expected(&p, &first, &pairs[1])));
-        assert_eq!(same.take(), (3, expected(&p, &Pose::identity(&p), &pairs[2])), "the pair keeps the old pose");
-        assert_eq!(same.take(), (4, expected(&p, &second, &pairs[3])), "the next pair has the new one");
     }
 }
 
