@@ -35,10 +35,11 @@ pub fn comparator<'l>(p: Vec<Interval<Sig<'l>>>, owners: Owners<'l>) -> (Sig<'l>
             decide(&intersected(&p[..3], a, "a"), &intersected(&p[3..], b, "b"))
         }),
         Owners::Shared(has) => entity!("comparator_network", &doc, (p, has) => {
-            let own = |i: usize, first: usize, has: Sig<'l>| has.choose(p[i], p[first]);
-            let a = [p[0], own(1, 0, has[0][0]), own(2, 0, has[0][1])].named("a");
-            let b = [p[last], own(last - 1, last, has[1][0]), own(last - 2, last, has[1][1])].named("b");
-            decide(&a, &b)
+            // The first of each is a port, which keeps its name.
+            let own = |i: usize, first: usize, has: Sig<'l>, name: &str| has.choose(p[i], p[first]).named(name);
+            let a = [p[0], own(1, 0, has[0][0], "a_second"), own(2, 0, has[0][1], "a_third")];
+            let b_second = own(last - 1, last, has[1][0], "b_second");
+            decide(&a, &[p[last], b_second, own(last - 2, last, has[1][1], "b_third")])
         }),
     }
 }
