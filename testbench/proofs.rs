@@ -96,7 +96,7 @@ fn transform_and_renormalisation() {
     let mut claims = vec![];
     for params in both_rules() {
         let setting = Setting::full(params.clone());
-        claims.push(before_axes::transform_ends(&setting));
+        claims.extend(["lo", "hi"].map(|end| before_axes::transform_end(&setting, end)));
         claims.push(before_axes::transform_row(&setting));
         claims.push(before_axes::scale(&setting));
         let translate = Setting::full(Params { transform: Transform::Translate, ..params.clone() });

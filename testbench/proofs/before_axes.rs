@@ -5,7 +5,8 @@ use super::claim::{Claim, number};
 use super::rounding::claim_rounded;
 use super::settings::Setting;
 use super::unit::Mistake::{
-    Inverted, NoUlp, NotMissing, OtherBound, Reversed, WrongArm, WrongComponent, WrongGate, WrongSlice,
+    Inverted, NoUlp, NotMissing, OtherBound, Reversed, WrongArm, WrongComponent, WrongGate, WrongLastGate, WrongSign,
+    WrongSlice,
 };
 use super::unit::Subject;
 use efsat::design::rounding::Rounding;
@@ -46,44 +47,46 @@ fn identity(params: &Params, c: &str) -> String {
     format!("bypass && t_lo == 0 && t_ulp == 0 && {}", COORDINATES.map(entry).join(" && "))
 }
 
-/// What the identity adds at the upper end.
-fn identity_term(params: &Params, c: &str) -> String {
-    format!("(x_{c}_ulp != 0 ? {} : 0)", number(params.one()))
+/// What the identity adds at an end.
+fn identity_term(params: &Params, c: &str, end: &str) -> String {
+    if end == "lo" { number(0) } else { format!("(x_{c}_ulp != 0 ? {} : 0)", number(params.one())) }
 }
 
-/// What a row of the transform adds to its product of lower bounds is what the least (greatest) of the four products of
-/// the bounds is above it, summed over the coordinates. The four are told by their differences from the first; see
-/// [`one_above`](super::products::one_above).
-pub fn transform_ends(setting: &Setting) -> Claim {
-    let params = &setting.params;
-    let mut claim = row(setting, "terms of the least and the greatest products");
-    claim.seen("lo_terms").seen("hi_terms");
+/// What a row of the transform adds, at an end, to its product of lower bounds is what the least (greatest) of the four
+/// products of the bounds is above it, summed over the coordinates. The four are told by their differences from the first;
+/// see [`one_above`](super::products::one_above).
+pub fn transform_end(setting: &Setting, end: &str) -> Claim {
+    let lower = end == "lo";
+    let mut claim = row(setting, if lower { "terms of the least products" } else { "terms of the greatest products" });
+    let terms = format!("{end}_terms");
+    claim.seen(&terms);
+    let (is, of_sign) = if lower { ("<", "<") } else { (">", ">=") };
     for c in COORDINATES {
         let (m, x) = (format!("m_{c}"), format!("x_{c}"));
-        claim.value(&format!("ll_{c}"), "0").value(&format!("lh_{c}"), format!("{x}_ulp != 0 ? {m}_lo : 0"));
+        claim.value(&format!("lh_{c}"), format!("{x}_ulp != 0 ? {m}_lo : 0"));
         claim.value(&format!("hl_{c}"), format!("{m}_ulp != 0 ? {x}_lo : 0"));
         let both = format!("({m}_ulp != 0 && {x}_ulp != 0 ? 1 : 0)");
         claim.value(&format!("hh_{c}"), format!("lh_{c} + hl_{c} + {both}"));
-        let extreme = |x: &str, y: &str, is: &str| format!("({x} {is} {y} ? {x} : {y})");
-        for (name, is) in [("least", "<"), ("greatest", ">")] {
-            let [low, high] = ["low", "high"].map(|of| format!("{name}_{of}_{c}"));
-            claim.value(&low, extreme(&format!("ll_{c}"), &format!("lh_{c}"), is));
-            claim.value(&high, extreme(&format!("hl_{c}"), &format!("hh_{c}"), is));
-            claim.value(&format!("{name}_{c}"), extreme(&low, &high, is));
-        }
-        let of_identity = format!("lo_terms == 0 && hi_terms == {}", identity_term(params, c));
-        claim.shown(format!("!({}) || ({of_identity})", identity(params, c)));
+        claim.value(&format!("low_{c}"), format!("0 {is} lh_{c} ? 0 : lh_{c}"));
+        claim.value(&format!("high_{c}"), format!("hl_{c} {is} hh_{c} ? hl_{c} : hh_{c}"));
+        // As the unit finds it, by signs: the solver need not compare in the sum.
+        let takes = |own: &str, other: &str| format!("({own}_lo {of_sign} 0 && {other}_ulp != 0)");
+        let (takes_m, takes_x) = (takes(&m, &x), takes(&x, &m));
+        let of_factors = format!("(({takes_m} ? {m}_lo : 0) + ({takes_x} ? {x}_lo : 0))");
+        claim.value(&format!("term_{c}"), format!("{of_factors} + ({takes_m} && {takes_x} ? 1 : 0)"));
+        claim.shown(format!("term_{c} == (low_{c} {is} high_{c} ? low_{c} : high_{c})"));
+        let of_identity = identity_term(&setting.params, c, end);
+        claim.shown(format!("!({}) || {terms} == {of_identity}", identity(&setting.params, c)));
     }
-    claim.shown("lo_terms == (least_x + least_y) + least_z");
-    claim.shown("hi_terms == (greatest_x + greatest_y) + greatest_z");
-    claim.mutant(WrongGate, "lo_takes_x(i)").mutant(Inverted, "hi_takes_m(i)").mutant(WrongArm, "lo_term_sum_d1(i)");
-    claim.mutant(NoUlp, "hi_term(i)").mutant(NoUlp, "lo_terms_sum_sum_d1");
+    claim.shown(format!("{terms} == (term_x + term_y) + term_z"));
+    claim.mutant(WrongGate, format!("{end}_takes_x(i)")).mutant(Inverted, format!("{end}_takes_m(i)"));
+    claim.mutant(WrongArm, format!("{end}_term_sum_d1(i)")).mutant(NoUlp, format!("{end}_term(i)"));
     claim
 }
 
 /// A row of the transform, whatever its three products are and what is added to them at each end: the right operands are
 /// multiplied, and the row is contained. With bypass nothing is rounded up: the identity is proved from exact products by
-/// one and by zero, and from what [`transform_ends`] shows of the terms then.
+/// one and by zero, and from what [`transform_end`] shows of the terms then.
 pub fn transform_row(setting: &Setting) -> Claim {
     let params = &setting.params;
     let mut claim = row(setting, "contains m x + t, within an ulp; operands; bypass");
@@ -108,11 +111,11 @@ pub fn transform_row(setting: &Setting) -> Claim {
             true => format!("product_{j}_result_p == (x_{j}_lo <<< {fraction})"),
             false => format!("product_{j}_result_p == 0"),
         };
-        let terms = format!("lo_terms == 0 && hi_terms == {}", identity_term(params, c));
+        let terms = format!("lo_terms == 0 && hi_terms == {}", identity_term(params, c, "hi"));
         let when = format!("{} && {terms} && {}", identity(params, c), COORDINATES.map(product).join(" && "));
         claim.shown(format!("!({when}) || (b_lo == x_{c}_lo && b_hi == x_{c}_lo + x_{c}_ulp)"));
     }
-    claim.mutant(NoUlp, "hi_exact_sum_d1").mutant(NoUlp, "lo_exact").mutant(WrongComponent, "product_result_unit");
+    claim.mutant(NoUlp, "hi_exact_sum_d1").mutant(WrongSign, "lo_exact").mutant(WrongComponent, "product_result_unit");
     claim.mutant(NoUlp, "b.hi|b_hi_sum").mutant(WrongSlice, "b_floor_28_d1.lo|b_lo_floor_28_d1");
     if params.upper == Upper::Implied {
         claim.mutant(NotMissing, "b_hi_not_d1");
@@ -128,7 +131,7 @@ pub fn translated_row(setting: &Setting) -> Claim {
     host_bounds(&mut claim, params, "x", false);
     host_bounds(&mut claim, params, "t", true);
     claim.shown("b_lo == x_lo + t_lo && b_hi == (x_lo + x_ulp) + (t_lo + t_ulp)");
-    claim.mutant(NoUlp, "b.lo").mutant(NoUlp, "b_hi_sum_first_d1|b_hi_first_d1");
+    claim.mutant(NoUlp, "b.lo").mutant(NoUlp, "b_hi_sum_first_d1|b_hi_sum");
     claim
 }
 
@@ -145,7 +148,10 @@ pub fn guard(setting: &Setting, what: &str, entity: &str, bound: i128) -> Claim 
     claim.shown(format!("least <= passed && passed{above} <= {bound}"));
     claim.shown("outside != 0 || passed == number_lo");
     claim.mutant(WrongArm, "passed").mutant(WrongSlice, "high").mutant(WrongGate, "outside|outside_i");
-    claim.mutant(WrongGate, "above").mutant(NotMissing, "far");
+    claim.mutant(WrongGate, "above").mutant(Inverted, "below");
+    if sticky {
+        claim.mutant(WrongLastGate, "above");
+    }
     claim
 }
 
@@ -162,7 +168,7 @@ pub fn offset(setting: &Setting) -> Claim {
         claim.shown(format!("magnitude_{c} == (size_{c}_lo | size_{c}_hi)"));
     }
     claim.mutant(Reversed, "offset_i(i).lo").mutant(OtherBound, "offset_i(i).hi");
-    claim.mutant(WrongGate, "magnitude(i)").mutant(OtherBound, "magnitude_resiz_magnitude(i)");
+    claim.mutant(WrongGate, "magnitude(i)").mutant(OtherBound, "magnitude_first_magnitude(i)");
     claim
 }
 
@@ -208,7 +214,10 @@ pub fn scale(setting: &Setting) -> Claim {
         claim_rounded(&mut claim, "1", &format!("scaled_{c}"), &format!("{c}_exact"), way, params.upper);
         claim.shown(format!("-{one} <= scaled_{c}_lo && scaled_{c}_hi <= {one}"));
     }
-    claim.mutant(WrongArm, "shifted_1(i).lo").mutant(WrongSlice, "scaled(i).hi").mutant(NoUlp, "scaled(i).hi");
+    claim
+        .mutant(WrongArm, "shifted_1(i).lo")
+        .mutant(WrongSlice, "scaled(i).hi")
+        .mutant(NoUlp, "scaled(i).hi|scaled_hi_up(i)|scaled_hi_up_d1(i)");
     claim
 }
 
@@ -225,6 +234,6 @@ pub fn rounded_coordinates(setting: &Setting) -> Claim {
         claim.within(&format!("{exact}_truth"), &format!("point_{c}"));
         claim_rounded(&mut claim, "1", &format!("rounded_{c}"), &exact, way, params.upper);
     }
-    claim.mutant(NoUlp, "rounded(i).hi").mutant(WrongSlice, "rounded(i).lo");
+    claim.mutant(NoUlp, "rounded(i).hi|rounded_hi_up(i)").mutant(WrongSlice, "rounded(i).lo");
     claim
 }

@@ -69,8 +69,10 @@ fn small((x, y): (u32, u32)) -> Subject {
 
 /// The product of numbers of so many bits.
 fn product_of((x, y): (u32, u32)) -> Subject {
-    let unit = Library::default()
-        .unit("operator", &[], 1, |u| product(interval(u, x).lo.named("x"), interval(u, y).lo.named("y")).named("p"));
+    let unit = Library::default().unit("operator", &[], 1, |u| {
+        let (x, y) = (interval(u, x).named("x"), interval(u, y).named("y"));
+        product(x.lo, y.lo).named("p")
+    });
     Subject::of_unit(&unit, &format!("multiply_{x}_{y}"))
 }
 

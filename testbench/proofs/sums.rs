@@ -4,7 +4,7 @@
 use super::claim::Claim;
 use super::rounding::claim_rounded;
 use super::settings::{Setting, rule};
-use super::unit::Mistake::{Inverted, NoUlp, OtherBound, Reversed, WrongSign, WrongSlice};
+use super::unit::Mistake::{NoUlp, OtherBound, Reversed, WrongSign, WrongSlice};
 use super::unit::{Mistake, Subject};
 use efsat::design::interval::Interval;
 use efsat::design::rounding::{Rounding, Roundings};
@@ -116,12 +116,12 @@ pub fn roundings(bits: u32, most_dropped: u32) -> Vec<Claim> {
             let mut claim = Claim::new(Subject::of_unit(&unit, "rounding"), widths, "contains x, within an ulp");
             claim.value("exact_lo", "x_lo").value("exact_hi", "x_hi").within("exact_truth", "x");
             claim_rounded(&mut claim, "1", "r", "exact", way, upper);
-            let mut mutants: Vec<(Mistake, &str)> = vec![(OtherBound, "r.lo|x_lo_floor_3")];
+            let mut mutants: Vec<(Mistake, &str)> = vec![(OtherBound, "r.lo|r_saturated.hi|x_lo_floor_3_d1")];
             if drop > 0 {
-                mutants.extend([(NoUlp, "r.hi|r_hi_up|x_hi_floor_3_up"), (WrongSlice, "r.lo|x_lo_floor_3")]);
-            }
-            if drop > 1 && upper == Upper::Sticky {
-                mutants.push((Inverted, "r_hi_inexact"));
+                mutants.extend([
+                    (NoUlp, "r.hi|r_hi_up|r_hi_up_up_d1|x_hi_floor_3_up_d1|x_hi_floor_3_up_up_d1"),
+                    (WrongSlice, "r.lo|x_lo_floor_3_d1"),
+                ]);
             }
             if most.is_some() {
                 mutants.push((Mistake::WrongArm, "r_saturated.hi"));

@@ -143,8 +143,10 @@ fn label(text: &str, place: &Place) -> String {
 /// An entity with a port for each number of a unit, which GHDL connects with the elements of the unit's ports.
 fn around(module: &Module) -> String {
     let inputs = module.inputs.iter().map(|id| ("in", &module.signal(*id).place, *id));
-    let all: Vec<(&str, &Place, SignalId)> =
+    let mut all: Vec<(&str, &Place, SignalId)> =
         inputs.chain(module.outputs.iter().map(|(place, id)| ("out", place, *id))).collect();
+    // The elements of a port must stand beside each other.
+    all.sort_by_key(|(direction, place, _)| (*direction, &place.base, &place.suffix));
     let mut fields: HashMap<&str, HashSet<&str>> = HashMap::new();
     for step in all.iter().flat_map(|(_, place, _)| &place.path) {
         if let Step::Field(kind, _, field) = step {
@@ -202,6 +204,8 @@ pub enum Mistake {
     OtherBound,
     /// `and` has become `or`, or the other way round.
     WrongGate,
+    /// The last `or` has become `and`.
+    WrongLastGate,
     /// `not` is missing.
     NotMissing,
     /// Every bit is inverted.
@@ -288,7 +292,7 @@ impl Mistake {
             }
             Self::WrongSign => exchanged(value, " + ", " - "),
             Self::NoUlp => {
-                let start = value.find(" + ")?;
+                let start = value.find(" +")?;
                 let mut depth = 0;
                 let ends = |c: char| {
                     depth += i32::from(c == '(') - i32::from(c == ')');
@@ -299,6 +303,10 @@ impl Mistake {
             }
             Self::OtherBound => exchanged(value, ".lo", ".hi"),
             Self::WrongGate => exchanged(value, " and ", " or "),
+            Self::WrongLastGate => {
+                let at = value.rfind(" or ")?;
+                Some(instead(at..at + 4, " and ".to_owned()))
+            }
             Self::NotMissing => value.contains("not ").then(|| value.replace("not ", "")),
             Self::Inverted => Some(format!(" not ({value})")),
             Self::WrongSlice => {
