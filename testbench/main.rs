@@ -13,7 +13,7 @@ mod hierarchy;
 mod house;
 mod mutation;
 mod operators;
-//prf mod proofs;
+mod proofs;
 mod protocol;
 mod scenes;
 mod schedule;

@@ -17,8 +17,7 @@ mod tools;
 mod unit;
 
 use claim::Claim;
-use efsat::number::Upper;
-use efsat::params::{Params, Projections, Transform};
+use efsat::params::{Params, Projections, Transform, Upper};
 use rayon::prelude::*;
 use settings::Setting;
 
@@ -40,10 +39,9 @@ fn both_rules() -> Vec<Params> {
 
 #[test]
 fn sums_and_edges() {
-    let mut claims = vec![];
-    for setting in [Setting::small(Params::default()), Setting::full(Params::default())] {
-        claims.extend(sums::exact_sums(&setting));
-    }
+    // The products of 6-bit factors, and those of the design's 18 bits.
+    let mut claims = sums::exact_sums(12, true);
+    claims.extend(sums::exact_sums(36, false));
     for params in both_rules() {
         claims.extend(sums::edges(&Setting::small(params.clone())));
         claims.extend(sums::edges(&Setting::full(params)));
@@ -61,19 +59,12 @@ fn products() {
     let small: &[(u32, u32)] = if settings::full() { &[(4, 4), (3, 6), (5, 5)] } else { &[(4, 4)] };
     let mut claims: Vec<Claim> = small.iter().flat_map(|bits| products::by_definition(*bits)).collect();
     claims.extend(small.iter().map(|bits| products::order_of_corners(*bits)));
-    let tiled: &[(u32, u32)] =
+    let wide: &[(u32, u32)] =
         if settings::full() { &[(19, 2), (2, 19), (19, 4), (36, 2)] } else { &[(19, 2), (2, 19)] };
-    claims.extend(tiled.iter().map(|bits| products::in_tiles(*bits)));
+    claims.extend(wide.iter().map(|bits| products::in_parts(*bits)));
     let setting = Setting::full(Params::default());
-    claims.push(products::sign_cases(&setting));
-    for name in ["axis_multiply", "projection_multiply"] {
-        claims.push(products::factors(&setting, name));
-        claims.push(products::multiplied(&setting, name));
-    }
-    claims.push(products::quantised_by_definition(if settings::full() { 5 } else { 4 }));
-    for params in both_rules() {
-        claims.push(products::quantised_factors(&Setting::full(params)));
-    }
+    claims.extend([products::sign_cases(&setting), products::factors(&setting), products::multiplied(&setting)]);
+    claims.push(products::one_above(if settings::full() { 6 } else { 4 }));
     prove("Products", claims);
 }
 
@@ -105,6 +96,7 @@ fn transform_and_renormalisation() {
     let mut claims = vec![];
     for params in both_rules() {
         let setting = Setting::full(params.clone());
+        claims.extend(["lo", "hi"].map(|end| before_axes::transform_end(&setting, end)));
         claims.push(before_axes::transform_row(&setting));
         claims.push(before_axes::scale(&setting));
         let translate = Setting::full(Params { transform: Transform::Translate, ..params.clone() });

@@ -1,15 +1,21 @@
 //! Claims of the axis units: cross product and projection around their multipliers, and the comparator network.
 
 use super::claim::{Claim, number};
-use super::products::{given_sign_cases, sign_case};
 use super::rounding::claim_rounded;
 use super::settings::Setting;
-use super::unit::Mistake::{NoUlp, NotStrict, OtherBound, WrongArm, WrongGate, WrongSlice};
+use super::sums::interval;
+use super::unit::Mistake::{
+    LastNotStrict, NoUlp, NotStrict, OtherBound, WrongArm, WrongComponent, WrongGate, WrongSlice,
+};
 use super::unit::Subject;
-use efsat::design::comparator;
-use efsat::design::cross_product::COORDINATES;
-use efsat::design::interval::Rounding;
+use efsat::design::comparator::{DUPLICATES, Owners, comparator as network};
+use efsat::design::rounding::Rounding;
+use efsat::graph::{Library, Signals};
+use efsat::op::Type;
 use efsat::params::{AxisKind, Formats, Params, Projections, Row};
+
+/// The names of the coordinates.
+pub const COORDINATES: [&str; 3] = ["x", "y", "z"];
 
 /// The kinds of the eleven axes in the order in which they are tested.
 const KINDS: [AxisKind; 5] =
@@ -30,9 +36,7 @@ fn exact_fraction(f: &Formats, kind: AxisKind) -> i32 {
 fn ways<'a>(exact: impl Fn(AxisKind) -> i32, row: impl Fn(AxisKind) -> &'a Row) -> Vec<Rounding> {
     let mut ways = vec![];
     for kind in KINDS {
-        let row = row(kind);
-        let clamp = row.clamp.map(|c| (c.bound, c.lemma));
-        let way = Rounding { drop: exact(kind) - row.format.fraction, clamp };
+        let way = Rounding::to_row(exact(kind), row(kind));
         if !ways.contains(&way) {
             ways.push(way);
         }
@@ -44,20 +48,18 @@ fn ways<'a>(exact: impl Fn(AxisKind) -> i32, row: impl Fn(AxisKind) -> &'a Row) 
 fn claim_chosen(claim: &mut Claim, out: &str, exact: &str, ways: &[Rounding], params: &Params) {
     for (number, way) in ways.iter().enumerate() {
         let when = if ways.len() == 1 { "1".to_owned() } else { format!("rounding == {number}") };
-        claim_rounded(claim, &when, &format!("{out}_"), exact, *way, params.upper);
+        claim_rounded(claim, &when, out, exact, *way, params.upper);
     }
 }
 
-/// Claims that the instance `label` of the multiplication multiplies the intervals `x` and `y`, knowing their sign
-/// cases; its product is cut.
-fn claim_operands(claim: &mut Claim, label: &str, x: &str, y: &str) {
-    claim.cut(&[format!("{label}_lo"), format!("{label}_hi")]);
-    claim.seen(&["x_lo", "x_hi", "y_lo", "y_hi"].map(|port| format!("{label}.{port}")));
-    let same = |factor: &str, of: &str| format!("{label}_{factor}_lo == {of}_lo && {label}_{factor}_hi == {of}_hi");
-    claim.shown(same("x", x)).shown(same("y", y));
-    for (factor, of) in [("x", x), ("y", y)] {
-        claim.seen(&[format!("{label}.{factor}_sign_case")]);
-        claim.shown(format!("{label}_{factor}_sign_case == {}", sign_case(of)));
+/// Claims that an instance multiplies the intervals `x` and `y`, given with their sign cases; its product is cut.
+fn claim_operands(claim: &mut Claim, instance: &str, x: [&str; 2], y: [&str; 2]) {
+    claim.cut(&format!("{instance}_p_lo")).cut(&format!("{instance}_p_hi"));
+    claim.seen_ports(instance, &["x_lo", "x_hi", "x_case", "y_lo", "y_hi", "y_case"]);
+    for (factor, [of, c]) in [("x", x), ("y", y)] {
+        let port = format!("{instance}_{factor}");
+        claim.shown(format!("{port}_lo == {of}_{c}_lo && {port}_hi == {of}_{c}_hi"));
+        claim.shown(format!("{port}_case == {of}_{c}_case"));
     }
 }
 
@@ -67,33 +69,30 @@ pub fn cross_product(setting: &Setting) -> Claim {
     let params = &setting.params;
     let f = params.formats();
     let ways = ways(|kind| exact_fraction(&f, kind), |kind| f.axis(kind));
-    let subject = Subject::of_design(params, "cross_product");
+    let subject = Subject::of_design(setting, "cross_product");
     let mut claim = Claim::new(subject, setting.label(), "contains e x f, within an ulp; operands");
     for (i, (j, k)) in [(1, 2), (2, 0), (0, 1)].into_iter().enumerate() {
         let [i, j, k] = [i, j, k].map(|c: usize| COORDINATES[c]);
-        let (plus, minus) = (format!("e_{j}_f_{k}"), format!("e_{k}_f_{j}"));
-        claim_operands(&mut claim, &plus, &format!("e_{j}"), &format!("f_{k}"));
-        claim_operands(&mut claim, &minus, &format!("e_{k}"), &format!("f_{j}"));
+        let (plus, minus) = (format!("e_j_f_k_{i}"), format!("e_k_f_j_{i}"));
+        claim_operands(&mut claim, &plus, ["e", j], ["f", k]);
+        claim_operands(&mut claim, &minus, ["e", k], ["f", j]);
         let exact = format!("exact_{i}");
-        claim.value(&format!("{exact}_lo"), format!("{plus}_lo - {minus}_hi"));
-        claim.value(&format!("{exact}_hi"), format!("{plus}_hi - {minus}_lo"));
+        claim.value(&format!("{exact}_lo"), format!("{plus}_p_lo - {minus}_p_hi"));
+        claim.value(&format!("{exact}_hi"), format!("{plus}_p_hi - {minus}_p_lo"));
         if setting.small {
             let [p, m] = [&plus, &minus].map(|product| format!("true_{product}"));
-            claim.within(&p, &plus).within(&m, &minus).value(&format!("{exact}_truth"), format!("{p} - {m}"));
+            claim.within(&p, &format!("{plus}_p")).within(&m, &format!("{minus}_p"));
+            claim.value(&format!("{exact}_truth"), format!("{p} - {m}"));
         } else {
             let (lo, hi) = (format!("{exact}_lo"), format!("{exact}_hi"));
             claim.between(&format!("{exact}_truth"), &lo, &hi, 2 * params.width + 1);
         }
         claim_chosen(&mut claim, &format!("l_{i}"), &exact, &ways, params);
     }
-    let way = |i: usize| if ways.len() == 1 { String::new() } else { format!("_way_{i}") };
-    // Of the upper bound: where a register lies on the way of the lower one alone, the upper one has no copy to take.
-    claim
-        .mutant(NoUlp, format!("l_x_rounded{}_up", way(0)))
-        .mutant(OtherBound, format!("l_z_rounded{}_floor_hi", way(0)));
-    claim.mutant(WrongSlice, format!("l_y_rounded{}_floor_lo", way(0)));
+    claim.mutant(NoUlp, "l_hi_up(i)|l_hi_up_d1(i)|l_hi_up_up_d1(i)|l(i).hi").mutant(OtherBound, "exact(i).lo");
+    claim.mutant(WrongSlice, "l_lo_floor_17_d1(i)|l_lo_floor_4_d1(i)|l(i).lo").mutant(WrongComponent, "e_j_f_k_unit");
     if ways.len() > 1 {
-        claim.mutant(WrongArm, "l_z_rounded_chosen_lo").mutant(NoUlp, "l_y_rounded_way_1_up");
+        claim.mutant(WrongArm, "l(i).lo").mutant(WrongArm, "l_saturated(i).hi");
     }
     claim
 }
@@ -104,28 +103,25 @@ pub fn projection(setting: &Setting) -> Claim {
     let f = params.formats();
     let grid = f.coordinate_a.format.fraction;
     let ways = ways(|kind| grid + f.axis(kind).format.fraction, |kind| f.projection(kind));
-    let subject = Subject::of_design(params, "projection");
+    let subject = Subject::of_design(setting, "projection");
     let mut claim = Claim::new(subject, setting.label(), "contains v * l, within an ulp; operands");
-    let products = COORDINATES.map(|c| format!("v_{c}_l_{c}"));
+    let products = COORDINATES.map(|c| format!("term_{c}"));
     for (product, c) in products.iter().zip(COORDINATES) {
-        let (v, l) = (format!("v_{c}"), format!("l_{c}"));
-        given_sign_cases(&mut claim, &[&v, &l]);
-        claim_operands(&mut claim, product, &v, &l);
+        claim_operands(&mut claim, product, ["v", c], ["l", c]);
     }
-    let sum = |end: &str| products.each_ref().map(|product| format!("{product}_{end}")).join(" + ");
+    let sum = |end: &str| products.each_ref().map(|product| format!("{product}_p_{end}")).join(" + ");
     claim.value("exact_lo", sum("lo")).value("exact_hi", sum("hi"));
     if setting.small {
         for product in &products {
-            claim.within(&format!("true_{product}"), product);
+            claim.within(&format!("true_{product}"), &format!("{product}_p"));
         }
         claim.value("exact_truth", products.each_ref().map(|product| format!("true_{product}")).join(" + "));
     } else {
         claim.between("exact_truth", "exact_lo", "exact_hi", 2 * params.width + 2);
     }
     claim_chosen(&mut claim, "p", "exact", &ways, params);
-    let way = if ways.len() == 1 { "" } else { "_way_0" };
-    claim.mutant(NoUlp, format!("p_rounded{way}_up")).mutant(OtherBound, format!("p_rounded{way}_floor_lo"));
-    claim.mutant(WrongSlice, format!("p_rounded{way}_floor_lo"));
+    claim.mutant(NoUlp, "p.hi|p_hi_up").mutant(OtherBound, "exact.lo");
+    claim.mutant(WrongSlice, "p.lo|p_lo_floor_17_d1").mutant(WrongComponent, "term_unit");
     claim
 }
 
@@ -148,47 +144,53 @@ fn greatest(values: &[String]) -> String {
 
 /// The flags of a design's comparator network are as defined by the bounds.
 pub fn comparator(params: &Params) -> Claim {
-    let label = Setting::full(params.clone()).label();
-    flags(Subject::of_design(params, "comparator_network"), params.projections, &label, false)
+    let setting = Setting::full(params.clone());
+    flags(Subject::of_design(&setting, "comparator_network"), params.projections, &setting.label(), false)
 }
 
 /// The same at few bits, and what the flags say holds for every choice of true projections.
 pub fn sound_comparator(bits: u32, policy: Projections) -> Claim {
     let points = if policy == Projections::Skip { 4 } else { 6 };
-    let unit = comparator::unit(bits, (1 << (bits - 1)) - 1, points, policy);
-    flags(Subject::of_unit(&unit), policy, &format!("{bits} bits"), true)
+    let unit = Library::default().unit("sound", &[], 1, |u| {
+        let p: Vec<_> = (0..points).map(|_| interval(u, bits)).collect();
+        let flag = || u.input(Type::FLAG, (0, 1));
+        let owners = match policy {
+            Projections::All => Owners::Fixed,
+            Projections::Skip => Owners::Shared([(); 2].map(|()| vec![flag(), flag()]).named("has")),
+            Projections::Intersect => Owners::Intersected([(); 2].map(|()| u.input(DUPLICATES, (0, 4))).named("code")),
+        };
+        let (separated, overlapping) = network(p.named("p"), owners);
+        (separated.named("separated"), overlapping.named("overlapping"))
+    });
+    flags(Subject::of_unit(&unit, "comparator_network"), policy, &format!("{bits} bits"), true)
 }
 
 fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Claim {
-    let points = subject.inputs.iter().filter(|w| w.path.ends_with("_lo")).count();
+    let points = subject.inputs.iter().filter(|w| w.name.ends_with("_lo")).count();
     let widths = format!("{widths}, projections {}", format!("{policy:?}").to_lowercase());
     let property = if sound { "flags as defined, sound" } else { "flags as defined" };
     let mut claim = Claim::new(subject, widths, property);
     claim.compares_only();
-    // What belongs to a triangle at its place i, counted from the first for A and from the last for B.
-    let own = |triangle: &str, i: usize, value: &dyn Fn(usize) -> String| {
-        let port = |i: usize| if triangle == "a" { i } else { points - 1 - i };
-        match policy {
-            Projections::Skip if i > 0 => {
-                format!("(raw_{triangle}_has_{} ? {} : {})", port(i), value(port(i)), value(port(0)))
-            }
-            _ => value(port(i)),
+    // What belongs to a triangle at its place i; where projections are shared, B's are counted from the last.
+    let own = |triangle: usize, i: usize, value: &dyn Fn(usize) -> String| match (policy, triangle) {
+        (Projections::Skip, _) => {
+            let port = |i: usize| if triangle == 0 { i } else { points - 1 - i };
+            let has = |i: usize| format!("raw_has{triangle}_{}", i - 1);
+            if i == 0 { value(port(0)) } else { format!("({} ? {} : {})", has(i), value(port(i)), value(port(0))) }
         }
+        _ => value(3 * triangle + i),
     };
-    // Places that the code of duplicates makes equal; B's are counted from the last, so its edges run backwards.
-    let groups = |triangle: &str| match triangle {
-        "a" => [(1, vec![0, 1]), (2, vec![1, 2]), (3, vec![2, 0]), (4, vec![0, 1, 2])],
-        _ => [(1, vec![2, 1]), (2, vec![1, 0]), (3, vec![0, 2]), (4, vec![0, 1, 2])],
-    };
-    for triangle in ["a", "b"] {
+    // Places that the code of duplicates makes equal.
+    let groups = [(1, vec![0, 1]), (2, vec![1, 2]), (3, vec![2, 0]), (4, vec![0, 1, 2])];
+    for (t, triangle) in ["a", "b"].into_iter().enumerate() {
         for (end, tightest) in [("lo", greatest as fn(&[String]) -> String), ("hi", least)] {
-            let bound = |i: usize| own(triangle, i, &|port| format!("p{port}_{end}"));
+            let bound = |i: usize| own(t, i, &|port| format!("p{port}_{end}"));
             let joint = |i: usize| {
                 let mut value = bound(i);
                 if policy == Projections::Intersect {
-                    for (code, group) in groups(triangle).into_iter().filter(|(_, group)| group.contains(&i)) {
-                        let all: Vec<String> = group.into_iter().map(bound).collect();
-                        value = format!("(duplicates_{triangle} == {code} ? {} : {value})", tightest(&all));
+                    for (code, group) in groups.iter().filter(|(_, group)| group.contains(&i)) {
+                        let all: Vec<String> = group.iter().map(|i| bound(*i)).collect();
+                        value = format!("(duplicates{t} == {code} ? {} : {value})", tightest(&all));
                     }
                 }
                 value
@@ -211,24 +213,26 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
         for i in 0..points {
             claim.within(&format!("t{i}"), &format!("p{i}"));
         }
-        for triangle in ["a", "b"] {
-            let all = [0, 1, 2].map(|i| own(triangle, i, &|port| format!("t{port}")));
+        for (t, triangle) in ["a", "b"].into_iter().enumerate() {
+            let all = [0, 1, 2].map(|i| own(t, i, &|port| format!("t{port}")));
             claim.value(&format!("{triangle}_min"), least(&all));
             claim.value(&format!("{triangle}_max"), greatest(&all));
             if policy == Projections::Intersect {
-                for (code, group) in groups(triangle) {
+                for (code, group) in &groups {
                     let same = group.windows(2).map(|pair| format!("{} == {}", all[pair[0]], all[pair[1]]));
                     let same = same.collect::<Vec<_>>().join(" && ");
-                    claim.given(format!("duplicates_{triangle} != {code} || ({same})"));
+                    claim.given(format!("duplicates{t} != {code} || ({same})"));
                 }
             }
         }
         claim.shown("!separated || a_max < b_min || b_max < a_min");
         claim.shown("!overlapping || (a_min < b_max && b_min < a_max)");
     }
-    for relation in ["a_below_b", "a_reaches_b", "b_reaches_a"] {
-        claim.mutant(NotStrict, format!("{relation}_difference"));
-    }
-    claim.mutant(WrongArm, "a_max_hi").mutant(WrongGate, "is_overlapping");
+    let [separated, overlapping] = ["separated", "overlapping"].map(|flag| {
+        // Where the register is depends on the widths.
+        [format!("{flag}|{flag}_less_first_d1"), format!("{flag}|{flag}_less_second_d1")]
+    });
+    claim.mutant(NotStrict, &separated[0]).mutant(LastNotStrict, &separated[1]);
+    claim.mutant(NotStrict, &overlapping[0]).mutant(WrongGate, "overlapping").mutant(WrongArm, "a_max.hi");
     claim
 }

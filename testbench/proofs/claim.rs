@@ -1,7 +1,7 @@
 //! A claim about a unit, as a Verilog module: the unit, free true numbers, what is given and what is shown.
 
 use super::tools::{self, Outcome};
-use super::unit::{Mistake, Mutant, Subject, Wire};
+use super::unit::{AROUND, Mistake, Mutant, Subject, Wire};
 use std::fmt::Write;
 
 /// What is claimed of a unit.
@@ -49,7 +49,7 @@ impl Claim {
     /// ones.
     pub fn new(subject: Subject, widths: impl Into<String>, property: &'static str) -> Self {
         let widths = widths.into();
-        let mut claim = Self {
+        Self {
             subject,
             widths,
             property,
@@ -62,23 +62,6 @@ impl Claim {
             seen: vec![],
             cut: vec![],
             mutants: vec![],
-        };
-        let inputs = claim.subject.inputs.clone();
-        claim.declared(&inputs);
-        claim
-    }
-
-    /// Assumes declared ranges, and the order of bounds.
-    fn declared(&mut self, wires: &[Wire]) {
-        for wire in wires {
-            let name = wire.name();
-            if let Some((min, max)) = wire.range {
-                self.given.push(format!("{} <= {name} && {name} <= {}", number(min), number(max)));
-            }
-            let upper = wire.path.strip_suffix("lo").map(|stem| format!("{stem}hi"));
-            if let Some(upper) = upper.and_then(|upper| wires.iter().find(|w| w.path == upper)) {
-                self.given.push(format!("{name} <= {}", upper.name()));
-            }
         }
     }
 
@@ -124,17 +107,22 @@ impl Claim {
         self
     }
 
-    /// Looks at inner signals of the unit; a dot stands between an instance and its port.
-    pub fn seen(&mut self, paths: &[impl AsRef<str>]) -> &mut Self {
-        self.seen.extend(paths.iter().map(|path| self.subject.signal(path.as_ref()).clone()));
+    /// Looks at a signal inside the unit, or at a port of an instance, `{instance}_{port}`.
+    pub fn seen(&mut self, name: &str) -> &mut Self {
+        self.seen.push(self.subject.inner(name).clone());
         self
     }
 
-    /// Replaces inner signals of the unit by any value of their declared range; what drives them is not looked at.
-    pub fn cut(&mut self, paths: &[impl AsRef<str>]) -> &mut Self {
-        let wires: Vec<Wire> = paths.iter().map(|path| self.subject.signal(path.as_ref()).clone()).collect();
-        self.declared(&wires);
-        self.cut.extend(wires);
+    /// Looks at several ports of an instance.
+    pub fn seen_ports(&mut self, instance: &str, ports: &[&str]) -> &mut Self {
+        ports.iter().for_each(|port| _ = self.seen(&format!("{instance}_{port}")));
+        self
+    }
+
+    /// Replaces a signal inside the unit, or an output of an instance, by any value of its declared range; what drives it
+    /// is not looked at.
+    pub fn cut(&mut self, name: &str) -> &mut Self {
+        self.cut.push(self.subject.inner(name).clone());
         self
     }
 
@@ -161,7 +149,7 @@ impl Claim {
 
     fn bits(&self, name: &str) -> u32 {
         let all = self.subject.inputs.iter().chain(&self.seen).chain(&self.cut);
-        let of_wire = all.filter(|w| w.name() == name).map(|w| w.bits).next();
+        let of_wire = all.filter(|w| w.name == name).map(|w| w.bits).next();
         let of_free = self.free.iter().find(|f| f.0 == name).map(|f| f.1);
         of_wire.or(of_free).unwrap_or_else(|| panic!("{}: nothing of the name {name}", self.subject.name))
     }
@@ -177,23 +165,23 @@ impl Claim {
             format!("[{}:0] {raw}", bits - 1)
         };
         for wire in unit.inputs.iter().chain(&self.cut) {
-            let (name, raw) = (wire.name(), format!("raw_{}", wire.name()));
-            ports.push(format!("input {}", signal(&raw, &name, wire.bits, wire.signed)));
+            let raw = format!("raw_{}", wire.name);
+            ports.push(format!("input {}", signal(&raw, &wire.name, wire.bits, wire.signed)));
         }
         for (name, bits) in &self.free {
             ports.push(format!("input {}", signal(&format!("raw_{name}"), name, *bits, true)));
         }
         let mut outputs = vec![];
         for wire in unit.outputs.iter().chain(&self.seen) {
-            let (name, raw) = (wire.name(), format!("raw_{}", wire.name()));
-            outputs.push(format!("  wire {};\n", signal(&raw, &name, wire.bits, wire.signed)));
+            let raw = format!("raw_{}", wire.name);
+            outputs.push(format!("  wire {};\n", signal(&raw, &wire.name, wire.bits, wire.signed)));
         }
         if unit.clocked {
             connections.push(".clk(1'b0)".to_owned());
         }
         let all = unit.inputs.iter().chain(&unit.outputs).chain(&self.seen);
-        connections.extend(all.map(|w| format!(".\\{} (raw_{})", w.path, w.name())));
-        connections.extend(self.cut.iter().map(|w| format!(".\\{}__i (raw_{})", w.path, w.name())));
+        connections.extend(all.map(|w| format!(".\\{} (raw_{})", w.path, w.name)));
+        connections.extend(self.cut.iter().map(|w| format!(".\\{}__i (raw_{})", w.path, w.name)));
         for (name, x, y) in &self.products {
             let bits = self.bits(x) + self.bits(y);
             let _ = writeln!(body, "  wire signed [{}:0] raw_{name} = $signed(raw_{x}) * $signed(raw_{y});", bits - 1);
@@ -202,22 +190,21 @@ impl Claim {
         for (name, expression) in &self.values {
             let _ = writeln!(body, "  wire signed [{}:0] {name} = {expression};", room - 1);
         }
+        let given = [declared(&unit.inputs), declared(&self.cut), self.given.clone()].concat();
         let lines = |word: &str, all: &[String]| all.iter().map(|c| format!("    {word}({c});\n")).collect::<String>();
         format!(
-            "module claim({});\n{}  {} unit({});\n{body}  always @* begin\n{}{}  end\nendmodule\n",
+            "module claim({});\n{}  {AROUND} unit({});\n{body}  always @* begin\n{}{}  end\nendmodule\n",
             ports.join(", "),
             outputs.concat(),
-            unit.name,
             connections.join(", "),
-            lines("assume", &self.given),
+            lines("assume", &given),
             lines("assert", &self.shown),
         )
     }
 
     fn ask(&self, files: &[(String, String)]) -> (Outcome, f64) {
-        let name = &self.subject.name;
         let paths = |wires: &[Wire]| wires.iter().map(|w| w.path.clone()).collect::<Vec<_>>();
-        tools::solve(&tools::verilog(files, name), name, &self.verilog(), &paths(&self.seen), &paths(&self.cut))
+        tools::solve(&tools::verilog(files, AROUND), AROUND, &self.verilog(), &paths(&self.seen), &paths(&self.cut))
     }
 
     /// Proves the claim of the unit and refutes it of every mutant.
@@ -235,17 +222,38 @@ impl Claim {
                 "UNDECIDED".to_owned()
             }
         };
-        let alive = |mutant: &&Mutant| !matches!(self.ask(&self.subject.mutated(mutant)).0, Outcome::Refuted(_));
-        let alive: Vec<&Mutant> = self.mutants.iter().filter(alive).collect();
-        failures.extend(alive.iter().map(|mutant| format!("not refuted: {mutant:?}")));
+        let alive = |mutant: &Mutant| match self.subject.mutated(mutant).map(|files| self.ask(&files).0) {
+            Some(Outcome::Refuted(_)) => None,
+            Some(_) => Some(format!("not refuted: {mutant:?}")),
+            None => Some(format!("nothing to mutate: {mutant:?}")),
+        };
+        let alive: Vec<String> = self.mutants.iter().filter_map(alive).collect();
+        let refuted = [self.mutants.len() - alive.len(), self.mutants.len()];
+        failures.extend(alive);
         Row {
             claim: [self.subject.name.clone(), self.widths.clone(), self.property.to_owned()],
             seconds,
             verdict,
-            refuted: [self.mutants.len() - alive.len(), self.mutants.len()],
+            refuted,
             failures,
         }
     }
+}
+
+/// That wires are in their declared ranges, and lower bounds not above upper ones.
+fn declared(wires: &[Wire]) -> Vec<String> {
+    let mut given = vec![];
+    for wire in wires {
+        let name = &wire.name;
+        if let Some((min, max)) = wire.range {
+            given.push(format!("{} <= {name} && {name} <= {}", number(min), number(max)));
+        }
+        let upper = name.strip_suffix("lo").map(|stem| format!("{stem}hi"));
+        if let Some(upper) = upper.filter(|upper| wires.iter().any(|w| w.name == *upper)) {
+            given.push(format!("{name} <= {upper}"));
+        }
+    }
+    given
 }
 
 /// A signed literal of any size.

@@ -1,19 +1,18 @@
 //! What is claimed of an outward rounding: it contains the true number, and is within an ulp of the exact interval.
 
 use super::claim::{Claim, number};
-use efsat::design::interval::Rounding;
+use efsat::design::rounding::Rounding;
 use efsat::number::Upper;
 
-/// Claims that the output `{out}lo`, `{out}hi` is the interval `{exact}_lo`, `{exact}_hi` rounded outward, where `when`
-/// holds, and contains the number `truth`, or `{exact}_truth` if there are several outputs.
+/// Claims that the output `{out}_lo`, `{out}_hi` is the interval `{exact}_lo`, `{exact}_hi` rounded outward, where `when`
+/// holds, and contains the number `{exact}_truth`.
 ///
-/// With a clamp the true number is given to be within the clamp's bound.
+/// With saturation the true number is given to be within its bound.
 pub fn claim_rounded(claim: &mut Claim, when: &str, out: &str, exact: &str, way: Rounding, upper: Upper) {
     let (finer, coarser) = ((-way.drop).max(0), way.drop.max(0));
-    let truth = if out.is_empty() { "truth".to_owned() } else { format!("{exact}_truth") };
-    let [truth, lo, hi] = [truth, format!("{exact}_lo"), format!("{exact}_hi")].map(|x| format!("({x} <<< {finer})"));
-    let bound = |end: &str| format!("({out}{end} <<< {coarser})");
-    if let Some((most, _)) = way.clamp {
+    let [truth, lo, hi] = ["truth", "lo", "hi"].map(|x| format!("({exact}_{x} <<< {finer})"));
+    let bound = |end: &str| format!("({out}_{end} <<< {coarser})");
+    if let Some((most, _)) = way.saturate {
         let most = number(most << coarser);
         claim.given(format!("!({when}) || (-{most} <= {truth} && {truth} <= {most})"));
     }

@@ -1,7 +1,6 @@
 //! Parameter sets and widths that are proved, and how the table names them.
 
-use efsat::number::Upper;
-use efsat::params::Params;
+use efsat::params::{Params, Upper};
 
 /// Environment variable: `full` proves at greater widths than the tests take time for.
 pub const EFFORT: &str = "EFSAT_PROOFS";

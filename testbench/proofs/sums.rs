@@ -1,42 +1,56 @@
-//! Claims of additions, subtractions, edges and roundings.
+//! Claims of additions, subtractions, edges and roundings, each operator as an entity of its own: in a design they stand
+//! among others.
 
 use super::claim::Claim;
 use super::rounding::claim_rounded;
 use super::settings::{Setting, rule};
-use super::unit::Mistake::{NoUlp, OtherBound, Reversed, WrongArm, WrongSign, WrongSlice};
-use super::unit::Subject;
-use efsat::design::interval::{self, Rounding};
-use efsat::graph::{Builder, Type};
-use efsat::number::Upper;
-use efsat::params::Row;
+use super::unit::Mistake::{NoUlp, OtherBound, Reversed, WrongSign, WrongSlice};
+use super::unit::{Mistake, Subject};
+use efsat::design::interval::Interval;
+use efsat::design::rounding::{Rounding, Roundings};
+use efsat::graph::{Library, Sig, Signals, Top};
+use efsat::op::Type;
+use efsat::params::{Row, Upper};
+use efsat_hardware::entity;
 
-/// Additions and subtractions are exact; at small widths also, every sum of two numbers from the operands is inside.
-/// The transform's, which are twice as wide, are left out at small widths: that is the slowest proof, and the same one.
-pub fn exact_sums(setting: &Setting) -> Vec<Claim> {
-    let units = [
-        ("projection_add_two", "x + y", "sum"),
-        ("projection_add_three", "x + y", "sum"),
-        ("transform_add_two", "x + y", "sum"),
-        ("transform_add_t", "x + y", "sum"),
-        ("transform_add_all", "x + y", "sum"),
-        ("axis_subtract", "x - y", "difference"),
-    ];
-    let claim = |(name, result, signal): (&str, &str, &str)| {
-        let property = if setting.small { "exact, contains the result" } else { "exact" };
-        let mut claim = Claim::new(Subject::of_design(&setting.params, name), setting.label(), property);
-        if setting.small {
-            claim.within("x", "x").within("y", "y").shown(format!("lo <= {result} && {result} <= hi"));
+/// An interval of whole numbers, its bounds of all magnitudes that so many bits have with both signs.
+pub fn interval(u: Top<'_>, bits: u32) -> Interval<Sig<'_>> {
+    let most = (1 << (bits - 1)) - 1;
+    let bound = || u.input(Type { signed: true, bits, fraction: None }, (-most, most));
+    Interval { lo: bound(), hi: bound() }
+}
+
+/// A function of two intervals as an entity.
+fn binary(
+    name: &str,
+    bits: u32,
+    of: impl for<'l> Fn(Interval<Sig<'l>>, Interval<Sig<'l>>) -> Interval<Sig<'l>>,
+) -> Subject {
+    let unit = Library::default().unit("operator", &[], 1, |u| {
+        let (x, y) = (interval(u, bits).named("x"), interval(u, bits).named("y"));
+        entity!(name, &[], (x, y) => of(x, y).named("r")).named("r")
+    });
+    Subject::of_unit(&unit, name)
+}
+
+/// Additions and subtractions are exact; where `sound`, every sum of two numbers from the operands is inside.
+pub fn exact_sums(bits: u32, sound: bool) -> Vec<Claim> {
+    let property = if sound { "exact, contains the result" } else { "exact" };
+    let claim = |subject, result: &str, exact: &str| {
+        let mut claim = Claim::new(subject, format!("{bits} bits"), property);
+        if sound {
+            claim.within("x", "x").within("y", "y").shown(format!("r_lo <= {result} && {result} <= r_hi"));
         }
-        claim.shown(match signal {
-            "sum" => "lo == x_lo + y_lo && hi == x_hi + y_hi",
-            _ => "lo == x_lo - y_hi && hi == x_hi - y_lo",
-        });
-        let (lo, hi) = (format!("{signal}_lo"), format!("{signal}_hi"));
-        claim.mutant(OtherBound, &lo).mutant(OtherBound, &hi).mutant(WrongSign, &lo).mutant(WrongSign, &hi);
+        claim.shown(exact);
+        for mistake in [OtherBound, WrongSign] {
+            claim.mutant(mistake, "r.lo").mutant(mistake, "r.hi");
+        }
         claim
     };
-    let taken = |unit: &(&str, &str, &str)| !setting.small || !unit.0.starts_with("transform");
-    units.into_iter().filter(taken).map(claim).collect()
+    vec![
+        claim(binary("interval_add", bits, |x, y| x + y), "x + y", "r_lo == x_lo + y_lo && r_hi == x_hi + y_hi"),
+        claim(binary("interval_subtract", bits, |x, y| x - y), "x - y", "r_lo == x_lo - y_hi && r_hi == x_hi - y_lo"),
+    ]
 }
 
 /// Edges: differences of coordinates in the format of their row.
@@ -44,25 +58,37 @@ pub fn edges(setting: &Setting) -> Vec<Claim> {
     let params = &setting.params;
     let formats = params.formats();
     let grid = formats.coordinate_a.format.fraction;
+    // Lemma anchored-edge: a bound on the computed difference.
+    let most = (1i128 << grid) + 1;
     let edge = |name: &str, row: &Row, anchored: bool| {
-        let subject = Subject::of_design(params, name);
-        let mut claim = Claim::new(subject, setting.label(), "contains x - y, within an ulp");
+        let way = Rounding::to_row(grid, row);
+        let unit = Library::default().unit("operator", &[], 1, |u| {
+            // Re-normalised coordinates are in [-1, 1].
+            let coordinate = || u.input(Type::signed(params.width, grid), (-(1 << grid), 1 << grid));
+            let point = |name: &str| Interval { lo: coordinate(), hi: coordinate() }.named(name);
+            let (x, y) = (point("x"), point("y"));
+            entity!(name, &[], (x, y) => {
+                let exact = (x - y).named("exact");
+                let exact = if anchored { exact.assume(most, "anchored-edge") } else { exact };
+                let ty = Type::signed(params.width, grid - way.drop);
+                exact.round_outward(&Roundings::one(way, params.upper, ty)).named("r")
+            })
+            .named("r")
+        });
+        let mut claim = Claim::new(Subject::of_unit(&unit, name), setting.label(), "contains x - y, within an ulp");
         claim.value("exact_lo", "x_lo - y_hi").value("exact_hi", "x_hi - y_lo");
         if setting.small {
-            claim.within("x", "x").within("y", "y").value("truth", "x - y");
+            claim.within("x", "x").within("y", "y").value("exact_truth", "x - y");
         } else {
-            claim.between("truth", "exact_lo", "exact_hi", params.width + 1);
+            claim.between("exact_truth", "exact_lo", "exact_hi", params.width + 1);
         }
         if anchored {
-            // Lemma anchored-edge: a bound on the computed difference.
-            let most = (1i128 << grid) + 1;
             claim.given(format!("-{most} <= exact_lo && exact_hi <= {most}"));
         }
-        let way = Rounding { drop: grid - row.format.fraction, clamp: row.clamp.map(|c| (c.bound, c.lemma)) };
-        claim_rounded(&mut claim, "1", "", "exact", way, params.upper);
-        claim.mutant(OtherBound, "difference_lo").mutant(Reversed, "difference_hi");
+        claim_rounded(&mut claim, "1", "r", "exact", way, params.upper);
+        claim.mutant(OtherBound, "exact.lo").mutant(Reversed, "exact.hi");
         if way.drop > 0 {
-            claim.mutant(NoUlp, "rounded_up").mutant(WrongSlice, "rounded_floor_lo");
+            claim.mutant(NoUlp, "r.hi|r_hi_up").mutant(WrongSlice, "r.lo");
         }
         claim
     };
@@ -73,31 +99,35 @@ pub fn edges(setting: &Setting) -> Vec<Claim> {
     claims
 }
 
-/// Roundings by themselves: dropping bits, keeping them, appending zeros, and a clamp.
+/// Roundings by themselves: dropping bits, keeping them, appending zeros, and saturating.
 pub fn roundings(bits: u32, most_dropped: u32) -> Vec<Claim> {
     let mut claims = vec![];
     for upper in [Upper::Implied, Upper::Sticky] {
-        for (drop, clamp) in [(-2, None), (0, None), (1, None), (most_dropped as i32, None), (3, Some(5i128))] {
-            let ty = Type::signed(bits, 0);
-            let way = Rounding { drop, clamp: clamp.map(|bound| (bound, "edge-extent")) };
-            let kept = if clamp.is_some() { 4 } else { (bits as i32 - drop.min(bits as i32) + 2) as u32 };
-            let mut b = Builder::new("rounding", 1, &[]);
-            let x = interval::input(&mut b, "x", ty, ty.limits());
-            let result = interval::round(&mut b, "rounded", x, &[way], None, upper, kept);
-            interval::output(&mut b, "", result);
-            let clamped = if clamp.is_some() { ", clamped" } else { "" };
-            let widths = format!("{bits} bits, {drop} dropped, {}{clamped}", rule(upper));
-            let mut claim = Claim::new(Subject::of_unit(&b.finish()), widths, "contains x, within an ulp");
-            claim.value("exact_lo", "x_lo").value("exact_hi", "x_hi").within("truth", "x");
-            claim_rounded(&mut claim, "1", "", "exact", way, upper);
-            if drop <= 0 {
-                claim.mutant(OtherBound, "lo");
-            } else {
-                claim.mutant(OtherBound, "rounded_floor_lo").mutant(NoUlp, "rounded_up");
-                claim.mutant(WrongSlice, "rounded_floor_hi");
+        for (drop, most) in [(-2, None), (0, None), (1, None), (most_dropped as i32, None), (3, Some(5i128))] {
+            let way = Rounding { drop, saturate: most.map(|most| (most, "edge-extent")) };
+            let kept = if most.is_some() { 4 } else { (bits as i32 - drop.min(bits as i32) + 2) as u32 };
+            let unit = Library::default().unit("operator", &[], 1, |u| {
+                let x = interval(u, bits).named("x");
+                let ty = Type { signed: true, bits: kept, fraction: None };
+                entity!("rounding", &[], (x) => x.round_outward(&Roundings::one(way, upper, ty)).named("r")).named("r")
+            });
+            let saturated = if most.is_some() { ", saturated" } else { "" };
+            let widths = format!("{bits} bits, {drop} dropped, {}{saturated}", rule(upper));
+            let mut claim = Claim::new(Subject::of_unit(&unit, "rounding"), widths, "contains x, within an ulp");
+            claim.value("exact_lo", "x_lo").value("exact_hi", "x_hi").within("exact_truth", "x");
+            claim_rounded(&mut claim, "1", "r", "exact", way, upper);
+            let mut mutants: Vec<(Mistake, &str)> = vec![(OtherBound, "r.lo|r_saturated.hi|x_lo_floor_3_d1")];
+            if drop > 0 {
+                mutants.extend([
+                    (NoUlp, "r.hi|r_hi_up|r_hi_up_up_d1|x_hi_floor_3_up_d1|x_hi_floor_3_up_up_d1"),
+                    (WrongSlice, "r.lo|x_lo_floor_3_d1"),
+                ]);
             }
-            if drop > 1 && upper == Upper::Sticky {
-                claim.mutant(WrongArm, "rounded_sticky");
+            if most.is_some() {
+                mutants.push((Mistake::WrongArm, "r_saturated.hi"));
+            }
+            for (mistake, signal) in mutants {
+                claim.mutant(mistake, signal);
             }
             claims.push(claim);
         }

@@ -1,21 +1,30 @@
-//! A generated unit under proof: its VHDL, its ports, and single mistakes put into its text.
+//! A generated unit under proof: its VHDL, its ports one by one, and single mistakes put into its text.
 
-use efsat::artefact;
-use efsat::design::Design;
+use super::settings::Setting;
+use efsat::design::{Design, Probes};
 use efsat::device;
-use efsat::graph::Unit;
-use efsat::graph::lower::Lowering;
-use efsat::graph::netlist::{Driver, Module, Signal};
-use efsat::graph::range::analyse;
-use efsat::graph::schedule::Scheduler;
+use efsat::graph::{Place, Step, Unit};
+use efsat::netlist::lower::Lowering;
+use efsat::netlist::{Driver, Module, Signal, SignalId};
 use efsat::params::Params;
+use efsat::schedule::Scheduler;
 use efsat::vhdl;
+use std::collections::{HashMap, HashSet};
+use std::ops::Range;
 use std::rc::Rc;
+
+/// Name of the package of types.
+const PACKAGE: &str = "efsat_types";
+
+/// Name of the entity around the unit, with a port for each number.
+pub const AROUND: &str = "around";
 
 /// A signal of a unit as a claim sees it.
 #[derive(Clone, Debug)]
 pub struct Wire {
-    /// Name in the unit; a signal of an instance has the instance's label in front, with a dot.
+    /// Name in a claim: a port as it would be called in one word, or with the name of an instance in front.
+    pub name: String,
+    /// Name in the Verilog of the entity around the unit.
     pub path: String,
     /// Bits.
     pub bits: u32,
@@ -26,13 +35,8 @@ pub struct Wire {
 }
 
 impl Wire {
-    fn new(path: &str, signal: &Signal) -> Self {
-        Self { path: path.to_owned(), bits: signal.ty.bits, signed: signal.ty.signed, range: signal.range }
-    }
-
-    /// Its name in a claim.
-    pub fn name(&self) -> String {
-        self.path.replace('.', "_")
+    fn new(name: String, path: String, signal: &Signal) -> Self {
+        Self { name, path, bits: signal.ty.bits, signed: signal.ty.signed, range: signal.range }
     }
 }
 
@@ -40,7 +44,7 @@ impl Wire {
 pub struct Subject {
     /// Name of the entity.
     pub name: String,
-    /// File name and text of the entity and of those that it instantiates, in dependency order.
+    /// File name and text: the package, the entities that the unit instantiates, the unit, the entity around it.
     pub files: Vec<(String, String)>,
     /// Input ports, the clock excepted.
     pub inputs: Vec<Wire>,
@@ -48,71 +52,137 @@ pub struct Subject {
     pub outputs: Vec<Wire>,
     /// Whether there is a clock.
     pub clocked: bool,
-    /// All other signals, and the ports of instances.
-    signals: Vec<Wire>,
+    /// The ports of instances, and the numbers among the signals.
+    inner: Vec<Wire>,
 }
 
 impl Subject {
-    fn new(module: &Rc<Module>, files: Vec<(String, String)>) -> Self {
-        let port = |id| Wire::new(&module.signal(id).name, module.signal(id));
-        let outputs = module.outputs.iter().map(|(name, id)| Wire::new(name, module.signal(*id)));
-        let own = module.signals.iter().filter(|s| !matches!(s.driver, Driver::Port));
-        let mut signals: Vec<Wire> = own.map(|s| Wire::new(&s.name, s)).collect();
-        for instance in &module.instances {
-            let inner = &instance.module;
-            let ports = inner.inputs.iter().map(|id| inner.signal(*id));
-            signals.extend(ports.map(|s| Wire::new(&format!("{}.{}", instance.label, s.name), s)));
+    /// The entity `name` in the hierarchy of a module.
+    fn new(top: &Rc<Module>, name: &str) -> Self {
+        let modules = top.hierarchy();
+        let module = modules.iter().find(|m| m.name == name).unwrap_or_else(|| panic!("no entity {name}"));
+        let needed: Vec<String> = module.hierarchy().iter().map(|m| m.name.clone()).collect();
+        let mut files = vhdl::print(top, PACKAGE, &[]).expect("legal names");
+        files.retain(|(file, _)| file == PACKAGE || needed.contains(file));
+        let text = &files.last().expect("an entity has a file").1;
+        let mut inner = vec![];
+        for (number, instance) in module.instances.iter().enumerate() {
+            let (place, label) = (instance.place.to_string(), label(text, &instance.place));
+            let name = place.strip_suffix("_unit").unwrap_or(&place);
+            let wire =
+                |port: &Place, signal| Wire::new(format!("{name}_{port}"), format!("unit.{label}.{port}"), signal);
+            let inputs = instance.module.inputs.iter().map(|id| instance.module.signal(*id));
+            inner.extend(inputs.map(|signal| wire(&signal.place, signal)));
+            for signal in &module.signals {
+                if let Driver::Instance { instance: by, port } = signal.driver
+                    && by == number
+                {
+                    inner.push(wire(&instance.module.outputs[port].0, signal));
+                }
+            }
         }
+        let own = module.signals.iter().filter(|s| s.named && s.place.path.is_empty());
+        inner.extend(own.map(|s| Wire::new(s.name(), format!("unit.{}", s.place), s)));
+        files.push((AROUND.to_owned(), around(module)));
+        let port = |place: &Place, id: SignalId| Wire::new(place.to_string(), place.to_string(), module.signal(id));
         Self {
-            name: module.name.clone(),
-            files,
-            inputs: module.inputs.iter().map(|id| port(*id)).collect(),
-            outputs: outputs.collect(),
+            name: name.to_owned(),
+            files: files.into_iter().map(|(name, text)| (format!("{name}.vhd"), text)).collect(),
+            inputs: module.inputs.iter().map(|id| port(&module.signal(*id).place, *id)).collect(),
+            outputs: module.outputs.iter().map(|(place, id)| port(place, *id)).collect(),
             clocked: module.clocked(),
-            signals,
+            inner,
         }
     }
 
     /// An entity of a generated design.
-    pub fn of_design(params: &Params, name: &str) -> Self {
-        let design = Design::new(params, false).unwrap_or_else(|e| panic!("{params:?}: {e}"));
-        let all = artefact::vhdl_files(&design, &params.command_line()).expect("legal names");
-        let modules = design.top.hierarchy();
-        let module = modules.iter().find(|m| m.name == name).unwrap_or_else(|| panic!("no entity {name}"));
-        let needed: Vec<String> = module.hierarchy().iter().map(|m| format!("{}.vhd", m.name)).collect();
-        Self::new(module, all.into_iter().filter(|(file, _)| needed.contains(file)).collect())
+    pub fn of_design(setting: &Setting, name: &str) -> Self {
+        let params = &setting.params;
+        let design = Design::new(params, Probes::None).unwrap_or_else(|e| panic!("{params:?}: {e}"));
+        Self::new(&design.top, name)
     }
 
-    /// A single unit, scheduled and printed like those of a design.
-    pub fn of_unit(unit: &Rc<Unit>) -> Self {
+    /// An entity that a unit instantiates, scheduled and printed like those of a design.
+    pub fn of_unit(unit: &Rc<Unit>, name: &str) -> Self {
         let params = Params::default();
         let device = device::find(&params.device).expect("the default device");
-        let ranges = analyse(unit).unwrap_or_else(|e| panic!("{}: {e}", unit.name));
         let mut scheduler = Scheduler::new(device, params.frequency);
-        let (module, _) = Lowering::new(&mut scheduler, device, &ranges).lower(unit, false);
-        let text = |m: &Rc<Module>| vhdl::entity(m, &[]).expect("legal names").text();
-        let files = module.hierarchy().iter().map(|m| (format!("{}.vhd", m.name), text(m))).collect();
-        Self::new(&module, files)
+        Self::new(&Lowering::new(&mut scheduler, device).lower(unit, false).0, name)
     }
 
-    /// An inner signal.
-    pub fn signal(&self, path: &str) -> &Wire {
-        let found = self.signals.iter().find(|s| s.path == path);
-        found.unwrap_or_else(|| panic!("{} has no signal {path}", self.name))
+    /// A port of an instance, or a number inside the unit.
+    pub fn inner(&self, name: &str) -> &Wire {
+        self.inner.iter().find(|s| s.name == name).unwrap_or_else(|| panic!("{} has no inner {name}", self.name))
     }
 
     /// An input port.
     pub fn input(&self, name: &str) -> &Wire {
-        self.inputs.iter().find(|s| s.path == name).unwrap_or_else(|| panic!("{} has no input {name}", self.name))
+        self.inputs.iter().find(|s| s.name == name).unwrap_or_else(|| panic!("{} has no input {name}", self.name))
     }
 
-    /// The files with one mistake.
-    pub fn mutated(&self, mutant: &Mutant) -> Vec<(String, String)> {
+    /// The files with one mistake: in the unit, or if that has no such statement, in what it instantiates. `None` if
+    /// nothing has.
+    pub fn mutated(&self, mutant: &Mutant) -> Option<Vec<(String, String)>> {
         let mut files = self.files.clone();
-        let (_, text) = files.last_mut().expect("an entity has a file");
-        *text = mutant.apply(text).unwrap_or_else(|| panic!("{}: nothing to mutate by {mutant:?}", self.name));
-        files
+        let (text, wrong) = files.iter_mut().rev().find_map(|(_, text)| Some((mutant.apply(text)?, text)))?;
+        *wrong = text;
+        Some(files)
     }
+}
+
+/// What GHDL calls an instance: in a loop the iterations are n1, n2, ...
+fn label(text: &str, place: &Place) -> String {
+    match place.path.split_last() {
+        Some((Step::Index(i) | Step::Component(i), rest)) if !text.contains(&format!("  {place} : entity ")) => {
+            format!("{}_n{}_unit", Place { path: rest.to_vec(), ..place.clone() }, i + 1)
+        }
+        _ => place.to_string(),
+    }
+}
+
+/// An entity with a port for each number of a unit, which GHDL connects with the elements of the unit's ports.
+fn around(module: &Module) -> String {
+    let inputs = module.inputs.iter().map(|id| ("in", &module.signal(*id).place, *id));
+    let mut all: Vec<(&str, &Place, SignalId)> =
+        inputs.chain(module.outputs.iter().map(|(place, id)| ("out", place, *id))).collect();
+    // The elements of a port must stand beside each other.
+    all.sort_by_key(|(direction, place, _)| (*direction, &place.base, &place.suffix));
+    let mut fields: HashMap<&str, HashSet<&str>> = HashMap::new();
+    for step in all.iter().flat_map(|(_, place, _)| &place.path) {
+        if let Step::Field(kind, _, field) = step {
+            fields.entry(kind).or_default().insert(field);
+        }
+    }
+    let element = |place: &Place| {
+        let step = |step: &Step| match step {
+            Step::Index(i) | Step::Component(i) => format!("({i})"),
+            // A record of one field is that field.
+            Step::Field(kind, _, field) if fields[kind].len() > 1 => format!(".{field}"),
+            _ => String::new(),
+        };
+        format!("{}{}{}", place.base, place.suffix, place.path.iter().map(step).collect::<String>())
+    };
+    let clock = ("clk : in std_logic".to_owned(), "clk => clk".to_owned());
+    let port = |(direction, place, id): &(&str, &Place, SignalId)| {
+        let ty = module.signal(*id).ty;
+        let vhdl = match (ty.is_flag(), ty.signed) {
+            (true, _) => "std_logic".to_owned(),
+            (_, true) => format!("signed({} downto 0)", ty.bits - 1),
+            _ => format!("unsigned({} downto 0)", ty.bits - 1),
+        };
+        (format!("{place} : {direction} {vhdl}"), format!("{} => {place}", element(place)))
+    };
+    let (ports, map): (Vec<_>, Vec<_>) =
+        module.clocked().then_some(clock).into_iter().chain(all.iter().map(port)).unzip();
+    format!(
+        "library ieee;\nuse ieee.std_logic_1164.all;\nuse ieee.numeric_std.all;\nuse work.{PACKAGE}.all;\n\n\
+         entity {AROUND} is\n  port (\n    {}\n  );\nend entity {AROUND};\n\n\
+         architecture rtl of {AROUND} is\nbegin\n  unit : entity work.{}\n    port map (\n      {}\n    );\n\
+         end architecture rtl;\n",
+        ports.join(";\n    "),
+        module.name,
+        map.join(",\n      "),
+    )
 }
 
 /// A mistake in one statement of the generated text.
@@ -120,8 +190,10 @@ impl Subject {
 pub enum Mistake {
     /// The arms of a choice are exchanged.
     WrongArm,
-    /// A difference is one less: the comparison that its sign is holds of equal operands too.
+    /// The first comparison of the statement holds of equal operands too.
     NotStrict,
+    /// The last one does.
+    LastNotStrict,
     /// `-` has its operands exchanged.
     Reversed,
     /// `+` or `-` has become the other.
@@ -132,33 +204,44 @@ pub enum Mistake {
     OtherBound,
     /// `and` has become `or`, or the other way round.
     WrongGate,
+    /// The last `or` has become `and`.
+    WrongLastGate,
     /// `not` is missing.
     NotMissing,
     /// Every bit is inverted.
     Inverted,
     /// The slice lies one bit too low.
     WrongSlice,
+    /// The entry of this number in a table of flags is wrong.
+    WrongEntry(usize),
+    /// An instance is connected with the component after the right one.
+    WrongComponent,
 }
 
-/// A mistake and the signal that is assigned wrongly.
+/// A mistake and the signal that is assigned wrongly, the constant, or the instances.
 #[derive(Clone, Debug)]
 pub struct Mutant {
     /// What is wrong.
     pub mistake: Mistake,
-    /// The signal.
+    /// The signal as it is written; several, where it depends on the parameters which of them there is.
     pub signal: String,
 }
 
 impl Mutant {
-    /// The text with the mistake; `None` if the signal's assignment does not allow it.
+    /// The text with the mistake; `None` if no assignment of the signal allows it.
     fn apply(&self, text: &str) -> Option<String> {
-        // After the line's indentation: a statement of a process is indented more.
-        let head = format!(" {} <=", self.signal);
-        let starts_line = |at: &usize| text[..*at].trim_end_matches(' ').ends_with('\n');
-        let start = text.match_indices(&head).map(|(at, _)| at).find(starts_line)? + head.len();
-        let end = start + text[start..].find(';')?;
-        let wrong = self.mistake.make(&text[start..end])?;
-        Some(format!("{}{wrong}{}", &text[..start], &text[end..]))
+        let heads = self
+            .signal
+            .split('|')
+            .flat_map(|signal| [format!(" {signal} <="), format!("constant {signal} :"), format!(" {signal} : for")]);
+        heads.into_iter().find_map(|head| {
+            // After the line's indentation: a statement of a process is indented more.
+            let starts_line = |at: &usize| text[..*at].trim_end_matches(' ').ends_with('\n');
+            let start = text.match_indices(&head).map(|(at, _)| at).find(starts_line)? + head.len();
+            let end = start + text[start..].find(';')?;
+            let wrong = self.mistake.make(&text[start..end])?;
+            Some(format!("{}{wrong}{}", &text[..start], &text[end..]))
+        })
     }
 }
 
@@ -167,27 +250,63 @@ fn exchanged(text: &str, a: &str, b: &str) -> Option<String> {
     (text.contains(a) || text.contains(b)).then(|| text.replace(a, "\0").replace(b, a).replace('\0', b))
 }
 
+/// The call of a function that begins there: where it is, and its arguments.
+fn call(text: &str, start: usize) -> (Range<usize>, Vec<&str>) {
+    let (mut depth, mut from, mut arguments) = (0, 0, vec![]);
+    for (at, c) in text.char_indices().skip(start) {
+        if c == '(' && depth == 0 {
+            from = at + 1;
+        } else if (c == ',' || c == ')') && depth == 1 {
+            arguments.push(text[from..at].trim());
+            from = at + 1;
+        }
+        depth += i32::from(c == '(') - i32::from(c == ')');
+        if c == ')' && depth == 0 {
+            return (start..at + 1, arguments);
+        }
+    }
+    panic!("no end of the call in {text}")
+}
+
 impl Mistake {
     fn make(self, value: &str) -> Option<String> {
+        let instead =
+            |range: Range<usize>, new: String| format!("{}{new}{}", &value[..range.start], &value[range.end..]);
         match self {
             Self::WrongArm => {
-                let (first, rest) = value.split_once(" when ")?;
-                let (condition, second) = rest.split_once(" else")?;
-                Some(format!("{second} when {condition} else {first}"))
+                if let Some((first, rest)) = value.split_once(" when ") {
+                    let (condition, second) = rest.split_once(" else")?;
+                    return Some(format!("{second} when {condition} else {first}"));
+                }
+                let (range, arguments) = call(value, value.find("choose(")?);
+                Some(instead(range, format!("choose({}, {}, {})", arguments[0], arguments[2], arguments[1])))
             }
-            Self::NotStrict => value.contains(" - ").then(|| format!("{value} - 1")),
+            Self::NotStrict | Self::LastNotStrict => {
+                let of = if self == Self::NotStrict { value.find("less(") } else { value.rfind("less(") };
+                let (range, arguments) = call(value, of?);
+                Some(instead(range, format!("(not less({}, {}))", arguments[1], arguments[0])))
+            }
             Self::Reversed => {
                 let (x, y) = value.split_once(" - ")?;
                 Some(format!(" {y} - {x}"))
             }
             Self::WrongSign => exchanged(value, " + ", " - "),
-            Self::NoUlp => Some(value.split_once(" + ")?.0.to_owned()),
-            Self::OtherBound => {
-                // The name of the type must not become another.
-                let value = value.replace("std_logic", "std\u{1}logic");
-                Some(exchanged(&value, "_lo", "_hi")?.replace('\u{1}', "_"))
+            Self::NoUlp => {
+                let start = value.find(" +")?;
+                let mut depth = 0;
+                let ends = |c: char| {
+                    depth += i32::from(c == '(') - i32::from(c == ')');
+                    depth < 0 || depth == 0 && c == ','
+                };
+                let end = value[start..].find(ends).map_or(value.len(), |at| start + at);
+                Some(instead(start..end, String::new()))
             }
+            Self::OtherBound => exchanged(value, ".lo", ".hi"),
             Self::WrongGate => exchanged(value, " and ", " or "),
+            Self::WrongLastGate => {
+                let at = value.rfind(" or ")?;
+                Some(instead(at..at + 4, " and ".to_owned()))
+            }
             Self::NotMissing => value.contains("not ").then(|| value.replace("not ", "")),
             Self::Inverted => Some(format!(" not ({value})")),
             Self::WrongSlice => {
@@ -198,6 +317,13 @@ impl Mistake {
                 let slice = format!("({} downto {})", lower(high)?, lower(low)?);
                 Some(value.replace(&format!("({high} downto {low})"), &slice))
             }
+            Self::WrongEntry(number) => {
+                let at = value.find('"')? + 1 + number;
+                let other = if value[at..].starts_with('0') { "1" } else { "0" };
+                Some(instead(at..at + 1, other.to_owned()))
+            }
+            Self::WrongComponent if value.contains("(i)") => Some(value.replacen("(i)", "((i + 1) mod 3)", 1)),
+            Self::WrongComponent => exchanged(value, "i + 1", "i + 2"),
         }
     }
 }

@@ -96,11 +96,11 @@ fn place(unit: &Unit, readers: &[Vec<usize>], i: usize) -> Place {
             let reading = &unit.nodes[reader];
             let at: Vec<usize> = (0..reading.args.len()).filter(|k| reading.args[*k].0 == i).collect();
             let mut above = place(unit, readers, reader);
-            // A resize that goes into an instance is called after the port, and does not end so.
-            if matches!(reading.op, Op::Comb(Comb::Resize(_))) && !reading.named {
-                if let Some(at) = above.suffix.rfind("_resized") {
-                    above.suffix.replace_range(at..at + "_resized".len(), "");
-                }
+            // What is only resized needs no word for it; which of several operands it is stays.
+            if let (Op::Comb(Comb::Resize(_)), false, Some(at)) =
+                (&reading.op, reading.named, above.suffix.rfind("_resized"))
+            {
+                above.suffix.replace_range(at..at + "_resized".len(), "");
             }
             if let Op::Instance(child) = &reading.op {
                 let port = &child.node(child.inputs[at[0]]).place;
