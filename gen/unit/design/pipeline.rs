@@ -235,7 +235,9 @@ impl<'l> Path<'l, '_> {
             offsets.push(offset.named_at("offset", j));
             magnitudes.push(magnitude.named_at("magnitude", j));
         }
-        let last = lanes.iter().filter_map(|jobs| jobs.busy().last()).map(|(s, _)| s).max().unwrap_or(0);
+        // A vertex that comes once more adds nothing to the word.
+        let first_of = |i: usize| lanes.iter().filter_map(|jobs| jobs.busy().find(|(_, point)| **point == i)).next();
+        let last = (0..6).filter_map(|i| first_of(i).map(|(s, _)| s)).max().unwrap_or(0);
         let word = Vec3::each(|c| magnitudes.iter().map(|m| m[c]).reduce(|a, b| a | b).expect("a lane has points"));
         let word = if p.interval() > 1 {
             let first = Phases::new(p.interval(), |s| Some(i128::from(s == 0))).constant(self.u, Type::FLAG);
