@@ -173,7 +173,7 @@ fn is_a_page(out: &Path, found: &Value) {
         assert!(!page.contains(forbidden), "the page contains {forbidden}");
     }
     let headline: Vec<&str> = found["headline"].as_array().unwrap().iter().map(|s| s.as_str().unwrap()).collect();
-    let escaped = |text: &str| text.replace('\'', "&#x27;");
+    let escaped = |text: &str| text.replace('\'', "&#39;");
     assert!(headline.len() >= 4 && headline.iter().all(|sentence| page.contains(&escaped(sentence))), "{headline:?}");
     assert!(headline[0].starts_with("From ") && headline[0].contains(" of width "), "{headline:?}");
     let open = 100.0 * found["rows"][0]["possibly_incorrect"]["share"].as_f64().unwrap();

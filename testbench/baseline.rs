@@ -46,7 +46,7 @@ const FAMILIES: [(&str, &str); 9] = [
 type Signals = BTreeMap<String, [i128; 2]>;
 
 /// What is seen of one pair.
-struct Seen {
+pub struct Seen {
     /// Verdict, separated, overlapping, outside.
     answer: [i128; 4],
     signals: Signals,

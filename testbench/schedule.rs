@@ -98,8 +98,8 @@ fn a_choice_that_is_too_long_takes_two_clocks() {
             let groups: Vec<_> = pipeline.signals.iter().filter(|s| s.name().contains("_group_")).collect();
             assert_eq!(!groups.is_empty(), divided, "{device} at {frequency} MHz");
             let of_lane: Vec<String> =
-                groups.iter().map(|s| s.name()).filter(|n| n.starts_with("lane_z_lo_group")).collect();
-            let expected: &[&str] = if divided { &["lane_z_lo_group_0", "lane_z_lo_group_1"] } else { &[] };
+                groups.iter().map(|s| s.name()).filter(|n| n.starts_with("lane0_z_lo_group")).collect();
+            let expected: &[&str] = if divided { &["lane0_z_lo_group_0", "lane0_z_lo_group_1"] } else { &[] };
             assert_eq!(of_lane, expected, "the operands of one multiplexer");
             for signal in groups {
                 let Driver::Register { op, args, .. } = &signal.driver else {
@@ -135,8 +135,8 @@ fn long_delays_are_lines_and_short_ones_are_not() {
     assert_eq!(lines, [["value_d1", "value_d2", "value_d3"], ["value_d6", "value_d7", "value_d8"]]);
     let text = efsat::vhdl::print(&module, "delay_types", &[]).unwrap().remove(1).1;
     for line in [
-        "type value_d3_line_t is array (1 to 3) of signed(4 downto 0);",
-        "value_d3_line <= signed(value) & value_d3_line(1 to 2);",
+        "type value_line_t is array (1 to 3) of signed(4 downto 0);",
+        "value_line <= signed(value) & value_line(1 to 2);",
         "value_d8_line <= value_d5 & value_d8_line(1 to 2);",
     ] {
         assert!(text.lines().any(|l| l.trim() == line), "{line}\n{text}");

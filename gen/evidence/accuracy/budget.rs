@@ -71,7 +71,7 @@ mod tests {
             let folding = all.iter().find(|f| (f.budget, f.width) == (budget, width)).unwrap();
             (folding.params.as_ref().map(|p| p.axes_per_clock), folding.least)
         };
-        assert_eq!((units(72, 12), units(72, 18)), ((Some(1), 72), (Some(1), 72)));
+        assert_eq!((units(72, 12), units(72, 18)), ((Some(1), 60), (Some(1), 60)));
         assert_eq!(units(72, 19).0, None);
         assert!(units(72, 19).1 > 144);
         assert_eq!((units(216, 18).0, units(216, 19).0), (Some(3), Some(1)));

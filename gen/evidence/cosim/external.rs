@@ -64,7 +64,7 @@ pub(super) fn command(simulator: Simulator, short: bool) -> Result<&'static str,
 /// Name and text of every source in dependency order, the testbench last.
 pub(super) fn sources(design: &Design, command_line: &str) -> Result<Vec<(String, String)>, CosimError> {
     let mut sources = artefact::vhdl_files(design, command_line)?;
-    let origin = artefact::origin(command_line);
+    let origin = artefact::origin();
     sources.push((format!("{}.vhd", testbench::NAME), testbench::text(design, &origin)));
     Ok(sources)
 }

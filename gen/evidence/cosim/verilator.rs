@@ -63,11 +63,11 @@ fn fields(word: &Word) -> Vec<Field> {
 }
 
 /// The C++ of the testbench.
-fn bench(design: &Design, command_line: &str) -> String {
+fn bench(design: &Design) -> String {
     let p = &design.params;
     let [pair, pose, answer] = testbench::blank(p);
     let bench = Bench {
-        header: artefact::origin(command_line),
+        header: artefact::origin(),
         formats: formats_line(p),
         paced: PACED,
         patience: testbench::patience(design),
@@ -124,7 +124,7 @@ pub(super) fn run(
     }
     let vectors = format!("{}.vec", testbench::NAME);
     write(&vectors, &artefact::vectors::text(&design.params, stimulus))?;
-    write("efsat_tb.cpp", &bench(design, command_line))?;
+    write("efsat_tb.cpp", &bench(design))?;
     let (mut run, seconds) = simulate(&verilator, netlist, dir, &vectors)?;
     run.simulator = format!("{}, {} netlist", verilator.version, netlist.name());
     run.simulation = seconds;

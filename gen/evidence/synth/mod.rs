@@ -226,7 +226,7 @@ mod tests {
         assert!(predicted(&params).fits().is_ok());
         let wide = predicted(&Params { width: 19, ..params });
         let message = wide.fits().unwrap_err().to_string();
-        assert!(message.starts_with("216 multipliers do not fit on lfe5u-85-6, which has 156"), "{message}");
+        assert!(message.starts_with("204 multipliers do not fit on lfe5u-85-6, which has 156"), "{message}");
     }
 
     #[test]

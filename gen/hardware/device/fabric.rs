@@ -52,7 +52,7 @@ pub(super) static SIX_INPUTS: Fabric = Fabric {
     chain_levels: 0,
     carry_cell: 4,
     shortest_sum: 2,
-    shortest_product: 9,
+    shortest_product: super::SHORTEST_PRODUCT,
     multiplier_registers: MultiplierRegisters::OperandsAndProduct,
     longest_shift: 32,
     memory_cell: (32, 6, 4),

@@ -97,6 +97,9 @@ pub struct Part {
 /// A multiplier takes signed operands of at most this many bits.
 pub const MULTIPLIER_BITS: u32 = 18;
 
+/// Bits of the shortest product that is worth a multiplier; look-up tables make shorter ones.
+pub const SHORTEST_PRODUCT: u32 = 9;
+
 const DEVICES: [Device; 4] = [virtex2::XC2V6000, spartan6::XC6SLX150, series7::XC7A200T, ecp5::LFE5U_85];
 
 /// A device name that is not known.

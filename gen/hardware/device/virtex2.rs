@@ -70,7 +70,7 @@ static FABRIC: Fabric = Fabric {
     chain_levels: 0,
     carry_cell: 1,
     shortest_sum: 2,
-    shortest_product: 9,
+    shortest_product: super::SHORTEST_PRODUCT,
     multiplier_registers: MultiplierRegisters::Product,
     longest_shift: 16,
     memory_cell: (16, 1, 2),

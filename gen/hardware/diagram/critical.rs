@@ -11,7 +11,7 @@ pub(super) fn path(schedule: &Schedule) -> Vec<usize> {
     if slots[node].ns < schedule.critical.0 {
         let (inner, name) = schedule.critical.1.split_once('.').unwrap_or_default();
         let holds = |i: &usize| match &schedule.unit.nodes[*i].op {
-            Op::Instance(child) => child.name == inner,
+            Op::Instance(_) => schedule.children[i].critical == schedule.critical,
             // The first of the two clocks of a multiplexer is longer than all that ends in a value.
             _ => schedule.unit.name == inner && schedule.unit.nodes[*i].name() == name,
         };

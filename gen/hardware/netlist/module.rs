@@ -5,6 +5,7 @@
 //! written with [`Control`](super::Control), because it has state that no dataflow graph has.
 
 use crate::graph::Place;
+use crate::device::SHORTEST_PRODUCT;
 use crate::op::{Comb, Range, Type};
 use std::collections::HashSet;
 use std::rc::Rc;
@@ -187,13 +188,14 @@ impl Module {
         order
     }
 
-    /// Hardware multipliers in the hierarchy: products of operands that fit one.
+    /// Hardware multipliers in the hierarchy: products, but those so short that look-up tables make them.
     pub fn multipliers(&self) -> usize {
-        let own = |s: &&Signal| match &s.driver {
+        let product = |s: &&Signal| match &s.driver {
             Driver::Combinational { op, .. } => matches!(op, Comb::Multiply(_)),
             Driver::Register { op, .. } => matches!(op, Some(Comb::Multiply(_))),
             _ => false,
         };
+        let own = |s: &&Signal| product(s) && s.ty.bits >= SHORTEST_PRODUCT;
         self.signals.iter().filter(own).count() + self.instances.iter().map(|i| i.module.multipliers()).sum::<usize>()
     }
 

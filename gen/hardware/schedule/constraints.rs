@@ -255,6 +255,14 @@ impl<'a> Constraints<'a> {
             i = self.carrier(self.pass.unit.nodes[i].args[0].0);
         }
         let Valid::Stream(from) = self.valid[i] else { return };
+        // With one phase, a choice among one is the per-pair value itself, and all that use it share its registers.
+        if self.pass.interval() == 1
+            && matches!(&self.pass.unit.nodes[i].op, Op::Mux { late } if late.len() == 1)
+            && let arg = self.pass.unit.nodes[i].args[1].0
+            && let Valid::Pair(windows) = self.valid[arg].clone()
+        {
+            return self.hold(arg, &windows, Reading { first: at, last: at, captured: false });
+        }
         let streams = &mut self.program.streams;
         let place = *self.streams[i].get_or_insert_with(|| {
             let node = &self.pass.unit.nodes[i];
@@ -303,13 +311,16 @@ impl<'a> Constraints<'a> {
         let mut open: BTreeSet<usize> = self.pass.users[origin].iter().copied().collect();
         while let Some(i) = open.pop_first() {
             let args = self.pass.unit.nodes[i].args.iter();
-            let before = args.map(|a| arrivals[a.0]).fold(f64::NEG_INFINITY, f64::max);
+            let mut before = args.map(|a| arrivals[a.0]).fold(f64::NEG_INFINITY, f64::max);
             if self.pass.unit.renames(i) || matches!(self.pass.unit.nodes[i].op, Op::Output(_)) {
                 arrivals[i] = before;
                 open.extend(&self.pass.users[i]);
                 continue;
             }
             let Some(variable) = self.variables[i] else { continue };
+            if !matches!(self.pass.unit.nodes[i].op, Op::Mux { .. }) {
+                before = before.max(self.base(i));
+            }
             let ns = before + self.delay(i);
             if before > self.pass.launch() + 1e-9 && !self.pass.fits(ns) {
                 self.order(from.later(1), Event { variable, offset: 0 });

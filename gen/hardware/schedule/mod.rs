@@ -393,8 +393,7 @@ impl Pass<'_> {
             }
             Op::Instance(_) => {
                 let child = &self.children[&i];
-                let arrival = self.arrival(i, slots, if wish.captured { i32::MIN } else { wish.start });
-                let (start, ns, registered) = self.start(&arrival, child.input_path, wish);
+                let (arrival, start, ns, registered) = self.start(i, slots, child.input_path, wish);
                 let ns = if child.latency == 0 { ns } else { child.output_ns };
                 let until = arrival.until.saturating_add(child.latency);
                 let captured = registered && arrival.until != i32::MAX;
@@ -403,14 +402,11 @@ impl Pass<'_> {
             }
             op => {
                 let delay = delay(self.device, self.unit, i);
-                let mut arrival = self.arrival(i, slots, if wish.captured { i32::MIN } else { wish.start });
-                match node.rate {
-                    // Made of constants of each phase alone: they are there at any time, but another one in every clock.
-                    Rate::Phase => arrival.clock = arrival.clock.max(0),
-                    _ if arrival.clock == i32::MIN => {
-                        return Slot { ns: self.launch() + delay, ..Slot::ALWAYS };
-                    }
-                    _ => {}
+                // Made of constants of each phase alone: they are there at any time, but another one in every clock.
+                let wish = if node.rate == Rate::Phase { Wish { start: wish.start.max(0), ..wish } } else { wish };
+                let (arrival, start, ns, registered) = self.start(i, slots, delay, wish);
+                if arrival.clock == i32::MIN {
+                    return Slot { ns: self.launch() + delay, ..Slot::ALWAYS };
                 }
                 if matches!(op, Op::Comb(Comb::Multiply(_))) {
                     // Operands straight from registers, and the register behind the product is the multiplier's own.
@@ -418,7 +414,6 @@ impl Pass<'_> {
                     let ns = self.device.product_launch();
                     return Slot { start, from: start + 1, until: i32::MAX, ns, registered: true };
                 }
-                let (start, ns, registered) = self.start(&arrival, delay, wish);
                 let until = if registered { start.saturating_add(interval) } else { arrival.until };
                 let until = if node.rate == Rate::Pair { until } else { i32::MAX };
                 Slot { start, from: start, until, ns, registered }
@@ -426,15 +421,21 @@ impl Pass<'_> {
         }
     }
 
-    /// Start clock, arrival of the result and whether the operands are registered for it.
-    fn start(&self, arrival: &Arrival, delay: f64, wish: Wish) -> (i32, f64, bool) {
+    /// Arrival of the operands, start clock, arrival of the result and whether the operands are registered for it.
+    fn start(&self, i: usize, slots: &[Slot], delay: f64, wish: Wish) -> (Arrival, i32, f64, bool) {
+        let in_register = self.launch() + delay;
         if wish.captured {
-            (wish.start, self.launch() + delay, true)
-        } else if self.fits(arrival.ns + delay) || arrival.ns <= self.launch() {
-            (arrival.clock, arrival.ns + delay, false)
-        } else {
-            (arrival.clock + 1, self.launch() + delay, true)
+            return (self.arrival(i, slots, i32::MIN), wish.start, in_register, true);
         }
+        let arrival = self.arrival(i, slots, wish.start);
+        if self.fits(arrival.ns + delay) || arrival.ns <= self.launch() {
+            let (start, ns) = (arrival.clock, arrival.ns + delay);
+            return (arrival, start, ns, false);
+        }
+        // Even where operands wait for the wish, one that is there at any time may be too late in every clock.
+        let arrival = self.arrival(i, slots, wish.start.saturating_sub(1));
+        let start = arrival.clock.saturating_add(1);
+        (arrival, start, in_register, true)
     }
 
     /// When the last operand of a node arrives, or where that is later, clock `least`.
@@ -486,11 +487,8 @@ impl Pass<'_> {
                 // A value that leaves too little of the period for the choice, or of its window for the last phase
                 // it is read in, is captured first.
                 let outlives = !per_pair || clock + (last as i32) < slot.until;
-                let in_time = if divided {
-                    slot.ns <= self.launch()
-                } else {
-                    self.fits(slot.ns + delay) && slot.ns + delay <= wish.ns + 1e-9
-                };
+                let in_time = slot.ns <= self.launch()
+                    || !divided && self.fits(slot.ns + delay) && slot.ns + delay <= wish.ns + 1e-9;
                 let direct = in_time && outlives;
                 ready = ready.max(slot.from + i32::from(!direct) - if per_pair { first as i32 } else { 0 });
                 ns = ns.max(if direct { slot.ns } else { self.launch() });

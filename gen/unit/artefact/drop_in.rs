@@ -120,9 +120,8 @@ pub(super) fn add(
     design: &Design,
     format: &StreamFormat,
     lists: &FileLists,
-    command_line: &str,
 ) -> [(&'static str, &'static str); 5] {
-    let header = &origin(command_line)[..];
+    let header = &origin()[..];
     let sources = &lists.synthesised()[..];
     let picoseconds = 1_000_000 / design.params.frequency;
     let period = &format!("{}.{:03}", picoseconds / 1000, picoseconds % 1000)[..];

@@ -116,8 +116,8 @@ fn bench(design: &Design, format: &StreamFormat, header: &[String]) -> String {
 }
 
 /// Adds the example; returns its texts' description.
-pub(super) fn add(set: &mut FileSet, design: &Design, format: &StreamFormat, lists: &FileLists, command_line: &str) {
-    let header = &origin(command_line)[..];
+pub(super) fn add(set: &mut FileSet, design: &Design, format: &StreamFormat, lists: &FileLists) {
+    let header = &origin()[..];
     let (width, answer_width) = (format.width.bits(), format.answer_width());
     let top = Top {
         header,

@@ -88,8 +88,8 @@ pub(super) fn projects() -> Vec<Project> {
 }
 
 /// Adds all projects; `sources` are the synthesizable files in dependency order.
-pub(super) fn add(set: &mut FileSet, design: &Design, command_line: &str, sources: &[String]) {
-    let header = origin(command_line);
+pub(super) fn add(set: &mut FileSet, design: &Design, sources: &[String]) {
+    let header = origin();
     for project in projects() {
         let part = project.device.part;
         let script = ProjectScript {

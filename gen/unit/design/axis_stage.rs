@@ -92,9 +92,15 @@ impl<'l> Stage<'l, '_, '_> {
 
     /// The axes of unit `u`, with their sign cases.
     fn cross(&self, u: usize, jobs: &Phases<Axis>, normals: [Option<Factors<'l>>; 2]) -> Factors<'l> {
-        let factor = |of: Of| self.factor(of, normals).map(Factor::mantissa);
-        let e = jobs.map(|axis| factor(axis.left)).mux().named_at("axis_e", u);
-        let f = jobs.map(|axis| factor(axis.right)).mux().named_at("axis_f", u);
+        // Sign cases of edges that no lane has made are made behind the choice where those are fewer.
+        let cases_behind = !self.edges.from_lanes && self.path.p.axes_per_clock < 3;
+        let chosen = |side: fn(&Axis) -> Of, name: &str| {
+            let factor = |axis: &Axis| self.factor(side(axis), normals).map(Factor::mantissa);
+            let chosen = jobs.map(factor).mux();
+            let chosen = if cases_behind { chosen.map(|x| x.interval).named_at(name, u).map(Interval::factor) } else { chosen };
+            chosen.named_at(name, u)
+        };
+        let (e, f) = (chosen(|axis| axis.left, "axis_e"), chosen(|axis| axis.right, "axis_f"));
         let roundings = self.cross.roundings(self.path, jobs, &format!("axis{u}_rounding"));
         let l = cross_product(e, f, &roundings, &self.cross.text).probe(&jobs.meaning());
         l.map(Interval::factor).named_at("axis_l", u)

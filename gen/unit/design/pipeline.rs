@@ -52,6 +52,8 @@ struct Pose<'l> {
 
 /// The edges of both triangles.
 pub(super) struct Edges<'l> {
+    /// Whether lanes have made them, one after the other.
+    pub from_lanes: bool,
     pub a: [Factors<'l>; 3],
     pub b: [Factors<'l>; 3],
 }
@@ -187,7 +189,7 @@ impl<'l> Path<'l, '_> {
         };
         let a = probed([0, 1, 2].map(|k| direct(0, k, &v)), "e_a");
         let b = probed([0, 1, 2].map(|k| direct(1, k, &w)), "e_b");
-        ([v[0], v[1], v[2], w[0], w[1], w[2]], Edges { a, b })
+        ([v[0], v[1], v[2], w[0], w[1], w[2]], Edges { from_lanes: !streamed.is_empty(), a, b })
     }
 
     /// Fraction bits of the coordinates.

@@ -1,12 +1,13 @@
 //! Exact products from hardware multipliers.
 
-use efsat_hardware::device::MULTIPLIER_BITS;
+use efsat_hardware::device::{MULTIPLIER_BITS, SHORTEST_PRODUCT};
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Fact, Sig, Signals};
 use efsat_hardware::op::Type;
 
 /// Bits that a partial product takes of an operand: a multiplier's width less the sign.
 const PART: u32 = MULTIPLIER_BITS - 1;
+const FACTOR: Type = Type { signed: true, bits: MULTIPLIER_BITS, fraction: None };
 
 /// An exact product: one hardware multiplier, or where an operand is too wide for it, partial products of 17 unsigned bits
 /// each under a signed top.
@@ -24,8 +25,9 @@ fn mantissas<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
         return entity!(&name, &doc, (x, y) => (x * y).named("p"));
     }
     let doc = [
-        "p = x * y, exact, from parts of 17 unsigned bits under a signed top, a multiplier for each two of them. Products",
-        "of parts that are as far apart as they are wide stand side by side without adding.",
+        "p = x * y, exact, from parts of 17 unsigned bits under a signed top, a multiplier for each two of them but for",
+        "two short tops, which look-up tables multiply. Products of parts that are as far apart as they are wide stand",
+        "side by side without adding.",
     ];
     entity!(&name, &doc, (x, y) => wide(x, y).named("p"))
 }
@@ -38,7 +40,10 @@ fn wide<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
         let places = (0..=last_x).filter_map(|i| Some((i, usize::try_from(i as i32 - diagonal).ok()?)));
         let places: Vec<(usize, usize)> = places.filter(|(_, j)| *j <= last_y).collect();
         let part = |(i, j): &(usize, usize)| {
-            let part = product(xs[*i], ys[*j]).named(&format!("part_{i}{j}"));
+            let [a, b] = [xs[*i], ys[*j]];
+            let tiny = a.ty().bits + b.ty().bits < SHORTEST_PRODUCT;
+            let [a, b] = if tiny { [a, b] } else { [a, b].map(|x| x.resize(FACTOR)) };
+            let part = product(a, b).named(&format!("part_{i}{j}"));
             // Only the topmost part may be negative; the others are products of unsigned parts.
             let bits = |bits: u32, k: usize, last: usize| if k < last { PART } else { bits - PART * last as u32 };
             let bits = bits(x.ty().bits, *i, last_x) + bits(y.ty().bits, *j, last_y);
@@ -65,13 +70,12 @@ fn wide<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
     sum.known(Fact::Product, &[x, y]).bits(x.ty().bits + y.ty().bits)
 }
 
-/// The parts of a factor, the lowest first, each in as many bits as a multiplier takes.
+/// The parts of a factor, the lowest first, none wider than a multiplier takes.
 fn parts(x: Sig<'_>) -> Vec<Sig<'_>> {
-    let ty = Type { signed: true, bits: MULTIPLIER_BITS, fraction: None };
     if x.ty().bits <= MULTIPLIER_BITS {
-        return vec![x.resize(ty)];
+        return vec![x];
     }
-    let mut all = vec![x.low(PART).resize(ty)];
+    let mut all = vec![x.low(PART).resize(FACTOR)];
     all.extend(parts(x.floor(PART as i32)));
     all
 }

@@ -92,8 +92,11 @@ pub fn scale<'l>(p: &Params, offset: Vector<'l>, shift: Vec3<Vec<Sig<'l>>>) -> V
 pub fn round<'l>(p: &Params, point: Vector<'l>) -> Vector<'l> {
     let doc = ["The coordinates of a point rounded outward to the working width; no re-normalisation."];
     let ty = Type::signed(p.width, p.width as i32 - p.int_bits as i32);
+    let drop = p.transform_width as i32 - p.width as i32;
+    if drop == 0 {
+        return point;
+    }
     entity!("coordinate_round", &doc, (point) => {
-        let drop = p.transform_width as i32 - p.width as i32;
         let roundings = Roundings::one(Rounding { drop, saturate: None }, p.upper, ty);
         point.map(|x| x.round_outward(&roundings)).named("rounded")
     })

@@ -70,11 +70,11 @@ pub fn translate_row<'l>(p: &Params, x: Number<Sig<'l>>, t: Number<Sig<'l>>, byp
     })
 }
 
-/// What the declared ranges say of a transformed coordinate: with a sticky bit an upper bound is no farther from zero than
-/// the declared one, which the lower bound and the bit do not tell each by itself.
+/// What the declared ranges say of a transformed coordinate: with sticky bits no bound of a number is farther from zero than
+/// its declared range, which the lower bound and the bit do not tell each by itself.
 fn bounded<'l>(p: &Params, b: Interval<Sig<'l>>) -> Interval<Sig<'l>> {
     match p.upper {
         Upper::Implied => b,
-        Upper::Sticky => Interval { hi: b.hi.assume(p.formats().transformed_bound(), "declared-range"), ..b },
+        Upper::Sticky => b.each(|_, end| end.assume(p.formats().transformed_bound(), "declared-range")),
     }
 }
