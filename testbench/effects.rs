@@ -233,7 +233,10 @@ fn plans_name_each_effect_with_its_reason_and_saving() {
     assert!(reason.starts_with("1 of 37 triangles are degenerate"), "{reason}");
     for name in ["transform", "renormalise", "in_plane_axes", "exact_ceiling"] {
         let saving = &found[name]["saving"];
-        assert!(saving["luts"].as_i64() > Some(0) && saving["simulation"].as_f64() > Some(0.0), "{name}: {saving}");
+        assert!(saving["simulation"].as_f64() > Some(0.0), "{name}: {saving}");
+        // Without re-normalisation there is no lane that makes the edges one after the other, so it saves time only.
+        let what = if name == "renormalise" { "latency" } else { "luts" };
+        assert!(saving[what].as_i64() > Some(0), "{name}: {saving}");
     }
     assert_eq!(found["in_plane_axes"]["saving"]["interval"], 6);
     assert_eq!(found["transform"]["saving"]["multipliers"], 24);
