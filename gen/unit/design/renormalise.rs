@@ -94,7 +94,8 @@ pub fn round<'l>(p: &Params, point: Vector<'l>) -> Vector<'l> {
     let ty = Type::signed(p.width, p.width as i32 - p.int_bits as i32);
     let drop = p.transform_width as i32 - p.width as i32;
     if drop == 0 {
-        return point;
+        // The same bits, under a name of their own.
+        return point.map(|x| x.each(|_, end| end.at_point(None).at_point(end.ty().fraction)));
     }
     entity!("coordinate_round", &doc, (point) => {
         let roundings = Roundings::one(Rounding { drop, saturate: None }, p.upper, ty);
