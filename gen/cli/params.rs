@@ -1,8 +1,8 @@
 //! The options that every command shares: the parameters of the design.
 
 use super::error::Failure;
-use crate::params::options::{self, Choice, FREQUENCY, INT_BITS, TAG_WIDTH, TRANSFORM_WIDTH, WIDTH};
-use crate::params::{Axes, Guard, Params, Projections, Transform, Upper};
+use crate::params::options::{self, AXIS_SHIFT, Choice, FREQUENCY, INT_BITS, TAG_WIDTH, TRANSFORM_WIDTH, WIDTH};
+use crate::params::{Axes, Guard, Params, ProjectionWidth, Projections, Transform, Upper};
 use crate::{design::top::DesignError, device};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::ops::RangeInclusive;
@@ -35,6 +35,14 @@ pub(super) struct ParamArguments {
     #[arg(long, value_name = "POLICY", default_value = Params::default().projections.name())]
     #[arg(value_parser = choice::<Projections>())]
     projections: Projections,
+    /// Width of the projections that are compared: the full product, or rounded to the working width as in the paper
+    #[arg(long, value_name = "WIDTH", default_value = Params::default().projection_width.name())]
+    #[arg(value_parser = choice::<ProjectionWidth>())]
+    projection_width: ProjectionWidth,
+    /// Positions by which an axis is shifted left at most before it is rounded, 0 to 30; 0 as in the paper
+    #[arg(long, value_name = "N", default_value_t = Params::default().axis_shift)]
+    #[arg(value_parser = whole(AXIS_SHIFT), allow_negative_numbers = true)]
+    axis_shift: u32,
     /// Upper bound of an input: the next grid point, or the exact ceiling with a sticky bit
     #[arg(long, value_name = "RULE", default_value = Params::default().upper.name(), value_parser = choice::<Upper>())]
     upper: Upper,
@@ -74,6 +82,8 @@ impl ParamArguments {
             axes: self.axes,
             axes_per_clock: self.axes_per_clock as usize,
             projections: self.projections,
+            projection_width: self.projection_width,
+            axis_shift: self.axis_shift,
             upper: self.upper,
             renormalise: self.renormalise,
             transform: self.transform,

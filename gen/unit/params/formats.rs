@@ -6,7 +6,7 @@
 //! Rule of the contract (section 5): for a range `[-b, b]` after outward rounding, the integral digits k are the
 //! least with `b <= 2^(k-1) - ulp`; the fraction bits are then `m = N - k`.
 
-use super::{Params, Transform};
+use super::{Params, ProjectionWidth, Transform};
 use efsat_hardware::number::{Format, Upper, upper_shift};
 
 /// A bound on the *true* (real) value that the computed interval may stick out of by rounding; clamping the computed
@@ -159,9 +159,16 @@ impl Formats {
         let area = |extent: i128| Truth { bound: extent * extent, fraction: 2 * grid, lemma: "triangle-area" };
         let reach = coordinate_a.bound.max(coordinate_b.bound);
         let with_projection = |axis: Row, name: &'static str| {
+            let axis = if p.axis_shift > 0 { shifted(axis) } else { axis };
             let exact = Exact { bound: 3 * reach * axis.bound, fraction: grid + axis.format.fraction };
             let why = "three products of a coordinate and an axis component".to_owned();
-            let projection = make(name, exact, None, why);
+            let projection = match p.projection_width {
+                ProjectionWidth::Rounded => make(name, exact, None, why),
+                ProjectionWidth::Full => {
+                    let width = 129 - exact.bound.leading_zeros();
+                    row(name, width, upper, &exact, None, why)
+                }
+            };
             [axis, projection]
         };
         let normal = |names: [&'static str; 2], e: &Row, f: &Row, truth: Option<Truth>, why: &str| {
@@ -234,6 +241,12 @@ impl Formats {
         let axes = [&self.normal_a, &self.normal_b].into_iter().chain(&self.cross);
         points.chain(edges).chain(axes.chain(&self.in_plane_a).chain([&self.in_plane_b]).flatten())
     }
+}
+
+/// An axis shifted by its leading zeros: the format is that of shift 0, and any mantissa but the least may come.
+fn shifted(axis: Row) -> Row {
+    let bound = axis.format.max();
+    Row { bound, derivation: format!("{}; shifted left by its leading zeros", axis.derivation), ..axis }
 }
 
 /// Greatest magnitude of a bound of an input number whose true magnitude is at most `bound`: the implied upper bound

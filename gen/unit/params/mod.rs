@@ -44,6 +44,15 @@ pub enum Projections {
     Intersect,
 }
 
+/// How wide the projections are that the comparators see.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ProjectionWidth {
+    /// Exact, at full product width.
+    Full,
+    /// Rounded outward to the working width: the paper.
+    Rounded,
+}
+
 /// How triangle B reaches triangle A's frame of reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Transform {
@@ -71,6 +80,11 @@ pub struct Params {
     pub axes_per_clock: usize,
     /// Duplicate-projection policy.
     pub projections: Projections,
+    /// Width of the projections that are compared.
+    pub projection_width: ProjectionWidth,
+    /// Positions by which an axis is shifted left at most, by the leading zeros that its bounds have in common, before it
+    /// is rounded; 0 for the paper's fixed formats.
+    pub axis_shift: u32,
     /// Rule for every upper bound.
     pub upper: Upper,
     /// Whether pairs are re-normalised one by one (the paper's 2.5).
@@ -97,6 +111,8 @@ impl Default for Params {
             axes: Axes::Eleven,
             axes_per_clock: 1,
             projections: Projections::All,
+            projection_width: ProjectionWidth::Rounded,
+            axis_shift: 0,
             upper: Upper::Implied,
             renormalise: true,
             transform: Transform::On,
@@ -142,6 +158,7 @@ impl Params {
         range("transform-width", self.transform_width, widths, &format!(" (at least --width {n})"))?;
         let axes = self.axes.count() as u32;
         range("axes-per-clock", self.axes_per_clock as u32, 1..=axes, &format!(" (--axes {axes})"))?;
+        range("axis-shift", self.axis_shift, options::AXIS_SHIFT, "")?;
         range("frequency", self.frequency, options::FREQUENCY, " MHz")?;
         range("tag-width", self.tag_width, options::TAG_WIDTH, "")
     }
@@ -189,6 +206,12 @@ impl Params {
     /// The mantissa of 1 in [`Params::input`]: 2^(T-K). Also the declared bound on matrix entries.
     pub fn one(&self) -> i128 {
         1 << (self.transform_width - self.int_bits)
+    }
+
+    /// Positions by which an axis can be shifted: at most so that its highest bit but the sign takes the place of the sign's
+    /// neighbour.
+    pub fn axis_positions(&self) -> u32 {
+        self.axis_shift.min(self.width - 2)
     }
 
     /// The table of formats of the axis test.

@@ -1,6 +1,6 @@
 //! Parameters as the command line spells them: names of values, ranges, and the canonical list of options.
 
-use super::{Axes, Params, Projections, Transform, Upper};
+use super::{Axes, Params, ProjectionWidth, Projections, Transform, Upper};
 use std::ops::RangeInclusive;
 
 /// Legal widths of the axis test.
@@ -9,6 +9,8 @@ pub const WIDTH: RangeInclusive<u32> = 6..=32;
 pub const INT_BITS: RangeInclusive<u32> = 4..=8;
 /// Greatest width of the frame transform; the least is the width of the axis test.
 pub const TRANSFORM_WIDTH: u32 = 48;
+/// Legal shifts of an axis; the width of the axis test bounds them too.
+pub const AXIS_SHIFT: RangeInclusive<u32> = 0..=30;
 /// Legal target clocks in MHz.
 pub const FREQUENCY: RangeInclusive<u32> = 20..=250;
 /// Legal widths of the tag.
@@ -42,6 +44,17 @@ impl Choice for Projections {
             Self::All => "all",
             Self::Skip => "skip",
             Self::Intersect => "intersect",
+        }
+    }
+}
+
+impl Choice for ProjectionWidth {
+    const ALL: &'static [Self] = &[Self::Full, Self::Rounded];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Full => "full",
+            Self::Rounded => "rounded",
         }
     }
 }
@@ -80,7 +93,7 @@ impl Choice for bool {
 impl Params {
     /// Every option (without its dashes) with its value, in a fixed order: equal parameters have equal lists, however
     /// they were typed.
-    pub fn options(&self) -> [(&'static str, String); 13] {
+    pub fn options(&self) -> [(&'static str, String); 15] {
         [
             ("width", self.width.to_string()),
             ("int-bits", self.int_bits.to_string()),
@@ -88,6 +101,8 @@ impl Params {
             ("axes", self.axes.name().to_owned()),
             ("axes-per-clock", self.axes_per_clock.to_string()),
             ("projections", self.projections.name().to_owned()),
+            ("projection-width", self.projection_width.name().to_owned()),
+            ("axis-shift", self.axis_shift.to_string()),
             ("upper", self.upper.name().to_owned()),
             ("renormalise", self.renormalise.name().to_owned()),
             ("transform", self.transform.name().to_owned()),
@@ -114,7 +129,7 @@ mod tests {
         assert_eq!(
             Params::default().command_line(),
             "efsat generate --width 18 --int-bits 4 --transform-width 32 --axes 11 --axes-per-clock 1 --projections all \
-             --upper implied --renormalise on --transform on --guard left-out --device xc2v6000-4 --frequency 100 --tag-width 16"
+             --projection-width rounded --axis-shift 0 --upper implied --renormalise on --transform on --guard left-out --device xc2v6000-4 --frequency 100 --tag-width 16"
         );
     }
 }
