@@ -102,7 +102,7 @@ impl<'l> Stage<'l, '_, '_> {
         };
         let (e, f) = (chosen(|axis| axis.left, "axis_e"), chosen(|axis| axis.right, "axis_f"));
         let roundings = self.cross.roundings(self.path, jobs, &format!("axis{u}_rounding"));
-        let l = cross_product(e, f, &roundings, &self.cross.text).probe(&jobs.meaning());
+        let l = cross_product(self.path.p, e, f, &roundings, &self.cross.text).probe(&jobs.meaning());
         l.map(Interval::factor).named_at("axis_l", u)
     }
 
@@ -123,7 +123,7 @@ impl<'l> Stage<'l, '_, '_> {
             }
             let v = point.map(|i| points[*i]).mux().named_at(&format!("axis{u}_v"), slot);
             let meaning = point.meaning();
-            image.push(projection(v, l, &roundings, &self.project.text).named_at(&name, slot).probe(&meaning));
+            image.push(projection(p, v, l, &roundings, &self.project.text).named_at(&name, slot).probe(&meaning));
         }
         let flag = |triangle: usize, i: usize| {
             let has = jobs.map(|axis| i128::from(i < axis.projected(triangle, p.projections).len()));

@@ -2,26 +2,31 @@
 
 use super::interval::{Factors, Interval};
 use super::rounding::Roundings;
+use crate::params::{Params, ProjectionWidth};
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Vec3};
 
 /// `p = v . l = (v_x l_x + v_y l_y) + v_z l_z`, exact, then rounded once. Six multipliers at up to 18 bits.
 pub fn projection<'l>(
+    p: &Params,
     v: Factors<'l>,
     l: Factors<'l>,
     roundings: &Roundings<'l>,
     formats: &[String],
 ) -> Interval<Sig<'l>> {
-    let mut doc = vec![
-        "Projection of one point on the axis, p = v . l in interval arithmetic (equation 2).",
-        "(v_x l_x + v_y l_y) + v_z l_z, exact, then rounded outward once.",
-        "",
-    ];
+    let full = p.projection_width == ProjectionWidth::Full;
+    let rounded = if full { "exact." } else { "exact, then rounded outward once." };
+    let sum = format!("(v_x l_x + v_y l_y) + v_z l_z, {rounded}");
+    let mut doc = vec!["Projection of one point on the axis, p = v . l in interval arithmetic (equation 2).", &sum, ""];
     doc.extend(formats.iter().map(String::as_str));
-    let rounding = roundings.select;
+    let rounding = roundings.select.filter(|_| !full);
     entity!("projection", &doc, (v, l, rounding) => {
         let term = Vec3::each(|i| v[i] * l[i]).named("term");
-        let exact = ((term[0] + term[1]).named("xy") + term[2]).named("exact");
-        exact.round_outward(&roundings.selected_by(rounding)).named("p")
+        let exact = (term[0] + term[1]).named("xy") + term[2];
+        if full {
+            exact.named("p")
+        } else {
+            exact.named("exact").round_outward(&roundings.selected_by(rounding)).named("p")
+        }
     })
 }

@@ -54,9 +54,27 @@ impl<'l> Roundings<'l> {
         Self { ways, select, upper: p.upper, ty: working(p) }
     }
 
+    /// The different roundings, in the order of the numbers of [`select`](Self::select).
+    pub fn ways(&self) -> &[Rounding] {
+        &self.ways
+    }
+
     /// The same, chosen by another signal: a port of the unit that rounds.
     pub fn selected_by(&self, select: Option<Sig<'l>>) -> Self {
         Self { select, ..self.clone() }
+    }
+}
+
+/// Rounded toward plus infinity by that many bits, by the rule for upper bounds.
+pub fn round_up<'l>(x: Sig<'l>, drop: u32, upper: Upper) -> Sig<'l> {
+    let floor = x.floor(drop as i32);
+    match upper {
+        // floor + ulp (equation 5)
+        Upper::Implied => (floor + floor.unit().constant(1, Type::FLAG)).called("up"),
+        // Exact ceiling: floor + OR of the dropped bits.
+        Upper::Sticky => {
+            (floor + x.low(drop).any().called("inexact")).called("up").known(Fact::Ceiling(drop), &[x])
+        }
     }
 }
 
@@ -80,17 +98,8 @@ impl<'l> Interval<Sig<'l>> {
     }
 
     fn rounded(self, way: Rounding, upper: Upper) -> Self {
-        let (lo, floor) = (self.lo.floor(way.drop), self.hi.floor(way.drop));
-        let hi = match upper {
-            _ if way.drop <= 0 => floor,
-            // floor + ulp (equation 5)
-            Upper::Implied => (floor + floor.unit().constant(1, Type::FLAG)).called("up"),
-            // Exact ceiling: floor + OR of the dropped bits.
-            Upper::Sticky => {
-                let drop = way.drop as u32;
-                (floor + self.hi.low(drop).any().called("inexact")).called("up").known(Fact::Ceiling(drop), &[self.hi])
-            }
-        };
+        let lo = self.lo.floor(way.drop);
+        let hi = if way.drop <= 0 { self.hi.floor(way.drop) } else { round_up(self.hi, way.drop as u32, upper) };
         let saturated = |x: Sig<'l>| match way.saturate {
             Some((bound, lemma)) => x.saturate(bound, lemma),
             None => x,

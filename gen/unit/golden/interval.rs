@@ -33,7 +33,9 @@ pub(super) trait Wide:
 /// A number of any signal of the design, in units of the last place; every format is at most 48 bits wide.
 pub(super) trait Mantissa: Wide<Mantissa = Self> + From<i64> {
     /// The least p with all these magnitudes below 2^p; any p if all are zero.
-    fn length(numbers: &[Self; 12]) -> i32;
+    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32
+    where
+        Self: 'a;
 }
 
 macro_rules! integer {
@@ -64,8 +66,8 @@ integer!(i128);
 
 impl Mantissa for i64 {
     #[inline(always)]
-    fn length(numbers: &[Self; 12]) -> i32 {
-        let all = numbers.iter().fold(0, |all, x| all | x.unsigned_abs());
+    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32 {
+        let all = numbers.fold(0, |all, x| all | x.unsigned_abs());
         (u64::BITS - all.leading_zeros()) as i32
     }
 }
@@ -90,8 +92,8 @@ impl Wide for Dyadic {
 }
 
 impl Mantissa for Dyadic {
-    fn length(numbers: &[Self; 12]) -> i32 {
-        numbers.iter().filter_map(Self::length).max().unwrap_or(0) as i32
+    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32 {
+        numbers.filter_map(Self::length).max().unwrap_or(0) as i32
     }
 }
 
@@ -254,6 +256,25 @@ impl Rounding {
     /// For numbers from a shifter: the zeros behind their last digits are dropped like digits.
     pub fn of_shifted(self) -> Self {
         Self { shifted: true, ..self }
+    }
+
+    /// The exact number clamped to what the format's clamp stands for, before it is rounded.
+    pub fn clamp<W: Wide>(self, x: Interval<W>) -> Interval<W> {
+        if self.clamp == i64::MAX || self.left_out {
+            return x;
+        }
+        let bound = || W::from(W::Mantissa::from(self.clamp)).times_power(self.drop);
+        Interval::new(x.lo.clamp(-bound(), bound()), x.hi.clamp(-bound(), bound()))
+    }
+
+    /// The same for numbers that are clamped already.
+    pub fn without_clamp(self) -> Self {
+        Self { clamp: i64::MAX, ..self }
+    }
+
+    /// The same for numbers shifted left by so many places.
+    pub fn behind_shift(self, left: u32) -> Self {
+        Self { append: self.append + left, ..self }
     }
 
     /// The same change of format, without rounding if `left_out`.

@@ -159,6 +159,11 @@ impl Params {
         let axes = self.axes.count() as u32;
         range("axes-per-clock", self.axes_per_clock as u32, 1..=axes, &format!(" (--axes {axes})"))?;
         range("axis-shift", self.axis_shift, options::AXIS_SHIFT, "")?;
+        // Sums of three products are held in 64 bits.
+        if self.projection_width == ProjectionWidth::Full && n == 32 && !self.renormalise {
+            let legal = "legal is rounded with --width 32 and --renormalise off".to_owned();
+            return Err(ParamError { option: "projection-width", found: "full".to_owned(), legal });
+        }
         range("frequency", self.frequency, options::FREQUENCY, " MHz")?;
         range("tag-width", self.tag_width, options::TAG_WIDTH, "")
     }
