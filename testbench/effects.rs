@@ -239,7 +239,7 @@ fn plans_name_each_effect_with_its_reason_and_saving() {
         assert!(saving[what].as_i64() > Some(0), "{name}: {saving}");
     }
     assert_eq!(found["in_plane_axes"]["saving"]["interval"], 6);
-    assert_eq!(found["transform"]["saving"]["multipliers"], 24);
+    assert_eq!(found["transform"]["saving"]["multipliers"], 12);
     let command = plan["command_line"].as_str().unwrap();
     for words in ["--width 20 ", "--renormalise off ", "--upper sticky ", "--transform translate "] {
         assert!(command.contains(words), "{command}");

@@ -109,9 +109,8 @@ fn a_choice_that_is_too_long_takes_two_clocks() {
                 let most = if matches!(op, Some(Comb::Select(..))) { 1 + GROUP } else { 1 };
                 assert!(args.len() <= most, "{}", signal.name());
             }
-            let period = 1000.0 / f64::from(frequency);
-            let (ns, end) = &design.schedule.critical;
-            assert!(ns + design.device.setup() <= period + 1e-9, "{device} at {frequency} MHz: {ns} ns to {end}");
+            // A clock that one operation alone does not meet is said to be missed.
+            assert_eq!(design.missed_clock().is_some(), divided, "{device} at {frequency} MHz");
         }
     }
 }

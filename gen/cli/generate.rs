@@ -66,7 +66,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         params.frequency,
         design.interval,
         design.latency,
-    ))
+    ))?;
+    design.missed_clock().map_or(Ok(()), |(megahertz, end)| {
+        print(&format!("{megahertz:.1} MHz are expected, below --frequency: {end} takes longer than a clock by itself\n"))
+    })
 }
 
 /// The command line that stands in the files of a design.
