@@ -16,7 +16,7 @@ const PAIRS: usize = 256;
 /// Why a design cannot be printed: a defect of the generator, never of the parameters.
 #[derive(Debug, thiserror::Error)]
 pub enum DesignFilesError {
-    /// A name that is no legal VHDL.
+    /// A name that is not legal VHDL.
     #[error("names: {0}")]
     Name(#[from] Clash),
     /// A text that the target's tools would not take.
@@ -51,7 +51,7 @@ struct Readme<'a> {
 /// As [`design_files_with`], with the default width of the stream.
 ///
 /// # Errors
-/// A name in the design that is no legal VHDL, or a breach of the [rules](efsat_hardware::vhdl::lint) of the target.
+/// A name in the design that is not legal VHDL, or a breach of the [rules](efsat_hardware::vhdl::lint) of the target.
 pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, DesignFilesError> {
     design_files_with(design, StreamWidth::default(), command_line)
 }
