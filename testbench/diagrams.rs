@@ -2,8 +2,8 @@
 
 use efsat::design::{Design, Probes};
 use efsat::diagram::{Picture, units};
-use efsat::schedule::Scheduler;
 use efsat::params::{Axes, Params, Projections};
+use efsat::schedule::Scheduler;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};

@@ -207,10 +207,7 @@ fn every_fault_of_objects_and_trajectories_is_one_clear_line() {
             "x.toml: pose 0: the matrix of p is",
         ),
         ("[[pose]]\nabout = [inf, 0, 0]".to_owned(), "x.toml:12: about holds inf"),
-        (
-            "[tumble]\nsteps = 1\ndistances = [1]\nobject = 'p'".to_owned(),
-            "x.toml:14: 'p' around itself: expected two",
-        ),
+        ("[tumble]\nsteps = 1\ndistances = [1]\nobject = 'p'".to_owned(), "x.toml:14: 'p' around itself: expected two"),
         ("[[trajectory]]\nframes = 1\n".to_owned(), "x.toml:11: a trajectory without a track"),
         ("[[trajectory]]\nframes = 3\n[[trajectory.track]]\n".to_owned(), "x.toml:13: a track without a key"),
         (format!("[[trajectory]]\nframes = 1\n{key}time = 0\n"), "x.toml:12: frames 1: expected 2 to 1000000"),
