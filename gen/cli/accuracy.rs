@@ -55,7 +55,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NS", default_value_t = 0.0, value_parser = nanoseconds, allow_negative_numbers = true)]
     #[arg(conflicts_with = "shard")]
     transfer: f64,
-    /// Do part I of N alone and write no page; `efsat accuracy merge` joins the parts
+    /// Compute only part I of N and write no page; `efsat accuracy merge` joins the parts
     #[arg(long, value_name = "I/N", value_parser = shard, allow_hyphen_values = true)]
     shard: Option<Shard>,
     /// Map every point with Yosys as well: minutes per point

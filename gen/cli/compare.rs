@@ -49,7 +49,7 @@ pub(super) struct Arguments {
     /// A mesh against itself, .stl, .obj or .ply, tumbling like the built-in scene
     #[arg(long, value_name = "FILE", conflicts_with_all = NO_MESH)]
     mesh: Option<PathBuf>,
-    /// Steps of a turn of the mesh
+    /// Steps in a full turn of the mesh
     #[arg(long, value_name = "N", default_value_t = Scene::STEPS, value_parser = whole(1..=100_000), requires = "mesh")]
     #[arg(allow_negative_numbers = true, conflicts_with_all = NO_MESH)]
     steps: u32,

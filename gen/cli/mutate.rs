@@ -39,7 +39,7 @@ pub(super) struct Arguments {
     /// At most N mutants of each kind in each unit, evenly spread
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = whole(COUNT), allow_negative_numbers = true)]
     each: u32,
-    /// Of these N in all, evenly spread
+    /// At most N mutants in all, evenly spread
     #[arg(long, value_name = "N", value_parser = whole(COUNT), allow_negative_numbers = true)]
     limit: Option<u32>,
     /// What runs the changed VHDL: ghdl or nvc

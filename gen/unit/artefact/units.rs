@@ -45,14 +45,18 @@ pub(super) fn units(design: &Design) -> Vec<UnitRow> {
     found.iter().map(row).collect()
 }
 
-/// The first sentence of a module's description, as a cell of a table. A dot between blanks is a dot product.
+/// The first sentence of a module's description, as a cell of a table. A dot between blanks is a dot product. Where
+/// indented formulas follow before the sentence ends, it is cut at its first colon.
 pub(super) fn first_sentence(doc: &[String]) -> String {
-    let paragraph: Vec<&str> = doc.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
+    let words = |line: &&String| !line.is_empty() && !line.starts_with(' ');
+    let paragraph: Vec<&str> = doc.iter().take_while(words).map(|line| line.trim()).collect();
     let text = paragraph.join(" ").replace('|', "\\|");
-    let end = text.match_indices(". ").find(|(at, _)| !text[..*at].ends_with(' '));
-    match end {
-        Some((at, _)) => text[..=at].to_owned(),
-        None => text,
+    if let Some((at, _)) = text.match_indices(". ").find(|(at, _)| !text[..*at].ends_with(' ')) {
+        return text[..=at].to_owned();
+    }
+    match text.split_once(": ") {
+        Some((before, _)) if !text.ends_with('.') => format!("{before}."),
+        _ => text,
     }
 }
 
@@ -84,5 +88,7 @@ mod tests {
         let doc = ["p = v . l in interval", "arithmetic. Then more."].map(str::to_owned);
         assert_eq!(first_sentence(&doc), "p = v . l in interval arithmetic.");
         assert_eq!(first_sentence(&["no end | ".to_owned(), String::new(), "b.".to_owned()]), "no end \\|");
+        let formula = ["One axis decided: a, then", "  a = b", "  c = d"].map(str::to_owned);
+        assert_eq!(first_sentence(&formula), "One axis decided.");
     }
 }
