@@ -247,7 +247,7 @@ fn shards_merge_to_the_whole() {
     fails(
         dir.path(),
         &["merge", "1", "other", "--out", "none"],
-        "other: found seed 2, but 1 in 1; legal are parts of one",
+        "other: found seed 2, but 1 in 1; expected parts of one",
     );
     assert!(!dir.path().join("none").exists());
 }
@@ -276,12 +276,12 @@ fn wrong_input_is_told_and_leaves_nothing() {
         (&["--sweep", "width=24|28,transform-width=26"], "legal is 28 to 48 (at least --width 28)"),
         (&["--scene", "none.toml"], "none.toml"),
         (&["--scene", "broken.toml"], "broken.toml"),
-        (&["--pairs", "0"], "legal is `all` or a whole number"),
-        (&["--shard", "3/2"], "legal is I/N with I from 1 to N"),
-        (&["--transfer", "-1"], "legal is a number of nanoseconds"),
+        (&["--pairs", "0"], "expected `all` or a whole number"),
+        (&["--shard", "3/2"], "expected I/N with I from 1 to N"),
+        (&["--transfer", "-1"], "expected a number of nanoseconds"),
         (&["--multipliers", "72,none"], "legal is a whole number"),
-        (&["--out", "foreign"], "foreign: found files and no campaign.json; legal is a new or empty folder"),
-        (&["merge", "foreign", "--out", "out"], "legal is a folder that efsat accuracy wrote"),
+        (&["--out", "foreign"], "foreign: found files and no campaign.json; expected a new or empty folder"),
+        (&["merge", "foreign", "--out", "out"], "expected a folder that efsat accuracy wrote"),
     ];
     for (arguments, part) in cases {
         fails(dir.path(), arguments, part);
