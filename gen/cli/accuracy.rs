@@ -93,7 +93,7 @@ fn shard(text: &str) -> Result<Shard, String> {
 
 /// The parameters of every point of a sweep around `base`.
 fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> {
-    let names: Vec<&str> = base.options().iter().map(|option| option.0).collect();
+    let names: Vec<&str> = Params::OPTIONS.iter().map(|(name, _)| *name).collect();
     let wrong = |e: sweep::SweepError| Failure::Usage(format!("--sweep: {e}"));
     let combinations = sweep::parse(spec, &names).map_err(wrong)?;
     combinations.iter().map(|settings| point(settings, base)).collect()

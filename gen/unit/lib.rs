@@ -3,6 +3,7 @@
 
 pub mod artefact;
 pub mod design;
+pub mod dyadic;
 pub mod golden;
 pub mod host;
 pub mod params;

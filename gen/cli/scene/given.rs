@@ -88,14 +88,13 @@ impl Args for Options {
 
 impl FromArgMatches for Options {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let names: Vec<String> = Params::default().options().into_iter().map(|(name, _)| name.to_owned()).collect();
-        let typed = |name: &String| {
+        let typed = |(name, _): &(&str, _)| {
             let id = name.replace('-', "_");
             let is_typed = matches.value_source(&id) == Some(ValueSource::CommandLine);
             let value = matches.get_raw(&id).into_iter().flatten().last().filter(|_| is_typed)?;
-            Some((name.clone(), value.to_string_lossy().into_owned()))
+            Some(((*name).to_owned(), value.to_string_lossy().into_owned()))
         };
-        Ok(Self(names.iter().filter_map(typed).collect()))
+        Ok(Self(Params::OPTIONS.iter().filter_map(typed).collect()))
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {

@@ -1,8 +1,9 @@
 //! The floor: what stays possibly incorrect however wide the unit is, and why.
 
 use super::Answers;
-use super::causes::{Case, Exact, Reason, Reasons};
+use super::causes::{Case, Model, Reason, Reasons};
 use super::pairs::{Asked, Pairs};
+use efsat_unit::golden::Exact;
 use efsat_unit::params::{Axes, AxisKind, Params, Projections, Upper};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -69,9 +70,10 @@ impl Floor {
         let (answers, undecided) = Answers::ask(pairs, &params);
         let asked = Asked::new(pairs, &params);
         let places = Pairs::spread(&undecided, SAMPLE);
+        let exact = Model::new(&params, Exact::ALL);
         let one = |&place: &u32| {
             let (case, outcome) = (Case::new(&asked, place as usize)?, asked.outcome(place as usize)?);
-            let axes = case.axes(Exact::ALL);
+            let axes = exact.axes(&case);
             Some((Reason::of(pairs.relation(place as usize), &axes), axes, outcome.overlapping))
         };
         let cases: Vec<_> = places.par_iter().filter_map(one).collect();

@@ -4,7 +4,8 @@ use efsat_geometry::Points;
 use efsat_geometry::exact::{self, Relation};
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::{Meeting, Scene};
-use efsat_unit::golden::{Golden, Outcome, Pose, Verdict};
+use efsat_unit::dyadic::Dyadic;
+use efsat_unit::golden::{Golden, Numbers, Outcome, Pose, Verdict};
 use efsat_unit::host::{Host, SceneHost};
 use efsat_unit::params::Params;
 use rand::rngs::ChaCha8Rng;
@@ -41,12 +42,12 @@ impl std::fmt::Display for Amount {
 pub struct TooMany;
 
 /// The pairs that were drawn of one meeting.
-pub(super) struct Met {
+struct Met {
     /// Rotation, row by row, and translation of B as seen from A.
-    pub m: [[f64; 3]; 3],
-    pub t: [f64; 3],
+    m: [[f64; 3]; 3],
+    t: [f64; 3],
     /// The meshes of A and of B.
-    pub meshes: [usize; 2],
+    meshes: [usize; 2],
     meeting: Meeting,
     range: Range<usize>,
 }
@@ -135,18 +136,13 @@ impl<'a> Pairs<'a> {
     }
 
     /// The vertices of a pair as in the meshes, each triangle in its own frame.
-    pub(super) fn corners(&self, met: &Met, pair: usize) -> [[[f64; 3]; 3]; 2] {
+    fn corners(&self, met: &Met, pair: usize) -> [[[f64; 3]; 3]; 2] {
         let of = self.vertices_of(met, pair);
         [0, 1].map(|side| of[side].map(|vertex| self.vertices[met.meshes[side]][vertex as usize]))
     }
 
-    /// All vertices of a mesh.
-    pub(super) fn mesh(&self, mesh: usize) -> &[[f64; 3]] {
-        &self.vertices[mesh]
-    }
-
     /// The meeting that a pair belongs to.
-    pub(super) fn met(&self, pair: usize) -> &Met {
+    fn met(&self, pair: usize) -> &Met {
         let at = self.met.partition_point(|met| met.range.end <= pair);
         &self.met[at]
     }
@@ -171,19 +167,18 @@ impl<'a> Pairs<'a> {
 
 /// The pairs of a campaign asked with one parameter set.
 pub(super) struct Asked<'a> {
-    pub pairs: &'a Pairs<'a>,
-    pub params: &'a Params,
+    pairs: &'a Pairs<'a>,
     golden: Golden,
     hosts: HashMap<[usize; 2], SceneHost>,
 }
 
 impl<'a> Asked<'a> {
-    pub fn new(pairs: &'a Pairs<'a>, params: &'a Params) -> Self {
+    pub fn new(pairs: &'a Pairs<'a>, params: &Params) -> Self {
         let mut hosts = HashMap::new();
         for &[a, b] in pairs.met.iter().map(|met| &met.meshes) {
             hosts.entry([a, b]).or_insert_with(|| SceneHost::new(&pairs.vertices[a], &pairs.vertices[b], params));
         }
-        Self { pairs, params, golden: Golden::new(params), hosts }
+        Self { pairs, golden: Golden::new(params), hosts }
     }
 
     /// What `answer` makes of every pair, in order.
@@ -208,6 +203,12 @@ impl<'a> Asked<'a> {
         let posed = self.hosts[&met.meshes].pose(&met.m, &met.t);
         let [a, b] = self.pairs.vertices_of(met, pair);
         (posed.pose, posed.pair(a, b))
+    }
+
+    /// The real numbers behind the inputs of a pair.
+    pub fn numbers(&self, pair: usize) -> Numbers<Dyadic> {
+        let met = self.pairs.met(pair);
+        self.hosts[&met.meshes].numbers(&met.m, &met.t, &self.pairs.corners(met, pair))
     }
 
     /// What the unit says of a pair, with the flags of all axes; none if the host decides it.

@@ -175,9 +175,7 @@ mod tests {
 
     #[test]
     fn the_default_sweep_holds_every_width() {
-        let names: Vec<String> =
-            efsat_unit::params::Params::default().options().iter().map(|o| o.0.to_owned()).collect();
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let names: Vec<&str> = efsat_unit::params::Params::OPTIONS.iter().map(|(name, _)| *name).collect();
         let all = parse(DEFAULT, &names).unwrap();
         let alone =
             |width: u32| all.iter().any(|s| s.len() == 1 && s[0].option == "width" && s[0].value == width.to_string());

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::interval::{Rounding, Triple, Vector, Wide, cross_component, difference, negated, three};
+use super::interval::{Mantissa, Rounding, Triple, Vector, Wide, cross_component, difference, negated, three};
+use super::{Exact, Stage};
 use crate::params::{Axes, AxisKind, Params};
 
 /// One separating axis.
@@ -72,17 +73,17 @@ impl fmt::Display for Axis {
 }
 
 /// The edges of both triangles, e_Xk = X_(k+1) - X_k.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Edges {
-    pub a: Triple,
-    pub b: Triple,
+#[derive(Clone, Debug)]
+pub(super) struct Edges<M> {
+    pub a: Triple<M>,
+    pub b: Triple<M>,
 }
 
 /// Both normals.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Normals {
-    pub a: Vector,
-    pub b: Vector,
+#[derive(Clone, Debug)]
+pub(super) struct Normals<M> {
+    pub a: Vector<M>,
+    pub b: Vector<M>,
 }
 
 /// How every edge and axis component is rounded.
@@ -98,16 +99,17 @@ pub(super) struct AxisUnit {
 }
 
 impl AxisUnit {
-    pub fn new(p: &Params) -> Self {
+    pub fn new(p: &Params, exact: Exact) -> Self {
         let f = p.formats();
         let grid = f.coordinate_a.format.fraction;
         let edge_a = three(|k| f.edge_a[k].format.fraction);
         let edge_b = f.edge_b.format.fraction;
         let normal = |kind| f.axis(kind).format.fraction;
-        let to = |fraction, kind| Rounding::to_row(fraction, f.axis(kind), p.upper);
+        let to_row = |fraction, row| Rounding::to_row(fraction, row, p.upper).left_out_if(exact.has(Stage::Axis));
+        let to = |fraction, kind| to_row(fraction, f.axis(kind));
         Self {
-            edge_a: three(|k| Rounding::to_row(grid, &f.edge_a[k], p.upper)),
-            edge_b: Rounding::to_row(grid, &f.edge_b, p.upper),
+            edge_a: three(|k| to_row(grid, &f.edge_a[k])),
+            edge_b: to_row(grid, &f.edge_b),
             normal_a: to(edge_a[0] + edge_a[2], AxisKind::NormalA),
             normal_b: to(2 * edge_b, AxisKind::NormalB),
             cross: three(|k| to(edge_a[k] + edge_b, AxisKind::Cross(k))),
@@ -117,26 +119,30 @@ impl AxisUnit {
     }
 
     /// Indices around.
-    pub fn edges(&self, a: &Triple, b: &Triple) -> Edges {
-        let edge = |x: &Triple, k: usize, rounding: Rounding| {
-            three(|i| rounding.apply(difference(x[(k + 1) % 3][i], x[k][i])))
+    pub fn edges<M: Mantissa>(&self, [a, b]: &[Triple<M>; 2]) -> Edges<M> {
+        let edge = |x: &Triple<M>, k: usize, rounding: Rounding| {
+            three(|i| rounding.apply(difference(x[(k + 1) % 3][i].clone(), x[k][i].clone())))
         };
         Edges { a: three(|k| edge(a, k, self.edge_a[k])), b: three(|l| edge(b, l, self.edge_b)) }
     }
 
     /// n_A and n_B; X2 - X0 is the negated edge e_X2.
-    pub fn normals<W: Wide>(&self, edges: &Edges) -> Normals {
-        Normals {
-            a: cross::<W>(&edges.a[0], &three(|i| negated(edges.a[2][i])), self.normal_a),
-            b: cross::<W>(&edges.b[0], &three(|i| negated(edges.b[2][i])), self.normal_b),
-        }
+    pub fn normals<W: Wide>(&self, edges: &Edges<W::Mantissa>) -> Normals<W::Mantissa> {
+        let normal =
+            |e: &Triple<W::Mantissa>, rounding| cross::<W>(&e[0], &three(|i| negated(e[2][i].clone())), rounding);
+        Normals { a: normal(&edges.a, self.normal_a), b: normal(&edges.b, self.normal_b) }
     }
 
     /// The direction of one axis.
-    pub fn axis<W: Wide>(&self, axis: Axis, edges: &Edges, normals: &Normals) -> Vector {
+    pub fn axis<W: Wide>(
+        &self,
+        axis: Axis,
+        edges: &Edges<W::Mantissa>,
+        normals: &Normals<W::Mantissa>,
+    ) -> Vector<W::Mantissa> {
         match axis {
-            Axis::NormalA => normals.a,
-            Axis::NormalB => normals.b,
+            Axis::NormalA => normals.a.clone(),
+            Axis::NormalB => normals.b.clone(),
             Axis::Cross(k, l) => cross::<W>(&edges.a[k], &edges.b[l], self.cross[k]),
             Axis::InPlaneA(k) => cross::<W>(&normals.a, &edges.a[k], self.in_plane_a[k]),
             Axis::InPlaneB(l) => cross::<W>(&normals.b, &edges.b[l], self.in_plane_b),
@@ -146,6 +152,6 @@ impl AxisUnit {
 
 /// e x f, every component accumulated exactly and rounded once.
 #[inline(always)]
-fn cross<W: Wide>(e: &Vector, f: &Vector, rounding: Rounding) -> Vector {
+fn cross<W: Wide>(e: &Vector<W::Mantissa>, f: &Vector<W::Mantissa>, rounding: Rounding) -> Vector<W::Mantissa> {
     three(|i| rounding.apply(cross_component::<W>(e, f, i)))
 }

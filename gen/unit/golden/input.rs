@@ -1,5 +1,6 @@
 //! What the unit reads: quantised numbers, triangle pairs and poses (contract section 2, the paper's equation 5).
 
+use super::interval::{Triple, Vector};
 use crate::params::Params;
 use efsat_hardware::number::{Interval, Upper};
 
@@ -63,4 +64,15 @@ impl Pose {
         }
         Self { m, t: [Input::default(); 3], bypass: true }
     }
+}
+
+/// A pair and its pose as enclosures, in units of the last place of [`Params::input`].
+#[derive(Clone, Debug)]
+pub struct Numbers<M> {
+    /// V0, V1, V2.
+    pub a: Triple<M>,
+    /// The vertices of B~.
+    pub b: Triple<M>,
+    /// M and t; none where B = B~.
+    pub pose: Option<(Triple<M>, Vector<M>)>,
 }

@@ -6,6 +6,9 @@
 //! Every signal is an interval that encloses the true real number; every intermediate is computed exactly and rounded
 //! outward once, to the row that [`Params::formats`] has for it.
 //!
+//! [`Unrounded`] is the same model with some of the roundings left out: the arithmetic is generic over its numbers, which
+//! are integers for the unit and have further digits there.
+//!
 //! The host side of section 2 and seeded inputs are in [`host`](crate::host).
 
 mod axes;
@@ -14,23 +17,28 @@ mod input;
 mod interval;
 mod projection;
 mod renormalise;
+mod stages;
 #[cfg(test)]
 mod tests;
 mod trace;
 mod transform;
+mod unrounded;
 mod verdict;
 
-use axes::{Axis, AxisUnit, Edges, Normals};
+use axes::{Axis, AxisUnit};
 use guard::Guard;
-pub use input::{Input, Pair, Pose};
-use interval::{Triple, Wide, three};
-use projection::ProjectionUnit;
+pub use input::{Input, Numbers, Pair, Pose};
+use interval::{Triple, Vector, Wide, three};
+use projection::{Images, ProjectionUnit};
 use renormalise::Normaliser;
+pub use stages::{Exact, Stage};
 use transform::Frame;
+pub use unrounded::{AxisAnswer, Unrounded};
+use verdict::Enclosure;
 pub use verdict::{Outcome, Verdict};
 
-use crate::params::{Axes, Params};
-use efsat_hardware::number::Upper;
+use crate::params::{Axes, Params, Transform};
+use efsat_hardware::number::{Interval, Upper};
 
 /// The reference model of one parameter set.
 ///
@@ -41,6 +49,7 @@ use efsat_hardware::number::Upper;
 pub struct Golden {
     upper: Upper,
     axes: Axes,
+    transform: Transform,
     guard: Guard,
     /// Whether products of two working-width numbers and their sums fit `i64`.
     narrow: bool,
@@ -51,81 +60,112 @@ pub struct Golden {
 }
 
 /// Everything that precedes the axis test.
-struct Points {
+struct Points<M> {
     /// B after the change of frame, in the input format.
-    transformed: Triple,
+    transformed: Triple<M>,
     /// A and B after section 4.
-    coordinates: [Triple; 2],
+    coordinates: [Triple<M>; 2],
+}
+
+/// One axis, and what is projected on it.
+struct Tested<'a, M> {
+    axis: Axis,
+    direction: &'a Vector<M>,
+    images: &'a Images<M>,
+    enclosure: &'a Enclosure<M>,
 }
 
 impl Golden {
     /// The model of a validated parameter set.
     pub fn new(params: &Params) -> Self {
+        Self::without(params, Exact::NONE)
+    }
+
+    /// The model without the roundings of these stages.
+    fn without(params: &Params, exact: Exact) -> Self {
         Self {
             upper: params.upper,
             axes: params.axes,
+            transform: params.transform,
             guard: Guard::new(params),
             narrow: 2 * params.width + 4 <= 62,
-            frame: Frame::new(params),
-            normaliser: Normaliser::new(params),
-            axis_unit: AxisUnit::new(params),
-            projection_unit: ProjectionUnit::new(params),
+            frame: Frame::new(params, exact),
+            normaliser: Normaliser::new(params, exact),
+            axis_unit: AxisUnit::new(params, exact),
+            projection_unit: ProjectionUnit::new(params, exact),
         }
     }
 
     /// The verdict of a pair under a pose, with the flags of all axes.
     pub fn outcome(&self, pose: &Pose, pair: &Pair) -> Outcome {
-        if !self.guard.inside(pose, pair) {
-            Outcome::outside()
-        } else if self.narrow {
-            self.test::<i64, false>(pose, pair)
-        } else {
-            self.test::<i128, false>(pose, pair)
-        }
+        self.answer::<false>(pose, pair)
     }
 
     /// The verdict alone: stops at the first separated axis.
     pub fn verdict(&self, pose: &Pose, pair: &Pair) -> Verdict {
+        self.answer::<true>(pose, pair).verdict
+    }
+
+    fn answer<const STOP: bool>(&self, pose: &Pose, pair: &Pair) -> Outcome {
         if !self.guard.inside(pose, pair) {
-            Outcome::outside().verdict
-        } else if self.narrow {
-            self.test::<i64, true>(pose, pair).verdict
-        } else {
-            self.test::<i128, true>(pose, pair).verdict
+            return Outcome::outside();
         }
+        let points = self.read_points(pose, pair);
+        if self.narrow { self.test::<i64, STOP>(&points) } else { self.test::<i128, STOP>(&points) }
+    }
+
+    /// The enclosures of what the unit reads.
+    fn read<M: From<i64>>(&self, pose: &Pose, pair: &Pair) -> Numbers<M> {
+        let number = |x: Input| {
+            let x = x.interval(self.upper);
+            Interval::new(x.lo.into(), x.hi.into())
+        };
+        let triple = |x: &[[Input; 3]; 3]| three(|k| three(|i| number(x[k][i])));
+        let bypass = pose.bypass || self.transform == Transform::Off;
+        let frame = (!bypass).then(|| (triple(&pose.m), three(|i| number(pose.t[i]))));
+        Numbers { a: triple(&pair.a), b: triple(&pair.b), pose: frame }
+    }
+
+    /// Sections 2 to 4.
+    fn read_points(&self, pose: &Pose, pair: &Pair) -> Points<i64> {
+        let numbers = self.read(pose, pair);
+        if self.frame.narrow { self.points::<i64>(&numbers) } else { self.points::<i128>(&numbers) }
     }
 
     /// Sections 3 and 4.
-    fn points(&self, pose: &Pose, pair: &Pair) -> Points {
-        let interval = |x: &[[Input; 3]; 3]| three(|k| three(|i| x[k][i].interval(self.upper)));
-        let transformed = self.frame.apply(pose, &interval(&pair.b));
-        let coordinates = self.normaliser.apply(&interval(&pair.a), &transformed);
+    fn points<W: Wide>(&self, numbers: &Numbers<W::Mantissa>) -> Points<W::Mantissa> {
+        let transformed = self.frame.apply::<W>(numbers);
+        let coordinates = self.normaliser.apply(&numbers.a, &transformed);
         Points { transformed, coordinates }
     }
 
-    /// The edges and normals that all axes are built from.
-    fn edges<W: Wide>(&self, points: &Points) -> (Edges, Normals) {
-        let [a, b] = &points.coordinates;
-        let edges = self.axis_unit.edges(a, b);
+    /// Section 5, axis by axis in the order of the contract, for as long as `test` wants another.
+    #[inline(always)]
+    fn axes<W: Wide>(
+        &self,
+        points: &Points<W::Mantissa>,
+        mut test: impl FnMut(usize, Tested<'_, W::Mantissa>) -> bool,
+    ) {
+        let edges = self.axis_unit.edges(&points.coordinates);
         let normals = self.axis_unit.normals::<W>(&edges);
-        (edges, normals)
-    }
-
-    /// All axes, or with `STOP` the axes up to the first separated one.
-    fn test<W: Wide, const STOP: bool>(&self, pose: &Pose, pair: &Pair) -> Outcome {
-        let points = self.points(pose, pair);
-        let (edges, normals) = self.edges::<W>(&points);
-        let (mut separated, mut overlapping) = (0, 0);
         for (i, &axis) in Axis::all(self.axes).iter().enumerate() {
-            let direction = self.axis_unit.axis::<W>(axis, &edges, &normals);
-            let images = self.projection_unit.images::<W>(i, &direction, &points.coordinates);
-            let enclosure = self.projection_unit.enclosure(i, &images);
-            separated |= u32::from(enclosure.separated()) << i;
-            overlapping |= u32::from(enclosure.overlapping()) << i;
-            if STOP && separated != 0 {
+            let direction = &self.axis_unit.axis::<W>(axis, &edges, &normals);
+            let images = &self.projection_unit.images::<W>(i, direction, &points.coordinates);
+            let enclosure = &self.projection_unit.enclosure(i, images);
+            if !test(i, Tested { axis, direction, images, enclosure }) {
                 break;
             }
         }
+    }
+
+    /// All axes, or with `STOP` the axes up to the first separated one.
+    fn test<W: Wide, const STOP: bool>(&self, points: &Points<W::Mantissa>) -> Outcome {
+        let (mut separated, mut overlapping) = (0, 0);
+        self.axes::<W>(points, |i, Tested { enclosure, .. }| {
+            separated |= u32::from(enclosure.separated()) << i;
+            overlapping |= u32::from(enclosure.overlapping()) << i;
+            !STOP || separated == 0
+        });
         Outcome::new(separated, overlapping)
     }
 }

@@ -1,13 +1,14 @@
 //! Projections on an axis and what is done with duplicates (contract section 5, the paper's equation 2).
 
 use super::axes::Axis;
-use super::interval::{Number, Rounding, Triple, Vector, Wide, dots, three};
+use super::interval::{Mantissa, Rounding, Triple, Vector, Wide, dots, three};
 use super::verdict::Enclosure;
+use super::{Exact, Stage};
 use crate::params::{Params, Projections};
 use efsat_hardware::number::Interval;
 
 /// The images of A and of B on one axis, by side and vertex.
-pub(super) type Images = [[Number; 3]; 2];
+pub(super) type Images<M> = [[Interval<M>; 3]; 2];
 
 /// A mark for each vertex of A and of B.
 type Marks = [[bool; 3]; 2];
@@ -57,15 +58,16 @@ fn kept(axis: Axis) -> [usize; 2] {
 }
 
 impl ProjectionUnit {
-    pub fn new(p: &Params) -> Self {
+    pub fn new(p: &Params, exact: Exact) -> Self {
         let f = p.formats();
         let grid = f.coordinate_a.format.fraction;
         let plan = |&axis: &Axis| {
             let (kind, duplicates, kept) = (axis.kind(), duplicates(axis), kept(axis));
             let dropped =
                 |side: usize, i: usize| p.projections == Projections::Skip && duplicates[side][i] && i != kept[side];
+            let rounding = Rounding::to_row(grid + f.axis(kind).format.fraction, f.projection(kind), p.upper);
             Plan {
-                rounding: Rounding::to_row(grid + f.axis(kind).format.fraction, f.projection(kind), p.upper),
+                rounding: rounding.left_out_if(exact.has(Stage::Projection)),
                 duplicates,
                 kept,
                 computed: [0, 1].map(|side| three(|i| !dropped(side, i))),
@@ -82,17 +84,19 @@ impl ProjectionUnit {
     /// The raw images on axis number `index`, whose direction is `direction`. An entry that is not computed repeats the
     /// one kept of its group, and equals it in exact arithmetic.
     #[inline(always)]
-    pub fn images<W: Wide>(&self, index: usize, direction: &Vector, points: &[Triple; 2]) -> Images {
+    pub fn images<W: Wide>(
+        &self,
+        index: usize,
+        direction: &Vector<W::Mantissa>,
+        points: &[Triple<W::Mantissa>; 2],
+    ) -> Images<W::Mantissa> {
         let plan = &self.plans[index];
-        let mut images = [[Interval::new(0, 0); 3]; 2];
         let exact = dots::<W>(points, direction);
-        for side in 0..2 {
-            images[side] = three(|i| plan.rounding.apply(exact[side][i]));
-        }
+        let mut images = [0, 1].map(|side: usize| three(|i| plan.rounding.apply(exact[side][i].clone())));
         if self.policy == Projections::Skip {
             for (side, image) in images.iter_mut().enumerate() {
                 for i in (0..3).filter(|&i| !plan.computed[side][i]) {
-                    image[i] = image[plan.kept[side]];
+                    image[i] = image[plan.kept[side]].clone();
                 }
             }
         }
@@ -101,7 +105,7 @@ impl ProjectionUnit {
 
     /// The enclosures that the axis test compares.
     #[inline(always)]
-    pub fn enclosure(&self, index: usize, images: &Images) -> Enclosure {
+    pub fn enclosure<M: Mantissa>(&self, index: usize, images: &Images<M>) -> Enclosure<M> {
         match self.policy {
             Projections::All | Projections::Skip => Enclosure::new(&images[0], &images[1]),
             Projections::Intersect => {
@@ -113,12 +117,10 @@ impl ProjectionUnit {
 }
 
 /// Every duplicate replaced by the intersection of its group, which encloses their common true number too.
-fn intersected(points: &[Number; 3], group: &[bool; 3]) -> [Number; 3] {
-    let mut common = Interval::new(i64::MIN, i64::MAX);
-    for i in 0..3 {
-        if group[i] {
-            common = Interval::new(common.lo.max(points[i].lo), common.hi.min(points[i].hi));
-        }
+fn intersected<M: Mantissa>(points: &[Interval<M>; 3], group: &[bool; 3]) -> [Interval<M>; 3] {
+    let members = (0..3).filter(|&i| group[i]).map(|i| points[i].clone());
+    match members.reduce(|x, y| Interval::new(x.lo.max(y.lo), x.hi.min(y.hi))) {
+        Some(common) => three(|i| if group[i] { common.clone() } else { points[i].clone() }),
+        None => points.clone(),
     }
-    three(|i| if group[i] { common } else { points[i] })
 }

@@ -108,8 +108,8 @@ fn products_by_the_nine_cases() {
             } else {
                 Interval::new(*bounds.iter().min().unwrap(), *bounds.iter().max().unwrap())
             };
-            assert_eq!(product::<i64>(a, b), expected, "{a:?} {b:?}");
-            assert_eq!(product::<i128>(a, b), Interval::new(expected.lo.into(), expected.hi.into()));
+            assert_eq!(product::<i64>(&a, &b), expected, "{a:?} {b:?}");
+            assert_eq!(product::<i128>(&a, &b), Interval::new(expected.lo.into(), expected.hi.into()));
             for x in a.lo..=a.hi {
                 for y in b.lo..=b.hi {
                     assert!((expected.lo..=expected.hi).contains(&(x * y)));
@@ -140,7 +140,7 @@ fn choices(a: Interval<i64>, b: Interval<i64>) -> impl Iterator<Item = (i64, i64
 }
 
 /// Lines of the paper's (7) and (8) as printed: a case and what is then asked for an intersection.
-fn printed_line(line: usize, e: &Enclosure) -> bool {
+fn printed_line(line: usize, e: &Enclosure<i64>) -> bool {
     match line {
         0 => e.a_max.hi < e.b_max.lo && e.b_min.hi < e.a_max.lo,
         1 => e.b_max.hi < e.a_max.lo && e.a_min.hi < e.b_max.lo,

@@ -1,8 +1,7 @@
 //! Every inner interval by name, for comparison with another implementation of the contract.
 
-use super::axes::Axis;
-use super::interval::{Number, Triple, Vector};
-use super::{Golden, Pair, Pose};
+use super::interval::{Triple, Vector};
+use super::{Golden, Pair, Pose, Tested};
 use efsat_hardware::number::Interval;
 
 /// The record being written.
@@ -10,17 +9,17 @@ use efsat_hardware::number::Interval;
 struct Record(Vec<(String, Interval<i128>)>);
 
 impl Record {
-    fn number(&mut self, name: String, x: Number) {
+    fn number(&mut self, name: String, x: Interval<i64>) {
         self.0.push((name, Interval::new(x.lo.into(), x.hi.into())));
     }
 
-    fn vector(&mut self, name: &str, x: &Vector) {
+    fn vector(&mut self, name: &str, x: &Vector<i64>) {
         for (component, x) in ["x", "y", "z"].iter().zip(x) {
             self.number(format!("{name}_{component}"), *x);
         }
     }
 
-    fn triple(&mut self, name: &str, x: &Triple) {
+    fn triple(&mut self, name: &str, x: &Triple<i64>) {
         for (i, x) in x.iter().enumerate() {
             self.vector(&format!("{name}{i}"), x);
         }
@@ -41,29 +40,27 @@ impl Golden {
     pub fn trace(&self, pose: &Pose, pair: &Pair) -> Vec<(String, Interval<i128>)> {
         let mut record = Record::default();
         let (pose, pair) = self.guard.held(pose, pair);
-        let points = self.points(&pose, &pair);
+        let points = self.read_points(&pose, &pair);
         record.triple("transform.w", &points.transformed);
         record.triple("renormalise.v", &points.coordinates[0]);
         record.triple("renormalise.w", &points.coordinates[1]);
-        let (edges, normals) = self.edges::<i128>(&points);
+        let edges = self.axis_unit.edges(&points.coordinates);
         record.triple("edge.a", &edges.a);
         record.triple("edge.b", &edges.b);
-        for (i, &axis) in Axis::all(self.axes).iter().enumerate() {
-            let direction = self.axis_unit.axis::<i128>(axis, &edges, &normals);
-            record.vector(&format!("axis.{axis}"), &direction);
-            let images = self.projection_unit.images::<i128>(i, &direction, &points.coordinates);
+        self.axes::<i128>(&points, |i, Tested { axis, direction, images, enclosure }| {
+            record.vector(&format!("axis.{axis}"), direction);
             let computed = self.projection_unit.computed(i);
             for (side, vertex) in ["v", "w"].iter().enumerate() {
                 for k in (0..3).filter(|&k| computed[side][k]) {
                     record.number(format!("projection.{axis}.{vertex}{k}"), images[side][k]);
                 }
             }
-            let enclosure = self.projection_unit.enclosure(i, &images);
             record.number(format!("enclosure.{axis}.a_min"), enclosure.a_min);
             record.number(format!("enclosure.{axis}.a_max"), enclosure.a_max);
             record.number(format!("enclosure.{axis}.b_min"), enclosure.b_min);
             record.number(format!("enclosure.{axis}.b_max"), enclosure.b_max);
-        }
+            true
+        });
         record.0
     }
 }

@@ -3,6 +3,7 @@
 
 use std::fmt;
 
+use super::interval::Mantissa;
 use efsat_hardware::number::Interval;
 
 /// The answer of the unit. The discriminants are the codes at its port.
@@ -64,25 +65,27 @@ impl Outcome {
 }
 
 /// Enclosures of the least and greatest projection of both triangles on one axis.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Enclosure {
-    pub a_min: Interval<i64>,
-    pub a_max: Interval<i64>,
-    pub b_min: Interval<i64>,
-    pub b_max: Interval<i64>,
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Enclosure<M> {
+    pub a_min: Interval<M>,
+    pub a_max: Interval<M>,
+    pub b_min: Interval<M>,
+    pub b_max: Interval<M>,
 }
 
-impl Enclosure {
+impl<M: Mantissa> Enclosure<M> {
     /// Equation (3) on intervals: the enclosure of a minimum takes the minima of both bounds.
     #[inline(always)]
-    pub fn new(a: &[Interval<i64>; 3], b: &[Interval<i64>; 3]) -> Self {
-        let min = |x: Interval<i64>, y: Interval<i64>| Interval::new(x.lo.min(y.lo), x.hi.min(y.hi));
-        let max = |x: Interval<i64>, y: Interval<i64>| Interval::new(x.lo.max(y.lo), x.hi.max(y.hi));
+    pub fn new(a: &[Interval<M>; 3], b: &[Interval<M>; 3]) -> Self {
+        let min = |x: Interval<M>, y: Interval<M>| Interval::new(x.lo.min(y.lo), x.hi.min(y.hi));
+        let max = |x: Interval<M>, y: Interval<M>| Interval::new(x.lo.max(y.lo), x.hi.max(y.hi));
+        let least = |[x, y, z]: [Interval<M>; 3]| min(min(x, y), z);
+        let greatest = |[x, y, z]: [Interval<M>; 3]| max(max(x, y), z);
         Self {
-            a_min: min(min(a[0], a[1]), a[2]),
-            a_max: max(max(a[0], a[1]), a[2]),
-            b_min: min(min(b[0], b[1]), b[2]),
-            b_max: max(max(b[0], b[1]), b[2]),
+            a_min: least(a.clone()),
+            a_max: greatest(a.clone()),
+            b_min: least(b.clone()),
+            b_max: greatest(b.clone()),
         }
     }
 

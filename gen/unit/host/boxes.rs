@@ -1,6 +1,6 @@
 //! Box tests for the pairs that the unit must not see.
 
-use super::dyadic::Dyadic;
+use crate::dyadic::Dyadic;
 use crate::golden::Verdict;
 
 /// The exact coordinates of two meshes in one frame, each replaced by its rank along its axis: equal numbers have

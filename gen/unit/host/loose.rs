@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use num_traits::Signed;
 
 use super::Host;
-use super::dyadic::decoded;
+use crate::dyadic::decoded;
 use crate::golden::{Input, Pair};
 use crate::params::Params;
 

@@ -5,7 +5,6 @@
 
 mod boxes;
 pub mod driver;
-mod dyadic;
 mod loose;
 pub mod sample;
 mod scene;

@@ -4,9 +4,10 @@ use std::borrow::Cow;
 
 use super::Host;
 use super::boxes::Boxes;
-use super::dyadic::Dyadic;
-use crate::golden::{Input, Pair, Pose};
+use crate::dyadic::Dyadic;
+use crate::golden::{Input, Numbers, Pair, Pose};
 use crate::params::{Params, Transform};
+use efsat_hardware::number::Interval;
 
 /// Two meshes, each centred on the exact midpoint of its own box and both scaled by the largest power of two with
 /// which they fit [-1, 1]^3, quantised to the input format.
@@ -44,15 +45,15 @@ impl SceneHost {
     /// Normalises and quantises the vertices of the meshes A and B; all coordinates must be finite.
     pub fn new(a: &[[f64; 3]], b: &[[f64; 3]], params: &Params) -> Self {
         let boxes = [a, b].map(bounds);
-        let centres = boxes.map(|mesh| mesh.map(|[low, high]| (&Dyadic::from(low) + &Dyadic::from(high)).scaled(-1)));
-        let half = |[low, high]: [f64; 2]| (&Dyadic::from(high) - &Dyadic::from(low)).scaled(-1);
+        let centres = boxes.map(|mesh| mesh.map(|[low, high]| (Dyadic::from(low) + Dyadic::from(high)).scaled(-1)));
+        let half = |[low, high]: [f64; 2]| (Dyadic::from(high) - Dyadic::from(low)).scaled(-1);
         let reach = boxes.into_iter().flatten().map(half).max().unwrap_or_else(Dyadic::zero);
         let power = if reach.is_zero() { 0 } else { -reach.ceil_log2() };
         let fraction = params.input().fraction as u32;
         let inputs = [0, 1].map(|side: usize| {
             let normalised = |vertex: &[f64; 3]| {
                 [0, 1, 2].map(|i| {
-                    (&Dyadic::from(vertex[i]) - &centres[side][i])
+                    (Dyadic::from(vertex[i]) - centres[side][i].clone())
                         .scaled(power)
                         .quantised(fraction, params.one())
                         .expect("a vertex lies in the box it was normalised by")
@@ -70,32 +71,61 @@ impl SceneHost {
     /// pose (no transform, or a translation only) gets vertices of B to which it has been applied, exactly, before
     /// quantisation.
     pub fn pose(&self, m: &[[f64; 3]; 3], t: &[f64; 3]) -> ScenePose<'_> {
-        let unturned = (0..3).all(|i| (0..3).all(|j| m[i][j] == f64::from(i == j)));
         let motion = Motion { m: m.map(|row| row.map(Dyadic::from)), t: t.map(Dyadic::from) };
-        let shift = self.normalised(&motion.apply(&self.centres[1]));
-        let identity = unturned && shift.iter().all(Dyadic::is_zero);
-        let capable = match self.params.transform {
-            Transform::On => true,
-            Transform::Translate => unturned,
-            Transform::Off => identity,
-        };
-        if !capable {
-            return self.moved(&motion);
-        }
+        let (way, shift) = self.way(m, &motion);
         let mut scene = ScenePose {
             pose: Pose::identity(&self.params),
             a: &self.inputs[0],
             b: Cow::Borrowed(&self.inputs[1]),
             outside: Outside::None,
         };
-        if identity {
-            return scene;
-        }
-        match self.quantised(&motion.m, &shift) {
-            Some(pose) => scene.pose = pose,
-            None => scene.outside = Outside::All(self.boxes(&self.images(&motion))),
+        match way {
+            Way::Host => return self.moved(&motion),
+            Way::None => {}
+            Way::Unit => match self.quantised(&motion.m, &shift) {
+                Some(pose) => scene.pose = pose,
+                None => scene.outside = Outside::All(self.boxes(&self.images(&motion))),
+            },
         }
         scene
+    }
+
+    /// How B gets into the frame of A, and t'.
+    fn way(&self, m: &[[f64; 3]; 3], motion: &Motion) -> (Way, [Dyadic; 3]) {
+        let unturned = (0..3).all(|i| (0..3).all(|j| m[i][j] == f64::from(i == j)));
+        let shift = self.normalised(motion.apply(&self.centres[1]));
+        let identity = unturned && shift.iter().all(Dyadic::is_zero);
+        let way = match self.params.transform {
+            _ if identity => Way::None,
+            Transform::On => Way::Unit,
+            Transform::Translate if unturned => Way::Unit,
+            Transform::Translate | Transform::Off => Way::Host,
+        };
+        (way, shift)
+    }
+
+    /// The real numbers that stand behind the inputs of a pair of triangles with these vertices: [`pose`](Self::pose)
+    /// without the quantisation.
+    pub fn numbers(&self, m: &[[f64; 3]; 3], t: &[f64; 3], [a, b]: &[[[f64; 3]; 3]; 2]) -> Numbers<Dyadic> {
+        let motion = Motion { m: m.map(|row| row.map(Dyadic::from)), t: t.map(Dyadic::from) };
+        let (way, shift) = self.way(m, &motion);
+        let fraction = self.params.input().fraction.into();
+        let exact = |x: Dyadic| {
+            let x = x.scaled(fraction);
+            Interval::new(x.clone(), x)
+        };
+        let centred = |vertex: &[f64; 3], side: usize| {
+            [0, 1, 2].map(|i| (Dyadic::from(vertex[i]) - self.centres[side][i].clone()).scaled(self.power))
+        };
+        let b = b.each_ref().map(|vertex| match way {
+            Way::Host => self.normalised(motion.apply(&vertex.map(Dyadic::from))),
+            Way::None | Way::Unit => centred(vertex, 1),
+        });
+        Numbers {
+            a: a.each_ref().map(|vertex| centred(vertex, 0).map(exact)),
+            b: b.map(|vertex| vertex.map(exact)),
+            pose: matches!(way, Way::Unit).then(|| (motion.m.map(|row| row.map(exact)), shift.map(exact))),
+        }
     }
 
     /// The pose as the unit reads it, if it is inside the declared ranges.
@@ -104,10 +134,10 @@ impl SceneHost {
         let mut pose = Pose::identity(&self.params);
         pose.bypass = false;
         for (to, entry) in pose.m.iter_mut().flatten().zip(m.iter().flatten()) {
-            *to = entry.quantised(fraction, self.params.one())?;
+            *to = entry.clone().quantised(fraction, self.params.one())?;
         }
         for (to, entry) in pose.t.iter_mut().zip(t) {
-            *to = entry.quantised(fraction, self.params.translation_bound())?;
+            *to = entry.clone().quantised(fraction, self.params.translation_bound())?;
         }
         Some(pose)
     }
@@ -118,6 +148,7 @@ impl SceneHost {
         let images = self.images(motion);
         let inputs: Vec<Option<[Input; 3]>> = images
             .iter()
+            .cloned()
             .map(|vertex| {
                 let [x, y, z] = self.normalised(vertex).map(|x| x.quantised(fraction, bound));
                 Some([x?, y?, z?])
@@ -135,8 +166,10 @@ impl SceneHost {
     }
 
     /// s (x - c_A), for a point in the frame of A.
-    fn normalised(&self, point: &[Dyadic; 3]) -> [Dyadic; 3] {
-        [0, 1, 2].map(|i| (&point[i] - &self.centres[0][i]).scaled(self.power))
+    fn normalised(&self, point: [Dyadic; 3]) -> [Dyadic; 3] {
+        let [x, y, z] = &self.centres[0];
+        let [p, q, r] = point;
+        [p - x.clone(), q - y.clone(), r - z.clone()].map(|x| x.scaled(self.power))
     }
 
     /// The vertices of B in the frame of A.
@@ -165,6 +198,14 @@ impl ScenePose<'_> {
     }
 }
 
+/// Who brings B into the frame of A.
+enum Way {
+    /// Nobody: it is there.
+    None,
+    Unit,
+    Host,
+}
+
 /// x to M * x + t, exactly.
 struct Motion {
     m: [[Dyadic; 3]; 3],
@@ -173,7 +214,7 @@ struct Motion {
 
 impl Motion {
     fn apply(&self, x: &[Dyadic; 3]) -> [Dyadic; 3] {
-        [0, 1, 2].map(|i| (0..3).fold(self.t[i].clone(), |sum, j| &sum + &(&self.m[i][j] * &x[j])))
+        [0, 1, 2].map(|i| (0..3).fold(self.t[i].clone(), |sum, j| sum + self.m[i][j].clone() * x[j].clone()))
     }
 }
 

@@ -166,9 +166,8 @@ impl Settings {
 
     /// Reads an entry of `[parameters]`.
     fn parameter(&self, Entry { key: name, value, line }: &Entry) -> Result<Parameter, String> {
-        let known = Params::default().options();
-        if !known.iter().any(|(option, _)| option == name) {
-            let legal: Vec<&str> = known.iter().map(|(option, _)| *option).collect();
+        if !Params::OPTIONS.iter().any(|(option, _)| option == name) {
+            let legal: Vec<&str> = Params::OPTIONS.iter().map(|(option, _)| *option).collect();
             return Err(format!("parameter '{name}': expected one of {}", legal.join(", ")));
         }
         let is_given = |effect: Effect| self.switches.get(effect) != Switch::Auto;

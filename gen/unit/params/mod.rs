@@ -11,6 +11,7 @@ pub mod stream;
 pub use efsat_hardware::number::Upper;
 pub use formats::{AxisKind, Clamp, Formats, Row};
 pub use guard::Guard;
+pub use options::Params;
 
 use std::ops::RangeInclusive;
 
@@ -53,59 +54,6 @@ pub enum Transform {
     Translate,
     /// B = B~: both triangles come in one frame.
     Off,
-}
-
-/// A complete, validated parameter set. Build one with [`Params::default`] and change fields, then
-/// [`validate`](Params::validate).
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Params {
-    /// Working width N of the axis test in bits, 6 to 32.
-    pub width: u32,
-    /// Integral digits K of the input format, sign included, 4 to 8 and at most N - 2.
-    pub int_bits: u32,
-    /// Width T of inputs and frame transform in bits, N to 48.
-    pub transform_width: u32,
-    /// Axis set.
-    pub axes: Axes,
-    /// Axis units side by side, 1 to the number of axes.
-    pub axes_per_clock: usize,
-    /// Duplicate-projection policy.
-    pub projections: Projections,
-    /// Rule for every upper bound.
-    pub upper: Upper,
-    /// Whether pairs are re-normalised one by one (the paper's 2.5).
-    pub renormalise: bool,
-    /// Frame transform.
-    pub transform: Transform,
-    /// Which units carry the guard; see [`Params::guarded`].
-    pub guard: Guard,
-    /// Name of the device model.
-    pub device: String,
-    /// Target clock in MHz, 20 to 250.
-    pub frequency: u32,
-    /// Width of the pair tag in bits, 0 to 64.
-    pub tag_width: u32,
-}
-
-impl Default for Params {
-    /// The paper's design.
-    fn default() -> Self {
-        Self {
-            width: 18,
-            int_bits: 4,
-            transform_width: 32,
-            axes: Axes::Eleven,
-            axes_per_clock: 1,
-            projections: Projections::All,
-            upper: Upper::Implied,
-            renormalise: true,
-            transform: Transform::On,
-            guard: Guard::LeftOut,
-            device: "xc2v6000-4".to_owned(),
-            frequency: 100,
-            tag_width: 16,
-        }
-    }
 }
 
 /// A parameter outside its range: which option, what was given, what is legal.

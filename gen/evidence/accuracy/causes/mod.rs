@@ -5,17 +5,14 @@
 //! order in which stages are made exact, so a stage's part is the mean over all 120 orders (L. S. Shapley's value,
 //! 1953); the parts and the genuine cases add up to all.
 
-mod interval;
 mod model;
 mod reason;
-mod stages;
 
-pub(super) use model::{AxisAnswer, Case};
+pub(super) use model::{Case, Model};
 pub use reason::{Reason, Reasons};
-pub(super) use stages::Exact;
-pub use stages::Stage;
 
 use super::pairs::{Asked, Pairs};
+use efsat_unit::golden::{Exact, Stage};
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -54,10 +51,12 @@ impl Causes {
     pub fn examine(pairs: &Pairs, params: &Params, undecided: &[u32]) -> Self {
         let asked = Asked::new(pairs, params);
         let places = Pairs::spread(undecided, SAMPLE);
+        let models: Vec<Model> = Exact::sets().map(|set| Model::new(params, set)).collect();
         let one = |&place: &u32| {
             let case = Case::new(&asked, place as usize)?;
-            let definite: Vec<bool> = Exact::sets().map(|set| case.definite(set)).collect();
-            let reason = Reason::of(pairs.relation(place as usize), &case.axes(Exact::ALL));
+            let definite: Vec<bool> = models.iter().map(|model| model.definite(&case)).collect();
+            let axes = models[Exact::ALL.index()].axes(&case);
+            let reason = Reason::of(pairs.relation(place as usize), &axes);
             Some((definite, reason))
         };
         let cases: Vec<(Vec<bool>, Option<Reason>)> = places.par_iter().filter_map(one).collect();

@@ -1,7 +1,7 @@
 //! Why no width decides a pair.
 
-use super::AxisAnswer;
 use efsat_geometry::exact::{Exact, Relation};
+use efsat_unit::golden::AxisAnswer;
 use efsat_unit::params::AxisKind;
 use serde::{Deserialize, Serialize};
 

@@ -4,6 +4,7 @@ use super::super::pairs::{Amount, Asked, Pairs};
 use super::*;
 use efsat_geometry::exact::Exact as Class;
 use efsat_geometry::scene::Scene;
+use efsat_unit::golden::AxisAnswer;
 use efsat_unit::params::{Axes, Projections, Transform, Upper};
 
 fn settings() -> Vec<Params> {
@@ -30,10 +31,10 @@ fn rounded_is_the_reference_model() {
     let mut wrong = vec![];
     let mut compared = 0;
     for params in settings() {
-        let asked = Asked::new(&pairs, &params);
+        let (asked, rounded) = (Asked::new(&pairs, &params), Model::new(&params, Exact::NONE));
         for place in 0..pairs.len() {
             let (Some(case), Some(outcome)) = (Case::new(&asked, place), asked.outcome(place)) else { continue };
-            let axes = case.axes(Exact::NONE);
+            let axes = rounded.axes(&case);
             let flags =
                 |of: fn(&AxisAnswer) -> bool| axes.iter().rev().fold(0, |bits, axis| bits << 1 | u32::from(of(axis)));
             if (flags(|axis| axis.separated), flags(|axis| axis.overlapping))
@@ -57,10 +58,10 @@ fn exact_leaves_genuine_cases_alone() {
     for (scene, amount) in [(&turned, 400), (&tumbling, 200)] {
         let pairs = Pairs::draw(scene, Amount::Some(amount), 5).unwrap();
         for params in settings().iter().take(2) {
-            let asked = Asked::new(&pairs, params);
+            let (asked, exact) = (Asked::new(&pairs, params), Model::new(params, Exact::ALL));
             for place in 0..pairs.len() {
                 let Some(case) = Case::new(&asked, place) else { continue };
-                let (axes, relation) = (case.axes(Exact::ALL), pairs.relation(place));
+                let (axes, relation) = (exact.axes(&case), pairs.relation(place));
                 let separated = axes.iter().any(|axis| axis.separated);
                 let overlapping = axes[..11].iter().all(|axis| axis.overlapping);
                 let fits = match (separated, overlapping, Reason::of(relation, &axes)) {

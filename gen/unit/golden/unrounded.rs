@@ -1,0 +1,95 @@
+//! The model with the roundings of some stages left out, for what each of them costs.
+
+use super::interval::{Mantissa, Rounding, Wide};
+use super::verdict::Enclosure;
+use super::{Exact, Golden, Numbers, Outcome, Pair, Pose};
+use crate::dyadic::Dyadic;
+use crate::params::{AxisKind, Params};
+use efsat_hardware::number::Interval;
+
+impl Wide for Dyadic {
+    type Mantissa = Self;
+
+    fn times_power(self, power: u32) -> Self {
+        self.scaled(power.into())
+    }
+
+    fn rounded(x: Interval<Self>, to: Rounding) -> Interval<Self> {
+        let power = i64::from(to.append) - i64::from(to.drop);
+        if to.left_out {
+            return Interval::new(x.lo.scaled(power), x.hi.scaled(power));
+        }
+        let bring = |x: Self| if to.shifted { x.at_last_place().scaled(power) } else { x.scaled(power) };
+        let (lo, hi) = (bring(x.lo), bring(x.hi));
+        let clamp = |x: Self| x.clamp((-to.clamp).into(), to.clamp.into());
+        Interval::new(clamp(lo.floor()), clamp(hi.upper(to.upper)))
+    }
+}
+
+impl Mantissa for Dyadic {
+    fn length(numbers: &[Self; 12]) -> i32 {
+        numbers.iter().filter_map(Self::length).max().unwrap_or(0) as i32
+    }
+}
+
+/// The reference model over numbers of any length: without left-out stages it gives the flags of [`Golden`], and
+/// without any rounding those of real arithmetic.
+#[derive(Clone, Debug)]
+pub struct Unrounded {
+    model: Golden,
+}
+
+/// What one axis shows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct AxisAnswer {
+    /// Its kind.
+    pub kind: AxisKind,
+    /// The images are certainly disjoint.
+    pub separated: bool,
+    /// They certainly overlap.
+    pub overlapping: bool,
+    /// The axis is certainly zero.
+    pub zero: bool,
+    /// All six points are certainly projected to one number.
+    pub flat: bool,
+}
+
+impl Unrounded {
+    /// The model without the roundings of these stages; that of the input is the caller's, who chooses the numbers.
+    pub fn new(params: &Params, exact: Exact) -> Self {
+        Self { model: Golden::without(params, exact) }
+    }
+
+    /// The numbers of a pair as the unit reads them.
+    pub fn read(&self, pose: &Pose, pair: &Pair) -> Numbers<Dyadic> {
+        self.model.read(pose, pair)
+    }
+
+    /// What every axis shows, in the order of the contract.
+    pub fn axes(&self, numbers: &Numbers<Dyadic>) -> Vec<AxisAnswer> {
+        let zero = Dyadic::from(0);
+        let points = self.model.points::<Dyadic>(numbers);
+        let mut answers = vec![];
+        self.model.axes::<Dyadic>(&points, |_, tested| {
+            answers.push(AxisAnswer {
+                kind: tested.axis.kind(),
+                separated: tested.enclosure.separated(),
+                overlapping: tested.enclosure.overlapping(),
+                zero: tested.direction.iter().all(|x| x.lo == zero && x.hi == zero),
+                flat: flat(tested.enclosure),
+            });
+            true
+        });
+        answers
+    }
+
+    /// The outcome of a pair.
+    pub fn outcome(&self, numbers: &Numbers<Dyadic>) -> Outcome {
+        self.model.test::<Dyadic, false>(&self.model.points::<Dyadic>(numbers))
+    }
+}
+
+/// All six points are certainly projected to one number.
+fn flat(e: &Enclosure<Dyadic>) -> bool {
+    e.a_min.lo == e.a_min.hi && [&e.a_max, &e.b_min, &e.b_max].into_iter().all(|x| *x == e.a_min)
+}
