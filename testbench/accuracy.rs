@@ -279,7 +279,7 @@ fn wrong_input_is_told_and_leaves_nothing() {
         (&["--pairs", "0"], "expected `all` or a whole number"),
         (&["--shard", "3/2"], "expected I/N with I from 1 to N"),
         (&["--transfer", "-1"], "expected a number of nanoseconds"),
-        (&["--multipliers", "72,none"], "legal is a whole number"),
+        (&["--multipliers", "72,none"], "expected a whole number"),
         (&["--out", "foreign"], "foreign: found files and no campaign.json; expected a new or empty folder"),
         (&["merge", "foreign", "--out", "out"], "expected a folder that efsat accuracy wrote"),
     ];
