@@ -216,12 +216,12 @@ fn wrong_command_lines_and_files_are_one_line_and_status_2() {
         ("--scene headlight --steps 3", "cannot be used with"),
         ("--random 3 --distances 1", "cannot be used with"),
         ("pairs.csv --steps 3", "cannot be used with"),
-        ("--mesh a.stl --steps 0", "legal is a whole number from 1 to 100000"),
+        ("--mesh a.stl --steps 0", "expected a whole number from 1 to 100000"),
         ("--mesh a.stl --distances 1,nan", "expected finite numbers"),
         ("--mesh a.stl --distances 1,,2", "expected finite numbers"),
         ("--scene headlight --units mile", "expected one of cube, file"),
         ("--moeller", "unexpected argument '--moeller'"),
-        ("--width 5", "legal is a whole number from 6 to 32"),
+        ("--width 5", "expected a whole number from 6 to 32"),
     ];
     for (arguments, part) in cases {
         fails(dir, arguments, part);

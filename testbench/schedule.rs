@@ -4,9 +4,9 @@
 use efsat::design::{Design, Probes};
 use efsat::netlist::{Control, DelayLine, Driver, Module, Wire};
 use efsat::op::{Add, Comb, Type};
+use efsat::params::{Axes, Params, Projections, Transform};
 use efsat::schedule::GROUP;
 use efsat::schedule::linear_program::{Event, Held, LinearProgram, Reading, Stream};
-use efsat::params::{Axes, Params, Projections, Transform};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 

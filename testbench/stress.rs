@@ -366,8 +366,8 @@ fn the_command() {
         ("--first few", "expected a whole number from 0 to"),
         ("--first 18446744073709551615 --family anything --pairs 2", "--first 18446744073709551615: expected"),
         ("--list --json", "cannot be used with"),
-        ("--width 5", "legal is a whole number from 6 to 32"),
-        ("--width 18 --transform-width 17", "--transform-width 17: legal is 18 to 48"),
+        ("--width 5", "expected a whole number from 6 to 32"),
+        ("--width 18 --transform-width 17", "--transform-width 17: expected 18 to 48"),
     ];
     for (options, part) in cases {
         let (status, out, errors) = efsat(&format!("stress {options}"));

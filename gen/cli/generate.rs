@@ -68,7 +68,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         design.latency,
     ))?;
     design.missed_clock().map_or(Ok(()), |(megahertz, end)| {
-        print(&format!("{megahertz:.1} MHz are expected, below --frequency: {end} takes longer than a clock by itself\n"))
+        print(&format!(
+            "{megahertz:.1} MHz are expected, below --frequency: {end} takes longer than a clock by itself\n"
+        ))
     })
 }
 

@@ -247,7 +247,8 @@ fn expected(p: &Params, stimulus: &Stimulus) -> Result<Vec<String>, DesignError>
     let mut evaluator = Evaluator::new(&design.pipeline);
     let mut answer = |pose: &Pose, pair: &Pair| {
         evaluator.run(&inputs(&design, pose, pair));
-        let [verdict, separated, overlapping] = ["verdict", "separated", "overlapping"].map(|name| evaluator.output(name));
+        let [verdict, separated, overlapping] =
+            ["verdict", "separated", "overlapping"].map(|name| evaluator.output(name));
         let outside = if p.guarded() { evaluator.output("outside") } else { 0 };
         format!("{verdict} {separated} {overlapping} {outside} {}", digest(&golden, pose, pair))
     };

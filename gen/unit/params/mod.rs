@@ -79,7 +79,7 @@ impl Params {
             if legal.contains(&found) {
                 return Ok(());
             }
-            let legal = format!("legal is {} to {}{why}", legal.start(), legal.end());
+            let legal = format!("expected {} to {}{why}", legal.start(), legal.end());
             Err(ParamError { option, found: found.to_string(), legal })
         };
         range("width", n, options::WIDTH, "")?;
@@ -160,15 +160,15 @@ mod tests {
     fn every_option_outside_its_range_is_named() {
         type Change = fn(&mut Params);
         let cases: [(Change, &str); 9] = [
-            (|p| p.width = 5, "--width 5: legal is 6 to 32"),
-            (|p| p.width = 33, "--width 33: legal is 6 to 32"),
-            (|p| p.int_bits = 3, "--int-bits 3: legal is 4 to 8 (4 to 8, at most width - 2 = 16)"),
-            (|p| p.transform_width = 17, "--transform-width 17: legal is 18 to 48 (at least --width 18)"),
-            (|p| p.transform_width = 49, "--transform-width 49: legal is 18 to 48 (at least --width 18)"),
-            (|p| p.axes_per_clock = 12, "--axes-per-clock 12: legal is 1 to 11 (--axes 11)"),
-            (|p| p.axes_per_clock = 0, "--axes-per-clock 0: legal is 1 to 11 (--axes 11)"),
-            (|p| p.frequency = 251, "--frequency 251: legal is 20 to 250 MHz"),
-            (|p| p.tag_width = 65, "--tag-width 65: legal is 0 to 64"),
+            (|p| p.width = 5, "--width 5: expected 6 to 32"),
+            (|p| p.width = 33, "--width 33: expected 6 to 32"),
+            (|p| p.int_bits = 3, "--int-bits 3: expected 4 to 8 (4 to 8, at most width - 2 = 16)"),
+            (|p| p.transform_width = 17, "--transform-width 17: expected 18 to 48 (at least --width 18)"),
+            (|p| p.transform_width = 49, "--transform-width 49: expected 18 to 48 (at least --width 18)"),
+            (|p| p.axes_per_clock = 12, "--axes-per-clock 12: expected 1 to 11 (--axes 11)"),
+            (|p| p.axes_per_clock = 0, "--axes-per-clock 0: expected 1 to 11 (--axes 11)"),
+            (|p| p.frequency = 251, "--frequency 251: expected 20 to 250 MHz"),
+            (|p| p.tag_width = 65, "--tag-width 65: expected 0 to 64"),
         ];
         for (change, message) in cases {
             let mut p = Params::default();

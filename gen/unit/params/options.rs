@@ -212,7 +212,7 @@ impl Params {
 pub fn whole(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync + 'static {
     move |text| match text.parse() {
         Ok(number) if legal.contains(&number) => Ok(number),
-        _ => Err(format!("legal is a whole number from {} to {}", legal.start(), legal.end())),
+        _ => Err(format!("expected a whole number from {} to {}", legal.start(), legal.end())),
     }
 }
 
