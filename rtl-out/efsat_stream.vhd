@@ -14,7 +14,7 @@
 --   m00 m01 m02 m10 m11 m12 m20 m21 m22 t_x t_y t_z
 -- A pose holds for the packets after it; before the first one B = B~.
 --
--- Out: one packet of 64-bit words for every packet, in order: one word a pair, or
+-- Out: one packet of 64-bit words for every packet, in order: one word per pair, or
 -- one report; TLAST with the last. From bit 0 on:
 --   7 downto 0  status; bits 1..0: 00 separate, 01 intersect, 10 possibly incorrect, 11 report
 --   23 downto 8  tag

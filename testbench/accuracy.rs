@@ -247,7 +247,7 @@ fn shards_merge_to_the_whole() {
     fails(
         dir.path(),
         &["merge", "1", "other", "--out", "none"],
-        "other: found seed 2, but 1 in 1; legal are parts of one",
+        "other: found seed 2, but 1 in 1; expected parts of one",
     );
     assert!(!dir.path().join("none").exists());
 }
@@ -270,18 +270,18 @@ fn wrong_input_is_told_and_leaves_nothing() {
     fs::write(foreign.join("thesis.tex"), "mine").unwrap();
     fs::write(dir.path().join("broken.toml"), "name = ").unwrap();
     let cases: [(&[&str], &str); 12] = [
-        (&["--sweep", "width=12..20,hight=3"], "--sweep: at character 14: found 'hight'; legal is OPTION=VALUES"),
-        (&["--sweep", "width=12; width=20..12"], "--sweep: at character 17: found '20..12'; legal is FIRST..LAST"),
+        (&["--sweep", "width=12..20,hight=3"], "--sweep: at character 14: found 'hight'; expected OPTION=VALUES"),
+        (&["--sweep", "width=12; width=20..12"], "--sweep: at character 17: found '20..12'; expected FIRST..LAST"),
         (&["--sweep", "upper=sticky,width=33"], "--sweep: at character 20: invalid value '33' for '--width <N>'"),
-        (&["--sweep", "width=24|28,transform-width=26"], "legal is 28 to 48 (at least --width 28)"),
+        (&["--sweep", "width=24|28,transform-width=26"], "expected 28 to 48 (at least --width 28)"),
         (&["--scene", "none.toml"], "none.toml"),
         (&["--scene", "broken.toml"], "broken.toml"),
-        (&["--pairs", "0"], "legal is `all` or a whole number"),
-        (&["--shard", "3/2"], "legal is I/N with I from 1 to N"),
-        (&["--transfer", "-1"], "legal is a number of nanoseconds"),
-        (&["--multipliers", "72,none"], "legal is a whole number"),
-        (&["--out", "foreign"], "foreign: found files and no campaign.json; legal is a new or empty folder"),
-        (&["merge", "foreign", "--out", "out"], "legal is a folder that efsat accuracy wrote"),
+        (&["--pairs", "0"], "expected `all` or a whole number"),
+        (&["--shard", "3/2"], "expected I/N with I from 1 to N"),
+        (&["--transfer", "-1"], "expected a number of nanoseconds"),
+        (&["--multipliers", "72,none"], "expected a whole number"),
+        (&["--out", "foreign"], "foreign: found files and no campaign.json; expected a new or empty folder"),
+        (&["merge", "foreign", "--out", "out"], "expected a folder that efsat accuracy wrote"),
     ];
     for (arguments, part) in cases {
         fails(dir.path(), arguments, part);

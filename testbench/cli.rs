@@ -85,30 +85,30 @@ fn tree(dir: &Path) -> Vec<(String, Vec<u8>)> {
 fn every_wrong_value_is_one_line_and_status_2() {
     let home = tempfile::tempdir().unwrap();
     let cases = [
-        ("--width 5", "'5' for '--width <N>': legal is a whole number from 6 to 32"),
-        ("--width 33", "legal is a whole number from 6 to 32"),
+        ("--width 5", "'5' for '--width <N>': expected a whole number from 6 to 32"),
+        ("--width 33", "expected a whole number from 6 to 32"),
         ("--width -8", "'-8'"),
-        ("--width wide", "'wide' for '--width <N>': legal is a whole number from 6 to 32"),
-        ("--width 4294967304", "legal is a whole number from 6 to 32"),
-        ("--int-bits 3", "legal is a whole number from 4 to 8"),
-        ("--int-bits 9", "legal is a whole number from 4 to 8"),
-        ("--width 8 --int-bits 7", "--int-bits 7: legal is 4 to 6"),
-        ("--transform-width 49", "legal is a whole number from 6 to 48"),
-        ("--transform-width 17", "--transform-width 17: legal is 18 to 48"),
-        ("--axes 12", "'12' for '--axes <SET>': legal is one of 11, 17"),
-        ("--axes-per-clock 0", "legal is a whole number from 1 to 17"),
-        ("--axes-per-clock 12", "--axes-per-clock 12: legal is 1 to 11"),
-        ("--projections some", "legal is one of all, skip, intersect"),
-        ("--upper lower", "legal is one of implied, sticky"),
-        ("--renormalise yes", "legal is one of on, off"),
-        ("--transform rotate", "legal is one of on, translate, off"),
-        ("--guard sometimes", "legal is one of left-out, always"),
-        ("--device xc7", "legal is one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6"),
-        ("--frequency 19", "legal is a whole number from 20 to 250"),
-        ("--frequency 100.5", "legal is a whole number from 20 to 250"),
-        ("--tag-width 65", "legal is a whole number from 0 to 64"),
+        ("--width wide", "'wide' for '--width <N>': expected a whole number from 6 to 32"),
+        ("--width 4294967304", "expected a whole number from 6 to 32"),
+        ("--int-bits 3", "expected a whole number from 4 to 8"),
+        ("--int-bits 9", "expected a whole number from 4 to 8"),
+        ("--width 8 --int-bits 7", "--int-bits 7: expected 4 to 6"),
+        ("--transform-width 49", "expected a whole number from 6 to 48"),
+        ("--transform-width 17", "--transform-width 17: expected 18 to 48"),
+        ("--axes 12", "'12' for '--axes <SET>': expected one of 11, 17"),
+        ("--axes-per-clock 0", "expected a whole number from 1 to 17"),
+        ("--axes-per-clock 12", "--axes-per-clock 12: expected 1 to 11"),
+        ("--projections some", "expected one of all, skip, intersect"),
+        ("--upper lower", "expected one of implied, sticky"),
+        ("--renormalise yes", "expected one of on, off"),
+        ("--transform rotate", "expected one of on, translate, off"),
+        ("--guard sometimes", "expected one of left-out, always"),
+        ("--device xc7", "expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6"),
+        ("--frequency 19", "expected a whole number from 20 to 250"),
+        ("--frequency 100.5", "expected a whole number from 20 to 250"),
+        ("--tag-width 65", "expected a whole number from 0 to 64"),
         ("--width", "a value is required for '--width <N>'"),
-        ("--axes", "legal is one of 11, 17"),
+        ("--axes", "expected one of 11, 17"),
         ("--widht 18", "unexpected argument '--widht'"),
         ("--width 18 --width 18", "cannot be used multiple times"),
     ];
@@ -118,19 +118,19 @@ fn every_wrong_value_is_one_line_and_status_2() {
         }
     }
     let others = [
-        ("", "no command: legal is one of generate, cosim, classify"),
-        ("paint", "unrecognized subcommand 'paint'; legal is one of generate, cosim, classify"),
+        ("", "no command: expected one of generate, cosim, classify"),
+        ("paint", "unrecognized subcommand 'paint'; expected one of generate, cosim, classify"),
         ("generate more", "unexpected argument 'more'"),
-        ("generate --stream-width 48", "legal is one of 32, 64, 128"),
-        ("cosim --random 0", "legal is a whole number, 1 or greater"),
-        ("cosim --random 1000001", "--random 1000001: legal is a whole number from 1 to 1000000"),
-        ("cosim --seed -1", "legal is a whole number from 0 to 18446744073709551615"),
-        ("cosim --limit 0", "legal is a whole number, 1 or greater"),
-        ("cosim --simulator modelsim", "legal is one of ghdl, nvc, builtin"),
+        ("generate --stream-width 48", "expected one of 32, 64, 128"),
+        ("cosim --random 0", "expected a whole number, 1 or greater"),
+        ("cosim --random 1000001", "--random 1000001: expected a whole number from 1 to 1000000"),
+        ("cosim --seed -1", "expected a whole number from 0 to 18446744073709551615"),
+        ("cosim --limit 0", "expected a whole number, 1 or greater"),
+        ("cosim --simulator modelsim", "expected one of ghdl, nvc, builtin"),
         ("cosim --random 3 --scene headlight", "cannot be used with"),
         ("cosim --random 3 --limit 2", "cannot be used with"),
         ("cosim --scene headlight --seed 2", "cannot be used with"),
-        ("classify", "no pairs: legal is one of FILE, --scene FILE and --random N"),
+        ("classify", "no pairs: expected one of FILE, --scene FILE and --random N"),
         ("classify - --random 3", "cannot be used with"),
         ("classify - --json --summary", "cannot be used with"),
     ];
@@ -151,14 +151,14 @@ fn wrong_input_files_are_one_line_and_status_2() {
         ("empty.csv", vec![], "found no pair"),
         ("header.csv", b"a,b,c\n".to_vec(), "found no pair"),
         ("short.csv", row[..20].into(), "line 1: found"),
-        ("long.csv", format!("{row}\n{row},1\n").into(), "line 2: found 19 fields; legal is 18"),
+        ("long.csv", format!("{row}\n{row},1\n").into(), "line 2: found 19 fields; expected 18"),
         ("nan.csv", format!("{row}\n{}\n", row.replacen('4', "NaN", 1)).into(), "line 2, column 4"),
         ("inf.csv", format!("{row}\n{}\n", row.replacen('4', "1e999", 1)).into(), "found \"1e999\""),
         ("garbage.csv", b"\xff\xfe\x00\n\x01\n\x02".to_vec(), "found 1 fields"),
         ("empty.f64", vec![], "found no pair"),
-        ("cut.f64", raw()[..200].into(), "found 200 bytes; legal is a multiple of 144"),
+        ("cut.f64", raw()[..200].into(), "found 200 bytes; expected a multiple of 144"),
         ("inf.f64", infinite, "byte 144 (pair 1, number 1): found inf"),
-        ("pairs.txt", row.into(), "legal is .csv, .f64"),
+        ("pairs.txt", row.into(), "expected .csv, .f64"),
         ("broken.toml", b"name = \n".to_vec(), "broken.toml:1:"),
     ];
     for (name, bytes, part) in files {
@@ -300,7 +300,7 @@ fn wrong_targets_are_refused_and_left_alone() {
     fs::write(dir.join("file"), "mine").unwrap();
     fs::create_dir(dir.join("thesis")).unwrap();
     fs::write(dir.join("thesis/chapter.tex"), "mine").unwrap();
-    fails(dir, "generate --out file", 2, "file: found a file; legal is a directory");
+    fails(dir, "generate --out file", 2, "file: found a file; expected a directory");
     fails(dir, "generate --out file/below", 2, "file");
     fails(dir, "generate --out thesis", 2, "thesis: found chapter.tex and no manifest.json of efsat");
     fails(&dir.join("thesis"), "generate --out ..", 2, "found ");

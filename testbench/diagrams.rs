@@ -2,8 +2,8 @@
 
 use efsat::design::{Design, Probes};
 use efsat::diagram::{Picture, units};
-use efsat::schedule::Scheduler;
 use efsat::params::{Axes, Params, Projections};
+use efsat::schedule::Scheduler;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -72,7 +72,7 @@ fn generate_writes_the_picture_and_nothing_else() {
 #[test]
 fn wrong_command_lines_are_told_in_one_line() {
     let lines = [
-        ("generate --unit nothing --svg x.svg", "--unit nothing: legal is one of multiply_18_18, "),
+        ("generate --unit nothing --svg x.svg", "--unit nothing: expected one of multiply_18_18, "),
         ("generate --unit projection", "--unit projection: needs --dot FILE or --svg FILE"),
         ("generate --svg x.svg", "--unit"),
         ("generate --svg x.svg --out rtl", "--out"),
@@ -84,7 +84,7 @@ fn wrong_command_lines_are_told_in_one_line() {
         ("generate --unit projection --svg /nowhere/x.svg", "/nowhere/x.svg: "),
         ("generate --unit projection --svg .", ".: "),
         ("generate --unit projection --dot ../nowhere/x", "../nowhere/x: "),
-        ("generate --unit projection --dot d/../x --svg x", "x: found twice; legal is a file each"),
+        ("generate --unit projection --dot d/../x --svg x", "x: found twice; expected two different files"),
         ("generate --unit projection --dot x.dot --svg /nowhere/x.svg", "/nowhere/x.svg: "),
         ("generate --check --unit projection --dot x.dot", "--check"),
         ("generate --unit projection --dot x.dot --out rtl", "--out"),

@@ -243,9 +243,9 @@ fn broken_faces_are_reported_and_the_scene_goes_on() {
     assert_eq!(efsat(home.path(), "classify b.toml --summary", "2").2, expected);
     for (arguments, part) in [
         ("compare --mesh bad.obj", "bad.obj:15: vertex '99' in a file of 8"),
-        ("scene", "no command: legal is one of pairs"),
-        ("scene paint", "legal is one of pairs"),
-        ("scene pairs b.toml --k 8", "'8' for '--k <K>': legal is one of 6, 14, 18, 26"),
+        ("scene", "no command: expected one of pairs"),
+        ("scene paint", "expected one of pairs"),
+        ("scene pairs b.toml --k 8", "'8' for '--k <K>': expected one of 6, 14, 18, 26"),
         ("scene pairs none.toml", "none.toml: cannot be read"),
         ("scene pairs b.toml --json --summary", "cannot be used with"),
     ] {

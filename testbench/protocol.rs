@@ -4,8 +4,8 @@ use efsat::artefact::Stimulus;
 use efsat::artefact::vectors::{Word, answer_word, pair_word, pose_word};
 use efsat::design::{Design, Probes};
 use efsat::golden::{Golden, Pair, Pose};
-use efsat::netlist::simulate::Simulation;
 use efsat::host::sample;
+use efsat::netlist::simulate::Simulation;
 use efsat::params::Params;
 use rand::SeedableRng;
 
@@ -141,7 +141,9 @@ fn a_pose_holds_for_pairs_accepted_in_a_later_clock() {
             let mut accepted = [None; 2];
             for clock in 0..2 * p.interval() + 1 {
                 both.clock();
-                for (i, (ready, valid)) in [("in_ready", "in_valid"), ("pose_ready", "pose_valid")].into_iter().enumerate() {
+                for (i, (ready, valid)) in
+                    [("in_ready", "in_valid"), ("pose_ready", "pose_valid")].into_iter().enumerate()
+                {
                     if accepted[i].is_none() && both.get(ready) == 1 {
                         accepted[i] = Some(clock);
                     }

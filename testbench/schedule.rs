@@ -4,29 +4,29 @@
 use efsat::design::{Design, Probes};
 use efsat::netlist::{Control, DelayLine, Driver, Module, Wire};
 use efsat::op::{Add, Comb, Type};
+use efsat::params::{Axes, Params, Projections, Transform};
 use efsat::schedule::GROUP;
 use efsat::schedule::linear_program::{Event, Held, LinearProgram, Reading, Stream};
-use efsat::params::{Axes, Params, Projections, Transform};
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Register bits of a module itself, without the tables of phases, which no program counts.
+/// Register bits of a module itself, without what only tells the phases apart, which no program counts.
 fn own_bits(module: &Module) -> u64 {
     let bits = module.signals.iter().map(|s| match &s.driver {
-        Driver::Register { op: Some(Comb::Lookup(..)), .. } => 0,
+        Driver::Register { op: Some(Comb::Lookup(..) | Comb::Equal(..)), .. } => 0,
         Driver::Register { .. } => u64::from(s.ty.bits),
         _ => 0,
     });
     bits.sum()
 }
 
-/// The table of docs/schedule.md: unit, instances, register bits, optimum.
+/// The table of docs/schedule.md: unit, instances, register bits, optimum with whole captures.
 fn recorded() -> Vec<(String, usize, u64, f64)> {
     let text = include_str!("../docs/schedule.md");
     let rows = text.lines().filter(|line| line.starts_with("| `"));
     let rows = rows.map(|line| {
         let cells: Vec<&str> = line.split('|').map(|cell| cell.trim().trim_matches('`')).collect();
-        (cells[1].to_owned(), cells[2].parse().unwrap(), cells[3].parse().unwrap(), cells[4].parse().unwrap())
+        (cells[1].to_owned(), cells[2].parse().unwrap(), cells[3].parse().unwrap(), cells[5].parse().unwrap())
     });
     rows.collect()
 }
@@ -109,9 +109,8 @@ fn a_choice_that_is_too_long_takes_two_clocks() {
                 let most = if matches!(op, Some(Comb::Select(..))) { 1 + GROUP } else { 1 };
                 assert!(args.len() <= most, "{}", signal.name());
             }
-            let period = 1000.0 / f64::from(frequency);
-            let (ns, end) = &design.schedule.critical;
-            assert!(ns + design.device.setup() <= period + 1e-9, "{device} at {frequency} MHz: {ns} ns to {end}");
+            // A clock that one operation alone does not meet is said to be missed.
+            assert_eq!(design.missed_clock().is_some(), divided, "{device} at {frequency} MHz");
         }
     }
 }

@@ -359,15 +359,15 @@ fn the_command() {
         object["answers"]
     );
     let cases = [
-        ("--family nothing", "'nothing' for '--family <NAME>': legal is one of anything, coplanar-disjoint, "),
-        ("--pairs 0", "legal is a whole number, 1 or greater"),
-        ("--pairs -1", "legal is a whole number, 1 or greater"),
-        ("--seed -1", "legal is a whole number from 0 to"),
-        ("--first few", "legal is a whole number from 0 to"),
-        ("--first 18446744073709551615 --family anything --pairs 2", "--first 18446744073709551615: legal is"),
+        ("--family nothing", "'nothing' for '--family <NAME>': expected one of anything, coplanar-disjoint, "),
+        ("--pairs 0", "expected a whole number, 1 or greater"),
+        ("--pairs -1", "expected a whole number, 1 or greater"),
+        ("--seed -1", "expected a whole number from 0 to"),
+        ("--first few", "expected a whole number from 0 to"),
+        ("--first 18446744073709551615 --family anything --pairs 2", "--first 18446744073709551615: expected"),
         ("--list --json", "cannot be used with"),
-        ("--width 5", "legal is a whole number from 6 to 32"),
-        ("--width 18 --transform-width 17", "--transform-width 17: legal is 18 to 48"),
+        ("--width 5", "expected a whole number from 6 to 32"),
+        ("--width 18 --transform-width 17", "--transform-width 17: expected 18 to 48"),
     ];
     for (options, part) in cases {
         let (status, out, errors) = efsat(&format!("stress {options}"));

@@ -87,7 +87,9 @@ impl Tool {
             let lines: Vec<&str> = netlist.lines().collect();
             let unknown = (0..lines.len())
                 .filter(|_| step.contains(&"--synth"))
-                .filter(|n| (lines[*n].contains("'X'") || lines[*n].contains("\"X")) && !is_never_reached(&lines[..=*n]))
+                .filter(|n| {
+                    (lines[*n].contains("'X'") || lines[*n].contains("\"X")) && !is_never_reached(&lines[..=*n])
+                })
                 .map(|n| lines[n]);
             complaints.extend(
                 unknown.map(|line| format!("{} {}: a latch or no driver: {line}", self.version, more.join(" "))),
@@ -158,7 +160,8 @@ fn every_generated_file_is_taken_without_a_warning() {
             let sources = synthesizable(&set);
             let used =
                 |name: &str| sources.iter().any(|(_, text)| text.contains(&format!("entity work.{}\n", entity(name))));
-            let entities = sources.iter().filter(|(name, text)| text.contains(&format!("\nentity {} is", entity(name))));
+            let entities =
+                sources.iter().filter(|(name, text)| text.contains(&format!("\nentity {} is", entity(name))));
             let tops: Vec<&str> = entities.map(|s| s.0).filter(|name| !used(name)).map(entity).collect();
             let benches: Vec<&str> =
                 list.iter().filter(|name| name.ends_with("_tb.vhd")).map(|name| entity(name)).collect();

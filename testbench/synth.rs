@@ -229,13 +229,13 @@ fn predictions_need_no_tools() {
 #[test]
 fn wrong_options_are_told() {
     let cases: [(&[&str], &str); 9] = [
-        (&["synth", "--flow", "quartus"], "legal is one of yosys-xc2v, yosys-xc6s, yosys-xc7, ecp5"),
+        (&["synth", "--flow", "quartus"], "expected one of yosys-xc2v, yosys-xc6s, yosys-xc7, ecp5"),
         (&["synth", "--flow", "yosys-xc7", "--seeds", "3"], "--seeds: flow yosys-xc7 ends after Yosys"),
         (&["synth", "--predict", "--keep", "x"], "'--predict' cannot be used with '--keep <DIR>'"),
-        (&["synth", "--minutes", "3"], "--minutes: flow yosys-xc2v ends after Yosys; legal with ecp5"),
-        (&["synth", "--flow", "ecp5", "--minutes", "0"], "legal is a whole number from 1 to 1440"),
+        (&["synth", "--minutes", "3"], "--minutes: flow yosys-xc2v ends after Yosys; expected --flow ecp5"),
+        (&["synth", "--flow", "ecp5", "--minutes", "0"], "expected a whole number from 1 to 1440"),
         (&["synth", "--no-route"], "--no-route: flow yosys-xc2v ends after Yosys"),
-        (&["synth", "--flow", "ecp5", "--seeds", "0"], "legal is a whole number from 1 to 32"),
+        (&["synth", "--flow", "ecp5", "--seeds", "0"], "expected a whole number from 1 to 32"),
         (&["cosim", "--netlist", "rtl"], "--netlist needs --simulator verilator, not ghdl"),
         (&["cosim", "--simulator", "verilator", "--probe"], "--probe needs --simulator ghdl, nvc or builtin"),
     ];

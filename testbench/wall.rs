@@ -192,16 +192,16 @@ fn what_is_wrong_is_one_line_and_nothing_is_written() {
     fs::write(home.path().join("file"), "mine").unwrap();
     let cases = [
         ("wall vertex", "'vertex'"),
-        ("wall --step 2^-6", "'2^-6' for '--step <STEP>': legal is working, input, binary64 or a power of two"),
+        ("wall --step 2^-6", "'2^-6' for '--step <STEP>': expected working, input, binary64 or a power of two"),
         ("wall --step -12", "'-12'"),
-        ("wall --step 0.001", "legal is working, input, binary64 or a power of two from 2^-53 to 2^-7"),
+        ("wall --step 0.001", "expected working, input, binary64 or a power of two from 2^-53 to 2^-7"),
         ("wall --list --json", "--json"),
         ("wall --list --width 20", "--width"),
         ("wall --list --step input", "--step"),
-        ("wall --width 5", "legal is a whole number from 6 to 32"),
+        ("wall --width 5", "expected a whole number from 6 to 32"),
         (
             "wall edge-on-edge --width 13 --out new",
-            "contact edge-on-edge: found a step of 2^-6 (working); legal is 2^-7",
+            "contact edge-on-edge: found a step of 2^-6 (working); expected 2^-7",
         ),
         ("wall coplanar --out file", "file: "),
         ("wall coplanar --out file/below", "file/below: "),

@@ -23,7 +23,7 @@ const OUT: &str = "accuracy-out";
 /// Sweeps the design space over a scene and reports what accuracy costs in time: a page, plots and data
 ///
 /// Of every point: definite and possibly incorrect answers with 95 % bounds, wrong answers by the exact oracle, cells,
-/// clock, and the effective time a pair, which is hardware time + share of possibly incorrect pairs x (measured time of
+/// clock, and the effective time per pair, which is hardware time + share of possibly incorrect pairs x (measured time of
 /// their exact retest + transfer). Results are kept as they are finished: the same command goes on where it stopped.
 /// Fails if a definite answer is wrong.
 #[derive(Debug, clap::Args)]
@@ -55,10 +55,10 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NS", default_value_t = 0.0, value_parser = nanoseconds, allow_negative_numbers = true)]
     #[arg(conflicts_with = "shard")]
     transfer: f64,
-    /// Do part I of N alone and write no page; `efsat accuracy merge` joins the parts
+    /// Compute only part I of N and write no page; `efsat accuracy merge` joins the parts
     #[arg(long, value_name = "I/N", value_parser = shard, allow_hyphen_values = true)]
     shard: Option<Shard>,
-    /// Map every point with Yosys as well: minutes a point
+    /// Map every point with Yosys as well: minutes per point
     #[arg(long)]
     synth: bool,
     /// Print one JSON object instead of a summary
@@ -76,24 +76,24 @@ enum Command {
 fn amount(text: &str) -> Result<Amount, String> {
     let number = || text.parse().ok().filter(|n| (1..=MOST).contains(n)).map(Amount::Some);
     let found = if text == "all" { Some(Amount::All) } else { number() };
-    found.ok_or_else(|| format!("legal is `all` or a whole number from 1 to {MOST}"))
+    found.ok_or_else(|| format!("expected `all` or a whole number from 1 to {MOST}"))
 }
 
 fn nanoseconds(text: &str) -> Result<f64, String> {
     let legal = |x: &f64| (0.0..=1e12).contains(x);
-    text.parse().ok().filter(legal).ok_or_else(|| "legal is a number of nanoseconds from 0 to 1e12".to_owned())
+    text.parse().ok().filter(legal).ok_or_else(|| "expected a number of nanoseconds from 0 to 1e12".to_owned())
 }
 
 fn shard(text: &str) -> Result<Shard, String> {
     let parts = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
     let legal = |(index, count): &(usize, usize)| (1..=*count).contains(index) && *count <= 10_000;
     let found = parts.filter(legal).map(|(index, count)| Shard { index, count });
-    found.ok_or_else(|| "legal is I/N with I from 1 to N, N up to 10000".to_owned())
+    found.ok_or_else(|| "expected I/N with I from 1 to N, N up to 10000".to_owned())
 }
 
 /// The parameters of every point of a sweep around `base`.
 fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> {
-    let names: Vec<&str> = base.options().iter().map(|option| option.0).collect();
+    let names: Vec<&str> = Params::OPTIONS.iter().map(|(name, _)| *name).collect();
     let wrong = |e: sweep::SweepError| Failure::Usage(format!("--sweep: {e}"));
     let combinations = sweep::parse(spec, &names).map_err(wrong)?;
     combinations.iter().map(|settings| point(settings, base)).collect()

@@ -28,7 +28,7 @@ const BATCH: usize = 1 << 14;
 /// pairs are near contact, coplanar, degenerate or far, at mixed scales, both triangles in one frame.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Pairs: .csv (18 numbers a row: a0 a1 a2 b0 b1 b2, each x y z; optional header), .f64 (the same as raw
+    /// Pairs: .csv (18 numbers per row: a0 a1 a2 b0 b1 b2, each x y z; optional header), .f64 (the same as raw
     /// little-endian binary64), - for CSV on standard input; or a scene, .toml
     #[arg(value_name = "FILE", conflicts_with_all = ["scene", "random", "seed"])]
     file: Option<String>,
@@ -222,7 +222,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         (Some(name), _) => Some(Source::file(name)?),
         (None, SourceArguments { scene: Some(name), .. }) => Some(Source::scene(name)?),
         (None, SourceArguments { random: Some(_), .. }) => None,
-        _ => return Err(Failure::Usage("no pairs: legal is one of FILE, --scene FILE and --random N".to_owned())),
+        _ => return Err(Failure::Usage("no pairs: expected one of FILE, --scene FILE and --random N".to_owned())),
     };
     let rows = !arguments.json && !arguments.summary;
     let mut sink = Sink::new(arguments.exact, rows)?;

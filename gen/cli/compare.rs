@@ -40,7 +40,7 @@ const BATCH: usize = 1 << 14;
 #[derive(Debug, clap::Args)]
 #[command(mut_arg("seed", |seed| seed.requires("random")))]
 pub(super) struct Arguments {
-    /// Pairs: .csv (18 numbers a row: a0 a1 a2 b0 b1 b2, each x y z; optional header), .f64 (the same as raw
+    /// Pairs: .csv (18 numbers per row: a0 a1 a2 b0 b1 b2, each x y z; optional header), .f64 (the same as raw
     /// little-endian binary64), - for CSV on standard input; or a scene, .toml
     #[arg(value_name = "FILE", conflicts_with_all = ["scene", "random", "seed"])]
     file: Option<String>,
@@ -49,7 +49,7 @@ pub(super) struct Arguments {
     /// A mesh against itself, .stl, .obj or .ply, tumbling like the built-in scene
     #[arg(long, value_name = "FILE", conflicts_with_all = NO_MESH)]
     mesh: Option<PathBuf>,
-    /// Steps of a turn of the mesh
+    /// Steps in a full turn of the mesh
     #[arg(long, value_name = "N", default_value_t = Scene::STEPS, value_parser = whole(1..=100_000), requires = "mesh")]
     #[arg(allow_negative_numbers = true, conflicts_with_all = NO_MESH)]
     steps: u32,
@@ -100,7 +100,7 @@ impl Units {
 
 fn distance(text: &str) -> Result<f64, String> {
     let legal = |x: &f64| x.is_finite();
-    text.parse().ok().filter(legal).ok_or_else(|| "legal are finite numbers, separated by commas".to_owned())
+    text.parse().ok().filter(legal).ok_or_else(|| "expected finite numbers, separated by commas".to_owned())
 }
 
 /// The pairs of a run.
@@ -126,7 +126,7 @@ impl Arguments {
         match given {
             Source::Scene(scene) => Ok((scene.name.clone(), Pairs::Scene(scene, units))),
             Source::Pairs(_) if self.units.is_some() => {
-                Err(Failure::Usage("--units: found a file of pairs, which has no unit; legal with a scene".to_owned()))
+                Err(Failure::Usage("--units: found a file of pairs, which has no unit; expected a scene".to_owned()))
             }
             Source::Pairs(pairs) => Ok((self.file.clone().unwrap_or_default(), Pairs::Loose(pairs))),
         }
@@ -140,7 +140,7 @@ impl Arguments {
         let finite = |frame: &Frame| frame.poses.iter().flat_map(|p| p.translation.iter()).all(|x| x.is_finite());
         match (0..scene.frames()).map(|frame| scene.frame(frame)).find(|frame| !finite(frame)) {
             Some(frame) => {
-                Err(Failure::Usage(format!("{}: the translation overflows: legal are smaller ones", frame.label)))
+                Err(Failure::Usage(format!("{}: the translation overflows: expected a smaller one", frame.label)))
             }
             None => Ok(scene),
         }

@@ -17,10 +17,10 @@ const OF_DESIGNS: [&str; 4] = ["out", "check", "lp", "stream_width"];
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Dataflow picture of one unit, written in place of the design")]
 pub(super) struct DiagramArguments {
-    /// Unit to be drawn; an unknown name is answered with the legal ones
+    /// Unit to be drawn; an unknown name is answered with the list of units
     #[arg(long, value_name = "NAME", conflicts_with_all = OF_DESIGNS)]
     unit: Option<String>,
-    /// Picture for Graphviz: a cluster a clock, formats on the edges, the critical path in red
+    /// Picture for Graphviz: a cluster per clock, formats on the edges, the critical path in red
     #[arg(long, value_name = "FILE", requires = "unit", conflicts_with_all = OF_DESIGNS)]
     dot: Option<PathBuf>,
     /// The same picture drawn, needing no Graphviz
@@ -43,7 +43,7 @@ impl DiagramArguments {
         let units = diagram::units(&design.pipeline);
         let Some(unit) = units.iter().find(|unit| unit.name == name) else {
             let names: Vec<&str> = units.iter().map(|unit| unit.name.as_str()).collect();
-            return Err(Failure::Usage(format!("--unit {name}: legal is one of {}", names.join(", "))));
+            return Err(Failure::Usage(format!("--unit {name}: expected one of {}", names.join(", "))));
         };
         let mut scheduler = Scheduler::new(design.device, design.params.frequency);
         let picture = Picture::new(&scheduler.schedule(unit), scheduler.period());
@@ -73,13 +73,13 @@ fn place(path: &Path) -> io::Result<PathBuf> {
 fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
     let at = |path: &Path| {
         let path = path.display().to_string();
-        move |e: io::Error| Failure::Usage(format!("{path}: {e}; legal is a file in a folder that is there"))
+        move |e: io::Error| Failure::Usage(format!("{path}: {e}; expected a file in an existing folder"))
     };
     let mut staged: Vec<(&Path, PathBuf, Option<Scratch>, &String)> = vec![];
     for (path, text) in files {
         let target = place(path).map_err(at(path))?;
         if staged.iter().any(|(_, other, ..)| *other == target) {
-            return Err(Failure::Usage(format!("{}: found twice; legal is a file each", path.display())));
+            return Err(Failure::Usage(format!("{}: found twice; expected two different files", path.display())));
         }
         // A pipe or a terminal has no place beside it.
         let stream = fs::metadata(&target).is_ok_and(|there| !there.is_file() && !there.is_dir());

@@ -66,7 +66,7 @@ impl From<SceneError> for Failure {
 /// What clap says, on one line: without its usage and its hint at `--help`.
 pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
     if e.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
-        return Failure::Usage(format!("no command: legal is one of {}", commands.join(", ")));
+        return Failure::Usage(format!("no command: expected one of {}", commands.join(", ")));
     }
     let text = e.render().to_string();
     let text = text.strip_prefix("error: ").unwrap_or(&text);
@@ -76,15 +76,15 @@ pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
     for line in lines {
         let values = line.strip_prefix("[possible values: ").and_then(|rest| rest.strip_suffix(']'));
         match (values, message.is_empty()) {
-            (Some(values), _) => message.push_str(&format!(": legal is one of {values}")),
+            (Some(values), _) => message.push_str(&format!(": expected one of {values}")),
             (None, true) => message.push_str(line),
             (None, false) if message.ends_with(':') => message.push_str(&format!(" {line}")),
             (None, false) => message.push_str(&format!("; {line}")),
         }
     }
     match e.kind() {
-        ErrorKind::UnknownArgument => message.push_str("; legal ones are listed by --help"),
-        ErrorKind::InvalidSubcommand => message.push_str(&format!("; legal is one of {}", commands.join(", "))),
+        ErrorKind::UnknownArgument => message.push_str("; --help lists the options"),
+        ErrorKind::InvalidSubcommand => message.push_str(&format!("; expected one of {}", commands.join(", "))),
         _ => {}
     }
     Failure::Usage(message)

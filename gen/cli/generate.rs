@@ -23,7 +23,7 @@ pub(super) struct Arguments {
     /// Write nothing; fail if DIR differs by a byte from what would be written
     #[arg(long)]
     check: bool,
-    /// Write to DIR the schedule of every unit as a linear programme in CPLEX LP format, and nothing else
+    /// Write to DIR the schedule of every unit as a linear program in CPLEX LP format, and nothing else
     #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "check", "stream_width"])]
     lp: Option<PathBuf>,
     /// Bits of a word into the AXI4-Stream wrapper
@@ -66,7 +66,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         params.frequency,
         design.interval,
         design.latency,
-    ))
+    ))?;
+    design.missed_clock().map_or(Ok(()), |(megahertz, end)| {
+        print(&format!(
+            "{megahertz:.1} MHz are expected, below --frequency: {end} takes longer than a clock by itself\n"
+        ))
+    })
 }
 
 /// The command line that stands in the files of a design.

@@ -39,7 +39,7 @@ pub(super) struct Arguments {
     /// At most N mutants of each kind in each unit, evenly spread
     #[arg(long, value_name = "N", default_value_t = 4, value_parser = whole(COUNT), allow_negative_numbers = true)]
     each: u32,
-    /// Of these N in all, evenly spread
+    /// At most N mutants in all, evenly spread
     #[arg(long, value_name = "N", value_parser = whole(COUNT), allow_negative_numbers = true)]
     limit: Option<u32>,
     /// What runs the changed VHDL: ghdl or nvc
@@ -125,7 +125,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Simulator::Verilator(_) => Some("verilator: runs a netlist, not the text"),
     };
     if let Some(refused) = refused {
-        return Err(Failure::Usage(format!("--simulator {refused}; legal is one of ghdl, nvc")));
+        return Err(Failure::Usage(format!("--simulator {refused}; expected one of ghdl, nvc")));
     }
     let start = Instant::now();
     let all = match arguments.target {
@@ -190,7 +190,7 @@ fn choose(arguments: &Arguments, mut all: Vec<Mutant>) -> Result<Vec<Mutant>, Fa
         let mut units: Vec<String> = all.iter().map(|mutant| mutant.unit.clone()).collect();
         units.dedup();
         if !units.contains(unit) {
-            return Err(Failure::Usage(format!("--unit {unit}: legal is one of {}", units.join(", "))));
+            return Err(Failure::Usage(format!("--unit {unit}: expected one of {}", units.join(", "))));
         }
         all.retain(|mutant| mutant.unit == *unit);
     }

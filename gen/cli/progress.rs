@@ -13,7 +13,7 @@ pub(super) fn bar(steps: u64, what: &'static str, busy: bool) -> ProgressBar {
     }
 }
 
-/// A sign of life for a step of unknown length.
+/// A spinner for a step of unknown length.
 pub(super) fn spinner(what: &'static str) -> ProgressBar {
     let spinner = ProgressBar::with_draw_target(None, target(false)).with_message(what);
     if !spinner.is_hidden() {

@@ -11,7 +11,7 @@ use super::error::Failure;
 use crate::scene::hierarchy::Directions;
 use clap::Subcommand;
 
-/// Looks at scenes: what touches, and what it takes to find out
+/// Analyses scenes: which triangles come close, and which optional stages of the unit that calls for
 #[derive(Debug, clap::Args)]
 #[command(disable_help_subcommand = true)]
 pub(super) struct Arguments {
@@ -28,7 +28,7 @@ enum Command {
 
 /// Directions of bounding volumes by their number.
 fn directions(text: &str) -> Result<Directions, String> {
-    let legal = || "legal is one of 6, 14, 18, 26".to_owned();
+    let legal = || "expected one of 6, 14, 18, 26".to_owned();
     text.parse().ok().and_then(Directions::of).ok_or_else(legal)
 }
 

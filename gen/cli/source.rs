@@ -76,9 +76,9 @@ pub(super) fn load_planned(name: &str) -> Result<(Scene, Settings), Failure> {
 /// A whole number, at least 1.
 pub(super) fn count(text: &str) -> Result<u64, String> {
     let legal = |e: &u64| *e > 0;
-    text.parse().ok().filter(legal).ok_or_else(|| "legal is a whole number, 1 or greater".to_owned())
+    text.parse().ok().filter(legal).ok_or_else(|| "expected a whole number, 1 or greater".to_owned())
 }
 
 pub(super) fn seed(text: &str) -> Result<u64, String> {
-    text.parse().map_err(|_| format!("legal is a whole number from 0 to {}", u64::MAX))
+    text.parse().map_err(|_| format!("expected a whole number from 0 to {}", u64::MAX))
 }

@@ -175,7 +175,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let families: Vec<&Family> = FAMILIES.iter().filter(asked).collect();
     let Arguments { pairs, first, seed, .. } = *arguments;
     if first.checked_add(pairs.div_ceil(families.len() as u64) - 1).is_none() {
-        return Err(Failure::Usage(format!("--first {first}: legal is an index with --pairs {pairs} below 2^64")));
+        return Err(Failure::Usage(format!("--first {first}: expected an index with --pairs {pairs} below 2^64")));
     }
     let plan = Plan { families, pairs, first, seed };
     let bar = bar(pairs);

@@ -63,7 +63,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         ("--minutes", arguments.minutes.is_some()),
     ];
     if let Some((option, _)) = of_placement.into_iter().find(|(_, given)| *given && !flow.routes()) {
-        return Err(Failure::Usage(format!("{option}: flow {} ends after Yosys; legal with ecp5", flow.name())));
+        return Err(Failure::Usage(format!("{option}: flow {} ends after Yosys; expected --flow ecp5", flow.name())));
     }
     if arguments.predict {
         return show(&synth::predict(&params, flow)?, &params, arguments.json);

@@ -27,7 +27,7 @@ pub(super) struct Arguments {
     #[arg(value_name = "CONTACT", value_parser = PossibleValuesParser::new(CONTACTS.map(|contact| contact.name)))]
     contacts: Vec<String>,
     /// Print names and descriptions of the contacts and nothing else
-    #[arg(long, conflicts_with_all = ["contacts", "step", "out", "software", "json", "ParamArguments"])]
+    #[arg(long, conflicts_with_all = ["contacts", "step", "out", "software", "json", "Params"])]
     list: bool,
     /// Distance of two cells: one ulp of the axis test (working), of the input format (input) or of the moved vertex
     /// (binary64), or a power of two such as 2^-12

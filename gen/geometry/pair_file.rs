@@ -20,7 +20,7 @@ pub enum PairFileError {
         source: std::io::Error,
     },
     /// Neither `.csv` nor `.f64` nor `-`.
-    #[error("{file}: found a name ending in \"{found}\"; legal is .csv, .f64, or - for CSV on standard input")]
+    #[error("{file}: found a name ending in \"{found}\"; expected .csv, .f64, or - for CSV on standard input")]
     Kind {
         /// The file as named by the user.
         file: String,
@@ -28,13 +28,13 @@ pub enum PairFileError {
         found: String,
     },
     /// No pair in the file.
-    #[error("{file}: found no pair; legal is at least one")]
+    #[error("{file}: found no pair; expected at least one")]
     Empty {
         /// The file as named by the user.
         file: String,
     },
     /// A `.f64` file that ends inside a pair.
-    #[error("{file}: found {found} bytes; legal is a multiple of {RECORD} (18 binary64 numbers a pair)")]
+    #[error("{file}: found {found} bytes; expected a multiple of {RECORD} (18 binary64 numbers a pair)")]
     Length {
         /// The file as named by the user.
         file: String,
@@ -42,7 +42,7 @@ pub enum PairFileError {
         found: usize,
     },
     /// A number in a `.f64` file that is NaN or infinite.
-    #[error("{file}: byte {offset} (pair {pair}, number {number}): found {found}; legal is a finite number")]
+    #[error("{file}: byte {offset} (pair {pair}, number {number}): found {found}; expected a finite number")]
     Value {
         /// The file as named by the user.
         file: String,
@@ -56,7 +56,7 @@ pub enum PairFileError {
         found: f64,
     },
     /// A row with too few or too many fields.
-    #[error("{file}: line {line}: found {found} fields; legal is 18 (a0 a1 a2 b0 b1 b2, each x y z)")]
+    #[error("{file}: line {line}: found {found} fields; expected 18 (a0 a1 a2 b0 b1 b2, each x y z)")]
     Fields {
         /// The file as named by the user.
         file: String,
@@ -67,7 +67,7 @@ pub enum PairFileError {
     },
     /// A field that is no finite number.
     #[error(
-        "{file}: line {line}, column {column}: found \"{found}\"; legal is a finite number that binary64 does not round to 0"
+        "{file}: line {line}, column {column}: found \"{found}\"; expected a finite number that binary64 does not round to 0"
     )]
     Field {
         /// The file as named by the user.
@@ -222,20 +222,20 @@ mod tests {
 
     #[test]
     fn csv_errors_name_the_place() {
-        assert_eq!(message(b""), "p.csv: found no pair; legal is at least one");
-        assert_eq!(message(b"a0x,a0y\n"), "p.csv: found no pair; legal is at least one");
+        assert_eq!(message(b""), "p.csv: found no pair; expected at least one");
+        assert_eq!(message(b"a0x,a0y\n"), "p.csv: found no pair; expected at least one");
         assert_eq!(
             message(format!("{ROW}\n{ROW},7\n").as_bytes()),
-            "p.csv: line 2: found 19 fields; legal is 18 (a0 a1 a2 b0 b1 b2, each x y z)"
+            "p.csv: line 2: found 19 fields; expected 18 (a0 a1 a2 b0 b1 b2, each x y z)"
         );
-        assert_eq!(message(b"1,2,3\n"), "p.csv: line 1: found 3 fields; legal is 18 (a0 a1 a2 b0 b1 b2, each x y z)");
-        let legal = "legal is a finite number that binary64 does not round to 0";
+        assert_eq!(message(b"1,2,3\n"), "p.csv: line 1: found 3 fields; expected 18 (a0 a1 a2 b0 b1 b2, each x y z)");
+        let legal = "expected a finite number that binary64 does not round to 0";
         for bad in ["nan", "inf", "1e999", "1e-400", "-0.003E-330", "1.5x", ""] {
             let text = format!("{ROW}\n\n{}\n", ROW.replacen(" 1,", &format!("{bad},"), 1));
             assert_eq!(message(text.as_bytes()), format!("p.csv: line 3, column 4: found \"{bad}\"; {legal}"));
         }
         assert!(read_csv(ROW.replacen(" 1,", "-0.00E7,", 1).as_bytes(), "").is_ok());
-        // Not a header: NaN in the first field is a number, though no legal one.
+        // Not a header: NaN in the first field is a number, though not a finite one.
         assert!(message(ROW.replacen('0', "NaN", 1).as_bytes()).contains("line 1, column 1"));
         let mut garbage = format!("{ROW}\n").into_bytes();
         garbage.extend(ROW.replacen("1e", "\u{7}", 1).bytes().map(|b| if b == 7 { 0xff } else { b }));
@@ -250,19 +250,19 @@ mod tests {
         assert_eq!(pairs.len(), 2);
         assert_eq!(pairs[1][0], [18.0, 19.0, 20.0]);
         let message = |bytes: &[u8]| read_f64(bytes, "p.f64").unwrap_err().to_string();
-        assert_eq!(message(&[]), "p.f64: found no pair; legal is at least one");
+        assert_eq!(message(&[]), "p.f64: found no pair; expected at least one");
         assert_eq!(
             message(&bytes[..145]),
-            "p.f64: found 145 bytes; legal is a multiple of 144 (18 binary64 numbers a pair)"
+            "p.f64: found 145 bytes; expected a multiple of 144 (18 binary64 numbers a pair)"
         );
         let mut infinite = bytes.clone();
         infinite[160..168].copy_from_slice(&f64::NEG_INFINITY.to_le_bytes());
-        assert_eq!(message(&infinite), "p.f64: byte 160 (pair 1, number 3): found -inf; legal is a finite number");
+        assert_eq!(message(&infinite), "p.f64: byte 160 (pair 1, number 3): found -inf; expected a finite number");
     }
 
     #[test]
     fn files_are_told_apart_by_name() {
-        assert!(read("pairs.txt").unwrap_err().to_string().contains("legal is .csv, .f64, or -"));
+        assert!(read("pairs.txt").unwrap_err().to_string().contains("expected .csv, .f64, or -"));
         assert!(read("no-such-file.csv").unwrap_err().to_string().starts_with("no-such-file.csv: "));
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("p.CSV");

@@ -17,8 +17,8 @@ entity uart_receiver is
     reset : in std_logic;
     rx : in std_logic;
     data : out std_logic_vector(7 downto 0);
-    data_valid : out std_logic;  -- one clock a byte
-    silent_bit : out std_logic  -- one clock a bit while no byte is coming in
+    data_valid : out std_logic;  -- one clock per byte
+    silent_bit : out std_logic  -- one clock per bit while no byte is coming in
   );
 end entity uart_receiver;
 

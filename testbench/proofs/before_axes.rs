@@ -131,7 +131,7 @@ pub fn translated_row(setting: &Setting) -> Claim {
     host_bounds(&mut claim, params, "x", false);
     host_bounds(&mut claim, params, "t", true);
     claim.shown("b_lo == x_lo + t_lo && b_hi == (x_lo + x_ulp) + (t_lo + t_ulp)");
-    claim.mutant(NoUlp, "b.lo").mutant(NoUlp, "b_hi_sum_first_d1|b_hi_sum");
+    claim.mutant(NoUlp, "b.lo|b_sum.lo").mutant(NoUlp, "b_hi_sum_first_d1|b_hi_sum|b_sum.hi");
     claim
 }
 

@@ -39,7 +39,7 @@ pub fn full() -> bool {
     match std::env::var(EFFORT).as_deref() {
         Err(_) | Ok("quick") => false,
         Ok("full") => true,
-        Ok(other) => panic!("{EFFORT}={other}: legal are quick and full"),
+        Ok(other) => panic!("{EFFORT}={other}: expected quick and full"),
     }
 }
 

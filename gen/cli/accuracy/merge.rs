@@ -45,11 +45,11 @@ fn same_campaign(first: &Path, request: &Request, part: &Path) -> Result<(), Fai
     match difference(request, &output::request(part)?) {
         None if output::has_results(part) => Ok(()),
         None => Err(Failure::Usage(format!(
-            "{}: found no results; legal is a folder that efsat accuracy wrote",
+            "{}: found no results; expected a folder that efsat accuracy wrote",
             part.display()
         ))),
         Some((what, there, here)) => Err(Failure::Usage(format!(
-            "{}: found {what} {here}, but {there} in {}; legal are parts of one campaign",
+            "{}: found {what} {here}, but {there} in {}; expected parts of one campaign",
             part.display(),
             first.display()
         ))),
@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     arguments.parts.iter().try_for_each(|part| store.join(part)).map_err(output::failure)?;
     let text = command(&request, arguments.transfer);
     let join = |store: &Store| Results::join(&request, &plan, store, arguments.transfer, text.clone());
-    join(&store).map_err(|e| Failure::Usage(format!("{e}; legal are all parts of one campaign, finished")))?;
+    join(&store).map_err(|e| Failure::Usage(format!("{e}; expected all parts of one campaign, finished")))?;
     output::claim(&arguments.out, &request)?;
     let mut whole = Store::open(&arguments.out).map_err(output::failure)?;
     whole.join(scratch.path()).map_err(output::failure)?;

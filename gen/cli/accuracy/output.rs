@@ -28,7 +28,7 @@ fn file_failure(path: &Path, e: &io::Error) -> Failure {
     Failure::Usage(format!("{}: {e}", path.display()))
 }
 
-/// Whether a folder is there for the taking: absent, empty, or of an earlier campaign.
+/// Whether a folder may be written: it is absent, empty, or from an earlier campaign.
 pub(super) fn claimable(dir: &Path) -> Result<(), Failure> {
     let mut entries = match fs::read_dir(dir) {
         Ok(entries) => entries,
@@ -39,7 +39,7 @@ pub(super) fn claimable(dir: &Path) -> Result<(), Failure> {
         return Ok(());
     }
     Err(Failure::Usage(format!(
-        "{}: found files and no {REQUEST}; legal is a new or empty folder, or one of an earlier campaign",
+        "{}: found files and no {REQUEST}; expected a new or empty folder, or one of an earlier campaign",
         dir.display()
     )))
 }
@@ -55,7 +55,7 @@ pub(super) fn claim(dir: &Path, request: &Request) -> Result<(), Failure> {
 pub(super) fn request(dir: &Path) -> Result<Request, Failure> {
     let path = dir.join(REQUEST);
     let wrong = |found: String| {
-        Failure::Usage(format!("{}: {found}; legal is a folder that efsat accuracy wrote", path.display()))
+        Failure::Usage(format!("{}: {found}; expected a folder that efsat accuracy wrote", path.display()))
     };
     let text = fs::read_to_string(&path).map_err(|e| wrong(e.to_string()))?;
     serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))

@@ -42,13 +42,13 @@ impl GivenArguments {
         let mut request = Request::new(settings, params, self.k);
         for (i, (effect, switch)) in self.effect.iter().enumerate() {
             if self.effect[..i].iter().any(|(before, _)| before == effect) {
-                return Err(Failure::Usage(format!("--effect {effect}: found twice; legal is once")));
+                return Err(Failure::Usage(format!("--effect {effect}: found twice; expected once")));
             }
             request.wishes[*effect as usize] = (*switch).into();
         }
         for (option, effect) in STAGES.iter().filter(|(option, _)| given.iter().any(|name| name == option)) {
             if let Some((_, switch)) = self.effect.iter().rev().find(|(other, _)| other == effect) {
-                let message = format!("--effect {effect}={} beside --{option}: legal is one of the two", switch.name());
+                let message = format!("--effect {effect}={} beside --{option}: expected one of the two", switch.name());
                 return Err(Failure::Usage(message));
             }
             request.wishes[*effect as usize] = Wish::Option;
@@ -63,13 +63,13 @@ fn effect(text: &str) -> Result<(Effect, Switch), String> {
         let effect = Effect::ALL.into_iter().find(|e| e.name() == effect)?;
         Some((effect, Switch::ALL.into_iter().find(|s| s.name() == switch)?))
     });
-    let legal = || format!("legal is one of {}, with =auto, =on or =off", Effect::ALL.map(Effect::name).join(", "));
+    let legal = || format!("expected one of {}, with =auto, =on or =off", Effect::ALL.map(Effect::name).join(", "));
     parts.ok_or_else(legal)
 }
 
 fn share(text: &str) -> Result<f64, String> {
     let legal = |share: &f64| (0.0..=1.0).contains(share);
-    text.parse().ok().filter(legal).ok_or_else(|| "legal is a number from 0 to 1".to_owned())
+    text.parse().ok().filter(legal).ok_or_else(|| "expected a number from 0 to 1".to_owned())
 }
 
 /// The parameters of the design as far as they are typed: name and value.
@@ -88,14 +88,13 @@ impl Args for Options {
 
 impl FromArgMatches for Options {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let names: Vec<String> = Params::default().options().into_iter().map(|(name, _)| name.to_owned()).collect();
-        let typed = |name: &String| {
+        let typed = |(name, _): &(&str, _)| {
             let id = name.replace('-', "_");
             let is_typed = matches.value_source(&id) == Some(ValueSource::CommandLine);
             let value = matches.get_raw(&id).into_iter().flatten().last().filter(|_| is_typed)?;
-            Some((name.clone(), value.to_string_lossy().into_owned()))
+            Some(((*name).to_owned(), value.to_string_lossy().into_owned()))
         };
-        Ok(Self(names.iter().filter_map(typed).collect()))
+        Ok(Self(Params::OPTIONS.iter().filter_map(typed).collect()))
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {

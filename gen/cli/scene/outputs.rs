@@ -23,7 +23,7 @@ impl Output {
         let target = &target.canonicalize().unwrap_or_else(|_| target.to_owned());
         if target.exists() && !target.is_file() {
             let found = if target.is_dir() { "a directory" } else { "something else" };
-            let message = format!("{}: found {found}; legal is the name of a file", target.display());
+            let message = format!("{}: found {found}; expected the name of a file", target.display());
             return Err(Failure::Usage(message));
         }
         let folder = target.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."));

@@ -112,7 +112,7 @@ fn picture(text: &str) -> Result<PathBuf, String> {
 fn ending(text: &str, legal: &[&str]) -> Result<PathBuf, String> {
     match Path::new(text).extension().and_then(|e| e.to_str()) {
         Some(found) if legal.contains(&found) => Ok(text.into()),
-        _ => Err(format!("legal is a name that ends in .{}", legal.join(" or ."))),
+        _ => Err(format!("expected a name that ends in .{}", legal.join(" or ."))),
     }
 }
 
@@ -128,12 +128,12 @@ impl Arguments {
             return Err(Failure::Usage("--simulator needs --cosim sample or all, not none".to_owned()));
         }
         if self.csv.is_some() && self.csv == self.pairs {
-            return Err(Failure::Usage("--csv and --pairs: found one name; legal are two".to_owned()));
+            return Err(Failure::Usage("--csv and --pairs: found one name; expected two".to_owned()));
         }
         let frames = scene.frames() as u64;
         match self.frame {
             Some(frame) if frame >= frames => {
-                Err(Failure::Usage(format!("--frame {frame}: legal is 0 to {}", frames - 1)))
+                Err(Failure::Usage(format!("--frame {frame}: expected 0 to {}", frames - 1)))
             }
             _ => Ok(()),
         }

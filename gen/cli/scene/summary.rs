@@ -39,7 +39,7 @@ impl<const N: usize> Summary<N> {
         }
     }
 
-    /// Two lines a group, and the sum of all.
+    /// Two lines per group, and the sum of all.
     pub fn table(&self) -> String {
         let line = |name: &str, frames: &str, counts: [String; N]| {
             let counts = counts.iter().zip(self.columns);

@@ -22,7 +22,7 @@ pub enum CampaignError {
     #[error(transparent)]
     Pairs(#[from] TooMany),
     /// A scene without pairs.
-    #[error("{0}: found no pair of triangles whose boxes overlap; legal is a scene with some")]
+    #[error("{0}: found no pair of triangles whose boxes overlap; expected a scene with some")]
     Empty(String),
     /// Results that cannot be read or written.
     #[error(transparent)]

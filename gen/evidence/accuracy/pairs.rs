@@ -38,7 +38,7 @@ impl std::fmt::Display for Amount {
 
 /// A scene of which all pairs are asked for, and there are too many.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("--pairs all: the scene has more than {MOST} candidate pairs; legal is --pairs N up to {MOST}")]
+#[error("--pairs all: the scene has more than {MOST} candidate pairs; expected --pairs N up to {MOST}")]
 pub struct TooMany;
 
 /// The pairs that were drawn of one meeting.

@@ -3,11 +3,9 @@
 use super::hardware::Cells;
 use super::{Answers, Hardware};
 use efsat_unit::params::Params;
+use efsat_unit::params::options::Affects;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-
-/// Options that change the hardware and not a single answer.
-const HARDWARE_ALONE: [&str; 4] = ["axes-per-clock", "device", "frequency", "tag-width"];
 
 /// Options by name, without dashes.
 pub type Options = BTreeMap<String, String>;
@@ -19,11 +17,8 @@ pub fn options(params: &Params) -> Options {
 
 /// Those that its answers depend on.
 pub fn model_options(options: &Options) -> Options {
-    options
-        .iter()
-        .filter(|(name, _)| !HARDWARE_ALONE.contains(&name.as_str()))
-        .map(|(n, v)| (n.clone(), v.clone()))
-        .collect()
+    let answering = Params::OPTIONS.iter().filter(|(_, affects)| *affects != Affects::Hardware);
+    answering.filter_map(|(name, _)| options.get_key_value(*name)).map(|(n, v)| (n.clone(), v.clone())).collect()
 }
 
 /// A finished point.

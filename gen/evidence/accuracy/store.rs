@@ -67,7 +67,7 @@ pub enum StoreError {
         source: io::Error,
     },
     /// A line that is no result of this version.
-    #[error("{}, line {line}: found {found}; legal is a result that efsat {} wrote", path.display(), env!("CARGO_PKG_VERSION"))]
+    #[error("{}, line {line}: found {found}; expected a result that efsat {} wrote", path.display(), env!("CARGO_PKG_VERSION"))]
     Line {
         /// The file.
         path: PathBuf,

@@ -35,7 +35,7 @@ pub struct Setting {
 
 /// What is wrong with a sweep, and where.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("at character {at}: found {found}; legal is {legal}")]
+#[error("at character {at}: found {found}; expected {legal}")]
 pub struct SweepError {
     /// Characters from 1.
     pub at: usize,
@@ -160,14 +160,14 @@ mod tests {
     #[test]
     fn errors_name_the_place_and_what_is_legal() {
         let error = |text: &str| parse(text, &OPTIONS).unwrap_err().to_string();
-        let legal = "legal is OPTION=VALUES with OPTION one of width, axes, upper";
+        let legal = "expected OPTION=VALUES with OPTION one of width, axes, upper";
         assert_eq!(error(""), format!("at character 1: found nothing; {legal}"));
         assert_eq!(error("width=12; wide=3"), format!("at character 11: found 'wide'; {legal}"));
         assert_eq!(error("width=12,axes"), format!("at character 10: found 'axes'; {legal}"));
-        assert_eq!(error("axes=11|"), "at character 9: found nothing; legal is a value of the option");
-        assert!(error("width=12..x").starts_with("at character 7: found '12..x'; legal is FIRST..LAST"));
+        assert_eq!(error("axes=11|"), "at character 9: found nothing; expected a value of the option");
+        assert!(error("width=12..x").starts_with("at character 7: found '12..x'; expected FIRST..LAST"));
         assert!(
-            error("axes=11, width= 20..12").starts_with("at character 17: found '20..12'; legal is FIRST..LAST with")
+            error("axes=11, width= 20..12").starts_with("at character 17: found '20..12'; expected FIRST..LAST with")
         );
         assert!(error("width=1,width=2").starts_with("at character 9: found width again"));
         assert!(error("width=0..9999,axes=0..9999").contains("too many combinations"));
@@ -175,9 +175,7 @@ mod tests {
 
     #[test]
     fn the_default_sweep_holds_every_width() {
-        let names: Vec<String> =
-            efsat_unit::params::Params::default().options().iter().map(|o| o.0.to_owned()).collect();
-        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let names: Vec<&str> = efsat_unit::params::Params::OPTIONS.iter().map(|(name, _)| *name).collect();
         let all = parse(DEFAULT, &names).unwrap();
         let alone =
             |width: u32| all.iter().any(|s| s.len() == 1 && s[0].option == "width" && s[0].value == width.to_string());

@@ -45,7 +45,7 @@ pub(super) fn check_keep(dir: &Path) -> Result<(), CosimError> {
         return Ok(());
     }
     let message = format!(
-        "--keep {}: holds files that efsat did not write; legal is a new or empty folder, or one of an earlier run",
+        "--keep {}: holds files that efsat did not write; expected a new or empty folder, or one of an earlier run",
         dir.display()
     );
     Err(CosimError::Option(message))
@@ -149,7 +149,7 @@ fn absolute(path: &Path) -> Result<PathBuf, CosimError> {
                 _ => Ok(path),
             }
         }
-        _ => Err(CosimError::Option(format!("--wave {}: legal is a file ending in .ghw or .vcd", path.display()))),
+        _ => Err(CosimError::Option(format!("--wave {}: expected a file ending in .ghw or .vcd", path.display()))),
     }
 }
 

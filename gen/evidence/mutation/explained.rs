@@ -39,7 +39,6 @@ const ORIGIN: &str = "V0 is the origin: all its lower bounds are 0";
 const POSE: &str = "a pose is taken in the last phase but one, and first read at the end of phase 0";
 const IDLE: &str = "the bypass changes between slots only, and there the row is idle for two clocks";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
-const OVERWRITTEN: &str = "a first value that is always overwritten";
 const FASTER: &str = "decides between 64 and 128 bit only, and the sums fit 64 bits in either case";
 const UNUSED: &str = "no unit of the design chooses between flags by this function";
 const LAST_PHASE: &str = "full counts in the last phase only, and the clock before it accepts nothing";
@@ -103,8 +102,6 @@ pub const MODEL: &[Explanation] = &[
     same("golden/transform.rs:new:constant:2 -> 3", FASTER),
     same("golden/transform.rs:new:comparison:<= -> <", FASTER),
     same("golden/transform.rs:new:constant:62 -> 63", FASTER),
-    same("golden/projection.rs:images:constant:0 -> 1", OVERWRITTEN),
-    same("golden/projection.rs:images:constant:0 -> 1 #2", OVERWRITTEN),
     same(
         "params/mod.rs:coordinate_bound:constant:1 -> 2",
         "counts with re-normalisation only, and then no format depends on the range of the input",

@@ -19,12 +19,14 @@ use std::time::{Duration, Instant};
 /// The longest that a mutant may run: it has a loop without an end.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// Sources that belong to the program around the model: ranges and names of options, and names of inner signals.
-const UNCHANGED: [&str; 2] = ["params/options.rs", "golden/trace.rs"];
+/// Sources that belong to the program around the model: ranges and names of options, and names of inner signals
+/// and stages.
+const UNCHANGED: [&str; 3] = ["params/options.rs", "golden/stages.rs", "golden/trace.rs"];
 
 /// The sources of the reference model, as this program was built from them.
-const SOURCES: [(&str, &str); 15] = [
+const SOURCES: [(&str, &str); 16] = [
     ("params/options.rs", include_str!("../../unit/params/options.rs")),
+    ("golden/stages.rs", include_str!("../../unit/golden/stages.rs")),
     ("golden/trace.rs", include_str!("../../unit/golden/trace.rs")),
     ("number.rs", include_str!("../../hardware/number.rs")),
     ("params/mod.rs", include_str!("../../unit/params/mod.rs")),
@@ -41,11 +43,13 @@ const SOURCES: [(&str, &str); 15] = [
     ("golden/verdict.rs", include_str!("../../unit/golden/verdict.rs")),
 ];
 
-/// What the model does without: the stream, and errors with words.
-const LEFT_OUT: [&str; 3] = [
+/// What the model does without: the stream, errors with words, and numbers of any length.
+const LEFT_OUT: [&str; 5] = [
     "pub mod stream;",
     "#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]",
     "#[error(\"--{option} {found}: {legal}\")]",
+    "mod unrounded;",
+    "pub use unrounded::{AxisAnswer, Unrounded};",
 ];
 
 /// A program around the model: parameters (`S`), poses (`P`) and pairs (`V`) in, answers out, one a line.
@@ -243,7 +247,8 @@ fn expected(p: &Params, stimulus: &Stimulus) -> Result<Vec<String>, DesignError>
     let mut evaluator = Evaluator::new(&design.pipeline);
     let mut answer = |pose: &Pose, pair: &Pair| {
         evaluator.run(&inputs(&design, pose, pair));
-        let [verdict, separated, overlapping] = ["verdict", "separated", "overlapping"].map(|name| evaluator.output(name));
+        let [verdict, separated, overlapping] =
+            ["verdict", "separated", "overlapping"].map(|name| evaluator.output(name));
         let outside = if p.guarded() { evaluator.output("outside") } else { 0 };
         format!("{verdict} {separated} {overlapping} {outside} {}", digest(&golden, pose, pair))
     };

@@ -31,13 +31,12 @@ const OPERATORS: [(&str, &str, Kind); 22] = [
 
 /// Functions of the sources that no answer of the model depends on: legal and default parameters, messages,
 /// the design's timing.
-const NOT_THE_MODEL: [(&str, &str); 11] = [
+const NOT_THE_MODEL: [(&str, &str); 10] = [
     ("number.rs", "integral"),
     ("number.rs", "min"),
     ("number.rs", "value"),
     ("number.rs", "fmt"),
     ("number.rs", "floor_shift"),
-    ("params/mod.rs", "default"),
     ("params/mod.rs", "validate"),
     ("params/mod.rs", "interval"),
     ("params/mod.rs", "transform_rows"),

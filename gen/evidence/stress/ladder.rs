@@ -1,6 +1,6 @@
 //! Other parameter sets that every case is asked on: narrower and wider, and every other option changed alone.
 
-use efsat_unit::params::options::{Choice, TRANSFORM_WIDTH, WIDTH};
+use efsat_unit::params::options::{Affects, Choice, TRANSFORM_WIDTH, WIDTH};
 use efsat_unit::params::{Axes, Params, Projections, Upper};
 
 /// Working widths of the ladder.
@@ -41,9 +41,8 @@ pub(super) fn rungs(params: &Params) -> Vec<Params> {
 
 /// Options that decide the verdict of a pair inside the declared ranges; the others are about speed, or about pairs outside.
 fn arithmetic(params: &Params) -> Vec<(&'static str, String)> {
-    let others = ["axes-per-clock", "guard", "device", "frequency", "tag-width"];
-    let deciding = |(name, _): &(&str, String)| !others.contains(name);
-    params.options().into_iter().filter(deciding).collect()
+    let options = params.options().into_iter().zip(Params::OPTIONS);
+    options.filter(|(_, (_, affects))| *affects == Affects::Verdicts).map(|(option, _)| option).collect()
 }
 
 /// The options in which `params` differs from `base`, as a command line has them.

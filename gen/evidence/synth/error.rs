@@ -75,7 +75,7 @@ pub enum SynthError {
     },
     /// The folder to keep files in has others.
     #[error(
-        "--keep {0}: holds files that efsat did not write; legal is a new or empty folder, or one of an earlier run"
+        "--keep {0}: holds files that efsat did not write; expected a new or empty folder, or one of an earlier run"
     )]
     Keep(String),
 }

@@ -25,10 +25,10 @@ pub use step::Step;
 #[derive(Debug, PartialEq, Eq, thiserror::Error)]
 pub enum WallError {
     /// A step that is no word and no power of two.
-    #[error("legal is working, input, binary64 or a power of two from 2^-53 to 2^-7")]
+    #[error("expected working, input, binary64 or a power of two from 2^-53 to 2^-7")]
     UnknownStep,
     /// Cells that leave the surroundings of the contact.
-    #[error("contact {contact}: found a step of 2^{exponent} ({step}); legal is 2^-7 at most")]
+    #[error("contact {contact}: found a step of 2^{exponent} ({step}); expected 2^-7 at most")]
     Coarse {
         /// Name of the contact.
         contact: &'static str,

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-/// A mesh file that cannot be used: where, what was found, what is legal. It prints as one line.
+/// A mesh file that cannot be used: where, what was found, what was expected. It prints as one line.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{}:{} {found}: {legal}", file.display(), line.map(|n| format!("{n}:")).unwrap_or_default())]
 pub struct MeshError {
@@ -12,7 +12,7 @@ pub struct MeshError {
     pub line: Option<usize>,
     /// What was found.
     pub found: String,
-    /// What is legal, in words.
+    /// What was expected, in words.
     pub legal: &'static str,
 }
 

@@ -62,7 +62,7 @@ struct Parsed {
 /// (binary or ASCII, told apart by the content), `.obj` or `.ply` (ASCII or binary); polygons become triangle fans.
 ///
 /// # Errors
-/// One line with the file, the line where it can be known, what was found and what is legal.
+/// One line with the file, the line where it can be known, what was found and what was expected.
 pub fn read(path: &Path) -> Result<Mesh, MeshError> {
     let Parsed { mesh, faults } = parsed(path)?;
     match faults.into_iter().next() {
@@ -82,7 +82,7 @@ pub fn survey(path: &Path) -> Result<(Mesh, Findings), MeshError> {
         if let Some((_, fault)) = faults.into_iter().next() {
             return Err(fault.of(path));
         }
-        return Err(Fault::new("no face", "legal is at least one").of(path));
+        return Err(Fault::new("no face", "expected at least one").of(path));
     }
     let findings = Findings::of(&mesh, &faults);
     Ok((mesh, findings))
@@ -94,10 +94,10 @@ fn parsed(path: &Path) -> Result<Parsed, MeshError> {
         "stl" => stl::parse,
         "obj" => obj::parse,
         "ply" => ply::parse,
-        _ => return Err(Fault::new(format!("extension '{extension}'"), "legal is .stl, .obj or .ply").of(path)),
+        _ => return Err(Fault::new(format!("extension '{extension}'"), "expected .stl, .obj or .ply").of(path)),
     };
     let bytes = std::fs::read(path)
-        .map_err(|e| Fault::new(format!("cannot be read ({e})"), "legal is a readable file").of(path))?;
+        .map_err(|e| Fault::new(format!("cannot be read ({e})"), "expected a readable file").of(path))?;
     parse(&bytes).map_err(|fault| fault.of(path))
 }
 

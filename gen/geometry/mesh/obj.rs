@@ -7,13 +7,13 @@ use nalgebra::Point3;
 use std::cell::{Cell, OnceCell};
 use std::io::BufReader;
 
-const VERTEX: &str = "legal is 'v x y z' in finite numbers, then nothing, a weight other than 0, or a colour";
-const FACE: &str = "legal is 'f' and three or more vertices of the file, counted from 1, or back from -1";
+const VERTEX: &str = "expected 'v x y z' in finite numbers, then nothing, a weight other than 0, or a colour";
+const FACE: &str = "expected 'f' and three or more vertices of the file, counted from 1, or back from -1";
 
 /// Reads the bytes of an OBJ file. A face of more than three corners becomes the triangle fan of its first one.
 pub(super) fn parse(bytes: &[u8]) -> Result<Parsed, Fault> {
     if bytes.is_empty() {
-        return Err(Fault::new("empty file", "legal is an OBJ file with at least one face"));
+        return Err(Fault::new("empty file", "expected an OBJ file with at least one face"));
     }
     let source = String::from_utf8_lossy(bytes);
     let (text, faults) = geometry(&source);
@@ -29,7 +29,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Parsed, Fault> {
     // Without `o`, `g` and `usemtl` lines there is one model; none if there is no face.
     let Some(model) = models.into_iter().map(|m| m.mesh).find(|m| !m.indices.is_empty()) else {
         return match faults.is_empty() {
-            true => Err(Fault::new("no face", "legal is at least one line 'f'")),
+            true => Err(Fault::new("no face", "expected at least one line 'f'")),
             false => Ok(Parsed { mesh: Mesh::default(), faults }),
         };
     };

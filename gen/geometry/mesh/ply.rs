@@ -9,10 +9,10 @@ use ply_rs_bw::ply::{
     ElementDef, Encoding, Header, Property, PropertyAccess, PropertyAccessResult, PropertyType, ScalarType,
 };
 
-const HEADER: &str = "legal is a PLY header with the elements vertex (x, y, z) and face (vertex_indices)";
-const ELEMENT: &str = "legal are the numbers that the header declares";
-const VERTEX: &str = "legal is a finite number";
-const FACE: &str = "legal are three or more indices of vertices, counted from 0";
+const HEADER: &str = "expected a PLY header with the elements vertex (x, y, z) and face (vertex_indices)";
+const ELEMENT: &str = "expected the numbers that the header declares";
+const VERTEX: &str = "expected a finite number";
+const FACE: &str = "expected three or more indices of vertices, counted from 0";
 
 /// An element as read: a vertex, a face, or something else.
 #[derive(Default)]

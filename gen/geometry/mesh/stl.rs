@@ -27,7 +27,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Parsed, Fault> {
         // Keywords are written in capitals by some programs; names may be in any encoding.
         ascii(&String::from_utf8_lossy(bytes).to_ascii_lowercase(), &mut mesh)?;
     } else {
-        let legal = "legal is binary STL of 84 + 50 n bytes or ASCII STL starting with 'solid'";
+        let legal = "expected binary STL of 84 + 50 n bytes or ASCII STL starting with 'solid'";
         let size = bytes.len();
         return Err(match (count, promised) {
             _ if size == 0 => Fault::new("empty file", legal),
@@ -36,7 +36,7 @@ pub(super) fn parse(bytes: &[u8]) -> Result<Parsed, Fault> {
         });
     }
     if mesh.mesh.faces.is_empty() && faults.is_empty() {
-        return Err(Fault::new("no triangle", "legal is at least one"));
+        return Err(Fault::new("no triangle", "expected at least one"));
     }
     Ok(Parsed { mesh: mesh.mesh, faults })
 }
@@ -49,7 +49,7 @@ fn is_text(bytes: &[u8]) -> bool {
 
 /// Stores the triangles that are finite and returns the faults of the others.
 fn binary(bytes: &[u8], mesh: &mut Indexer) -> Result<Vec<(Defect, Fault)>, Fault> {
-    let legal = "legal is binary STL of 84 + 50 n bytes";
+    let legal = "expected binary STL of 84 + 50 n bytes";
     // The crate tells the formats apart by the word `solid`; the header carries nothing, so it is blanked.
     let blank = [&[0; HEADER - 4], &bytes[HEADER - 4..]].concat();
     let mut reader = Cursor::new(blank);
@@ -58,7 +58,7 @@ fn binary(bytes: &[u8], mesh: &mut Indexer) -> Result<Vec<(Defect, Fault)>, Faul
     for (number, triangle) in triangles.enumerate() {
         let triangle = triangle.map_err(|e| Fault::new(e.to_string(), legal))?;
         if let Some(x) = triangle.vertices.iter().flat_map(|v| v.0).find(|x| !x.is_finite()) {
-            let fault = Fault::new(format!("triangle {number} has the coordinate {x}"), "legal is a finite number");
+            let fault = Fault::new(format!("triangle {number} has the coordinate {x}"), "expected a finite number");
             faults.push((Defect::NonFinite, fault));
         } else {
             mesh.push(&triangle);
@@ -72,13 +72,13 @@ fn ascii(text: &str, mesh: &mut Indexer) -> Result<(), Fault> {
     let position = Cell::new(0);
     while let Some(line) = next_line(text, &position) {
         if line.split_whitespace().next() != Some("solid") {
-            let fault = Fault::new(format!("'{}'", line.trim()), "legal here is 'solid' and a name");
+            let fault = Fault::new(format!("'{}'", line.trim()), "expected 'solid' and a name");
             return Err(fault.at(line_before(text, position.get())));
         }
         // Its header line must be "solid " to the letter, so it is given one; the name carries nothing.
         let mut reader = LineReader::new("solid \n", text, &position);
         let fault = |e: std::io::Error| {
-            let legal = "legal is facet normal, outer loop, three lines 'vertex x y z' in finite numbers, endloop, \
+            let legal = "expected facet normal, outer loop, three lines 'vertex x y z' in finite numbers, endloop, \
                          endfacet; endsolid at the end";
             Fault::new(e.to_string(), legal).at(line_before(text, position.get()))
         };

@@ -91,17 +91,17 @@ fn every_fault_of_a_ply_file_is_one_clear_line() {
         (vec![], "Unexpected end of file while reading magic number"),
         (huge("ply\n", "plu\n"), "1: Expected magic number"),
         (huge("element vertex 4", "element vertex"), "4: Couldn't parse line"),
-        (huge("property float z", "property float w"), "no number z of a vertex: legal is a PLY header with"),
-        (huge("element face", "element fase"), "no element face: legal"),
-        (huge("int vertex_indices", "float vertex_indices"), "no list of vertex indices of a face: legal"),
-        (huge("element face 2", "element face 0"), "no face: legal"),
+        (huge("property float z", "property float w"), "no number z of a vertex: expected a PLY header with"),
+        (huge("element face", "element fase"), "no element face: expected"),
+        (huge("int vertex_indices", "float vertex_indices"), "no list of vertex indices of a face: expected"),
+        (huge("element face 2", "element face 0"), "no face: expected"),
         (huge("element face 2", "element face 4000000000"), "21: face 2: the file ends before it, of 4000000000"),
-        (huge("0 1 0.5 9", "0 one 0.5 9"), "16: vertex 2: 'one' is no finite number: legal are"),
-        (huge("3 0 1 2", "4000000000000 0 1 2"), "19: face 0: a list with fewer numbers than it announces: legal"),
-        (huge("3 0 1 2", "3 0 1 9"), "19: face 0 has vertex 9 in a file of 4: legal are three or more"),
-        (huge("3 0 1 2", "2 0 1"), "19: face 0 has 2 vertices: legal"),
-        (huge("-1e99", "nan"), "17: vertex 3 has the coordinate NaN: legal is a finite number"),
-        (cut(&binary_ply(false), 1), "vertex 3: the file ends within it: legal are the numbers"),
+        (huge("0 1 0.5 9", "0 one 0.5 9"), "16: vertex 2: 'one' is no finite number: expected"),
+        (huge("3 0 1 2", "4000000000000 0 1 2"), "19: face 0: a list with fewer numbers than it announces: expected"),
+        (huge("3 0 1 2", "3 0 1 9"), "19: face 0 has vertex 9 in a file of 4: expected three or more"),
+        (huge("3 0 1 2", "2 0 1"), "19: face 0 has 2 vertices: expected"),
+        (huge("-1e99", "nan"), "17: vertex 3 has the coordinate NaN: expected a finite number"),
+        (cut(&binary_ply(false), 1), "vertex 3: the file ends within it: expected the numbers"),
     ];
     for (bytes, expected) in cases {
         let found = message(".ply", &bytes);
@@ -157,7 +157,7 @@ fn a_survey_of_nothing_that_can_be_used_is_an_error() {
     let mut file = tempfile::Builder::new().suffix(".obj").tempfile().unwrap();
     file.write_all(b"v 0 0 0\nf 1 2 3\n").unwrap();
     let error = survey(file.path()).unwrap_err().to_string();
-    assert!(error.contains(":2: vertex '2' in a file of 1: legal is 'f'"), "{error}");
+    assert!(error.contains(":2: vertex '2' in a file of 1: expected 'f'"), "{error}");
 }
 
 #[test]
@@ -202,15 +202,15 @@ fn several_solids_and_polygons_are_read_whole() {
 fn every_fault_of_an_stl_file_is_one_clear_line() {
     let nan = binary(b"", 2, &[[0.; 9], [f32::NAN; 9]]);
     let cases: [(Vec<u8>, &str); 9] = [
-        (vec![], "empty file: legal is binary STL"),
-        (vec![7; 50], "50 bytes, less than the header of a binary STL: legal"),
-        (binary(b"", u32::MAX, &[[0.; 9]]), "134 bytes where 4294967295 triangles take 214748364834: legal"),
-        (binary(b"solid", 2, &[[0.; 9]]), "134 bytes where 2 triangles take 184: legal"),
-        (binary(b"", 0, &[]), "no triangle: legal is at least one"),
-        (nan, "triangle 1 has the coordinate NaN: legal is a finite number"),
-        (b"solid empty\nendsolid\n".to_vec(), "no triangle: legal is at least one"),
-        (format!("solid\n{FACET}").into(), "8: EOF while expecting facet or endsolid.: legal is facet normal"),
-        (format!("solid\n{FACET}endsolid\nliquid").into(), "10: 'liquid': legal here is 'solid' and a name"),
+        (vec![], "empty file: expected binary STL"),
+        (vec![7; 50], "50 bytes, less than the header of a binary STL: expected"),
+        (binary(b"", u32::MAX, &[[0.; 9]]), "134 bytes where 4294967295 triangles take 214748364834: expected"),
+        (binary(b"solid", 2, &[[0.; 9]]), "134 bytes where 2 triangles take 184: expected"),
+        (binary(b"", 0, &[]), "no triangle: expected at least one"),
+        (nan, "triangle 1 has the coordinate NaN: expected a finite number"),
+        (b"solid empty\nendsolid\n".to_vec(), "no triangle: expected at least one"),
+        (format!("solid\n{FACET}").into(), "8: EOF while expecting facet or endsolid.: expected facet normal"),
+        (format!("solid\n{FACET}endsolid\nliquid").into(), "10: 'liquid': expected 'solid' and a name"),
     ];
     for (bytes, expected) in cases {
         let found = message(".stl", &bytes);
@@ -228,19 +228,19 @@ fn every_fault_of_an_stl_file_is_one_clear_line() {
 fn every_fault_of_an_obj_file_is_one_clear_line() {
     let triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
     let cases = [
-        (String::new(), "empty file: legal"),
-        (triangle.to_owned(), "no face: legal is at least one line 'f'"),
-        (format!("{triangle}f 1 2 4\n"), "4: vertex '4' in a file of 3: legal is 'f' and three"),
+        (String::new(), "empty file: expected"),
+        (triangle.to_owned(), "no face: expected at least one line 'f'"),
+        (format!("{triangle}f 1 2 4\n"), "4: vertex '4' in a file of 3: expected 'f' and three"),
         (format!("{triangle}f 1 2 0\n"), "4: vertex '0' in"),
         (format!("{triangle}f 1 2 -4\n"), "4: vertex '-4' in"),
         (format!("{triangle}f 1 2 99999999999999999999\n"), "4: vertex '99999999999999999999' in"),
         (format!("{triangle}f 1 2 x/1\n"), "4: vertex 'x/1' in"),
-        (format!("{triangle}f 1 2\n"), "4: a face of 2 vertices: legal"),
-        (format!("{triangle}\nv 1 2\nf 1 2 3\n"), "5: position parse error: legal is 'v x y z'"),
+        (format!("{triangle}f 1 2\n"), "4: a face of 2 vertices: expected"),
+        (format!("{triangle}\nv 1 2\nf 1 2 3\n"), "5: position parse error: expected 'v x y z'"),
         (format!("{triangle}v 1 2 3 4 5\nf 1 2 3\n"), "4: color parse error"),
-        (format!("{triangle}v 1 2 3 0\nf 1 2 3\n"), "4: scaling (w) by zero: legal is 'v x y z'"),
-        (format!("{triangle}v 1 2 nan\nf 1 2 4\n"), "4: 'v 1 2 nan': legal is 'v x y z'"),
-        (format!("{triangle}v 1 -1e999 0\nf 1 2 4\n"), "4: 'v 1 -1e999 0': legal"),
+        (format!("{triangle}v 1 2 3 0\nf 1 2 3\n"), "4: scaling (w) by zero: expected 'v x y z'"),
+        (format!("{triangle}v 1 2 nan\nf 1 2 4\n"), "4: 'v 1 2 nan': expected 'v x y z'"),
+        (format!("{triangle}v 1 -1e999 0\nf 1 2 4\n"), "4: 'v 1 -1e999 0': expected"),
         (format!("{triangle}v 1 1e300 0 1e-300\nf 1 2 4\n"), "a coordinate that overflows"),
     ];
     for (text, expected) in cases {
@@ -258,7 +258,7 @@ fn files_that_are_none_are_named() {
     );
     assert!(read(Path::new(env!("CARGO_MANIFEST_DIR"))).is_err());
     let ply = read(Path::new("mesh.off")).unwrap_err().to_string();
-    assert_eq!(ply, "mesh.off: extension 'off': legal is .stl, .obj or .ply");
+    assert_eq!(ply, "mesh.off: extension 'off': expected .stl, .obj or .ply");
 }
 
 /// Random bytes, and valid files with a few bytes changed or the end cut off, must never panic; what is accepted is

@@ -139,13 +139,13 @@ fn units_and_cubes_scale_meshes() {
     assert_eq!(half("[a]\nmesh = 'builtin:headlight'\nscale = 'cube'"), 1.0);
     let fault = |lines: &str| file(lines).unwrap_err().to_string();
     let own = fault("[a]\nmesh = 'builtin:headlight'\nunit = 'mm'");
-    assert_eq!(own, "x.toml:4: unit of an object in a scene without one: legal is unit at the top");
+    assert_eq!(own, "x.toml:4: unit of an object in a scene without one: expected unit at the top");
     let league = fault("unit = 'm'\n[a]\nmesh = 'builtin:headlight'\nunit = 'league'");
-    assert_eq!(league, "x.toml:5: unit 'league': legal is one of um, mm, cm, m, inch, foot");
+    assert_eq!(league, "x.toml:5: unit 'league': expected one of um, mm, cm, m, inch, foot");
     let parsec = fault("unit = 'parsec'\n[a]\nmesh = 'builtin:headlight'");
-    assert!(parsec.starts_with("x.toml:2: unit 'parsec': legal"), "{parsec}");
+    assert!(parsec.starts_with("x.toml:2: unit 'parsec': expected"), "{parsec}");
     let sphere = fault("[a]\nmesh = 'builtin:headlight'\nscale = 'sphere'");
-    assert_eq!(sphere, "x.toml:4: scale 'sphere': legal is a positive number or \"cube\"");
+    assert_eq!(sphere, "x.toml:4: scale 'sphere': expected a positive number or \"cube\"");
 }
 
 #[test]
@@ -199,31 +199,28 @@ fn every_fault_of_objects_and_trajectories_is_one_clear_line() {
         ("name = 'r'".to_owned(), "x.toml:11: duplicate key"),
         ("[[object]]\nname = 'p'\nmesh = 'builtin:headlight'".to_owned(), "x.toml:11: a second object 'p'"),
         ("[[object]]\nmesh = 'builtin:headlight'".to_owned(), "x.toml:11: an object without a name"),
-        ("[a]\nmesh = 'builtin:headlight'".to_owned(), "x.toml:2: [[object]] beside [a] or [b]: legal are two tables"),
-        ("placed = { angle_degrees = 3 }".to_owned(), "x.toml:11: pose: legal is one of matrix"),
-        ("[[pose]]\nobject = 's'".to_owned(), "x.toml:12: object 's': legal is one of p, q, r"),
+        ("[a]\nmesh = 'builtin:headlight'".to_owned(), "x.toml:2: [[object]] beside [a] or [b]: expected two tables"),
+        ("placed = { angle_degrees = 3 }".to_owned(), "x.toml:11: pose: expected one of matrix"),
+        ("[[pose]]\nobject = 's'".to_owned(), "x.toml:12: object 's': expected one of p, q, r"),
         (
             "[[pose]]\nobject = 'p'\nmatrix = [1, 0, 0, 0, 1, 0, 0, 0, 2]".to_owned(),
             "x.toml: pose 0: the matrix of p is",
         ),
         ("[[pose]]\nabout = [inf, 0, 0]".to_owned(), "x.toml:12: about holds inf"),
-        (
-            "[tumble]\nsteps = 1\ndistances = [1]\nobject = 'p'".to_owned(),
-            "x.toml:14: 'p' around itself: legal are two",
-        ),
+        ("[tumble]\nsteps = 1\ndistances = [1]\nobject = 'p'".to_owned(), "x.toml:14: 'p' around itself: expected two"),
         ("[[trajectory]]\nframes = 1\n".to_owned(), "x.toml:11: a trajectory without a track"),
         ("[[trajectory]]\nframes = 3\n[[trajectory.track]]\n".to_owned(), "x.toml:13: a track without a key"),
-        (format!("[[trajectory]]\nframes = 1\n{key}time = 0\n"), "x.toml:12: frames 1: legal is 2 to 1000000"),
-        (format!("[[trajectory]]\nframes = 9\n{key}time = nan\n"), "x.toml:15: time NaN: legal is a finite number"),
+        (format!("[[trajectory]]\nframes = 1\n{key}time = 0\n"), "x.toml:12: frames 1: expected 2 to 1000000"),
+        (format!("[[trajectory]]\nframes = 9\n{key}time = nan\n"), "x.toml:15: time NaN: expected a finite number"),
         (format!("[[trajectory]]\nframes = 9\n{key}time = 0\nmatrix = [1]"), "x.toml:16: unknown field `matrix`"),
         (
             format!("[[trajectory]]\nframes = 9\n{key}time = 1\n[[trajectory.track.key]]\ntime = 1"),
-            "x.toml:17: time 1: legal",
+            "x.toml:17: time 1: expected",
         ),
         (format!("[[trajectory]]\nframes = 9\n{key}time = 1\n{key}time = 1"), "x.toml:16: a second track of 'r'"),
         (
             format!("[[trajectory]]\nframes = 9\n{key}time = 1\naxis = [0, 0, 1]"),
-            "x.toml:14: pose: legal is one of axis",
+            "x.toml:14: pose: expected one of axis",
         ),
         (
             format!("[[trajectory]]\nframes = 900000\n{key}time = 1\n[[trajectory]]\nframes = 100001\n{key}time = 1"),
@@ -239,9 +236,9 @@ fn every_fault_of_objects_and_trajectories_is_one_clear_line() {
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
     let none = file::parse("name = 'x'", Path::new("x.toml")).unwrap_err().to_string();
-    assert!(none.starts_with("x.toml: no object: legal are two tables [a] and [b], or"), "{none}");
+    assert!(none.starts_with("x.toml: no object: expected two tables [a] and [b], or"), "{none}");
     let one = file::parse("name = 'x'\n[a]\nmesh = 'm.stl'", Path::new("x.toml")).unwrap_err().to_string();
-    assert!(one.starts_with("x.toml:2: [a] without [b]: legal"), "{one}");
+    assert!(one.starts_with("x.toml:2: [a] without [b]: expected"), "{one}");
 }
 
 /// Objects seen from one that is itself turned: no pair of triangles that touch is missing from the meetings, and
@@ -302,27 +299,27 @@ fn findings_of_a_mesh_are_those_of_its_objects() {
 #[test]
 fn every_fault_of_a_scene_file_is_one_clear_line() {
     let cases = [
-        ("", "x.toml: no pose: legal is"),
+        ("", "x.toml: no pose: expected"),
         ("c = 1", "x.toml:4: unknown field `c`"),
         ("[tumble", "x.toml:4: "),
         ("[tumble]\nsteps = 3", "x.toml:4: missing field `distances`"),
         ("[tumble]\nsteps = -3\ndistances = [1]", "x.toml:5: invalid value: integer `-3`, expected u32"),
-        ("[tumble]\nsteps = 0\ndistances = [1]", "x.toml:5: steps 0: legal is 1 to 1000000"),
-        ("[tumble]\nsteps = 500001\ndistances = [1, 2]", "x.toml:5: steps 500001: legal is 1 to 500000"),
+        ("[tumble]\nsteps = 0\ndistances = [1]", "x.toml:5: steps 0: expected 1 to 1000000"),
+        ("[tumble]\nsteps = 500001\ndistances = [1, 2]", "x.toml:5: steps 500001: expected 1 to 500000"),
         ("[tumble]\nsteps = 1\n\ndistances = []", "x.toml:7: distances is empty"),
-        ("[tumble]\nsteps = 1\ndistances = [1, nan]", "x.toml:6: distances holds NaN: legal"),
+        ("[tumble]\nsteps = 1\ndistances = [1, nan]", "x.toml:6: distances holds NaN: expected"),
         ("[tumble]\nsteps = 1\ndistances = [1e308]", "x.toml: distance 100"),
         ("[tumble]\nsteps = 1\ndistances = [1]\ndirection = [0, 0, 0]", "x.toml:7: direction of three zeros"),
-        ("[[pose]]\n[[pose]]\naxis = [1, 0, 0]", "x.toml:5: pose: legal is one of matrix"),
-        ("[[pose]]\naxis = [1, 0, 0]\nquaternion = [1, 0, 0, 0]", "x.toml:4: pose: legal is one of"),
+        ("[[pose]]\n[[pose]]\naxis = [1, 0, 0]", "x.toml:5: pose: expected one of matrix"),
+        ("[[pose]]\naxis = [1, 0, 0]\nquaternion = [1, 0, 0, 0]", "x.toml:4: pose: expected one of"),
         ("[[pose]]\naxis = [0, 0, 0]\nangle_degrees = 1", "x.toml:5: axis of three zeros"),
-        ("[[pose]]\naxis = [0, 0, 1]\nangle_degrees = inf", "x.toml:6: angle_degrees inf: legal"),
+        ("[[pose]]\naxis = [0, 0, 1]\nangle_degrees = inf", "x.toml:6: angle_degrees inf: expected"),
         ("[[pose]]\nquaternion = [0, 0, 0, 0]", "x.toml:5: quaternion of four zeros"),
         ("[[pose]]\nmatrix = [1, 0, 0]", "x.toml:5: invalid length 3, expected an array of length 9"),
         ("[[pose]]\ntranslation = [1, 0, 'a']", "x.toml:5: invalid type: string \"a\", expected f64"),
         ("[[pose]]\ntranslation = [1, 0, -inf]", "x.toml:5: translation holds -inf"),
         ("[[pose]]\nspeed = 1", "x.toml:5: unknown field `speed`"),
-        ("a.scale = -2", "x.toml:4: scale -2: legal is a positive number"),
+        ("a.scale = -2", "x.toml:4: scale -2: expected a positive number"),
         ("a.scale = 1e307", "x.toml:4: scale 1"),
     ];
     for (lines, expected) in cases {
@@ -335,7 +332,7 @@ fn every_fault_of_a_scene_file_is_one_clear_line() {
     assert!(absent.starts_with(&format!("d/x.toml:2: {}: cannot be read", file.display())), "{absent}");
     let unknown = mesh("builtin:cow").unwrap_err().to_string();
     let names = mesh::BUILTIN.map(|name| format!("builtin:{name}")).join(", ");
-    assert_eq!(unknown, format!("d/x.toml:2: mesh 'builtin:cow': legal built-in ones are {names}"));
+    assert_eq!(unknown, format!("d/x.toml:2: mesh 'builtin:cow': expected one of {names}"));
     assert!(load(Path::new("no/such.toml")).unwrap_err().to_string().starts_with("no/such.toml: cannot be read ("));
 }
 

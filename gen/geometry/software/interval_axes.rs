@@ -77,7 +77,7 @@ pub fn decide(points: &[[f64; 3]; 6]) -> Option<Exact> {
 /// # Panics
 /// If the slices have different lengths.
 pub fn decide_batch(pairs: &[[[f64; 3]; 6]], answers: &mut [Option<Exact>]) {
-    assert_eq!(pairs.len(), answers.len(), "one answer a pair");
+    assert_eq!(pairs.len(), answers.len(), "one answer per pair");
     Arch::new().dispatch(Batch { pairs, answers });
 }
 

@@ -104,7 +104,7 @@ const DEVICES: [Device; 4] = [virtex2::XC2V6000, spartan6::XC6SLX150, series7::X
 
 /// A device name that is not known.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("--device {found}: legal is one of {legal}")]
+#[error("--device {found}: expected one of {legal}")]
 pub struct UnknownDevice {
     /// The name given.
     pub found: String,
@@ -221,7 +221,7 @@ mod tests {
     fn an_unknown_device_names_the_known() {
         assert_eq!(
             find("xc7").unwrap_err().to_string(),
-            "--device xc7: legal is one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6"
+            "--device xc7: expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6"
         );
     }
 }

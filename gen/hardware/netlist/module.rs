@@ -4,8 +4,8 @@
 //! of an instance. Units are [lowered](super::lower()) to modules; the little control logic there is (sequencer, top) is
 //! written with [`Control`](super::Control), because it has state that no dataflow graph has.
 
-use crate::graph::Place;
 use crate::device::SHORTEST_PRODUCT;
+use crate::graph::Place;
 use crate::op::{Comb, Range, Type};
 use std::collections::HashSet;
 use std::rc::Rc;

@@ -1,6 +1,7 @@
 //! All files of a generated design, as one value.
 
 use super::file_lists::FileLists;
+use super::units::{UnitRow, first_sentence, units};
 use super::{FileSet, Stimulus, origin, vhdl_files};
 use super::{drop_in, example, ise, manifest, stream, stream_vectors, testbench, vectors};
 use crate::design::Design;
@@ -15,7 +16,7 @@ const PAIRS: usize = 256;
 /// Why a design cannot be printed: a defect of the generator, never of the parameters.
 #[derive(Debug, thiserror::Error)]
 pub enum DesignFilesError {
-    /// A name that is no legal VHDL.
+    /// A name that is not legal VHDL.
     #[error("names: {0}")]
     Name(#[from] Clash),
     /// A text that the target's tools would not take.
@@ -42,6 +43,7 @@ struct Readme<'a> {
     device: &'static str,
     delays: &'static str,
     testbench: &'static str,
+    units: Vec<UnitRow>,
     files: Vec<Described>,
     projects: Vec<ise::Project>,
 }
@@ -49,7 +51,7 @@ struct Readme<'a> {
 /// As [`design_files_with`], with the default width of the stream.
 ///
 /// # Errors
-/// A name in the design that is no legal VHDL, or a breach of the [rules](efsat_hardware::vhdl::lint) of the target.
+/// A name in the design that is not legal VHDL, or a breach of the [rules](efsat_hardware::vhdl::lint) of the target.
 pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, DesignFilesError> {
     design_files_with(design, StreamWidth::default(), command_line)
 }
@@ -126,16 +128,6 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
     Ok(set)
 }
 
-/// The first sentence of a module's description, as a cell of a table.
-fn first_sentence(doc: &[String]) -> String {
-    let paragraph: Vec<&str> = doc.iter().map(|line| line.trim()).take_while(|line| !line.is_empty()).collect();
-    let text = paragraph.join(" ").replace('|', "\\|");
-    match text.split_once(". ") {
-        Some((sentence, _)) => format!("{sentence}."),
-        None => text,
-    }
-}
-
 fn readme(design: &Design, command_line: &str, files: Vec<Described>) -> String {
     let readme = Readme {
         version: env!("CARGO_PKG_VERSION"),
@@ -148,6 +140,7 @@ fn readme(design: &Design, command_line: &str, files: Vec<Described>) -> String 
         device: design.device.name,
         delays: design.device.source,
         testbench: testbench::NAME,
+        units: units(design),
         files,
         projects: ise::projects(),
     };

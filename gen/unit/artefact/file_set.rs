@@ -14,11 +14,11 @@ pub struct FileSet(BTreeMap<String, String>);
 #[derive(Debug, thiserror::Error)]
 pub enum FileSetError {
     /// The target is no directory.
-    #[error("{}: found a file; legal is a directory, or a name that does not exist yet", .0.display())]
+    #[error("{}: found a file; expected a directory, or a name that does not exist yet", .0.display())]
     NotDirectory(PathBuf),
     /// The target holds files and no manifest.
     #[error(
-        "{}: found {found} and no manifest.json of efsat; legal is a new or empty directory, or one written by efsat",
+        "{}: found {found} and no manifest.json of efsat; expected a new or empty directory, or one written by efsat",
         dir.display()
     )]
     Occupied {
@@ -36,7 +36,7 @@ pub enum FileSetError {
         found: String,
     },
     /// The target is where the process stands: to swap it would leave the caller in a deleted directory.
-    #[error("{}: found the current directory or one around it; legal is any other directory", .0.display())]
+    #[error("{}: found the current directory or one around it; expected any other directory", .0.display())]
     Current(PathBuf),
     /// The operating system says no.
     #[error("{}: {source}", path.display())]

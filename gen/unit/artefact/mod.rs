@@ -17,6 +17,7 @@ mod stimulus;
 pub mod stream;
 pub mod stream_vectors;
 pub mod testbench;
+mod units;
 pub mod vectors;
 
 pub use design_files::{DesignFilesError, design_files, design_files_with};

@@ -1,4 +1,4 @@
-//! The schedules of a design as linear programmes, for any solver.
+//! The schedules of a design as linear programs, for any solver.
 
 use super::{FileSet, manifest};
 use crate::design::Design;
@@ -7,7 +7,7 @@ use std::fmt::Write;
 /// The table of units.
 pub const UNITS: &str = "units.csv";
 
-/// One file in CPLEX LP format a unit, and a table of units with their instances and the register bits that the
+/// One file in CPLEX LP format per unit, and a table of units with their instances and the register bits that the
 /// scheduler's own solution takes by the programme.
 pub fn programme_files(design: &Design, command_line: &str) -> FileSet {
     let mut set = FileSet::default();

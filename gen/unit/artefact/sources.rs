@@ -14,7 +14,7 @@ pub const PACKAGE: &str = "efsat_types";
 /// Name and text of each source file, in dependency order: the package, then an entity a file.
 ///
 /// # Errors
-/// A name in the design that is no legal VHDL.
+/// A name in the design that is not legal VHDL.
 pub fn vhdl_files(design: &Design, command_line: &str) -> Result<Vec<(String, String)>, Clash> {
     let mut header = origin();
     header.push(command_line.to_owned());

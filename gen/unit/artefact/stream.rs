@@ -169,7 +169,7 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
     lines.extend([
         String::new(),
         format!(
-            "Out: one packet of {}-bit words for every packet, in order: one word a pair, or",
+            "Out: one packet of {}-bit words for every packet, in order: one word per pair, or",
             format.answer_width()
         ),
         "one report; TLAST with the last. From bit 0 on:".to_owned(),

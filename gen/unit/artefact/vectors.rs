@@ -1,7 +1,7 @@
 //! Vectors: poses and pairs as the ports of the top take them, with what the reference model answers.
 //!
 //! The file begins with the line of formats, which the testbench compares with its own; lines that begin with `#` are
-//! comments. Then one record a line, in hexadecimal, the first port of its channel in the low bits: `P <pose>` and
+//! comments. Then one record per line, in hexadecimal, the first port of its channel in the low bits: `P <pose>` and
 //! `V <pair> <answer>`, the answer being verdict, separated, overlapping and, of a unit with a guard, outside from the
 //! low bits up.
 

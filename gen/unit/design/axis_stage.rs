@@ -97,7 +97,8 @@ impl<'l> Stage<'l, '_, '_> {
         let chosen = |side: fn(&Axis) -> Of, name: &str| {
             let factor = |axis: &Axis| self.factor(side(axis), normals).map(Factor::mantissa);
             let chosen = jobs.map(factor).mux();
-            let chosen = if cases_behind { chosen.map(|x| x.interval).named_at(name, u).map(Interval::factor) } else { chosen };
+            let chosen =
+                if cases_behind { chosen.map(|x| x.interval).named_at(name, u).map(Interval::factor) } else { chosen };
             chosen.named_at(name, u)
         };
         let (e, f) = (chosen(|axis| axis.left, "axis_e"), chosen(|axis| axis.right, "axis_f"));

@@ -77,6 +77,14 @@ pub struct Design {
 }
 
 impl Design {
+    /// The clock in MHz that the schedule reaches with the name of the node that ends its longest path, if that is below
+    /// the target: one operation alone takes longer than a clock.
+    pub fn missed_clock(&self) -> Option<(f64, &str)> {
+        let (ns, end) = &self.schedule.critical;
+        let megahertz = 1000.0 / (ns + self.device.setup());
+        (megahertz + 1e-6 < f64::from(self.params.frequency)).then_some((megahertz, end))
+    }
+
     /// Builds, proves, schedules and lowers the design.
     ///
     /// # Errors

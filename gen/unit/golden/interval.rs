@@ -3,7 +3,6 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-use crate::dyadic::Dyadic;
 use crate::params::Row;
 use efsat_hardware::number::{Interval, Upper};
 
@@ -15,8 +14,8 @@ pub(super) type Triple<M> = [Vector<M>; 3];
 
 /// A number in which exact products and their sums are held before rounding.
 ///
-/// The unit's are integers, `i64` where they fit, else `i128`. A [`Dyadic`] may have digits below the last place, and
-/// is what a rounding can be left out with.
+/// The unit's are integers, `i64` where they fit, else `i128`. A [`Dyadic`](crate::dyadic::Dyadic) may
+/// have digits below the last place, and is what a rounding can be left out with.
 pub(super) trait Wide:
     Clone + Ord + From<Self::Mantissa> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
@@ -69,31 +68,6 @@ impl Mantissa for i64 {
     fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32 {
         let all = numbers.fold(0, |all, x| all | x.unsigned_abs());
         (u64::BITS - all.leading_zeros()) as i32
-    }
-}
-
-impl Wide for Dyadic {
-    type Mantissa = Self;
-
-    fn times_power(self, power: u32) -> Self {
-        self.scaled(power.into())
-    }
-
-    fn rounded(x: Interval<Self>, to: Rounding) -> Interval<Self> {
-        let power = i64::from(to.append) - i64::from(to.drop);
-        if to.left_out {
-            return Interval::new(x.lo.scaled(power), x.hi.scaled(power));
-        }
-        let bring = |x: Self| if to.shifted { x.at_last_place().scaled(power) } else { x.scaled(power) };
-        let (lo, hi) = (bring(x.lo), bring(x.hi));
-        let clamp = |x: Self| x.clamp((-to.clamp).into(), to.clamp.into());
-        Interval::new(clamp(lo.floor()), clamp(hi.upper(to.upper)))
-    }
-}
-
-impl Mantissa for Dyadic {
-    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32 {
-        numbers.filter_map(Self::length).max().unwrap_or(0) as i32
     }
 }
 
@@ -192,7 +166,8 @@ pub(super) fn dots<W: Wide>(
     direction: &Vector<W::Mantissa>,
 ) -> [[Interval<W>; 3]; 2] {
     let zero = || W::from(W::Mantissa::from(0));
-    let mut sums = [0, 1].map(|_| three(|_| Interval::new(zero(), zero())));
+    let none = || three(|_| Interval::new(zero(), zero()));
+    let mut sums = [none(), none()];
     for (i, d) in direction.iter().enumerate() {
         let mut add = |case: Sign| {
             for (sums, triangle) in sums.iter_mut().zip(points) {
@@ -223,16 +198,16 @@ pub(super) fn cross_component<W: Wide>(a: &Vector<W::Mantissa>, b: &Vector<W::Ma
 /// ceil(x / 2^d) = floor((x + 2^d - 1) / 2^d) for [`Upper::Sticky`]. Where nothing is dropped nothing is added.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rounding {
-    drop: u32,
-    append: u32,
+    pub drop: u32,
+    pub append: u32,
     /// What is added to an upper bound before it is shifted.
     lift: i64,
-    clamp: i64,
-    upper: Upper,
+    pub clamp: i64,
+    pub upper: Upper,
     /// Whether numbers come from a shifter, which fills their last places with zeros.
-    shifted: bool,
+    pub shifted: bool,
     /// Whether the digits below the last place of the format are kept instead, and no clamp is needed.
-    left_out: bool,
+    pub left_out: bool,
 }
 
 impl Rounding {

@@ -28,7 +28,7 @@ mod verdict;
 use axes::{Axis, AxisUnit};
 use guard::Guard;
 pub use input::{Input, Numbers, Pair, Pose};
-use interval::{Triple, Vector, Wide};
+use interval::{Triple, Vector, Wide, three};
 use projection::{Images, ProjectionUnit};
 use renormalise::Normaliser;
 pub use stages::{Exact, Stage};
@@ -68,11 +68,11 @@ struct Points<M> {
 }
 
 /// One axis, and what is projected on it.
-struct Tested<M> {
+struct Tested<'a, M> {
     axis: Axis,
-    direction: Vector<M>,
-    images: Images<M>,
-    enclosure: Enclosure<M>,
+    direction: &'a Vector<M>,
+    images: &'a Images<M>,
+    enclosure: &'a Enclosure<M>,
 }
 
 impl Golden {
@@ -120,9 +120,9 @@ impl Golden {
             let x = x.interval(self.upper);
             Interval::new(x.lo.into(), x.hi.into())
         };
-        let triple = |x: &[[Input; 3]; 3]| x.map(|x| x.map(number));
+        let triple = |x: &[[Input; 3]; 3]| three(|k| three(|i| number(x[k][i])));
         let bypass = pose.bypass || self.transform == Transform::Off;
-        let frame = (!bypass).then(|| (triple(&pose.m), pose.t.map(number)));
+        let frame = (!bypass).then(|| (triple(&pose.m), three(|i| number(pose.t[i]))));
         Numbers { a: triple(&pair.a), b: triple(&pair.b), pose: frame }
     }
 
@@ -139,29 +139,33 @@ impl Golden {
         Points { transformed, coordinates }
     }
 
-    /// Section 5, axis by axis in the order of the contract.
+    /// Section 5, axis by axis in the order of the contract, for as long as `test` wants another.
     #[inline(always)]
-    fn axes<W: Wide>(&self, points: &Points<W::Mantissa>) -> impl Iterator<Item = Tested<W::Mantissa>> {
+    fn axes<W: Wide>(
+        &self,
+        points: &Points<W::Mantissa>,
+        mut test: impl FnMut(usize, Tested<'_, W::Mantissa>) -> bool,
+    ) {
         let edges = self.axis_unit.edges(&points.coordinates);
         let normals = self.axis_unit.normals::<W>(&edges);
-        Axis::all(self.axes).iter().enumerate().map(move |(i, &axis)| {
-            let direction = self.axis_unit.axis::<W>(axis, &edges, &normals);
-            let images = self.projection_unit.images::<W>(i, &direction, &points.coordinates);
-            let enclosure = self.projection_unit.enclosure(i, &images);
-            Tested { axis, direction, images, enclosure }
-        })
+        for (i, &axis) in Axis::all(self.axes).iter().enumerate() {
+            let direction = &self.axis_unit.axis::<W>(axis, &edges, &normals);
+            let images = &self.projection_unit.images::<W>(i, direction, &points.coordinates);
+            let enclosure = &self.projection_unit.enclosure(i, images);
+            if !test(i, Tested { axis, direction, images, enclosure }) {
+                break;
+            }
+        }
     }
 
     /// All axes, or with `STOP` the axes up to the first separated one.
     fn test<W: Wide, const STOP: bool>(&self, points: &Points<W::Mantissa>) -> Outcome {
         let (mut separated, mut overlapping) = (0, 0);
-        for (i, Tested { enclosure, .. }) in self.axes::<W>(points).enumerate() {
+        self.axes::<W>(points, |i, Tested { enclosure, .. }| {
             separated |= u32::from(enclosure.separated()) << i;
             overlapping |= u32::from(enclosure.overlapping()) << i;
-            if STOP && separated != 0 {
-                break;
-            }
-        }
+            !STOP || separated == 0
+        });
         Outcome::new(separated, overlapping)
     }
 }

@@ -91,7 +91,8 @@ impl ProjectionUnit {
         points: &[Triple<W::Mantissa>; 2],
     ) -> Images<W::Mantissa> {
         let plan = &self.plans[index];
-        let mut images = dots::<W>(points, direction).map(|side| side.map(|x| plan.rounding.apply(x)));
+        let exact = dots::<W>(points, direction);
+        let mut images = [0, 1].map(|side: usize| three(|i| plan.rounding.apply(exact[side][i].clone())));
         if self.policy == Projections::Skip {
             for (side, image) in images.iter_mut().enumerate() {
                 for i in (0..3).filter(|&i| !plan.computed[side][i]) {

@@ -35,7 +35,8 @@ impl Normaliser {
             let moved = |x: &M| (x.clone() - origin.clone()).times_power(*left);
             self.rounding.apply(Interval::new(moved(&x.lo), moved(&x.hi)))
         };
-        [a, b].map(|x| three(|k| three(|i| normalised(&x[k][i], i))))
+        let triangle = |x: &Triple<M>| three(|k| three(|i| normalised(&x[k][i], i)));
+        [triangle(a), triangle(b)]
     }
 
     /// For coordinate axis `i`: the lower bound of V0, an exact constant, and T + 1 - L.

@@ -47,9 +47,8 @@ impl Golden {
         let edges = self.axis_unit.edges(&points.coordinates);
         record.triple("edge.a", &edges.a);
         record.triple("edge.b", &edges.b);
-        for (i, tested) in self.axes::<i128>(&points).enumerate() {
-            let Tested { axis, direction, images, enclosure } = tested;
-            record.vector(&format!("axis.{axis}"), &direction);
+        self.axes::<i128>(&points, |i, Tested { axis, direction, images, enclosure }| {
+            record.vector(&format!("axis.{axis}"), direction);
             let computed = self.projection_unit.computed(i);
             for (side, vertex) in ["v", "w"].iter().enumerate() {
                 for k in (0..3).filter(|&k| computed[side][k]) {
@@ -60,7 +59,8 @@ impl Golden {
             record.number(format!("enclosure.{axis}.a_max"), enclosure.a_max);
             record.number(format!("enclosure.{axis}.b_min"), enclosure.b_min);
             record.number(format!("enclosure.{axis}.b_max"), enclosure.b_max);
-        }
+            true
+        });
         record.0
     }
 }

@@ -1,8 +1,36 @@
 //! The model with the roundings of some stages left out, for what each of them costs.
 
-use super::{Exact, Golden, Numbers, Outcome, Pair, Pose, Tested};
+use super::interval::{Mantissa, Rounding, Wide};
+use super::verdict::Enclosure;
+use super::{Exact, Golden, Numbers, Outcome, Pair, Pose};
 use crate::dyadic::Dyadic;
 use crate::params::{AxisKind, Params};
+use efsat_hardware::number::Interval;
+
+impl Wide for Dyadic {
+    type Mantissa = Self;
+
+    fn times_power(self, power: u32) -> Self {
+        self.scaled(power.into())
+    }
+
+    fn rounded(x: Interval<Self>, to: Rounding) -> Interval<Self> {
+        let power = i64::from(to.append) - i64::from(to.drop);
+        if to.left_out {
+            return Interval::new(x.lo.scaled(power), x.hi.scaled(power));
+        }
+        let bring = |x: Self| if to.shifted { x.at_last_place().scaled(power) } else { x.scaled(power) };
+        let (lo, hi) = (bring(x.lo), bring(x.hi));
+        let clamp = |x: Self| x.clamp((-to.clamp).into(), to.clamp.into());
+        Interval::new(clamp(lo.floor()), clamp(hi.upper(to.upper)))
+    }
+}
+
+impl Mantissa for Dyadic {
+    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32 {
+        numbers.filter_map(Self::length).max().unwrap_or(0) as i32
+    }
+}
 
 /// The reference model over numbers of any length: without left-out stages it gives the flags of [`Golden`], and
 /// without any rounding those of real arithmetic.
@@ -41,18 +69,27 @@ impl Unrounded {
     pub fn axes(&self, numbers: &Numbers<Dyadic>) -> Vec<AxisAnswer> {
         let zero = Dyadic::from(0);
         let points = self.model.points::<Dyadic>(numbers);
-        let answer = |tested: Tested<Dyadic>| AxisAnswer {
-            kind: tested.axis.kind(),
-            separated: tested.enclosure.separated(),
-            overlapping: tested.enclosure.overlapping(),
-            zero: tested.direction.iter().all(|x| x.lo == zero && x.hi == zero),
-            flat: tested.enclosure.flat(),
-        };
-        self.model.axes::<Dyadic>(&points).map(answer).collect()
+        let mut answers = vec![];
+        self.model.axes::<Dyadic>(&points, |_, tested| {
+            answers.push(AxisAnswer {
+                kind: tested.axis.kind(),
+                separated: tested.enclosure.separated(),
+                overlapping: tested.enclosure.overlapping(),
+                zero: tested.direction.iter().all(|x| x.lo == zero && x.hi == zero),
+                flat: flat(tested.enclosure),
+            });
+            true
+        });
+        answers
     }
 
     /// The outcome of a pair.
     pub fn outcome(&self, numbers: &Numbers<Dyadic>) -> Outcome {
         self.model.test::<Dyadic, false>(&self.model.points::<Dyadic>(numbers))
     }
+}
+
+/// All six points are certainly projected to one number.
+fn flat(e: &Enclosure<Dyadic>) -> bool {
+    e.a_min.lo == e.a_min.hi && [&e.a_max, &e.b_min, &e.b_max].into_iter().all(|x| *x == e.a_min)
 }

@@ -99,10 +99,4 @@ impl<M: Mantissa> Enclosure<M> {
     pub fn overlapping(&self) -> bool {
         self.a_min.hi < self.b_max.lo && self.b_min.hi < self.a_max.lo
     }
-
-    /// All six points are certainly projected to one number.
-    pub fn flat(&self) -> bool {
-        let one = &self.a_min;
-        one.lo == one.hi && [&self.a_max, &self.b_min, &self.b_max].into_iter().all(|x| x == one)
-    }
 }

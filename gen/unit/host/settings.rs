@@ -166,19 +166,18 @@ impl Settings {
 
     /// Reads an entry of `[parameters]`.
     fn parameter(&self, Entry { key: name, value, line }: &Entry) -> Result<Parameter, String> {
-        let known = Params::default().options();
-        if !known.iter().any(|(option, _)| option == name) {
-            let legal: Vec<&str> = known.iter().map(|(option, _)| *option).collect();
-            return Err(format!("parameter '{name}': legal is one of {}", legal.join(", ")));
+        if !Params::OPTIONS.iter().any(|(option, _)| option == name) {
+            let legal: Vec<&str> = Params::OPTIONS.iter().map(|(option, _)| *option).collect();
+            return Err(format!("parameter '{name}': expected one of {}", legal.join(", ")));
         }
         let is_given = |effect: Effect| self.switches.get(effect) != Switch::Auto;
         if let Some((_, effect)) = STAGES.iter().find(|(option, effect)| option == name && is_given(*effect)) {
-            return Err(format!("parameter '{name}' beside the effect '{effect}': legal is one of the two"));
+            return Err(format!("parameter '{name}' beside the effect '{effect}': expected one of the two"));
         }
         let value = match value {
             Value::String(text) => text.clone(),
             Value::Integer(number) => number.to_string(),
-            _ => return Err(format!("{name} {}: legal is a whole number or a word in quotes", found(value))),
+            _ => return Err(format!("{name} {}: expected a whole number or a word in quotes", found(value))),
         };
         Ok(Parameter { name: name.clone(), value, line: *line })
     }
@@ -187,14 +186,14 @@ impl Settings {
 fn effect(name: &str) -> Result<Effect, String> {
     Effect::ALL.into_iter().find(|effect| effect.name() == name).ok_or_else(|| {
         let legal = Effect::ALL.map(Effect::name).join(", ");
-        format!("effect '{name}': legal is one of {legal}, {ALLOWED}")
+        format!("effect '{name}': expected one of {legal}, {ALLOWED}")
     })
 }
 
 fn switch(value: &Value) -> Result<Switch, String> {
     Switch::ALL.into_iter().find(|switch| value.as_str() == Some(switch.name())).ok_or_else(|| {
         let legal = Switch::ALL.map(|switch| format!("\"{}\"", switch.name())).join(", ");
-        format!("{}: legal is one of {legal}", found(value))
+        format!("{}: expected one of {legal}", found(value))
     })
 }
 
@@ -205,7 +204,7 @@ fn share(value: &Value) -> Result<f64, String> {
         _ => None,
     };
     let legal = |number: &f64| (0.0..=1.0).contains(number);
-    number.filter(legal).ok_or_else(|| format!("{ALLOWED} {}: legal is a number from 0 to 1", found(value)))
+    number.filter(legal).ok_or_else(|| format!("{ALLOWED} {}: expected a number from 0 to 1", found(value)))
 }
 
 /// What stands in the file, in a few words.

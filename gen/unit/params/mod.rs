@@ -11,6 +11,7 @@ pub mod stream;
 pub use efsat_hardware::number::Upper;
 pub use formats::{AxisKind, Clamp, Formats, Row};
 pub use guard::Guard;
+pub use options::Params;
 
 use std::ops::RangeInclusive;
 
@@ -64,66 +65,6 @@ pub enum Transform {
     Off,
 }
 
-/// A complete, validated parameter set. Build one with [`Params::default`] and change fields, then
-/// [`validate`](Params::validate).
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Params {
-    /// Working width N of the axis test in bits, 6 to 32.
-    pub width: u32,
-    /// Integral digits K of the input format, sign included, 4 to 8 and at most N - 2.
-    pub int_bits: u32,
-    /// Width T of inputs and frame transform in bits, N to 48.
-    pub transform_width: u32,
-    /// Axis set.
-    pub axes: Axes,
-    /// Axis units side by side, 1 to the number of axes.
-    pub axes_per_clock: usize,
-    /// Duplicate-projection policy.
-    pub projections: Projections,
-    /// Width of the projections that are compared.
-    pub projection_width: ProjectionWidth,
-    /// Positions by which an axis is shifted left at most, by the leading zeros that its bounds have in common, before it
-    /// is rounded; 0 for the paper's fixed formats.
-    pub axis_shift: u32,
-    /// Rule for every upper bound.
-    pub upper: Upper,
-    /// Whether pairs are re-normalised one by one (the paper's 2.5).
-    pub renormalise: bool,
-    /// Frame transform.
-    pub transform: Transform,
-    /// Which units carry the guard; see [`Params::guarded`].
-    pub guard: Guard,
-    /// Name of the device model.
-    pub device: String,
-    /// Target clock in MHz, 20 to 250.
-    pub frequency: u32,
-    /// Width of the pair tag in bits, 0 to 64.
-    pub tag_width: u32,
-}
-
-impl Default for Params {
-    /// The paper's design.
-    fn default() -> Self {
-        Self {
-            width: 18,
-            int_bits: 4,
-            transform_width: 32,
-            axes: Axes::Eleven,
-            axes_per_clock: 1,
-            projections: Projections::All,
-            projection_width: ProjectionWidth::Rounded,
-            axis_shift: 0,
-            upper: Upper::Implied,
-            renormalise: true,
-            transform: Transform::On,
-            guard: Guard::LeftOut,
-            device: "xc2v6000-4".to_owned(),
-            frequency: 100,
-            tag_width: 16,
-        }
-    }
-}
-
 /// A parameter outside its range: which option, what was given, what is legal.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("--{option} {found}: {legal}")]
@@ -147,7 +88,7 @@ impl Params {
             if legal.contains(&found) {
                 return Ok(());
             }
-            let legal = format!("legal is {} to {}{why}", legal.start(), legal.end());
+            let legal = format!("expected {} to {}{why}", legal.start(), legal.end());
             Err(ParamError { option, found: found.to_string(), legal })
         };
         range("width", n, options::WIDTH, "")?;
@@ -161,7 +102,7 @@ impl Params {
         range("axis-shift", self.axis_shift, options::AXIS_SHIFT, "")?;
         // Sums of three products are held in 64 bits.
         if self.projection_width == ProjectionWidth::Full && n == 32 && !self.renormalise {
-            let legal = "legal is rounded with --width 32 and --renormalise off".to_owned();
+            let legal = "expected rounded with --width 32 and --renormalise off".to_owned();
             return Err(ParamError { option: "projection-width", found: "full".to_owned(), legal });
         }
         range("frequency", self.frequency, options::FREQUENCY, " MHz")?;
@@ -240,15 +181,15 @@ mod tests {
     fn every_option_outside_its_range_is_named() {
         type Change = fn(&mut Params);
         let cases: [(Change, &str); 9] = [
-            (|p| p.width = 5, "--width 5: legal is 6 to 32"),
-            (|p| p.width = 33, "--width 33: legal is 6 to 32"),
-            (|p| p.int_bits = 3, "--int-bits 3: legal is 4 to 8 (4 to 8, at most width - 2 = 16)"),
-            (|p| p.transform_width = 17, "--transform-width 17: legal is 18 to 48 (at least --width 18)"),
-            (|p| p.transform_width = 49, "--transform-width 49: legal is 18 to 48 (at least --width 18)"),
-            (|p| p.axes_per_clock = 12, "--axes-per-clock 12: legal is 1 to 11 (--axes 11)"),
-            (|p| p.axes_per_clock = 0, "--axes-per-clock 0: legal is 1 to 11 (--axes 11)"),
-            (|p| p.frequency = 251, "--frequency 251: legal is 20 to 250 MHz"),
-            (|p| p.tag_width = 65, "--tag-width 65: legal is 0 to 64"),
+            (|p| p.width = 5, "--width 5: expected 6 to 32"),
+            (|p| p.width = 33, "--width 33: expected 6 to 32"),
+            (|p| p.int_bits = 3, "--int-bits 3: expected 4 to 8 (4 to 8, at most width - 2 = 16)"),
+            (|p| p.transform_width = 17, "--transform-width 17: expected 18 to 48 (at least --width 18)"),
+            (|p| p.transform_width = 49, "--transform-width 49: expected 18 to 48 (at least --width 18)"),
+            (|p| p.axes_per_clock = 12, "--axes-per-clock 12: expected 1 to 11 (--axes 11)"),
+            (|p| p.axes_per_clock = 0, "--axes-per-clock 0: expected 1 to 11 (--axes 11)"),
+            (|p| p.frequency = 251, "--frequency 251: expected 20 to 250 MHz"),
+            (|p| p.tag_width = 65, "--tag-width 65: expected 0 to 64"),
         ];
         for (change, message) in cases {
             let mut p = Params::default();

@@ -1,6 +1,11 @@
-//! Parameters as the command line spells them: names of values, ranges, and the canonical list of options.
+//! The options of a design, each in one place: name, help, value, default, legal values, and what it affects.
+//!
+//! The command line reads them by [clap](https://docs.rs/clap), which whoever only generates VHDL does not compile: the
+//! feature `clap` makes [`Params`] a group of its arguments.
 
-use super::{Axes, Params, ProjectionWidth, Projections, Transform, Upper};
+use super::{Axes, Guard, ProjectionWidth, Projections, Transform, Upper};
+#[cfg(feature = "clap")]
+use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::ops::RangeInclusive;
 
 /// Legal widths of the axis test.
@@ -90,34 +95,151 @@ impl Choice for bool {
     }
 }
 
-impl Params {
-    /// Every option (without its dashes) with its value, in a fixed order: equal parameters have equal lists, however
-    /// they were typed.
-    pub fn options(&self) -> [(&'static str, String); 15] {
-        [
-            ("width", self.width.to_string()),
-            ("int-bits", self.int_bits.to_string()),
-            ("transform-width", self.transform_width.to_string()),
-            ("axes", self.axes.name().to_owned()),
-            ("axes-per-clock", self.axes_per_clock.to_string()),
-            ("projections", self.projections.name().to_owned()),
-            ("projection-width", self.projection_width.name().to_owned()),
-            ("axis-shift", self.axis_shift.to_string()),
-            ("upper", self.upper.name().to_owned()),
-            ("renormalise", self.renormalise.name().to_owned()),
-            ("transform", self.transform.name().to_owned()),
-            ("guard", self.guard.name().to_owned()),
-            ("device", self.device.clone()),
-            ("frequency", self.frequency.to_string()),
-            ("tag-width", self.tag_width.to_string()),
-        ]
-    }
+/// A value as the command line spells it.
+trait Spelled {
+    fn spelled(&self) -> String;
+}
 
+impl<T: Choice> Spelled for T {
+    fn spelled(&self) -> String {
+        self.name().to_owned()
+    }
+}
+
+macro_rules! spelled_as_displayed {
+    ($($type:ty)+) => {$(
+        impl Spelled for $type {
+            fn spelled(&self) -> String {
+                self.to_string()
+            }
+        }
+    )+};
+}
+
+spelled_as_displayed!(u32 usize String);
+
+/// What an option has an effect on.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Affects {
+    /// Verdicts of any pair, and the hardware.
+    Verdicts,
+    /// Verdicts of pairs outside the declared ranges alone, and the hardware.
+    Outside,
+    /// The hardware alone.
+    Hardware,
+}
+
+/// The table of options. A row is name, field and type, default, what it affects, and further arguments for clap; its
+/// comment is its help.
+macro_rules! options {
+    ($(
+        #[doc = $help:literal]
+        $name:literal $field:ident: $type:ty = $default:expr, $affects:ident, [$($argument:tt)*];
+    )+) => {
+        /// A complete parameter set. Build one with [`Params::default`] and change fields, then
+        /// [`validate`](Params::validate).
+        #[derive(Clone, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "clap", derive(clap::Args))]
+        #[cfg_attr(feature = "clap", command(next_help_heading = "Parameters of the design"))]
+        pub struct Params {
+            $(
+                #[doc = $help]
+                #[cfg_attr(feature = "clap", arg(long = $name, default_value = <$type>::spelled(&$default), $($argument)*))]
+                pub $field: $type,
+            )+
+        }
+
+        impl Default for Params {
+            /// The paper's design.
+            fn default() -> Self {
+                Self { $($field: $default,)+ }
+            }
+        }
+
+        impl Params {
+            /// The names of all options, without their dashes, and what each affects.
+            pub const OPTIONS: &[(&'static str, Affects)] = &[$(($name, Affects::$affects),)+];
+
+            /// Every option (without its dashes) with its value, in a fixed order: equal parameters have equal lists,
+            /// however they were typed.
+            pub fn options(&self) -> Vec<(&'static str, String)> {
+                vec![$(($name, self.$field.spelled()),)+]
+            }
+        }
+    };
+}
+
+options! {
+    /// Working width of the axis test in bits, 6 to 32
+    "width" width: u32 = 18, Verdicts,
+        [value_name = "N", value_parser = whole(WIDTH), allow_negative_numbers = true];
+    /// Integral digits of the input format with the sign, 4 to 8 and at most width - 2
+    "int-bits" int_bits: u32 = 4, Verdicts,
+        [value_name = "K", value_parser = whole(INT_BITS), allow_negative_numbers = true];
+    /// Width of inputs and frame transform in bits, at least width, up to 48
+    "transform-width" transform_width: u32 = 32, Verdicts,
+        [value_name = "N", value_parser = whole(*WIDTH.start()..=TRANSFORM_WIDTH), allow_negative_numbers = true];
+    /// Axis set: the paper's 11, or 17 with the six in-plane edge normals
+    "axes" axes: Axes = Axes::Eleven, Verdicts,
+        [value_name = "SET", value_parser = choice::<Axes>(), allow_negative_numbers = true];
+    /// Axis units side by side, 1 to the number of axes; one pair every ceil(axes / N) clocks
+    "axes-per-clock" axes_per_clock: usize = 1, Hardware,
+        [value_name = "N", value_parser = whole(1..=Axes::Seventeen.count() as u32).map(|n| n as usize),
+            allow_negative_numbers = true];
+    /// What is done with duplicate projections
+    "projections" projections: Projections = Projections::All, Verdicts,
+        [value_name = "POLICY", value_parser = choice::<Projections>()];
+    /// Width of the projections that are compared: the full product, or rounded to the working width as in the paper
+    "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Rounded, Verdicts,
+        [value_name = "WIDTH", value_parser = choice::<ProjectionWidth>()];
+    /// Positions by which an axis is shifted left at most before it is rounded, 0 to 30; 0 as in the paper
+    "axis-shift" axis_shift: u32 = 0, Verdicts,
+        [value_name = "N", value_parser = whole(AXIS_SHIFT), allow_negative_numbers = true];
+    /// Upper bound of an input: the next grid point, or the exact ceiling with a sticky bit
+    "upper" upper: Upper = Upper::Implied, Verdicts,
+        [value_name = "RULE", value_parser = choice::<Upper>()];
+    /// Whether pairs are re-normalised one by one (the paper's 2.5)
+    "renormalise" renormalise: bool = true, Verdicts,
+        [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
+    /// Frame transform: B = M B~ + t, translation only, or none
+    "transform" transform: Transform = Transform::On, Verdicts,
+        [value_name = "KIND", value_parser = choice::<Transform>()];
+    /// Guard: units generated without a stage, or all, answer a pair outside the declared ranges possibly-incorrect
+    "guard" guard: Guard = Guard::LeftOut, Outside,
+        [value_name = "UNITS", value_parser = choice::<Guard>()];
+    /// Device model that pipelining and estimates use
+    "device" device: String = "xc2v6000-4".to_owned(), Hardware,
+        [value_name = "NAME", value_parser = PossibleValuesParser::new(efsat_hardware::device::names())];
+    /// Target clock in MHz, 20 to 250
+    "frequency" frequency: u32 = 100, Hardware,
+        [value_name = "MHZ", value_parser = whole(FREQUENCY), allow_negative_numbers = true];
+    /// Bits of the pair tag, 0 to 64
+    "tag-width" tag_width: u32 = 16, Hardware,
+        [value_name = "N", value_parser = whole(TAG_WIDTH), allow_negative_numbers = true];
+}
+
+impl Params {
     /// The command line that generates the design, all options spelled out.
     pub fn command_line(&self) -> String {
-        let options = self.options().map(|(name, value)| format!(" --{name} {value}"));
-        format!("efsat generate{}", options.concat())
+        let options = self.options().into_iter().map(|(name, value)| format!(" --{name} {value}"));
+        format!("efsat generate{}", options.collect::<String>())
     }
+}
+
+/// Reads whole numbers of a range.
+#[cfg(feature = "clap")]
+pub fn whole(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync + 'static {
+    move |text| match text.parse() {
+        Ok(number) if legal.contains(&number) => Ok(number),
+        _ => Err(format!("expected a whole number from {} to {}", legal.start(), legal.end())),
+    }
+}
+
+/// Reads the names of a choice.
+#[cfg(feature = "clap")]
+pub fn choice<T: Choice>() -> impl TypedValueParser<Value = T> {
+    PossibleValuesParser::new(T::ALL.iter().map(|value| value.name()))
+        .map(|name| *T::ALL.iter().find(|value| value.name() == name).expect("clap lets names of the list through"))
 }
 
 #[cfg(test)]

@@ -55,7 +55,7 @@ pub(super) enum Report {
     Summary(Summary<10>),
 }
 
-/// What the co-simulation came to, in the JSON object.
+/// Result of the co-simulation, in the JSON object.
 #[derive(Serialize)]
 struct Simulated<'a> {
     simulator: Option<&'a str>,

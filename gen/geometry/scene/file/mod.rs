@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use tables::{Entries, SceneTable};
 use toml::{Spanned, Value};
 
-/// A scene file that cannot be used: where, what was found, what is legal. It prints as one line.
+/// A scene file that cannot be used: where, what was found, what was expected. It prints as one line.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{}:{} {message}", file.display(), line.map(|n| format!("{n}:")).unwrap_or_default())]
 pub struct SceneError {
@@ -43,7 +43,7 @@ impl Fault {
 /// Reads a scene file. Paths of meshes are relative to it.
 ///
 /// # Errors
-/// One line with the file, the line where it can be known, what was found and what is legal; faults of the meshes too.
+/// One line with the file, the line where it can be known, what was found and what was expected; faults of the meshes too.
 /// Faces of a mesh that cannot be used are none: they are left out and reported in [`Object::findings`].
 ///
 /// [`Object::findings`]: super::Object::findings
@@ -51,7 +51,7 @@ pub fn load(path: &Path) -> Result<Scene, SceneError> {
     let text = std::fs::read_to_string(path).map_err(|e| SceneError {
         file: path.to_owned(),
         line: None,
-        message: format!("cannot be read ({e}): legal is a readable TOML file"),
+        message: format!("cannot be read ({e}): expected a readable TOML file"),
     })?;
     parse(&text, path)
 }
@@ -79,7 +79,7 @@ fn build(table: SceneTable, text: &str, folder: &Path) -> Result<Scene, Fault> {
     let mut motions = motions::of(&table, &objects)?;
     if motions.is_empty() {
         if table.object.is_empty() {
-            let legal = "legal is a table [tumble], tables [[pose]], tables [[trajectory]], or several of them";
+            let legal = "expected a table [tumble], tables [[pose]], tables [[trajectory]], or several of them";
             return Err(Fault::whole(format!("no pose: {legal}")));
         }
         motions.push(Motion::Rest);
@@ -105,13 +105,13 @@ fn check(scene: &Scene) -> Result<(), Fault> {
     let sound = |label: &str, object: usize, pose: &super::Pose| {
         let name = &scene.objects[object].name;
         if !pose.translation.iter().all(|x| x.abs() <= numbers::GREATEST) {
-            let legal = "legal are smaller meshes or distances";
+            let legal = "expected smaller meshes or distances";
             return Err(Fault::whole(format!("{label}: the translation of {name} overflows: {legal}")));
         }
         // The product may overflow to what is no number.
         let turns = sweep::skew(&pose.rotation) <= sweep::SKEW;
         if object < last && !turns {
-            let legal = "legal are rotations to within 2^-20, and any matrix for the last object";
+            let legal = "expected rotations to within 2^-20, and any matrix for the last object";
             return Err(Fault::whole(format!("{label}: the matrix of {name} is no rotation: {legal}")));
         }
         Ok(())

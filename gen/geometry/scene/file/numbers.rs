@@ -12,7 +12,7 @@ pub(super) const GREATEST: f64 = 1e306;
 /// The numbers of a list, if they are all finite.
 pub(super) fn finite<'a, T: AsRef<[f64]>>(list: &'a Spanned<T>, key: &str) -> Result<&'a T, Fault> {
     match list.get_ref().as_ref().iter().find(|x| !x.is_finite()) {
-        Some(x) => Err(Fault::at(list, format!("{key} holds {x}: legal are finite numbers"))),
+        Some(x) => Err(Fault::at(list, format!("{key} holds {x}: expected finite numbers"))),
         None => Ok(list.get_ref()),
     }
 }
@@ -21,7 +21,7 @@ pub(super) fn finite<'a, T: AsRef<[f64]>>(list: &'a Spanned<T>, key: &str) -> Re
 pub(super) fn number(value: &Spanned<f64>, key: &str) -> Result<f64, Fault> {
     match *value.get_ref() {
         x if x.is_finite() => Ok(x),
-        x => Err(Fault::at(value, format!("{key} {x}: legal is a finite number"))),
+        x => Err(Fault::at(value, format!("{key} {x}: expected a finite number"))),
     }
 }
 
@@ -29,7 +29,7 @@ pub(super) fn number(value: &Spanned<f64>, key: &str) -> Result<f64, Fault> {
 pub(super) fn non_zero(list: &Spanned<[f64; 3]>, key: &str) -> Result<Vector3<f64>, Fault> {
     let vector = Vector3::from(*finite(list, key)?);
     match vector.amax() {
-        0.0 => Err(Fault::at(list, format!("{key} of three zeros: legal is any other vector"))),
+        0.0 => Err(Fault::at(list, format!("{key} of three zeros: expected any other vector"))),
         _ => Ok(vector),
     }
 }
@@ -50,11 +50,11 @@ pub(super) fn rotation<T>(parts: &PoseParts<'_>, table: &Spanned<T>, legal: &str
         }
         (None, None, None, Some(q)) => {
             if finite(q, "quaternion")?.iter().all(|&x| x == 0.0) {
-                return Err(Fault::at(q, "quaternion of four zeros: legal is any other [w, x, y, z]"));
+                return Err(Fault::at(q, "quaternion of four zeros: expected any other [w, x, y, z]"));
             }
             Ok(Rotation::Quaternion(*q.get_ref()))
         }
-        _ => Err(Fault::at(table, format!("pose: legal is one of {legal}, or none"))),
+        _ => Err(Fault::at(table, format!("pose: expected one of {legal}, or none"))),
     }
 }
 

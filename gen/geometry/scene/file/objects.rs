@@ -24,7 +24,7 @@ pub(super) fn of(scene: &SceneTable, folder: &Path) -> Result<Vec<Object>, Fault
     let mut read: Vec<(&ObjectTable, Object)> = vec![];
     for (name, table) in tables {
         if !names.insert(name) {
-            return Err(Fault::at(table, format!("a second object '{name}': legal are different names")));
+            return Err(Fault::at(table, format!("a second object '{name}': expected different names")));
         }
         let table = table.get_ref();
         // Equal meshes are one in memory.
@@ -44,12 +44,12 @@ pub(super) fn of(scene: &SceneTable, folder: &Path) -> Result<Vec<Object>, Fault
 
 /// The tables with their names: `[a]` and `[b]`, or `[[object]]`.
 fn tables(scene: &SceneTable) -> Result<Vec<(&str, &Spanned<ObjectTable>)>, Fault> {
-    const LEGAL: &str = "legal are two tables [a] and [b], or two or more tables [[object]]";
+    const LEGAL: &str = "expected two tables [a] and [b], or two or more tables [[object]]";
     match (&scene.a, &scene.b, &scene.object[..]) {
         (Some(a), Some(b), []) => {
             for (name, table) in [("a", a), ("b", b)] {
                 if let Some(given) = &table.get_ref().name {
-                    return Err(Fault::at(given, format!("a name for [{name}], which has one: legal is none")));
+                    return Err(Fault::at(given, format!("a name for [{name}], which has one: expected none")));
                 }
             }
             Ok(vec![("a", a), ("b", b)])
@@ -58,7 +58,7 @@ fn tables(scene: &SceneTable) -> Result<Vec<(&str, &Spanned<ObjectTable>)>, Faul
             .iter()
             .map(|table| match &table.get_ref().name {
                 Some(name) => Ok((name.get_ref().as_str(), table)),
-                None => Err(Fault::at(table, "an object without a name: legal is name = 'any word'")),
+                None => Err(Fault::at(table, "an object without a name: expected name = 'any word'")),
             })
             .collect(),
         (None, None, [one]) => Err(Fault::at(one, format!("one object: {LEGAL}"))),
@@ -89,7 +89,7 @@ fn mesh_of(table: &ObjectTable, unit: Option<&Spanned<String>>, folder: &Path) -
         Some(name) => {
             let mesh = mesh::builtin(name).ok_or_else(|| {
                 let legal = mesh::BUILTIN.map(|name| format!("{BUILTIN}{name}")).join(", ");
-                Fault::at(&table.mesh, format!("mesh '{source}': legal built-in ones are {legal}"))
+                Fault::at(&table.mesh, format!("mesh '{source}': expected one of {legal}"))
             })?;
             let findings = Findings::of_mesh(&mesh);
             (mesh, findings)
@@ -120,13 +120,13 @@ fn scale_factor(scale: &Spanned<Scale>, mesh: &Mesh) -> Result<f64, Fault> {
     match scale.get_ref() {
         Scale::Factor(factor) if factor.is_finite() && *factor > 0.0 => Ok(*factor),
         Scale::Factor(factor) => {
-            Err(Fault::at(scale, format!("scale {factor}: legal is a positive number or \"cube\"")))
+            Err(Fault::at(scale, format!("scale {factor}: expected a positive number or \"cube\"")))
         }
         Scale::Word(word) if word == "cube" => match 1.0 / mesh.bounds().half_size() {
             factor if factor.is_finite() && factor > 0.0 => Ok(factor),
-            _ => Err(Fault::at(scale, "scale \"cube\": the mesh is a point, or too small or large: legal is a number")),
+            _ => Err(Fault::at(scale, "scale \"cube\": the mesh is a point, or too small or large: expected a number")),
         },
-        Scale::Word(word) => Err(Fault::at(scale, format!("scale '{word}': legal is a positive number or \"cube\""))),
+        Scale::Word(word) => Err(Fault::at(scale, format!("scale '{word}': expected a positive number or \"cube\""))),
     }
 }
 
@@ -139,13 +139,13 @@ fn unit_factor<'a>(
         let found = UNITS.iter().find(|(name, _)| name == unit.get_ref()).map(|(_, size)| *size);
         found.ok_or_else(|| {
             let legal: Vec<&str> = UNITS.iter().map(|(name, _)| *name).collect();
-            Fault::at(unit, format!("unit '{}': legal is one of {}", unit.get_ref(), legal.join(", ")))
+            Fault::at(unit, format!("unit '{}': expected one of {}", unit.get_ref(), legal.join(", ")))
         })
     };
     let scene = unit.map(size).transpose()?;
     match (&table.unit, scene) {
         (None, _) => Ok(None),
         (Some(own), Some(scene)) => Ok(Some((size(own)? / scene, own))),
-        (Some(own), None) => Err(Fault::at(own, "unit of an object in a scene without one: legal is unit at the top")),
+        (Some(own), None) => Err(Fault::at(own, "unit of an object in a scene without one: expected unit at the top")),
     }
 }

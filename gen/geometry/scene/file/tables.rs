@@ -45,7 +45,7 @@ pub(super) struct ObjectTable {
 
 /// A factor, or `"cube"`.
 #[derive(Deserialize, Clone, PartialEq)]
-#[serde(untagged, expecting = "invalid scale: legal is a positive number or \"cube\"")]
+#[serde(untagged, expecting = "invalid scale: expected a positive number or \"cube\"")]
 pub(super) enum Scale {
     Factor(f64),
     Word(String),

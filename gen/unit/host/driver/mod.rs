@@ -108,7 +108,7 @@ pub enum DriverError {
         bits: u32,
     },
     /// Bytes that are no whole words.
-    #[error("found {found} bytes; legal is a multiple of {word}")]
+    #[error("found {found} bytes; expected a multiple of {word}")]
     Bytes {
         /// Bytes found.
         found: usize,
