@@ -3,7 +3,7 @@
 //! One file per unit; the entity that is printed has the file's name. Reading order: [`interval`], [`product`] and
 //! [`rounding`] (operators), [`cross_product`], `axis_shift`, [`projection`], [`comparator`] (one axis), [`transform_row`],
 //! [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
-//! [`axis_stage`]), [`sequencer`] and [`top`] (handshakes).
+//! `axis_stage`), [`sequencer`] and [`top`] (handshakes).
 
 pub mod axes;
 mod axis_shift;
