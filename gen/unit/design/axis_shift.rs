@@ -1,56 +1,48 @@
-//! The shift of an axis: all bounds of its components go left by the leading zeros that they have in common, before they
+//! The shift of an axis: all bounds of its components go left by the leading zeros that they have in common before they
 //! are rounded (section 5 of the contract). All that is compared on the axis carries the same power of two.
 
 use super::interval::{Interval, Vector};
-use super::rounding::{Rounding, Roundings, round_up, working};
+use super::rounding::{round_up, working};
 use crate::params::Params;
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals};
-use efsat_hardware::op::Select;
+use efsat_hardware::number::Upper;
+use efsat_hardware::op::Type;
 
-/// The exact axis `l`, shifted and rounded outward to the working width; `roundings` are those of shift 0.
-pub fn axis_shift<'l>(p: &Params, l: Vector<'l>, roundings: &Roundings<'l>) -> Vector<'l> {
+/// The `exact` axis, shifted and rounded outward to the working width.
+pub fn axis_shift<'l>(p: &Params, exact: Vector<'l>) -> Vector<'l> {
+    let (n, positions) = (p.width, p.axis_positions());
+    let shifts =
+        format!("left by 0 to {positions} places: by the leading zeros that the six bounds have in common once they");
     let doc = [
-        "The exact axis shifted left by the leading zeros that its six bounds have in common, then rounded outward. They",
-        "are counted once the bounds are rounded as for no shift, so that rounding behind the shift overflows nothing.",
+        "The exact axis brought to the working width: shifted",
+        &shifts,
+        &format!("are rounded by {n} bits, so that rounding behind the shift overflows nothing."),
     ];
-    // One barrel shifter serves all kinds of axes: in front of it they are brought to one place.
-    let drop = roundings.ways().iter().map(|way| way.drop).max().expect("at least one kind of axis");
-    let most = (1i128 << (p.width - 1)) - 1;
-    let (rounding, positions) = (roundings.select, p.axis_positions());
-    entity!("axis_shift", &doc, (l, rounding) => {
-        let placed = |x: Sig<'l>| {
-            let way = |way: &Rounding| {
-                let x = match way.saturate {
-                    Some((bound, lemma)) => x.saturate(bound << way.drop, lemma),
-                    None => x,
-                };
-                x.floor(way.drop - drop)
-            };
-            let ways: Vec<Sig<'l>> = roundings.ways().iter().map(way).collect();
-            match rounding {
-                Some(select) => select.apply(Select::default(), &ways),
-                None => ways[0],
-            }
-        };
-        let mut l = l.map(|x| x.each(|_, end| placed(end))).named("placed");
-        let rounded = l.map(|x| Interval { lo: x.lo.floor(drop), hi: round_up(x.hi, drop as u32, p.upper) }).named("rounded");
-        let magnitude = |x: &Interval<Sig<'l>>| {
-            let of = |x: Sig<'l>| x.magnitude().bits(p.width - 1);
-            of(x.lo) | of(x.hi)
-        };
-        let mut word = (magnitude(&rounded[0]) | magnitude(&rounded[1]) | magnitude(&rounded[2])).named("magnitude");
-        for step in steps(positions) {
-            let zero = !word.floor((p.width - 1 - step) as i32).any();
-            let zero = zero.named(&format!("zero_{step}")).comment(&format!("the top {step} bits are zero"));
-            word = zero.choose(word.shift_left(step), word).named(&format!("magnitude_{step}"));
-            // What is shifted out is zero where the shift is taken.
-            let shifted = |x: Sig<'l>| zero.choose(x.shift_left(step), x).assume(most << drop, "axis-shift");
-            l = l.map(|x| x.each(|_, end| shifted(end))).named(&format!("shifted_{step}"));
+    entity!("axis_shift", &doc, (exact) => {
+        let rounded = |x: &Interval<Sig<'l>>| Interval { lo: x.lo.floor(n as i32), hi: round_up(x.hi, n, p.upper) };
+        let rounded = exact.map(|x| rounded(&x)).named("rounded");
+        let magnitude = |x: Interval<Sig<'l>>| x.lo.magnitude().bits(n - 1) | x.hi.magnitude().bits(n - 1);
+        let mut word = (magnitude(rounded[0]) | magnitude(rounded[1]) | magnitude(rounded[2])).named("magnitude");
+        // The bits that some shift keeps, and whether an upper bound has lost others.
+        let kept = |x: Sig<'l>| x.floor((n - positions) as i32).at_point(None).bits(n + positions);
+        let mut axis = exact.map(|x| x.each(|_, end| kept(end))).named("kept");
+        let mut lost = exact.map(|x| x.hi.low(n - positions).any()).named("lost");
+        for (i, step) in steps(positions).into_iter().enumerate() {
+            let zero = (!word.floor((n - 1 - step) as i32).any()).named_at("zero", i + 1);
+            let zero = zero.comment(&format!("the top {step} bits of the magnitude are zero"));
+            word = zero.choose(word.shift_left(step), word).named_at("magnitude", i + 1);
+            lost = axis.zip(lost, |x, lost| lost | (!zero & x.hi.low(step).any())).named_at("lost", i + 1);
+            let shifted = |x: Sig<'l>| zero.choose(x.shift_left(step).floor(step as i32), x.floor(step as i32));
+            axis = axis.map(|x| x.each(|_, end| shifted(end))).named_at("shifted", i + 1);
         }
-        let hi = |x: Sig<'l>| round_up(x, drop as u32, p.upper);
+        let most = (1i128 << (n - 1)) - 1;
+        let up = |x: Sig<'l>, lost: Sig<'l>| match p.upper {
+            Upper::Implied => x + x.unit().constant(1, Type::FLAG),
+            Upper::Sticky => x + lost,
+        };
         let bounded = |x: Sig<'l>| x.assume(most, "axis-shift").resize(working(p));
-        l.map(|x| Interval { lo: bounded(x.lo.floor(drop)), hi: bounded(hi(x.hi)) }).named("l")
+        axis.zip(lost, |x, lost| Interval { lo: bounded(x.lo), hi: bounded(up(x.hi, lost)) }).named("l")
     })
 }
 
@@ -75,8 +67,12 @@ mod tests {
         for positions in 0..=30 {
             // As the hardware takes them: a step wherever there are so many zeros left.
             for zeros in 0..=40u32 {
-                let shift = steps(positions).into_iter().fold(0, |shift, step| shift + step * u32::from(zeros - shift.min(zeros) >= step));
-                assert_eq!(shift, zeros.min(positions), "{zeros} zeros, {positions} positions");
+                let step = |shift: u32, step: u32| shift + step * u32::from(zeros - shift.min(zeros) >= step);
+                assert_eq!(
+                    steps(positions).into_iter().fold(0, step),
+                    zeros.min(positions),
+                    "{zeros} zeros, {positions} positions"
+                );
             }
         }
     }

@@ -113,6 +113,7 @@ impl<'l> Stage<'l, '_, '_> {
         let count = |axis: &Axis| axis.projected(0, p.projections).len() + axis.projected(1, p.projections).len();
         let slots = Axis::all(p.axes).iter().map(count).max().unwrap_or(6);
         let roundings = self.project.roundings(self.path, jobs, &format!("projection{u}_rounding"));
+        let roundings = roundings.of_projections(p, self.project.bits);
         let name = if p.axes_per_clock == 1 { "p".to_owned() } else { format!("axis{u}_p") };
         let mut image: Vec<Interval<Sig<'l>>> = vec![];
         for slot in 0..slots {
@@ -162,6 +163,8 @@ fn projected(axis: &Axis, policy: Projections, slot: usize, slots: usize) -> Opt
 /// The roundings of a unit by kind of axis, and its formats in words.
 struct Table {
     ways: Vec<(AxisKind, Rounding)>,
+    /// Bits of the widest result.
+    bits: u32,
     text: Vec<String>,
 }
 
@@ -188,9 +191,11 @@ impl Table {
         let [e, f, l] = names;
         let mut text = vec![format!("  {:<12} {e:<7} {f:<7} {l:<7} {:<10} rounding", "axis", format!("|{l}| <="))];
         let mut ways: Vec<(AxisKind, Rounding)> = vec![];
+        let mut bits = 0;
         for axis in axes {
             let (fraction, to, [e, f]) = row(axis);
             let way = Rounding::to_row(fraction, to);
+            bits = bits.max(to.format.bits);
             if ways.iter().any(|w| w.0 == axis.kind) {
                 continue;
             }
@@ -205,7 +210,7 @@ impl Table {
             let (format, bound) = (to.format.to_string(), to.bound);
             text.push(format!("  {:<12} {e:<7} {f:<7} {format:<7} {bound:<10} {cut}{saturated}", kind_name(axis.kind)));
         }
-        Self { ways, text }
+        Self { ways, bits, text }
     }
 
     fn way(&self, kind: AxisKind) -> Rounding {

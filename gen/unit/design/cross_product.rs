@@ -32,5 +32,5 @@ pub fn cross_product<'l>(
             exact.named("exact").map(|x| x.round_outward(&roundings)).named("l")
         }
     });
-    if shifts { axis_shift(p, l.named("axis_exact"), roundings) } else { l }
+    if shifts { axis_shift(p, l.named("axis_exact")) } else { l }
 }

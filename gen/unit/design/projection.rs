@@ -14,19 +14,18 @@ pub fn projection<'l>(
     roundings: &Roundings<'l>,
     formats: &[String],
 ) -> Interval<Sig<'l>> {
-    let full = p.projection_width == ProjectionWidth::Full;
-    let rounded = if full { "exact." } else { "exact, then rounded outward once." };
-    let sum = format!("(v_x l_x + v_y l_y) + v_z l_z, {rounded}");
+    let width = match p.projection_width {
+        ProjectionWidth::Rounded => "exact, then rounded outward once.",
+        ProjectionWidth::Bits(_) => "exact, then both bounds rounded down, which comparisons allow.",
+        ProjectionWidth::Full => "exact.",
+    };
+    let sum = format!("(v_x l_x + v_y l_y) + v_z l_z, {width}");
     let mut doc = vec!["Projection of one point on the axis, p = v . l in interval arithmetic (equation 2).", &sum, ""];
     doc.extend(formats.iter().map(String::as_str));
-    let rounding = roundings.select.filter(|_| !full);
+    let rounding = roundings.select;
     entity!("projection", &doc, (v, l, rounding) => {
         let term = Vec3::each(|i| v[i] * l[i]).named("term");
-        let exact = (term[0] + term[1]).named("xy") + term[2];
-        if full {
-            exact.named("p")
-        } else {
-            exact.named("exact").round_outward(&roundings.selected_by(rounding)).named("p")
-        }
+        let exact = ((term[0] + term[1]).named("xy") + term[2]).named("exact");
+        exact.round_outward(&roundings.selected_by(rounding)).named("p")
     })
 }

@@ -163,8 +163,6 @@ impl AxisUnit {
     ) -> Vector<W::Mantissa> {
         let exact = three(|i| cross_component::<W>(e, f, i));
         let Some((most, width)) = self.shift else { return exact.map(|x| rounding.apply(x)) };
-        let exact = exact.map(|x| rounding.clamp(x));
-        let rounding = rounding.without_clamp();
         let rounded = three(|i| rounding.apply(exact[i].clone()));
         let zeros = width as i32 - 1 - W::Mantissa::length(rounded.iter().flat_map(|x| [&x.lo, &x.hi]));
         match zeros.clamp(0, most as i32) as u32 {

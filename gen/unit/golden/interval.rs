@@ -203,7 +203,8 @@ pub(super) struct Rounding {
     /// What is added to an upper bound before it is shifted.
     lift: i64,
     pub clamp: i64,
-    pub upper: Upper,
+    /// The rule for upper bounds; without one they are rounded down too.
+    pub upper: Option<Upper>,
     /// Whether numbers come from a shifter, which fills their last places with zeros.
     pub shifted: bool,
     /// Whether the digits below the last place of the format are kept instead, and no clamp is needed.
@@ -212,18 +213,19 @@ pub(super) struct Rounding {
 
 impl Rounding {
     /// To fewer fraction bits by `drop`, without a clamp; a negative `drop` appends zeros.
-    pub fn dropping(drop: i32, upper: Upper) -> Self {
+    pub fn dropping(drop: i32, upper: impl Into<Option<Upper>>) -> Self {
+        let upper = upper.into();
         let lift = match upper {
-            _ if drop <= 0 => 0,
-            Upper::Implied => 1 << drop,
-            Upper::Sticky => (1 << drop) - 1,
+            Some(Upper::Implied) if drop > 0 => 1 << drop,
+            Some(Upper::Sticky) if drop > 0 => (1 << drop) - 1,
+            _ => 0,
         };
         let (drop, append) = (drop.max(0) as u32, (-drop).max(0) as u32);
         Self { drop, append, lift, clamp: i64::MAX, upper, shifted: false, left_out: false }
     }
 
     /// From `fraction` fraction bits to the format of `row`, clamped as the row says.
-    pub fn to_row(fraction: i32, row: &Row, upper: Upper) -> Self {
+    pub fn to_row(fraction: i32, row: &Row, upper: impl Into<Option<Upper>>) -> Self {
         let clamp = row.clamp.map_or(i64::MAX, |c| c.bound as i64);
         Self { clamp, ..Self::dropping(fraction - row.format.fraction, upper) }
     }
@@ -231,20 +233,6 @@ impl Rounding {
     /// For numbers from a shifter: the zeros behind their last digits are dropped like digits.
     pub fn of_shifted(self) -> Self {
         Self { shifted: true, ..self }
-    }
-
-    /// The exact number clamped to what the format's clamp stands for, before it is rounded.
-    pub fn clamp<W: Wide>(self, x: Interval<W>) -> Interval<W> {
-        if self.clamp == i64::MAX || self.left_out {
-            return x;
-        }
-        let bound = || W::from(W::Mantissa::from(self.clamp)).times_power(self.drop);
-        Interval::new(x.lo.clamp(-bound(), bound()), x.hi.clamp(-bound(), bound()))
-    }
-
-    /// The same for numbers that are clamped already.
-    pub fn without_clamp(self) -> Self {
-        Self { clamp: i64::MAX, ..self }
     }
 
     /// The same for numbers shifted left by so many places.

@@ -22,7 +22,13 @@ impl Wide for Dyadic {
         let bring = |x: Self| if to.shifted { x.at_last_place().scaled(power) } else { x.scaled(power) };
         let (lo, hi) = (bring(x.lo), bring(x.hi));
         let clamp = |x: Self| x.clamp((-to.clamp).into(), to.clamp.into());
-        Interval::new(clamp(lo.floor()), clamp(hi.upper(to.upper)))
+        Interval::new(
+            clamp(lo.floor()),
+            clamp(match to.upper {
+                Some(upper) => hi.upper(upper),
+                None => hi.floor(),
+            }),
+        )
     }
 }
 

@@ -48,10 +48,12 @@ pub enum Projections {
 /// How wide the projections are that the comparators see.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ProjectionWidth {
-    /// Exact, at full product width.
-    Full,
     /// Rounded outward to the working width: the paper.
     Rounded,
+    /// The topmost bits of the exact projection, at most so many: both bounds are rounded down, which comparisons allow.
+    Bits(u32),
+    /// Exact.
+    Full,
 }
 
 /// How triangle B reaches triangle A's frame of reference.
@@ -100,10 +102,8 @@ impl Params {
         let axes = self.axes.count() as u32;
         range("axes-per-clock", self.axes_per_clock as u32, 1..=axes, &format!(" (--axes {axes})"))?;
         range("axis-shift", self.axis_shift, options::AXIS_SHIFT, "")?;
-        // Sums of three products are held in 64 bits.
-        if self.projection_width == ProjectionWidth::Full && n == 32 && !self.renormalise {
-            let legal = "expected rounded with --width 32 and --renormalise off".to_owned();
-            return Err(ParamError { option: "projection-width", found: "full".to_owned(), legal });
+        if let ProjectionWidth::Bits(bits) = self.projection_width {
+            range("projection-width", bits, n..=options::PROJECTION_WIDTH, &format!(" (at least --width {n})"))?;
         }
         range("frequency", self.frequency, options::FREQUENCY, " MHz")?;
         range("tag-width", self.tag_width, options::TAG_WIDTH, "")
@@ -154,8 +154,13 @@ impl Params {
         1 << (self.transform_width - self.int_bits)
     }
 
-    /// Positions by which an axis can be shifted: at most so that its highest bit but the sign takes the place of the sign's
-    /// neighbour.
+    /// The rule for upper bounds of projections. One that is not outward is `None`: a bound that is rounded down is less
+    /// than another number rounded down only where the bound itself is less than the other.
+    pub fn projection_upper(&self) -> Option<Upper> {
+        (self.projection_width == ProjectionWidth::Rounded).then_some(self.upper)
+    }
+
+    /// Places by which an axis can be shifted. The lowest bit of a rounded axis never becomes its sign.
     pub fn axis_positions(&self) -> u32 {
         self.axis_shift.min(self.width - 2)
     }

@@ -14,6 +14,8 @@ pub const WIDTH: RangeInclusive<u32> = 6..=32;
 pub const INT_BITS: RangeInclusive<u32> = 4..=8;
 /// Greatest width of the frame transform; the least is the width of the axis test.
 pub const TRANSFORM_WIDTH: u32 = 48;
+/// Greatest width of a truncated projection.
+pub const PROJECTION_WIDTH: u32 = 63;
 /// Legal shifts of an axis; the width of the axis test bounds them too.
 pub const AXIS_SHIFT: RangeInclusive<u32> = 0..=30;
 /// Legal target clocks in MHz.
@@ -49,17 +51,6 @@ impl Choice for Projections {
             Self::All => "all",
             Self::Skip => "skip",
             Self::Intersect => "intersect",
-        }
-    }
-}
-
-impl Choice for ProjectionWidth {
-    const ALL: &'static [Self] = &[Self::Full, Self::Rounded];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Full => "full",
-            Self::Rounded => "rounded",
         }
     }
 }
@@ -103,6 +94,16 @@ trait Spelled {
 impl<T: Choice> Spelled for T {
     fn spelled(&self) -> String {
         self.name().to_owned()
+    }
+}
+
+impl Spelled for ProjectionWidth {
+    fn spelled(&self) -> String {
+        match self {
+            Self::Rounded => "rounded".to_owned(),
+            Self::Bits(bits) => bits.to_string(),
+            Self::Full => "full".to_owned(),
+        }
     }
 }
 
@@ -189,9 +190,9 @@ options! {
     /// What is done with duplicate projections
     "projections" projections: Projections = Projections::All, Verdicts,
         [value_name = "POLICY", value_parser = choice::<Projections>()];
-    /// Width of the projections that are compared: the full product, or rounded to the working width as in the paper
+    /// Bits of the projections that are compared, at least width and at most 63: a number, full (all), or rounded (to the working width, as in the paper)
     "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Rounded, Verdicts,
-        [value_name = "WIDTH", value_parser = choice::<ProjectionWidth>()];
+        [value_name = "WIDTH", value_parser = projection_width];
     /// Positions by which an axis is shifted left at most before it is rounded, 0 to 30; 0 as in the paper
     "axis-shift" axis_shift: u32 = 0, Verdicts,
         [value_name = "N", value_parser = whole(AXIS_SHIFT), allow_negative_numbers = true];
@@ -232,6 +233,18 @@ pub fn whole(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String>
     move |text| match text.parse() {
         Ok(number) if legal.contains(&number) => Ok(number),
         _ => Err(format!("expected a whole number from {} to {}", legal.start(), legal.end())),
+    }
+}
+
+/// Reads a width of projections.
+#[cfg(feature = "clap")]
+fn projection_width(text: &str) -> Result<ProjectionWidth, String> {
+    match text {
+        "rounded" => Ok(ProjectionWidth::Rounded),
+        "full" => Ok(ProjectionWidth::Full),
+        _ => whole(*WIDTH.start()..=PROJECTION_WIDTH)(text)
+            .map(ProjectionWidth::Bits)
+            .map_err(|expected| format!("{expected}, full or rounded")),
     }
 }
 
