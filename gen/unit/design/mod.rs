@@ -2,7 +2,7 @@
 //!
 //! One file per unit; the entity that is printed has the file's name. Reading order: [`interval`], [`product`] and
 //! [`rounding`] (operators), [`cross_product`], `axis_shift`, [`projection`], [`comparator`] (one axis), [`transform_row`],
-//! [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
+//! `edge_test`, [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
 //! `axis_stage`), [`sequencer`] and [`top`] (handshakes).
 
 pub mod axes;
@@ -10,6 +10,7 @@ mod axis_shift;
 mod axis_stage;
 pub mod comparator;
 pub mod cross_product;
+mod edge_test;
 pub mod guard;
 pub mod interval;
 pub mod number;

@@ -16,7 +16,7 @@ pub fn projection<'l>(
 ) -> Interval<Sig<'l>> {
     let width = match p.projection_width {
         ProjectionWidth::Rounded => "exact, then rounded outward once.",
-        ProjectionWidth::Bits(_) => "exact, then both bounds rounded down, which comparisons allow.",
+        ProjectionWidth::Plus(_) => "exact, then both bounds rounded down, which comparisons allow.",
         ProjectionWidth::Full => "exact.",
     };
     let sum = format!("(v_x l_x + v_y l_y) + v_z l_z, {width}");

@@ -12,6 +12,7 @@
 //! The host side of section 2 and seeded inputs are in [`host`](crate::host).
 
 mod axes;
+mod edge_test;
 mod guard;
 mod input;
 mod interval;
@@ -26,6 +27,7 @@ mod unrounded;
 mod verdict;
 
 use axes::{Axis, AxisUnit};
+use edge_test::Sides;
 use guard::Guard;
 pub use input::{Input, Numbers, Pair, Pose};
 use interval::{Triple, Vector, Wide, three};
@@ -49,6 +51,7 @@ use efsat_hardware::number::{Interval, Upper};
 pub struct Golden {
     upper: Upper,
     axes: Axes,
+    edge_test: bool,
     transform: Transform,
     guard: Guard,
     /// Whether products of two working-width numbers and their sums fit `i64`.
@@ -86,6 +89,7 @@ impl Golden {
         Self {
             upper: params.upper,
             axes: params.axes,
+            edge_test: params.edge_test,
             transform: params.transform,
             guard: Guard::new(params),
             narrow: 2 * params.width + 4 <= 62,
@@ -160,12 +164,15 @@ impl Golden {
 
     /// All axes, or with `STOP` the axes up to the first separated one.
     fn test<W: Wide, const STOP: bool>(&self, points: &Points<W::Mantissa>) -> Outcome {
-        let (mut separated, mut overlapping) = (0, 0);
-        self.axes::<W>(points, |i, Tested { enclosure, .. }| {
+        let (mut separated, mut overlapping, mut sides) = (0, 0, Sides::UNKNOWN);
+        self.axes::<W>(points, |i, Tested { axis, images, enclosure, .. }| {
+            if self.edge_test {
+                sides.see(axis, images);
+            }
             separated |= u32::from(enclosure.separated()) << i;
             overlapping |= u32::from(enclosure.overlapping()) << i;
             !STOP || separated == 0
         });
-        Outcome::new(separated, overlapping)
+        Outcome::new(separated, overlapping, self.edge_test && sides.pierced())
     }
 }

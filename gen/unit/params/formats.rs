@@ -6,7 +6,7 @@
 //! Rule of the contract (section 5): for a range `[-b, b]` after outward rounding, the integral digits k are the
 //! least with `b <= 2^(k-1) - ulp`; the fraction bits are then `m = N - k`.
 
-use super::{Params, ProjectionWidth, Transform, options};
+use super::{Params, ProjectionWidth, Transform};
 use efsat_hardware::number::{Format, Upper, upper_shift};
 
 /// A bound on the *true* (real) value that the computed interval may stick out of by rounding; clamping the computed
@@ -108,6 +108,9 @@ fn row(
         .expect("some format is wide enough")
 }
 
+/// Greatest width of a projection: what the numbers of the reference model hold.
+const WIDEST: u32 = 63;
+
 /// The topmost bits of `exact`, at most so many.
 fn truncated(name: &'static str, bits: u32, exact: &Exact, derivation: String) -> Row {
     let least = 129 - exact.bound.leading_zeros();
@@ -181,8 +184,8 @@ impl Formats {
             let projection = match p.projection_width {
                 ProjectionWidth::Rounded => make(name, exact, None, why),
                 // Rounded down, a bound is no farther from zero than its ceiling.
-                ProjectionWidth::Bits(bits) => truncated(name, bits, &exact, why),
-                ProjectionWidth::Full => truncated(name, options::PROJECTION_WIDTH, &exact, why),
+                ProjectionWidth::Plus(bits) => truncated(name, n + bits, &exact, why),
+                ProjectionWidth::Full => truncated(name, WIDEST, &exact, why),
             };
             [axis, projection]
         };

@@ -50,8 +50,8 @@ pub enum Projections {
 pub enum ProjectionWidth {
     /// Rounded outward to the working width: the paper.
     Rounded,
-    /// The topmost bits of the exact projection, at most so many: both bounds are rounded down, which comparisons allow.
-    Bits(u32),
+    /// So many bits more than the working width: both bounds are rounded down, which comparisons allow.
+    Plus(u32),
     /// Exact.
     Full,
 }
@@ -102,8 +102,8 @@ impl Params {
         let axes = self.axes.count() as u32;
         range("axes-per-clock", self.axes_per_clock as u32, 1..=axes, &format!(" (--axes {axes})"))?;
         range("axis-shift", self.axis_shift, options::AXIS_SHIFT, "")?;
-        if let ProjectionWidth::Bits(bits) = self.projection_width {
-            range("projection-width", bits, n..=options::PROJECTION_WIDTH, &format!(" (at least --width {n})"))?;
+        if let ProjectionWidth::Plus(bits) = self.projection_width {
+            range("projection-width", bits, options::PROJECTION_PLUS, "")?;
         }
         range("frequency", self.frequency, options::FREQUENCY, " MHz")?;
         range("tag-width", self.tag_width, options::TAG_WIDTH, "")

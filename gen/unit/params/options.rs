@@ -14,8 +14,8 @@ pub const WIDTH: RangeInclusive<u32> = 6..=32;
 pub const INT_BITS: RangeInclusive<u32> = 4..=8;
 /// Greatest width of the frame transform; the least is the width of the axis test.
 pub const TRANSFORM_WIDTH: u32 = 48;
-/// Greatest width of a truncated projection.
-pub const PROJECTION_WIDTH: u32 = 63;
+/// Bits that projections may have more than the working width.
+pub const PROJECTION_PLUS: RangeInclusive<u32> = 0..=31;
 /// Legal shifts of an axis; the width of the axis test bounds them too.
 pub const AXIS_SHIFT: RangeInclusive<u32> = 0..=30;
 /// Legal target clocks in MHz.
@@ -101,7 +101,7 @@ impl Spelled for ProjectionWidth {
     fn spelled(&self) -> String {
         match self {
             Self::Rounded => "rounded".to_owned(),
-            Self::Bits(bits) => bits.to_string(),
+            Self::Plus(bits) => format!("+{bits}"),
             Self::Full => "full".to_owned(),
         }
     }
@@ -130,34 +130,42 @@ pub enum Affects {
     Hardware,
 }
 
-/// The table of options. A row is name, field and type, default, what it affects, and further arguments for clap; its
-/// comment is its help.
+/// The table of options. A row is name, field and type, default, the paper's value where that is another, what the option
+/// affects, and further arguments for clap; its comment is its help.
 macro_rules! options {
     ($(
         #[doc = $help:literal]
-        $name:literal $field:ident: $type:ty = $default:expr, $affects:ident, [$($argument:tt)*];
+        $name:literal $field:ident: $type:ty = $default:expr $(; paper $paper:expr)?, $affects:ident, [$($argument:tt)*];
     )+) => {
         /// A complete parameter set. Build one with [`Params::default`] and change fields, then
         /// [`validate`](Params::validate).
         #[derive(Clone, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "clap", derive(clap::Args))]
-        #[cfg_attr(feature = "clap", command(next_help_heading = "Parameters of the design"))]
+        #[cfg_attr(feature = "clap", command(next_help_heading = "Parameters of the design", arg = like_paper()))]
         pub struct Params {
             $(
                 #[doc = $help]
                 #[cfg_attr(feature = "clap", arg(long = $name, default_value = <$type>::spelled(&$default), $($argument)*))]
+                $(#[cfg_attr(feature = "clap", arg(default_value_if("like_paper", "true", <$type>::spelled(&$paper))))])?
                 pub $field: $type,
             )+
         }
 
         impl Default for Params {
-            /// The paper's design.
+            /// The design that decides most pairs on the fewest multipliers at the paper's rate.
             fn default() -> Self {
                 Self { $($field: $default,)+ }
             }
         }
 
         impl Params {
+            /// The paper's design.
+            pub fn paper() -> Self {
+                let mut paper = Self::default();
+                $($(paper.$field = $paper;)?)+
+                paper
+            }
+
             /// The names of all options, without their dashes, and what each affects.
             pub const OPTIONS: &[(&'static str, Affects)] = &[$(($name, Affects::$affects),)+];
 
@@ -188,14 +196,17 @@ options! {
         [value_name = "N", value_parser = whole(1..=Axes::Seventeen.count() as u32).map(|n| n as usize),
             allow_negative_numbers = true];
     /// What is done with duplicate projections
-    "projections" projections: Projections = Projections::All, Verdicts,
+    "projections" projections: Projections = Projections::Skip; paper Projections::All, Verdicts,
         [value_name = "POLICY", value_parser = choice::<Projections>()];
-    /// Bits of the projections that are compared, at least width and at most 63: a number, full (all), or rounded (to the working width, as in the paper)
-    "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Rounded, Verdicts,
+    /// Bits of the projections that are compared: +N (N more than width, up to 31), full (all), or rounded (to width, as in the paper)
+    "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Plus(4); paper ProjectionWidth::Rounded, Verdicts,
         [value_name = "WIDTH", value_parser = projection_width];
-    /// Positions by which an axis is shifted left at most before it is rounded, 0 to 30; 0 as in the paper
-    "axis-shift" axis_shift: u32 = 0, Verdicts,
+    /// Places by which an axis is shifted left at most before it is rounded, 0 to 30; 0 as in the paper
+    "axis-shift" axis_shift: u32 = 7; paper 0, Verdicts,
         [value_name = "N", value_parser = whole(AXIS_SHIFT), allow_negative_numbers = true];
+    /// Whether an edge that certainly passes through the other triangle decides
+    "edge-test" edge_test: bool = true; paper false, Verdicts,
+        [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
     /// Upper bound of an input: the next grid point, or the exact ceiling with a sticky bit
     "upper" upper: Upper = Upper::Implied, Verdicts,
         [value_name = "RULE", value_parser = choice::<Upper>()];
@@ -227,6 +238,13 @@ impl Params {
     }
 }
 
+/// The flag that changes the defaults of other options.
+#[cfg(feature = "clap")]
+fn like_paper() -> clap::Arg {
+    let help = "The paper's values where another is the default";
+    clap::Arg::new("like_paper").long("like-paper").action(clap::ArgAction::SetTrue).help(help)
+}
+
 /// Reads whole numbers of a range.
 #[cfg(feature = "clap")]
 pub fn whole(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync + 'static {
@@ -242,9 +260,11 @@ fn projection_width(text: &str) -> Result<ProjectionWidth, String> {
     match text {
         "rounded" => Ok(ProjectionWidth::Rounded),
         "full" => Ok(ProjectionWidth::Full),
-        _ => whole(*WIDTH.start()..=PROJECTION_WIDTH)(text)
-            .map(ProjectionWidth::Bits)
-            .map_err(|expected| format!("{expected}, full or rounded")),
+        _ => text
+            .strip_prefix('+')
+            .and_then(|bits| whole(PROJECTION_PLUS)(bits).ok())
+            .map(ProjectionWidth::Plus)
+            .ok_or_else(|| "expected +0 to +31, full or rounded".to_owned()),
     }
 }
 
@@ -263,8 +283,8 @@ mod tests {
     fn the_default_command_line() {
         assert_eq!(
             Params::default().command_line(),
-            "efsat generate --width 18 --int-bits 4 --transform-width 32 --axes 11 --axes-per-clock 1 --projections all \
-             --projection-width rounded --axis-shift 0 --upper implied --renormalise on --transform on --guard left-out --device xc2v6000-4 --frequency 100 --tag-width 16"
+            "efsat generate --width 18 --int-bits 4 --transform-width 32 --axes 11 --axes-per-clock 1 --projections skip \
+             --projection-width +4 --axis-shift 7 --edge-test on --upper implied --renormalise on --transform on --guard left-out --device xc2v6000-4 --frequency 100 --tag-width 16"
         );
     }
 }
