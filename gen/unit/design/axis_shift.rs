@@ -12,18 +12,17 @@ use efsat_hardware::op::Type;
 /// The `exact` axis, shifted and rounded outward to the working width.
 pub fn axis_shift<'l>(p: &Params, exact: Vector<'l>) -> Vector<'l> {
     let (n, positions) = (p.width, p.axis_positions());
-    let shifts =
-        format!("left by 0 to {positions} places: by the leading zeros that the six bounds have in common once they");
     let doc = [
-        "The exact axis brought to the working width: shifted",
-        &shifts,
-        &format!("are rounded by {n} bits, so that rounding behind the shift overflows nothing."),
+        "The exact axis brought to the working width. First it is shifted left by the leading zeros that its six bounds",
+        "have in common once they are rounded without a shift: so rounding behind the shift overflows nothing.",
+        &format!("The shift is at most {positions} places; {n} bits are dropped behind it."),
     ];
     entity!("axis_shift", &doc, (exact) => {
         let rounded = |x: &Interval<Sig<'l>>| Interval { lo: x.lo.floor(n as i32), hi: round_up(x.hi, n, p.upper) };
         let rounded = exact.map(|x| rounded(&x)).named("rounded");
-        let magnitude = |x: Interval<Sig<'l>>| x.lo.magnitude().bits(n - 1) | x.hi.magnitude().bits(n - 1);
-        let mut word = (magnitude(rounded[0]) | magnitude(rounded[1]) | magnitude(rounded[2])).named("magnitude");
+        let magnitudes = rounded.map(|x| x.each(|_, end| end.magnitude().bits(n - 1))).named("magnitudes");
+        let word = magnitudes.signals().into_iter().reduce(|a, b| a | b).expect("an axis has bounds");
+        let mut word = word.named("magnitude");
         // The bits that some shift keeps, and whether an upper bound has lost others.
         let kept = |x: Sig<'l>| x.floor((n - positions) as i32).at_point(None).bits(n + positions);
         let mut axis = exact.map(|x| x.each(|_, end| kept(end))).named("kept");
@@ -33,8 +32,9 @@ pub fn axis_shift<'l>(p: &Params, exact: Vector<'l>) -> Vector<'l> {
             let zero = zero.comment(&format!("the top {step} bits of the magnitude are zero"));
             word = zero.choose(word.shift_left(step), word).named_at("magnitude", i + 1);
             lost = axis.zip(lost, |x, lost| lost | (!zero & x.hi.low(step).any())).named_at("lost", i + 1);
-            let shifted = |x: Sig<'l>| zero.choose(x.shift_left(step).floor(step as i32), x.floor(step as i32));
-            axis = axis.map(|x| x.each(|_, end| shifted(end))).named_at("shifted", i + 1);
+            let shifted = |x: Sig<'l>| zero.choose(x.shift_left(step), x);
+            let shifted = axis.map(|x| x.each(|_, end| shifted(end))).named_at("shifted", i + 1);
+            axis = shifted.map(|x| x.each(|_, end| end.floor(step as i32)));
         }
         let most = (1i128 << (n - 1)) - 1;
         let up = |x: Sig<'l>, lost: Sig<'l>| match p.upper {

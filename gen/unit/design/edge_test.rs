@@ -37,21 +37,27 @@ pub fn seen(axis: &Axis) -> Vec<(Seen, [usize; 2])> {
 /// Whether some edge passes through the other triangle: its ends are on different sides of the other's plane, and the
 /// edges of the other triangle are all on one side of it.
 pub fn pierced<'l>(of: impl Fn(Seen) -> Side<'l>) -> Sig<'l> {
-    let plane = [0, 1].map(|t| [0, 1, 2].map(|i| of(Seen::Vertex(t, i))));
-    let edges = [0, 1, 2].map(|k| [0, 1, 2].map(|l| of(Seen::Edge(k, l))));
+    let vertices = |t: usize, way: usize| [0, 1, 2].map(|i| of(Seen::Vertex(t, i))[way]);
+    let edges = |way: usize| [0, 1, 2].map(|k| [0, 1, 2].map(|l| of(Seen::Edge(k, l))[way]));
+    let (v_above, v_below, w_above, w_below) = (vertices(1, 0), vertices(1, 1), vertices(0, 0), vertices(0, 1));
+    let (edges_above, edges_below) = (edges(0), edges(1));
     let doc = [
         "Whether an edge passes through the other triangle: its ends are on different sides of that triangle's plane, and",
-        "the edges of that triangle are all on one side of it (contract, section 7). Of each: above, below.",
+        "the edges of that triangle are all on one side of it (contract, section 7).",
+        "v_above(k): V_k is above B's plane; w_above(l): W_l is above A's; edges_above(k)(l): edge l of B is above edge k",
+        "of A, seen along both. Below likewise; neither where it is not certain.",
     ];
-    entity!("edge_test", &doc, (plane, edges) => {
-        let passes = |ends: [Side<'l>; 2], sides: [Side<'l>; 3]| {
-            let [[p_above, p_below], [q_above, q_below]] = ends;
-            let all = |i: usize| sides[0][i] & sides[1][i] & sides[2][i];
-            ((p_above & q_below) | (p_below & q_above)) & (all(0) | all(1))
+    entity!("edge_test", &doc, (v_above, v_below, w_above, w_below, edges_above, edges_below) => {
+        let passes = |above: [Sig<'l>; 3], below: [Sig<'l>; 3], k: usize, all_above: [Sig<'l>; 3], all_below: [Sig<'l>; 3]| {
+            let next = (k + 1) % 3;
+            let crosses = (above[k] & below[next]) | (below[k] & above[next]);
+            let all = |sides: [Sig<'l>; 3]| sides[0] & sides[1] & sides[2];
+            crosses & (all(all_above) | all(all_below))
         };
-        let ends = |t: usize, k: usize| [plane[t][k], plane[t][(k + 1) % 3]];
-        let of_a = [0, 1, 2].map(|k| passes(ends(1, k), edges[k])).named("a_passes");
-        let of_b = [0, 1, 2].map(|l| passes(ends(0, l), [0, 1, 2].map(|k| edges[k][l]))).named("b_passes");
-        any(&[of_a, of_b].concat()).named("pierced")
+        let of_b = |edges: [[Sig<'l>; 3]; 3], l: usize| [0, 1, 2].map(|k| edges[k][l]);
+        let a_passes = |k| passes(v_above, v_below, k, edges_above[k], edges_below[k]);
+        let b_passes = |l| passes(w_above, w_below, l, of_b(edges_above, l), of_b(edges_below, l));
+        let (a, b) = ([0, 1, 2].map(a_passes).named("a_passes"), [0, 1, 2].map(b_passes).named("b_passes"));
+        any(&[a, b].concat()).named("pierced")
     })
 }
