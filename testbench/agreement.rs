@@ -111,6 +111,7 @@ fn combined(count: usize) -> Vec<Case> {
             device: (*efsat::device::names().choose(&mut rng).unwrap()).to_owned(),
             frequency: *[20, 66, 100, 150, 250].choose(&mut rng).unwrap(),
             tag_width: *[0, 8, 16].choose(&mut rng).unwrap(),
+            ..Params::default()
         };
         if p.validate().is_ok() {
             cases.push((format!("combination {}", cases.len()), p));

@@ -93,7 +93,7 @@ fn shard(text: &str) -> Result<Shard, String> {
 
 /// The parameters of every point of a sweep around `base`.
 fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> {
-    let names: Vec<&str> = Params::OPTIONS.iter().map(|(name, _)| *name).collect();
+    let names: Vec<&str> = Params::OPTIONS.iter().map(|option| option.name).collect();
     let wrong = |e: sweep::SweepError| Failure::Usage(format!("--sweep: {e}"));
     let combinations = sweep::parse(spec, &names).map_err(wrong)?;
     combinations.iter().map(|settings| point(settings, base)).collect()
@@ -210,8 +210,9 @@ fn command(request: &Request, transfer: f64) -> String {
     add("seed", &request.seed.to_string(), "1");
     add("multipliers", &list(&request.multipliers), &list(&MULTIPLIERS));
     add("transfer", &transfer.to_string(), "0");
-    for (name, default) in accuracy::options(&Params::default()) {
-        add(&name, &request.base[&name], &default);
+    for (name, default) in Params::default().every_option() {
+        // A method does not record the options of the other one.
+        add(name, request.base.get(name).unwrap_or(&default), &default);
     }
     if request.synth {
         text.push_str(" --synth");

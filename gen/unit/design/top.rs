@@ -2,7 +2,7 @@
 
 use super::sequencer::{self, PoseReading};
 use super::{number::input_type, pipeline};
-use crate::params::{ParamError, Params, Transform};
+use crate::params::{Method, ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, UnknownDevice};
 use efsat_hardware::graph::{Place, Step, Unit};
 use efsat_hardware::netlist::lower::{Lowering, Probe};
@@ -22,6 +22,9 @@ pub enum DesignError {
     /// No such device.
     #[error(transparent)]
     Device(#[from] UnknownDevice),
+    /// There is a reference model of the method, but no hardware.
+    #[error("--method determinants: expected axes, because designs of this method are not generated yet")]
+    Method,
 }
 
 /// Where a port's value comes from or goes to, for whoever drives the top.
@@ -88,9 +91,12 @@ impl Design {
     /// Builds, proves, schedules and lowers the design.
     ///
     /// # Errors
-    /// Parameters out of range, or an unknown device.
+    /// Parameters out of range, an unknown device, or a method without hardware.
     pub fn new(params: &Params, probes: impl Into<Probes>) -> Result<Self, DesignError> {
         params.validate()?;
+        if params.method != Method::Axes {
+            return Err(DesignError::Method);
+        }
         let device = device::find(&params.device)?;
         let pipeline = pipeline::unit(params);
         let mut scheduler = Scheduler::new(device, params.frequency);
