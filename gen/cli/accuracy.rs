@@ -9,6 +9,7 @@ use super::params::ParamArguments;
 use super::progress;
 use super::source;
 use crate::accuracy::{self, Amount, Campaign, MOST, Plan, Progress, Request, Results, Shard, Store, sweep};
+use crate::design::Design;
 use crate::params::Params;
 use clap::{Args, FromArgMatches};
 use std::path::{Path, PathBuf};
@@ -146,7 +147,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return merge::run(arguments);
     }
     let base = arguments.params.params()?;
+    // Every point has its hardware beside it.
+    Design::check(&base)?;
     let sweep = points(&arguments.sweep, &base)?;
+    sweep.iter().try_for_each(|params| Design::check(params).map(drop))?;
     let scene = source::load_scene(&arguments.scene)?;
     output::claimable(&arguments.out)?;
     let request = arguments.request(&scene, &base);

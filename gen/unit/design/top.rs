@@ -88,16 +88,24 @@ impl Design {
         (megahertz + 1e-6 < f64::from(self.params.frequency)).then_some((megahertz, end))
     }
 
+    /// Whether there can be a design; its target part.
+    ///
+    /// # Errors
+    /// Parameters out of range, an unknown device, or a method without hardware.
+    pub fn check(params: &Params) -> Result<&'static Device, DesignError> {
+        params.validate()?;
+        match params.method {
+            Method::Axes => Ok(device::find(&params.device)?),
+            Method::Determinants => Err(DesignError::Method),
+        }
+    }
+
     /// Builds, proves, schedules and lowers the design.
     ///
     /// # Errors
     /// Parameters out of range, an unknown device, or a method without hardware.
     pub fn new(params: &Params, probes: impl Into<Probes>) -> Result<Self, DesignError> {
-        params.validate()?;
-        if params.method != Method::Axes {
-            return Err(DesignError::Method);
-        }
-        let device = device::find(&params.device)?;
+        let device = Self::check(params)?;
         let pipeline = pipeline::unit(params);
         let mut scheduler = Scheduler::new(device, params.frequency);
         let schedule = scheduler.schedule(&pipeline);

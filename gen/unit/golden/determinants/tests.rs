@@ -10,9 +10,10 @@ use rand::rngs::ChaCha8Rng;
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 
-use super::coordinates::Scaling;
+use super::bounds::Bounds;
+use super::coordinates::{Coordinates, Scaling};
 use super::differences::{Differences, Points};
-use super::fifteen::Fifteen;
+use super::fifteen::{Dots, Fifteen};
 use super::moments::{Moments, Rounding};
 use super::number::{Vector, round};
 use super::{Computed, DeterminantTest};
@@ -219,7 +220,28 @@ impl Truth {
     }
 }
 
-/// The greatest part of its bound that each error of a pair takes, in percent, if all keep to them.
+/// The greatest part of its bound that one of fifteen errors takes, or the name of one that is beyond. The truth is in
+/// units of 2^-power of those of the others.
+fn greatest_part(
+    determinants: Fifteen<i128>,
+    bounds: Fifteen<i64>,
+    truth: Fifteen<BigInt>,
+    power: u32,
+) -> Result<f64, String> {
+    let mut greatest: f64 = 0.0;
+    for (((name, x), (_, bound)), (_, truth)) in determinants.named().zip(bounds.named()).zip(truth.named()) {
+        let scaled: BigInt = BigInt::from(8 * x) << power;
+        let error = (scaled - BigInt::from(8) * truth).abs();
+        let bound: BigInt = BigInt::from(bound) << power;
+        if error > bound {
+            return Err(name);
+        }
+        greatest = greatest.max(error.to_f64().unwrap() / bound.to_f64().unwrap());
+    }
+    Ok(greatest)
+}
+
+/// The same of a pair.
 fn errors(p: &Params, query: &Query) -> Result<f64, String> {
     let test = DeterminantTest::new(p);
     let (pose, pair) = query.read();
@@ -229,18 +251,8 @@ fn errors(p: &Params, query: &Query) -> Result<f64, String> {
     let dropped = computed.coordinates.dropped.iter().sum::<u32>() + computed.shift;
     // What is computed is in units of 2^s, with every axis scaled up by 2^(f-d).
     let power = 3 * (truth.fraction - input) + dropped;
-    let mut greatest: f64 = 0.0;
-    let exact = truth.determinants().named().map(|(_, x)| x).collect::<Vec<_>>();
-    for (((name, x), (_, bound)), truth) in computed.determinants.named().zip(computed.bounds.named()).zip(exact) {
-        let scaled: BigInt = BigInt::from(8 * x) << power;
-        let error = (scaled - BigInt::from(8) * truth).abs();
-        let bound: BigInt = BigInt::from(bound) << power;
-        if error > bound {
-            return Err(format!("{name}: {p:?} {query:?}"));
-        }
-        greatest = greatest.max(error.to_f64().unwrap() / bound.to_f64().unwrap());
-    }
-    Ok(greatest)
+    let part = greatest_part(computed.determinants, computed.bounds, truth.determinants(), power);
+    part.map_err(|name| format!("{name}: {p:?} {query:?}"))
 }
 
 /// No definite verdict contradicts the oracle.
@@ -273,32 +285,61 @@ fn errors_keep_to_their_bounds_and_verdicts_to_the_truth() {
     assert!(verdicts.iter().all(|&n| n > 50) && common > 2000, "{verdicts:?}, {common}");
 }
 
-/// Errors that are sought step by step come so close to their bounds that a quarter of a bound would be found to be broken.
+/// Changes one of fifteen numbers.
+fn change(points: &mut Points, place: usize, to: impl FnOnce(i64) -> i64) {
+    let number = points.v.iter_mut().chain(&mut points.w).flatten().nth(place).expect("15 numbers");
+    *number = to(*number);
+}
+
+/// Sections 7.3 to 7.5 by themselves, with coordinates that are wrong by all that their level allows, in the narrowest unit,
+/// where terms of second and third order count most.
 #[test]
-fn bounds_are_not_four_times_too_wide() {
-    let mut rng = ChaCha8Rng::seed_from_u64(26);
-    for bound in [Bound::Static, Bound::Edges, Bound::Moments, Bound::Products] {
+fn bounds_hold_for_any_errors_of_a_level() {
+    let mut rng = ChaCha8Rng::seed_from_u64(27);
+    // Step by step towards greater parts of the bounds.
+    for (&bound, level) in Bound::ALL.iter().flat_map(|bound| (0..=6).map(move |level| (bound, level))) {
         let mut greatest: f64 = 0.0;
-        for _ in 0..24 {
-            let p = Params { bound, int_bits: 4, transform_width: 12, width: 12, ..params(&mut rng, 12, 12) };
-            let p = Params { transform: Transform::Off, ..p };
-            let end = (p.coordinate_bound() as i64) << BEHIND;
-            let mut best = query(&mut rng, &p);
-            let mut part = errors(&p, &best).unwrap();
-            for _ in 0..600 {
-                let mut next = best;
-                let x = next.a.iter_mut().chain(&mut next.b).flatten().nth(rng.random_range(0..18)).unwrap();
-                let step = 1 << rng.random_range(0..=end.ilog2());
-                *x = (*x + within(&mut rng, step)).clamp(-end, end);
-                let found = errors(&p, &next).unwrap_or_else(|message| panic!("{message}"));
-                if found >= part {
-                    (best, part) = (next, found);
+        for start in 0..9 {
+            let p = Params { bound, width: 6, transform_width: 6, ..params(&mut rng, 6, 6) };
+            let end = (1 << (p.width - 1)) - 1;
+            // Errors are in eighths.
+            let part = |points: &Points, errors: &Points| {
+                let coordinates = Coordinates { points: *points, dropped: [0; 3], level };
+                let (moments, shift) = Rounding::new(&p).apply(&Moments::new(points));
+                let determinants = Dots::<i128>::new(points, &moments).determinants();
+                let bounds = Bounds::new(&p).of(&coordinates, &moments, shift);
+                let moved = |x: &Vector, e: &Vector| [0, 1, 2].map(|j| BigInt::from(8 * x[j] + e[j]));
+                let [v1, v2] = [0, 1].map(|i| moved(&points.v[i], &errors.v[i]));
+                let v = [[BigInt::ZERO, BigInt::ZERO, BigInt::ZERO], v1, v2];
+                let w = [0, 1, 2].map(|l| moved(&points.w[l], &errors.w[l]));
+                let part = greatest_part(determinants, bounds, Truth { v, w, fraction: 0 }.determinants(), shift + 9);
+                part.unwrap_or_else(|name| panic!("{name}: {p:?} {points:?} {errors:?}"))
+            };
+            // Normals of points on one line are zero, and errors of higher order are all there is.
+            let mut vector = || match start % 3 {
+                0 => [(); 3].map(|()| within(&mut rng, end)),
+                1 => [within(&mut rng, end), 0, 0],
+                _ => [end; 3],
+            };
+            let points = Points { v: [vector(), vector()], w: [vector(), vector(), vector()] };
+            let mut best = (points, points.map(|_, _| 4 + (1 << level)));
+            let mut most = part(&best.0, &best.1);
+            for _ in 0..200 {
+                let (mut points, mut errors) = best;
+                let place = rng.random_range(0..15);
+                match rng.random_range(0..3) {
+                    0 => change(&mut points, place, |_| within(&mut rng, end)),
+                    _ => change(&mut errors, place, |x| -x),
+                }
+                let found = part(&points, &errors);
+                if found >= most {
+                    (best, most) = ((points, errors), found);
                 }
             }
-            greatest = greatest.max(part);
+            greatest = greatest.max(most);
         }
-        assert!(greatest > 0.25, "{bound:?}: errors take {greatest} of their bounds at most");
-        eprintln!("{bound:?} {greatest}");
+        // So a quarter of a bound would be found to be broken.
+        assert!(greatest > 0.25, "{bound:?}, level {level}: errors take {greatest} of their bounds at most");
     }
 }
 
@@ -347,7 +388,7 @@ fn all_ways_lead_to_one_outcome() {
             }
             assert_eq!((outcome.separated & outcome.overlapping, outcome.overlapping & 0b111), (0, 0));
             let edges = outcome.separated >> 3;
-            let expected = match (outcome.separated & 0b111 != 0 || edges == 0b111_111, outcome.overlapping) {
+            let expected = match (outcome.separated & 0b111 != 0 || edges.count_ones() >= 5, outcome.overlapping) {
                 (true, _) => Verdict::Separate,
                 (false, 0) => Verdict::PossiblyIncorrect,
                 (false, _) => Verdict::Intersect,

@@ -74,7 +74,8 @@ pub(super) fn outcome(boxes_apart: bool, signs: &Signs) -> Outcome {
         separated |= u32::from(edge.missed) << i;
         overlapping |= u32::from(edge.pierces) << i;
     }
-    let verdict = if separated & !EDGES != 0 || separated & EDGES == EDGES {
+    // Where triangles meet, two edges take part, or one of each triangle: one edge alone never does.
+    let verdict = if separated & !EDGES != 0 || (separated & EDGES).count_ones() >= 5 {
         Verdict::Separate
     } else if overlapping != 0 {
         Verdict::Intersect
