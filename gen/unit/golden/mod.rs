@@ -72,7 +72,7 @@ impl Golden {
         }
         match &self.test {
             Test::Axes(test) => test.outcome::<false>(pose, pair),
-            Test::Determinants(test) => test.outcome(&test.frame(pose), pair),
+            Test::Determinants(test) => test.outcome::<false>(&test.frame(pose), pair),
         }
     }
 
@@ -83,7 +83,7 @@ impl Golden {
         }
         match &self.test {
             Test::Axes(test) => test.outcome::<true>(pose, pair).verdict,
-            Test::Determinants(test) => test.verdict(&test.frame(pose), pair),
+            Test::Determinants(test) => test.outcome::<true>(&test.frame(pose), pair).verdict,
         }
     }
 
@@ -94,7 +94,7 @@ impl Golden {
             Test::Determinants(test) => {
                 let frame = test.frame(pose);
                 verdicts.extend(pairs.iter().map(|pair| match self.guard.inside(pose, pair) {
-                    true => test.verdict(&frame, pair),
+                    true => test.outcome::<true>(&frame, pair).verdict,
                     false => Verdict::PossiblyIncorrect,
                 }));
             }

@@ -40,24 +40,26 @@ impl Scaling {
         Self { width: p.width, least, fine, greatest }
     }
 
-    /// The least shift with every coordinate in [-(R-1), R-1], R = 2^(N-1).
+    /// The coordinates along one axis, all in [-(R-1), R-1] with R = 2^(N-1), and the bits dropped for that.
     #[inline(always)]
-    fn shift(&self, x: [i64; 5]) -> u32 {
+    fn axis(&self, x: [i64; 5]) -> ([i64; 5], u32) {
         let all = x.iter().fold(0, |all, x| all | x.unsigned_abs());
         let length = u64::BITS - all.leading_zeros();
-        let shift = (length + 1).saturating_sub(self.width).max(self.least);
+        let dropped = (length + 1).saturating_sub(self.width).max(self.least);
+        let y = x.map(|x| round(x, dropped));
         // Rounding can carry a coordinate up to R, but not beyond.
-        let carried = x.iter().any(|&x| round(x, shift).abs() >> (self.width - 1) != 0);
-        shift + u32::from(carried)
+        let carried = y.iter().fold(0, |all, y| all | y.abs()) >> (self.width - 1) != 0;
+        if carried { (x.map(|x| round(x, dropped + 1)), dropped + 1) } else { (y, dropped) }
     }
 
     /// The coordinates.
     #[inline(always)]
     pub fn coordinates(&self, differences: &Points) -> Coordinates {
-        let dropped = three(|j| self.shift(differences.along(j)));
+        let axes = three(|j| self.axis(differences.along(j)));
+        let dropped = three(|j| axes[j].1);
         let level = |d: u32| self.fine.saturating_sub(d).min(self.greatest);
         Coordinates {
-            points: differences.map(|x, j| round(x, dropped[j])),
+            points: Points::new(three(|j| axes[j].0)),
             dropped,
             level: level(dropped[0]).max(level(dropped[1])).max(level(dropped[2])),
         }

@@ -21,11 +21,11 @@ impl Points {
         [self.v[0][j], self.v[1][j], self.w[0][j], self.w[1][j], self.w[2][j]]
     }
 
-    /// Every coordinate replaced; the function gets its axis too.
+    /// From the five coordinates along each axis.
     #[inline(always)]
-    pub fn map(&self, f: impl Fn(i64, usize) -> i64) -> Self {
-        let vector = |x: &Vector| three(|j| f(x[j], j));
-        Self { v: self.v.each_ref().map(vector), w: self.w.each_ref().map(vector) }
+    pub fn new(along: [[i64; 5]; 3]) -> Self {
+        let point = |i: usize| three(|j| along[j][i]);
+        Self { v: [point(0), point(1)], w: [point(2), point(3), point(4)] }
     }
 }
 

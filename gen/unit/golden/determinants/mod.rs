@@ -16,11 +16,11 @@ mod tests;
 mod trace;
 mod verdict;
 
-use super::{Outcome, Pair, Pose, Verdict};
+use super::{Outcome, Pair, Pose};
 use crate::params::Params;
 use bounds::Bounds;
 use coordinates::{Coordinates, Scaling};
-use differences::{Differences, Frame, Points};
+use differences::{Differences, Frame};
 use fifteen::{Dots, Fifteen};
 use moments::{Moments, Rounding};
 use number::Number;
@@ -38,10 +38,8 @@ pub(super) struct DeterminantTest {
     narrow: bool,
 }
 
-/// Everything that is computed of a pair, in the order of the data flow.
+/// What is computed from the coordinates of a pair, in the order of the data flow.
 struct Computed<N> {
-    differences: Points,
-    coordinates: Coordinates,
     moments: Moments,
     /// In units of 2^shift.
     rounded: Moments,
@@ -50,7 +48,6 @@ struct Computed<N> {
     determinants: Fifteen<N>,
     bounds: Fifteen<i64>,
     signs: Signs,
-    boxes_apart: bool,
 }
 
 impl DeterminantTest {
@@ -70,45 +67,28 @@ impl DeterminantTest {
         self.differences.frame(pose)
     }
 
-    /// The verdict of a pair, with what each witness says.
+    /// The verdict of a pair with what each witness says, or with `STOP` the verdict as soon as the boxes are apart.
     #[inline]
-    pub fn outcome(&self, frame: &Frame, pair: &Pair) -> Outcome {
-        if self.narrow { self.answer::<i64>(frame, pair) } else { self.answer::<i128>(frame, pair) }
+    pub fn outcome<const STOP: bool>(&self, frame: &Frame, pair: &Pair) -> Outcome {
+        let coordinates = self.scaling.coordinates(&self.differences.points(frame, pair));
+        let apart = self.boxes && boxes_apart(&coordinates);
+        let signs = match self.narrow {
+            _ if STOP && apart => Signs::UNKNOWN,
+            true => self.computed::<i64>(&coordinates).signs,
+            false => self.computed::<i128>(&coordinates).signs,
+        };
+        outcome(apart, &signs)
     }
 
-    /// The verdict alone: stops at separate boxes.
-    #[inline]
-    pub fn verdict(&self, frame: &Frame, pair: &Pair) -> Verdict {
-        if self.boxes && boxes_apart(&self.coordinates(frame, pair)) {
-            return Verdict::Separate;
-        }
-        self.outcome(frame, pair).verdict
-    }
-
+    /// Sections 4 and 5, and the signs.
     #[inline(always)]
-    fn answer<N: Number>(&self, frame: &Frame, pair: &Pair) -> Outcome {
-        let computed = self.computed::<N>(frame, pair);
-        outcome(computed.boxes_apart, &computed.signs)
-    }
-
-    /// Sections 2 and 3.
-    #[inline(always)]
-    fn coordinates(&self, frame: &Frame, pair: &Pair) -> Coordinates {
-        self.scaling.coordinates(&self.differences.points(frame, pair))
-    }
-
-    /// Sections 2 to 6, up to the signs.
-    #[inline(always)]
-    fn computed<N: Number>(&self, frame: &Frame, pair: &Pair) -> Computed<N> {
-        let differences = self.differences.points(frame, pair);
-        let coordinates = self.scaling.coordinates(&differences);
+    fn computed<N: Number>(&self, coordinates: &Coordinates) -> Computed<N> {
         let moments = Moments::new(&coordinates.points);
         let (rounded, shift) = self.rounding.apply(&moments);
         let dots = Dots::new(&coordinates.points, &rounded);
         let determinants = dots.determinants();
-        let bounds = self.bounds.of(&coordinates, &rounded, shift);
+        let bounds = self.bounds.of(coordinates, &rounded, shift);
         let signs = signs(&determinants, &bounds);
-        let boxes_apart = self.boxes && boxes_apart(&coordinates);
-        Computed { differences, coordinates, moments, rounded, shift, dots, determinants, bounds, signs, boxes_apart }
+        Computed { moments, rounded, shift, dots, determinants, bounds, signs }
     }
 }

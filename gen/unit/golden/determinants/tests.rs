@@ -245,10 +245,11 @@ fn greatest_part(
 fn errors(p: &Params, query: &Query) -> Result<f64, String> {
     let test = DeterminantTest::new(p);
     let (pose, pair) = query.read();
-    let computed: Computed<i128> = test.computed(&test.frame(&pose), &pair);
+    let coordinates = test.scaling.coordinates(&test.differences.points(&test.frame(&pose), &pair));
+    let computed: Computed<i128> = test.computed(&coordinates);
     let truth = Truth::new(p, query);
     let input = p.transform_width - p.int_bits;
-    let dropped = computed.coordinates.dropped.iter().sum::<u32>() + computed.shift;
+    let dropped = coordinates.dropped.iter().sum::<u32>() + computed.shift;
     // What is computed is in units of 2^s, with every axis scaled up by 2^(f-d).
     let power = 3 * (truth.fraction - input) + dropped;
     let part = greatest_part(computed.determinants, computed.bounds, truth.determinants(), power);
@@ -322,7 +323,7 @@ fn bounds_hold_for_any_errors_of_a_level() {
                 _ => [end; 3],
             };
             let points = Points { v: [vector(), vector()], w: [vector(), vector(), vector()] };
-            let mut best = (points, points.map(|_, _| 4 + (1 << level)));
+            let mut best = (points, Points::new([[4 + (1 << level); 5]; 3]));
             let mut most = part(&best.0, &best.1);
             for _ in 0..200 {
                 let (mut points, mut errors) = best;
@@ -384,7 +385,8 @@ fn all_ways_lead_to_one_outcome() {
             assert_eq!(verdict, outcome.verdict);
             assert_eq!(verdict, golden.verdict(&pose, pair));
             if !outcome.outside {
-                assert_eq!(test.answer::<i128>(&test.frame(&pose), pair), outcome);
+                let wide = DeterminantTest { narrow: false, ..test };
+                assert_eq!(wide.outcome::<false>(&wide.frame(&pose), pair), outcome);
             }
             assert_eq!((outcome.separated & outcome.overlapping, outcome.overlapping & 0b111), (0, 0));
             let edges = outcome.separated >> 3;
@@ -455,7 +457,8 @@ fn shifts_are_the_least_that_fit() {
         }
         assert_eq!(coordinates.level, level);
         assert!(level <= p.levels);
-        assert_eq!(coordinates.points, points.map(|x, j| round(x, coordinates.dropped[j])));
+        let rounded = |j: usize| points.along(j).map(|x| round(x, coordinates.dropped[j]));
+        assert_eq!(coordinates.points, Points::new([0, 1, 2].map(rounded)));
     }
 }
 

@@ -2,7 +2,7 @@
 
 use super::differences::{Frame, Points};
 use super::number::{Number, Vector};
-use super::verdict::{edges, outcome};
+use super::verdict::{boxes_apart, edges, outcome};
 use super::{Computed, DeterminantTest};
 use crate::golden::Pair;
 
@@ -40,18 +40,10 @@ impl DeterminantTest {
     }
 
     fn record<N: Number>(&self, frame: &Frame, pair: &Pair) -> Vec<(String, i128)> {
-        let Computed {
-            differences,
-            coordinates,
-            moments,
-            rounded,
-            shift,
-            dots,
-            determinants,
-            bounds,
-            signs,
-            boxes_apart,
-        } = self.computed::<N>(frame, pair);
+        let differences = self.differences.points(frame, pair);
+        let coordinates = self.scaling.coordinates(&differences);
+        let apart = self.boxes && boxes_apart(&coordinates);
+        let Computed { moments, rounded, shift, dots, determinants, bounds, signs } = self.computed::<N>(&coordinates);
         let mut record = Record::default();
         record.points("difference", &differences);
         record.vector("dropped", &coordinates.dropped.map(i64::from));
@@ -74,8 +66,8 @@ impl DeterminantTest {
                 record.number(format!("pierces.{side}{k}"), edge.pierces);
             }
         }
-        record.number("boxes_apart", boxes_apart);
-        record.number("verdict", outcome(boxes_apart, &signs).verdict as u8);
+        record.number("boxes_apart", apart);
+        record.number("verdict", outcome(apart, &signs).verdict as u8);
         record.0
     }
 }

@@ -9,6 +9,11 @@ use crate::golden::{Outcome, Verdict};
 /// +1 or -1 where the sign of the true determinant is certain, else 0.
 pub(super) type Signs = Fifteen<i8>;
 
+impl Signs {
+    /// No sign is certain.
+    pub const UNKNOWN: Self = Self { plane_a: [0; 3], plane_b: [0; 3], side: [[0; 3]; 3] };
+}
+
 /// The signs that are certain: a determinant must be beyond its bound, which is in eighths.
 #[inline(always)]
 pub(super) fn signs<N: Number>(determinants: &Fifteen<N>, bounds: &Fifteen<i64>) -> Signs {
@@ -32,10 +37,19 @@ impl Edge {
     #[inline(always)]
     fn new(ends: [i8; 2], sides: [i8; 3]) -> Self {
         let product = ends[0] * ends[1];
-        let has = |sign: i8| sides.contains(&sign);
-        let same = sides[0] != 0 && sides[0] == sides[1] && sides[0] == sides[2];
-        Self { missed: product == 1 || (has(1) && has(-1)), pierces: product == -1 && same }
+        // Without branches, which cannot be predicted here.
+        let any = |sign: i8| (sides[0] == sign) | (sides[1] == sign) | (sides[2] == sign);
+        Self {
+            missed: (product == 1) | (any(1) & any(-1)),
+            pierces: (product == -1) & (all(&sides, 1) | all(&sides, -1)),
+        }
     }
+}
+
+/// Whether all three signs are this one.
+#[inline(always)]
+fn all(signs: &[i8; 3], sign: i8) -> bool {
+    (signs[0] == sign) & (signs[1] == sign) & (signs[2] == sign)
 }
 
 /// The six edges, those of A first.
@@ -51,11 +65,12 @@ pub(super) fn edges(signs: &Signs) -> [[Edge; 3]; 2] {
 pub(super) fn boxes_apart(Coordinates { points, level, .. }: &Coordinates) -> bool {
     // Two coordinates are wrong by at most 1 + 2^(level-2) together.
     let gap = 2 + (1 << level >> 2);
-    (0..3).any(|j| {
+    let apart = |j: usize| {
         let [v1, v2, w0, w1, w2] = points.along(j);
         let (a, b) = ([0.min(v1).min(v2), 0.max(v1).max(v2)], [w0.min(w1).min(w2), w0.max(w1).max(w2)]);
-        a[0] - b[1] >= gap || b[0] - a[1] >= gap
-    })
+        (a[0] - b[1] >= gap) | (b[0] - a[1] >= gap)
+    };
+    apart(0) | apart(1) | apart(2)
 }
 
 /// Bits of the flags: the boxes, the plane of A, that of B, then the edges of A and of B.
@@ -66,7 +81,7 @@ const EDGES: u32 = 0b111_111 << FIRST_EDGE;
 /// The verdict, with what each of the nine witnesses says.
 #[inline(always)]
 pub(super) fn outcome(boxes_apart: bool, signs: &Signs) -> Outcome {
-    let one_side = |plane: &[i8; 3]| plane[0] != 0 && plane[0] == plane[1] && plane[0] == plane[2];
+    let one_side = |plane: &[i8; 3]| all(plane, 1) | all(plane, -1);
     let mut separated =
         u32::from(boxes_apart) | u32::from(one_side(&signs.plane_a)) << 1 | u32::from(one_side(&signs.plane_b)) << 2;
     let mut overlapping = 0;
