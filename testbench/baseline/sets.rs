@@ -99,5 +99,6 @@ fn combination(draw: &mut Draw) -> Params {
         device: draw.one_of(&["xc2v6000-4", "xc2v6000-4", "xc6slx150-3", "xc7a200t-1", "lfe5u-85-6"]).to_owned(),
         frequency: draw.one_of(&[20, 66, 100, 100, 150, 250]),
         tag_width: draw.one_of(&[0, 8, 16]),
+        ..Params::default()
     }
 }

@@ -499,7 +499,7 @@ fn rows_are_sums_of_partial_products() {
                 let [x, y] = [pose.m[i][j], pair.b[l][j]].map(|x| i128::from(2 * x.lo + 1));
                 let ([x1, y1], [x0, y0]) = ([x >> q, y >> q], [x & ((1 << q) - 1), y & ((1 << q) - 1)]);
                 assert!((-(1 << 17)..1 << 17).contains(&x1) && (-(1 << 17)..1 << 17).contains(&y1) || q == 0);
-                sum += (x1 * y1 << (2 * q)) + ((x1 * y0 + x0 * y1) << q);
+                sum += ((x1 * y1) << (2 * q)) + ((x1 * y0 + x0 * y1) << q);
                 sum += if 2 * q <= f { 0 } else { x0 * y0 };
             }
             let row = ((sum + (1 << (f + 1))) >> (f + 2)) as i64;
