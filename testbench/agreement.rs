@@ -12,7 +12,7 @@ use efsat::golden::{Golden, Pair, Pose};
 use efsat::graph::evaluate::Evaluator;
 use efsat::host::{Host, SceneHost};
 use efsat::mesh::Mesh;
-use efsat::params::{Axes, Guard, Params, Projections, Transform, Upper};
+use efsat::params::{Axes, Guard, Params, ProjectionWidth, Projections, Transform, Upper};
 use efsat::scene::{Meeting, Scene};
 use rand::{SeedableRng, seq::IndexedRandom};
 use rayon::prelude::*;
@@ -57,6 +57,22 @@ fn varied(others: &Params) -> Vec<Case> {
             (p.projections, p.axes, p.axes_per_clock) = (projections, Axes::Seventeen, 3);
         });
     }
+    case("projections All".to_owned(), &|p| p.projections = Projections::All);
+    for width in [ProjectionWidth::Rounded, ProjectionWidth::Plus(0), ProjectionWidth::Full] {
+        case(format!("projection-width {width:?}"), &|p| p.projection_width = width);
+    }
+    for axis_shift in [0, 1, 2, 3, 16, 30] {
+        case(format!("axis-shift {axis_shift}"), &|p| p.axis_shift = axis_shift);
+        case(format!("axis-shift {axis_shift}, upper sticky"), &|p| {
+            (p.axis_shift, p.upper) = (axis_shift, Upper::Sticky);
+        });
+    }
+    for projections in [Projections::All, Projections::Skip, Projections::Intersect] {
+        case(format!("edge-test off, projections {projections:?}"), &|p| {
+            (p.edge_test, p.projections) = (false, projections);
+        });
+    }
+    case("like-paper".to_owned(), &|p| *p = Params { tag_width: p.tag_width, ..Params::paper() });
     case("upper sticky".to_owned(), &|p| p.upper = Upper::Sticky);
     for (transform, renormalise) in [
         (Transform::On, false),
@@ -92,6 +108,9 @@ fn varied(others: &Params) -> Vec<Case> {
     cases
 }
 
+const WIDTHS: [ProjectionWidth; 4] =
+    [ProjectionWidth::Rounded, ProjectionWidth::Plus(2), ProjectionWidth::Plus(31), ProjectionWidth::Full];
+
 fn combined(count: usize) -> Vec<Case> {
     let mut rng = rand::rngs::ChaCha8Rng::seed_from_u64(2009);
     let mut cases = vec![];
@@ -104,6 +123,9 @@ fn combined(count: usize) -> Vec<Case> {
             axes,
             axes_per_clock: *[1, 2, 3, 5, 11, 17].choose(&mut rng).unwrap(),
             projections: *[Projections::All, Projections::Skip, Projections::Intersect].choose(&mut rng).unwrap(),
+            projection_width: *WIDTHS.choose(&mut rng).unwrap(),
+            axis_shift: *[0, 1, 3, 7, 30].choose(&mut rng).unwrap(),
+            edge_test: *[true, false].choose(&mut rng).unwrap(),
             upper: *[Upper::Implied, Upper::Sticky].choose(&mut rng).unwrap(),
             renormalise: *[true, false].choose(&mut rng).unwrap(),
             transform: *[Transform::On, Transform::Translate, Transform::Off].choose(&mut rng).unwrap(),

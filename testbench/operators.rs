@@ -3,8 +3,10 @@
 //! statement.
 
 mod axis;
+mod axis_shift;
 mod comparator;
 mod edge;
+mod edge_test;
 mod integral_digits;
 mod multiply;
 mod range;

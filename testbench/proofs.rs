@@ -32,9 +32,9 @@ fn prove(title: &str, claims: Vec<Claim>) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Both rules for upper bounds, the other options as they are by default.
-fn both_rules() -> Vec<Params> {
-    [Upper::Implied, Upper::Sticky].map(|upper| Params { upper, ..Params::default() }).into()
+/// Both rules for upper bounds, the other options as given.
+fn both_rules(others: &Params) -> Vec<Params> {
+    [Upper::Implied, Upper::Sticky].map(|upper| Params { upper, ..others.clone() }).into()
 }
 
 #[test]
@@ -42,7 +42,7 @@ fn sums_and_edges() {
     // The products of 6-bit factors, and those of the design's 18 bits.
     let mut claims = sums::exact_sums(12, true);
     claims.extend(sums::exact_sums(36, false));
-    for params in both_rules() {
+    for params in both_rules(&Params::default()) {
         claims.extend(sums::edges(&Setting::small(params.clone())));
         claims.extend(sums::edges(&Setting::full(params)));
     }
@@ -70,12 +70,18 @@ fn products() {
 
 #[test]
 fn cross_products_and_projections() {
-    let mut settings: Vec<Setting> = both_rules().into_iter().map(Setting::full).collect();
+    let mut settings: Vec<Setting> = both_rules(&Params::paper()).into_iter().map(Setting::full).collect();
+    settings.push(Setting::full(Params::default()));
     if settings::full() {
-        settings.push(Setting::small(Params::default()));
+        settings.push(Setting::small(Params::paper()));
     }
-    let claims = settings.iter().flat_map(|setting| [axes::cross_product(setting), axes::projection(setting)]);
-    prove("Cross products and projections", claims.collect());
+    let both = |setting| [axes::cross_product(setting), axes::projection(setting)];
+    let mut claims: Vec<Claim> = settings.iter().flat_map(both).collect();
+    for params in both_rules(&Params::default()) {
+        claims.push(axes::axis_shift(&Setting::full(params)));
+    }
+    claims.push(axes::edge_test(&Setting::full(Params::default())));
+    prove("Cross products and projections", claims);
 }
 
 #[test]
@@ -94,7 +100,7 @@ fn comparators() {
 #[test]
 fn transform_and_renormalisation() {
     let mut claims = vec![];
-    for params in both_rules() {
+    for params in both_rules(&Params::default()) {
         let setting = Setting::full(params.clone());
         claims.extend(["lo", "hi"].map(|end| before_axes::transform_end(&setting, end)));
         claims.push(before_axes::transform_row(&setting));

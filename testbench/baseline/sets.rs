@@ -9,7 +9,7 @@ const COMBINED: usize = 60;
 
 /// The options of a parameter set as on the command line, those that are not the default's.
 pub fn options(p: &Params) -> String {
-    let (given, default) = (p.options(), Params::default().options());
+    let (given, default) = (p.options(), Params::paper().options());
     let other = given.iter().zip(&default).filter(|(given, default)| given != default);
     let options: Vec<String> = other.map(|((name, value), _)| format!("--{name} {value}")).collect();
     if options.is_empty() { "(default)".to_owned() } else { options.join(" ") }
@@ -30,9 +30,9 @@ pub fn all() -> Vec<Params> {
 }
 
 fn one_at_a_time() -> Vec<Params> {
-    let mut sets = vec![Params::default()];
+    let mut sets = vec![Params::paper()];
     let mut set = |change: &dyn Fn(&mut Params)| {
-        let mut p = Params::default();
+        let mut p = Params::paper();
         change(&mut p);
         p.validate().expect("a legal parameter set");
         sets.push(p);
@@ -99,6 +99,7 @@ fn combination(draw: &mut Draw) -> Params {
         device: draw.one_of(&["xc2v6000-4", "xc2v6000-4", "xc6slx150-3", "xc7a200t-1", "lfe5u-85-6"]).to_owned(),
         frequency: draw.one_of(&[20, 66, 100, 100, 150, 250]),
         tag_width: draw.one_of(&[0, 8, 16]),
-        ..Params::default()
+        // Options that came later.
+        ..Params::paper()
     }
 }

@@ -19,7 +19,8 @@ fn cross_products_contain_every_cross_product() {
             let [e, f] =
                 ["e", "f"].map(|name| vector(top, name, Type::signed(4, 1), 1).map(Interval::factor).named(name));
             let phases = Phases::new(2, |s| Some(ways[s]));
-            let l = cross_product(e, f, &Roundings::by_phase(&p, &ways, &phases, top, "rounding"), &[]).named("l");
+            let l =
+                cross_product(e, f, Some(&Roundings::by_phase(&p, &ways, &phases, top, "rounding")), &[]).named("l");
             phases.capture(&l).flat_map(|(_, l)| l.signals()).collect()
         });
         tuples(&intervals(-1..=1), 6, |x| {
@@ -47,7 +48,7 @@ fn projections_contain_every_dot_product() {
             let [v, l] =
                 ["v", "l"].map(|name| vector(top, name, Type::signed(4, 1), 1).map(Interval::factor).named(name));
             let roundings = Roundings::one(Rounding { drop: 1, saturate: None }, upper, Type::signed(4, 1));
-            projection(v, l, &roundings, &[]).signals()
+            projection(&Params::paper(), v, l, &roundings, &[]).signals()
         });
         tuples(&intervals(-1..=1), 6, |x| {
             let (v, l) = x.split_at(3);

@@ -117,7 +117,7 @@ fn clamped_edges_and_normals_contain_the_true_ones() {
     for upper in UPPERS {
         let (on, translate, off) = (Transform::On, Transform::Translate, Transform::Off);
         for (width, transform, renormalise) in [(6, on, true), (7, on, true), (6, off, false), (6, translate, false)] {
-            let p = Params { width, transform_width: width, transform, renormalise, upper, ..Params::default() };
+            let p = Params { width, transform_width: width, transform, renormalise, upper, ..Params::paper() };
             let f = p.formats();
             let (coordinate, edge_row, normal_row) = (&f.coordinate_b, &f.edge_b, f.axis(AxisKind::NormalB));
             lemmas.extend([edge_row, normal_row].into_iter().filter_map(|r| r.clamp).map(|c| c.lemma));
@@ -133,7 +133,7 @@ fn clamped_edges_and_normals_contain_the_true_ones() {
                 let e = Vec3([x, y, x]).map(Interval::factor).named("e");
                 let f = [-back_x, -back_y].map(|e| e.each(|_, end| end.bits(p.width)));
                 let f = Vec3([f[0], f[1], f[0]]).map(Interval::factor).named("f");
-                [x, y, back_x, back_y, cross_product(e, f, &to_normal, &[])[2]].signals()
+                [x, y, back_x, back_y, cross_product(e, f, Some(&to_normal), &[])[2]].signals()
             });
             // Half an ulp, so that the true numbers lie on and off the grid; the box is the lemma's.
             let half = extents(&p, &f)[1] - 1;

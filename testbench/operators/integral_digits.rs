@@ -49,7 +49,7 @@ fn every_row_has_the_least_integral_digits() {
             for upper in UPPERS {
                 let transform_width = width.max(12);
                 let axes = Axes::Seventeen;
-                let p = Params { width, transform_width, axes, transform, renormalise, upper, ..Params::default() };
+                let p = Params { width, transform_width, axes, transform, renormalise, upper, ..Params::paper() };
                 let f = p.formats();
                 let mut check = |row: &Row, unit: &dyn Fn(i32) -> bool| {
                     assert!(unit(0), "{} does not fit: {p:?}", row.name);
@@ -93,7 +93,7 @@ fn every_row_has_the_least_integral_digits() {
                         possible(|top| {
                             let e = factor(top, "e", left.format.fraction, left.bound, &p);
                             let f = factor(top, "f", right.format.fraction, right.bound, &p);
-                            cross_product(e, f, &to, &[]).signals()
+                            cross_product(e, f, Some(&to), &[]).signals()
                         })
                     });
                     let (point, axis) = (f.coordinate_a.bound.max(f.coordinate_b.bound), row);
@@ -104,7 +104,7 @@ fn every_row_has_the_least_integral_digits() {
                         possible(|top| {
                             let v = factor(top, "v", grid, point, &p);
                             let l = factor(top, "l", axis.format.fraction, axis.bound, &p);
-                            projection(v, l, &to, &[]).signals()
+                            projection(&p, v, l, &to, &[]).signals()
                         })
                     });
                 }

@@ -5,12 +5,14 @@ use super::rounding::claim_rounded;
 use super::settings::Setting;
 use super::sums::interval;
 use super::unit::Mistake::{
-    LastNotStrict, NoUlp, NotStrict, OtherBound, WrongArm, WrongComponent, WrongGate, WrongSlice,
+    LastNotStrict, NoUlp, NotMissing, NotStrict, OtherBound, WrongArm, WrongComponent, WrongGate, WrongLastGate,
+    WrongSign, WrongSlice,
 };
 use super::unit::Subject;
 use efsat::design::comparator::{DUPLICATES, Owners, comparator as network};
 use efsat::design::rounding::Rounding;
 use efsat::graph::{Library, Signals};
+use efsat::number::Upper;
 use efsat::op::Type;
 use efsat::params::{AxisKind, Formats, Params, Projections, Row};
 
@@ -87,13 +89,78 @@ pub fn cross_product(setting: &Setting) -> Claim {
             let (lo, hi) = (format!("{exact}_lo"), format!("{exact}_hi"));
             claim.between(&format!("{exact}_truth"), &lo, &hi, 2 * params.width + 1);
         }
-        claim_chosen(&mut claim, &format!("l_{i}"), &exact, &ways, params);
+        if params.axis_shift > 0 {
+            claim.shown(format!("l_{i}_lo == {exact}_lo && l_{i}_hi == {exact}_hi"));
+        } else {
+            claim_chosen(&mut claim, &format!("l_{i}"), &exact, &ways, params);
+        }
+    }
+    if params.axis_shift > 0 {
+        claim.mutant(OtherBound, "l(i).lo").mutant(WrongSign, "l(i).hi").mutant(WrongComponent, "e_j_f_k_unit");
+        return claim;
     }
     claim.mutant(NoUlp, "l_hi_up(i)|l_hi_up_d1(i)|l_hi_up_up_d1(i)|l(i).hi").mutant(OtherBound, "exact(i).lo");
     claim.mutant(WrongSlice, "l_lo_floor_17_d1(i)|l_lo_floor_4_d1(i)|l(i).lo").mutant(WrongComponent, "e_j_f_k_unit");
     if ways.len() > 1 {
         claim.mutant(WrongArm, "l(i).lo").mutant(WrongArm, "l_saturated(i).hi");
     }
+    claim
+}
+
+/// The shift is the greatest that the six bounds allow once they are rounded, the same for all; behind it every component is
+/// contained, and in its format.
+pub fn axis_shift(setting: &Setting) -> Claim {
+    let (p, n) = (&setting.params, setting.params.width);
+    let mut claim =
+        Claim::new(Subject::of_design(setting, "axis_shift"), setting.label(), "shift as defined; contains l");
+    let up = |x: &str| match p.upper {
+        Upper::Implied => format!("(({x} >>> {n}) + 1)"),
+        Upper::Sticky => format!("-((-{x}) >>> {n})"),
+    };
+    let mut bounds = vec![];
+    for c in COORDINATES {
+        let (lo, hi) = (format!("exact_{c}_lo"), format!("exact_{c}_hi"));
+        claim.value(&format!("rounded_{c}_lo"), format!("{lo} >>> {n}")).value(&format!("rounded_{c}_hi"), up(&hi));
+        bounds.extend(["lo", "hi"].map(|end| format!("rounded_{c}_{end}")));
+        claim.between(&format!("truth_{c}"), &lo, &hi, 2 * n + 1);
+    }
+    let most = number((1 << (n - 1)) - 1);
+    let inside = |s: u32| {
+        let all = bounds.iter().map(|x| format!("({x} <<< {s}) <= {most} && -{most} <= ({x} <<< {s})"));
+        all.collect::<Vec<_>>().join(" && ")
+    };
+    let left = (1..=p.axis_positions()).fold("0".to_owned(), |less, s| format!("(({}) ? {s} : {less})", inside(s)));
+    claim.value("left", left);
+    for c in COORDINATES {
+        let shifted = |end: &str| format!("(exact_{c}_{end} <<< left)");
+        claim.value(&format!("shifted_{c}_lo"), shifted("lo")).value(&format!("shifted_{c}_hi"), shifted("hi"));
+        claim.shown(format!("l_{c}_lo == (shifted_{c}_lo >>> {n})"));
+        claim.shown(format!("l_{c}_hi == {}", up(&format!("shifted_{c}_hi"))));
+        let truth = format!("(truth_{c} <<< left)");
+        claim.shown(format!("(l_{c}_lo <<< {n}) <= {truth} && {truth} <= (l_{c}_hi <<< {n})"));
+        claim.shown(format!("-{most} <= l_{c}_lo && l_{c}_hi <= {most}"));
+    }
+    claim.mutant(NoUlp, "l_hi_sum(i)|l_hi(i)|l(i).hi").mutant(NoUlp, "rounded(i).hi").mutant(NotMissing, "zero2");
+    claim.mutant(WrongArm, "shifted1(i).lo").mutant(WrongSlice, "kept(i).lo").mutant(OtherBound, "kept(i).hi");
+    claim
+}
+
+/// An edge passes through a triangle by the definition, from any flags.
+pub fn edge_test(setting: &Setting) -> Claim {
+    let mut claim = Claim::new(Subject::of_design(setting, "edge_test"), setting.label(), "as defined");
+    let passes = |ends: &str, k: usize, edge: &dyn Fn(&str, usize) -> String| {
+        let next = (k + 1) % 3;
+        let end = |way: &str, i: usize| format!("raw_{ends}_{way}{i}");
+        let all = |way: &str| (0..3).map(|i| edge(way, i)).collect::<Vec<_>>().join(" && ");
+        let crosses = |p: &str, q: &str| format!("{} && {}", end(p, k), end(q, next));
+        let (up, down) = (crosses("below", "above"), crosses("above", "below"));
+        format!("(({up} || {down}) && (({}) || ({})))", all("above"), all("below"))
+    };
+    let of_a = (0..3).map(|k| passes("v", k, &|way, l| format!("raw_edges_{way}{k}_{l}")));
+    let of_b = (0..3).map(|l| passes("w", l, &|way, k| format!("raw_edges_{way}{k}_{l}")));
+    let any: Vec<String> = of_a.chain(of_b).collect();
+    claim.shown(format!("raw_pierced == ({})", any.join(" || ")));
+    claim.mutant(WrongGate, "a_passes(k)").mutant(WrongLastGate, "b_passes(k)");
     claim
 }
 
@@ -118,6 +185,14 @@ pub fn projection(setting: &Setting) -> Claim {
         claim.value("exact_truth", products.each_ref().map(|product| format!("true_{product}")).join(" + "));
     } else {
         claim.between("exact_truth", "exact_lo", "exact_hi", 2 * params.width + 2);
+    }
+    if params.projection_upper().is_none() {
+        // Comparisons of such bounds are those of the exact ones, but for what is too near to tell.
+        let [way] = ways[..] else { panic!("expected one way of rounding, found {ways:?}") };
+        let rounded = |end: &str| format!("p_{end} == (exact_{end} >>> {})", way.drop);
+        claim.shown(format!("{} && {}", rounded("lo"), rounded("hi")));
+        claim.mutant(OtherBound, "exact.lo").mutant(WrongSlice, "p.lo").mutant(WrongComponent, "term_unit");
+        return claim;
     }
     claim_chosen(&mut claim, "p", "exact", &ways, params);
     claim.mutant(NoUlp, "p.hi|p_hi_up").mutant(OtherBound, "exact.lo");

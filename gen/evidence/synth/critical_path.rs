@@ -2,12 +2,14 @@
 //!
 //! Yosys names a net without a name after what it leads to (`a_max_hi_LUT4_Z_17_D`), so a net belongs to the signal of
 //! the design whose name is the longest beginning of its own; GHDL's numbered nets belong to none and are part of the
-//! way to the next.
+//! way to the next. A bundle that is printed as a record or an array is one net; an instance in a generate statement has
+//! the statement's label and its index in its name.
 
 use super::harness;
+use efsat_hardware::graph::{Place, Step as PathStep};
 use efsat_hardware::netlist::Module;
 use serde::Deserialize;
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 /// A signal on a path, with the delay since the signal before, ns.
 #[derive(Clone, Debug, PartialEq)]
@@ -58,21 +60,37 @@ struct RawStep {
     net: Option<String>,
 }
 
-/// The names of all signals of a design, each with the labels of the instances it is in.
-pub(super) struct Names(HashSet<String>);
+/// The names of all signals of a design by those of their nets, each with the labels of the instances it is in.
+pub(super) struct Names(HashMap<String, String>);
 
 impl Names {
     /// The names in a top module.
     pub fn new(top: &Module) -> Self {
-        fn collect(module: &Module, prefix: &str, names: &mut HashSet<String>) {
-            names.extend(module.signals.iter().map(|signal| format!("{prefix}{}", signal.name())));
-            names.extend(module.outputs.iter().map(|(name, _)| format!("{prefix}{name}")));
+        fn collect(module: &Module, nets: &str, prefix: &str, names: &mut HashMap<String, String>) {
+            let signals = module.signals.iter().map(|signal| &signal.place);
+            for place in signals.chain(module.outputs.iter().map(|(place, _)| place)).filter(|place| !place.is_empty())
+            {
+                // The bundle itself, its fields as far as each is printed on its own, and every element.
+                for net in [Place { path: vec![], ..place.clone() }, fields(place), place.clone()] {
+                    names.insert(format!("{nets}{net}"), format!("{prefix}{net}"));
+                }
+            }
             for instance in &module.instances {
-                collect(&instance.module, &format!("{prefix}{}.", instance.place), names);
+                let place = &instance.place;
+                let indices = place.path.iter().filter_map(|step| match step {
+                    PathStep::Index(i) | PathStep::Component(i) => Some(format!("_n{i}_unit")),
+                    PathStep::Field(..) | PathStep::Beside(_) => None,
+                });
+                let label = place.to_string();
+                let folded = format!("{}{}", fields(place), indices.collect::<String>());
+                let short = label.strip_suffix("_unit").unwrap_or(&label);
+                for net in [&label, &folded] {
+                    collect(&instance.module, &format!("{nets}{net}."), &format!("{prefix}{short}."), names);
+                }
             }
         }
-        let mut names = HashSet::new();
-        collect(top, "", &mut names);
+        let mut names = HashMap::new();
+        collect(top, "", "", &mut names);
         Self(names)
     }
 
@@ -86,8 +104,14 @@ impl Names {
         let name = name.split('[').next().unwrap_or(name);
         let ends = name.match_indices(['_', '$']).map(|(at, _)| at).chain([name.len()]);
         let beginnings: Vec<&str> = ends.map(|end| &name[..end]).collect();
-        beginnings.into_iter().rev().find(|name| self.0.contains(*name)).map(str::to_owned)
+        beginnings.into_iter().rev().find_map(|name| self.0.get(name)).cloned()
     }
+}
+
+/// A name without what has become an index.
+fn fields(place: &Place) -> Place {
+    let path = place.path.iter().filter(|step| matches!(step, PathStep::Field(..) | PathStep::Beside(_)));
+    Place { path: path.copied().collect(), ..place.clone() }
 }
 
 /// The longest path from register to register; without steps if there is none.
@@ -125,9 +149,12 @@ fn follow(path: &[RawStep], names: &Names) -> CriticalPath {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use efsat_unit::design::{Design, Probes};
+    use efsat_unit::params::Params;
 
     fn names() -> Names {
-        Names(["path.cmp.a_max_d1", "path.cmp.a_max", "path.cmp.a_below_b"].map(str::to_owned).into())
+        let names = ["path.cmp.a_max_d1", "path.cmp.a_max", "path.cmp.a_below_b"];
+        Names(names.map(|name| (name.to_owned(), name.to_owned())).into())
     }
 
     #[test]
@@ -139,6 +166,16 @@ mod tests {
         assert_eq!(signal("given[3]").as_deref(), Some("harness"));
         assert_eq!(signal("unit.path.cmp.n3813_q"), None);
         assert_eq!(signal("$nextpnr_CCU2C_707$CIN"), None);
+    }
+
+    #[test]
+    fn nets_in_generate_statements_belong_to_signals() {
+        let params = Params::default();
+        let names = Names::new(&Design::new(&params, Probes::None).unwrap().top);
+        let signal = |net: &str| names.signal(net);
+        assert_eq!(signal("unit.path.p_unit_n1_unit.exact[12]").as_deref(), Some("path.p1.exact"));
+        let part = "unit.path.p_unit_n1_unit.term_unit_n2_unit.p_lo";
+        assert_eq!(signal(part).as_deref(), Some("path.p1.term_z.p_lo"));
     }
 
     #[test]

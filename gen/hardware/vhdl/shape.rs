@@ -53,7 +53,7 @@ impl Shape {
             Self::Flag => "flag".to_owned(),
             Self::Number(signed, bits) => format!("{}_{bits}", if *signed { "signed" } else { "unsigned" }),
             Self::Record(kind, fields) => {
-                let mut widths: Vec<u32> = fields.iter().filter_map(|f| f.1.width()).collect();
+                let mut widths: Vec<String> = fields.iter().filter_map(|f| f.1.width()).collect();
                 if !exact {
                     widths.truncate(1);
                 }
@@ -64,9 +64,10 @@ impl Shape {
         }
     }
 
-    fn width(&self) -> Option<u32> {
+    /// The width of a number, marked where it has no sign.
+    fn width(&self) -> Option<String> {
         match self {
-            Self::Number(_, bits) => Some(*bits),
+            Self::Number(signed, bits) => Some(format!("{}{bits}", if *signed { "" } else { "u" })),
             _ => None,
         }
     }

@@ -1,8 +1,10 @@
 //! The axes of the data path: which axis each unit tests in which phase, on what operands, and how the flags are held.
 
 use super::axes::{Axis, Duplicates, Factor as Of};
+use super::axis_shift::axis_shift;
 use super::comparator::{DUPLICATES, Owners, comparator};
 use super::cross_product::cross_product;
+use super::edge_test::{Seen, Side, pierced, seen, side};
 use super::interval::{Factor, Factors, Interval};
 use super::pipeline::{Edges, Path};
 use super::projection::projection;
@@ -11,13 +13,23 @@ use crate::params::{AxisKind, Formats, Projections, Row};
 use efsat_hardware::graph::{Phases, Sig, Signals, Vec3};
 use efsat_hardware::op::Type;
 
-/// All axes: what each says, *separated* and *overlapping*, held for the pair and clear for one `outside`.
+/// What the axes say, held for the pair and clear for one `outside`.
+pub(super) struct Flags<'l> {
+    /// Of each axis.
+    pub separated: Vec<Sig<'l>>,
+    /// Of each axis.
+    pub overlapping: Vec<Sig<'l>>,
+    /// Whether an edge passes through the other triangle, where that is tested.
+    pub pierced: Option<Sig<'l>>,
+}
+
+/// All axes.
 pub(super) fn axes<'l>(
     path: &Path<'l, '_>,
     points: &[Factors<'l>; 6],
     edges: &Edges<'l>,
     outside: Option<Sig<'l>>,
-) -> (Vec<Sig<'l>>, Vec<Sig<'l>>) {
+) -> Flags<'l> {
     let (p, formats) = (path.p, &path.formats);
     let all = Axis::all(p.axes);
     let units = p.axes_per_clock;
@@ -55,8 +67,13 @@ pub(super) fn axes<'l>(
         l[u] = Some(stage.cross(u, jobs, normals));
     }
     let mut flags: Vec<Option<(Sig<'l>, Sig<'l>)>> = vec![None; all.len()];
+    let mut sides: Vec<(Seen, Side<'l>)> = vec![];
     for (u, (jobs, _)) in jobs.iter().enumerate() {
-        let said = stage.decide(u, jobs, points, l[u].expect("every unit has axes"));
+        let image = stage.projected(u, jobs, points, l[u].expect("every unit has axes"));
+        if p.edge_test {
+            sides.extend(stage.sides(u, jobs, &image));
+        }
+        let said = stage.decide(u, jobs, image);
         let said = match outside {
             None => said,
             // Section 7 then makes the pair possibly incorrect.
@@ -69,7 +86,13 @@ pub(super) fn axes<'l>(
         jobs.capture(&said).for_each(|(axis, said)| flags[axis.index] = Some(said));
     }
     let (separated, overlapping): (Vec<_>, Vec<_>) = flags.into_iter().flatten().unzip();
-    (separated.named("separated"), overlapping.named("overlapping"))
+    let (separated, overlapping) = (separated.named("separated"), overlapping.named("overlapping"));
+    let pierced = p.edge_test.then(|| {
+        let of = |seen: Seen| sides.iter().find(|side| side.0 == seen).expect("every side is seen on an axis").1;
+        let pierced = pierced(of);
+        outside.map_or(pierced, |outside| pierced & !outside).named("pierced")
+    });
+    Flags { separated, overlapping, pierced }
 }
 
 /// What all axis units share.
@@ -102,17 +125,35 @@ impl<'l> Stage<'l, '_, '_> {
             chosen.named_at(name, u)
         };
         let (e, f) = (chosen(|axis| axis.left, "axis_e"), chosen(|axis| axis.right, "axis_f"));
-        let roundings = self.cross.roundings(self.path, jobs, &format!("axis{u}_rounding"));
-        let l = cross_product(e, f, &roundings, &self.cross.text).probe(&jobs.meaning());
+        let l = if self.path.p.axis_shift > 0 {
+            let exact = cross_product(e, f, None, &self.cross.text).named_at("axis_exact", u);
+            axis_shift(self.path.p, exact)
+        } else {
+            let roundings = self.cross.roundings(self.path, jobs, &format!("axis{u}_rounding"));
+            cross_product(e, f, Some(&roundings), &self.cross.text)
+        };
+        let l = l.probe(&jobs.meaning());
         l.map(Interval::factor).named_at("axis_l", u)
     }
 
-    /// Projections and comparators of unit `u`.
-    fn decide(&self, u: usize, jobs: &Phases<Axis>, points: &[Factors<'l>; 6], l: Factors<'l>) -> (Sig<'l>, Sig<'l>) {
-        let (p, unit) = (self.path.p, self.path.u);
+    /// How many points an axis unit projects at most.
+    fn slots(&self) -> usize {
+        let p = self.path.p;
         let count = |axis: &Axis| axis.projected(0, p.projections).len() + axis.projected(1, p.projections).len();
-        let slots = Axis::all(p.axes).iter().map(count).max().unwrap_or(6);
+        Axis::all(p.axes).iter().map(count).max().unwrap_or(6)
+    }
+
+    /// The projections of unit `u`.
+    fn projected(
+        &self,
+        u: usize,
+        jobs: &Phases<Axis>,
+        points: &[Factors<'l>; 6],
+        l: Factors<'l>,
+    ) -> Vec<Interval<Sig<'l>>> {
+        let (p, slots) = (self.path.p, self.slots());
         let roundings = self.project.roundings(self.path, jobs, &format!("projection{u}_rounding"));
+        let roundings = roundings.of_projections(p, self.project.bits);
         let name = if p.axes_per_clock == 1 { "p".to_owned() } else { format!("axis{u}_p") };
         let mut image: Vec<Interval<Sig<'l>>> = vec![];
         for slot in 0..slots {
@@ -124,8 +165,37 @@ impl<'l> Stage<'l, '_, '_> {
             }
             let v = point.map(|i| points[*i]).mux().named_at(&format!("axis{u}_v"), slot);
             let meaning = point.meaning();
-            image.push(projection(v, l, &roundings, &self.project.text).named_at(&name, slot).probe(&meaning));
+            image.push(projection(p, v, l, &roundings, &self.project.text).named_at(&name, slot).probe(&meaning));
         }
+        image
+    }
+
+    /// Where the vertices and edges certainly are that the axes of unit `u` tell of.
+    fn sides(&self, u: usize, jobs: &Phases<Axis>, image: &[Interval<Sig<'l>>]) -> Vec<(Seen, Side<'l>)> {
+        let (p, slots) = (self.path.p, self.slots());
+        let slot = |axis: &Axis, point: usize| {
+            (0..slots)
+                .find(|slot| projected(axis, p.projections, *slot, slots) == Some(point))
+                .expect("it is projected")
+        };
+        let seen_in = |axis: &Axis, [a, b]: [usize; 2]| {
+            let mut seen = seen(axis).into_iter();
+            seen.find(|(_, [i, j])| [slot(axis, *i), slot(axis, 3 + j)] == [a, b]).map(|(seen, _)| seen)
+        };
+        let mut sides = vec![];
+        for (a, b) in (0..slots).flat_map(|a| (0..slots).map(move |b| (a, b))) {
+            let jobs = jobs.filter_map(|axis| seen_in(axis, [a, b]));
+            if !jobs.idle() {
+                let side = side(image[a], image[b]).named(&format!("axis{u}_side_{a}{b}"));
+                sides.extend(jobs.capture(&side).map(|(seen, side)| (*seen, side)));
+            }
+        }
+        sides
+    }
+
+    /// Comparators of unit `u`.
+    fn decide(&self, u: usize, jobs: &Phases<Axis>, image: Vec<Interval<Sig<'l>>>) -> (Sig<'l>, Sig<'l>) {
+        let (p, unit) = (self.path.p, self.path.u);
         let flag = |triangle: usize, i: usize| {
             let has = jobs.map(|axis| i128::from(i < axis.projected(triangle, p.projections).len()));
             has.constant(unit, Type::FLAG).named(&format!("axis{u}_has_{}{i}", ["a", "b"][triangle]))
@@ -162,6 +232,8 @@ fn projected(axis: &Axis, policy: Projections, slot: usize, slots: usize) -> Opt
 /// The roundings of a unit by kind of axis, and its formats in words.
 struct Table {
     ways: Vec<(AxisKind, Rounding)>,
+    /// Bits of the widest result.
+    bits: u32,
     text: Vec<String>,
 }
 
@@ -188,9 +260,11 @@ impl Table {
         let [e, f, l] = names;
         let mut text = vec![format!("  {:<12} {e:<7} {f:<7} {l:<7} {:<10} rounding", "axis", format!("|{l}| <="))];
         let mut ways: Vec<(AxisKind, Rounding)> = vec![];
+        let mut bits = 0;
         for axis in axes {
             let (fraction, to, [e, f]) = row(axis);
             let way = Rounding::to_row(fraction, to);
+            bits = bits.max(to.format.bits);
             if ways.iter().any(|w| w.0 == axis.kind) {
                 continue;
             }
@@ -205,7 +279,7 @@ impl Table {
             let (format, bound) = (to.format.to_string(), to.bound);
             text.push(format!("  {:<12} {e:<7} {f:<7} {format:<7} {bound:<10} {cut}{saturated}", kind_name(axis.kind)));
         }
-        Self { ways, text }
+        Self { ways, bits, text }
     }
 
     fn way(&self, kind: AxisKind) -> Rounding {

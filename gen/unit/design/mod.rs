@@ -1,14 +1,16 @@
 //! The design: the paper's units as functions of bundles, from the interval operators to the top.
 //!
 //! One file per unit; the entity that is printed has the file's name. Reading order: [`interval`], [`product`] and
-//! [`rounding`] (operators), [`cross_product`], [`projection`], [`comparator`] (one axis), [`transform_row`],
-//! [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
+//! [`rounding`] (operators), [`cross_product`], [`axis_shift`], [`projection`], [`comparator`] (one axis), [`transform_row`],
+//! [`edge_test`], [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
 //! `axis_stage`), [`sequencer`] and [`top`] (handshakes).
 
 pub mod axes;
+pub mod axis_shift;
 mod axis_stage;
 pub mod comparator;
 pub mod cross_product;
+pub mod edge_test;
 pub mod guard;
 pub mod interval;
 pub mod number;

@@ -4,7 +4,7 @@
 //! row `s * rows + r` (vertex by vertex), a lane re-normalises one point, and axis unit u tests axis `s * units + u`. Where
 //! there is a [guard](super::guard), numbers pass it on their way to the first unit.
 
-use super::axis_stage;
+use super::axis_stage::{self, Flags};
 use super::guard::{Guards, any};
 use super::interval::{Factor, Factors, Interval, Vector};
 use super::number::Number;
@@ -32,10 +32,11 @@ pub fn unit(p: &Params) -> Rc<Unit> {
         let b = pose.map(|pose| path.transformed(&w, &pose));
         let (points, edges) = path.working(&v, &w, b.as_ref());
         let outside = path.guards.outside();
-        let (separated, overlapping) = axis_stage::axes(&path, &points, &edges, outside);
+        let Flags { separated, overlapping, pierced } = axis_stage::axes(&path, &points, &edges, outside);
         // Section 7.
         let separate = any(&separated).named("separate");
         let surely = (!(!overlapping[0].below(&overlapping[1..11])).any()).named("all_overlap");
+        let surely = pierced.map_or(surely, |pierced| surely | pierced).named("surely");
         let (intersect, unknown) = (!separate & surely, !separate & !surely);
         let verdict = intersect.below(&[unknown]).named("verdict");
         let verdict = verdict.comment("00 separate, 01 intersect, 10 possibly incorrect");

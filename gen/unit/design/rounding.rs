@@ -29,8 +29,8 @@ pub struct Roundings<'l> {
     ways: Vec<Rounding>,
     /// The number of the one in force, if there are several.
     pub select: Option<Sig<'l>>,
-    /// Rule for upper bounds.
-    upper: Upper,
+    /// Rule for upper bounds; without one they are rounded down.
+    upper: Option<Upper>,
     /// Type of the result.
     ty: Type,
 }
@@ -38,7 +38,7 @@ pub struct Roundings<'l> {
 impl<'l> Roundings<'l> {
     /// One rounding, to a type.
     pub fn one(way: Rounding, upper: Upper, ty: Type) -> Self {
-        Self { ways: vec![way], select: None, upper, ty }
+        Self { ways: vec![way], select: None, upper: Some(upper), ty }
     }
 
     /// A rounding per phase, to the working width; `all` are the ones of all units that are to be alike.
@@ -51,12 +51,28 @@ impl<'l> Roundings<'l> {
         });
         let number = phases.map(|way| ways.iter().position(|w| w == way).expect("one of all") as i128);
         let select = (ways.len() > 1).then(|| number.constant(unit, Type::index(ways.len())).named(name));
-        Self { ways, select, upper: p.upper, ty: working(p) }
+        Self { ways, select, upper: Some(p.upper), ty: working(p) }
+    }
+
+    /// The same for projections, the widest of which has so many bits.
+    pub fn of_projections(self, p: &Params, bits: u32) -> Self {
+        Self { upper: p.projection_upper(), ty: Type { bits, ..self.ty }, ..self }
     }
 
     /// The same, chosen by another signal: a port of the unit that rounds.
     pub fn selected_by(&self, select: Option<Sig<'l>>) -> Self {
         Self { select, ..self.clone() }
+    }
+}
+
+/// Rounded toward plus infinity by that many bits, by the rule for upper bounds.
+pub fn round_up<'l>(x: Sig<'l>, drop: u32, upper: Upper) -> Sig<'l> {
+    let floor = x.floor(drop as i32);
+    match upper {
+        // floor + ulp (equation 5)
+        Upper::Implied => (floor + floor.unit().constant(1, Type::FLAG)).called("up"),
+        // Exact ceiling: floor + OR of the dropped bits.
+        Upper::Sticky => (floor + x.low(drop).any().called("inexact")).called("up").known(Fact::Ceiling(drop), &[x]),
     }
 }
 
@@ -79,17 +95,11 @@ impl<'l> Interval<Sig<'l>> {
         Self { lo: end(|x| x.lo), hi: end(|x| x.hi) }
     }
 
-    fn rounded(self, way: Rounding, upper: Upper) -> Self {
-        let (lo, floor) = (self.lo.floor(way.drop), self.hi.floor(way.drop));
+    fn rounded(self, way: Rounding, upper: Option<Upper>) -> Self {
+        let lo = self.lo.floor(way.drop);
         let hi = match upper {
-            _ if way.drop <= 0 => floor,
-            // floor + ulp (equation 5)
-            Upper::Implied => (floor + floor.unit().constant(1, Type::FLAG)).called("up"),
-            // Exact ceiling: floor + OR of the dropped bits.
-            Upper::Sticky => {
-                let drop = way.drop as u32;
-                (floor + self.hi.low(drop).any().called("inexact")).called("up").known(Fact::Ceiling(drop), &[self.hi])
-            }
+            Some(upper) if way.drop > 0 => round_up(self.hi, way.drop as u32, upper),
+            _ => self.hi.floor(way.drop),
         };
         let saturated = |x: Sig<'l>| match way.saturate {
             Some((bound, lemma)) => x.saturate(bound, lemma),

@@ -96,6 +96,8 @@ pub(super) struct AxisUnit {
     cross: [Rounding; 3],
     in_plane_a: [Rounding; 3],
     in_plane_b: Rounding,
+    /// Positions by which an axis may be shifted, and the width of its components.
+    shift: Option<(u32, u32)>,
 }
 
 impl AxisUnit {
@@ -115,6 +117,7 @@ impl AxisUnit {
             cross: three(|k| to(edge_a[k] + edge_b, AxisKind::Cross(k))),
             in_plane_a: three(|k| to(normal(AxisKind::NormalA) + edge_a[k], AxisKind::InPlaneA(k))),
             in_plane_b: to(normal(AxisKind::NormalB) + edge_b, AxisKind::InPlaneB),
+            shift: (p.axis_shift > 0).then(|| (p.axis_positions(), p.width)),
         }
     }
 
@@ -129,7 +132,7 @@ impl AxisUnit {
     /// n_A and n_B; X2 - X0 is the negated edge e_X2.
     pub fn normals<W: Wide>(&self, edges: &Edges<W::Mantissa>) -> Normals<W::Mantissa> {
         let normal =
-            |e: &Triple<W::Mantissa>, rounding| cross::<W>(&e[0], &three(|i| negated(e[2][i].clone())), rounding);
+            |e: &Triple<W::Mantissa>, rounding| self.cross::<W>(&e[0], &three(|i| negated(e[2][i].clone())), rounding);
         Normals { a: normal(&edges.a, self.normal_a), b: normal(&edges.b, self.normal_b) }
     }
 
@@ -143,15 +146,28 @@ impl AxisUnit {
         match axis {
             Axis::NormalA => normals.a.clone(),
             Axis::NormalB => normals.b.clone(),
-            Axis::Cross(k, l) => cross::<W>(&edges.a[k], &edges.b[l], self.cross[k]),
-            Axis::InPlaneA(k) => cross::<W>(&normals.a, &edges.a[k], self.in_plane_a[k]),
-            Axis::InPlaneB(l) => cross::<W>(&normals.b, &edges.b[l], self.in_plane_b),
+            Axis::Cross(k, l) => self.cross::<W>(&edges.a[k], &edges.b[l], self.cross[k]),
+            Axis::InPlaneA(k) => self.cross::<W>(&normals.a, &edges.a[k], self.in_plane_a[k]),
+            Axis::InPlaneB(l) => self.cross::<W>(&normals.b, &edges.b[l], self.in_plane_b),
         }
     }
-}
 
-/// e x f, every component accumulated exactly and rounded once.
-#[inline(always)]
-fn cross<W: Wide>(e: &Vector<W::Mantissa>, f: &Vector<W::Mantissa>, rounding: Rounding) -> Vector<W::Mantissa> {
-    three(|i| rounding.apply(cross_component::<W>(e, f, i)))
+    /// e x f, every component accumulated exactly and rounded once. Where axes are shifted, all bounds go left by the
+    /// leading zeros that they have in common once rounded: no digit is lost, and rounding again overflows nothing.
+    #[inline(always)]
+    fn cross<W: Wide>(
+        &self,
+        e: &Vector<W::Mantissa>,
+        f: &Vector<W::Mantissa>,
+        rounding: Rounding,
+    ) -> Vector<W::Mantissa> {
+        let exact = three(|i| cross_component::<W>(e, f, i));
+        let Some((most, width)) = self.shift else { return exact.map(|x| rounding.apply(x)) };
+        let rounded = three(|i| rounding.apply(exact[i].clone()));
+        let zeros = width as i32 - 1 - W::Mantissa::length(rounded.iter().flat_map(|x| [&x.lo, &x.hi]));
+        match zeros.clamp(0, most as i32) as u32 {
+            0 => rounded,
+            left => three(|i| rounding.behind_shift(left).apply(exact[i].clone())),
+        }
+    }
 }

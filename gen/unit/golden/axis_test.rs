@@ -7,6 +7,7 @@
 //! [`Params::formats`] has for it.
 
 use super::axes::{Axis, AxisUnit};
+use super::edge_test::Sides;
 use super::input::{Input, Numbers, Pair, Pose};
 use super::interval::{Triple, Vector, Wide, three};
 use super::projection::{Images, ProjectionUnit};
@@ -22,6 +23,7 @@ use efsat_hardware::number::{Interval, Upper};
 pub(super) struct AxisTest {
     upper: Upper,
     axes: Axes,
+    edge_test: bool,
     transform: Transform,
     /// Whether products of two working-width numbers and their sums fit `i64`.
     narrow: bool,
@@ -53,6 +55,7 @@ impl AxisTest {
         Self {
             upper: params.upper,
             axes: params.axes,
+            edge_test: params.edge_test,
             transform: params.transform,
             narrow: 2 * params.width + 4 <= 62,
             frame: Frame::new(params, exact),
@@ -114,12 +117,15 @@ impl AxisTest {
 
     /// All axes, or with `STOP` the axes up to the first separated one.
     pub fn test<W: Wide, const STOP: bool>(&self, points: &Points<W::Mantissa>) -> Outcome {
-        let (mut separated, mut overlapping) = (0, 0);
-        self.axes::<W>(points, |i, Tested { enclosure, .. }| {
+        let (mut separated, mut overlapping, mut sides) = (0, 0, Sides::UNKNOWN);
+        self.axes::<W>(points, |i, Tested { axis, images, enclosure, .. }| {
+            if self.edge_test {
+                sides.see(axis, images);
+            }
             separated |= u32::from(enclosure.separated()) << i;
             overlapping |= u32::from(enclosure.overlapping()) << i;
             !STOP || separated == 0
         });
-        Outcome::new(separated, overlapping)
+        Outcome::new(separated, overlapping, self.edge_test && sides.pierced())
     }
 }

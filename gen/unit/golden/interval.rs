@@ -32,7 +32,9 @@ pub(super) trait Wide:
 /// A number of any signal of the design, in units of the last place; every format is at most 48 bits wide.
 pub(super) trait Mantissa: Wide<Mantissa = Self> + From<i64> {
     /// The least p with all these magnitudes below 2^p; any p if all are zero.
-    fn length(numbers: &[Self; 12]) -> i32;
+    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32
+    where
+        Self: 'a;
 }
 
 macro_rules! integer {
@@ -63,8 +65,8 @@ integer!(i128);
 
 impl Mantissa for i64 {
     #[inline(always)]
-    fn length(numbers: &[Self; 12]) -> i32 {
-        let all = numbers.iter().fold(0, |all, x| all | x.unsigned_abs());
+    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32 {
+        let all = numbers.fold(0, |all, x| all | x.unsigned_abs());
         (u64::BITS - all.leading_zeros()) as i32
     }
 }
@@ -201,7 +203,8 @@ pub(super) struct Rounding {
     /// What is added to an upper bound before it is shifted.
     lift: i64,
     pub clamp: i64,
-    pub upper: Upper,
+    /// The rule for upper bounds; without one they are rounded down too.
+    pub upper: Option<Upper>,
     /// Whether numbers come from a shifter, which fills their last places with zeros.
     pub shifted: bool,
     /// Whether the digits below the last place of the format are kept instead, and no clamp is needed.
@@ -210,18 +213,19 @@ pub(super) struct Rounding {
 
 impl Rounding {
     /// To fewer fraction bits by `drop`, without a clamp; a negative `drop` appends zeros.
-    pub fn dropping(drop: i32, upper: Upper) -> Self {
+    pub fn dropping(drop: i32, upper: impl Into<Option<Upper>>) -> Self {
+        let upper = upper.into();
         let lift = match upper {
-            _ if drop <= 0 => 0,
-            Upper::Implied => 1 << drop,
-            Upper::Sticky => (1 << drop) - 1,
+            Some(Upper::Implied) if drop > 0 => 1 << drop,
+            Some(Upper::Sticky) if drop > 0 => (1 << drop) - 1,
+            _ => 0,
         };
         let (drop, append) = (drop.max(0) as u32, (-drop).max(0) as u32);
         Self { drop, append, lift, clamp: i64::MAX, upper, shifted: false, left_out: false }
     }
 
     /// From `fraction` fraction bits to the format of `row`, clamped as the row says.
-    pub fn to_row(fraction: i32, row: &Row, upper: Upper) -> Self {
+    pub fn to_row(fraction: i32, row: &Row, upper: impl Into<Option<Upper>>) -> Self {
         let clamp = row.clamp.map_or(i64::MAX, |c| c.bound as i64);
         Self { clamp, ..Self::dropping(fraction - row.format.fraction, upper) }
     }
@@ -229,6 +233,11 @@ impl Rounding {
     /// For numbers from a shifter: the zeros behind their last digits are dropped like digits.
     pub fn of_shifted(self) -> Self {
         Self { shifted: true, ..self }
+    }
+
+    /// The same for numbers shifted left by so many places.
+    pub fn behind_shift(self, left: u32) -> Self {
+        Self { append: self.append + left, ..self }
     }
 
     /// The same change of format, without rounding if `left_out`.

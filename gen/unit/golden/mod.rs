@@ -12,6 +12,7 @@
 mod axes;
 mod axis_test;
 mod determinants;
+mod edge_test;
 mod guard;
 mod input;
 mod interval;

@@ -65,7 +65,8 @@ impl ProjectionUnit {
             let (kind, duplicates, kept) = (axis.kind(), duplicates(axis), kept(axis));
             let dropped =
                 |side: usize, i: usize| p.projections == Projections::Skip && duplicates[side][i] && i != kept[side];
-            let rounding = Rounding::to_row(grid + f.axis(kind).format.fraction, f.projection(kind), p.upper);
+            let rounding =
+                Rounding::to_row(grid + f.axis(kind).format.fraction, f.projection(kind), p.projection_upper());
             Plan {
                 rounding: rounding.left_out_if(exact.has(Stage::Projection)),
                 duplicates,

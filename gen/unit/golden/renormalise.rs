@@ -47,7 +47,7 @@ impl Normaliser {
         let [p, q, r] = a.each_ref().map(|x| &x[i]);
         let [s, t, u] = b.each_ref().map(|x| &x[i]);
         let bounds = [&p.lo, &p.hi, &q.lo, &q.hi, &r.lo, &r.hi, &s.lo, &s.hi, &t.lo, &t.hi, &u.lo, &u.hi];
-        let length = M::length(&bounds.map(|x| x.clone() - origin.clone()));
+        let length = M::length(bounds.map(|x| x.clone() - origin.clone()).iter());
         (origin.clone(), (self.transform_width as i32 + 1 - length) as u32)
     }
 }

@@ -17,7 +17,7 @@ use super::interval::{Rounding, product};
 use super::verdict::Enclosure;
 use super::{Golden, Input, Pair, Pose, Verdict};
 use crate::host::{Host, SceneHost, loose_pair, sample};
-use crate::params::{Axes, AxisKind, Params, Projections, Transform};
+use crate::params::{Axes, AxisKind, Params, ProjectionWidth, Projections, Transform};
 use efsat_geometry::Points;
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample::random_points;
@@ -53,6 +53,10 @@ fn parameter_sets() -> Vec<Params> {
                         upper,
                         renormalise,
                         transform,
+                        projection_width: [ProjectionWidth::Rounded, ProjectionWidth::Plus(4), ProjectionWidth::Full]
+                            [(i + j) % 3],
+                        axis_shift: [0, 7, 30, 2][(sets.len() + j) % 4],
+                        edge_test: sets.len() % 3 > 0,
                         ..Params::default()
                     };
                     p.validate().unwrap();
@@ -219,6 +223,24 @@ fn strictness_saves_coplanar_pairs() {
     assert_eq!(classified(&apart, &seventeen), Verdict::Separate);
 }
 
+/// A and B have a pair of parallel edges, so that no eleven axes can say *intersect*, and an edge of A passes through B.
+#[test]
+fn parallel_edges_are_decided_where_an_edge_passes() {
+    let a = [[-3., -1., 0.], [3., -1., 0.], [0., 2., 4.]];
+    let b = [[-3., 0., 1.], [3., 0., 1.], [0., 3., -1.]];
+    let points: Points = [a[0], a[1], a[2], b[0], b[1], b[2]];
+    assert_eq!(exact::pair(&points), Exact::Intersect);
+    let p = Params::default();
+    assert_eq!(classified(&points, &p), Verdict::Intersect);
+    for axes in [Axes::Eleven, Axes::Seventeen] {
+        let p = Params { edge_test: false, width: 32, transform_width: 48, axes, ..p.clone() };
+        assert_eq!(classified(&points, &p), Verdict::PossiblyIncorrect);
+    }
+    // A segment through a triangle, which is degenerate.
+    let points: Points = [[0., 0., -1.], [0., 0., -1.], [0., 0., 1.], [-2., -1., 0.], [2., -1., 0.], [0., 3., 0.]];
+    assert_eq!(classified(&points, &p), Verdict::Intersect);
+}
+
 #[test]
 fn the_fast_verdict_is_the_outcomes() {
     let mut rng = ChaCha8Rng::seed_from_u64(7);
@@ -270,6 +292,16 @@ fn cross(a: &[Real; 3], b: &[Real; 3]) -> [Real; 3] {
 
 fn minus(a: &[Real; 3], b: &[Real; 3]) -> [Real; 3] {
     [0, 1, 2].map(|i| &a[i] - &b[i])
+}
+
+/// Whether a number lies in an interval whose upper bound stands for so many units more.
+fn encloses(x: &Interval<i128>, format: Format, beyond: i128, real: &Real) -> bool {
+    at(x.lo, format.fraction) <= *real && *real <= at(x.hi + beyond, format.fraction)
+}
+
+/// An upper bound of a projection that is rounded down stands for all up to the next number.
+fn open(p: &Params) -> i128 {
+    i128::from(p.projection_upper().is_none())
 }
 
 /// The signals of a query in exact arithmetic by name, for one real number out of each input's enclosure, with format
@@ -352,6 +384,24 @@ fn true_signals(
     }
     for (name, kind, direction) in axes {
         let (row, projection) = (f.axis(kind), f.projection(kind));
+        // Section 5: an axis and all that is projected on it carry one power of two.
+        let dots = |triangle: &[[Real; 3]; 3], direction: &[Real; 3]| {
+            triangle.clone().map(|x| (0..3).fold(Real::zero(), |sum, i| sum + &x[i] * &direction[i]))
+        };
+        let fits = |left: &u32| {
+            let direction = direction.clone().map(|x| x * power_of_two(-(*left as i32)));
+            let on_axis =
+                (0..3).all(|i| encloses(&trace[&format!("axis.{name}_{}", names[i])], row.format, 0, &direction[i]));
+            on_axis
+                && [(&a, "v"), (&b, "w")].iter().all(|(triangle, vertex)| {
+                    dots(triangle, &direction).iter().enumerate().all(|(k, dot)| {
+                        let found = trace.get(&format!("projection.{name}.{vertex}{k}"));
+                        found.is_none_or(|x| encloses(x, projection.format, open(p), dot))
+                    })
+                })
+        };
+        let left = (0..=p.axis_positions()).find(fits).unwrap_or(0);
+        let direction = direction.clone().map(|x| x * power_of_two(-(left as i32)));
         let mut vector = |name: String, x: &[Real; 3], format: Format, bound: i128| {
             for i in 0..3 {
                 signals.push((format!("{name}_{}", names[i]), x[i].clone(), format, bound));
@@ -359,7 +409,7 @@ fn true_signals(
         };
         vector(format!("axis.{name}"), &direction, row.format, row.bound);
         for (triangle, vertex, side) in [(&a, "v", "a"), (&b, "w", "b")] {
-            let dots = triangle.clone().map(|x| (0..3).fold(Real::zero(), |sum, i| sum + &x[i] * &direction[i]));
+            let dots = dots(triangle, &direction);
             for (k, dot) in dots.iter().enumerate() {
                 signals.push((
                     format!("projection.{name}.{vertex}{k}"),
@@ -393,10 +443,8 @@ fn every_signal_contains_the_true_number_and_fits_its_format() {
                 };
                 known += 1;
                 assert!(x.lo <= x.hi && -bound <= x.lo && x.hi <= bound, "{name} {x:?} {bound} {p:?}");
-                assert!(
-                    at(x.lo, format.fraction) <= real && real <= at(x.hi, format.fraction),
-                    "{name} {x:?} {real} {p:?}"
-                );
+                let beyond = if name.starts_with("projection") || name.starts_with("enclosure") { open(&p) } else { 0 };
+                assert!(encloses(x, format, beyond, &real), "{name} {x:?} {real} {p:?}");
             }
             assert_eq!(known, trace.len());
             let projections = trace.keys().filter(|name| name.starts_with("projection.c_")).count()

@@ -23,13 +23,19 @@ impl Wide for Dyadic {
         let bring = |x: Self| if to.shifted { x.at_last_place().scaled(power) } else { x.scaled(power) };
         let (lo, hi) = (bring(x.lo), bring(x.hi));
         let clamp = |x: Self| x.clamp((-to.clamp).into(), to.clamp.into());
-        Interval::new(clamp(lo.floor()), clamp(hi.upper(to.upper)))
+        Interval::new(
+            clamp(lo.floor()),
+            clamp(match to.upper {
+                Some(upper) => hi.upper(upper),
+                None => hi.floor(),
+            }),
+        )
     }
 }
 
 impl Mantissa for Dyadic {
-    fn length(numbers: &[Self; 12]) -> i32 {
-        numbers.iter().filter_map(Self::length).max().unwrap_or(0) as i32
+    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32 {
+        numbers.filter_map(Self::length).max().unwrap_or(0) as i32
     }
 }
 

@@ -46,11 +46,12 @@ pub struct Outcome {
 const ELEVEN: u32 = (1 << 11) - 1;
 
 impl Outcome {
-    /// Section 7: one separated axis decides; else all of the 11 must surely overlap.
-    pub(super) fn new(separated: u32, overlapping: u32) -> Self {
+    /// Section 7: one separated axis decides; else all of the 11 must surely overlap, or an edge pass through the other
+    /// triangle.
+    pub(super) fn new(separated: u32, overlapping: u32, pierced: bool) -> Self {
         let verdict = if separated != 0 {
             Verdict::Separate
-        } else if overlapping & ELEVEN == ELEVEN {
+        } else if pierced || overlapping & ELEVEN == ELEVEN {
             Verdict::Intersect
         } else {
             Verdict::PossiblyIncorrect
@@ -60,7 +61,7 @@ impl Outcome {
 
     /// Section 10: no flag of any axis is set, so that section 7 makes it possibly-incorrect.
     pub(super) fn outside() -> Self {
-        Self { outside: true, ..Self::new(0, 0) }
+        Self { outside: true, ..Self::new(0, 0, false) }
     }
 }
 

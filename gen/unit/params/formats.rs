@@ -6,7 +6,7 @@
 //! Rule of the contract (section 5): for a range `[-b, b]` after outward rounding, the integral digits k are the
 //! least with `b <= 2^(k-1) - ulp`; the fraction bits are then `m = N - k`.
 
-use super::{Params, Transform};
+use super::{Params, ProjectionWidth, Transform};
 use efsat_hardware::number::{Format, Upper, upper_shift};
 
 /// A bound on the *true* (real) value that the computed interval may stick out of by rounding; clamping the computed
@@ -108,6 +108,17 @@ fn row(
         .expect("some format is wide enough")
 }
 
+/// Greatest width of a projection: what the numbers of the reference model hold.
+const WIDEST: u32 = 63;
+
+/// The topmost bits of `exact`, at most so many.
+fn truncated(name: &'static str, bits: u32, exact: &Exact, derivation: String) -> Row {
+    let least = 129 - exact.bound.leading_zeros();
+    let drop = least.saturating_sub(bits) as i32;
+    let format = Format { bits: least.min(bits), fraction: exact.fraction - drop };
+    Row { name, format, bound: upper_shift(exact.bound, drop, Upper::Sticky), clamp: None, derivation }
+}
+
 const NAMES_CROSS: [[&str; 2]; 3] =
     [["axis_c_0", "projection_c_0"], ["axis_c_1", "projection_c_1"], ["axis_c_2", "projection_c_2"]];
 const NAMES_IN_PLANE_A: [[&str; 2]; 3] = [
@@ -156,16 +167,30 @@ impl Formats {
 
         let cross_of =
             |a: &Row, b: &Row| Exact { bound: 2 * a.bound * b.bound, fraction: a.format.fraction + b.format.fraction };
+        // What a shifted axis stands for depends on its shift: all of its components are brought to N bits alike.
+        let axis = |name, exact: Exact, truth: Option<Truth>, why: String| match p.axis_shift {
+            0 => make(name, exact, truth, why),
+            _ => {
+                let format = Format::signed(n, 2 * n as i32 - exact.fraction);
+                let derivation = format!("{why}, shifted left by up to {} places", p.axis_positions());
+                Row { name, format, bound: format.max(), clamp: None, derivation }
+            }
+        };
         let area = |extent: i128| Truth { bound: extent * extent, fraction: 2 * grid, lemma: "triangle-area" };
         let reach = coordinate_a.bound.max(coordinate_b.bound);
         let with_projection = |axis: Row, name: &'static str| {
             let exact = Exact { bound: 3 * reach * axis.bound, fraction: grid + axis.format.fraction };
             let why = "three products of a coordinate and an axis component".to_owned();
-            let projection = make(name, exact, None, why);
+            let projection = match p.projection_width {
+                ProjectionWidth::Rounded => make(name, exact, None, why),
+                // Rounded down, a bound is no farther from zero than its ceiling.
+                ProjectionWidth::Plus(bits) => truncated(name, n + bits, &exact, why),
+                ProjectionWidth::Full => truncated(name, WIDEST, &exact, why),
+            };
             [axis, projection]
         };
         let normal = |names: [&'static str; 2], e: &Row, f: &Row, truth: Option<Truth>, why: &str| {
-            with_projection(make(names[0], cross_of(e, f), truth, why.to_owned()), names[1])
+            with_projection(axis(names[0], cross_of(e, f), truth, why.to_owned()), names[1])
         };
         let twice_area = "|component| <= twice the area of the projected triangle (lemma triangle-area)";
         let normal_a = normal(
@@ -177,16 +202,16 @@ impl Formats {
         );
         let normal_b = normal(["axis_n_b", "projection_n_b"], &edge_b, &edge_b, Some(area(extent_b)), twice_area);
         let cross = [0, 1, 2].map(|k| {
-            let axis = make(NAMES_CROSS[k][0], cross_of(&edge_a[k], &edge_b), None, format!("2 |e_A{k}| |e_B|"));
+            let axis = axis(NAMES_CROSS[k][0], cross_of(&edge_a[k], &edge_b), None, format!("2 |e_A{k}| |e_B|"));
             with_projection(axis, NAMES_CROSS[k][1])
         });
         let in_plane_a = [0, 1, 2].map(|k| {
             let exact = cross_of(&normal_a[0], &edge_a[k]);
-            let axis = make(NAMES_IN_PLANE_A[k][0], exact, None, format!("2 |n_A| |e_A{k}|"));
+            let axis = axis(NAMES_IN_PLANE_A[k][0], exact, None, format!("2 |n_A| |e_A{k}|"));
             with_projection(axis, NAMES_IN_PLANE_A[k][1])
         });
         let exact = cross_of(&normal_b[0], &edge_b);
-        let axis = make("axis_in_plane_b", exact, None, "2 |n_B| |e_B|".to_owned());
+        let axis = axis("axis_in_plane_b", exact, None, "2 |n_B| |e_B|".to_owned());
         let in_plane_b = with_projection(axis, "projection_in_plane_b");
         Self {
             coordinate_a,

@@ -47,6 +47,17 @@ pub enum Projections {
     Intersect,
 }
 
+/// How wide the projections are that the comparators see.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum ProjectionWidth {
+    /// Rounded outward to the working width: the paper.
+    Rounded,
+    /// So many bits more than the working width: both bounds are rounded down, which comparisons allow.
+    Plus(u32),
+    /// Exact.
+    Full,
+}
+
 /// How triangle B reaches triangle A's frame of reference.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Transform {
@@ -91,6 +102,10 @@ impl Params {
         let widths = n..=options::TRANSFORM_WIDTH;
         range("transform-width", self.transform_width, widths, &format!(" (at least --width {n})"))?;
         self.validate_method()?;
+        range("axis-shift", self.axis_shift, options::AXIS_SHIFT, "")?;
+        if let ProjectionWidth::Plus(bits) = self.projection_width {
+            range("projection-width", bits, options::PROJECTION_PLUS, "")?;
+        }
         range("frequency", self.frequency, options::FREQUENCY, " MHz")?;
         range("tag-width", self.tag_width, options::TAG_WIDTH, "")
     }
@@ -175,6 +190,17 @@ impl Params {
     /// The mantissa of 1 in [`Params::input`]: 2^(T-K). Also the declared bound on matrix entries.
     pub fn one(&self) -> i128 {
         1 << (self.transform_width - self.int_bits)
+    }
+
+    /// The rule for upper bounds of projections. One that is not outward is `None`: a bound that is rounded down is less
+    /// than another number rounded down only where the bound itself is less than the other.
+    pub fn projection_upper(&self) -> Option<Upper> {
+        (self.projection_width == ProjectionWidth::Rounded).then_some(self.upper)
+    }
+
+    /// Places by which an axis can be shifted. The lowest bit of a rounded axis never becomes its sign.
+    pub fn axis_positions(&self) -> u32 {
+        self.axis_shift.min(self.width - 2)
     }
 
     /// The table of formats of the axis test.

@@ -3,7 +3,7 @@
 //! The command line reads them by [clap](https://docs.rs/clap), which whoever only generates VHDL does not compile: the
 //! feature `clap` makes [`Params`] a group of its arguments.
 
-use super::{Axes, Bound, Guard, Method, Projections, Transform, Upper};
+use super::{Axes, Bound, Guard, Method, ProjectionWidth, Projections, Transform, Upper};
 #[cfg(feature = "clap")]
 use super::{CLOCKS_PER_PAIR, LEVELS, SPAN};
 #[cfg(feature = "clap")]
@@ -16,6 +16,10 @@ pub const WIDTH: RangeInclusive<u32> = 6..=32;
 pub const INT_BITS: RangeInclusive<u32> = 4..=8;
 /// Greatest width of the frame transform; the least is the width of the axis test.
 pub const TRANSFORM_WIDTH: u32 = 48;
+/// Bits that projections may have more than the working width.
+pub const PROJECTION_PLUS: RangeInclusive<u32> = 0..=31;
+/// Legal shifts of an axis; the width of the axis test bounds them too.
+pub const AXIS_SHIFT: RangeInclusive<u32> = 0..=30;
 /// Legal target clocks in MHz.
 pub const FREQUENCY: RangeInclusive<u32> = 20..=250;
 /// Legal widths of the tag.
@@ -95,6 +99,16 @@ impl<T: Choice> Spelled for T {
     }
 }
 
+impl Spelled for ProjectionWidth {
+    fn spelled(&self) -> String {
+        match self {
+            Self::Rounded => "rounded".to_owned(),
+            Self::Plus(bits) => format!("+{bits}"),
+            Self::Full => "full".to_owned(),
+        }
+    }
+}
+
 macro_rules! spelled_as_displayed {
     ($($type:ty)+) => {$(
         impl Spelled for $type {
@@ -151,34 +165,43 @@ pub struct Row {
     pub of: Of,
 }
 
-/// The table of options. A row is name, field and type, default, what it affects, which method has it, and further
-/// arguments for clap; its comment is its help.
+/// The table of options. A row is name, field and type, default, the paper's value where that is another, what the option
+/// affects, which method has it, and further arguments for clap; its comment is its help.
 macro_rules! options {
     ($(
         #[doc = $help:literal]
-        $name:literal $field:ident: $type:ty = $default:expr, $affects:ident, $of:ident, [$($argument:tt)*];
+        $name:literal $field:ident: $type:ty = $default:expr $(; paper $paper:expr)?, $affects:ident, $of:ident,
+            [$($argument:tt)*];
     )+) => {
         /// A complete parameter set. Build one with [`Params::default`] and change fields, then
         /// [`validate`](Params::validate).
         #[derive(Clone, Debug, PartialEq, Eq, Hash)]
         #[cfg_attr(feature = "clap", derive(clap::Args))]
-        #[cfg_attr(feature = "clap", command(next_help_heading = "Parameters of the design"))]
+        #[cfg_attr(feature = "clap", command(next_help_heading = "Parameters of the design", arg = like_paper()))]
         pub struct Params {
             $(
                 #[doc = $help]
                 #[cfg_attr(feature = "clap", arg(long = $name, default_value = <$type>::spelled(&$default), $($argument)*))]
+                $(#[cfg_attr(feature = "clap", arg(default_value_if("like_paper", "true", <$type>::spelled(&$paper))))])?
                 pub $field: $type,
             )+
         }
 
         impl Default for Params {
-            /// The paper's design.
+            /// The design that decides most pairs on the fewest multipliers at the paper's rate.
             fn default() -> Self {
                 Self { $($field: $default,)+ }
             }
         }
 
         impl Params {
+            /// The paper's design.
+            pub fn paper() -> Self {
+                let mut paper = Self::default();
+                $($(paper.$field = $paper;)?)+
+                paper
+            }
+
             /// All options of both methods.
             pub const OPTIONS: &[Row] = &[$(Row { name: $name, affects: Affects::$affects, of: Of::$of },)+];
 
@@ -212,8 +235,17 @@ options! {
         [value_name = "N", value_parser = whole(1..=Axes::Seventeen.count() as u32).map(|n| n as usize),
             allow_negative_numbers = true];
     /// What is done with duplicate projections
-    "projections" projections: Projections = Projections::All, Verdicts, Axes,
+    "projections" projections: Projections = Projections::Skip; paper Projections::All, Verdicts, Axes,
         [value_name = "POLICY", value_parser = choice::<Projections>()];
+    /// Bits of the projections that are compared: +N (N more than width, up to 31), full (all), or rounded (to width, as in the paper)
+    "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Plus(4); paper ProjectionWidth::Rounded, Verdicts, Axes,
+        [value_name = "WIDTH", value_parser = projection_width];
+    /// Places by which an axis is shifted left at most before it is rounded, 0 to 30; 0 as in the paper
+    "axis-shift" axis_shift: u32 = 7; paper 0, Verdicts, Axes,
+        [value_name = "N", value_parser = whole(AXIS_SHIFT), allow_negative_numbers = true];
+    /// Whether an edge that certainly passes through the other triangle decides
+    "edge-test" edge_test: bool = true; paper false, Verdicts, Axes,
+        [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
     /// Upper bound of an input: the next grid point, or the exact ceiling with a sticky bit
     "upper" upper: Upper = Upper::Implied, Verdicts, Axes,
         [value_name = "RULE", value_parser = choice::<Upper>()];
@@ -273,6 +305,13 @@ impl Params {
     }
 }
 
+/// The flag that changes the defaults of other options.
+#[cfg(feature = "clap")]
+fn like_paper() -> clap::Arg {
+    let help = "The paper's values where another is the default";
+    clap::Arg::new("like_paper").long("like-paper").action(clap::ArgAction::SetTrue).help(help)
+}
+
 /// Reads whole numbers of a range.
 #[cfg(feature = "clap")]
 pub fn whole(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String> + Clone + Send + Sync + 'static {
@@ -287,6 +326,20 @@ pub fn whole(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String>
 fn one_of(legal: &'static [u32]) -> impl TypedValueParser<Value = u32> {
     PossibleValuesParser::new(legal.iter().map(u32::to_string))
         .map(|number| number.parse().expect("clap lets numbers of the list through"))
+}
+
+/// Reads a width of projections.
+#[cfg(feature = "clap")]
+fn projection_width(text: &str) -> Result<ProjectionWidth, String> {
+    match text {
+        "rounded" => Ok(ProjectionWidth::Rounded),
+        "full" => Ok(ProjectionWidth::Full),
+        _ => text
+            .strip_prefix('+')
+            .and_then(|bits| whole(PROJECTION_PLUS)(bits).ok())
+            .map(ProjectionWidth::Plus)
+            .ok_or_else(|| "expected +0 to +31, full or rounded".to_owned()),
+    }
 }
 
 /// Reads the names of a choice.
@@ -304,8 +357,8 @@ mod tests {
     fn the_default_command_line() {
         assert_eq!(
             Params::default().command_line(),
-            "efsat generate --width 18 --int-bits 4 --transform-width 32 --axes 11 --axes-per-clock 1 --projections all \
-             --upper implied --renormalise on --transform on --guard left-out --device xc2v6000-4 --frequency 100 --tag-width 16"
+            "efsat generate --width 18 --int-bits 4 --transform-width 32 --axes 11 --axes-per-clock 1 --projections skip \
+             --projection-width +4 --axis-shift 7 --edge-test on --upper implied --renormalise on --transform on --guard left-out --device xc2v6000-4 --frequency 100 --tag-width 16"
         );
     }
 
