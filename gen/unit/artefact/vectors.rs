@@ -81,11 +81,11 @@ pub fn pose_word(p: &Params, pose: &Pose) -> Word {
 
 /// The answer's fields: the output ports of the verdict but the tag.
 pub fn answer_word(p: &Params, outcome: &Outcome) -> Word {
-    let axes = p.axes.count() as u32;
+    let flags = p.flags();
     let mut fields = vec![
         ("out_verdict", outcome.verdict as i128, 2),
-        ("out_separated", i128::from(outcome.separated), axes),
-        ("out_overlapping", i128::from(outcome.overlapping), axes),
+        ("out_separated", i128::from(outcome.separated), flags),
+        ("out_overlapping", i128::from(outcome.overlapping), flags),
     ];
     if p.guarded() {
         fields.push(("out_outside", i128::from(outcome.outside), 1));

@@ -1,7 +1,7 @@
 //! The top: input and pose registers, sequencer, data path, result queue; and the whole design as one value.
 
 use super::sequencer::{self, PoseReading};
-use super::{number::input_type, pipeline};
+use super::{determinants, number::input_type, pipeline};
 use crate::params::{Method, ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, UnknownDevice};
 use efsat_hardware::graph::{Place, Step, Unit};
@@ -22,9 +22,6 @@ pub enum DesignError {
     /// No such device.
     #[error(transparent)]
     Device(#[from] UnknownDevice),
-    /// There is a reference model of the method, but no hardware.
-    #[error("--method determinants: expected axes, because designs of this method are not generated yet")]
-    Method,
 }
 
 /// Where a port's value comes from or goes to, for whoever drives the top.
@@ -91,22 +88,22 @@ impl Design {
     /// Whether there can be a design; its target part.
     ///
     /// # Errors
-    /// Parameters out of range, an unknown device, or a method without hardware.
+    /// Parameters out of range, or an unknown device.
     pub fn check(params: &Params) -> Result<&'static Device, DesignError> {
         params.validate()?;
-        match params.method {
-            Method::Axes => Ok(device::find(&params.device)?),
-            Method::Determinants => Err(DesignError::Method),
-        }
+        Ok(device::find(&params.device)?)
     }
 
     /// Builds, proves, schedules and lowers the design.
     ///
     /// # Errors
-    /// Parameters out of range, an unknown device, or a method without hardware.
+    /// Parameters out of range, or an unknown device.
     pub fn new(params: &Params, probes: impl Into<Probes>) -> Result<Self, DesignError> {
         let device = Self::check(params)?;
-        let pipeline = pipeline::unit(params);
+        let pipeline = match params.method {
+            Method::Axes => pipeline::unit(params),
+            Method::Determinants => determinants::unit(params),
+        };
         let mut scheduler = Scheduler::new(device, params.frequency);
         let schedule = scheduler.schedule(&pipeline);
         let (path, probes) = Lowering::new(&mut scheduler, device).lower(&pipeline, probes.into() == Probes::All);
@@ -275,10 +272,10 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
         value.named(format!("offered_{name}").as_str()).output(format!("out_{name}").as_str());
         below += bits;
     };
-    let axes = p.axes.count() as u32;
+    let flags = p.flags();
     field("verdict", 2);
-    field("separated", axes);
-    field("overlapping", axes);
+    field("separated", flags);
+    field("overlapping", flags);
     if p.guarded() {
         field("outside", 1);
     }

@@ -152,6 +152,14 @@ impl Params {
         }
     }
 
+    /// Flags of each kind in an answer: one for each axis, or for each of the nine witnesses.
+    pub fn flags(&self) -> u32 {
+        match self.method {
+            Method::Axes => self.axes.count() as u32,
+            Method::Determinants => 9,
+        }
+    }
+
     /// Transform row units side by side: ceil(9 / interval), none without a transform.
     pub fn transform_rows(&self) -> usize {
         match self.transform {
