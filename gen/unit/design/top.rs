@@ -298,25 +298,44 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
     let interval = p.interval();
     let format = p.input();
     let text = |lines: &[&str]| -> Vec<String> { lines.iter().map(|line| (*line).to_owned()).collect() };
-    let mut lines = text(&[
-        "EFSAT: exact triangle-triangle intersection test in fixed-point interval arithmetic.",
-        "After Raabe, Tietjen, Anlauf: separating axes; a definite answer is never wrong.",
-        "",
-    ]);
-    lines.push(format!("One pair every {interval} clocks, verdict {latency} clocks after acceptance."));
+    let mut lines = match p.method {
+        Method::Axes => text(&[
+            "EFSAT: exact triangle-triangle intersection test in fixed-point interval arithmetic.",
+            "After Raabe, Tietjen, Anlauf: separating axes; a definite answer is never wrong.",
+        ]),
+        Method::Determinants => text(&[
+            "EFSAT: exact triangle-triangle intersection test in fixed-point arithmetic.",
+            "The signs of fifteen determinants with bounds on their errors; a definite answer is never wrong.",
+        ]),
+    };
+    lines.push(String::new());
+    let pace = if interval == 1 { "One pair per clock".to_owned() } else { format!("One pair every {interval} clocks") };
+    lines.push(format!("{pace}, verdict {latency} clocks after acceptance."));
     lines.extend(text(&[
         "",
         "Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B~ in its own frame, tag is opaque. A pair is accepted in a clock",
         "in which in_valid and in_ready are both set; keep valid and data until then. in_ready comes once per slot",
     ]));
-    lines.push(format!("({interval} clocks) while one of the {places} places of the result queue is free."));
+    let clocks = if interval == 1 { "clock" } else { "clocks" };
+    lines.push(format!("({interval} {clocks}) while one of the {places} places of the result queue is free."));
     lines.extend(text(&[
         "Verdicts come in input order, each with its tag: taken in a clock in which out_valid and out_ready are both set.",
         "  out_verdict 00 separate, 01 intersect, 10 possibly incorrect (treat as intersecting, retest if it matters).",
-        "  out_separated, out_overlapping: what each axis said, bit i for axis i (n_A n_B C_00 C_01 ... C_22, in-plane).",
-        "",
     ]));
-    lines.push(format!("Numbers are lower bounds, {format} (ulp 2^-{}); {}.", format.fraction, upper_rule(p)));
+    lines.extend(match p.method {
+        Method::Axes => text(&[
+            "  out_separated, out_overlapping: what each axis said, bit i for axis i (n_A n_B C_00 C_01 ... C_22, in-plane).",
+        ]),
+        Method::Determinants => text(&[
+            "  out_separated, out_overlapping: what each witness said, bit i for witness i: boxes, plane of A, plane of B, edges",
+            "  0 to 2 of A, edges 0 to 2 of B. An edge that misses the other triangle is separated, one that pierces it overlaps.",
+        ]),
+    });
+    lines.push(String::new());
+    lines.push(match p.method {
+        Method::Axes => format!("Numbers are lower bounds, {format} (ulp 2^-{}); {}.", format.fraction, upper_rule(p)),
+        Method::Determinants => format!("Numbers are rounded down to {format} (ulp 2^-{}).", format.fraction),
+    });
     if p.transform != Transform::Off {
         let law = if p.transform == Transform::On { "B = M B~ + t" } else { "B = B~ + t" };
         lines.push(String::new());
@@ -333,7 +352,7 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
     lines.extend(text(if p.guarded() {
         &[
             "The unit has a guard: a pair with a number outside, or under a pose with one, is answered possibly incorrect",
-            "with out_outside set and the flags of all axes clear.",
+            "with out_outside set and all other flags clear.",
         ]
     } else {
         &["The host keeps to it: the unit has no guard."]
