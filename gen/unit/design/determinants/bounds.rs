@@ -155,7 +155,7 @@ fn faces<'l>(
     let wide = |x: Sig<'l>| x.resize(Type::unsigned(p.width + 3));
     // F of norms, or of norms times g.
     let first = |norms: &[Sig<'l>], times_g: bool, name: &str| {
-        let norms = norms.iter().map(|x| wide(*x)).collect::<Vec<_>>().named(&format!("{name}_norm"));
+        let norms = norms.iter().map(|x| wide(*x)).collect::<Vec<_>>().named(&format!("{name}_measure"));
         shared(u, &format!("{name}_bound"), &norms, |k, x| {
             let x = x.named_at(&format!("{name}_x"), k);
             let x = if times_g { shift.times_g(x).named_at(&format!("{name}_times_g"), k) } else { x };
@@ -188,7 +188,9 @@ fn faces<'l>(
             (three(&of_moments), of_moments[3])
         }
     };
-    Faces { m, n, vertex: v.map(|v| w.map(|w| lesser(v, w))).named("lesser"), edge_b: [b; 2], edge_a: [a; 3] }
+    let lesser = |x: Sig<'l>, y: Sig<'l>| (x - y).negative().choose(x, y);
+    let vertex = v.map(|v| w.map(|w| lesser(v, w))).named("face_of_vertex");
+    Faces { m, n, vertex, edge_b: [b; 2], edge_a: [a; 3] }
 }
 
 /// F(x): eight times the error of a coordinate, times x.
@@ -199,11 +201,6 @@ fn first_order<'l>(name: &str, level: Level<'l>, x: Sig<'l>) -> Sig<'l> {
         let level = Level { signal: by, ..level };
         (x.floor(-2) + level.shifted(x).named("shifted")).named("first_order")
     })
-}
-
-fn lesser<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
-    let doc = ["The lesser of two unsigned numbers."];
-    entity!("lesser", &doc, (x, y) => (x - y).negative().choose(x, y).named("lesser"))
 }
 
 /// F of the bounds of faces by the leading bits of coordinates: of V_i x W_l, of V_i x e_Bl, then of e_A1 x W_l.

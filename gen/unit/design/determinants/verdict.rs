@@ -140,7 +140,7 @@ pub(super) fn verdict<'l>(
         let five_missed = table(word(&separated[3..]), (0..64u32).map(|x| i128::from(x.count_ones() >= 5)).collect());
         let separate = (any(&separated[..3]) | five_missed.named("five_missed")).named("separate");
         let intersect = !separate & any(&overlapping[3..]);
-        intersect.named("intersect").below(&[!separate & !intersect]).named("verdict")
+        intersect.named("intersects").below(&[!separate & !intersect]).named("verdict")
     });
     let verdict = verdict.named("verdict").comment("00 separate, 01 intersect, 10 possibly incorrect");
     ((verdict, outside), flags)
