@@ -6,7 +6,7 @@ use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use efsat::golden::{Golden, Pair, Pose};
 use efsat::host::sample;
 use efsat::host::{Host, loose_pair};
-use efsat::params::Params;
+use efsat::params::{Bound, Method, Params, Transform};
 use efsat::sample::random_points;
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
@@ -51,5 +51,32 @@ fn exact(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, verdict, exact);
+/// The determinant unit, one pair at a time and in batches under one pose.
+fn determinants(c: &mut Criterion) {
+    let mut group = c.benchmark_group("determinants");
+    group.throughput(Throughput::Elements(PAIRS as u64));
+    for bound in [Bound::Moments, Bound::Products] {
+        for (transform, name) in [(Transform::On, "pose"), (Transform::Off, "no transform")] {
+            let params = Params { method: Method::Determinants, bound, transform, ..Params::default() };
+            let golden = Golden::new(&params);
+            let mut rng = ChaCha8Rng::seed_from_u64(1);
+            let mut pose = sample::random_pose(&mut rng, &params);
+            pose.bypass = false;
+            let pairs: Vec<Pair> = (0..PAIRS).map(|_| sample::random_pair_under(&mut rng, &params, &pose)).collect();
+            let mut verdicts = vec![];
+            group.bench_function(format!("verdicts, {bound:?}, {name}"), |b| {
+                b.iter(|| {
+                    verdicts.clear();
+                    golden.verdicts(black_box(&pose), &pairs, &mut verdicts);
+                });
+            });
+            group.bench_function(format!("outcome, {bound:?}, {name}"), |b| {
+                b.iter(|| pairs.iter().map(|pair| golden.outcome(black_box(&pose), pair).separated).max());
+            });
+        }
+    }
+    group.finish();
+}
+
+criterion_group!(benches, verdict, determinants, exact);
 criterion_main!(benches);

@@ -12,7 +12,7 @@ use efsat::golden::{Golden, Pair, Pose};
 use efsat::graph::evaluate::Evaluator;
 use efsat::host::{Host, SceneHost};
 use efsat::mesh::Mesh;
-use efsat::params::{Axes, Guard, Params, ProjectionWidth, Projections, Transform, Upper};
+use efsat::params::{Axes, Bound, CLOCKS_PER_PAIR, Guard, LEVELS, Method, Params, ProjectionWidth, Projections, SPAN, Transform, Upper};
 use efsat::scene::{Meeting, Scene};
 use rand::{SeedableRng, seq::IndexedRandom};
 use rayon::prelude::*;
@@ -108,6 +108,49 @@ fn varied(others: &Params) -> Vec<Case> {
     cases
 }
 
+/// The options of the determinant unit, each over its range and some together, the others as given.
+fn determinants(others: &Params) -> Vec<Case> {
+    let base = Params { method: Method::Determinants, ..others.clone() };
+    let mut cases: Vec<Case> = vec![];
+    let mut case = |name: String, change: &dyn Fn(&mut Params)| {
+        let mut p = base.clone();
+        change(&mut p);
+        p.validate().unwrap_or_else(|e| panic!("{name}: {e}"));
+        cases.push((format!("determinants, {name}"), p));
+    };
+    for transform in [Transform::On, Transform::Translate, Transform::Off] {
+        for &clocks in CLOCKS_PER_PAIR {
+            case(format!("transform {transform:?}, clocks-per-pair {clocks}"), &|p| {
+                (p.transform, p.clocks_per_pair) = (transform, clocks);
+            });
+        }
+        case(format!("transform {transform:?}, guard always"), &|p| {
+            (p.transform, p.guard, p.clocks_per_pair) = (transform, Guard::Always, 3);
+        });
+    }
+    for bound in [Bound::Static, Bound::Edges, Bound::Moments, Bound::Products] {
+        for (&span, &levels) in SPAN.iter().flat_map(|span| LEVELS.iter().map(move |levels| (span, levels))) {
+            case(format!("bound {bound:?}, span {span}, levels {levels}"), &|p| {
+                (p.bound, p.span, p.levels) = (bound, span, levels);
+                (p.boxes, p.clocks_per_pair) = (span != 1, if levels == 2 { 2 } else { 1 });
+            });
+        }
+    }
+    for (width, transform_width) in [(6, 6), (6, 12), (7, 20), (12, 24), (18, 34), (18, 35), (18, 48), (19, 32), (32, 48)] {
+        for (bound, clocks) in [(Bound::Moments, 1), (Bound::Products, 6)] {
+            case(format!("width {width}, transform-width {transform_width}, bound {bound:?}"), &|p| {
+                (p.width, p.transform_width, p.bound, p.clocks_per_pair) = (width, transform_width, bound, clocks);
+            });
+        }
+    }
+    for (device, frequency) in efsat::device::names().into_iter().zip([50, 133, 200, 100]) {
+        case(format!("device {device}, frequency {frequency}"), &|p| {
+            (p.device, p.frequency, p.tag_width) = (device.to_owned(), frequency, 0);
+        });
+    }
+    cases
+}
+
 const WIDTHS: [ProjectionWidth; 4] =
     [ProjectionWidth::Rounded, ProjectionWidth::Plus(2), ProjectionWidth::Plus(31), ProjectionWidth::Full];
 
@@ -133,6 +176,7 @@ fn combined(count: usize) -> Vec<Case> {
             device: (*efsat::device::names().choose(&mut rng).unwrap()).to_owned(),
             frequency: *[20, 66, 100, 150, 250].choose(&mut rng).unwrap(),
             tag_width: *[0, 8, 16].choose(&mut rng).unwrap(),
+            ..Params::default()
         };
         if p.validate().is_ok() {
             cases.push((format!("combination {}", cases.len()), p));
@@ -208,7 +252,8 @@ fn all_hold(cases: &[Case], check: impl Fn(&str, &Params) -> Result<(), String> 
 
 #[test]
 fn builtin_agrees_with_the_reference_model_in_every_option_value() {
-    all_hold(&varied(&Params::default()), |name, p| agrees(name, p, 150, Simulator::Builtin, true).map(|_| ()));
+    let cases = [varied(&Params::default()), determinants(&Params::default())].concat();
+    all_hold(&cases, |name, p| agrees(name, p, 150, Simulator::Builtin, true).map(|_| ()));
 }
 
 #[test]
@@ -229,8 +274,18 @@ fn flags_tell_more_than_verdicts_where_all_verdicts_are_possibly_incorrect() {
 
 /// The nodes of the data path that are signals of the reference model's trace: node, phase, signal, and 1 for an upper bound.
 fn traced(p: &Params, design: &Design, stimulus: &Stimulus) -> Vec<(usize, usize, String, usize)> {
-    let (evaluator, names) = (Evaluator::new(&design.pipeline), Names::new(p, &stimulus.segments));
+    let evaluator = Evaluator::new(&design.pipeline);
     let mut found = vec![];
+    if p.method == Method::Determinants {
+        // Nodes are called after the signals.
+        let (pose, pairs) = &stimulus.segments[0];
+        for (signal, _) in Golden::new(p).trace(pose, &pairs[0]) {
+            let node = evaluator.flat().top_node(&signal.replacen('.', "_", 1));
+            found.extend(node.map(|node| (node, 0, signal, 0)));
+        }
+        return found;
+    }
+    let names = Names::new(p, &stimulus.segments);
     for probe in &design.probes {
         let node = evaluator.flat().top_node(&probe.name).expect("a node");
         for (phase, _) in &probe.clocks {
@@ -245,13 +300,19 @@ fn traced(p: &Params, design: &Design, stimulus: &Stimulus) -> Vec<(usize, usize
 fn graph_equals_reference_model_in_every_inner_signal() {
     let mut cases = varied(&Params::default());
     cases.extend(combined(20));
+    cases.extend(determinants(&Params::default()));
     cases.par_iter().for_each(|(name, p)| {
         let design = Design::new(p, Probes::All).unwrap_or_else(|e| panic!("{name}: {e}"));
         let golden = Golden::new(p);
         let mut evaluator = Evaluator::new(&design.pipeline);
         let stimulus = Stimulus::random(p, 40, 11).followed_by(Stimulus::outside(p));
         let nodes = traced(p, &design, &stimulus);
-        assert!(nodes.len() >= 2 * (18 + 18 + 33 + 44), "{name}: {} signals compared", nodes.len());
+        let least = match p.method {
+            Method::Axes => 2 * (18 + 18 + 33 + 44),
+            // Differences, coordinates and moments; determinants; bounds, of which there are two at least.
+            Method::Determinants => 15 + 15 + 12 + 15 + 2,
+        };
+        assert!(nodes.len() >= least, "{name}: {} signals compared", nodes.len());
         for (pose, pairs) in &stimulus.segments {
             for pair in pairs {
                 evaluator.run(&cosim::inputs(&design, pose, pair));
@@ -304,7 +365,8 @@ fn ghdl_agrees_in_option_values() {
     }
     // Narrow but for the widths under test, and every fourth value: GHDL takes many times as long as the built-in simulator,
     // which runs them all. EFSAT_AGREEMENT=full leaves none out.
-    let mut cases = varied(&Params { width: 10, transform_width: 14, ..Params::default() });
+    let narrow = Params { width: 10, transform_width: 14, ..Params::default() };
+    let mut cases = [varied(&narrow), determinants(&narrow)].concat();
     if !everything() {
         cases = cases.into_iter().step_by(4).collect();
     }

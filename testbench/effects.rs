@@ -353,7 +353,12 @@ fn wrong_input_is_named() {
         ("[effects]\n\nfog = 'on'\n", "", "s.toml:16: effect 'fog': expected one of broad_phase, "),
         ("[effects]\nallowed = 2\n", "", "s.toml:15: allowed 2: expected a number from 0 to 1"),
         ("[effects]\nhierarchy = true\n", "", "s.toml:15: true: expected one of"),
-        ("[parameters]\ncolour = 3\n", "", "s.toml:15: parameter 'colour': expected one of width, "),
+        ("[parameters]\ncolour = 3\n", "", "s.toml:15: parameter 'colour': expected one of method, width, "),
+        (
+            "[parameters]\nmethod = \"determinants\"\n",
+            "--effect in_plane_axes=on",
+            "effect in_plane_axes: expected --method axes, which has this stage",
+        ),
         ("[parameters]\nwidth = 99\n", "", "s.toml:15: "),
         ("[parameters]\nwidth = 2.5\n", "", "s.toml:15: width 2.5: expected a whole number or a word in quotes"),
         ("[parameters]\nrenormalise = 'on'\n[effects]\nrenormalise = 'off'\n", "", "beside the effect 'renormalise'"),

@@ -5,6 +5,7 @@
 mod axis;
 mod axis_shift;
 mod comparator;
+mod determinants;
 mod edge;
 mod edge_test;
 mod integral_digits;

@@ -6,8 +6,19 @@ use efsat::design::{Design, Probes};
 use efsat::golden::{Golden, Pair, Pose};
 use efsat::host::sample;
 use efsat::netlist::simulate::Simulation;
-use efsat::params::Params;
+use efsat::params::{CLOCKS_PER_PAIR, Method, Params};
 use rand::SeedableRng;
+
+/// Units of both methods, at several rates.
+fn units() -> Vec<Params> {
+    let axes = [1, 3, 11].map(|axes_per_clock| Params { axes_per_clock, ..Params::default() });
+    let determinants = CLOCKS_PER_PAIR.iter().map(|clocks| determinants(*clocks));
+    axes.into_iter().chain(determinants).collect()
+}
+
+fn determinants(clocks_per_pair: u32) -> Params {
+    Params { method: Method::Determinants, clocks_per_pair, ..Params::default() }
+}
 
 /// The top, driven one clock at a time.
 struct Unit {
@@ -112,8 +123,7 @@ fn telling(p: &Params) -> (Pose, Pose, Vec<Pair>) {
 
 #[test]
 fn a_pose_holds_for_pairs_accepted_in_a_later_clock() {
-    for axes_per_clock in [1, 3, 11] {
-        let p = Params { axes_per_clock, ..Params::default() };
+    for p in units() {
         let (first, second, pairs) = telling(&p);
         let mut unit = Unit::new(&p);
         // After reset: the bypass.
@@ -164,27 +174,27 @@ fn a_pose_holds_for_pairs_accepted_in_a_later_clock() {
 
 #[test]
 fn reset_empties_the_unit_and_restores_the_bypass() {
-    let p = Params::default();
-    let (first, _, pairs) = telling(&p);
-    let mut unit = Unit::new(&p);
-    unit.put(&pose_word(&p, &first));
-    unit.set("pose_valid", 1);
-    unit.clock();
-    unit.set("pose_valid", 0);
-    unit.send(&pairs[0], 1);
-    unit.send(&pairs[1], 2);
-    unit.set("reset", 1);
-    unit.clock();
-    unit.set("reset", 0);
-    unit.send(&pairs[2], 3);
-    assert_eq!(unit.take(), (3, expected(&p, &Pose::identity(&p), &pairs[2])), "nothing from before the reset");
+    for p in [Params::default(), determinants(1), determinants(2)] {
+        let (first, _, pairs) = telling(&p);
+        let mut unit = Unit::new(&p);
+        unit.put(&pose_word(&p, &first));
+        unit.set("pose_valid", 1);
+        unit.clock();
+        unit.set("pose_valid", 0);
+        unit.send(&pairs[0], 1);
+        unit.send(&pairs[1], 2);
+        unit.set("reset", 1);
+        unit.clock();
+        unit.set("reset", 0);
+        unit.send(&pairs[2], 3);
+        assert_eq!(unit.take(), (3, expected(&p, &Pose::identity(&p), &pairs[2])), "nothing from before the reset");
+    }
 }
 
 #[test]
 fn one_clock_of_reset_forgets_verdicts_that_wait() {
-    for axes_per_clock in [1, 3, 11] {
+    for p in units() {
         for waiting in [1, 3, 1000] {
-            let p = Params { axes_per_clock, ..Params::default() };
             let (_, _, pairs) = telling(&p);
             let mut unit = Unit::new(&p);
             // As many pairs as asked for, or as fit; nobody takes the verdicts.
@@ -215,8 +225,7 @@ fn one_clock_of_reset_forgets_verdicts_that_wait() {
 
 #[test]
 fn a_full_unit_refuses_pairs_and_loses_none() {
-    for axes_per_clock in [1, 11] {
-        let p = Params { axes_per_clock, ..Params::default() };
+    for p in units() {
         let mut unit = Unit::new(&p);
         let stimulus = Stimulus::random(&p, 400, 9);
         let pairs: Vec<Pair> = stimulus.segments.iter().flat_map(|s| s.1.clone()).collect();

@@ -4,8 +4,8 @@ use efsat::artefact::{FileSet, design_files_with, stream, stream_vectors};
 use efsat::design::{Design, Probes};
 use efsat::exact::{self, Exact};
 use efsat::host::driver::{Driver, StandIn, Statistics, Transfer};
-use efsat::params::stream::{StreamFormat, StreamWidth};
-use efsat::params::{Axes, Params, Transform, Upper};
+use efsat::params::stream::{StreamFormat, StreamWidth, StreamWord};
+use efsat::params::{Axes, Method, Params, Transform, Upper};
 use efsat::sample::random_points;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -26,6 +26,11 @@ fn ghdl() -> Option<&'static str> {
 /// Small, fast and complete.
 fn small() -> Params {
     Params { width: 8, transform_width: 10, ..Params::default() }
+}
+
+/// The same of the determinant unit.
+fn determinants() -> Params {
+    Params { method: Method::Determinants, ..small() }
 }
 
 /// A generated design in a folder of its own.
@@ -95,7 +100,7 @@ impl Bench {
         let text = std::fs::read_to_string(self.dir.path().join("answers.txt")).unwrap();
         let transfer = |line: &str| {
             let (data, last) = line.split_once(' ').unwrap();
-            Transfer { data: u128::from_str_radix(data, 16).unwrap(), last: last == "1" }
+            Transfer { data: StreamWord::from_hex(data).unwrap(), last: last == "1" }
         };
         text.lines().map(transfer).collect()
     }
@@ -104,7 +109,7 @@ impl Bench {
         let word = |t: &Transfer| stream_vectors::WordIn { data: t.data, last: t.last, whole: true };
         let vectors = stream_vectors::StreamVectors {
             words: words.iter().map(word).collect(),
-            answers: answers.iter().map(|t| (t.data, t.last)).collect(),
+            answers: answers.iter().map(|t| (t.data.low(), t.last)).collect(),
         };
         stream_vectors::text(&self.params, &self.format, &vectors)
     }
@@ -127,6 +132,9 @@ fn answers_equal_the_reference_models() {
         (Params { upper: sticky, tag_width: 64, axes: Axes::Seventeen, ..small() }, StreamWidth::Bits64),
         (Params { transform: Transform::Off, tag_width: 0, upper: sticky, ..small() }, StreamWidth::Bits128),
         (Params { transform: Transform::Translate, tag_width: 40, axes_per_clock: 3, ..small() }, StreamWidth::Bits32),
+        (determinants(), StreamWidth::Bits1024),
+        (Params { clocks_per_pair: 2, transform_width: 33, ..determinants() }, StreamWidth::Bits512),
+        (Params { transform: Transform::Translate, ..determinants() }, StreamWidth::Bits256),
     ];
     let wrong: Vec<String> = cases
         .par_iter()
@@ -249,12 +257,12 @@ fn damaged_packets_are_answered_as_the_stand_in_answers_them() {
     let mut transfers = vec![];
     for _ in 0..30 {
         let packet = packets[rng.random_range(0..packets.len())];
-        let mut words: Vec<u128> = packet.iter().map(|word| word.data).collect();
+        let mut words: Vec<StreamWord> = packet.iter().map(|word| word.data).collect();
         let at = rng.random_range(0..words.len());
         match rng.random_range(0..5) {
             0 if words.len() > 1 => drop(words.remove(at)),
             1 => words.insert(at, words[at]),
-            2 => words[0] ^= 1 << rng.random_range(0..64),
+            2 => words[0] = words[0].flipped(rng.random_range(0..64)),
             3 => words.truncate(at + 1),
             _ => {}
         }
@@ -264,7 +272,7 @@ fn damaged_packets_are_answered_as_the_stand_in_answers_them() {
     let answers = StandIn::new(&params, width).unwrap().answer(&transfers);
     let report = bench.run_vectors(&bench.vectors(&transfers, &answers));
     assert_eq!((number(&report, "answers"), number(&report, "mismatches")), (Some(answers.len()), Some(0)), "{report}");
-    assert!(answers.iter().filter(|t| t.data & 0x80 != 0).count() > 8, "many packets are malformed");
+    assert!(answers.iter().filter(|t| t.data.bit(7)).count() > 8, "many packets are malformed");
 }
 
 #[test]
@@ -320,18 +328,24 @@ fn the_driver_gets_exact_answers_through_the_wrapper() {
 #[test]
 fn a_long_packet_runs_at_the_stated_speed() {
     let Some(ghdl) = ghdl() else { return };
-    let widths = [(StreamWidth::Bits32, 22), (StreamWidth::Bits64, 11), (StreamWidth::Bits128, 11)];
-    let wrong: Vec<String> = widths
+    use StreamWidth::{Bits32, Bits64, Bits128, Bits256, Bits512, Bits1024};
+    let tiny = Params { width: 6, transform_width: 8, ..Params::default() };
+    let axes = [(Bits32, 22), (Bits64, 11), (Bits128, 11)];
+    let determinants = [(Bits64, 10), (Bits128, 5), (Bits256, 3), (Bits512, 2), (Bits1024, 1)];
+    let of = |method: Method, widths: &[(StreamWidth, usize)]| -> Vec<_> {
+        widths.iter().map(|(width, period)| (Params { method, ..tiny.clone() }, *width, *period)).collect()
+    };
+    let cases = [of(Method::Axes, &axes), of(Method::Determinants, &determinants)].concat();
+    let wrong: Vec<String> = cases
         .par_iter()
-        .filter_map(|(width, period)| {
-            let params = Params { width: 6, transform_width: 8, ..Params::default() };
-            let bench = Bench::new(ghdl, &params, *width);
+        .filter_map(|(params, width, period)| {
+            let bench = Bench::new(ghdl, params, *width);
             let clocks = |pairs| {
-                let vectors = stream_vectors::one_packet(&params, &bench.format, pairs);
-                let report = bench.run_vectors(&stream_vectors::text(&params, &bench.format, &vectors));
+                let vectors = stream_vectors::one_packet(params, &bench.format, pairs);
+                let report = bench.run_vectors(&stream_vectors::text(params, &bench.format, &vectors));
                 number(&report, "clocks").unwrap_or(0)
             };
-            let stated = stream::pair_period(&params, &bench.format);
+            let stated = stream::pair_period(params, &bench.format);
             let measured = clocks(14) - clocks(4);
             let fine = stated == *period && measured == 10 * period;
             (!fine).then(|| format!("{} bits: {measured} clocks for 10 pairs, stated {stated} each", width.bits()))

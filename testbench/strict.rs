@@ -5,7 +5,7 @@
 use efsat::artefact::{FileSet, Scratch, design_files};
 use efsat::design::{Design, Probes};
 use efsat::number::Upper;
-use efsat::params::{Axes, Params, Projections, Transform};
+use efsat::params::{Axes, Bound, Method, Params, Projections, Transform};
 use efsat::vhdl::lint::{lint, rules};
 use rayon::prelude::*;
 use std::path::Path;
@@ -34,6 +34,9 @@ fn settings() -> Vec<(&'static str, Params)> {
         ("no tag", Params { tag_width: 0, ..default() }),
         ("no renormalisation", Params { renormalise: false, ..default() }),
         ("all axes at once", Params { axes_per_clock: 11, projections: Projections::Skip, ..default() }),
+        ("determinants", Params { method: Method::Determinants, ..default() }),
+        ("determinants, folded", Params { method: Method::Determinants, clocks_per_pair: 11, bound: Bound::Products, ..default() }),
+        ("determinants, wide", Params { method: Method::Determinants, width: 32, transform_width: 48, span: 3, clocks_per_pair: 2, ..default() }),
         ("wide", Params { width: 32, transform_width: 48, tag_width: 64, ..default() }),
     ]
 }

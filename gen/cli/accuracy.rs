@@ -9,6 +9,7 @@ use super::params::ParamArguments;
 use super::progress;
 use super::source;
 use crate::accuracy::{self, Amount, Campaign, MOST, Plan, Progress, Request, Results, Shard, Store, sweep};
+use crate::design::Design;
 use crate::params::Params;
 use clap::{Args, FromArgMatches};
 use std::path::{Path, PathBuf};
@@ -93,7 +94,7 @@ fn shard(text: &str) -> Result<Shard, String> {
 
 /// The parameters of every point of a sweep around `base`.
 fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> {
-    let names: Vec<&str> = Params::OPTIONS.iter().map(|(name, _)| *name).collect();
+    let names: Vec<&str> = Params::OPTIONS.iter().map(|option| option.name).collect();
     let wrong = |e: sweep::SweepError| Failure::Usage(format!("--sweep: {e}"));
     let combinations = sweep::parse(spec, &names).map_err(wrong)?;
     combinations.iter().map(|settings| point(settings, base)).collect()
@@ -146,7 +147,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return merge::run(arguments);
     }
     let base = arguments.params.params()?;
+    // Every point has its hardware beside it.
+    Design::check(&base)?;
     let sweep = points(&arguments.sweep, &base)?;
+    sweep.iter().try_for_each(|params| Design::check(params).map(drop))?;
     let scene = source::load_scene(&arguments.scene)?;
     output::claimable(&arguments.out)?;
     let request = arguments.request(&scene, &base);
@@ -210,8 +214,9 @@ fn command(request: &Request, transfer: f64) -> String {
     add("seed", &request.seed.to_string(), "1");
     add("multipliers", &list(&request.multipliers), &list(&MULTIPLIERS));
     add("transfer", &transfer.to_string(), "0");
-    for (name, default) in accuracy::options(&Params::default()) {
-        add(&name, &request.base[&name], &default);
+    for (name, default) in Params::default().every_option() {
+        // A method does not record the options of the other one.
+        add(name, request.base.get(name).unwrap_or(&default), &default);
     }
     if request.synth {
         text.push_str(" --synth");

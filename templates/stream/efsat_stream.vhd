@@ -84,8 +84,8 @@ architecture rtl of efsat_stream is
 {%- if tag_width > 0 %}
   signal out_tag : std_logic_vector({{ tag_width - 1 }} downto 0);
 {%- endif %}
-  signal out_separated : std_logic_vector({{ axes - 1 }} downto 0);
-  signal out_overlapping : std_logic_vector({{ axes - 1 }} downto 0);
+  signal out_separated : std_logic_vector({{ flags - 1 }} downto 0);
+  signal out_overlapping : std_logic_vector({{ flags - 1 }} downto 0);
 {%- if guarded %}
   signal out_outside : std_logic;
 {%- endif %}

@@ -3,9 +3,10 @@
 use super::directions;
 use crate::cli::error::{Failure, from_clap};
 use crate::cli::params::ParamArguments;
-use crate::effects::{Request, Wish};
+use crate::effects::{Request, Stages, Wish};
 use crate::host::settings::{Effect, Parameter, Settings, Switch};
-use crate::params::Params;
+use crate::params::options::{Choice, Row};
+use crate::params::{Method, Params};
 use crate::scene::hierarchy::Directions;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
@@ -53,6 +54,11 @@ impl GivenArguments {
             }
             request.wishes[*effect as usize] = Wish::Option;
         }
+        let has = |effect: &Effect| !effect.is_hardware() || Stages::optional(request.params.method).contains(effect);
+        if let Some(effect) = Effect::ALL.iter().find(|effect| request.wish(**effect) == Wish::On && !has(effect)) {
+            let message = format!("effect {effect}: expected --method axes, which has this stage");
+            return Err(Failure::Usage(message));
+        }
         request.allowed = self.allowed.unwrap_or(settings.allowed);
         Ok(request)
     }
@@ -88,11 +94,12 @@ impl Args for Options {
 
 impl FromArgMatches for Options {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let typed = |(name, _): &(&str, _)| {
+        let typed = |option: &Row| {
+            let name = option.name;
             let id = name.replace('-', "_");
             let is_typed = matches.value_source(&id) == Some(ValueSource::CommandLine);
             let value = matches.get_raw(&id).into_iter().flatten().last().filter(|_| is_typed)?;
-            Some(((*name).to_owned(), value.to_string_lossy().into_owned()))
+            Some((name.to_owned(), value.to_string_lossy().into_owned()))
         };
         Ok(Self(Params::OPTIONS.iter().filter_map(typed).collect()))
     }
@@ -115,7 +122,8 @@ impl Options {
         let of_file = kept.iter().map(|parameter| (parameter.name.clone(), parameter.value.clone()));
         let given: Vec<(String, String)> = of_file.chain(self.0.iter().cloned()).collect();
         let mut words: Vec<String> = given.iter().map(|(name, value)| format!("--{name}={value}")).collect();
-        if !given.iter().any(|(name, _)| name == "axes") {
+        let has_axes = !given.iter().any(|(name, value)| name == "method" && value != Method::Axes.name());
+        if has_axes && !given.iter().any(|(name, _)| name == "axes") {
             // The unit with all stages has 17, and as many axis units are legal.
             words.push("--axes=17".to_owned());
         }

@@ -200,17 +200,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let spinner = progress::spinner("planning");
     let plan = effects::plan(&scene, &request)?;
     spinner.finish_and_clear();
-    let design = Design::new(&plan.params, false)?;
+    // The reference model alone answers where nothing is written or simulated.
+    let design = || Design::new(&plan.params, false);
     if let Some(dir) = &arguments.out {
-        design_files(&design, &command_line(&plan.params, StreamWidth::default()))
+        design_files(&design()?, &command_line(&plan.params, StreamWidth::default()))
             .map_err(|e| Failure::Check(e.to_string()))?
             .write(dir)?;
     }
     let front = Front::new(&scene, plan.software, request.directions);
     let simulator = arguments.simulator.unwrap_or(Simulator::Ghdl);
-    let mut cosimulation = (arguments.cosim != Which::None).then(|| Cosimulation::new(&front, design, simulator));
+    let simulated = |simulator| design().map(|design| Cosimulation::new(&front, design, simulator));
+    let mut cosimulation = (arguments.cosim != Which::None).then(|| simulated(simulator)).transpose()?;
     // What GHDL takes hours for, the built-in simulator takes seconds for: it gets every pair that matters.
-    let every = || Design::new(&plan.params, false).map(|design| Cosimulation::new(&front, design, Simulator::Builtin));
+    let every = || simulated(Simulator::Builtin);
     let mut every = (arguments.cosim == Which::Sample).then(every).transpose()?;
     let options =
         Options { sampling: arguments.sampling(), exact: arguments.pairs.is_some(), seed: arguments.seed.unwrap_or(1) };

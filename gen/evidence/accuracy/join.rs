@@ -141,7 +141,7 @@ impl Results {
 
 /// In what a parameter set differs from the base.
 fn short(params: &efsat_unit::params::Params, base: &efsat_unit::params::Params) -> String {
-    let differences = params.options().into_iter().zip(base.options()).filter(|(x, y)| x != y);
-    let words: Vec<String> = differences.map(|((name, value), _)| format!("{name}={value}")).collect();
+    let differences = params.differences(base).into_iter();
+    let words: Vec<String> = differences.map(|(name, value)| format!("{name}={value}")).collect();
     if words.is_empty() { "around which the sweep goes".to_owned() } else { words.join(",") }
 }

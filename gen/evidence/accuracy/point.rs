@@ -17,8 +17,8 @@ pub fn options(params: &Params) -> Options {
 
 /// Those that its answers depend on.
 pub fn model_options(options: &Options) -> Options {
-    let answering = Params::OPTIONS.iter().filter(|(_, affects)| *affects != Affects::Hardware);
-    answering.filter_map(|(name, _)| options.get_key_value(*name)).map(|(n, v)| (n.clone(), v.clone())).collect()
+    let answering = Params::OPTIONS.iter().filter(|option| option.affects != Affects::Hardware);
+    answering.filter_map(|option| options.get_key_value(option.name)).map(|(n, v)| (n.clone(), v.clone())).collect()
 }
 
 /// A finished point.

@@ -177,7 +177,7 @@ mod tests {
 
     #[test]
     fn the_default_sweep_holds_every_width() {
-        let names: Vec<&str> = efsat_unit::params::Params::OPTIONS.iter().map(|(name, _)| *name).collect();
+        let names: Vec<&str> = efsat_unit::params::Params::OPTIONS.iter().map(|option| option.name).collect();
         let all = parse(DEFAULT, &names).unwrap();
         let alone =
             |width: u32| all.iter().any(|s| s.len() == 1 && s[0].option == "width" && s[0].value == width.to_string());

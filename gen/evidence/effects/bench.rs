@@ -62,11 +62,14 @@ impl<'a, 'b> Bench<'a, 'b> {
     /// The unit without what is not needed.
     pub fn decide(&mut self, census: &Census) -> Stages {
         let mut current = self.transform(census);
+        let method = self.request.params.method;
+        let optional = Stages::optional(method).iter().copied();
+        let rest: Vec<Effect> = optional.filter(|effect| *effect != Effect::Transform).collect();
         // All that is likely to be asked, at once.
-        let rest = [Effect::Renormalise, Effect::InPlaneAxes, Effect::ExactCeiling];
-        let toggled = |effect: Effect| current.set(effect, !current.has(effect));
+        let toggled = |effect: &Effect| current.set(*effect, !current.has(*effect));
         let pair = [true, false].map(|there| current.set(Effect::InPlaneAxes, there));
-        let mut planes = (pair, self.ask(&rest.map(toggled), Some(pair)));
+        let all: Vec<Stages> = rest.iter().map(toggled).chain([current]).collect();
+        let mut planes = (pair, self.ask(&all, rest.contains(&Effect::InPlaneAxes).then_some(pair)));
         for effect in rest {
             let (with, without) = (current.set(effect, true), current.set(effect, false));
             if effect == Effect::InPlaneAxes && planes.0 != [with, without] {

@@ -1,7 +1,7 @@
 //! The optional stages of a unit.
 
 use efsat_unit::host::settings::Effect;
-use efsat_unit::params::{Axes, Params, Transform, Upper};
+use efsat_unit::params::{Axes, Method, Params, Transform, Upper};
 
 /// Which optional stages a unit has; everything else is in its parameters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -31,8 +31,19 @@ impl Stages {
         }
     }
 
-    /// Parameters with these stages. There are never more axis units than axes.
+    /// The stages that a unit of a method may have or not, in the order in which they are tried.
+    pub fn optional(method: Method) -> &'static [Effect] {
+        match method {
+            Method::Axes => &[Effect::Transform, Effect::Renormalise, Effect::InPlaneAxes, Effect::ExactCeiling],
+            Method::Determinants => &[Effect::Transform],
+        }
+    }
+
+    /// Parameters with these stages, as far as they are optional. There are never more axis units than axes.
     pub fn params(self, base: &Params) -> Params {
+        if base.method == Method::Determinants {
+            return Params { transform: self.transform, ..base.clone() };
+        }
         let axes = if self.in_plane_axes { Axes::Seventeen } else { Axes::Eleven };
         Params {
             transform: self.transform,

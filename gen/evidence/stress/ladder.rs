@@ -1,7 +1,7 @@
 //! Other parameter sets that every case is asked on: narrower and wider, and every other option changed alone.
 
 use efsat_unit::params::options::{Affects, Choice, TRANSFORM_WIDTH, WIDTH};
-use efsat_unit::params::{Axes, Params, Projections, Upper};
+use efsat_unit::params::{Axes, Bound, LEVELS, Method, Params, Projections, SPAN, Upper};
 
 /// Working widths of the ladder.
 const WIDTHS: [u32; 9] = [6, 8, 10, 12, 15, 18, 21, 26, 32];
@@ -24,10 +24,20 @@ pub(super) fn rungs(params: &Params) -> Vec<Params> {
     for transform_width in TRANSFORM_WIDTHS.into_iter().chain(beside).filter(legal) {
         rungs.push(Params { transform_width, ..params.clone() });
     }
-    rungs.extend(Axes::ALL.iter().map(|&axes| Params { axes, axes_per_clock: 1, ..params.clone() }));
-    rungs.extend(Projections::ALL.iter().map(|&projections| Params { projections, ..params.clone() }));
-    rungs.extend(Upper::ALL.iter().map(|&upper| Params { upper, ..params.clone() }));
-    rungs.extend(bool::ALL.iter().map(|&renormalise| Params { renormalise, ..params.clone() }));
+    match params.method {
+        Method::Axes => {
+            rungs.extend(Axes::ALL.iter().map(|&axes| Params { axes, axes_per_clock: 1, ..params.clone() }));
+            rungs.extend(Projections::ALL.iter().map(|&projections| Params { projections, ..params.clone() }));
+            rungs.extend(Upper::ALL.iter().map(|&upper| Params { upper, ..params.clone() }));
+            rungs.extend(bool::ALL.iter().map(|&renormalise| Params { renormalise, ..params.clone() }));
+        }
+        Method::Determinants => {
+            rungs.extend(SPAN.iter().map(|&span| Params { span, ..params.clone() }));
+            rungs.extend(LEVELS.iter().map(|&levels| Params { levels, ..params.clone() }));
+            rungs.extend(Bound::ALL.iter().map(|&bound| Params { bound, ..params.clone() }));
+            rungs.extend(bool::ALL.iter().map(|&boxes| Params { boxes, ..params.clone() }));
+        }
+    }
     let given = arithmetic(params);
     rungs.retain(|rung| arithmetic(rung) != given);
     let mut seen = vec![];
@@ -39,17 +49,21 @@ pub(super) fn rungs(params: &Params) -> Vec<Params> {
     rungs
 }
 
-/// Options that decide the verdict of a pair inside the declared ranges; the others are about speed, or about pairs outside.
+/// Whether an option decides the verdict of a pair inside the declared ranges; the others are about speed, or about pairs
+/// outside.
+fn is_arithmetic(name: &str) -> bool {
+    Params::OPTIONS.iter().any(|option| option.name == name && option.affects == Affects::Verdicts)
+}
+
+/// The options that decide verdicts.
 fn arithmetic(params: &Params) -> Vec<(&'static str, String)> {
-    let options = params.options().into_iter().zip(Params::OPTIONS);
-    options.filter(|(_, (_, affects))| *affects == Affects::Verdicts).map(|(option, _)| option).collect()
+    params.options().into_iter().filter(|(name, _)| is_arithmetic(name)).collect()
 }
 
 /// The options in which `params` differs from `base`, as a command line has them.
 pub(super) fn difference(params: &Params, base: &Params) -> String {
-    let pairs = arithmetic(params).into_iter().zip(arithmetic(base));
-    let changed = pairs.filter(|(x, y)| x != y).map(|((name, value), _)| format!("--{name} {value}"));
-    changed.collect::<Vec<_>>().join(" ")
+    let changed = params.differences(base).into_iter().filter(|(name, _)| is_arithmetic(name));
+    changed.map(|(name, value)| format!("--{name} {value}")).collect::<Vec<_>>().join(" ")
 }
 
 #[cfg(test)]
@@ -66,6 +80,26 @@ mod tests {
             ["--axes 17", "--projections skip", "--projections intersect", "--upper sticky", "--renormalise off"];
         let expected: Vec<String> = widths.into_iter().chain(transforms).chain(others.map(str::to_owned)).collect();
         assert_eq!(names, expected);
+    }
+
+    #[test]
+    fn the_rungs_of_a_determinant_unit() {
+        let base = Params { method: Method::Determinants, ..Params::default() };
+        let all = rungs(&base);
+        let names: Vec<String> = all.iter().map(|rung| difference(rung, &base)).collect();
+        let choices = [
+            "--span 0",
+            "--span 3",
+            "--levels 0",
+            "--levels 2",
+            "--bound static",
+            "--bound edges",
+            "--bound products",
+            "--boxes off",
+        ];
+        assert_eq!(names[names.len() - choices.len()..], choices);
+        assert!(all.iter().all(|rung| rung.validate().is_ok()));
+        assert_eq!(difference(&all[0], &Params::default()), "--method determinants --width 6");
     }
 
     #[test]

@@ -420,6 +420,11 @@ impl<'l> Sig<'l> {
         self.make(Op::Assume(bound, lemma, phases.to_vec()), &[self], self.ty(), ranges)
     }
 
+    /// The value, which is known to be in a range by the named lemma.
+    pub fn within(self, range: Range, lemma: &'static str) -> Self {
+        self.assume_range(range, lemma, &[])
+    }
+
     /// The value this many phases before.
     pub(super) fn earlier_signal(self, phases: usize) -> Self {
         let ranges = self.ranges();

@@ -5,7 +5,7 @@ use super::{FileSet, origin};
 use crate::design::Design;
 use crate::golden::{Golden, Input, Pose};
 use crate::host::{Host, loose_pair};
-use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, verdict_status};
+use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, StreamWord, verdict_status};
 use askama::Template;
 
 #[derive(Template)]
@@ -54,8 +54,8 @@ const POINTS: [[f64; 3]; 6] =
 /// Its tag, cut to the design's.
 const TAG: u64 = 0x5a5a_5a5a_5a5a_5a5a;
 
-fn packet(name: &str, what: &'static str, words: &[u128], bits: u32) -> Packet {
-    let bytes: Vec<u8> = words.iter().flat_map(|w| w.to_le_bytes().into_iter().take(bits as usize / 8)).collect();
+fn packet(name: &str, what: &'static str, words: &[StreamWord], bits: u32) -> Packet {
+    let bytes: Vec<u8> = words.iter().flat_map(|w| w.bytes().take(bits as usize / 8)).collect();
     let all: Vec<String> = bytes.iter().map(|byte| format!("x\"{byte:02x}\"")).collect();
     let mut rows: Vec<String> = all.chunks(12).map(|row| format!("{},", row.join(", "))).collect();
     if let Some(last) = rows.last_mut() {
@@ -69,7 +69,7 @@ fn bench(design: &Design, format: &StreamFormat, header: &[String]) -> String {
     let Host::Unit(pair) = loose_pair(&POINTS, p) else { unreachable!("a loose pair is inside the declared ranges") };
     let pose = Pose::identity(p);
     let plain = |x: &Input| (x.lo, x.sticky);
-    let header_word = |kind| u128::from(format.header(kind));
+    let header_word = |kind| StreamWord::from(u128::from(format.header(kind)));
     let tag = TAG & u64::MAX.checked_shr(64 - p.tag_width).unwrap_or(0);
     let outcome = Golden::new(p).outcome(&pose, &pair);
     let verdict = AnswerFields {
@@ -79,7 +79,7 @@ fn bench(design: &Design, format: &StreamFormat, header: &[String]) -> String {
         overlapping: outcome.overlapping,
     };
     let (width, answer_width) = (format.width.bits(), format.answer_width());
-    let answer = |name, what, fields: &AnswerFields| packet(name, what, &[format.answer(fields)], answer_width);
+    let answer = |name, what, fields: &AnswerFields| packet(name, what, &[format.answer(fields).into()], answer_width);
     let (mut packets, mut steps) = (vec![], vec![]);
     let mut exchange = |sent: &str, answer: &str, bytes: Packet, expected: Packet| {
         steps.extend([format!("send({sent});"), format!("expect_answer({answer});")]);
@@ -108,7 +108,7 @@ fn bench(design: &Design, format: &StreamFormat, header: &[String]) -> String {
     exchange(
         "stray_bytes",
         "stray_answer",
-        packet("stray_bytes", "No whole word.", &[0xc3_a5_5a], 24),
+        packet("stray_bytes", "No whole word.", &[0xc3_a5_5a.into()], 24),
         answer("stray_answer", "Malformed: unknown header.", &unknown),
     );
     let story = if format.has_pose() { "sends a pose and a pair" } else { "sends a pair" };

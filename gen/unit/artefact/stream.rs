@@ -4,7 +4,7 @@ use super::{stream_vectors, testbench};
 use crate::design::Design;
 use crate::design::top::{pair_ports, pose_ports};
 use crate::params::stream::{BYPASS_AT, Kind, StreamFormat, TAG_AT};
-use crate::params::{Params, Upper};
+use crate::params::{Method, Params, Upper};
 use askama::Template;
 
 /// Name of the wrapper's entity.
@@ -42,7 +42,7 @@ struct Wrapper {
     places: usize,
     place_bits: u32,
     tag_width: u32,
-    axes: u32,
+    flags: u32,
     guarded: bool,
     signs: Vec<Sign>,
     sign_high: u32,
@@ -131,7 +131,10 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
         lines.push(format!("  16#{:08x}#  pose: one record follows", format.header(Kind::Pose)));
     }
     lines.extend([
-        format!("A record is {} words for a pair, the first in the low bits:", format.record_words(Kind::Pairs)),
+        match format.record_words(Kind::Pairs) {
+            1 => "A record is one word for a pair:".to_owned(),
+            words => format!("A record is {words} words for a pair, the first in the low bits:"),
+        },
         match p.upper {
             Upper::Sticky => "  31 downto 0  bit i is the sticky bit of number i".to_owned(),
             Upper::Implied => "  31 downto 0  not read".to_owned(),
@@ -150,8 +153,11 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
         let names: Vec<String> = pose_ports(p).iter().map(|name| name[5..].to_owned()).collect();
         lines.extend([
             format!(
-                "and {} words for a pose, in the same places: bit 31 bypass, no tag, numbers",
-                format.record_words(Kind::Pose)
+                "and {} for a pose, in the same places: bit 31 bypass, no tag, numbers",
+                match format.record_words(Kind::Pose) {
+                    1 => "one word".to_owned(),
+                    words => format!("{words} words"),
+                }
             ),
             format!("  {}", names.join(" ")),
             "A pose holds for the packets after it; before the first one B = B~.".to_owned(),
@@ -163,9 +169,13 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
                 .to_owned(),
         );
     }
-    let (tag, axes) = (p.tag_width, format.axes);
+    let (tag, flags) = (p.tag_width, format.flags);
+    let what = match p.method {
+        Method::Axes => "axis",
+        Method::Determinants => "witness",
+    };
     let status = "  7 downto 0  status; bits 1..0: 00 separate, 01 intersect, 10 possibly incorrect, 11 report";
-    let outside = "              bit 4: a number of the pair or its pose is outside its declared range (10, no axis)";
+    let outside = "              bit 4: a number of the pair or its pose is outside its declared range (10, no flags)";
     lines.extend([
         String::new(),
         format!(
@@ -178,16 +188,19 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
     lines.extend(p.guarded().then(|| outside.to_owned()));
     lines.extend([
         if tag > 0 { format!("  {} downto 8  tag", tag + 7) } else { "  (no tag)".to_owned() },
-        format!("  {} downto {}  out_separated, bit i for axis i", tag + axes + 7, tag + 8),
-        format!("  {} downto {}  out_overlapping, bit i for axis i", tag + 2 * axes + 7, tag + axes + 8),
+        format!("  {} downto {}  out_separated, bit i for {what} i", tag + flags + 7, tag + 8),
+        format!("  {} downto {}  out_overlapping, bit i for {what} i", tag + 2 * flags + 7, tag + flags + 8),
         "A report has its reason in bits 3..2: 0 pose taken, 1 unknown header, 2 packet too short (or not whole".to_owned(),
         "records), 3 pose packet too long. Bit 7 is set in 1 to 3: the packet was malformed and none of the verdicts".to_owned(),
         "that it may have had before the report counts; a malformed pose is not taken. The next packet is read as ever."
             .to_owned(),
         String::new(),
         format!(
-            "Full back-pressure both ways: neither ready depends on a valid or ready of the other side. A pair every {} clocks.",
-            pair_period(p, format)
+            "Full back-pressure both ways: neither ready depends on a valid or ready of the other side. A pair {}.",
+            match pair_period(p, format) {
+                1 => "per clock".to_owned(),
+                clocks => format!("every {clocks} clocks"),
+            }
         ),
     ]);
     lines
@@ -224,11 +237,11 @@ pub fn wrapper(design: &Design, format: &StreamFormat, origin: &[String]) -> Str
         places,
         place_bits: places.trailing_zeros(),
         tag_width: p.tag_width,
-        axes: format.axes,
+        flags: format.flags,
         guarded: p.guarded(),
         signs: signs(format),
         sign_high: format.spare_bits(),
-        flags_high: 2 * format.axes - 1,
+        flags_high: 2 * format.flags - 1,
         bypass_place: assembly - pose_words * format.width.bits() + BYPASS_AT,
         unit_inputs: unit_inputs(p, format, assembly),
         unused,

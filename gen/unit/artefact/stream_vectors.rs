@@ -7,7 +7,7 @@
 use super::{Stimulus, vectors};
 use crate::golden::{Golden, Input, Pair, Pose};
 use crate::params::Params;
-use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, verdict_status};
+use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, StreamWord, verdict_status};
 
 /// Pairs of the first packet that fill the default design.
 pub const FILLING: usize = 22;
@@ -22,7 +22,7 @@ const OTHERS: [usize; 3] = [1, 4, 2];
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct WordIn {
     /// TDATA.
-    pub data: u128,
+    pub data: StreamWord,
     /// TLAST.
     pub last: bool,
     /// Whether TKEEP is set for every byte.
@@ -63,12 +63,12 @@ impl<'a> Maker<'a> {
         Self { golden: Golden::new(p), format, pose: Pose::identity(p), tag: 0, vectors }
     }
 
-    fn header(&self, kind: Kind) -> Vec<u128> {
-        vec![u128::from(self.format.header(kind))]
+    fn header(&self, kind: Kind) -> Vec<StreamWord> {
+        vec![u128::from(self.format.header(kind)).into()]
     }
 
     /// Sends words as one packet.
-    fn send(&mut self, words: Vec<u128>) {
+    fn send(&mut self, words: Vec<StreamWord>) {
         let end = words.len() - 1;
         self.vectors.words.extend(words.into_iter().enumerate().map(|(i, data)| WordIn {
             data,
@@ -88,7 +88,7 @@ impl<'a> Maker<'a> {
     }
 
     /// The words of a pair; its answer is awaited.
-    fn pair(&mut self, pair: &Pair, last: bool) -> Vec<u128> {
+    fn pair(&mut self, pair: &Pair, last: bool) -> Vec<StreamWord> {
         let outcome = self.golden.outcome(&self.pose, pair);
         // Some tag that uses all bits.
         self.tag = self.tag.wrapping_add(0x9e37_79b9_7f4a_7c15);
@@ -111,7 +111,7 @@ impl<'a> Maker<'a> {
         self.send(words);
     }
 
-    fn pose_words(&self, pose: &Pose) -> Vec<u128> {
+    fn pose_words(&self, pose: &Pose) -> Vec<StreamWord> {
         let mut words = self.header(Kind::Pose);
         words.extend(self.format.pose_record(pose.bypass, pose.m.iter().flatten().chain(&pose.t).map(plain)));
         words
@@ -162,11 +162,11 @@ impl<'a> Maker<'a> {
 
     /// Packets that are none, with what is to be said of each.
     fn malformed(&mut self, pair: &Pair, pose: &Pose) {
-        self.send(vec![0]);
+        self.send(vec![StreamWord::default()]);
         self.report(Report::UnknownHeader);
         // A header of another design, with a pair after it.
         let record = self.format.pair_record(0, pair.a.iter().chain(&pair.b).flatten().map(plain));
-        let other = u128::from(self.format.header(Kind::Pairs) ^ 1 << 8);
+        let other = u128::from(self.format.header(Kind::Pairs) ^ 1 << 8).into();
         self.send([vec![other], record.clone()].concat());
         self.report(Report::UnknownHeader);
         self.send(self.header(Kind::Pairs));
@@ -190,7 +190,7 @@ impl<'a> Maker<'a> {
             self.send(words.clone());
             self.lacks_byte(0);
             self.report(Report::TooShort);
-            self.send([words.clone(), vec![0]].concat());
+            self.send([words.clone(), vec![StreamWord::default()]].concat());
             self.report(Report::TooLong);
             self.send([words.clone(), words.clone()].concat());
             self.report(Report::TooLong);
@@ -200,7 +200,7 @@ impl<'a> Maker<'a> {
             self.report(Report::TooShort);
         } else {
             // A pose for a unit that has none.
-            self.send([self.header(Kind::Pose), vec![0; 3]].concat());
+            self.send([self.header(Kind::Pose), vec![StreamWord::default(); 3]].concat());
             self.report(Report::UnknownHeader);
         }
     }
@@ -241,8 +241,8 @@ pub fn one_packet(p: &Params, format: &StreamFormat, pairs: usize) -> StreamVect
 
 /// The file; without answers the testbench compares none.
 pub fn text(p: &Params, format: &StreamFormat, vectors: &StreamVectors) -> String {
-    let line = |kind: char, width: u32, word: u128, last: bool| {
-        format!("{kind} {word:0digits$x} {}", u8::from(last), digits = width as usize / 4)
+    let line = |kind: char, width: u32, word: StreamWord, last: bool| {
+        format!("{kind} {} {}", word.hex(width), u8::from(last))
     };
     let (width, answer_width) = (format.width.bits(), format.answer_width());
     let mut lines = vec![
@@ -252,7 +252,7 @@ pub fn text(p: &Params, format: &StreamFormat, vectors: &StreamVectors) -> Strin
     ];
     let words = vectors.words.iter();
     lines.extend(words.map(|w| format!("{} {}", line('I', width, w.data, w.last), u8::from(w.whole))));
-    lines.extend(vectors.answers.iter().map(|&(word, last)| line('O', answer_width, word, last)));
+    lines.extend(vectors.answers.iter().map(|&(word, last)| line('O', answer_width, word.into(), last)));
     lines.push(String::new());
     lines.join("\n")
 }

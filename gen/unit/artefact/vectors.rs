@@ -7,7 +7,7 @@
 
 use crate::design::top::{pair_ports, pose_ports};
 use crate::golden::{Golden, Input, Outcome, Pair, Pose};
-use crate::params::{Params, Transform};
+use crate::params::{Method, Params, Transform, options::Choice};
 use efsat_hardware::number::Upper;
 
 /// What a design is driven with: poses, and the pairs under each.
@@ -81,11 +81,11 @@ pub fn pose_word(p: &Params, pose: &Pose) -> Word {
 
 /// The answer's fields: the output ports of the verdict but the tag.
 pub fn answer_word(p: &Params, outcome: &Outcome) -> Word {
-    let axes = p.axes.count() as u32;
+    let flags = p.flags();
     let mut fields = vec![
         ("out_verdict", outcome.verdict as i128, 2),
-        ("out_separated", i128::from(outcome.separated), axes),
-        ("out_overlapping", i128::from(outcome.overlapping), axes),
+        ("out_separated", i128::from(outcome.separated), flags),
+        ("out_overlapping", i128::from(outcome.overlapping), flags),
     ];
     if p.guarded() {
         fields.push(("out_outside", i128::from(outcome.outside), 1));
@@ -105,12 +105,21 @@ pub fn formats_line(p: &Params) -> String {
         Transform::Off => "off",
     };
     let guard = if p.guarded() { " guard" } else { "" };
-    format!(
-        "efsat vectors 1: input {} upper {upper} transform {transform} width {} axes {}{guard}",
-        p.input(),
-        p.width,
-        p.axes.count()
-    )
+    let (input, width) = (p.input(), p.width);
+    match p.method {
+        Method::Axes => {
+            let axes = p.axes.count();
+            format!("efsat vectors 1: input {input} upper {upper} transform {transform} width {width} axes {axes}{guard}")
+        }
+        Method::Determinants => {
+            let Params { span, levels, bound, boxes, .. } = p;
+            let (bound, boxes) = (bound.name(), boxes.name());
+            format!(
+                "efsat vectors 1: determinants input {input} transform {transform} width {width} span {span} levels {levels} \
+                 bound {bound} boxes {boxes}{guard}"
+            )
+        }
+    }
 }
 
 /// The vector file of a stimulus, answers from the reference model.

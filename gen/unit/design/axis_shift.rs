@@ -47,7 +47,7 @@ pub fn axis_shift<'l>(p: &Params, exact: Vector<'l>) -> Vector<'l> {
 }
 
 /// Steps whose sums reach every shift up to `positions`, each no more than one above the sum of those behind it.
-fn steps(positions: u32) -> Vec<u32> {
+pub(super) fn steps(positions: u32) -> Vec<u32> {
     let mut rest = positions;
     let mut all = vec![];
     while rest > 0 {

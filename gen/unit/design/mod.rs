@@ -3,13 +3,14 @@
 //! One file per unit; the entity that is printed has the file's name. Reading order: [`interval`], [`product`] and
 //! [`rounding`] (operators), [`cross_product`], [`axis_shift`], [`projection`], [`comparator`] (one axis), [`transform_row`],
 //! [`edge_test`], [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
-//! `axis_stage`), [`sequencer`] and [`top`] (handshakes).
+//! `axis_stage`), [`sequencer`] and [`top`] (handshakes). [`determinants`] is the other data path, in place of `pipeline`.
 
 pub mod axes;
 pub mod axis_shift;
 mod axis_stage;
 pub mod comparator;
 pub mod cross_product;
+pub mod determinants;
 pub mod edge_test;
 pub mod guard;
 pub mod interval;

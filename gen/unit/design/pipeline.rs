@@ -28,7 +28,7 @@ pub fn unit(p: &Params) -> Rc<Unit> {
     ];
     Library::default().unit("pair_pipeline", &doc, p.interval(), |u| {
         let path = Path { u, p, formats: p.formats(), guards: Guards::new(u, p) };
-        let (v, w, pose) = path.inputs();
+        let Inputs { v, w, pose } = Inputs::new(u, p);
         let b = pose.map(|pose| path.transformed(&w, &pose));
         let (points, edges) = path.working(&v, &w, b.as_ref());
         let outside = path.guards.outside();
@@ -45,10 +45,33 @@ pub fn unit(p: &Params) -> Rc<Unit> {
 }
 
 /// The pose of B: rows of M, t, and whether both are left out.
-struct Pose<'l> {
-    m: Option<[Point<'l>; 3]>,
-    t: Point<'l>,
-    bypass: Sig<'l>,
+pub(super) struct Pose<'l> {
+    pub m: Option<[Point<'l>; 3]>,
+    pub t: Point<'l>,
+    pub bypass: Sig<'l>,
+}
+
+/// What the unit is given: vertices of both triangles, and the pose.
+pub(super) struct Inputs<'l> {
+    pub v: [Point<'l>; 3],
+    pub w: [Point<'l>; 3],
+    pub pose: Option<Pose<'l>>,
+}
+
+impl<'l> Inputs<'l> {
+    pub fn new(u: Top<'l>, p: &Params) -> Self {
+        // Where a pose is loaded in the last phase, that phase does not read it.
+        let early = usize::from(p.pose_is_free_in_last_phase());
+        let point = |bound: i128, early: usize| Vec3::each(|_| Number::input(u, p, bound, early));
+        let triangle = |name| [(); 3].map(|()| point(p.coordinate_bound(), 0)).named(name);
+        let (v, w) = (triangle("in_v"), triangle("in_w"));
+        let pose = (p.transform != Transform::Off).then(|| Pose {
+            m: (p.transform == Transform::On).then(|| [(); 3].map(|()| point(p.one(), early)).named("pose_m")),
+            t: point(p.translation_bound(), early).named("pose_t"),
+            bypass: u.input_until(Type::FLAG, (0, 1), early).named("pose_bypass"),
+        });
+        Self { v, w, pose }
+    }
 }
 
 /// The edges of both triangles.
@@ -98,21 +121,6 @@ pub(super) struct Path<'l, 'p> {
 }
 
 impl<'l> Path<'l, '_> {
-    fn inputs(&self) -> ([Point<'l>; 3], [Point<'l>; 3], Option<Pose<'l>>) {
-        let p = self.p;
-        // Where a pose is loaded in the last phase, that phase does not read it.
-        let early = usize::from(p.pose_is_free_in_last_phase());
-        let point = |bound: i128, early: usize| Vec3::each(|_| Number::input(self.u, p, bound, early));
-        let triangle = |name| [(); 3].map(|()| point(p.coordinate_bound(), 0)).named(name);
-        let (v, w) = (triangle("in_v"), triangle("in_w"));
-        let pose = (p.transform != Transform::Off).then(|| Pose {
-            m: (p.transform == Transform::On).then(|| [(); 3].map(|()| point(p.one(), early)).named("pose_m")),
-            t: point(p.translation_bound(), early).named("pose_t"),
-            bypass: self.u.input_until(Type::FLAG, (0, 1), early).named("pose_bypass"),
-        });
-        (v, w, pose)
-    }
-
     /// Section 3: B's vertices in A's frame.
     fn transformed(&self, w: &[Point<'l>; 3], pose: &Pose<'l>) -> [Vector<'l>; 3] {
         let (p, units) = (self.p, self.p.transform_rows());

@@ -1,8 +1,8 @@
 //! The top: input and pose registers, sequencer, data path, result queue; and the whole design as one value.
 
 use super::sequencer::{self, PoseReading};
-use super::{number::input_type, pipeline};
-use crate::params::{ParamError, Params, Transform};
+use super::{determinants, number::input_type, pipeline};
+use crate::params::{Method, ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, UnknownDevice};
 use efsat_hardware::graph::{Place, Step, Unit};
 use efsat_hardware::netlist::lower::{Lowering, Probe};
@@ -85,14 +85,25 @@ impl Design {
         (megahertz + 1e-6 < f64::from(self.params.frequency)).then_some((megahertz, end))
     }
 
+    /// Whether there can be a design; its target part.
+    ///
+    /// # Errors
+    /// Parameters out of range, or an unknown device.
+    pub fn check(params: &Params) -> Result<&'static Device, DesignError> {
+        params.validate()?;
+        Ok(device::find(&params.device)?)
+    }
+
     /// Builds, proves, schedules and lowers the design.
     ///
     /// # Errors
     /// Parameters out of range, or an unknown device.
     pub fn new(params: &Params, probes: impl Into<Probes>) -> Result<Self, DesignError> {
-        params.validate()?;
-        let device = device::find(&params.device)?;
-        let pipeline = pipeline::unit(params);
+        let device = Self::check(params)?;
+        let pipeline = match params.method {
+            Method::Axes => pipeline::unit(params),
+            Method::Determinants => determinants::unit(params),
+        };
         let mut scheduler = Scheduler::new(device, params.frequency);
         let schedule = scheduler.schedule(&pipeline);
         let (path, probes) = Lowering::new(&mut scheduler, device).lower(&pipeline, probes.into() == Probes::All);
@@ -261,10 +272,10 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
         value.named(format!("offered_{name}").as_str()).output(format!("out_{name}").as_str());
         below += bits;
     };
-    let axes = p.axes.count() as u32;
+    let flags = p.flags();
     field("verdict", 2);
-    field("separated", axes);
-    field("overlapping", axes);
+    field("separated", flags);
+    field("overlapping", flags);
     if p.guarded() {
         field("outside", 1);
     }
@@ -287,25 +298,44 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
     let interval = p.interval();
     let format = p.input();
     let text = |lines: &[&str]| -> Vec<String> { lines.iter().map(|line| (*line).to_owned()).collect() };
-    let mut lines = text(&[
-        "EFSAT: exact triangle-triangle intersection test in fixed-point interval arithmetic.",
-        "After Raabe, Tietjen, Anlauf: separating axes; a definite answer is never wrong.",
-        "",
-    ]);
-    lines.push(format!("One pair every {interval} clocks, verdict {latency} clocks after acceptance."));
+    let mut lines = match p.method {
+        Method::Axes => text(&[
+            "EFSAT: exact triangle-triangle intersection test in fixed-point interval arithmetic.",
+            "After Raabe, Tietjen, Anlauf: separating axes; a definite answer is never wrong.",
+        ]),
+        Method::Determinants => text(&[
+            "EFSAT: exact triangle-triangle intersection test in fixed-point arithmetic.",
+            "The signs of fifteen determinants with bounds on their errors; a definite answer is never wrong.",
+        ]),
+    };
+    lines.push(String::new());
+    let pace = if interval == 1 { "One pair per clock".to_owned() } else { format!("One pair every {interval} clocks") };
+    lines.push(format!("{pace}, verdict {latency} clocks after acceptance."));
     lines.extend(text(&[
         "",
         "Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B~ in its own frame, tag is opaque. A pair is accepted in a clock",
         "in which in_valid and in_ready are both set; keep valid and data until then. in_ready comes once per slot",
     ]));
-    lines.push(format!("({interval} clocks) while one of the {places} places of the result queue is free."));
+    let clocks = if interval == 1 { "clock" } else { "clocks" };
+    lines.push(format!("({interval} {clocks}) while one of the {places} places of the result queue is free."));
     lines.extend(text(&[
         "Verdicts come in input order, each with its tag: taken in a clock in which out_valid and out_ready are both set.",
         "  out_verdict 00 separate, 01 intersect, 10 possibly incorrect (treat as intersecting, retest if it matters).",
-        "  out_separated, out_overlapping: what each axis said, bit i for axis i (n_A n_B C_00 C_01 ... C_22, in-plane).",
-        "",
     ]));
-    lines.push(format!("Numbers are lower bounds, {format} (ulp 2^-{}); {}.", format.fraction, upper_rule(p)));
+    lines.extend(match p.method {
+        Method::Axes => text(&[
+            "  out_separated, out_overlapping: what each axis said, bit i for axis i (n_A n_B C_00 C_01 ... C_22, in-plane).",
+        ]),
+        Method::Determinants => text(&[
+            "  out_separated, out_overlapping: what each witness said, bit i for witness i: boxes, plane of A, plane of B, edges",
+            "  0 to 2 of A, edges 0 to 2 of B. An edge that misses the other triangle is separated, one that pierces it overlaps.",
+        ]),
+    });
+    lines.push(String::new());
+    lines.push(match p.method {
+        Method::Axes => format!("Numbers are lower bounds, {format} (ulp 2^-{}); {}.", format.fraction, upper_rule(p)),
+        Method::Determinants => format!("Numbers are rounded down to {format} (ulp 2^-{}).", format.fraction),
+    });
     if p.transform != Transform::Off {
         let law = if p.transform == Transform::On { "B = M B~ + t" } else { "B = B~ + t" };
         lines.push(String::new());
@@ -322,7 +352,7 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
     lines.extend(text(if p.guarded() {
         &[
             "The unit has a guard: a pair with a number outside, or under a pose with one, is answered possibly incorrect",
-            "with out_outside set and the flags of all axes clear.",
+            "with out_outside set and all other flags clear.",
         ]
     } else {
         &["The host keeps to it: the unit has no guard."]

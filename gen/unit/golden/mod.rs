@@ -1,17 +1,17 @@
 //! The reference model: what the unit answers, bit for bit, written from the numeric contract and from nothing else.
 //!
-//! A [`Pair`] of quantised triangles goes through the change of frame (`transform`, contract section 3), is moved to
-//! the origin and scaled up (`renormalise`, section 4), yields edges and separating axes (`axes`, section 5), is
-//! projected on each of them (`projection`, section 5), and the images are compared (`verdict`, sections 6 and 7).
-//! Every signal is an interval that encloses the true real number; every intermediate is computed exactly and rounded
-//! outward once, to the row that [`Params::formats`] has for it.
+//! A [`Pair`] of quantised triangles under a [`Pose`] is answered by one of two methods: separating axes in interval
+//! arithmetic (`axis_test`, docs/contract.md) or determinants with error bounds (`determinants`, docs/determinants.md). What
+//! is read, the guard, the three verdicts and what [`Golden`] offers are the same.
 //!
-//! [`Unrounded`] is the same model with some of the roundings left out: the arithmetic is generic over its numbers, which
+//! [`Unrounded`] is the first method with some of the roundings left out: the arithmetic is generic over its numbers, which
 //! are integers for the unit and have further digits there.
 //!
 //! The host side of section 2 and seeded inputs are in [`host`](crate::host).
 
 mod axes;
+mod axis_test;
+mod determinants;
 mod edge_test;
 mod guard;
 mod input;
@@ -26,21 +26,16 @@ mod transform;
 mod unrounded;
 mod verdict;
 
-use axes::{Axis, AxisUnit};
-use edge_test::Sides;
+use axis_test::AxisTest;
+use determinants::DeterminantTest;
 use guard::Guard;
 pub use input::{Input, Numbers, Pair, Pose};
-use interval::{Triple, Vector, Wide, three};
-use projection::{Images, ProjectionUnit};
-use renormalise::Normaliser;
 pub use stages::{Exact, Stage};
-use transform::Frame;
 pub use unrounded::{AxisAnswer, Unrounded};
-use verdict::Enclosure;
 pub use verdict::{Outcome, Verdict};
 
-use crate::params::{Axes, Params, Transform};
-use efsat_hardware::number::{Interval, Upper};
+use crate::params::{Method, Params};
+use efsat_hardware::number::Interval;
 
 /// The reference model of one parameter set.
 ///
@@ -49,130 +44,90 @@ use efsat_hardware::number::{Interval, Upper};
 /// pair outside is answered so. [`host`](crate::host) sends no such pair.
 #[derive(Clone, Debug)]
 pub struct Golden {
-    upper: Upper,
-    axes: Axes,
-    edge_test: bool,
-    transform: Transform,
     guard: Guard,
-    /// Whether products of two working-width numbers and their sums fit `i64`.
-    narrow: bool,
-    frame: Frame,
-    normaliser: Normaliser,
-    axis_unit: AxisUnit,
-    projection_unit: ProjectionUnit,
+    test: Test,
 }
 
-/// Everything that precedes the axis test.
-struct Points<M> {
-    /// B after the change of frame, in the input format.
-    transformed: Triple<M>,
-    /// A and B after section 4.
-    coordinates: [Triple<M>; 2],
-}
-
-/// One axis, and what is projected on it.
-struct Tested<'a, M> {
-    axis: Axis,
-    direction: &'a Vector<M>,
-    images: &'a Images<M>,
-    enclosure: &'a Enclosure<M>,
+/// What is behind the guard.
+#[derive(Clone, Debug)]
+enum Test {
+    // The larger by far, and there is one of it.
+    Axes(Box<AxisTest>),
+    Determinants(DeterminantTest),
 }
 
 impl Golden {
     /// The model of a validated parameter set.
     pub fn new(params: &Params) -> Self {
-        Self::without(params, Exact::NONE)
+        let test = match params.method {
+            Method::Axes => Test::Axes(Box::new(AxisTest::without(params, Exact::NONE))),
+            Method::Determinants => Test::Determinants(DeterminantTest::new(params)),
+        };
+        Self { guard: Guard::new(params), test }
     }
 
-    /// The model without the roundings of these stages.
-    fn without(params: &Params, exact: Exact) -> Self {
-        Self {
-            upper: params.upper,
-            axes: params.axes,
-            edge_test: params.edge_test,
-            transform: params.transform,
-            guard: Guard::new(params),
-            narrow: 2 * params.width + 4 <= 62,
-            frame: Frame::new(params, exact),
-            normaliser: Normaliser::new(params, exact),
-            axis_unit: AxisUnit::new(params, exact),
-            projection_unit: ProjectionUnit::new(params, exact),
-        }
-    }
-
-    /// The verdict of a pair under a pose, with the flags of all axes.
+    /// The verdict of a pair under a pose, with all flags.
     pub fn outcome(&self, pose: &Pose, pair: &Pair) -> Outcome {
-        self.answer::<false>(pose, pair)
-    }
-
-    /// The verdict alone: stops at the first separated axis.
-    pub fn verdict(&self, pose: &Pose, pair: &Pair) -> Verdict {
-        self.answer::<true>(pose, pair).verdict
-    }
-
-    fn answer<const STOP: bool>(&self, pose: &Pose, pair: &Pair) -> Outcome {
         if !self.guard.inside(pose, pair) {
             return Outcome::outside();
         }
-        let points = self.read_points(pose, pair);
-        if self.narrow { self.test::<i64, STOP>(&points) } else { self.test::<i128, STOP>(&points) }
+        match &self.test {
+            Test::Axes(test) => test.outcome::<false>(pose, pair),
+            Test::Determinants(test) => test.outcome::<false>(&test.frame(pose), pair),
+        }
     }
 
-    /// The enclosures of what the unit reads.
-    fn read<M: From<i64>>(&self, pose: &Pose, pair: &Pair) -> Numbers<M> {
-        let number = |x: Input| {
-            let x = x.interval(self.upper);
-            Interval::new(x.lo.into(), x.hi.into())
-        };
-        let triple = |x: &[[Input; 3]; 3]| three(|k| three(|i| number(x[k][i])));
-        let bypass = pose.bypass || self.transform == Transform::Off;
-        let frame = (!bypass).then(|| (triple(&pose.m), three(|i| number(pose.t[i]))));
-        Numbers { a: triple(&pair.a), b: triple(&pair.b), pose: frame }
+    /// The verdict alone: stops at the first certain separation.
+    pub fn verdict(&self, pose: &Pose, pair: &Pair) -> Verdict {
+        if !self.guard.inside(pose, pair) {
+            return Verdict::PossiblyIncorrect;
+        }
+        match &self.test {
+            Test::Axes(test) => test.outcome::<true>(pose, pair).verdict,
+            Test::Determinants(test) => test.outcome::<true>(&test.frame(pose), pair).verdict,
+        }
     }
 
-    /// Sections 2 to 4.
-    fn read_points(&self, pose: &Pose, pair: &Pair) -> Points<i64> {
-        let numbers = self.read(pose, pair);
-        if self.frame.narrow { self.points::<i64>(&numbers) } else { self.points::<i128>(&numbers) }
-    }
-
-    /// Sections 3 and 4.
-    fn points<W: Wide>(&self, numbers: &Numbers<W::Mantissa>) -> Points<W::Mantissa> {
-        let transformed = self.frame.apply::<W>(numbers);
-        let coordinates = self.normaliser.apply(&numbers.a, &transformed);
-        Points { transformed, coordinates }
-    }
-
-    /// Section 5, axis by axis in the order of the contract, for as long as `test` wants another.
-    #[inline(always)]
-    fn axes<W: Wide>(
-        &self,
-        points: &Points<W::Mantissa>,
-        mut test: impl FnMut(usize, Tested<'_, W::Mantissa>) -> bool,
-    ) {
-        let edges = self.axis_unit.edges(&points.coordinates);
-        let normals = self.axis_unit.normals::<W>(&edges);
-        for (i, &axis) in Axis::all(self.axes).iter().enumerate() {
-            let direction = &self.axis_unit.axis::<W>(axis, &edges, &normals);
-            let images = &self.projection_unit.images::<W>(i, direction, &points.coordinates);
-            let enclosure = &self.projection_unit.enclosure(i, images);
-            if !test(i, Tested { axis, direction, images, enclosure }) {
-                break;
+    /// Appends the verdicts of many pairs under one pose, in their order: what is common to them is computed once.
+    pub fn verdicts(&self, pose: &Pose, pairs: &[Pair], verdicts: &mut Vec<Verdict>) {
+        match &self.test {
+            Test::Axes(_) => verdicts.extend(pairs.iter().map(|pair| self.verdict(pose, pair))),
+            Test::Determinants(test) => {
+                let frame = test.frame(pose);
+                verdicts.extend(pairs.iter().map(|pair| match self.guard.inside(pose, pair) {
+                    true => test.outcome::<true>(&frame, pair).verdict,
+                    false => Verdict::PossiblyIncorrect,
+                }));
             }
         }
     }
 
-    /// All axes, or with `STOP` the axes up to the first separated one.
-    fn test<W: Wide, const STOP: bool>(&self, points: &Points<W::Mantissa>) -> Outcome {
-        let (mut separated, mut overlapping, mut sides) = (0, 0, Sides::UNKNOWN);
-        self.axes::<W>(points, |i, Tested { axis, images, enclosure, .. }| {
-            if self.edge_test {
-                sides.see(axis, images);
+    /// Every inner number by name, in the order of the data flow. Of a pair outside the declared ranges they are those of
+    /// the numbers that the guard lets through.
+    ///
+    /// **Axes**: mantissas of intervals, each in the format that [`Params::formats`] has for it (`transform` in the input
+    /// format). Names, with vertices k and l, components x, y and z, and axes `n_a`, `n_b`, `c_00` .. `c_22`, `n_a_a0` ..,
+    /// `n_b_b0` ..:
+    /// `transform.w{l}_{x}`; `renormalise.v{k}_{x}` and `renormalise.w{l}_{x}` (the coordinates after section 4, with
+    /// re-normalisation off too); `edge.a{k}_{x}`, `edge.b{l}_{x}`; `axis.{axis}_{x}`; `projection.{axis}.v{k}` and
+    /// `.w{l}`, those that are computed, before duplicates are intersected; `enclosure.{axis}.a_min`, `.a_max`,
+    /// `.b_min`, `.b_max`.
+    ///
+    /// **Determinants**: single numbers, both bounds being equal. Names, with vertices i = 1, 2 of A and l = 0, 1, 2 of B,
+    /// and determinants `plane_a{l}`, `plane_b{k}`, `side{k}{l}`:
+    /// `difference.v{i}_{x}`, `difference.w{l}_{x}`; `dropped_{x}`, the bits that an axis drops; `level`;
+    /// `coordinate.v{i}_{x}`, `coordinate.w{l}_{x}`; `exact.m{l}_{x}`, `exact.n_{x}`, the moments and the normal of A before
+    /// rounding, and `moment.m{l}_{x}`, `moment.n_{x}` after it; `shift`, what their rounding drops; `dot.a{l}`,
+    /// `dot.d{i}{l}`, `dot.v`; `determinant.{name}`; `bound.{name}` in eighths; `sign.{name}`, -1, 0 or 1; `missed.a{k}`,
+    /// `missed.b{l}`, `pierces.a{k}`, `pierces.b{l}`; `boxes_apart`; `verdict`.
+    pub fn trace(&self, pose: &Pose, pair: &Pair) -> Vec<(String, Interval<i128>)> {
+        let (pose, pair) = self.guard.held(pose, pair);
+        match &self.test {
+            Test::Axes(test) => test.trace(&pose, &pair),
+            Test::Determinants(test) => {
+                let trace = test.trace(&test.frame(&pose), &pair);
+                trace.into_iter().map(|(name, x)| (name, Interval::new(x, x))).collect()
             }
-            separated |= u32::from(enclosure.separated()) << i;
-            overlapping |= u32::from(enclosure.overlapping()) << i;
-            !STOP || separated == 0
-        });
-        Outcome::new(separated, overlapping, self.edge_test && sides.pierced())
+        }
     }
 }

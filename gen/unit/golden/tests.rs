@@ -12,6 +12,7 @@ use num_traits::{One, Zero};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
+use super::axes::Axis;
 use super::interval::{Rounding, product};
 use super::verdict::Enclosure;
 use super::{Golden, Input, Pair, Pose, Verdict};
@@ -210,7 +211,7 @@ fn strictness_saves_coplanar_pairs() {
         tried += 1;
         let pair = unit_pair(&points, &p);
         let trace: HashMap<String, Interval<i128>> = golden.trace(&pose, &pair).into_iter().collect();
-        let relaxed = super::Axis::all(Axes::Eleven).iter().all(|axis| {
+        let relaxed = Axis::all(Axes::Eleven).iter().all(|axis| {
             let bound = |name: &str| trace[&format!("enclosure.{axis}.{name}")];
             bound("a_min").hi <= bound("b_max").lo && bound("b_min").hi <= bound("a_max").lo
         });
@@ -261,7 +262,7 @@ fn the_fast_verdict_is_the_outcomes() {
             seen[expected as usize] += 1;
             // The trace is computed in i128 throughout; the flags follow from its enclosures.
             let trace: HashMap<String, Interval<i128>> = golden.trace(&pose, &pair).into_iter().collect();
-            for (i, axis) in super::Axis::all(p.axes).iter().enumerate() {
+            for (i, axis) in Axis::all(p.axes).iter().enumerate() {
                 let bound = |name: &str| trace[&format!("enclosure.{axis}.{name}")];
                 let (a_min, a_max, b_min, b_max) = (bound("a_min"), bound("a_max"), bound("b_min"), bound("b_max"));
                 let separated = b_min.lo > a_max.hi || a_min.lo > b_max.hi;

@@ -1,7 +1,8 @@
-//! Every inner interval by name, for comparison with another implementation of the contract.
+//! Every inner interval of the axis unit by name, for comparison with another implementation of the contract.
 
+use super::axis_test::{AxisTest, Tested};
 use super::interval::{Triple, Vector};
-use super::{Golden, Pair, Pose, Tested};
+use super::{Pair, Pose};
 use efsat_hardware::number::Interval;
 
 /// The record being written.
@@ -26,21 +27,11 @@ impl Record {
     }
 }
 
-impl Golden {
-    /// Mantissas of every inner interval, each in the format that [`crate::params::Params::formats`] has for it
-    /// (`transform` in the input format), in the order of the data flow.
-    ///
-    /// Names, with vertices k and l, components x, y and z, and axes `n_a`, `n_b`, `c_00` .. `c_22`, `n_a_a0` ..,
-    /// `n_b_b0` ..:
-    /// `transform.w{l}_{x}`; `renormalise.v{k}_{x}` and `renormalise.w{l}_{x}` (the coordinates after section 4, with
-    /// re-normalisation off too); `edge.a{k}_{x}`, `edge.b{l}_{x}`; `axis.{axis}_{x}`; `projection.{axis}.v{k}` and
-    /// `.w{l}`, those that are computed, before duplicates are intersected; `enclosure.{axis}.a_min`, `.a_max`,
-    /// `.b_min`, `.b_max`. Of a pair outside the declared ranges they are those of the numbers that the guard lets
-    /// through.
+impl AxisTest {
+    /// See [`Golden::trace`](super::Golden::trace).
     pub fn trace(&self, pose: &Pose, pair: &Pair) -> Vec<(String, Interval<i128>)> {
         let mut record = Record::default();
-        let (pose, pair) = self.guard.held(pose, pair);
-        let points = self.read_points(&pose, &pair);
+        let points = self.read_points(pose, pair);
         record.triple("transform.w", &points.transformed);
         record.triple("renormalise.v", &points.coordinates[0]);
         record.triple("renormalise.w", &points.coordinates[1]);

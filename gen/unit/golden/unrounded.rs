@@ -1,8 +1,9 @@
 //! The model with the roundings of some stages left out, for what each of them costs.
 
+use super::axis_test::AxisTest;
 use super::interval::{Mantissa, Rounding, Wide};
 use super::verdict::Enclosure;
-use super::{Exact, Golden, Numbers, Outcome, Pair, Pose};
+use super::{Exact, Numbers, Outcome, Pair, Pose};
 use crate::dyadic::Dyadic;
 use crate::params::{AxisKind, Params};
 use efsat_hardware::number::Interval;
@@ -38,11 +39,11 @@ impl Mantissa for Dyadic {
     }
 }
 
-/// The reference model over numbers of any length: without left-out stages it gives the flags of [`Golden`], and
+/// The axis unit over numbers of any length: without left-out stages it gives the flags of [`Golden`](super::Golden), and
 /// without any rounding those of real arithmetic.
 #[derive(Clone, Debug)]
 pub struct Unrounded {
-    model: Golden,
+    model: AxisTest,
 }
 
 /// What one axis shows.
@@ -63,7 +64,7 @@ pub struct AxisAnswer {
 impl Unrounded {
     /// The model without the roundings of these stages; that of the input is the caller's, who chooses the numbers.
     pub fn new(params: &Params, exact: Exact) -> Self {
-        Self { model: Golden::without(params, exact) }
+        Self { model: AxisTest::without(params, exact) }
     }
 
     /// The numbers of a pair as the unit reads them.

@@ -166,8 +166,8 @@ impl Settings {
 
     /// Reads an entry of `[parameters]`.
     fn parameter(&self, Entry { key: name, value, line }: &Entry) -> Result<Parameter, String> {
-        if !Params::OPTIONS.iter().any(|(option, _)| option == name) {
-            let legal: Vec<&str> = Params::OPTIONS.iter().map(|(option, _)| *option).collect();
+        if !Params::OPTIONS.iter().any(|option| option.name == name) {
+            let legal: Vec<&str> = Params::OPTIONS.iter().map(|option| option.name).collect();
             return Err(format!("parameter '{name}': expected one of {}", legal.join(", ")));
         }
         let is_given = |effect: Effect| self.switches.get(effect) != Switch::Auto;

@@ -5,12 +5,14 @@
 
 mod formats;
 mod guard;
+mod method;
 pub mod options;
 pub mod stream;
 
 pub use efsat_hardware::number::Upper;
 pub use formats::{AxisKind, Clamp, Formats, Row};
 pub use guard::Guard;
+pub use method::{Bound, CLOCKS_PER_PAIR, LEVELS, Method, SPAN};
 pub use options::Params;
 
 use std::ops::RangeInclusive;
@@ -99,8 +101,7 @@ impl Params {
         range("int-bits", k, least..=most.min(n - 2), &why)?;
         let widths = n..=options::TRANSFORM_WIDTH;
         range("transform-width", self.transform_width, widths, &format!(" (at least --width {n})"))?;
-        let axes = self.axes.count() as u32;
-        range("axes-per-clock", self.axes_per_clock as u32, 1..=axes, &format!(" (--axes {axes})"))?;
+        self.validate_method()?;
         range("axis-shift", self.axis_shift, options::AXIS_SHIFT, "")?;
         if let ProjectionWidth::Plus(bits) = self.projection_width {
             range("projection-width", bits, options::PROJECTION_PLUS, "")?;
@@ -109,9 +110,54 @@ impl Params {
         range("tag-width", self.tag_width, options::TAG_WIDTH, "")
     }
 
-    /// Initiation interval in clocks: one pair every ceil(axes / axes per clock).
+    /// Checks the options that not every method has.
+    fn validate_method(&self) -> Result<(), ParamError> {
+        let foreign = |(option, _): &(&'static str, String)| {
+            let row = Self::OPTIONS.iter().find(|row| row.name == *option);
+            row.is_some_and(|row| !row.of.has(self.method))
+        };
+        let own = Self { method: self.method, ..Self::default() };
+        if let Some((option, found)) = self.differences(&own).into_iter().find(foreign) {
+            let other = match self.method {
+                Method::Axes => Method::Determinants,
+                Method::Determinants => Method::Axes,
+            };
+            let legal = format!("expected --method {}, which has this option", options::Choice::name(other));
+            return Err(ParamError { option, found, legal });
+        }
+        let axes = self.axes.count();
+        if !(1..=axes).contains(&self.axes_per_clock) {
+            let legal = format!("expected 1 to {axes} (--axes {axes})");
+            return Err(ParamError { option: "axes-per-clock", found: self.axes_per_clock.to_string(), legal });
+        }
+        let listed = [
+            ("clocks-per-pair", self.clocks_per_pair, CLOCKS_PER_PAIR),
+            ("span", self.span, SPAN),
+            ("levels", self.levels, LEVELS),
+        ];
+        match listed.into_iter().find(|(_, found, list)| !list.contains(found)) {
+            None => Ok(()),
+            Some((option, found, list)) => {
+                let legal = list.iter().map(u32::to_string).collect::<Vec<_>>().join(", ");
+                Err(ParamError { option, found: found.to_string(), legal: format!("expected one of {legal}") })
+            }
+        }
+    }
+
+    /// Initiation interval in clocks: one pair every ceil(axes / axes per clock), or as many clocks as are asked for.
     pub fn interval(&self) -> usize {
-        self.axes.count().div_ceil(self.axes_per_clock)
+        match self.method {
+            Method::Axes => self.axes.count().div_ceil(self.axes_per_clock),
+            Method::Determinants => self.clocks_per_pair as usize,
+        }
+    }
+
+    /// Flags of each kind in an answer: one for each axis, or for each of the nine witnesses.
+    pub fn flags(&self) -> u32 {
+        match self.method {
+            Method::Axes => self.axes.count() as u32,
+            Method::Determinants => 9,
+        }
     }
 
     /// Transform row units side by side: ceil(9 / interval), none without a transform.
@@ -185,7 +231,7 @@ mod tests {
     #[test]
     fn every_option_outside_its_range_is_named() {
         type Change = fn(&mut Params);
-        let cases: [(Change, &str); 9] = [
+        let cases: [(Change, &str); 13] = [
             (|p| p.width = 5, "--width 5: expected 6 to 32"),
             (|p| p.width = 33, "--width 33: expected 6 to 32"),
             (|p| p.int_bits = 3, "--int-bits 3: expected 4 to 8 (4 to 8, at most width - 2 = 16)"),
@@ -195,6 +241,13 @@ mod tests {
             (|p| p.axes_per_clock = 0, "--axes-per-clock 0: expected 1 to 11 (--axes 11)"),
             (|p| p.frequency = 251, "--frequency 251: expected 20 to 250 MHz"),
             (|p| p.tag_width = 65, "--tag-width 65: expected 0 to 64"),
+            (|p| p.span = 3, "--span 3: expected --method determinants, which has this option"),
+            (|p| p.boxes = false, "--boxes off: expected --method determinants, which has this option"),
+            (
+                |p| (p.method, p.upper) = (Method::Determinants, Upper::Sticky),
+                "--upper sticky: expected --method axes, which has this option",
+            ),
+            (|p| (p.method, p.span) = (Method::Determinants, 2), "--span 2: expected one of 0, 1, 3"),
         ];
         for (change, message) in cases {
             let mut p = Params::default();

@@ -3,7 +3,9 @@
 //! The command line reads them by [clap](https://docs.rs/clap), which whoever only generates VHDL does not compile: the
 //! feature `clap` makes [`Params`] a group of its arguments.
 
-use super::{Axes, Guard, ProjectionWidth, Projections, Transform, Upper};
+use super::{Axes, Bound, Guard, Method, ProjectionWidth, Projections, Transform, Upper};
+#[cfg(feature = "clap")]
+use super::{CLOCKS_PER_PAIR, LEVELS, SPAN};
 #[cfg(feature = "clap")]
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::ops::RangeInclusive;
@@ -130,12 +132,46 @@ pub enum Affects {
     Hardware,
 }
 
+/// Which method has an option.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Of {
+    /// Both.
+    Both,
+    /// Separating axes.
+    Axes,
+    /// Determinants. The choice of the method counts as theirs: a design of the default method does not spell it out.
+    Determinants,
+}
+
+impl Of {
+    /// Whether units of a method have the option.
+    pub fn has(self, method: Method) -> bool {
+        match self {
+            Self::Both => true,
+            Self::Axes => method == Method::Axes,
+            Self::Determinants => method == Method::Determinants,
+        }
+    }
+}
+
+/// What is known of an option without its value.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// Its name without dashes.
+    pub name: &'static str,
+    /// What it has an effect on.
+    pub affects: Affects,
+    /// Which method has it.
+    pub of: Of,
+}
+
 /// The table of options. A row is name, field and type, default, the paper's value where that is another, what the option
-/// affects, and further arguments for clap; its comment is its help.
+/// affects, which method has it, and further arguments for clap; its comment is its help.
 macro_rules! options {
     ($(
         #[doc = $help:literal]
-        $name:literal $field:ident: $type:ty = $default:expr $(; paper $paper:expr)?, $affects:ident, [$($argument:tt)*];
+        $name:literal $field:ident: $type:ty = $default:expr $(; paper $paper:expr)?, $affects:ident, $of:ident,
+            [$($argument:tt)*];
     )+) => {
         /// A complete parameter set. Build one with [`Params::default`] and change fields, then
         /// [`validate`](Params::validate).
@@ -166,12 +202,12 @@ macro_rules! options {
                 paper
             }
 
-            /// The names of all options, without their dashes, and what each affects.
-            pub const OPTIONS: &[(&'static str, Affects)] = &[$(($name, Affects::$affects),)+];
+            /// All options of both methods.
+            pub const OPTIONS: &[Row] = &[$(Row { name: $name, affects: Affects::$affects, of: Of::$of },)+];
 
-            /// Every option (without its dashes) with its value, in a fixed order: equal parameters have equal lists,
-            /// however they were typed.
-            pub fn options(&self) -> Vec<(&'static str, String)> {
+            /// Every option of both methods (without its dashes) with its value, in a fixed order. Those that the method does
+            /// not have are at their defaults if the parameters are valid.
+            pub fn every_option(&self) -> Vec<(&'static str, String)> {
                 vec![$(($name, self.$field.spelled()),)+]
             }
         }
@@ -179,58 +215,89 @@ macro_rules! options {
 }
 
 options! {
-    /// Working width of the axis test in bits, 6 to 32
-    "width" width: u32 = 18, Verdicts,
+    /// How pairs are decided: by separating axes as in the paper, or by determinants, which need fewer multipliers
+    "method" method: Method = Method::Axes, Verdicts, Determinants,
+        [value_name = "METHOD", value_parser = choice::<Method>()];
+    /// Working width in bits, 6 to 32
+    "width" width: u32 = 18, Verdicts, Both,
         [value_name = "N", value_parser = whole(WIDTH), allow_negative_numbers = true];
     /// Integral digits of the input format with the sign, 4 to 8 and at most width - 2
-    "int-bits" int_bits: u32 = 4, Verdicts,
+    "int-bits" int_bits: u32 = 4, Verdicts, Both,
         [value_name = "K", value_parser = whole(INT_BITS), allow_negative_numbers = true];
     /// Width of inputs and frame transform in bits, at least width, up to 48
-    "transform-width" transform_width: u32 = 32, Verdicts,
+    "transform-width" transform_width: u32 = 32, Verdicts, Both,
         [value_name = "N", value_parser = whole(*WIDTH.start()..=TRANSFORM_WIDTH), allow_negative_numbers = true];
     /// Axis set: the paper's 11, or 17 with the six in-plane edge normals
-    "axes" axes: Axes = Axes::Eleven, Verdicts,
+    "axes" axes: Axes = Axes::Eleven, Verdicts, Axes,
         [value_name = "SET", value_parser = choice::<Axes>(), allow_negative_numbers = true];
     /// Axis units side by side, 1 to the number of axes; one pair every ceil(axes / N) clocks
-    "axes-per-clock" axes_per_clock: usize = 1, Hardware,
+    "axes-per-clock" axes_per_clock: usize = 1, Hardware, Axes,
         [value_name = "N", value_parser = whole(1..=Axes::Seventeen.count() as u32).map(|n| n as usize),
             allow_negative_numbers = true];
     /// What is done with duplicate projections
-    "projections" projections: Projections = Projections::Skip; paper Projections::All, Verdicts,
+    "projections" projections: Projections = Projections::Skip; paper Projections::All, Verdicts, Axes,
         [value_name = "POLICY", value_parser = choice::<Projections>()];
     /// Bits of the projections that are compared: +N (N more than width, up to 31), full (all), or rounded (to width, as in the paper)
-    "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Plus(4); paper ProjectionWidth::Rounded, Verdicts,
+    "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Plus(4); paper ProjectionWidth::Rounded, Verdicts, Axes,
         [value_name = "WIDTH", value_parser = projection_width];
     /// Places by which an axis is shifted left at most before it is rounded, 0 to 30; 0 as in the paper
-    "axis-shift" axis_shift: u32 = 7; paper 0, Verdicts,
+    "axis-shift" axis_shift: u32 = 7; paper 0, Verdicts, Axes,
         [value_name = "N", value_parser = whole(AXIS_SHIFT), allow_negative_numbers = true];
     /// Whether an edge that certainly passes through the other triangle decides
-    "edge-test" edge_test: bool = true; paper false, Verdicts,
+    "edge-test" edge_test: bool = true; paper false, Verdicts, Axes,
         [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
     /// Upper bound of an input: the next grid point, or the exact ceiling with a sticky bit
-    "upper" upper: Upper = Upper::Implied, Verdicts,
+    "upper" upper: Upper = Upper::Implied, Verdicts, Axes,
         [value_name = "RULE", value_parser = choice::<Upper>()];
     /// Whether pairs are re-normalised one by one (the paper's 2.5)
-    "renormalise" renormalise: bool = true, Verdicts,
+    "renormalise" renormalise: bool = true, Verdicts, Axes,
+        [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
+    /// Determinants: clocks between pairs
+    "clocks-per-pair" clocks_per_pair: u32 = 1, Hardware, Determinants,
+        [value_name = "N", value_parser = one_of(CLOCKS_PER_PAIR), allow_negative_numbers = true];
+    /// Determinants: how far the rounding of the first products follows the pair, in bits
+    "span" span: u32 = 1, Verdicts, Determinants,
+        [value_name = "BITS", value_parser = one_of(SPAN), allow_negative_numbers = true];
+    /// Determinants: how many levels of input error are told apart, for triangles that are small in the input format
+    "levels" levels: u32 = 6, Verdicts, Determinants,
+        [value_name = "N", value_parser = one_of(LEVELS), allow_negative_numbers = true];
+    /// Determinants: what error bounds are made of, from coarse to fine
+    "bound" bound: Bound = Bound::Moments, Verdicts, Determinants,
+        [value_name = "KIND", value_parser = choice::<Bound>()];
+    /// Determinants: whether the boxes of the triangles are compared as well
+    "boxes" boxes: bool = true, Verdicts, Determinants,
         [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
     /// Frame transform: B = M B~ + t, translation only, or none
-    "transform" transform: Transform = Transform::On, Verdicts,
+    "transform" transform: Transform = Transform::On, Verdicts, Both,
         [value_name = "KIND", value_parser = choice::<Transform>()];
     /// Guard: units generated without a stage, or all, answer a pair outside the declared ranges possibly-incorrect
-    "guard" guard: Guard = Guard::LeftOut, Outside,
+    "guard" guard: Guard = Guard::LeftOut, Outside, Both,
         [value_name = "UNITS", value_parser = choice::<Guard>()];
     /// Device model that pipelining and estimates use
-    "device" device: String = "xc2v6000-4".to_owned(), Hardware,
+    "device" device: String = "xc2v6000-4".to_owned(), Hardware, Both,
         [value_name = "NAME", value_parser = PossibleValuesParser::new(efsat_hardware::device::names())];
     /// Target clock in MHz, 20 to 250
-    "frequency" frequency: u32 = 100, Hardware,
+    "frequency" frequency: u32 = 100, Hardware, Both,
         [value_name = "MHZ", value_parser = whole(FREQUENCY), allow_negative_numbers = true];
     /// Bits of the pair tag, 0 to 64
-    "tag-width" tag_width: u32 = 16, Hardware,
+    "tag-width" tag_width: u32 = 16, Hardware, Both,
         [value_name = "N", value_parser = whole(TAG_WIDTH), allow_negative_numbers = true];
 }
 
 impl Params {
+    /// Every option that the method has (without its dashes) with its value, in a fixed order: equal parameters have equal
+    /// lists, however they were typed.
+    pub fn options(&self) -> Vec<(&'static str, String)> {
+        let rows = Self::OPTIONS.iter().zip(self.every_option());
+        rows.filter(|(row, _)| row.of.has(self.method)).map(|(_, option)| option).collect()
+    }
+
+    /// The options in which the parameters differ from others, with their values.
+    pub fn differences(&self, other: &Self) -> Vec<(&'static str, String)> {
+        let both = self.every_option().into_iter().zip(other.every_option());
+        both.filter(|(x, y)| x != y).map(|(x, _)| x).collect()
+    }
+
     /// The command line that generates the design, all options spelled out.
     pub fn command_line(&self) -> String {
         let options = self.options().into_iter().map(|(name, value)| format!(" --{name} {value}"));
@@ -252,6 +319,13 @@ pub fn whole(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String>
         Ok(number) if legal.contains(&number) => Ok(number),
         _ => Err(format!("expected a whole number from {} to {}", legal.start(), legal.end())),
     }
+}
+
+/// Reads the numbers of a list.
+#[cfg(feature = "clap")]
+fn one_of(legal: &'static [u32]) -> impl TypedValueParser<Value = u32> {
+    PossibleValuesParser::new(legal.iter().map(u32::to_string))
+        .map(|number| number.parse().expect("clap lets numbers of the list through"))
 }
 
 /// Reads a width of projections.
@@ -286,5 +360,18 @@ mod tests {
             "efsat generate --width 18 --int-bits 4 --transform-width 32 --axes 11 --axes-per-clock 1 --projections skip \
              --projection-width +4 --axis-shift 7 --edge-test on --upper implied --renormalise on --transform on --guard left-out --device xc2v6000-4 --frequency 100 --tag-width 16"
         );
+    }
+
+    #[test]
+    fn each_method_spells_out_its_own_options() {
+        let params = Params { method: Method::Determinants, span: 3, ..Params::default() };
+        assert_eq!(
+            params.command_line(),
+            "efsat generate --method determinants --width 18 --int-bits 4 --transform-width 32 --clocks-per-pair 1 --span 3 \
+             --levels 6 --bound moments --boxes on --transform on --guard left-out --device xc2v6000-4 --frequency 100 \
+             --tag-width 16"
+        );
+        let differences = params.differences(&Params::default());
+        assert_eq!(differences, [("method", "determinants".to_owned()), ("span", "3".to_owned())]);
     }
 }

@@ -13,8 +13,9 @@
 //! separated and overlapping axes, side by side from bit 0, in the narrowest of the legal words.
 
 use super::options::Choice;
-use super::{Axes, Params, Transform};
+use super::{Axes, Method, Params, Transform};
 use efsat_hardware::number::Upper;
+use std::fmt::{self, Formatter, LowerHex};
 
 /// Bits of a word of the stream into the unit.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -26,6 +27,12 @@ pub enum StreamWidth {
     Bits64,
     /// 128.
     Bits128,
+    /// 256.
+    Bits256,
+    /// 512.
+    Bits512,
+    /// 1024: a pair in one word, if its numbers have no more than 32 bits.
+    Bits1024,
 }
 
 impl StreamWidth {
@@ -35,19 +42,95 @@ impl StreamWidth {
             Self::Bits32 => 32,
             Self::Bits64 => 64,
             Self::Bits128 => 128,
+            Self::Bits256 => 256,
+            Self::Bits512 => 512,
+            Self::Bits1024 => 1024,
         }
     }
 }
 
 impl Choice for StreamWidth {
-    const ALL: &'static [Self] = &[Self::Bits32, Self::Bits64, Self::Bits128];
+    const ALL: &'static [Self] = 
+        &[Self::Bits32, Self::Bits64, Self::Bits128, Self::Bits256, Self::Bits512, Self::Bits1024];
 
     fn name(self) -> &'static str {
         match self {
             Self::Bits32 => "32",
             Self::Bits64 => "64",
             Self::Bits128 => "128",
+            Self::Bits256 => "256",
+            Self::Bits512 => "512",
+            Self::Bits1024 => "1024",
         }
+    }
+}
+
+/// A word of a stream, of up to 1024 bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct StreamWord([u32; StreamWord::LANES]);
+
+impl StreamWord {
+    /// Of 32 bits each, the lowest first.
+    const LANES: usize = 32;
+
+    /// From its lanes of 32 bits, the lowest first; those that are missing are zero.
+    fn new(lanes: &[u32]) -> Self {
+        Self(std::array::from_fn(|i| lanes.get(i).copied().unwrap_or(0)))
+    }
+
+    /// The lowest 128 bits: all of an answer.
+    pub fn low(&self) -> u128 {
+        self.0[..4].iter().rev().fold(0, |word, lane| word << 32 | u128::from(*lane))
+    }
+
+    /// A bit.
+    pub fn bit(&self, at: u32) -> bool {
+        self.0[(at / 32) as usize] >> (at % 32) & 1 == 1
+    }
+
+    /// The word with a bit changed.
+    pub fn flipped(mut self, at: u32) -> Self {
+        self.0[(at / 32) as usize] ^= 1 << (at % 32);
+        self
+    }
+
+    /// Its bytes, the lowest first.
+    pub fn bytes(&self) -> impl Iterator<Item = u8> {
+        self.0.into_iter().flat_map(u32::to_le_bytes)
+    }
+
+    /// The hexadecimal digits of so many bits.
+    pub fn hex(&self, bits: u32) -> String {
+        self.0[..(bits / 32) as usize].iter().rev().map(|lane| format!("{lane:08x}")).collect()
+    }
+
+    /// The word that hexadecimal digits spell; none if something else is among them, or they are too many.
+    pub fn from_hex(text: &str) -> Option<Self> {
+        let mut word = Self::default();
+        for (i, digit) in text.chars().rev().enumerate() {
+            *word.0.get_mut(i / 8)? |= digit.to_digit(16)? << (4 * (i % 8));
+        }
+        Some(word)
+    }
+}
+
+impl From<u128> for StreamWord {
+    fn from(low: u128) -> Self {
+        Self::new(&[0, 32, 64, 96].map(|at| (low >> at) as u32))
+    }
+}
+
+impl PartialEq<u128> for StreamWord {
+    fn eq(&self, other: &u128) -> bool {
+        *self == Self::from(*other)
+    }
+}
+
+impl LowerHex for StreamWord {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let digits = self.hex(1024);
+        let digits = digits.trim_start_matches('0');
+        f.pad_integral(true, "0x", if digits.is_empty() { "0" } else { digits })
     }
 }
 
@@ -87,6 +170,8 @@ pub const MALFORMED: u8 = 1 << 7;
 pub const OUTSIDE: u8 = 1 << 4;
 /// Bits of the status.
 pub const STATUS_BITS: u32 = 8;
+/// Bit of the header of a unit that answers by determinants.
+const DETERMINANTS_BIT: u32 = 15;
 /// Bit of the header, and of the flags of a record, at which nothing but this is found: 17 axes, bypass.
 const TOP_BIT: u32 = 31;
 /// Place of the tag in a record.
@@ -106,9 +191,9 @@ pub struct AnswerFields {
     pub status: u8,
     /// Tag of the pair.
     pub tag: u64,
-    /// The axes on which the images are certainly disjoint.
+    /// The axes on which the images are certainly disjoint, or the witnesses of that kind.
     pub separated: u32,
-    /// The axes on which the images certainly overlap.
+    /// The axes on which the images certainly overlap, or the witnesses of that kind.
     pub overlapping: u32,
 }
 
@@ -132,8 +217,10 @@ pub struct StreamFormat {
     pub width: StreamWidth,
     /// Bits of the tag.
     pub tag_width: u32,
-    /// Axes of the unit.
-    pub axes: u32,
+    /// Flags of each kind in an answer: one for each axis, or for each witness.
+    pub flags: u32,
+    method: Method,
+    axes: Axes,
     number_bits: u32,
     int_bits: u32,
     sticky: bool,
@@ -147,7 +234,9 @@ impl StreamFormat {
         Self {
             width,
             tag_width: params.tag_width,
-            axes: params.axes.count() as u32,
+            flags: params.flags(),
+            method: params.method,
+            axes: params.axes,
             number_bits: params.transform_width,
             int_bits: params.int_bits,
             sticky: params.upper == Upper::Sticky,
@@ -157,8 +246,8 @@ impl StreamFormat {
     }
 
     /// The low 32 bits of the header word; the others are not read. It names the format, so that a unit refuses what
-    /// was packed for another one: kind in bits 7..0, bits of a number in 15..8, of the tag in 23..16, integral digits
-    /// in 27..24, sticky in 28, transform in 30..29 (0 off, 1 translate, 2 on), 17 axes in 31.
+    /// was packed for another one: kind in bits 7..0, bits of a number in 13..8, determinants in 15, bits of the tag in
+    /// 23..16, integral digits in 27..24, sticky in 28, transform in 30..29 (0 off, 1 translate, 2 on), 17 axes in 31.
     pub fn header(&self, kind: Kind) -> u32 {
         let transform = match self.transform {
             Transform::Off => 0,
@@ -171,7 +260,8 @@ impl StreamFormat {
             | self.int_bits << 24
             | u32::from(self.sticky) << 28
             | transform << 29
-            | u32::from(self.axes == Axes::Seventeen.count() as u32) << TOP_BIT
+            | u32::from(self.method == Method::Determinants) << DETERMINANTS_BIT
+            | u32::from(self.axes == Axes::Seventeen) << TOP_BIT
     }
 
     /// Numbers in a record: 18 coordinates, or the entries of M and t that the unit has.
@@ -212,12 +302,12 @@ impl StreamFormat {
     }
 
     /// The words of a pair: mantissa and sticky bit of the 18 coordinates of V0 V1 V2 W0 W1 W2.
-    pub fn pair_record(&self, tag: u64, numbers: impl IntoIterator<Item = (i64, bool)>) -> Vec<u128> {
+    pub fn pair_record(&self, tag: u64, numbers: impl IntoIterator<Item = (i64, bool)>) -> Vec<StreamWord> {
         self.record(Kind::Pairs, 0, tag, numbers)
     }
 
     /// The words of a pose: mantissa and sticky bit of the nine entries of M, row by row, and the three of t.
-    pub fn pose_record(&self, bypass: bool, numbers: impl IntoIterator<Item = (i64, bool)>) -> Vec<u128> {
+    pub fn pose_record(&self, bypass: bool, numbers: impl IntoIterator<Item = (i64, bool)>) -> Vec<StreamWord> {
         let skipped = 12 - self.numbers(Kind::Pose);
         self.record(Kind::Pose, u32::from(bypass) << BYPASS_AT, 0, numbers.into_iter().skip(skipped as usize))
     }
@@ -228,7 +318,7 @@ impl StreamFormat {
         mut flags: u32,
         tag: u64,
         numbers: impl IntoIterator<Item = (i64, bool)>,
-    ) -> Vec<u128> {
+    ) -> Vec<StreamWord> {
         let mut lanes = vec![0; (self.record_words(kind) * self.width.bits() / 32) as usize];
         let mut put = |bit: u32, value: u64| {
             let lane = (bit / 32) as usize;
@@ -245,13 +335,12 @@ impl StreamFormat {
             flags |= u32::from(sticky && self.sticky) << i;
         }
         lanes[0] = flags;
-        let word = |lanes: &[u32]| lanes.iter().rev().fold(0, |word, lane| word << 32 | u128::from(*lane));
-        lanes.chunks(self.width.bits() as usize / 32).map(word).collect()
+        lanes.chunks(self.width.bits() as usize / 32).map(StreamWord::new).collect()
     }
 
     /// Bits of an answer that mean something.
     pub fn answer_bits(&self) -> u32 {
-        STATUS_BITS + self.tag_width + 2 * self.axes
+        STATUS_BITS + self.tag_width + 2 * self.flags
     }
 
     /// Bits of a word out of the unit: the least of 32, 64 and 128 that holds an answer.
@@ -261,8 +350,8 @@ impl StreamFormat {
 
     /// The word of an answer.
     pub fn answer(&self, fields: &AnswerFields) -> u128 {
-        let axes = u128::from(fields.separated) | u128::from(fields.overlapping) << self.axes;
-        u128::from(fields.status) | u128::from(fields.tag) << STATUS_BITS | axes << (STATUS_BITS + self.tag_width)
+        let flags = u128::from(fields.separated) | u128::from(fields.overlapping) << self.flags;
+        u128::from(fields.status) | u128::from(fields.tag) << STATUS_BITS | flags << (STATUS_BITS + self.tag_width)
     }
 
     /// The fields of a word, none if a bit is set that no answer has.
@@ -271,8 +360,8 @@ impl StreamFormat {
         let fields = AnswerFields {
             status: field(0, STATUS_BITS) as u8,
             tag: field(STATUS_BITS, self.tag_width) as u64,
-            separated: field(STATUS_BITS + self.tag_width, self.axes) as u32,
-            overlapping: field(STATUS_BITS + self.tag_width + self.axes, self.axes) as u32,
+            separated: field(STATUS_BITS + self.tag_width, self.flags) as u32,
+            overlapping: field(STATUS_BITS + self.tag_width + self.flags, self.flags) as u32,
         };
         (self.answer(&fields) == word).then_some(fields)
     }
@@ -296,13 +385,25 @@ mod tests {
     }
 
     #[test]
+    fn a_pair_fits_one_word_of_1024_bits() {
+        let params = Params { method: Method::Determinants, ..Params::default() };
+        let format = StreamFormat::new(&params, StreamWidth::Bits1024);
+        let words = format.pair_record(0xabcd, (0..18).map(|i| (-i, false)));
+        assert_eq!((words.len(), format.record_words(Kind::Pose)), (1, 1));
+        assert_eq!(StreamWord::from_hex(&words[0].hex(1024)), Some(words[0]));
+        assert_eq!(words[0].low(), 0xffff_ffff_0000_0000_0000_abcd_0000_0000);
+        assert_eq!(format.header(Kind::Pairs), 0x4410_a001);
+        assert_eq!((format.answer_bits(), format.answer_width()), (8 + 16 + 18, 64));
+    }
+
+    #[test]
     fn wide_numbers_and_tags_take_64_bits_each() {
         let params = Params { transform_width: 48, tag_width: 64, upper: Upper::Sticky, ..Params::default() };
         let format = StreamFormat::new(&params, StreamWidth::Bits32);
         let words = format.pair_record(u64::MAX - 1, (0..18).map(|i| (i - 1, i == 17)));
         assert_eq!(words.len(), 4 + 36);
-        assert_eq!(words[..8], [1 << 17, 0xffff_fffe, 0xffff_ffff, 0, 0xffff_ffff, 0xffff_ffff, 0, 0]);
-        assert_eq!((words[38], words[39], format.answer_width()), (16, 0, 128));
+        assert_eq!(words[..8], [1u128 << 17, 0xffff_fffe, 0xffff_ffff, 0, 0xffff_ffff, 0xffff_ffff, 0, 0]);
+        assert_eq!((words[38].low(), words[39].low(), format.answer_width()), (16, 0, 128));
         let narrow = Params { tag_width: 0, ..Params::default() };
         assert_eq!(StreamFormat::new(&narrow, StreamWidth::Bits128).answer_width(), 32);
     }

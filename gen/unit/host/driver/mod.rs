@@ -37,14 +37,14 @@ pub use stand_in::StandIn;
 
 use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
 use crate::host::{self, SceneHost};
-use crate::params::stream::{Kind, Report, StreamFormat, StreamWidth, verdict_status};
+use crate::params::stream::{Kind, Report, StreamFormat, StreamWidth, StreamWord, verdict_status};
 use crate::params::{ParamError, Params, Transform};
 
 /// One word of a stream and its TLAST.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Transfer {
     /// TDATA.
-    pub data: u128,
+    pub data: StreamWord,
     /// TLAST: the last word of its packet.
     pub last: bool,
 }
@@ -56,7 +56,7 @@ pub enum Answer {
     Pair {
         /// Tag, cut to the tag width of the design.
         tag: u64,
-        /// Verdict and flags of all axes.
+        /// Verdict and flags.
         outcome: Outcome,
     },
     /// No verdict.
@@ -72,7 +72,7 @@ pub enum DriverError {
         /// Number of the answer, from 0.
         at: usize,
         /// The word.
-        data: u128,
+        data: StreamWord,
     },
     /// The unit found a packet malformed, or reported something else than expected.
     #[error("the unit reports {report:?} as answer {at}")]
@@ -129,7 +129,7 @@ fn number(x: &Input) -> (i64, bool) {
 }
 
 /// Words as one packet.
-fn packet(words: Vec<u128>) -> Vec<Transfer> {
+fn packet(words: Vec<StreamWord>) -> Vec<Transfer> {
     let count = words.len();
     words.into_iter().enumerate().map(|(i, data)| Transfer { data, last: i + 1 == count }).collect()
 }
@@ -163,7 +163,7 @@ impl Driver {
             Transform::Translate | Transform::On => {}
         }
         self.check(pose.m.iter().flatten().chain(&pose.t))?;
-        let mut words = vec![u128::from(self.format.header(Kind::Pose))];
+        let mut words = vec![u128::from(self.format.header(Kind::Pose)).into()];
         words.extend(self.format.pose_record(pose.bypass, pose.m.iter().flatten().chain(&pose.t).map(number)));
         Ok(packet(words))
     }
@@ -176,7 +176,7 @@ impl Driver {
         &self,
         pairs: impl IntoIterator<Item = (u64, &'a Pair)>,
     ) -> Result<Vec<Transfer>, DriverError> {
-        let mut words = vec![u128::from(self.format.header(Kind::Pairs))];
+        let mut words = vec![u128::from(self.format.header(Kind::Pairs)).into()];
         for (tag, pair) in pairs {
             let numbers = pair.a.iter().chain(&pair.b).flatten();
             self.check(numbers.clone())?;
@@ -195,8 +195,8 @@ impl Driver {
     }
 
     /// What a word from the unit says; none if no unit of this design sends it.
-    pub fn unpack(&self, data: u128) -> Option<Answer> {
-        let fields = self.format.answer_fields(data)?;
+    pub fn unpack(&self, data: StreamWord) -> Option<Answer> {
+        let fields = self.format.answer_fields(data.low()).filter(|_| data == data.low())?;
         let silent = fields.separated == 0 && fields.overlapping == 0;
         let outside = fields.status == verdict_status(Verdict::PossiblyIncorrect as u8, true);
         let verdict = match fields.status {
@@ -217,7 +217,7 @@ impl Driver {
     /// Words for the unit as little-endian bytes, as they lie in a buffer for DMA. Packet ends are not in it.
     pub fn bytes(&self, transfers: &[Transfer]) -> Vec<u8> {
         let word = self.format.width.bits() as usize / 8;
-        transfers.iter().flat_map(|transfer| transfer.data.to_le_bytes().into_iter().take(word)).collect()
+        transfers.iter().flat_map(|transfer| transfer.data.bytes().take(word)).collect()
     }
 
     /// One packet from the unit, from its little-endian bytes.
@@ -229,7 +229,7 @@ impl Driver {
         if !bytes.len().is_multiple_of(word) {
             return Err(DriverError::Bytes { found: bytes.len(), word });
         }
-        let data = |bytes: &[u8]| bytes.iter().rev().fold(0, |data, byte| data << 8 | u128::from(*byte));
+        let data = |bytes: &[u8]| bytes.iter().rev().fold(0u128, |data, byte| data << 8 | u128::from(*byte)).into();
         Ok(packet(bytes.chunks(word).map(data).collect()))
     }
 

@@ -2,7 +2,7 @@
 
 use super::Transfer;
 use crate::golden::{Golden, Input, Pair, Pose, Verdict};
-use crate::params::stream::{AnswerFields, BYPASS_AT, Kind, Report, StreamFormat, StreamWidth, TAG_AT, verdict_status};
+use crate::params::stream::{AnswerFields, BYPASS_AT, Kind, Report, StreamFormat, StreamWidth, StreamWord, TAG_AT, verdict_status};
 use crate::params::{ParamError, Params, Transform, Upper};
 
 /// Answers words as the wrapped unit does, to test what drives it. The state is what wrapper and unit keep: the pose.
@@ -18,13 +18,13 @@ pub struct StandIn {
 
 /// A record: its bits by place.
 struct Record<'a> {
-    words: &'a [u128],
+    words: &'a [StreamWord],
     width: u32,
 }
 
 impl Record<'_> {
     fn bits(&self, at: u32, count: u32) -> u64 {
-        let bit = |i: u32| (self.words[(i / self.width) as usize] >> (i % self.width)) as u64 & 1;
+        let bit = |i: u32| u64::from(self.words[(i / self.width) as usize].bit(i % self.width));
         (0..count).fold(0, |bits, i| bits | bit(at + i) << i)
     }
 }
@@ -45,16 +45,16 @@ impl StandIn {
     pub fn answer(&mut self, transfers: &[Transfer]) -> Vec<Transfer> {
         let mut answers = vec![];
         for packet in transfers.split_inclusive(|transfer| transfer.last).filter(|p| p.last().is_some_and(|t| t.last)) {
-            let words: Vec<u128> = packet.iter().map(|transfer| transfer.data).collect();
+            let words: Vec<StreamWord> = packet.iter().map(|transfer| transfer.data).collect();
             self.packet(&words, &mut answers);
         }
         answers
     }
 
-    fn packet(&mut self, words: &[u128], answers: &mut Vec<Transfer>) {
+    fn packet(&mut self, words: &[StreamWord], answers: &mut Vec<Transfer>) {
         let kind = [Kind::Pairs, Kind::Pose].into_iter().find(|&kind| {
             let exists = kind == Kind::Pairs || self.format.has_pose();
-            exists && words[0] as u32 == self.format.header(kind)
+            exists && words[0].low() as u32 == self.format.header(kind)
         });
         let body = &words[1..];
         let report = match kind {
@@ -62,7 +62,7 @@ impl StandIn {
             Some(Kind::Pairs) => {
                 let size = self.format.record_words(Kind::Pairs) as usize;
                 for record in body.chunks_exact(size) {
-                    let data = self.format.answer(&self.verdict(record));
+                    let data = self.format.answer(&self.verdict(record)).into();
                     answers.push(Transfer { data, last: false });
                 }
                 if !body.is_empty() && body.len().is_multiple_of(size) {
@@ -81,10 +81,10 @@ impl StandIn {
                 }
             },
         };
-        answers.push(Transfer { data: self.format.answer(&AnswerFields::report(report)), last: true });
+        answers.push(Transfer { data: self.format.answer(&AnswerFields::report(report)).into(), last: true });
     }
 
-    fn record<'a>(&self, words: &'a [u128]) -> Record<'a> {
+    fn record<'a>(&self, words: &'a [StreamWord]) -> Record<'a> {
         Record { words, width: self.format.width.bits() }
     }
 
@@ -97,7 +97,7 @@ impl StandIn {
     }
 
     /// Whether a guarded unit finds a number that is not the sign extension of what it reads of it.
-    fn unfit(&self, words: &[u128]) -> bool {
+    fn unfit(&self, words: &[StreamWord]) -> bool {
         let (spare, lane) = (self.format.spare_bits(), self.format.lane());
         let record = self.record(words);
         let end = words.len() as u32 * record.width;
@@ -106,7 +106,7 @@ impl StandIn {
         spare > 0 && (self.format.number_at(0)..end).step_by(lane as usize).any(|at| ![0, all].contains(&signs(at)))
     }
 
-    fn verdict(&self, words: &[u128]) -> AnswerFields {
+    fn verdict(&self, words: &[StreamWord]) -> AnswerFields {
         let record = self.record(words);
         let tag = record.bits(TAG_AT, self.params.tag_width);
         if self.pose_unfit || self.unfit(words) {
@@ -124,7 +124,7 @@ impl StandIn {
         }
     }
 
-    fn read_pose(&self, words: &[u128]) -> Pose {
+    fn read_pose(&self, words: &[StreamWord]) -> Pose {
         let record = self.record(words);
         let mut pose = Pose { bypass: record.bits(BYPASS_AT, 1) == 1, ..Pose::identity(&self.params) };
         let turns = self.params.transform == Transform::On;

@@ -94,7 +94,7 @@ fn answers_that_do_not_fit_are_refused() {
     late[2].last = true;
     assert_eq!(finish(&late), Err(DriverError::Order { at: 2 }));
     let mut unknown = good.clone();
-    unknown[1].data |= 1 << 63;
+    unknown[1].data = unknown[1].data.flipped(63);
     assert!(matches!(finish(&unknown), Err(DriverError::Word { at: 1, .. })));
 
     // A word is lost on the way: the unit notices.
@@ -120,7 +120,7 @@ fn a_design_refuses_what_was_packed_for_another() {
 #[test]
 fn bytes_are_little_endian_words() {
     let driver = Driver::new(&Params::default(), StreamWidth::Bits64).unwrap();
-    let words = [Transfer { data: 0x0102, last: false }, Transfer { data: 3, last: true }];
+    let words = [Transfer { data: 0x0102.into(), last: false }, Transfer { data: 3.into(), last: true }];
     let bytes = driver.bytes(&words);
     assert_eq!(bytes, [2, 1, 0, 0, 0, 0, 0, 0, 3, 0, 0, 0, 0, 0, 0, 0]);
     assert_eq!(driver.packet(&bytes).unwrap(), words, "answers of this design have 64 bits too");
@@ -177,13 +177,13 @@ fn a_pair_outside_is_told_and_never_definite() {
     let expected = [(Verdict::Separate, false), (Verdict::PossiblyIncorrect, true)];
     assert_eq!(outcomes.collect::<Vec<_>>(), expected);
     // No unit says so of a definite verdict, and none without a guard at all.
-    assert_eq!(driver.unpack(answers[0].data | 1 << 4), None);
+    assert_eq!(driver.unpack(answers[0].data.flipped(4)), None);
     let complete = Driver::new(&Params { transform_width: 20, ..Params::default() }, StreamWidth::Bits64).unwrap();
     assert_eq!(complete.unpack(answers[1].data), None);
     // A number that is cut to another one on its way: its field is more than the unit reads. The first word after the
     // header has flags and tag, the next one the first number.
     let mut words = driver.pack_pairs([(3, &pair)]).unwrap();
-    words[2].data ^= 1 << 20;
+    words[2].data = words[2].data.flipped(20);
     let cut = unit.answer(&words);
     assert!(matches!(driver.unpack(cut[0].data), Some(Answer::Pair { tag: 3, outcome }) if outcome.outside));
 }

@@ -1,0 +1,554 @@
+//! The determinant unit against exact arithmetic: each of the fifteen errors keeps to its bound, every definite verdict is
+//! right, and the fast ways to a number lead to what docs/determinants.md defines.
+
+// Loops over components read like the equations.
+#![allow(clippy::needless_range_loop)]
+
+use num_bigint::BigInt;
+use num_traits::{Signed, ToPrimitive};
+use rand::rngs::ChaCha8Rng;
+use rand::seq::IndexedRandom;
+use rand::{RngExt, SeedableRng};
+
+use super::bounds::Bounds;
+use super::coordinates::{Coordinates, Scaling};
+use super::differences::{Differences, Points};
+use super::fifteen::{Dots, Fifteen};
+use super::moments::{Moments, Rounding};
+use super::number::{Vector, round};
+use super::{Computed, DeterminantTest};
+use crate::golden::{Golden, Input, Pair, Pose, Verdict};
+use crate::host::sample;
+use crate::params::options::Choice;
+use crate::params::{Bound, Guard, LEVELS, Method, Params, SPAN, Transform};
+use efsat_geometry::exact::{self, Exact};
+
+/// Digits of true numbers behind the last place of the input format.
+const BEHIND: u32 = 3;
+
+/// A legal parameter set: widths at most these, every other option by chance.
+fn params(rng: &mut ChaCha8Rng, most: u32, most_transform: u32) -> Params {
+    let width = rng.random_range(6..=most);
+    let p = Params {
+        method: Method::Determinants,
+        width,
+        int_bits: rng.random_range(4..=8.min(width - 2)),
+        transform_width: rng.random_range(width..=most_transform.max(width)),
+        transform: *[Transform::On, Transform::Translate, Transform::Off].choose(rng).unwrap(),
+        span: *SPAN.choose(rng).unwrap(),
+        levels: *LEVELS.choose(rng).unwrap(),
+        bound: *Bound::ALL.choose(rng).unwrap(),
+        boxes: rng.random(),
+        ..Params::default()
+    };
+    p.validate().unwrap();
+    p
+}
+
+/// Numbers of the user: multiples of 2^-BEHIND ulps of the input format.
+#[derive(Clone, Copy, Debug, Default)]
+struct Query {
+    a: [Vector; 3],
+    b: [Vector; 3],
+    m: [Vector; 3],
+    t: Vector,
+    bypass: bool,
+}
+
+impl Query {
+    /// As the unit reads it.
+    fn read(&self) -> (Pose, Pair) {
+        let input = |x: i64| Input { lo: x >> BEHIND, sticky: x & ((1 << BEHIND) - 1) != 0 };
+        let vector = |x: &Vector| x.map(input);
+        let triple = |x: &[Vector; 3]| x.each_ref().map(vector);
+        let pose = Pose { m: triple(&self.m), t: vector(&self.t), bypass: self.bypass };
+        (pose, Pair { a: triple(&self.a), b: triple(&self.b) })
+    }
+
+    /// The exact answer, by the oracle.
+    fn exact(&self, p: &Params) -> Exact {
+        let unit = f64::from(p.transform_width - p.int_bits + BEHIND).exp2();
+        let real = |x: &Vector| x.map(|x| x as f64 / unit);
+        let triple = |x: &[Vector; 3]| x.each_ref().map(real);
+        let one = identity(1).map(|row| row.map(|x| x as f64));
+        let (m, t) = match (p.transform, self.bypass) {
+            (Transform::Off, _) | (_, true) => (one, [0.0; 3]),
+            (Transform::Translate, false) => (one, real(&self.t)),
+            (Transform::On, false) => (triple(&self.m), real(&self.t)),
+        };
+        exact::posed_pair(&triple(&self.a), &triple(&self.b), &m, &t)
+    }
+}
+
+fn identity(one: i64) -> [Vector; 3] {
+    [[one, 0, 0], [0, one, 0], [0, 0, one]]
+}
+
+/// A whole number within `reach`.
+fn within(rng: &mut ChaCha8Rng, reach: i64) -> i64 {
+    rng.random_range(-reach..=reach)
+}
+
+/// A step away from contact, of a few ulps or less.
+fn offset(rng: &mut ChaCha8Rng) -> Vector {
+    let reach = 1 << rng.random_range(0..8);
+    [(); 3].map(|()| within(rng, reach))
+}
+
+/// How a triangle is drawn.
+fn triangle(rng: &mut ChaCha8Rng, bound: i64) -> [Vector; 3] {
+    let size = bound >> rng.random_range(0..u64::BITS - bound.leading_zeros());
+    let centre = [(); 3].map(|()| within(rng, bound - size));
+    let step = 1 << rng.random_range(0..=BEHIND + 3);
+    match rng.random_range(0..6) {
+        // Corners of a box.
+        0 => [(); 3].map(|()| [(); 3].map(|()| *[-bound, -bound + 1, 0, bound - 1, bound].choose(rng).unwrap())),
+        // A lattice of few points.
+        1 => [(); 3].map(|()| [0, 1, 2].map(|j| (centre[j] + step * within(rng, 3)).clamp(-bound, bound))),
+        // A plane of coordinates.
+        2 => [(); 3].map(|()| [centre[0] + within(rng, size), centre[1] + within(rng, size), centre[2]]),
+        _ => [(); 3].map(|()| centre.map(|x| x + within(rng, size))),
+    }
+}
+
+/// A point of the plane of a triangle with coordinates in sixteenths, inside in most cases, rounded down.
+fn point_of(rng: &mut ChaCha8Rng, x: &[Vector; 3]) -> Vector {
+    let (u, v) = match rng.random_range(0..4) {
+        0 => (16 * rng.random_range(0..2), 0),
+        1 => (rng.random_range(0..=16), 0),
+        2 => (rng.random_range(-16..=16), rng.random_range(-16..=16)),
+        _ => (rng.random_range(0..=8), rng.random_range(0..=8)),
+    };
+    [0, 1, 2].map(|j| x[0][j] + ((u * (x[1][j] - x[0][j]) + v * (x[2][j] - x[0][j])) >> 4))
+}
+
+/// A second triangle that is hard beside the first.
+fn beside(rng: &mut ChaCha8Rng, a: &[Vector; 3], bound: i64) -> [Vector; 3] {
+    let mut b = triangle(rng, bound);
+    match rng.random_range(0..9) {
+        0 => {}
+        // Common vertices.
+        1 => b[0] = a[rng.random_range(0..3)],
+        2 => (b[0], b[1]) = (a[1], a[2]),
+        // One plane but for the rounding.
+        3 => b = [(); 3].map(|()| point_of(rng, a)),
+        // A parallel edge.
+        4 => b[1] = [0, 1, 2].map(|j| b[0][j] + (a[1][j] - a[0][j])),
+        // A segment or a point.
+        5 => b[1] = b[0],
+        6 => b = [b[0]; 3],
+        // A point of one in or near the other.
+        _ => {
+            let (x, y) = (point_of(rng, a), point_of(rng, &b));
+            let off = offset(rng);
+            b = b.map(|w| [0, 1, 2].map(|j| w[j] + x[j] - y[j] + off[j]));
+        }
+    }
+    b.map(|w| w.map(|x| x.clamp(-bound, bound)))
+}
+
+/// A hard pair inside the declared ranges, under a pose if there is one.
+fn query(rng: &mut ChaCha8Rng, p: &Params) -> Query {
+    let ends = [p.coordinate_bound(), p.one(), p.translation_bound()].map(|bound| (bound as i64) << BEHIND);
+    let [bound, one, reach] = ends;
+    let a = triangle(rng, bound);
+    let mut query = Query { a, b: beside(rng, &a, bound), m: identity(one), ..Query::default() };
+    query.bypass = rng.random_range(0..6) == 0;
+    if p.transform == Transform::Off || query.bypass {
+        return query;
+    }
+    if p.transform == Transform::On {
+        match rng.random_range(0..4) {
+            0 => query.m = [[0, one, 0], [-one, 0, 0], [0, 0, one]],
+            1 => query.m = [(); 3].map(|()| [(); 3].map(|()| *[-one, 1, 0, one - 1, one].choose(rng).unwrap())),
+            _ => query.m = [(); 3].map(|()| [(); 3].map(|()| within(rng, one))),
+        }
+    }
+    // A point of the moved B at one of A, nearly.
+    if rng.random_range(0..4) > 0 {
+        query.b = triangle(rng, bound);
+    }
+    let (x, y) = (point_of(rng, &a), point_of(rng, &query.b));
+    let off = offset(rng);
+    query.t = [0, 1, 2].map(|i| {
+        let turned: i128 = (0..3).map(|j| i128::from(query.m[i][j]) * i128::from(y[j])).sum();
+        (x[i] - (turned / i128::from(one)) as i64 + off[i]).clamp(-reach, reach)
+    });
+    query
+}
+
+/// The true points, whole multiples of 2^-`fraction`.
+struct Truth {
+    v: [[BigInt; 3]; 3],
+    w: [[BigInt; 3]; 3],
+    fraction: u32,
+}
+
+impl Truth {
+    fn new(p: &Params, query: &Query) -> Self {
+        let fraction = p.transform_width - p.int_bits + BEHIND;
+        let big = |x: &Vector| x.map(BigInt::from);
+        let (v, b) = (query.a.each_ref().map(big), query.b.each_ref().map(big));
+        match (p.transform, query.bypass) {
+            (Transform::Off, _) | (_, true) => Self { v, w: b, fraction },
+            (Transform::Translate, false) => {
+                let moved = |b: [BigInt; 3]| [0, 1, 2].map(|i| &b[i] + query.t[i]);
+                Self { v, w: b.map(moved), fraction }
+            }
+            (Transform::On, false) => {
+                let row = |i: usize, b: &[BigInt; 3]| (0..3).map(|j| query.m[i][j] * &b[j]).sum::<BigInt>();
+                let image = |b: [BigInt; 3]| [0, 1, 2].map(|i| row(i, &b) + (BigInt::from(query.t[i]) << fraction));
+                Self { v: v.map(|v| v.map(|x| x << fraction)), w: b.map(image), fraction: 2 * fraction }
+            }
+        }
+    }
+
+    /// The fifteen determinants as they are defined.
+    fn determinants(&self) -> Fifteen<BigInt> {
+        let minus = |x: &[BigInt; 3], y: &[BigInt; 3]| [0, 1, 2].map(|j| &x[j] - &y[j]);
+        let cross =
+            |x: &[BigInt; 3], y: &[BigInt; 3]| [(1, 2), (2, 0), (0, 1)].map(|(j, k)| &x[j] * &y[k] - &x[k] * &y[j]);
+        let dot = |x: &[BigInt; 3], y: &[BigInt; 3]| (0..3).map(|j| &x[j] * &y[j]).sum::<BigInt>();
+        let edge = |x: &[[BigInt; 3]; 3], k: usize| minus(&x[(k + 1) % 3], &x[k]);
+        let normal = |x: &[[BigInt; 3]; 3]| cross(&edge(x, 0), &edge(x, 1));
+        let Self { v, w, .. } = self;
+        Fifteen {
+            plane_a: [0, 1, 2].map(|l| dot(&normal(v), &minus(&w[l], &v[0]))),
+            plane_b: [0, 1, 2].map(|k| dot(&normal(w), &minus(&w[0], &v[k]))),
+            side: [0, 1, 2].map(|k| [0, 1, 2].map(|l| dot(&minus(&w[l], &v[k]), &cross(&edge(v, k), &edge(w, l))))),
+        }
+    }
+}
+
+/// The greatest part of its bound that one of fifteen errors takes, or the name of one that is beyond. The truth is in
+/// units of 2^-power of those of the others.
+fn greatest_part(
+    determinants: Fifteen<i128>,
+    bounds: Fifteen<i64>,
+    truth: Fifteen<BigInt>,
+    power: u32,
+) -> Result<f64, String> {
+    let mut greatest: f64 = 0.0;
+    for (((name, x), (_, bound)), (_, truth)) in determinants.named().zip(bounds.named()).zip(truth.named()) {
+        let scaled: BigInt = BigInt::from(8 * x) << power;
+        let error = (scaled - BigInt::from(8) * truth).abs();
+        let bound: BigInt = BigInt::from(bound) << power;
+        if error > bound {
+            return Err(name);
+        }
+        greatest = greatest.max(error.to_f64().unwrap() / bound.to_f64().unwrap());
+    }
+    Ok(greatest)
+}
+
+/// The same of a pair.
+fn errors(p: &Params, query: &Query) -> Result<f64, String> {
+    let test = DeterminantTest::new(p);
+    let (pose, pair) = query.read();
+    let coordinates = test.scaling.coordinates(&test.differences.points(&test.frame(&pose), &pair));
+    let computed: Computed<i128> = test.computed(&coordinates);
+    let truth = Truth::new(p, query);
+    let input = p.transform_width - p.int_bits;
+    let dropped = coordinates.dropped.iter().sum::<u32>() + computed.shift;
+    // What is computed is in units of 2^s, with every axis scaled up by 2^(f-d).
+    let power = 3 * (truth.fraction - input) + dropped;
+    let part = greatest_part(computed.determinants, computed.bounds, truth.determinants(), power);
+    part.map_err(|name| format!("{name}: {p:?} {query:?}"))
+}
+
+/// No definite verdict contradicts the oracle.
+fn sound(verdict: Verdict, exact: Exact) -> bool {
+    match verdict {
+        Verdict::Separate => exact == Exact::Separate,
+        Verdict::Intersect => exact != Exact::Separate,
+        Verdict::PossiblyIncorrect => true,
+    }
+}
+
+/// The fuzz test: hard pairs at small widths with all options.
+#[test]
+fn errors_keep_to_their_bounds_and_verdicts_to_the_truth() {
+    let mut rng = ChaCha8Rng::seed_from_u64(17);
+    let (mut verdicts, mut common) = ([0; 3], 0);
+    for _ in 0..2000 {
+        let p = params(&mut rng, 12, 26);
+        let golden = Golden::new(&p);
+        for _ in 0..25 {
+            let query = query(&mut rng, &p);
+            errors(&p, &query).unwrap_or_else(|message| panic!("{message}"));
+            let (pose, pair) = query.read();
+            let (verdict, exact) = (golden.verdict(&pose, &pair), query.exact(&p));
+            assert!(sound(verdict, exact), "{verdict} but {exact}: {p:?} {query:?}");
+            verdicts[verdict as usize] += 1;
+            common += usize::from(exact != Exact::Separate);
+        }
+    }
+    assert!(verdicts.iter().all(|&n| n > 50) && common > 2000, "{verdicts:?}, {common}");
+}
+
+/// Changes one of fifteen numbers.
+fn change(points: &mut Points, place: usize, to: impl FnOnce(i64) -> i64) {
+    let number = points.v.iter_mut().chain(&mut points.w).flatten().nth(place).expect("15 numbers");
+    *number = to(*number);
+}
+
+/// Sections 7.3 to 7.5 by themselves, with coordinates that are wrong by all that their level allows, in the narrowest unit,
+/// where terms of second and third order count most.
+#[test]
+fn bounds_hold_for_any_errors_of_a_level() {
+    let mut rng = ChaCha8Rng::seed_from_u64(27);
+    // Step by step towards greater parts of the bounds.
+    for (&bound, level) in Bound::ALL.iter().flat_map(|bound| (0..=6).map(move |level| (bound, level))) {
+        let mut greatest: f64 = 0.0;
+        for start in 0..9 {
+            let p = Params { bound, width: 6, transform_width: 6, ..params(&mut rng, 6, 6) };
+            let end = (1 << (p.width - 1)) - 1;
+            // Errors are in eighths.
+            let part = |points: &Points, errors: &Points| {
+                let coordinates = Coordinates { points: *points, dropped: [0; 3], level };
+                let (moments, shift) = Rounding::new(&p).apply(&Moments::new(points));
+                let determinants = Dots::<i128>::new(points, &moments).determinants();
+                let bounds = Bounds::new(&p).of(&coordinates, &moments, shift);
+                let moved = |x: &Vector, e: &Vector| [0, 1, 2].map(|j| BigInt::from(8 * x[j] + e[j]));
+                let [v1, v2] = [0, 1].map(|i| moved(&points.v[i], &errors.v[i]));
+                let v = [[BigInt::ZERO, BigInt::ZERO, BigInt::ZERO], v1, v2];
+                let w = [0, 1, 2].map(|l| moved(&points.w[l], &errors.w[l]));
+                let part = greatest_part(determinants, bounds, Truth { v, w, fraction: 0 }.determinants(), shift + 9);
+                part.unwrap_or_else(|name| panic!("{name}: {p:?} {points:?} {errors:?}"))
+            };
+            // Normals of points on one line are zero, and errors of higher order are all there is.
+            let mut vector = || match start % 3 {
+                0 => [(); 3].map(|()| within(&mut rng, end)),
+                1 => [within(&mut rng, end), 0, 0],
+                _ => [end; 3],
+            };
+            let points = Points { v: [vector(), vector()], w: [vector(), vector(), vector()] };
+            let mut best = (points, Points::new([[4 + (1 << level); 5]; 3]));
+            let mut most = part(&best.0, &best.1);
+            for _ in 0..200 {
+                let (mut points, mut errors) = best;
+                let place = rng.random_range(0..15);
+                match rng.random_range(0..3) {
+                    0 => change(&mut points, place, |_| within(&mut rng, end)),
+                    _ => change(&mut errors, place, |x| -x),
+                }
+                let found = part(&points, &errors);
+                if found >= most {
+                    (best, most) = ((points, errors), found);
+                }
+            }
+            greatest = greatest.max(most);
+        }
+        // So a quarter of a bound would be found to be broken.
+        assert!(greatest > 0.25, "{bound:?}, level {level}: errors take {greatest} of their bounds at most");
+    }
+}
+
+/// The same at every width, where numbers do not fit `i64`.
+#[test]
+fn wide_units_keep_to_their_bounds() {
+    let mut rng = ChaCha8Rng::seed_from_u64(18);
+    for _ in 0..600 {
+        let p = params(&mut rng, 32, 48);
+        for _ in 0..4 {
+            errors(&p, &query(&mut rng, &p)).unwrap_or_else(|message| panic!("{message}"));
+        }
+    }
+}
+
+/// A legal pair of any parameter set, at the corners of the ranges or anywhere.
+fn any(rng: &mut ChaCha8Rng, p: &Params) -> (Pose, Pair) {
+    match rng.random_range(0..3) {
+        0 => (sample::corner_pose(rng, p), sample::corner_pair(rng, p)),
+        1 => query(rng, p).read(),
+        _ => {
+            let pose = sample::random_pose(rng, p);
+            (pose, sample::random_pair_under(rng, p, &pose))
+        }
+    }
+}
+
+/// Both number types, the verdict alone, and many at once.
+#[test]
+fn all_ways_lead_to_one_outcome() {
+    let mut rng = ChaCha8Rng::seed_from_u64(19);
+    let mut seen = [0; 3];
+    for _ in 0..400 {
+        let p = params(&mut rng, 32, 48);
+        let (golden, test) = (Golden::new(&p), DeterminantTest::new(&p));
+        let (pose, first) = any(&mut rng, &p);
+        let pairs: Vec<Pair> = (0..10).map(|_| any(&mut rng, &p).1).chain([first]).collect();
+        let mut verdicts = vec![];
+        golden.verdicts(&pose, &pairs, &mut verdicts);
+        for (pair, verdict) in pairs.iter().zip(verdicts) {
+            let outcome = golden.outcome(&pose, pair);
+            assert_eq!(verdict, outcome.verdict);
+            assert_eq!(verdict, golden.verdict(&pose, pair));
+            if !outcome.outside {
+                let wide = DeterminantTest { narrow: false, ..test };
+                assert_eq!(wide.outcome::<false>(&wide.frame(&pose), pair), outcome);
+            }
+            assert_eq!((outcome.separated & outcome.overlapping, outcome.overlapping & 0b111), (0, 0));
+            let edges = outcome.separated >> 3;
+            let expected = match (outcome.separated & 0b111 != 0 || edges.count_ones() >= 5, outcome.overlapping) {
+                (true, _) => Verdict::Separate,
+                (false, 0) => Verdict::PossiblyIncorrect,
+                (false, _) => Verdict::Intersect,
+            };
+            assert_eq!(verdict, expected);
+            seen[verdict as usize] += 1;
+        }
+    }
+    assert!(seen.iter().all(|&n| n > 30), "{seen:?}");
+}
+
+/// Formats of section 4: coordinates and rounded moments have N bits, determinants 2 N + 3.
+#[test]
+fn numbers_keep_to_their_formats() {
+    let mut rng = ChaCha8Rng::seed_from_u64(20);
+    let fits = |x: i128, bits: u32| -(1 << (bits - 1)) <= x && x < 1 << (bits - 1);
+    for _ in 0..800 {
+        let p = params(&mut rng, 32, 48);
+        let (pose, pair) = any(&mut rng, &p);
+        for (name, x) in Golden::new(&p).trace(&pose, &pair) {
+            let bits = match name.split('.').next().unwrap() {
+                "difference" => p.transform_width + 1,
+                "coordinate" | "moment" => p.width,
+                "exact" => 2 * p.width,
+                "dot" => 2 * p.width + 1,
+                "determinant" => 2 * p.width + 3,
+                _ => continue,
+            };
+            assert!(x.lo == x.hi && fits(x.lo, bits), "{name} = {} in {bits} bits: {p:?}", x.lo);
+            assert!(!name.starts_with("coordinate") || x.lo.abs() < 1 << (p.width - 1));
+        }
+    }
+}
+
+/// Section 3: the shift is the least that is allowed, found by trying all.
+#[test]
+fn shifts_are_the_least_that_fit() {
+    let mut rng = ChaCha8Rng::seed_from_u64(21);
+    for _ in 0..20_000 {
+        let p = params(&mut rng, 32, 48);
+        let reach = 1i64 << rng.random_range(0..=p.transform_width);
+        // Next to powers of two, too, where rounding carries.
+        let near = |rng: &mut ChaCha8Rng| match rng.random_range(0..3) {
+            0 => within(rng, reach - 1),
+            _ => (reach >> rng.random_range(0..4)) * [-1, 1][rng.random_range(0..2)] + within(rng, 2),
+        };
+        let mut vector = || [(); 3].map(|()| near(&mut rng).clamp(1 - reach, reach - 1));
+        let points = Points { v: [vector(), vector()], w: [vector(), vector(), vector()] };
+        let (fine, least) = match (p.transform, p.levels) {
+            (Transform::On, levels) => (6, 6 - levels.min(6)),
+            (Transform::Translate, levels) => (4, 4 - levels.min(4)),
+            (Transform::Off, 0) => (3, 3),
+            (Transform::Off, _) => (3, 0),
+        };
+        let coordinates = Scaling::new(&p).coordinates(&points);
+        let mut level = 0;
+        for j in 0..3 {
+            let fits = |d: &u32| points.along(j).iter().all(|&x| round(x, *d).abs() < 1 << (p.width - 1));
+            let d = (least..64).find(fits).unwrap();
+            assert_eq!(coordinates.dropped[j], d, "{p:?} {points:?}");
+            let most = if p.transform == Transform::Off { 2 } else { fine };
+            level = level.max(fine.max(d) - d).min(most);
+            assert!(d <= least.max(p.transform_width + 2 - p.width));
+        }
+        assert_eq!(coordinates.level, level);
+        assert!(level <= p.levels);
+        let rounded = |j: usize| points.along(j).map(|x| round(x, coordinates.dropped[j]));
+        assert_eq!(coordinates.points, Points::new([0, 1, 2].map(rounded)));
+    }
+}
+
+/// Section 4: the shift of the moments.
+#[test]
+fn moments_fill_their_format() {
+    let mut rng = ChaCha8Rng::seed_from_u64(22);
+    for _ in 0..5000 {
+        let p = params(&mut rng, 32, 48);
+        let reach = (1i64 << rng.random_range(0..p.width)) - 1;
+        let mut vector = || [(); 3].map(|()| within(&mut rng, reach));
+        let moments = Moments::new(&Points { v: [vector(), vector()], w: [vector(), vector(), vector()] });
+        let (rounded, shift) = Rounding::new(&p).apply(&moments);
+        let fits = |s: u32| {
+            let end = 1 << (p.width - 1);
+            moments.m.iter().flatten().chain(&moments.n).all(|&x| (-end..end).contains(&round(x, s)))
+        };
+        assert_eq!(Some(shift), (p.width - p.span..=p.width).find(|&s| fits(s)));
+        assert_eq!(rounded.n, moments.n.map(|x| round(x, shift)));
+        assert_eq!(rounded.m, moments.m.map(|m| m.map(|x| round(x, shift))));
+    }
+}
+
+/// Section 2: a row as the hardware forms it, from high and low parts.
+#[test]
+fn rows_are_sums_of_partial_products() {
+    let mut rng = ChaCha8Rng::seed_from_u64(23);
+    for _ in 0..4000 {
+        let p = Params { transform: Transform::On, levels: 6, ..params(&mut rng, 12, 48) };
+        let f = p.transform_width - p.int_bits;
+        let q = (f + 3).saturating_sub(18);
+        let (pose, pair) = (sample::corner_pose(&mut rng, &p), sample::corner_pair(&mut rng, &p));
+        let differences = Differences::new(&p);
+        let points = differences.points(&differences.frame(&pose), &pair);
+        for (l, i) in (0..9).map(|n| (n / 3, n % 3)) {
+            let mut sum = if 2 * q <= f && q > 0 { 3i128 << (2 * q - 1) } else { 0 };
+            for j in 0..3 {
+                let [x, y] = [pose.m[i][j], pair.b[l][j]].map(|x| i128::from(2 * x.lo + 1));
+                let ([x1, y1], [x0, y0]) = ([x >> q, y >> q], [x & ((1 << q) - 1), y & ((1 << q) - 1)]);
+                assert!((-(1 << 17)..1 << 17).contains(&x1) && (-(1 << 17)..1 << 17).contains(&y1) || q == 0);
+                sum += ((x1 * y1) << (2 * q)) + ((x1 * y0 + x0 * y1) << q);
+                sum += if 2 * q <= f { 0 } else { x0 * y0 };
+            }
+            let row = ((sum + (1 << (f + 1))) >> (f + 2)) as i64;
+            let moved = if pose.bypass { pair.b[l][i].lo } else { row + pose.t[i].lo };
+            assert_eq!(points.w[l][i], moved - pair.a[0][i].lo, "{p:?}");
+        }
+    }
+}
+
+/// A guarded unit answers pairs outside the declared ranges so, whatever they are.
+#[test]
+fn the_guard_is_that_of_the_axis_unit() {
+    let mut rng = ChaCha8Rng::seed_from_u64(25);
+    for transform in [Transform::On, Transform::Translate, Transform::Off] {
+        let p = Params { method: Method::Determinants, guard: Guard::Always, transform, ..Params::default() };
+        let golden = Golden::new(&p);
+        for number in 0..18 {
+            for how in sample::Outside::ALL {
+                let pose = sample::random_pose(&mut rng, &p);
+                let pair = sample::random_pair_under(&mut rng, &p, &pose);
+                let pair = sample::pair_outside(&mut rng, &p, pair, number, how);
+                let outcome = golden.outcome(&pose, &pair);
+                assert!(outcome.outside && outcome.verdict == Verdict::PossiblyIncorrect);
+                assert_eq!((outcome.separated, outcome.overlapping), (0, 0));
+                assert_eq!(golden.verdict(&pose, &pair), Verdict::PossiblyIncorrect);
+                assert_eq!(golden.trace(&pose, &pair).len(), 128);
+            }
+        }
+    }
+}
+
+/// By hand: a needle through a triangle, the same beside it, and a vertex on its face.
+#[test]
+fn plain_pairs() {
+    let p = Params { method: Method::Determinants, transform: Transform::Off, ..Params::default() };
+    let golden = Golden::new(&p);
+    let pair = |b: [[i64; 3]; 3]| {
+        let at = |x: [[i64; 3]; 3]| x.map(|x| x.map(|x| Input::exact(x << 20)));
+        Pair { a: at([[0, 0, 0], [8, 0, 0], [0, 8, 0]]), b: at(b) }
+    };
+    let outcome = |b| golden.outcome(&Pose::identity(&p), &pair(b));
+    let through = outcome([[2, 2, -4], [2, 3, 4], [3, 2, 4]]);
+    // The two long edges of B pierce A, and none of A reaches B.
+    assert_eq!((through.verdict, through.overlapping >> 3), (Verdict::Intersect, 0b101_000));
+    let beside = outcome([[6, 6, -4], [6, 7, 4], [7, 6, 4]]);
+    assert_eq!((beside.verdict, beside.separated & 0b111), (Verdict::Separate, 0b100));
+    let above = outcome([[2, 2, 1], [2, 3, 4], [3, 2, 4]]);
+    assert_eq!((above.verdict, above.separated & 0b111), (Verdict::Separate, 0b011));
+    assert_eq!(outcome([[2, 2, 0], [2, 3, 4], [3, 2, 4]]).verdict, Verdict::PossiblyIncorrect);
+    let coplanar = outcome([[1, 1, 0], [2, 1, 0], [1, 2, 0]]);
+    assert_eq!((coplanar.verdict, coplanar.separated, coplanar.overlapping), (Verdict::PossiblyIncorrect, 0, 0));
+}

@@ -1,0 +1,73 @@
+//! Every inner number by name, for comparison with another implementation of docs/determinants.md.
+
+use super::differences::{Frame, Points};
+use super::number::{Number, Vector};
+use super::verdict::{boxes_apart, edges, outcome};
+use super::{Computed, DeterminantTest};
+use crate::golden::Pair;
+
+/// The record being written.
+#[derive(Default)]
+struct Record(Vec<(String, i128)>);
+
+impl Record {
+    fn number(&mut self, name: impl Into<String>, x: impl Into<i128>) {
+        self.0.push((name.into(), x.into()));
+    }
+
+    fn vector(&mut self, name: &str, x: &Vector) {
+        for (component, x) in ["x", "y", "z"].iter().zip(x) {
+            self.number(format!("{name}_{component}"), *x);
+        }
+    }
+
+    fn vectors(&mut self, name: &str, first: usize, x: &[Vector]) {
+        for (i, x) in (first..).zip(x) {
+            self.vector(&format!("{name}{i}"), x);
+        }
+    }
+
+    fn points(&mut self, stage: &str, points: &Points) {
+        self.vectors(&format!("{stage}.v"), 1, &points.v);
+        self.vectors(&format!("{stage}.w"), 0, &points.w);
+    }
+}
+
+impl DeterminantTest {
+    /// See [`Golden::trace`](crate::golden::Golden::trace).
+    pub fn trace(&self, frame: &Frame, pair: &Pair) -> Vec<(String, i128)> {
+        if self.narrow { self.record::<i64>(frame, pair) } else { self.record::<i128>(frame, pair) }
+    }
+
+    fn record<N: Number>(&self, frame: &Frame, pair: &Pair) -> Vec<(String, i128)> {
+        let differences = self.differences.points(frame, pair);
+        let coordinates = self.scaling.coordinates(&differences);
+        let apart = self.boxes && boxes_apart(&coordinates);
+        let Computed { moments, rounded, shift, dots, determinants, bounds, signs } = self.computed::<N>(&coordinates);
+        let mut record = Record::default();
+        record.points("difference", &differences);
+        record.vector("dropped", &coordinates.dropped.map(i64::from));
+        record.number("level", coordinates.level);
+        record.points("coordinate", &coordinates.points);
+        for (stage, moments) in [("exact", &moments), ("moment", &rounded)] {
+            record.vectors(&format!("{stage}.m"), 0, &moments.m);
+            record.vector(&format!("{stage}.n"), &moments.n);
+        }
+        record.number("shift", shift);
+        (0..3).for_each(|l| record.number(format!("dot.a{l}"), dots.a[l]));
+        (0..6).for_each(|i| record.number(format!("dot.d{}{}", i / 3 + 1, i % 3), dots.d[i / 3][i % 3]));
+        record.number("dot.v", dots.v);
+        determinants.named().for_each(|(name, x)| record.number(format!("determinant.{name}"), x));
+        bounds.named().for_each(|(name, x)| record.number(format!("bound.{name}"), x));
+        signs.named().for_each(|(name, x)| record.number(format!("sign.{name}"), x));
+        for (side, edges) in ["a", "b"].iter().zip(edges(&signs)) {
+            for (k, edge) in edges.iter().enumerate() {
+                record.number(format!("missed.{side}{k}"), edge.missed);
+                record.number(format!("pierces.{side}{k}"), edge.pierces);
+            }
+        }
+        record.number("boxes_apart", apart);
+        record.number("verdict", outcome(apart, &signs).verdict as u8);
+        record.0
+    }
+}

@@ -1,0 +1,56 @@
+//! How a pair is decided, and what there is to choose in the determinant unit (docs/determinants.md).
+
+use super::options::Choice;
+
+/// How a pair is decided.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// Separating axes in interval arithmetic: the paper's.
+    Axes,
+    /// The signs of fifteen determinants with error bounds.
+    Determinants,
+}
+
+impl Choice for Method {
+    const ALL: &'static [Self] = &[Self::Axes, Self::Determinants];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Axes => "axes",
+            Self::Determinants => "determinants",
+        }
+    }
+}
+
+/// What the error bounds of the determinants are made of, from coarse to fine.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Bound {
+    /// The shift of the moments and the error level alone.
+    Static,
+    /// Lengths of edges and vertices.
+    Edges,
+    /// Those, and the moments.
+    Moments,
+    /// The moments, and products of the leading bits of coordinates.
+    Products,
+}
+
+impl Choice for Bound {
+    const ALL: &'static [Self] = &[Self::Static, Self::Edges, Self::Moments, Self::Products];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Static => "static",
+            Self::Edges => "edges",
+            Self::Moments => "moments",
+            Self::Products => "products",
+        }
+    }
+}
+
+/// Clocks between pairs.
+pub const CLOCKS_PER_PAIR: &[u32] = &[1, 2, 3, 6, 11];
+/// How many places the shift of the moments has to choose from, beside the first.
+pub const SPAN: &[u32] = &[0, 1, 3];
+/// Greatest error levels.
+pub const LEVELS: &[u32] = &[0, 2, 6];
