@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn the_papers_budget_holds_18_bits_and_no_more() {
-        let all = fastest(&Params::default(), &[12, 18, 19], &[72, 216]).unwrap();
+        let all = fastest(&Params::paper(), &[12, 18, 19], &[72, 216]).unwrap();
         let units = |budget: u64, width: u32| {
             let folding = all.iter().find(|f| (f.budget, f.width) == (budget, width)).unwrap();
             (folding.params.as_ref().map(|p| p.axes_per_clock), folding.least)

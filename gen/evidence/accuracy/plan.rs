@@ -82,7 +82,7 @@ mod tests {
 
     #[test]
     fn points_are_there_once_and_grouped_by_answers() {
-        let base = Params::default();
+        let base = Params::paper();
         let wide = Params { width: 20, ..base.clone() };
         let fast = Params { frequency: 200, ..base.clone() };
         let sweep = [wide.clone(), base.clone(), fast.clone(), wide.clone()];

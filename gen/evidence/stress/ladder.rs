@@ -77,7 +77,7 @@ mod tests {
         let widths = [6, 8, 10, 12, 15, 21, 26, 32, 17, 19].map(|n| format!("--width {n}"));
         let transforms = [18, 20, 24, 40, 48, 31, 33].map(|n| format!("--transform-width {n}"));
         let others =
-            ["--axes 17", "--projections skip", "--projections intersect", "--upper sticky", "--renormalise off"];
+            ["--axes 17", "--projections all", "--projections intersect", "--upper sticky", "--renormalise off"];
         let expected: Vec<String> = widths.into_iter().chain(transforms).chain(others.map(str::to_owned)).collect();
         assert_eq!(names, expected);
     }

@@ -224,7 +224,7 @@ mod tests {
     fn what_does_not_fit_is_not_placed() {
         let params = Params { device: "lfe5u-85-6".to_owned(), ..Params::default() };
         assert!(predicted(&params).fits().is_ok());
-        let wide = predicted(&Params { width: 19, ..params });
+        let wide = predicted(&Params { width: 19, projections: efsat_unit::params::Projections::All, ..params });
         let message = wide.fits().unwrap_err().to_string();
         assert!(message.starts_with("204 multipliers do not fit on lfe5u-85-6, which has 156"), "{message}");
     }

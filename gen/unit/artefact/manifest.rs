@@ -181,7 +181,7 @@ mod tests {
         set.insert("a.txt", "abc");
         let text = text(&design, Some(&StreamFormat::new(&params, StreamWidth::Bits64)), &params.command_line(), &set);
         let manifest: serde_json::Value = serde_json::from_str(&text).unwrap();
-        assert_eq!(manifest["multipliers"], 60);
+        assert_eq!(manifest["multipliers"], 48);
         assert_eq!(manifest["initiation_interval"], 11);
         assert_eq!(manifest["latency"], design.latency);
         assert_eq!(manifest["parameters"]["transform_width"], 32);

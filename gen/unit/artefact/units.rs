@@ -75,12 +75,12 @@ mod tests {
         let order = order.iter().chain(&["cross_product", "projection", "comparator_network"]);
         assert!(order.map(|name| at(name)).is_sorted());
         let top = &rows[0];
-        assert_eq!((top.instances, top.latency.as_str(), top.multipliers), (1, &*design.latency.to_string(), 60));
+        assert_eq!((top.instances, top.latency.as_str(), top.multipliers), (1, &*design.latency.to_string(), 48));
         let projection = &rows[at("projection")];
-        assert_eq!((projection.instances, projection.multipliers), (6, 6));
+        assert_eq!((projection.instances, projection.multipliers), (4, 6));
         assert_eq!(rows[at("sequencer")].latency, "-");
         let multiplier = &rows[at("multiply_18_18")];
-        assert_eq!((multiplier.instances, multiplier.multipliers), (60, 1), "every multiplier is an entity of its own");
+        assert_eq!((multiplier.instances, multiplier.multipliers), (48, 1), "every multiplier is an entity of its own");
     }
 
     #[test]

@@ -227,7 +227,7 @@ fn strictness_saves_coplanar_pairs() {
 #[test]
 fn parallel_edges_are_decided_where_an_edge_passes() {
     let a = [[-3., -1., 0.], [3., -1., 0.], [0., 2., 4.]];
-    let b = [[-3., 0., 1.], [3., 0., 1.], [0., 3., -1.]];
+    let b = [[-3., -0.5, 1.], [3., -0.5, 1.], [0., 3., -1.]];
     let points: Points = [a[0], a[1], a[2], b[0], b[1], b[2]];
     assert_eq!(exact::pair(&points), Exact::Intersect);
     let p = Params::default();
@@ -239,6 +239,21 @@ fn parallel_edges_are_decided_where_an_edge_passes() {
     // A segment through a triangle, which is degenerate.
     let points: Points = [[0., 0., -1.], [0., 0., -1.], [0., 0., 1.], [-2., -1., 0.], [2., -1., 0.], [0., 3., 0.]];
     assert_eq!(classified(&points, &p), Verdict::Intersect);
+}
+
+/// Whether an edge passes through the other triangle, from the projections.
+fn passes(trace: &HashMap<String, Interval<i128>>) -> bool {
+    let side = |axis: &str, k: usize, l: usize| {
+        let [v, w] = [format!("v{k}"), format!("w{l}")].map(|point| trace[&format!("projection.{axis}.{point}")]);
+        i32::from(w.lo > v.hi) - i32::from(w.hi < v.lo)
+    };
+    let edge = |k: usize, l: usize| side(&format!("c_{k}{l}"), k, l);
+    let through = |ends: [i32; 2], sides: [i32; 3]| ends[0] * ends[1] == -1 && sides.iter().sum::<i32>().abs() == 3;
+    (0..3).any(|i| {
+        let next = (i + 1) % 3;
+        through([side("n_b", i, 0), side("n_b", next, 0)], [0, 1, 2].map(|l| edge(i, l)))
+            || through([side("n_a", 0, i), side("n_a", 0, next)], [0, 1, 2].map(|k| edge(k, i)))
+    })
 }
 
 #[test]
@@ -253,15 +268,16 @@ fn the_fast_verdict_is_the_outcomes() {
             assert_eq!(golden.verdict(&pose, &pair), outcome.verdict);
             assert_eq!(outcome.separated & outcome.overlapping, 0);
             assert!(outcome.separated | outcome.overlapping < 1 << p.axes.count());
+            let trace: HashMap<String, Interval<i128>> = golden.trace(&pose, &pair).into_iter().collect();
             let expected = match (outcome.separated, outcome.overlapping & 0x7ff) {
                 (0, 0x7ff) => Verdict::Intersect,
+                (0, _) if p.edge_test && passes(&trace) => Verdict::Intersect,
                 (0, _) => Verdict::PossiblyIncorrect,
                 _ => Verdict::Separate,
             };
             assert_eq!(outcome.verdict, expected);
             seen[expected as usize] += 1;
             // The trace is computed in i128 throughout; the flags follow from its enclosures.
-            let trace: HashMap<String, Interval<i128>> = golden.trace(&pose, &pair).into_iter().collect();
             for (i, axis) in Axis::all(p.axes).iter().enumerate() {
                 let bound = |name: &str| trace[&format!("enclosure.{axis}.{name}")];
                 let (a_min, a_max, b_min, b_max) = (bound("a_min"), bound("a_max"), bound("b_min"), bound("b_max"));
@@ -384,12 +400,12 @@ fn true_signals(
     }
     for (name, kind, direction) in axes {
         let (row, projection) = (f.axis(kind), f.projection(kind));
-        // Section 5: an axis and all that is projected on it carry one power of two.
+        // Section 5: an axis and all that is projected on it carry one power of two, in-plane axes that of the normal too.
         let dots = |triangle: &[[Real; 3]; 3], direction: &[Real; 3]| {
             triangle.clone().map(|x| (0..3).fold(Real::zero(), |sum, i| sum + &x[i] * &direction[i]))
         };
         let fits = |left: &u32| {
-            let direction = direction.clone().map(|x| x * power_of_two(-(*left as i32)));
+            let direction = direction.clone().map(|x| x * power_of_two(*left as i32));
             let on_axis =
                 (0..3).all(|i| encloses(&trace[&format!("axis.{name}_{}", names[i])], row.format, 0, &direction[i]));
             on_axis
@@ -400,8 +416,8 @@ fn true_signals(
                     })
                 })
         };
-        let left = (0..=p.axis_positions()).find(fits).unwrap_or(0);
-        let direction = direction.clone().map(|x| x * power_of_two(-(left as i32)));
+        let left = (0..=2 * p.axis_positions()).find(fits).unwrap_or(0);
+        let direction = direction.clone().map(|x| x * power_of_two(left as i32));
         let mut vector = |name: String, x: &[Real; 3], format: Format, bound: i128| {
             for i in 0..3 {
                 signals.push((format!("{name}_{}", names[i]), x[i].clone(), format, bound));

@@ -316,8 +316,8 @@ mod tests {
     use crate::params::Axes;
 
     #[test]
-    fn the_default_table() {
-        let table: Vec<String> = Params::default()
+    fn the_papers_table() {
+        let table: Vec<String> = Params::paper()
             .formats()
             .rows()
             .map(|r| format!("{} {}{}", r.name, r.format, if r.clamp.is_some() { " clamped" } else { "" }))
@@ -363,6 +363,18 @@ mod tests {
                                     ..Params::default()
                                 };
                                 for r in p.formats().rows() {
+                                    let bits = if r.name.starts_with("projection") {
+                                        width..=width + 4
+                                    } else {
+                                        width..=width
+                                    };
+                                    assert!(bits.contains(&r.format.bits) && r.bound <= r.format.max(), "{p:?}: {r:?}");
+                                }
+                                for r in
+                                    (Params { axis_shift: 0, projection_width: ProjectionWidth::Rounded, ..p.clone() })
+                                        .formats()
+                                        .rows()
+                                {
                                     assert!(r.format.bits == width && r.bound <= r.format.max(), "{p:?}: {r:?}");
                                 }
                                 assert!(p.formats().transformed_bound() <= p.input().max(), "{p:?}");

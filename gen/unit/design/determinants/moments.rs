@@ -42,7 +42,11 @@ pub(super) fn moments<'l>(u: Top<'l>, p: &Params, points: &Points<'l>) -> Moment
     let collected = std::cell::RefCell::new(&mut too_great);
     let cut = shared(u, "moment_cut", &jobs, |k, factors| {
         let (cut, flags) = component(p, factors.named_at("moment_factor", k));
-        collected.borrow_mut().iter_mut().zip(flags.named_at("moment_too_great", k)).for_each(|(all, flag)| all.push(flag));
+        collected
+            .borrow_mut()
+            .iter_mut()
+            .zip(flags.named_at("moment_too_great", k))
+            .for_each(|(all, flag)| all.push(flag));
         cut.named_at("moment_lane_cut", k)
     });
     let too_great: Vec<Sig<'l>> =
@@ -54,7 +58,9 @@ pub(super) fn moments<'l>(u: Top<'l>, p: &Params, points: &Points<'l>) -> Moment
     });
     let shift = Shift { places, span: p.span };
     let moments: Vec<_> = cut.chunks(3).map(|x| Vec3([x[0], x[1], x[2]])).collect();
-    let moments = shared(u, "moment", &moments, |k, cut| rounded(p, cut.named_at("moment_exact", k), shift).named_at("moment_lane", k));
+    let moments = shared(u, "moment", &moments, |k, cut| {
+        rounded(p, cut.named_at("moment_exact", k), shift).named_at("moment_lane", k)
+    });
     let m = [0, 1, 2].map(|l| traced(moments[l], &format!("moment_m{l}")));
     Moments { m, n: traced(moments[3], "moment_n"), shift }
 }
