@@ -57,8 +57,8 @@ fn moments_that_are_too_great_for_a_shift_are_noticed() {
         let most = (1 << (width - 1)) - 1;
         let mut unit = Bench::new(|top| {
             let input = || top.input(integer(width), (-most, most));
-            let factors = [(); 2].map(|()| [(); 2].map(|()| input())).named("x");
-            let (cut, too_great) = component(&p, factors);
+            let [plus, minus] = [(); 2].map(|()| [(); 2].map(|()| input())).named("x");
+            let (cut, too_great) = component(&p, plus, minus);
             [vec![cut], too_great].concat()
         });
         let values: Vec<i128> = (-most..=most).step_by(if width == 4 { 1 } else { 2 }).chain([0, most - 1]).collect();

@@ -118,7 +118,7 @@ fn table<'l>(index: Sig<'l>, entries: Vec<i128>) -> Sig<'l> {
     index.lookup(entries, Type::unsigned((128 - most.leading_zeros()).max(1)))
 }
 
-/// Flags as a number, the first in the lowest bit.
-fn word<'l>(flags: &[Sig<'l>]) -> Sig<'l> {
-    flags[0].below(&flags[1..])
+/// Numbers side by side as one of that name, the first in the lowest bits: an index of a table.
+fn word<'l>(parts: &[Sig<'l>], name: &str) -> Sig<'l> {
+    if let [one] = parts { *one } else { parts[0].below(&parts[1..]).named(name) }
 }
