@@ -20,9 +20,9 @@ entity interval_multiply is
     clk    : in  std_logic;
     x      : in  interval_18_t;  -- |.| <= 65537
     x_case : in  unsigned(1 downto 0);
-    y      : in  interval_18_t;  -- |.| <= 65539
+    y      : in  interval_18_t;  -- |.| <= 131071
     y_case : in  unsigned(1 downto 0);
-    p      : out interval_36_t  -- |.| <= 4295163904
+    p      : out interval_36_t  -- |.| <= 8589869056
   );
 end entity interval_multiply;
 
@@ -35,7 +35,7 @@ architecture rtl of interval_multiply is
   constant hi_negates_x_table : std_logic_vector(0 to 15) := "0000000000010010";
   signal cases : unsigned(3 downto 0);  -- 4 * (sign case of x) + (sign case of y)
   signal p_x_d1 : interval_18_t := zero_interval_18;  -- |.| <= 65537
-  signal p_y_d1 : interval_18_t := zero_interval_18;  -- |.| <= 65539
+  signal p_y_d1 : interval_18_t := zero_interval_18;  -- |.| <= 131071
 begin
   -- Clock 0
   cases <= x_case & y_case;

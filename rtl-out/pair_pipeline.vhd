@@ -1,7 +1,7 @@
 --------------------------------------------------------------------------------
 -- The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of
 -- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.
--- Latency: 57 clocks.
+-- Latency: 59 clocks.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -32,11 +32,17 @@ architecture rtl of pair_pipeline is
   constant lane_select_at_0_table : numbers_t(0 to 10) := (1, 2, 0, 3, 4, 5, 3, 0, 0, 0, 0);
   constant lane_operand_select_at_0_table : numbers_t(0 to 10) := (0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 0);
   constant lane_from_input_at_1_table : std_logic_vector(0 to 10) := "11110000111";
-  constant magnitude_so_far_select_at_2_table : std_logic_vector(0 to 10) := "01000000000";
+  constant axis0_has_b2_at_2_table : std_logic_vector(0 to 10) := "01000000000";
   constant lane_edge_rounding_at_4_table : std_logic_vector(0 to 10) := "00001010000";
   constant axis_e_select_at_0_table : numbers_t(0 to 10) := (1, 2, 2, 2, 3, 3, 3, 0, 0, 0, 0);
   constant axis_f_select_at_0_table : numbers_t(0 to 10) := (1, 1, 2, 3, 1, 2, 3, 1, 2, 3, 0);
-  constant axis0_rounding_at_1_table : std_logic_vector(0 to 10) := "01000000000";
+  constant axis0_v0_select_at_8_table : std_logic_vector(0 to 10) := "00001110000";
+  constant axis0_v1_select_at_8_table : numbers_t(0 to 10) := (2, 1, 1, 1, 2, 2, 2, 0, 1, 2, 2);
+  constant axis0_v2_select_at_8_table : numbers_t(0 to 10) := (2, 2, 0, 2, 2, 0, 2, 0, 1, 2, 0);
+  constant axis0_v3_select_at_8_table : std_logic_vector(0 to 10) := "10010010000";
+  constant axis0_has_a1_at_2_table : std_logic_vector(0 to 10) := "10111111111";
+  constant axis0_has_a2_at_2_table : std_logic_vector(0 to 10) := "00100000000";
+  constant axis0_has_b1_at_2_table : std_logic_vector(0 to 10) := "11011111111";
   signal row_t_pose : signed(31 downto 0);  -- s4.28; |.| <= 1073741816
   signal row_t_pose_select_at_0 : unsigned(1 downto 0) := (others => '0');
   signal row_t : signed(31 downto 0);  -- s4.28; |.| <= 1073741816
@@ -64,7 +70,7 @@ architecture rtl of pair_pipeline is
   signal lane_lo_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 1879048190
   signal offset : interval_33_vector_t;  -- s5.28; |.| <= 2147483648
   signal magnitude : unsigned_32_vector_t;
-  signal magnitude_so_far_select_at_2 : std_logic := '0';
+  signal axis0_has_b2_at_2 : std_logic := '0';
   signal magnitude_so_far_before : unsigned_32_vector_t := zero_unsigned_32_vector;
   signal magnitude_so_far : unsigned_32_vector_t;
   signal magnitudes : unsigned_32_vector_t := zero_unsigned_32_vector;  -- OR of the magnitudes of the twelve bounds
@@ -74,7 +80,6 @@ architecture rtl of pair_pipeline is
   signal shift_d1 : flag_x5_vector_t := zero_flag_x5_vector;
   signal scaled : interval_18_vector_t;  -- |.| <= 65536
   signal scaled_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
-  signal scaled_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
   signal scaled_case : unsigned_2_vector_t;
   signal v0_hi : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal v0_lo : signed_18_vector_t;  -- s2.16; |.| <= 0
@@ -85,8 +90,9 @@ architecture rtl of pair_pipeline is
   signal v0_case : unsigned_2_vector_t;
   signal w : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- s2.16; |.| <= 65536
   signal w_case : unsigned_2_vector_x3_t := zero_unsigned_2_vector_x3;
-  signal lane_difference : interval_19_vector_t;  -- |.| <= 131072
-  signal lane_difference_d1 : interval_19_vector_t := zero_interval_19_vector;  -- |.| <= 131072
+  signal scaled_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
+  signal lane_difference : interval_19_19_vector_t;  -- |.| <= 131072
+  signal lane_difference_d1 : interval_19_19_vector_t := zero_interval_19_19_vector;  -- |.| <= 131072
   signal lane_edge_rounding_at_4 : std_logic := '0';
   signal lane_edge : interval_18_vector_t;  -- |.| <= 65537
   signal lane_edge_hi_second_up_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 65537
@@ -109,38 +115,65 @@ architecture rtl of pair_pipeline is
   signal axis_e_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal axis_f_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
   signal axis_f_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal axis0_rounding_at_1 : std_logic := '0';
-  signal axis_l : interval_18_vector_t;  -- |.| <= 65539
-  signal axis_l_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65539
+  signal axis_exact : interval_37_vector_t;  -- |.| <= 8590196738
+  signal axis_exact_d1 : interval_37_vector_t := zero_interval_37_vector;  -- |.| <= 8590196738
+  signal axis_l : interval_18_vector_t;  -- |.| <= 131071
+  signal axis_l_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 131071
   signal axis_l_case : unsigned_2_vector_t;
-  signal v0_hi_h11 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal v1_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal v0_hi_h11 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal v2_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v0_hi_h15 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
-  signal axis_l_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65539
-  signal axis_l_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal p : interval_18_x6_t;  -- |.| <= 98309
-  signal v1_h14 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal v1_h22 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal axis0_v : interval_18_vector_x4_t;  -- s2.16; |.| <= 65536
+  signal axis0_v0_select_at_8 : std_logic := '0';
+  signal axis0_v1_select_at_8 : unsigned(1 downto 0) := (others => '0');
+  signal axis0_v2_select_at_8 : unsigned(1 downto 0) := (others => '0');
+  signal axis0_v3_select_at_8 : std_logic := '0';
+  signal v0_hi_h16 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
+  signal v1_h16 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal v2_h16 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
   signal v1_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal v2_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v1_case_h12 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v2_h13 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w0_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w0_case_h9 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w1_h10 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w1_case_h8 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w2_h9 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w2_case_h7 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal p_d1 : interval_18_x6_t := zero_interval_18_x6;  -- |.| <= 98309
+  signal v1_case_h22 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal axis0_v_case : unsigned_2_vector_x4_t;
+  signal axis0_v_d1 : interval_18_vector_x4_t := zero_interval_18_vector_x4;  -- s2.16; |.| <= 65536
+  signal axis0_v_case_d1 : unsigned_2_vector_x4_t := zero_unsigned_2_vector_x4;
+  signal axis_l_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 131071
+  signal axis_l_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal p : interval_22_x4_t;  -- |.| <= 1572852
+  signal v2_case_h15 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal w_h11 : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- s2.16; |.| <= 65536
+  signal w1_case_h10 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal w2_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal w0_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal axis0_side_01 : std_logic_vector(1 downto 0);
+  signal pierced_w_above : std_logic_vector(2 downto 0) := (others => '0');
+  signal pierced_w_below : std_logic_vector(2 downto 0) := (others => '0');
+  signal axis0_side_02 : std_logic_vector(1 downto 0);
+  signal pierced_edges_above : flag_x3_x3_t := zero_flag_x3_x3;
+  signal pierced_edges_below : flag_x3_x3_t := zero_flag_x3_x3;
+  signal axis0_side_03 : std_logic_vector(1 downto 0);
+  signal pierced_v_above : std_logic_vector(2 downto 0) := (others => '0');
+  signal pierced_v_below : std_logic_vector(2 downto 0) := (others => '0');
+  signal axis0_side_12 : std_logic_vector(1 downto 0);
+  signal axis0_side_13 : std_logic_vector(1 downto 0);
+  signal axis0_side_23 : std_logic_vector(1 downto 0);
+  signal p_d1 : interval_22_x4_t := zero_interval_22_x4;  -- |.| <= 1572852
+  signal axis0_has_a1_at_2 : std_logic := '0';
+  signal axis0_has_a2_at_2 : std_logic := '0';
+  signal axis0_has_b1_at_2 : std_logic := '0';
   signal axis_separated : std_logic;
   signal axis_overlapping : std_logic;
   signal separated_i : std_logic_vector(10 downto 0) := (others => '0');
   signal overlapping_i : std_logic_vector(10 downto 0) := (others => '0');
+  signal pierced : std_logic;
   signal separate : std_logic;
   signal all_overlap : std_logic;
+  signal pierced_h1 : std_logic := '0';
+  signal pierced_h3 : std_logic := '0';
+  signal surely : std_logic;
   signal offset_unit_point : interval_32_vector_t;
-  signal p_unit_v : interval_18_vector_x6_t;
-  signal p_unit_v_case : unsigned_2_vector_x6_t;
+  signal axis_separated_unit_has : flag_x2_x2_t;
 begin
   -- Selectors and strobes, set in the clock before their phase
   selectors : process (clk)
@@ -157,12 +190,18 @@ begin
       lane_select_at_0 <= to_unsigned(lane_select_at_0_table(to_integer(phase)), 3);
       lane_operand_select_at_0 <= to_unsigned(lane_operand_select_at_0_table(to_integer(phase)), 2);
       lane_from_input_at_1 <= lane_from_input_at_1_table(to_integer(phase));
-      magnitude_so_far_select_at_2 <= magnitude_so_far_select_at_2_table(to_integer(phase));
+      axis0_has_b2_at_2 <= axis0_has_b2_at_2_table(to_integer(phase));
       magnitude_so_far_before <= magnitude_so_far;
       lane_edge_rounding_at_4 <= lane_edge_rounding_at_4_table(to_integer(phase));
       axis_e_select_at_0 <= to_unsigned(axis_e_select_at_0_table(to_integer(phase)), 2);
       axis_f_select_at_0 <= to_unsigned(axis_f_select_at_0_table(to_integer(phase)), 2);
-      axis0_rounding_at_1 <= axis0_rounding_at_1_table(to_integer(phase));
+      axis0_v0_select_at_8 <= axis0_v0_select_at_8_table(to_integer(phase));
+      axis0_v1_select_at_8 <= to_unsigned(axis0_v1_select_at_8_table(to_integer(phase)), 2);
+      axis0_v2_select_at_8 <= to_unsigned(axis0_v2_select_at_8_table(to_integer(phase)), 2);
+      axis0_v3_select_at_8 <= axis0_v3_select_at_8_table(to_integer(phase));
+      axis0_has_a1_at_2 <= axis0_has_a1_at_2_table(to_integer(phase));
+      axis0_has_a2_at_2 <= axis0_has_a2_at_2_table(to_integer(phase));
+      axis0_has_b1_at_2 <= axis0_has_b1_at_2_table(to_integer(phase));
     end if;
   end process selectors;
   v0_lo_each : for i in 0 to 2 generate
@@ -238,8 +277,7 @@ begin
 
   -- Clock 13
   magnitude_so_far_each : for i in 0 to 2 generate
-    magnitude_so_far(i) <= magnitude(i) or choose(magnitude_so_far_select_at_2, to_unsigned(0, 32),
-        magnitude_so_far_before(i));
+    magnitude_so_far(i) <= magnitude(i) or choose(axis0_has_b2_at_2, to_unsigned(0, 32), magnitude_so_far_before(i));
   end generate magnitude_so_far_each;
 
   -- Clock 20
@@ -269,6 +307,10 @@ begin
     lane_difference(i).lo <= resize(scaled_d1(i).lo, 19) - resize(scaled_d2(i).hi, 19);
     lane_difference(i).hi <= resize(scaled_d1(i).hi, 19) - resize(scaled_d2(i).lo, 19);
   end generate lane_difference_lo_each;
+  scaled_case_unit : for i in 0 to 2 generate
+    unit : entity work.sign_case
+      port map (x => scaled_d1(i), number => scaled_case(i));
+  end generate scaled_case_unit;
 
   -- Clock 26
   clock_26 : process (clk)
@@ -287,10 +329,6 @@ begin
     lane_edge(i).hi <= lane_difference_d1(i).hi(17 downto 0) when lane_edge_rounding_at_4 = '1' else
         lane_edge_hi_second_up_d1(i)(17 downto 0);
   end generate lane_edge_lo_each;
-  scaled_case_unit : for i in 0 to 2 generate
-    unit : entity work.sign_case
-      port map (x => scaled_d2(i), number => scaled_case(i));
-  end generate scaled_case_unit;
   lane_edge_case_unit : for i in 0 to 2 generate
     unit : entity work.sign_case
       port map (x => lane_edge(i), number => lane_edge_case(i));
@@ -328,65 +366,111 @@ begin
       axis_f_case_d1 <= axis_f_case;
     end if;
   end process clock_34;
-  axis_l_unit : entity work.cross_product
+  axis_exact_unit : entity work.cross_product
     port map (clk => clk, e => axis_e_d1, e_case => axis_e_case_d1, f => axis_f_d1, f_case => axis_f_case_d1,
-              rounding => axis0_rounding_at_1, l => axis_l);
+              l => axis_exact);
 
-  -- Clock 39
-  clock_39 : process (clk)
+  -- Clock 37
+  clock_37 : process (clk)
+  begin
+    if rising_edge(clk) then
+      axis_exact_d1 <= axis_exact;
+    end if;
+  end process clock_37;
+  axis_l_unit : entity work.axis_shift
+    port map (clk => clk, exact => axis_exact_d1, l => axis_l);
+
+  -- Clock 41
+  clock_41 : process (clk)
   begin
     if rising_edge(clk) then
       axis_l_d1 <= axis_l;
     end if;
-  end process clock_39;
+  end process clock_41;
+  axis0_v_0_lo_each : for i in 0 to 2 generate
+    axis0_v(0)(i).lo <= v1_h22(i).lo when axis0_v0_select_at_8 = '1' else v0_lo(i);
+    axis0_v(0)(i).hi <= v1_h22(i).hi when axis0_v0_select_at_8 = '1' else v0_hi_h16(i);
+  end generate axis0_v_0_lo_each;
+  axis0_v(1) <=
+    w(2) when axis0_v1_select_at_8 = 0 else
+    v1_h16 when axis0_v1_select_at_8 = 1 else
+    v2_h16;
+  axis0_v(2) <=
+    w_h11(1) when axis0_v2_select_at_8 = 0 else
+    v2_h11 when axis0_v2_select_at_8 = 1 else
+    w_h11(2);
+  axis0_v(3) <= w_h11(1) when axis0_v3_select_at_8 = '1' else w_h11(0);
+  axis0_v_case(0) <= v1_case_h22 when axis0_v0_select_at_8 = '1' else v0_case;
+  axis0_v_case(1) <=
+    w_case(2) when axis0_v1_select_at_8 = 0 else
+    v1_case_h11 when axis0_v1_select_at_8 = 1 else
+    v2_case_h15;
+  axis0_v_case(2) <=
+    w1_case_h10 when axis0_v2_select_at_8 = 0 else
+    v2_case_h11 when axis0_v2_select_at_8 = 1 else
+    w2_case_h11;
+  axis0_v_case(3) <= w1_case_h10 when axis0_v3_select_at_8 = '1' else w0_case_h11;
   axis_l_case_unit : for i in 0 to 2 generate
     unit : entity work.sign_case
       port map (x => axis_l_d1(i), number => axis_l_case(i));
   end generate axis_l_case_unit;
 
-  -- Clock 40
-  clock_40 : process (clk)
+  -- Clock 42
+  clock_42 : process (clk)
   begin
     if rising_edge(clk) then
+      axis0_v_d1 <= axis0_v;
+      axis0_v_case_d1 <= axis0_v_case;
       axis_l_d2 <= axis_l_d1;
       axis_l_case_d1 <= axis_l_case;
     end if;
-  end process clock_40;
-  p_unit_v_0_lo_each : for i in 0 to 2 generate
-    p_unit_v(0)(i).lo <= v0_lo(i);
-    p_unit_v(0)(i).hi <= v0_hi_h15(i);
-  end generate p_unit_v_0_lo_each;
-  p_unit_v(1) <= v1_h14;
-  p_unit_v(2) <= v2_h13;
-  p_unit_v(3) <= w0_h11;
-  p_unit_v(4) <= w1_h10;
-  p_unit_v(5) <= w2_h9;
-  p_unit_v_case(0) <= v0_case;
-  p_unit_v_case(1) <= v1_case_h12;
-  p_unit_v_case(2) <= v2_case_h11;
-  p_unit_v_case(3) <= w0_case_h9;
-  p_unit_v_case(4) <= w1_case_h8;
-  p_unit_v_case(5) <= w2_case_h7;
-  p_unit : for k in 0 to 5 generate
+  end process clock_42;
+  p_unit : for k in 0 to 3 generate
     unit : entity work.projection
-      port map (clk => clk, v => p_unit_v(k), v_case => p_unit_v_case(k), l => axis_l_d2, l_case => axis_l_case_d1,
+      port map (clk => clk, v => axis0_v_d1(k), v_case => axis0_v_case_d1(k), l => axis_l_d2, l_case => axis_l_case_d1,
                 p => p(k));
   end generate p_unit;
 
-  -- Clock 44
-  clock_44 : process (clk)
+  -- Clock 45
+  axis0_side_01(0) <= less(p(0).hi, p(1).lo);
+  axis0_side_01(1) <= less(p(1).hi, p(0).lo);
+  axis0_side_02(0) <= less(p(0).hi, p(2).lo);
+  axis0_side_02(1) <= less(p(2).hi, p(0).lo);
+  axis0_side_03(0) <= less(p(0).hi, p(3).lo);
+  axis0_side_03(1) <= less(p(3).hi, p(0).lo);
+  axis0_side_12(0) <= less(p(1).hi, p(2).lo);
+  axis0_side_12(1) <= less(p(2).hi, p(1).lo);
+  axis0_side_13(0) <= less(p(1).hi, p(3).lo);
+  axis0_side_13(1) <= less(p(3).hi, p(1).lo);
+  axis0_side_23(0) <= less(p(2).hi, p(3).lo);
+  axis0_side_23(1) <= less(p(3).hi, p(2).lo);
+
+  -- Clock 46
+  clock_46 : process (clk)
   begin
     if rising_edge(clk) then
       p_d1 <= p;
     end if;
-  end process clock_44;
+  end process clock_46;
+  axis_separated_unit_has(0)(0) <= axis0_has_a1_at_2;
+  axis_separated_unit_has(0)(1) <= axis0_has_a2_at_2;
+  axis_separated_unit_has(1)(0) <= axis0_has_b1_at_2;
+  axis_separated_unit_has(1)(1) <= axis0_has_b2_at_2;
   axis_separated_unit : entity work.comparator_network
-    port map (clk => clk, p => p_d1, separated => axis_separated, overlapping => axis_overlapping);
+    port map (clk => clk, p => p_d1, has => axis_separated_unit_has, separated => axis_separated,
+              overlapping => axis_overlapping);
 
-  -- Clock 57
+  -- Clock 56
+  pierced_unit : entity work.edge_test
+    port map (v_above => pierced_v_above, v_below => pierced_v_below, w_above => pierced_w_above,
+              w_below => pierced_w_below, edges_above => pierced_edges_above, edges_below => pierced_edges_below,
+              pierced => pierced);
+
+  -- Clock 59
   separate <= or_reduce(unsigned(separated_i));
   all_overlap <= not or_reduce(not unsigned(overlapping_i));
-  verdict <= (not separate and not all_overlap) & (not separate and all_overlap);
+  surely <= all_overlap or pierced_h3;
+  verdict <= (not separate and not surely) & (not separate and surely);
 
   -- Registers that are loaded once per pair
   captures : process (clk)
@@ -407,52 +491,62 @@ begin
         in_v_h11 <= in_v;
         e_a2_h3 <= e_a(2);
         e_a2_case_h3 <= e_a_case(2);
+        pierced_edges_above(2)(1) <= axis0_side_12(0);
+        pierced_edges_below(2)(1) <= axis0_side_12(1);
       end if;
       if strobe(0) = '1' then
         in_v0_h12 <= in_v_h11(0);
+        pierced_edges_above(2)(2) <= axis0_side_12(0);
+        pierced_edges_below(2)(2) <= axis0_side_12(1);
       end if;
       if strobe(8) = '1' then
         magnitudes <= magnitude_so_far;
+        v1_h16 <= v1_h11;
+        pierced_edges_above(1)(2) <= axis0_side_12(0);
+        pierced_edges_below(1)(2) <= axis0_side_12(1);
       end if;
       if strobe(2) = '1' then
         for i in 0 to 2 loop
           v0_hi(i) <= scaled(i).hi;
         end loop;
         v0_hi_h11 <= v0_hi;
+        pierced_v_above(0) <= axis0_side_03(0);
+        pierced_v_above(1) <= axis0_side_13(0);
+        pierced_v_above(2) <= axis0_side_23(0);
+        pierced_v_below(0) <= axis0_side_03(1);
+        pierced_v_below(1) <= axis0_side_13(1);
+        pierced_v_below(2) <= axis0_side_23(1);
       end if;
       if strobe(3) = '1' then
         v1 <= scaled;
         v1_h11 <= v1;
+        v1_h22 <= v1_h11;
+        pierced_edges_above(0)(0) <= axis0_side_03(0);
+        pierced_edges_below(0)(0) <= axis0_side_03(1);
+        pierced_h3 <= pierced_h1;
       end if;
       if strobe(4) = '1' then
         v2 <= scaled;
+        v1_case <= scaled_case;
         e_a1_h9 <= e_a(1);
         e_a1_case_h9 <= e_a_case(1);
         v2_h11 <= v2;
+        v1_case_h11 <= v1_case;
+        v1_case_h22 <= v1_case_h11;
+        pierced_edges_above(0)(1) <= axis0_side_02(0);
+        pierced_edges_below(0)(1) <= axis0_side_02(1);
       end if;
       if strobe(5) = '1' then
-        v1_case <= scaled_case;
-        v1_case_h11 <= v1_case;
-      end if;
-      if strobe(6) = '1' then
         v2_case <= scaled_case;
-        v0_hi_h15 <= v0_hi_h11;
-        v1_h14 <= v1_h11;
         v2_case_h11 <= v2_case;
-        v1_case_h12 <= v1_case_h11;
-        v2_h13 <= v2_h11;
-        w0_h11 <= w(0);
-        w0_case_h9 <= w_case(0);
-        w1_h10 <= w(1);
-        w1_case_h8 <= w_case(1);
-        w2_h9 <= w(2);
-        w2_case_h7 <= w_case(2);
+        pierced_edges_above(0)(2) <= axis0_side_02(0);
+        pierced_edges_below(0)(2) <= axis0_side_02(1);
       end if;
       for k in 0 to 2 loop
         if strobe(k + 6) = '1' then
           w(k) <= scaled;
         end if;
-        if strobe(k + 8) = '1' then
+        if strobe(k + 7) = '1' then
           w_case(k) <= scaled_case;
         end if;
         if strobe(k + 5) = '1' then
@@ -464,8 +558,40 @@ begin
           e_b_case(k) <= lane_edge_case;
         end if;
       end loop;
+      if strobe(7) = '1' then
+        v0_hi_h16 <= v0_hi_h11;
+        w1_case_h10 <= w_case(1);
+        w0_case_h11 <= w_case(0);
+        pierced_edges_above(1)(1) <= axis0_side_12(0);
+        pierced_edges_below(1)(1) <= axis0_side_12(1);
+      end if;
+      if strobe(9) = '1' then
+        v2_h16 <= v2_h11;
+        v2_case_h15 <= v2_case_h11;
+        w2_case_h11 <= w_case(2);
+        pierced_edges_above(2)(0) <= axis0_side_13(0);
+        pierced_edges_below(2)(0) <= axis0_side_13(1);
+      end if;
+      for k in 0 to 2 loop
+        if strobe(k + 6) = '1' then
+          w_h11(k) <= w(k);
+        end if;
+      end loop;
+      if strobe(1) = '1' then
+        pierced_w_above(0) <= axis0_side_03(0);
+        pierced_w_above(1) <= axis0_side_02(0);
+        pierced_w_above(2) <= axis0_side_01(0);
+        pierced_w_below(0) <= axis0_side_03(1);
+        pierced_w_below(1) <= axis0_side_02(1);
+        pierced_w_below(2) <= axis0_side_01(1);
+        pierced_h1 <= pierced;
+      end if;
+      if strobe(6) = '1' then
+        pierced_edges_above(1)(0) <= axis0_side_13(0);
+        pierced_edges_below(1)(0) <= axis0_side_13(1);
+      end if;
       for k in 0 to 10 loop
-        if strobe((k + 2) mod 11) = '1' then
+        if strobe((k + 4) mod 11) = '1' then
           separated_i(k) <= axis_separated;
           overlapping_i(k) <= axis_overlapping;
         end if;

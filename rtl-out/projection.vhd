@@ -1,13 +1,13 @@
 --------------------------------------------------------------------------------
 -- Projection of one point on the axis, p = v . l in interval arithmetic (equation 2).
--- (v_x l_x + v_y l_y) + v_z l_z, exact, then rounded outward once.
+-- (v_x l_x + v_y l_y) + v_z l_z, exact, then both bounds rounded down, which comparisons allow.
 --
 --   axis         v       l       p       |p| <=     rounding
---   n_a          s2.16   s3.15   s4.14   98309      17 bits dropped
---   n_b          s2.16   s4.14   s5.13   98305      17 bits dropped
---   c_00 to c_02 s2.16   s4.14   s5.13   98309      17 bits dropped
---   c_10 to c_12 s2.16   s5.13   s6.12   98309      17 bits dropped
---   c_20 to c_22 s2.16   s4.14   s5.13   98309      17 bits dropped
+--   n_a          s2.16   s4.14   s6.16   1572852    14 bits dropped
+--   n_b          s2.16   s6.12   s8.14   1572852    14 bits dropped
+--   c_00 to c_02 s2.16   s5.13   s7.15   1572852    14 bits dropped
+--   c_10 to c_12 s2.16   s6.12   s8.14   1572852    14 bits dropped
+--   c_20 to c_22 s2.16   s5.13   s7.15   1572852    14 bits dropped
 -- Latency: 3 clocks.
 --------------------------------------------------------------------------------
 library ieee;
@@ -20,23 +20,19 @@ entity projection is
     clk    : in  std_logic;
     v      : in  interval_18_vector_t;  -- |.| <= 65536
     v_case : in  unsigned_2_vector_t;
-    l      : in  interval_18_vector_t;  -- |.| <= 65539
+    l      : in  interval_18_vector_t;  -- |.| <= 131071
     l_case : in  unsigned_2_vector_t;
-    p      : out interval_18_t  -- |.| <= 98309
+    p      : out interval_22_t  -- |.| <= 1572852
   );
 end entity projection;
 
 architecture rtl of projection is
-  signal term : interval_36_vector_t;  -- |.| <= 4295163904
-  signal xy : interval_37_t;  -- |.| <= 8590327808
-  signal xy_d1 : interval_37_t := zero_interval_37;  -- |.| <= 8590327808
-  signal term_z_d1 : interval_36_t := zero_interval_36;  -- |.| <= 4295163904
-  signal exact : interval_38_t;  -- |.| <= 12885491712
-  signal p_hi_constant : std_logic;
+  signal term : interval_36_vector_t;  -- |.| <= 8589869056
+  signal xy : interval_37_t;  -- |.| <= 17179738112
+  signal xy_d1 : interval_37_t := zero_interval_37;  -- |.| <= 17179738112
+  signal term_z_d1 : interval_36_t := zero_interval_36;  -- |.| <= 8589869056
+  signal exact : interval_38_t;  -- |.| <= 25769607168
 begin
-  -- Selectors and strobes, set in the clock before their phase
-  p_hi_constant <= '1';
-
   -- Clock 0
   term_unit : for i in 0 to 2 generate
     unit : entity work.interval_multiply
@@ -57,6 +53,6 @@ begin
   end process clock_3;
   exact.lo <= resize(xy_d1.lo, 38) + resize(term_z_d1.lo, 38);
   exact.hi <= resize(xy_d1.hi, 38) + resize(term_z_d1.hi, 38);
-  p.lo <= exact.lo(34 downto 17);
-  p.hi <= exact.hi(34 downto 17) + to_signed(p_hi_constant, 18);
+  p.lo <= exact.lo(35 downto 14);
+  p.hi <= exact.hi(35 downto 14);
 end architecture rtl;

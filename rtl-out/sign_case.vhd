@@ -11,14 +11,14 @@ use work.efsat_types.all;
 
 entity sign_case is
   port (
-    x      : in  interval_18_t;  -- |.| <= 65539
+    x      : in  interval_18_t;  -- |.| <= 131071
     number : out unsigned(1 downto 0)
   );
 end entity sign_case;
 
 architecture rtl of sign_case is
   signal straddles : std_logic;  -- lo < 0 < hi
-  signal number_negative_sum : signed(18 downto 0);  -- |.| <= 131077
+  signal number_negative_sum : signed(18 downto 0);  -- |.| <= 262142
 begin
   -- Clock 0
   straddles <= x.lo(17) and not x.hi(17) and or_reduce(unsigned(x.hi(16 downto 0)));

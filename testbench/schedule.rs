@@ -39,12 +39,13 @@ fn the_default_design_is_within_ten_per_cent_of_the_optimum() {
         design.top.hierarchy().iter().map(|module| (module.name.clone(), own_bits(module))).collect();
     let ours: Vec<(String, usize, u64)> = schedules
         .iter()
-        .map(|(schedule, instances)| (schedule.unit.name.clone(), *instances, modules[&schedule.unit.name]))
+        .map(|(schedule, instances)| (schedule.unit.name.clone(), *instances, schedule.register_bits))
         .collect();
     let recorded = recorded();
     let as_recorded: Vec<(String, usize, u64)> = recorded.iter().map(|(u, i, b, _)| (u.clone(), *i, *b)).collect();
     assert_eq!(ours, as_recorded, "run scripts/optimum and look at docs/schedule.md");
-    let far: Vec<_> = recorded.iter().filter(|(_, _, bits, optimum)| *bits as f64 > 1.1 * optimum).collect();
+    // The modules have some more, which no program counts.
+    let far: Vec<_> = recorded.iter().filter(|(unit, .., optimum)| modules[unit] as f64 > 1.1 * optimum).collect();
     assert!(far.is_empty(), "{far:?}");
 }
 

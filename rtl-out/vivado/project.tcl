@@ -17,8 +17,10 @@ add_files -norecurse [list \
   [file join $here .. sign_case.vhd] \
   [file join $here .. interval_multiply.vhd] \
   [file join $here .. cross_product.vhd] \
+  [file join $here .. axis_shift.vhd] \
   [file join $here .. projection.vhd] \
   [file join $here .. comparator_network.vhd] \
+  [file join $here .. edge_test.vhd] \
   [file join $here .. pair_pipeline.vhd] \
   [file join $here .. efsat.vhd] \
   [file join $here .. efsat_stream.vhd] \

@@ -143,14 +143,6 @@ impl Names {
             let axis = axes.last_mut().expect("an axis");
             axis.points[usize::from(point.starts_with('w'))].push(point.to_owned());
         }
-        // Of two points the first is vertex k, the other k + 2: vertex k + 1 is what has been skipped.
-        for points in axes.iter_mut().flat_map(|axis| &mut axis.points) {
-            if let [first, second] = &points[..]
-                && (first.ends_with('0'), second.ends_with('2')) != (true, true)
-            {
-                points.reverse();
-            }
-        }
         Self { axes, per_clock: p.axes_per_clock, skip: p.projections == Projections::Skip }
     }
 

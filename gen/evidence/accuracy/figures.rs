@@ -8,6 +8,7 @@ use super::plot::{
 };
 use super::results::Results;
 use super::row::Row;
+use efsat_unit::params::Params;
 
 /// A plot.
 pub struct Figure {
@@ -64,9 +65,15 @@ fn about(results: &Results, row: &Row) -> String {
 
 /// What the point around which the sweep goes is called.
 fn point_name(results: &Results) -> String {
-    let paper = super::options(&efsat_unit::params::Params::default());
-    let is_papers = results.base().point.options == paper;
-    if is_papers { "the paper's point" } else { "the point given" }.to_owned()
+    let is = |params: Params| results.base().point.options == super::options(&params);
+    if is(Params::paper()) {
+        "the paper's point"
+    } else if is(Params::default()) {
+        "the default"
+    } else {
+        "the point given"
+    }
+    .to_owned()
 }
 
 fn base_label(results: &Results, x: f64, y: f64) -> Label {
@@ -87,8 +94,11 @@ fn share_by_width(results: &Results) -> Figure {
     };
     let sticky = [("upper", "sticky"), ("projections", "intersect")];
     let seventeen = [("upper", "sticky"), ("projections", "intersect"), ("axes", "17")];
-    let lines: [(&str, &[(&str, &str)]); 4] = [
-        ("as in the paper", &[]),
+    let paper = [("projections", "all"), ("projection-width", "rounded"), ("axis-shift", "0"), ("edge-test", "off")];
+    let own = point_name(results);
+    let lines: [(&str, &[(&str, &str)]); 5] = [
+        (&own, &[]),
+        ("the paper's roundings", &paper),
         ("exact ceilings, intersected projections", &sticky),
         ("the same with 17 axes", &seventeen),
         ("without re-normalisation", &[("renormalise", "off")]),
@@ -96,8 +106,13 @@ fn share_by_width(results: &Results) -> Figure {
     let mut all: Vec<Series> = lines
         .iter()
         .enumerate()
-        .map(|(i, (name, with))| series(name, style(COLOURS[i], MARKS[i], Line::Solid), &results.by_width(with), dot))
-        .filter(|series| series.dots.len() > 1 || series.name == "as in the paper")
+        .filter(|(i, (_, with))| {
+            *i == 0 || with.iter().any(|(name, value)| results.base().point.option(name) != *value)
+        })
+        .map(|(i, (name, with))| {
+            series(name, style(COLOURS[i], MARKS[i % MARKS.len()], Line::Solid), &results.by_width(with), dot)
+        })
+        .filter(|series| series.dots.len() > 1 || series.name == own)
         .collect();
     let floor = 100.0 * results.floor.share();
     let widths = all.iter().flat_map(|s| &s.dots).map(|dot| dot.x);

@@ -11,14 +11,16 @@
 //! Options are those of the design without their dashes; what a grid does not name is as on the command line. Blanks
 //! are free.
 
-/// The sweep where none is given: one option at a time around the paper's point, and the combinations that matter.
+/// The sweep where none is given: one option at a time around the point given, and the combinations that matter.
 pub const DEFAULT: &str = "width=10..32; \
+    width=10..32,projections=all,projection-width=rounded,axis-shift=0,edge-test=off; \
+    axis-shift=0|1|2|3|5|30; projection-width=rounded|+0|+2|+8|full; edge-test=off; \
     width=10..32,frequency=250; \
     width=10..32,upper=sticky,projections=intersect; \
     width=10..30/2,renormalise=off; \
     width=12..22/2|24|28|32,axes-per-clock=2|3|6|11; \
     width=14..32/2,axes=17,upper=sticky,projections=intersect; \
-    transform-width=18|20|24|28|40|48; upper=sticky; projections=skip|intersect; axes=17; frequency=50|150|200; \
+    transform-width=18|20|24|28|40|48; upper=sticky; projections=all|skip|intersect; axes=17; frequency=50|150|200; \
     width=12|18|25|32,device=xc6slx150-3|xc7a200t-1|lfe5u-85-6; \
     width=24..32/4,transform-width=48,axes=17,upper=sticky,projections=intersect";
 

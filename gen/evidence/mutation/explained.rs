@@ -71,6 +71,10 @@ pub const VHDL: &[Explanation] = &[
     same("transform_row:b_hi_not_d*:delay:a register too many", IDLE),
     same("renormalise_shift:*:delay:*_d1 -> *", STEADY),
     same("comparator_network:*_ordered_*:comparison:* -> <=", EQUAL),
+    hidden(
+        "comparator_network:*_*er_*:bound:*_ordered_* -> *_ordered_*",
+        "the lower bounds of two projections are nearly always in the order of their upper bounds",
+    ),
     same("comparator_network:*_min.*:comparison:* -> <=", EQUAL),
     same("comparator_network:*_max.*:comparison:* -> <=", EQUAL),
     same("cross_product:l_*saturated*:comparison:* -> <=", AT_BOUND),

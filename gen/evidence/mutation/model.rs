@@ -8,7 +8,7 @@ use efsat_unit::artefact::{Scratch, Stimulus};
 use efsat_unit::design::top::DesignError;
 use efsat_unit::design::{Design, Probes};
 use efsat_unit::golden::{Golden, Input, Pair, Pose};
-use efsat_unit::params::{Axes, Guard, Params, Projections, Transform, Upper};
+use efsat_unit::params::{Axes, Guard, Params, ProjectionWidth, Projections, Transform, Upper};
 use rayon::prelude::*;
 use std::fs::File;
 use std::io;
@@ -23,11 +23,11 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// and stages.
 const UNCHANGED: [&str; 4] = ["params/options.rs", "params/method.rs", "golden/stages.rs", "golden/trace.rs"];
 
-/// Sources of the other method: there is no graph to compare its answers with.
+/// Sources of the other method.
 const OTHER_METHOD: &str = "golden/determinants/";
 
 /// The sources of the reference model, as this program was built from them.
-const SOURCES: [(&str, &str); 27] = [
+const SOURCES: [(&str, &str); 28] = [
     ("params/options.rs", include_str!("../../unit/params/options.rs")),
     ("golden/stages.rs", include_str!("../../unit/golden/stages.rs")),
     ("golden/trace.rs", include_str!("../../unit/golden/trace.rs")),
@@ -39,6 +39,7 @@ const SOURCES: [(&str, &str); 27] = [
     ("golden/mod.rs", include_str!("../../unit/golden/mod.rs")),
     ("golden/axis_test.rs", include_str!("../../unit/golden/axis_test.rs")),
     ("golden/axes.rs", include_str!("../../unit/golden/axes.rs")),
+    ("golden/edge_test.rs", include_str!("../../unit/golden/edge_test.rs")),
     ("golden/guard.rs", include_str!("../../unit/golden/guard.rs")),
     ("golden/input.rs", include_str!("../../unit/golden/input.rs")),
     ("golden/interval.rs", include_str!("../../unit/golden/interval.rs")),
@@ -103,6 +104,14 @@ fn sets() -> Vec<(&'static str, Params)> {
     };
     vec![
         ("default", Params::default()),
+        ("like the paper", Params::paper()),
+        ("like the paper, 17 axes, sticky", Params { axes: Axes::Seventeen, upper: Upper::Sticky, ..Params::paper() }),
+        ("like the paper, no renormalisation", Params { renormalise: false, ..Params::paper() }),
+        (
+            "other shifts and widths",
+            with(&|p| (p.axis_shift, p.projection_width, p.upper) = (30, ProjectionWidth::Full, Upper::Sticky)),
+        ),
+        ("no edge test", with(&|p| (p.edge_test, p.projections, p.axis_shift) = (false, Projections::All, 2))),
         ("sticky, intersect", with(&|p| (p.upper, p.projections) = (Upper::Sticky, Projections::Intersect))),
         ("17 axes, skip", with(&|p| (p.axes, p.projections) = (Axes::Seventeen, Projections::Skip))),
         (
@@ -237,7 +246,12 @@ pub fn mutants() -> Vec<Mutant> {
 /// What the program around the model reads: whole numbers, a number of the unit as mantissa and sticky bit.
 fn input(p: &Params, stimulus: &Stimulus) -> String {
     let switches = [p.axes as u32, p.projections as u32, p.upper as u32, u32::from(p.renormalise), p.transform as u32];
-    let switches = switches.into_iter().chain([p.guard as u32]);
+    let bits = match p.projection_width {
+        ProjectionWidth::Rounded => 32,
+        ProjectionWidth::Plus(bits) => bits,
+        ProjectionWidth::Full => 33,
+    };
+    let switches = switches.into_iter().chain([p.guard as u32, bits, p.axis_shift, u32::from(p.edge_test)]);
     let words = [p.width, p.int_bits, p.transform_width].into_iter().chain(switches).map(|word| word.to_string());
     let number = |x: &Input| format!("{} {}", x.lo, u32::from(x.sticky));
     let mut lines = vec![format!("S {}", words.collect::<Vec<_>>().join(" "))];

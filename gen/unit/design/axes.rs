@@ -81,13 +81,12 @@ impl Axis {
         self.edges()[triangle]
     }
 
-    /// The vertices of triangle A (0) or B (1) that are projected under a policy; first the one that stands for
-    /// its duplicates.
+    /// The vertices of triangle A (0) or B (1) that are projected under a policy, ascending.
     pub fn projected(&self, triangle: usize, policy: Projections) -> Vec<usize> {
         match (policy, self.duplicates(triangle)) {
             (Projections::All | Projections::Intersect, _) | (_, Duplicates::None) => vec![0, 1, 2],
             (Projections::Skip, Duplicates::All) => vec![0],
-            (Projections::Skip, Duplicates::Edge(k)) => vec![k, (k + 2) % 3],
+            (Projections::Skip, Duplicates::Edge(k)) => (0..3).filter(|v| *v != (k + 1) % 3).collect(),
         }
     }
 }

@@ -20,8 +20,10 @@ xfile add ../../renormalise_scale.vhd
 xfile add ../../sign_case.vhd
 xfile add ../../interval_multiply.vhd
 xfile add ../../cross_product.vhd
+xfile add ../../axis_shift.vhd
 xfile add ../../projection.vhd
 xfile add ../../comparator_network.vhd
+xfile add ../../edge_test.vhd
 xfile add ../../pair_pipeline.vhd
 xfile add ../../efsat.vhd
 xfile add ../../efsat_stream.vhd
