@@ -12,7 +12,9 @@ use efsat::golden::{Golden, Pair, Pose};
 use efsat::graph::evaluate::Evaluator;
 use efsat::host::{Host, SceneHost};
 use efsat::mesh::Mesh;
-use efsat::params::{Axes, Bound, CLOCKS_PER_PAIR, Guard, LEVELS, Method, Params, ProjectionWidth, Projections, SPAN, Transform, Upper};
+use efsat::params::{
+    Axes, Bound, CLOCKS_PER_PAIR, Guard, LEVELS, Method, Params, ProjectionWidth, Projections, SPAN, Transform, Upper,
+};
 use efsat::scene::{Meeting, Scene};
 use rand::{SeedableRng, seq::IndexedRandom};
 use rayon::prelude::*;
@@ -136,7 +138,9 @@ fn determinants(others: &Params) -> Vec<Case> {
             });
         }
     }
-    for (width, transform_width) in [(6, 6), (6, 12), (7, 20), (12, 24), (18, 34), (18, 35), (18, 48), (19, 32), (32, 48)] {
+    for (width, transform_width) in
+        [(6, 6), (6, 12), (7, 20), (12, 24), (18, 34), (18, 35), (18, 48), (19, 32), (32, 48)]
+    {
         for (bound, clocks) in [(Bound::Moments, 1), (Bound::Products, 6)] {
             case(format!("width {width}, transform-width {transform_width}, bound {bound:?}"), &|p| {
                 (p.width, p.transform_width, p.bound, p.clocks_per_pair) = (width, transform_width, bound, clocks);

@@ -35,8 +35,21 @@ fn settings() -> Vec<(&'static str, Params)> {
         ("no renormalisation", Params { renormalise: false, ..default() }),
         ("all axes at once", Params { axes_per_clock: 11, projections: Projections::Skip, ..default() }),
         ("determinants", Params { method: Method::Determinants, ..default() }),
-        ("determinants, folded", Params { method: Method::Determinants, clocks_per_pair: 11, bound: Bound::Products, ..default() }),
-        ("determinants, wide", Params { method: Method::Determinants, width: 32, transform_width: 48, span: 3, clocks_per_pair: 2, ..default() }),
+        (
+            "determinants, folded",
+            Params { method: Method::Determinants, clocks_per_pair: 11, bound: Bound::Products, ..default() },
+        ),
+        (
+            "determinants, wide",
+            Params {
+                method: Method::Determinants,
+                width: 32,
+                transform_width: 48,
+                span: 3,
+                clocks_per_pair: 2,
+                ..default()
+            },
+        ),
         ("wide", Params { width: 32, transform_width: 48, tag_width: 64, ..default() }),
     ]
 }

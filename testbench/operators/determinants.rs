@@ -44,7 +44,8 @@ fn coordinates_are_rounded_by_the_least_shift_that_fits() {
             };
             let values: Vec<i128> = (-MOST..=MOST).collect();
             tuples(&values, 2, |x| check([0, x[0], x[1], 0, 0]));
-            let powers: Vec<i128> = [0, 1, 3, 4, 7, 8, 15, 16, 31, 32, 33, 63, 64, 75].into_iter().flat_map(|x| [x, -x]).collect();
+            let powers: Vec<i128> =
+                [0, 1, 3, 4, 7, 8, 15, 16, 31, 32, 33, 63, 64, 75].into_iter().flat_map(|x| [x, -x]).collect();
             tuples(&powers, 3, |x| check([x[0], x[1], 0, 1, x[2]]));
         }
     }

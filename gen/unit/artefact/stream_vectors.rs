@@ -241,9 +241,8 @@ pub fn one_packet(p: &Params, format: &StreamFormat, pairs: usize) -> StreamVect
 
 /// The file; without answers the testbench compares none.
 pub fn text(p: &Params, format: &StreamFormat, vectors: &StreamVectors) -> String {
-    let line = |kind: char, width: u32, word: StreamWord, last: bool| {
-        format!("{kind} {} {}", word.hex(width), u8::from(last))
-    };
+    let line =
+        |kind: char, width: u32, word: StreamWord, last: bool| format!("{kind} {} {}", word.hex(width), u8::from(last));
     let (width, answer_width) = (format.width.bits(), format.answer_width());
     let mut lines = vec![
         formats_line(p, format),

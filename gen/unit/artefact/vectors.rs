@@ -109,7 +109,9 @@ pub fn formats_line(p: &Params) -> String {
     match p.method {
         Method::Axes => {
             let axes = p.axes.count();
-            format!("efsat vectors 1: input {input} upper {upper} transform {transform} width {width} axes {axes}{guard}")
+            format!(
+                "efsat vectors 1: input {input} upper {upper} transform {transform} width {width} axes {axes}{guard}"
+            )
         }
         Method::Determinants => {
             let Params { span, levels, bound, boxes, .. } = p;

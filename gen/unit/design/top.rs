@@ -309,7 +309,8 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
         ]),
     };
     lines.push(String::new());
-    let pace = if interval == 1 { "One pair per clock".to_owned() } else { format!("One pair every {interval} clocks") };
+    let pace =
+        if interval == 1 { "One pair per clock".to_owned() } else { format!("One pair every {interval} clocks") };
     lines.push(format!("{pace}, verdict {latency} clocks after acceptance."));
     lines.extend(text(&[
         "",

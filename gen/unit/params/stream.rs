@@ -50,7 +50,7 @@ impl StreamWidth {
 }
 
 impl Choice for StreamWidth {
-    const ALL: &'static [Self] = 
+    const ALL: &'static [Self] =
         &[Self::Bits32, Self::Bits64, Self::Bits128, Self::Bits256, Self::Bits512, Self::Bits1024];
 
     fn name(self) -> &'static str {

@@ -160,7 +160,9 @@ fn faces<'l>(
     let three = |x: &[Sig<'l>]| [x[0], x[1], x[2]];
     let of_moments = || {
         let vectors = [moments.m[0], moments.m[1], moments.m[2], moments.n];
-        let norms = shared(u, "norm_of_moment", &vectors, |k, x| norm("moment_norm", x.named_at("moment_norm_x", k)).named_at("moment_norm_lane", k));
+        let norms = shared(u, "norm_of_moment", &vectors, |k, x| {
+            norm("moment_norm", x.named_at("moment_norm_x", k)).named_at("moment_norm_lane", k)
+        });
         first(&norms, false, "moment")
     };
     if p.bound == Bound::Products {

@@ -91,7 +91,8 @@ pub(super) fn coordinates<'l>(u: Top<'l>, p: &Params, differences: &Points<'l>) 
     let carried = Vec3::each(|j| carries(&scale, cut.map(|x| x[j]))).named("carried");
     let points = Points::of(cut.map(|x| rounded(&scale, x, carried))).traced("coordinate");
     let level = (scale.greatest > 0).then(|| {
-        let taken = |j: usize| word(&[shift[j].as_slice(), &[carried[j]]].concat(), &format!("taken_{}", ["x", "y", "z"][j]));
+        let taken =
+            |j: usize| word(&[shift[j].as_slice(), &[carried[j]]].concat(), &format!("taken_{}", ["x", "y", "z"][j]));
         let [x, y, z] = [0, 1, 2].map(|j| level(&scale, taken(j))).named("axis_level");
         traced(greater(greater(x, y), z).resize(Type::index(scale.greatest as usize + 1)), "level")
     });

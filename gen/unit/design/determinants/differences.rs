@@ -79,7 +79,8 @@ pub fn row<'l>(p: &Params, m: Vec3<Sig<'l>>, w: Vec3<Sig<'l>>) -> Sig<'l> {
     // The low bits of a factor that is too wide for a multiplier.
     let low_bits = (fraction + 3).saturating_sub(MULTIPLIER_BITS);
     let cut = low_bits > 0 && 2 * low_bits <= fraction;
-    let parts = format!("three products of two factors, cut at bit {low_bits}; low times low is left out, its middle added");
+    let parts =
+        format!("three products of two factors, cut at bit {low_bits}; low times low is left out, its middle added");
     let doc = [
         "One row of M times one vertex: the sum of (2 m + 1) (2 w + 1), the middles of both, rounded to the input format",
         "(section 2 of docs/determinants.md):",

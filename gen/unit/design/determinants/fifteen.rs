@@ -45,8 +45,8 @@ impl<'l> Fifteen<Sig<'l>> {
 
 /// The names of the fifteen, in a row.
 const NAMES: [&str; 15] = [
-    "plane_a0", "plane_a1", "plane_a2", "plane_b0", "plane_b1", "plane_b2", "side00", "side01", "side02", "side10", "side11",
-    "side12", "side20", "side21", "side22",
+    "plane_a0", "plane_a1", "plane_a2", "plane_b0", "plane_b1", "plane_b2", "side00", "side01", "side02", "side10",
+    "side11", "side12", "side20", "side21", "side22",
 ];
 
 /// The determinants, in units of 2^s.

@@ -78,8 +78,8 @@ fn traced<'l, B: Signals<'l>>(bundle: B, name: &str) -> B {
     bundle.named(name).probe(&[(0, false)])
 }
 
-/// What a unit makes of each job, held for the pair. There are as few units as the phases of the slot allow; unit k takes
-/// every so manieth job from the k-th on. The unit is told its number.
+/// What a unit makes of each job, held for the pair. There are as few units as the phases of the slot allow: with n of
+/// them, unit k takes the jobs k, k + n, k + 2 n and so on. The unit is told its number.
 fn shared<'l, B, R>(u: Top<'l>, name: &str, jobs: &[B], unit: impl Fn(usize, B) -> R) -> Vec<R>
 where
     B: Signals<'l>,

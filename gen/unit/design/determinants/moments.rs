@@ -7,6 +7,7 @@ use super::{Points, any_phase, constant, shared, table, traced, word};
 use crate::params::Params;
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Top, Vec3};
+use std::cell::RefCell;
 
 /// Rounded moments, in units of 2^s.
 pub(super) struct Moments<'l> {
@@ -43,15 +44,16 @@ pub(super) fn moments<'l>(u: Top<'l>, p: &Params, points: &Points<'l>) -> Moment
     let factors = [[w0, w1], [w1, w2], [w2, w0], [v1, v2]];
     let job = |[x, y]: &[Vec3<Sig<'l>>; 2], i: usize| ([x[i + 1], y[i + 2]], [x[i + 2], y[i + 1]]);
     let jobs: Vec<_> = factors.iter().flat_map(|pair| (0..3).map(move |i| job(pair, i))).collect();
-    let mut too_great: Vec<Vec<Sig<'l>>> = vec![vec![]; p.span as usize];
-    let collected = std::cell::RefCell::new(&mut too_great);
+    // What the units say in each phase of each lesser shift.
+    let too_great = RefCell::new(vec![vec![]; p.span as usize]);
     let cut = shared(u, "moment_cut", &jobs, |k, (plus, minus)| {
         let (cut, flags) = component(p, plus.named_at("moment_plus", k), minus.named_at("moment_minus", k));
-        collected.borrow_mut().iter_mut().zip(flags.named_at("moment_too_great", k)).for_each(|(all, flag)| all.push(flag));
+        let flags = flags.named_at("moment_too_great", k);
+        too_great.borrow_mut().iter_mut().zip(flags).for_each(|(of_shift, flag)| of_shift.push(flag));
         cut.named_at("moment_lane_cut", k)
     });
-    let too_great: Vec<Sig<'l>> =
-        (0..).zip(&too_great).map(|(k, flags)| any_phase(u, flags, 12, &format!("too_great_{k}"))).collect();
+    let any = |(k, flags): (usize, &Vec<Sig<'l>>)| any_phase(u, flags, jobs.len(), &format!("too_great_{k}"));
+    let too_great: Vec<Sig<'l>> = too_great.borrow().iter().enumerate().map(any).collect();
     let places = (p.span > 0).then(|| {
         // Whatever is too great for a shift is too great for all lesser ones.
         let entry = |word: u32| i128::from(word.trailing_ones());
@@ -59,7 +61,9 @@ pub(super) fn moments<'l>(u: Top<'l>, p: &Params, points: &Points<'l>) -> Moment
     });
     let shift = Shift { places, span: p.span };
     let moments: Vec<_> = cut.chunks(3).map(|x| Vec3([x[0], x[1], x[2]])).collect();
-    let moments = shared(u, "moment", &moments, |k, cut| rounded(p, cut.named_at("moment_exact", k), shift).named_at("moment_lane", k));
+    let moments = shared(u, "moment", &moments, |k, cut| {
+        rounded(p, cut.named_at("moment_exact", k), shift).named_at("moment_lane", k)
+    });
     let m = [0, 1, 2].map(|l| traced(moments[l], &format!("moment_m{l}")));
     Moments { m, n: traced(moments[3], "moment_n"), shift }
 }

@@ -12,11 +12,7 @@ use efsat_hardware::op::Type;
 pub(super) type Sign<'l> = [Sig<'l>; 2];
 
 /// The signs that are certain.
-pub(super) fn signs<'l>(
-    u: Top<'l>,
-    determinants: &Fifteen<Sig<'l>>,
-    bounds: &Fifteen<Sig<'l>>,
-) -> Fifteen<Sign<'l>> {
+pub(super) fn signs<'l>(u: Top<'l>, determinants: &Fifteen<Sig<'l>>, bounds: &Fifteen<Sig<'l>>) -> Fifteen<Sign<'l>> {
     let (xs, bounds) = (determinants.all(), bounds.all());
     let bits = |all: &[Sig<'l>], more: u32| all.iter().map(|x| x.ty().bits + more).max().unwrap_or(1);
     let number = Type { signed: true, bits: bits(&xs, 0), fraction: None };

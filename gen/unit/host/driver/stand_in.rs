@@ -2,7 +2,9 @@
 
 use super::Transfer;
 use crate::golden::{Golden, Input, Pair, Pose, Verdict};
-use crate::params::stream::{AnswerFields, BYPASS_AT, Kind, Report, StreamFormat, StreamWidth, StreamWord, TAG_AT, verdict_status};
+use crate::params::stream::{
+    AnswerFields, BYPASS_AT, Kind, Report, StreamFormat, StreamWidth, StreamWord, TAG_AT, verdict_status,
+};
 use crate::params::{ParamError, Params, Transform, Upper};
 
 /// Answers words as the wrapped unit does, to test what drives it. The state is what wrapper and unit keep: the pose.
