@@ -33,9 +33,10 @@ fn coordinates_are_rounded_by_the_least_shift_that_fits() {
                 let scale = Scale::new(&p, (-MOST, MOST));
                 let shift = axis_shift(&scale, x);
                 let all = Vec3::each(|_| shift.clone());
-                let cut = x.map(|x| shifted(&scale, Vec3::each(|_| x), all.clone())[0]).named("cut");
-                let carried = carries(&scale, cut);
-                cut.map(|cut| rounded(&scale, Vec3::each(|_| cut), Vec3::each(|_| carried))[0]).to_vec()
+                let cut = x.map(|x| shifted(&scale, Vec3::each(|_| x), all.clone())).named("cut");
+                let carried = carries(&scale, cut.map(|cut| cut[0]));
+                let y = cut.map(|cut| rounded(&scale, cut, Vec3::each(|_| carried))).named("y");
+                y.map(|y| y[0]).to_vec()
             });
             let mut check = |x: [i128; 5]| {
                 let fits = |drop: &u32| x.iter().all(|x| round(*x, *drop).abs() < reach);
