@@ -36,7 +36,8 @@ fn coordinates_are_rounded_by_the_least_shift_that_fits() {
                 let cut = x.map(|x| shifted(&scale, Vec3::each(|_| x), all.clone())).named("cut");
                 let carried = carries(&scale, cut.map(|cut| cut[0]));
                 let y = cut.map(|cut| rounded(&scale, cut, Vec3::each(|_| carried))).named("y");
-                y.map(|y| y[0]).to_vec()
+                // The results are called otherwise than what the units make.
+                y.map(|y| y[0].at_point(Some(0))).to_vec()
             });
             let mut check = |x: [i128; 5]| {
                 let fits = |drop: &u32| x.iter().all(|x| round(*x, *drop).abs() < reach);
