@@ -10,7 +10,7 @@ use super::progress;
 use super::source;
 use crate::accuracy::{self, Amount, Campaign, MOST, Plan, Progress, Request, Results, Shard, Store, sweep};
 use crate::design::Design;
-use crate::params::Params;
+use crate::params::{Method, Params};
 use clap::{Args, FromArgMatches};
 use std::path::{Path, PathBuf};
 
@@ -148,9 +148,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let base = arguments.params.params()?;
     // Every point has its hardware beside it.
-    Design::check(&base)?;
+    let check = |params: &Params| -> Result<(), Failure> {
+        has_axes(params)?;
+        Ok(Design::check(params).map(drop)?)
+    };
+    check(&base)?;
     let sweep = points(&arguments.sweep, &base)?;
-    sweep.iter().try_for_each(|params| Design::check(params).map(drop))?;
+    sweep.iter().try_for_each(check)?;
     let scene = source::load_scene(&arguments.scene)?;
     output::claimable(&arguments.out)?;
     let request = arguments.request(&scene, &base);
@@ -222,4 +226,16 @@ fn command(request: &Request, transfer: f64) -> String {
         text.push_str(" --synth");
     }
     text
+}
+
+/// Refuses the method whose stages the page does not know.
+fn has_axes(params: &Params) -> Result<(), Failure> {
+    match params.method {
+        Method::Axes => Ok(()),
+        Method::Determinants => {
+            let why =
+                "--method determinants: expected axes, whose stages the page examines; classify and compare take both";
+            Err(Failure::Usage(why.to_owned()))
+        }
+    }
 }

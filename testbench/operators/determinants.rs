@@ -33,9 +33,11 @@ fn coordinates_are_rounded_by_the_least_shift_that_fits() {
                 let scale = Scale::new(&p, (-MOST, MOST));
                 let shift = axis_shift(&scale, x);
                 let all = Vec3::each(|_| shift.clone());
-                let cut = x.map(|x| shifted(&scale, Vec3::each(|_| x), all.clone())[0]).named("cut");
-                let carried = carries(&scale, cut);
-                cut.map(|cut| rounded(&scale, Vec3::each(|_| cut), Vec3::each(|_| carried))[0]).to_vec()
+                let cut = x.map(|x| shifted(&scale, Vec3::each(|_| x), all.clone())).named("cut");
+                let carried = carries(&scale, cut.map(|cut| cut[0]));
+                let y = cut.map(|cut| rounded(&scale, cut, Vec3::each(|_| carried))).named("y");
+                // The results are called otherwise than what the units make.
+                y.map(|y| y[0].at_point(Some(0))).to_vec()
             });
             let mut check = |x: [i128; 5]| {
                 let fits = |drop: &u32| x.iter().all(|x| round(*x, *drop).abs() < reach);
@@ -58,8 +60,8 @@ fn moments_that_are_too_great_for_a_shift_are_noticed() {
         let most = (1 << (width - 1)) - 1;
         let mut unit = Bench::new(|top| {
             let input = || top.input(integer(width), (-most, most));
-            let factors = [(); 2].map(|()| [(); 2].map(|()| input())).named("x");
-            let (cut, too_great) = component(&p, factors);
+            let [plus, minus] = [(); 2].map(|()| [(); 2].map(|()| input())).named("x");
+            let (cut, too_great) = component(&p, plus, minus);
             [vec![cut], too_great].concat()
         });
         let values: Vec<i128> = (-most..=most).step_by(if width == 4 { 1 } else { 2 }).chain([0, most - 1]).collect();

@@ -2,7 +2,7 @@
 
 use efsat_geometry::scene::hierarchy::Directions;
 use efsat_unit::host::settings::{Effect, Settings, Switch};
-use efsat_unit::params::{Method, Params};
+use efsat_unit::params::Params;
 use serde::Serialize;
 
 /// Who decides on a stage.
@@ -45,11 +45,10 @@ pub struct Request {
 }
 
 impl Request {
-    /// Parameters, and the settings of a scene file; costs are wanted, where designs can be made.
+    /// Parameters, and the settings of a scene file; costs are wanted.
     pub fn new(settings: &Settings, params: Params, directions: Directions) -> Self {
         let wishes = Effect::ALL.map(|effect| settings.switches.get(effect).into());
-        let costs = params.method == Method::Axes;
-        Self { params, wishes, allowed: settings.allowed, directions, costs }
+        Self { params, wishes, allowed: settings.allowed, directions, costs: true }
     }
 
     /// Who decides on an effect.

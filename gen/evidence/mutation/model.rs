@@ -23,7 +23,7 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// and stages.
 const UNCHANGED: [&str; 4] = ["params/options.rs", "params/method.rs", "golden/stages.rs", "golden/trace.rs"];
 
-/// Sources of the other method: there is no graph to compare its answers with.
+/// Sources of the other method.
 const OTHER_METHOD: &str = "golden/determinants/";
 
 /// The sources of the reference model, as this program was built from them.

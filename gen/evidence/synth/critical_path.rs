@@ -142,6 +142,11 @@ fn follow(path: &[RawStep], names: &Names) -> CriticalPath {
         }
         routing += raw.delay;
     }
+    // Where no net of the path has a name of the design, the instance that it begins in says where it is.
+    let begins = || path.iter().find_map(|raw| raw.net.as_deref()?.strip_prefix(harness::INSTANCE)?.rsplit_once('.'));
+    if let (true, Some((place, _))) = (steps.is_empty(), begins()) {
+        steps.push(Step { signal: place.trim_start_matches('.').to_owned(), logic: 0.0, routing: 0.0 });
+    }
     steps.push(Step { signal: SETUP.to_owned(), logic, routing });
     CriticalPath { steps }
 }

@@ -104,10 +104,7 @@ pub(super) fn whole(yosys: &Tool, design: &Design, dir: &Path) -> Result<(), Too
     let (top, file) = (harness::TOP, harness::VERILOG);
     let path = dir.join(file);
     std::fs::write(&path, harness::text(&design.top)).map_err(ToolError::file(&path))?;
-    // Numbered nets of GHDL give way to the names that the design has for them.
-    let commands = format!(
-        "read_verilog {VERILOG} {file}\nrename -hide */w:n[0-9]*\nsynth_ecp5 -abc9 -top {top} -json {NETLIST}\n"
-    );
+    let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -abc9 -top {top} -json {NETLIST}\n");
     yosys::run(yosys, "whole", &commands, dir)?;
     product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED))
 }

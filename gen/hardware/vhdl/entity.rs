@@ -155,7 +155,9 @@ impl Printer<'_, '_> {
                 format!("constant {} : std_logic_vector(0 to {last}) := \"{bits}\";", table.name)
             } else {
                 let entries: Vec<String> = table.entries.iter().map(ToString::to_string).collect();
-                format!("constant {} : numbers_t(0 to {last}) := ({});", table.name, entries.join(", "))
+                // A long one in rows.
+                let rows: Vec<String> = entries.chunks(32).map(|row| row.join(", ")).collect();
+                format!("constant {} : numbers_t(0 to {last}) := ({});", table.name, rows.join(",\n    "))
             };
             all.push(Declaration { text, comment: String::new() });
         }

@@ -171,16 +171,21 @@ impl<'a> Maker<'a> {
         self.report(Report::UnknownHeader);
         self.send(self.header(Kind::Pairs));
         self.report(Report::TooShort);
-        // A pair, and then another that lacks its last word.
-        let mut words = self.header(Kind::Pairs);
-        words.extend(self.pair(pair, false));
-        words.extend_from_within(1..words.len() - 1);
-        self.send(words);
-        self.report(Report::TooShort);
+        let several = record.len() > 1;
+        if several {
+            // A pair, and then another that lacks its last word.
+            let mut words = self.header(Kind::Pairs);
+            words.extend(self.pair(pair, false));
+            words.extend_from_within(1..words.len() - 1);
+            self.send(words);
+            self.report(Report::TooShort);
+        }
         // A pair that lacks a byte, in its last word and elsewhere; a header that does.
         let words = [self.header(Kind::Pairs), record.clone()].concat();
         let size = words.len();
-        for (from_end, report) in [(0, Report::TooShort), (1, Report::TooShort), (size - 1, Report::UnknownHeader)] {
+        let mut lacking = vec![(0, Report::TooShort), (size - 1, Report::UnknownHeader)];
+        lacking.extend(several.then_some((1, Report::TooShort)));
+        for (from_end, report) in lacking {
             self.send(words.clone());
             self.lacks_byte(from_end);
             self.report(report);

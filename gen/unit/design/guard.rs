@@ -122,7 +122,11 @@ impl<'l, 'p> Guards<'l, 'p> {
             all.push(all_phases.capture(interval - 1, false).named("outside_in_phases"));
         }
         let comment = "a number of the pair or its pose is outside its declared range";
-        (!all.is_empty()).then(|| any(&all).named("outside").comment(comment))
+        let flags = |all: &[Sig<'l>]| match all {
+            [one] => *one,
+            _ => all[0].below(&all[1..]).named("outside_flags").any(),
+        };
+        (!all.is_empty()).then(|| flags(&all).named("outside").comment(comment))
     }
 }
 

@@ -3,7 +3,7 @@
 use super::coordinates::{Coordinates, Level, by_number};
 use super::fifteen::Fifteen;
 use super::moments::{Moments, Shift};
-use super::{Points, constant, shared, table};
+use super::{Points, constant, shared};
 use crate::params::{Bound, Params};
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Top, Vec3};
@@ -53,47 +53,42 @@ pub(super) fn bounds<'l>(
     let vectors = [v[0], v[1], e_a1, w[0], w[1], w[2], e_b[0], e_b[1], e_b[2]].map(wide);
     let all = shared(u, "norm", &vectors, |k, x| norm("vector_norm", x.named_at("norm_x", k)).named_at("norm_lane", k));
     let lengths = Lengths { v: [all[0], all[1]], a: all[2], w: [all[3], all[4], all[5]], b: [all[6], all[7], all[8]] };
-    let rest = by_level_and_shift(u, p, level, shift, |level, h| 8 << (h + 3 + 2 * level.saturating_sub(2)));
-    let rest = rest.named("rest").comment("c(3); four times that is c(5)");
+    let rest = by_level_times_2_h(u, level, shift, "rest", |level| c(3, level)).named("rest");
+    let rest = rest.comment("c(3); four times that is c(5)");
     let tails = tails(&lengths, rest);
     let faces = faces(u, p, &Edges { points: coordinates.points, e_a1, e_b }, &lengths, moments, level);
     sums(&faces, &tails).traced("bound")
 }
 
-/// A table of the level and of h.
-fn by_level_and_shift<'l>(
+/// A number for each level, times 2^h.
+fn by_level_times_2_h<'l>(
     u: Top<'l>,
-    p: &Params,
     level: Level<'l>,
     shift: Shift<'l>,
-    entry: impl Fn(u32, u32) -> i128,
+    name: &str,
+    entry: impl Fn(u32) -> i128,
 ) -> Sig<'l> {
-    let h = |places: u32| p.span + 1 - places.min(p.span);
-    let entry_at = |word: u32| {
-        let bits = shift.places.map_or(0, |places| places.ty().bits);
-        let (places, level_at) = (word & ((1 << bits) - 1), word >> bits);
-        entry(level_at.min(level.most), h(places))
-    };
-    let index: Vec<Sig<'l>> = shift.places.into_iter().chain(level.signal).collect();
-    match index.split_first() {
-        None => constant(u, entry(0, h(0))),
-        Some((first, others)) => {
-            let index = first.below(others);
-            table(index, (0..1 << index.ty().bits).map(entry_at).collect())
-        }
+    if level.signal.is_none() {
+        return by_number(shift.places, |places| constant(u, entry(0) << shift.h(places)), shift.span);
     }
+    let of_level = by_number(level.signal, |level| constant(u, entry(level)), level.most);
+    shift.times_g(of_level.named(&format!("{name}_of_level")).floor(-1))
+}
+
+/// c(k) without its factor of 2^h.
+fn c(k: u32, level: u32) -> i128 {
+    8 << (k + 2 * level.saturating_sub(2))
 }
 
 /// The bounds from level and shift alone.
 fn fixed<'l>(u: Top<'l>, p: &Params, level: Level<'l>, shift: Shift<'l>) -> Fifteen<Sig<'l>> {
     let r = 1 << (p.width - 1);
-    let of = |faces: i128, edges: i128, k: u32| {
-        by_level_and_shift(u, p, level, shift, |level, h| {
-            let first = faces * ((r << h) >> 2);
-            4 * first + (first << level) + edges * r + (8 << (h + k + 2 * level.saturating_sub(2)))
-        })
+    // F(faces q) + edges R + c(k), where q is R 2^h / 4.
+    let of = |name: &str, faces: i128, edges: i128, k: u32| {
+        let first = |level: u32| faces * (r >> 2) * (4 + (1 << level));
+        by_level_times_2_h(u, level, shift, name, |level| first(level) + c(k, level)) + constant(u, edges * r)
     };
-    let (three, four) = (of(12, 12, 3), of(48, 48, 5));
+    let (three, four) = (of("bound_of_3", 12, 12, 3), of("bound_of_4", 48, 48, 5));
     Fifteen { plane_a: [three; 3], plane_b: [three, four, four], side: [[three; 3], [four; 3], [three; 3]] }
 }
 

@@ -91,8 +91,9 @@ pub(super) fn coordinates<'l>(u: Top<'l>, p: &Params, differences: &Points<'l>) 
     let carried = Vec3::each(|j| carries(&scale, cut.map(|x| x[j]))).named("carried");
     let points = Points::of(cut.map(|x| rounded(&scale, x, carried))).traced("coordinate");
     let level = (scale.greatest > 0).then(|| {
-        let of = |j: usize| level(&scale, [shift[j].as_slice(), &[carried[j]]].concat());
-        let [x, y, z] = [0, 1, 2].map(of).named("axis_level");
+        let taken =
+            |j: usize| word(&[shift[j].as_slice(), &[carried[j]]].concat(), &format!("taken_{}", ["x", "y", "z"][j]));
+        let [x, y, z] = [0, 1, 2].map(|j| level(&scale, taken(j))).named("axis_level");
         traced(greater(greater(x, y), z).resize(Type::index(scale.greatest as usize + 1)), "level")
     });
     Coordinates { points, level: Level { signal: level, most: scale.greatest } }
@@ -169,8 +170,8 @@ pub fn rounded<'l>(scale: &Scale, cut: Vec3<Sig<'l>>, carried: Vec3<Sig<'l>>) ->
     })
 }
 
-/// The error level of an axis, from the flags of its shift and whether it carries.
-fn level<'l>(scale: &Scale, flags: Vec<Sig<'l>>) -> Sig<'l> {
+/// The error level of an axis, from the flags of its shift and whether it carries, side by side.
+fn level<'l>(scale: &Scale, taken: Sig<'l>) -> Sig<'l> {
     let steps = scale.steps();
     let entry = |word: u32| {
         let taken = steps.iter().enumerate().filter(|(i, _)| word >> i & 1 == 1);
@@ -178,5 +179,5 @@ fn level<'l>(scale: &Scale, flags: Vec<Sig<'l>>) -> Sig<'l> {
         let dropped = scale.most + carried - taken.map(|(_, step)| step).sum::<u32>();
         i128::from(scale.fine.saturating_sub(dropped).min(scale.greatest))
     };
-    table(word(&flags), (0..1 << flags.len()).map(entry).collect())
+    table(taken, (0..2 << steps.len()).map(entry).collect())
 }

@@ -78,8 +78,8 @@ fn traced<'l, B: Signals<'l>>(bundle: B, name: &str) -> B {
     bundle.named(name).probe(&[(0, false)])
 }
 
-/// What a unit makes of each job, held for the pair. There are as few units as the phases of the slot allow; unit k takes
-/// every so manieth job from the k-th on. The unit is told its number.
+/// What a unit makes of each job, held for the pair. There are as few units as the phases of the slot allow: with n of
+/// them, unit k takes the jobs k, k + n, k + 2 n and so on. The unit is told its number.
 fn shared<'l, B, R>(u: Top<'l>, name: &str, jobs: &[B], unit: impl Fn(usize, B) -> R) -> Vec<R>
 where
     B: Signals<'l>,
@@ -118,7 +118,7 @@ fn table<'l>(index: Sig<'l>, entries: Vec<i128>) -> Sig<'l> {
     index.lookup(entries, Type::unsigned((128 - most.leading_zeros()).max(1)))
 }
 
-/// Flags as a number, the first in the lowest bit.
-fn word<'l>(flags: &[Sig<'l>]) -> Sig<'l> {
-    flags[0].below(&flags[1..])
+/// Numbers side by side as one of that name, the first in the lowest bits: an index of a table.
+fn word<'l>(parts: &[Sig<'l>], name: &str) -> Sig<'l> {
+    if let [one] = parts { *one } else { parts[0].below(&parts[1..]).named(name) }
 }

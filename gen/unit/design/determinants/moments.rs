@@ -7,6 +7,7 @@ use super::{Points, any_phase, constant, shared, table, traced, word};
 use crate::params::Params;
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Top, Vec3};
+use std::cell::RefCell;
 
 /// Rounded moments, in units of 2^s.
 pub(super) struct Moments<'l> {
@@ -26,9 +27,14 @@ pub(super) struct Shift<'l> {
 }
 
 impl<'l> Shift<'l> {
-    /// x 2^(h-1): h = N + 1 - s.
+    /// h at k places: N + 1 - s.
+    pub fn h(self, places: u32) -> u32 {
+        self.span + 1 - places
+    }
+
+    /// x 2^(h-1).
     pub fn times_g(self, x: Sig<'l>) -> Sig<'l> {
-        by_number(self.places, |k| x.floor(k as i32 - self.span as i32), self.span)
+        by_number(self.places, |places| x.floor(1 - self.h(places) as i32), self.span)
     }
 }
 
@@ -36,25 +42,22 @@ impl<'l> Shift<'l> {
 pub(super) fn moments<'l>(u: Top<'l>, p: &Params, points: &Points<'l>) -> Moments<'l> {
     let Points { v: [v1, v2], w: [w0, w1, w2] } = *points;
     let factors = [[w0, w1], [w1, w2], [w2, w0], [v1, v2]];
-    let job = |[x, y]: &[Vec3<Sig<'l>>; 2], i: usize| [[x[i + 1], y[i + 2]], [x[i + 2], y[i + 1]]];
+    let job = |[x, y]: &[Vec3<Sig<'l>>; 2], i: usize| ([x[i + 1], y[i + 2]], [x[i + 2], y[i + 1]]);
     let jobs: Vec<_> = factors.iter().flat_map(|pair| (0..3).map(move |i| job(pair, i))).collect();
-    let mut too_great: Vec<Vec<Sig<'l>>> = vec![vec![]; p.span as usize];
-    let collected = std::cell::RefCell::new(&mut too_great);
-    let cut = shared(u, "moment_cut", &jobs, |k, factors| {
-        let (cut, flags) = component(p, factors.named_at("moment_factor", k));
-        collected
-            .borrow_mut()
-            .iter_mut()
-            .zip(flags.named_at("moment_too_great", k))
-            .for_each(|(all, flag)| all.push(flag));
+    // What the units say in each phase of each lesser shift.
+    let too_great = RefCell::new(vec![vec![]; p.span as usize]);
+    let cut = shared(u, "moment_cut", &jobs, |k, (plus, minus)| {
+        let (cut, flags) = component(p, plus.named_at("moment_plus", k), minus.named_at("moment_minus", k));
+        let flags = flags.named_at("moment_too_great", k);
+        too_great.borrow_mut().iter_mut().zip(flags).for_each(|(of_shift, flag)| of_shift.push(flag));
         cut.named_at("moment_lane_cut", k)
     });
-    let too_great: Vec<Sig<'l>> =
-        (0..).zip(&too_great).map(|(k, flags)| any_phase(u, flags, 12, &format!("too_great_{k}"))).collect();
+    let any = |(k, flags): (usize, &Vec<Sig<'l>>)| any_phase(u, flags, jobs.len(), &format!("too_great_{k}"));
+    let too_great: Vec<Sig<'l>> = too_great.borrow().iter().enumerate().map(any).collect();
     let places = (p.span > 0).then(|| {
         // Whatever is too great for a shift is too great for all lesser ones.
         let entry = |word: u32| i128::from(word.trailing_ones());
-        traced(table(word(&too_great), (0..1 << p.span).map(entry).collect()), "places")
+        traced(table(word(&too_great, "all_too_great"), (0..1 << p.span).map(entry).collect()), "places")
     });
     let shift = Shift { places, span: p.span };
     let moments: Vec<_> = cut.chunks(3).map(|x| Vec3([x[0], x[1], x[2]])).collect();
@@ -66,15 +69,14 @@ pub(super) fn moments<'l>(u: Top<'l>, p: &Params, points: &Points<'l>) -> Moment
 }
 
 /// One component of a moment, c = x y - x' y', and for each lesser shift whether it is too great for it.
-pub fn component<'l>(p: &Params, factors: [[Sig<'l>; 2]; 2]) -> (Sig<'l>, Vec<Sig<'l>>) {
+pub fn component<'l>(p: &Params, plus: [Sig<'l>; 2], minus: [Sig<'l>; 2]) -> (Sig<'l>, Vec<Sig<'l>>) {
     let (n, span) = (p.width, p.span);
     let doc = [
         "One component of a moment, c = x y - x' y', without the bits that no shift keeps; one is left to round by.",
         "too_great(k): round(c, N - span + k) is not in [-R, R - 1].",
     ];
-    entity!("moment_component", &doc, (factors) => {
-        let [[x, y], [z, w]] = factors;
-        let exact = (product(x, y) - product(z, w)).bits(2 * n).named("exact");
+    entity!("moment_component", &doc, (plus, minus) => {
+        let exact = (product(plus[0], plus[1]) - product(minus[0], minus[1])).bits(2 * n).named("exact");
         let too_great = |k: u32| {
             let cut = exact.floor((n - span + k) as i32 - 1);
             // Rounding adds 1 to this, and it carries into the bits above N where all below are set.

@@ -133,7 +133,7 @@ pub(super) fn verdict<'l>(
     ];
     let flags = (separated.clone(), overlapping.clone());
     let verdict = entity!("pair_verdict", &doc, (separated, overlapping) => {
-        let five_missed = table(word(&separated[3..]), (0..64u32).map(|x| i128::from(x.count_ones() >= 5)).collect());
+        let five_missed = table(word(&separated[3..], "edges_missed"), (0..64u32).map(|x| i128::from(x.count_ones() >= 5)).collect());
         let separate = (any(&separated[..3]) | five_missed.named("five_missed")).named("separate");
         let intersect = !separate & any(&overlapping[3..]);
         intersect.named("intersects").below(&[!separate & !intersect]).named("verdict")
