@@ -8,7 +8,7 @@ use efsat::netlist::lower::Lowering;
 use efsat::netlist::{Driver, Module, Signal, SignalId};
 use efsat::params::Params;
 use efsat::schedule::Scheduler;
-use efsat::vhdl;
+use efsat::vhdl::{self, generated_instance};
 use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::rc::Rc;
@@ -130,14 +130,10 @@ impl Subject {
     }
 }
 
-/// What GHDL calls an instance: in a loop the iterations are n1, n2, ...
+/// What GHDL calls an instance, printed apart or in a generate statement.
 fn label(text: &str, place: &Place) -> String {
-    match place.path.split_last() {
-        Some((Step::Index(i) | Step::Component(i), rest)) if !text.contains(&format!("  {place} : entity ")) => {
-            format!("{}_n{}_unit", Place { path: rest.to_vec(), ..place.clone() }, i + 1)
-        }
-        _ => place.to_string(),
-    }
+    let apart = text.contains(&format!("  {place} : entity "));
+    generated_instance(place).filter(|_| !apart).unwrap_or_else(|| place.to_string())
 }
 
 /// An entity with a port for each number of a unit, which GHDL connects with the elements of the unit's ports.

@@ -3,11 +3,12 @@
 //! Yosys names a net without a name after what it leads to (`a_max_hi_LUT4_Z_17_D`), so a net belongs to the signal of
 //! the design whose name is the longest beginning of its own; GHDL's numbered nets belong to none and are part of the
 //! way to the next. A bundle that is printed as a record or an array is one net; an instance in a generate statement has
-//! the statement's label and its index in its name.
+//! the statement's label and the iteration, counted from one, in its name.
 
 use super::harness;
 use efsat_hardware::graph::{Place, Step as PathStep};
 use efsat_hardware::netlist::Module;
+use efsat_hardware::vhdl::generated_instance;
 use serde::Deserialize;
 use std::collections::HashMap;
 
@@ -77,14 +78,9 @@ impl Names {
             }
             for instance in &module.instances {
                 let place = &instance.place;
-                let indices = place.path.iter().filter_map(|step| match step {
-                    PathStep::Index(i) | PathStep::Component(i) => Some(format!("_n{i}_unit")),
-                    PathStep::Field(..) | PathStep::Beside(_) => None,
-                });
                 let label = place.to_string();
-                let folded = format!("{}{}", fields(place), indices.collect::<String>());
                 let short = label.strip_suffix("_unit").unwrap_or(&label);
-                for net in [&label, &folded] {
+                for net in generated_instance(place).iter().chain([&label]) {
                     collect(&instance.module, &format!("{nets}{net}."), &format!("{prefix}{short}."), names);
                 }
             }
@@ -178,8 +174,9 @@ mod tests {
         let params = Params::default();
         let names = Names::new(&Design::new(&params, Probes::None).unwrap().top);
         let signal = |net: &str| names.signal(net);
-        assert_eq!(signal("unit.path.p_unit_n1_unit.exact[12]").as_deref(), Some("path.p1.exact"));
-        let part = "unit.path.p_unit_n1_unit.term_unit_n2_unit.p_lo";
+        assert_eq!(signal("unit.path.p_unit_n1_unit.exact[12]").as_deref(), Some("path.p0.exact"));
+        assert_eq!(signal("unit.path.p_unit_n2_unit.exact[12]").as_deref(), Some("path.p1.exact"));
+        let part = "unit.path.p_unit_n2_unit.term_unit_n3_unit.p_lo";
         assert_eq!(signal(part).as_deref(), Some("path.p1.term_z.p_lo"));
     }
 

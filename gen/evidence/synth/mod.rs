@@ -187,7 +187,7 @@ pub fn predict(params: &Params, flow: Flow) -> Result<Report, SynthError> {
 /// What the model and the schedule say, beside the counts of a netlist.
 fn modelled(design: &Design, flow: Flow, netlist: Option<&Netlist>) -> Report {
     let counted_for = flow.device(design.device);
-    let (ns, end) = &design.schedule.critical;
+    let (megahertz, end) = design.clock();
     Report {
         flow,
         counted_for,
@@ -195,7 +195,7 @@ fn modelled(design: &Design, flow: Flow, netlist: Option<&Netlist>) -> Report {
         top: units::tree(design, counted_for, netlist.map(|netlist| (netlist, flow))),
         interval: design.interval,
         latency: design.latency,
-        scheduled: (1000.0 / (ns + design.device.setup()), end.clone()),
+        scheduled: (megahertz, end.to_owned()),
         timing: None,
         routed: None,
     }

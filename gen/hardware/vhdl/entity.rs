@@ -5,6 +5,7 @@ use super::package::FUNCTIONS;
 use super::shape::{Object, Shape, Types};
 use super::view::View;
 use crate::expression::{Expression, Index, Name, Sub, loop_variable};
+use crate::graph::{Place, Step};
 use crate::netlist::{Driver, Signal, SignalId};
 use crate::op::Range;
 use askama::Template;
@@ -437,6 +438,13 @@ impl Printer<'_, '_> {
             Statement::If(..) => panic!("a flag governs registers alone"),
         }
     }
+}
+
+/// What GHDL calls an instance inside a generate statement over the last index of its name: it counts the iterations from
+/// one. Nothing for a name that does not end in an index.
+pub fn generated_instance(place: &Place) -> Option<String> {
+    let (Step::Index(i) | Step::Component(i), rest) = place.path.split_last()? else { return None };
+    Some(format!("{}_n{}_unit", Place { path: rest.to_vec(), ..place.clone() }, i + 1))
 }
 
 /// The label of a loop: after the first thing in it.

@@ -11,6 +11,7 @@ mod package;
 mod shape;
 mod view;
 
+pub use entity::generated_instance;
 pub use names::Clash;
 
 use crate::netlist::Module;

@@ -1,6 +1,6 @@
 //! The determinant unit: a pair decided by the signs of fifteen determinants (docs/determinants.md).
 //!
-//! One file per section of that page: [`differences`], [`coordinates`], [`moments`], [`fifteen`], [`bounds`], [`verdict`].
+//! One file per section of that page: [`differences`], [`coordinates`], [`moments`], `fifteen`, `bounds`, `verdict`.
 //! Every stage is shared over the phases of the slot by itself: its units take their jobs one after the other, and what
 //! they make is held for the pair.
 

@@ -176,7 +176,8 @@ impl<'a> Job<'a> {
         let tags = u64::MAX.checked_shr(64 - self.driver.format.tag_width).unwrap_or(0);
         let mut verdicts = vec![];
         for (at, transfer) in answers.iter().enumerate().take(due) {
-            let answer = self.driver.unpack(transfer.data).ok_or(DriverError::Word { at, data: transfer.data })?;
+            let answer =
+                self.driver.unpack(transfer.data).ok_or(DriverError::Word { at, data: Box::new(transfer.data) })?;
             // The answer to the pose comes first, in a packet of its own.
             let pose = at < due - sent;
             let last = pose || at + 1 == due;

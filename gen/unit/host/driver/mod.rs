@@ -64,15 +64,15 @@ pub enum Answer {
 }
 
 /// What cannot be sent, or came back and is no answer to what was sent.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum DriverError {
     /// A word that no unit of this design sends.
-    #[error("found {data:#x} as answer {at}, which no unit of this design sends")]
+    #[error("found {:#x} as answer {at}, which no unit of this design sends", **data)]
     Word {
         /// Number of the answer, from 0.
         at: usize,
         /// The word.
-        data: StreamWord,
+        data: Box<StreamWord>,
     },
     /// The unit found a packet malformed, or reported something else than expected.
     #[error("the unit reports {report:?} as answer {at}")]
