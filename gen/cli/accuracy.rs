@@ -85,7 +85,7 @@ fn nanoseconds(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(legal).ok_or_else(|| "expected a number of nanoseconds from 0 to 1e12".to_owned())
 }
 
-fn shard(text: &str) -> Result<Shard, String> {
+pub(super) fn shard(text: &str) -> Result<Shard, String> {
     let parts = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
     let legal = |(index, count): &(usize, usize)| (1..=*count).contains(index) && *count <= 10_000;
     let found = parts.filter(legal).map(|(index, count)| Shard { index, count });
@@ -93,7 +93,7 @@ fn shard(text: &str) -> Result<Shard, String> {
 }
 
 /// The parameters of every point of a sweep around `base`.
-fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> {
+pub(super) fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> {
     let names: Vec<&str> = Params::OPTIONS.iter().map(|option| option.name).collect();
     let wrong = |e: sweep::SweepError| Failure::Usage(format!("--sweep: {e}"));
     let combinations = sweep::parse(spec, &names).map_err(wrong)?;
