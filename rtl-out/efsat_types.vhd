@@ -182,8 +182,17 @@ package body efsat_types is
     end if;
   end function flag;
 
+  function longer(a, b : natural) return natural is
+  begin
+    if a > b then
+      return a;
+    else
+      return b;
+    end if;
+  end function longer;
+
   function less(x, y : signed) return std_logic is
-    variable difference : signed(x'length downto 0);
+    variable difference : signed(longer(x'length, y'length) downto 0);
   begin
     difference := resize(x, difference'length) - resize(y, difference'length);
     return difference(difference'high);

@@ -74,8 +74,17 @@ package body {{ name }} is
   end function flag;
 {% endif %}
 {%- if functions.contains("less") %}
+  function longer(a, b : natural) return natural is
+  begin
+    if a > b then
+      return a;
+    else
+      return b;
+    end if;
+  end function longer;
+
   function less(x, y : signed) return std_logic is
-    variable difference : signed(x'length downto 0);
+    variable difference : signed(longer(x'length, y'length) downto 0);
   begin
     difference := resize(x, difference'length) - resize(y, difference'length);
     return difference(difference'high);
