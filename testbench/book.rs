@@ -40,15 +40,16 @@ fn prose(text: &str) -> Vec<&str> {
     lines
 }
 
-/// A line without what stands between backticks.
-fn without_code(line: &str) -> String {
-    line.split('`').step_by(2).collect()
+/// A paragraph without what stands between backticks.
+fn without_code(paragraph: &str) -> String {
+    paragraph.split('`').step_by(2).collect()
 }
 
-/// Targets of the links and pictures of a page. A link may go on in the next line, so lines are joined.
+/// Targets of the links and pictures of a page. Links and code may go on in the next line of a paragraph.
 fn targets(text: &str) -> Vec<String> {
-    let prose: Vec<String> = prose(text).into_iter().map(without_code).collect();
-    let prose = prose.join("\n");
+    let prose = prose(text).join("\n");
+    let paragraphs: Vec<String> = prose.split("\n\n").map(without_code).collect();
+    let prose = paragraphs.join("\n\n");
     let ends = prose.split("](").skip(1);
     ends.map(|rest| rest.split(')').next().unwrap().trim().to_owned()).collect()
 }
