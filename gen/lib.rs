@@ -38,7 +38,7 @@
 //!   campaigns that check the rest;
 //! * [`cli`]: one file per command.
 //!
-//! The README with the command line follows.
+//! The README follows; the pages that it names are in `docs/`.
 #![doc = include_str!("../README.md")]
 
 pub mod cli;

@@ -4,6 +4,7 @@
 mod accuracy;
 mod agreement;
 mod baseline;
+mod book;
 mod cli;
 mod compare;
 mod diagrams;
