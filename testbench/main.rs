@@ -18,6 +18,7 @@ mod proofs;
 mod protocol;
 mod scenes;
 mod schedule;
+mod soak;
 mod stream;
 mod stress;
 mod strict;

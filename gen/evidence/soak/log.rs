@@ -8,6 +8,9 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
+/// How every line begins.
+const BEGINNING: &str = "{\"question\":";
+
 #[derive(Serialize, Deserialize)]
 struct Line {
     question: String,
@@ -89,6 +92,12 @@ impl Log {
             }
             blocks.insert(line.block, line.result);
         }
+        // Only what is the beginning of a line of ours is cut away.
+        let rest = &text[whole..];
+        if !(rest.starts_with(BEGINNING) || BEGINNING.starts_with(rest)) {
+            let found = "something else than JSON".to_owned();
+            return Err(LogError::Line { path: path.to_owned(), line: text[..whole].lines().count() + 1, found });
+        }
         file.set_len(whole as u64).and_then(|()| file.seek(SeekFrom::End(0))).map_err(at)?;
         Ok(Self { path: path.to_owned(), file, question, blocks })
     }
@@ -153,6 +162,9 @@ mod tests {
         std::fs::write(&path, "{}\n").unwrap();
         let message = open("q").unwrap_err();
         assert!(message.contains("line 1: found missing field `question`"), "{message}");
+        std::fs::write(&path, "mine").unwrap();
+        assert!(open("q").unwrap_err().contains("line 1: found something else"));
+        assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");
         let message = Log::open(dir.path(), "q".to_owned()).map(drop).unwrap_err().to_string();
         assert!(message.contains("irectory"), "{message}");
     }
