@@ -20,7 +20,7 @@ package {{ name }} is
 {%- endif %}
 {%- if functions.contains("less") %}
 
-  -- Whether x < y: the sign of the difference.
+  -- Whether x < y, two numbers of one length: the sign of the difference.
   function less(x, y : signed) return std_logic;
 {%- endif %}
 {%- if functions.contains("choose") %}
@@ -74,17 +74,8 @@ package body {{ name }} is
   end function flag;
 {% endif %}
 {%- if functions.contains("less") %}
-  function longer(a, b : natural) return natural is
-  begin
-    if a > b then
-      return a;
-    else
-      return b;
-    end if;
-  end function longer;
-
   function less(x, y : signed) return std_logic is
-    variable difference : signed(longer(x'length, y'length) downto 0);
+    variable difference : signed(x'length downto 0);
   begin
     difference := resize(x, difference'length) - resize(y, difference'length);
     return difference(difference'high);

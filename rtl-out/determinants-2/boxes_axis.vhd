@@ -56,22 +56,23 @@ begin
   clock_1 : process (clk)
   begin
     if rising_edge(clk) then
-      a_above_and_and_and_and_and_and_and_d1 <= less(w_sum(0), to_signed(0, 18)) and less(w_sum(0), v(0));
-      a_above_and_and_and_and_and_and_less_d1 <= less(w_sum(0), v(1));
-      a_above_and_and_and_and_and_less_d1 <= less(w_sum(1), to_signed(0, 18));
-      a_above_and_and_and_and_less_d1 <= less(w_sum(1), v(0));
-      a_above_and_and_and_less_d1 <= less(w_sum(1), v(1));
-      a_above_and_and_less_d1 <= less(w_sum(2), to_signed(0, 18));
-      a_above_and_less_d1 <= less(w_sum(2), v(0));
-      a_above_less_d1 <= less(w_sum(2), v(1));
-      b_above_and_and_and_and_and_and_and_d1 <= less(constant_sum, w(0)) and less(constant_sum, w(1));
-      b_above_and_and_and_and_and_and_less_d1 <= less(constant_sum, w(2));
-      b_above_and_and_and_and_and_less_d1 <= less(v_sum(0), w(0));
-      b_above_and_and_and_and_less_d1 <= less(v_sum(0), w(1));
-      b_above_and_and_and_less_d1 <= less(v_sum(0), w(2));
-      b_above_and_and_less_d1 <= less(v_sum(1), w(0));
-      b_above_and_less_d1 <= less(v_sum(1), w(1));
-      b_above_less_d1 <= less(v_sum(1), w(2));
+      a_above_and_and_and_and_and_and_and_d1 <= less(w_sum(0), to_signed(0, 19)) and less(w_sum(0), resize(v(0), 19));
+      a_above_and_and_and_and_and_and_less_d1 <= less(w_sum(0), resize(v(1), 19));
+      a_above_and_and_and_and_and_less_d1 <= less(w_sum(1), to_signed(0, 19));
+      a_above_and_and_and_and_less_d1 <= less(w_sum(1), resize(v(0), 19));
+      a_above_and_and_and_less_d1 <= less(w_sum(1), resize(v(1), 19));
+      a_above_and_and_less_d1 <= less(w_sum(2), to_signed(0, 19));
+      a_above_and_less_d1 <= less(w_sum(2), resize(v(0), 19));
+      a_above_less_d1 <= less(w_sum(2), resize(v(1), 19));
+      b_above_and_and_and_and_and_and_and_d1 <= less(constant_sum, resize(w(0), 19)) and
+          less(constant_sum, resize(w(1), 19));
+      b_above_and_and_and_and_and_and_less_d1 <= less(constant_sum, resize(w(2), 19));
+      b_above_and_and_and_and_and_less_d1 <= less(v_sum(0), resize(w(0), 19));
+      b_above_and_and_and_and_less_d1 <= less(v_sum(0), resize(w(1), 19));
+      b_above_and_and_and_less_d1 <= less(v_sum(0), resize(w(2), 19));
+      b_above_and_and_less_d1 <= less(v_sum(1), resize(w(0), 19));
+      b_above_and_less_d1 <= less(v_sum(1), resize(w(1), 19));
+      b_above_less_d1 <= less(v_sum(1), resize(w(2), 19));
     end if;
   end process clock_1;
   a_above <= a_above_and_and_and_and_and_and_and_d1 and a_above_and_and_and_and_and_and_less_d1 and

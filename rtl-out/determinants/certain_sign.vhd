@@ -20,6 +20,6 @@ architecture rtl of certain_sign is
 begin
   -- Clock 0
   sign1_sum <= resize(x, 42) + resize(bound, 42);
-  sign(0) <= less(bound, x);
+  sign(0) <= less(resize(bound, 41), x);
   sign(1) <= sign1_sum(41);
 end architecture rtl;

@@ -154,7 +154,7 @@ package efsat_types is
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
 
-  -- Whether x < y: the sign of the difference.
+  -- Whether x < y, two numbers of one length: the sign of the difference.
   function less(x, y : signed) return std_logic;
 
   -- One of two values by a flag.
@@ -186,17 +186,8 @@ package body efsat_types is
     end if;
   end function flag;
 
-  function longer(a, b : natural) return natural is
-  begin
-    if a > b then
-      return a;
-    else
-      return b;
-    end if;
-  end function longer;
-
   function less(x, y : signed) return std_logic is
-    variable difference : signed(longer(x'length, y'length) downto 0);
+    variable difference : signed(x'length downto 0);
   begin
     difference := resize(x, difference'length) - resize(y, difference'length);
     return difference(difference'high);
