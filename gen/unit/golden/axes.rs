@@ -2,7 +2,9 @@
 
 use std::fmt;
 
-use super::interval::{Mantissa, Rounding, Triple, Vector, Wide, cross_component, difference, negated, three};
+use super::interval::{
+    Mantissa, Rounding, Triple, Vector, Wide, cross_component, difference, hull, negated, shifted, three,
+};
 use super::{Exact, Stage};
 use crate::params::{Axes, AxisKind, Params};
 
@@ -122,6 +124,7 @@ impl AxisUnit {
     }
 
     /// Indices around.
+    #[inline(always)]
     pub fn edges<M: Mantissa>(&self, [a, b]: &[Triple<M>; 2]) -> Edges<M> {
         let edge = |x: &Triple<M>, k: usize, rounding: Rounding| {
             three(|i| rounding.apply(difference(x[(k + 1) % 3][i].clone(), x[k][i].clone())))
@@ -130,30 +133,35 @@ impl AxisUnit {
     }
 
     /// n_A and n_B; X2 - X0 is the negated edge e_X2.
+    #[inline(always)]
     pub fn normals<W: Wide>(&self, edges: &Edges<W::Mantissa>) -> Normals<W::Mantissa> {
-        let normal =
-            |e: &Triple<W::Mantissa>, rounding| self.cross::<W>(&e[0], &three(|i| negated(e[2][i].clone())), rounding);
+        let normal = |e: &Triple<W::Mantissa>, rounding: Rounding| {
+            self.cross::<W>(&e[0], &three(|i| negated(e[2][i].clone())), rounding)
+        };
         Normals { a: normal(&edges.a, self.normal_a), b: normal(&edges.b, self.normal_b) }
     }
 
     /// The direction of one axis.
+    #[inline(always)]
     pub fn axis<W: Wide>(
         &self,
         axis: Axis,
         edges: &Edges<W::Mantissa>,
         normals: &Normals<W::Mantissa>,
     ) -> Vector<W::Mantissa> {
-        match axis {
-            Axis::NormalA => normals.a.clone(),
-            Axis::NormalB => normals.b.clone(),
-            Axis::Cross(k, l) => self.cross::<W>(&edges.a[k], &edges.b[l], self.cross[k]),
-            Axis::InPlaneA(k) => self.cross::<W>(&normals.a, &edges.a[k], self.in_plane_a[k]),
-            Axis::InPlaneB(l) => self.cross::<W>(&normals.b, &edges.b[l], self.in_plane_b),
-        }
+        let (e, f, rounding) = match axis {
+            Axis::NormalA => return normals.a.clone(),
+            Axis::NormalB => return normals.b.clone(),
+            Axis::Cross(k, l) => (&edges.a[k], &edges.b[l], self.cross[k]),
+            Axis::InPlaneA(k) => (&normals.a, &edges.a[k], self.in_plane_a[k]),
+            Axis::InPlaneB(l) => (&normals.b, &edges.b[l], self.in_plane_b),
+        };
+        self.cross::<W>(e, f, rounding)
     }
 
     /// e x f, every component accumulated exactly and rounded once. Where axes are shifted, all bounds go left by the
-    /// leading zeros that they have in common once rounded: no digit is lost, and rounding again overflows nothing.
+    /// leading zeros that they would have in common if rounded at once, those of the least and the greatest of them: no
+    /// digit is lost, and nothing overflows.
     #[inline(always)]
     fn cross<W: Wide>(
         &self,
@@ -162,12 +170,9 @@ impl AxisUnit {
         rounding: Rounding,
     ) -> Vector<W::Mantissa> {
         let exact = three(|i| cross_component::<W>(e, f, i));
-        let Some((most, width)) = self.shift else { return exact.map(|x| rounding.apply(x)) };
-        let rounded = three(|i| rounding.apply(exact[i].clone()));
-        let zeros = width as i32 - 1 - W::Mantissa::length(rounded.iter().flat_map(|x| [&x.lo, &x.hi]));
-        match zeros.clamp(0, most as i32) as u32 {
-            0 => rounded,
-            left => three(|i| rounding.behind_shift(left).apply(exact[i].clone())),
-        }
+        let Some((most, width)) = self.shift else { return three(|i| rounding.apply(exact[i].clone())) };
+        let all = hull(hull(exact[0].clone(), exact[1].clone()), exact[2].clone());
+        let places = W::Mantissa::free_places(rounding.apply(all), width - 1, most);
+        three(|i| rounding.apply(shifted(exact[i].clone(), places)))
     }
 }

@@ -9,12 +9,13 @@
 use super::axes::{Axis, AxisUnit};
 use super::edge_test::Sides;
 use super::input::{Input, Numbers, Pair, Pose};
-use super::interval::{Triple, Vector, Wide, three};
+use super::interval::{Flags, Triple, Vector, Wide, three};
+use super::lanes::{self, LANES, Lanes};
 use super::projection::{Images, ProjectionUnit};
 use super::renormalise::Normaliser;
 use super::stages::Exact;
 use super::transform::Frame;
-use super::verdict::{Enclosure, Outcome};
+use super::verdict::{Enclosure, Outcome, Verdict};
 use crate::params::{Axes, Params, Transform};
 use efsat_hardware::number::{Interval, Upper};
 
@@ -27,18 +28,12 @@ pub(super) struct AxisTest {
     transform: Transform,
     /// Whether products of two working-width numbers and their sums fit `i64`.
     narrow: bool,
-    frame: Frame,
-    normaliser: Normaliser,
+    /// Whether they fit the 53 bits of a lane, as the numbers before the axis test always do.
+    pub laned: bool,
+    pub frame: Frame,
+    pub normaliser: Normaliser,
     pub axis_unit: AxisUnit,
     pub projection_unit: ProjectionUnit,
-}
-
-/// Everything that precedes the axis test.
-pub(super) struct Points<M> {
-    /// B after the change of frame, in the input format.
-    pub transformed: Triple<M>,
-    /// A and B after section 4.
-    pub coordinates: [Triple<M>; 2],
 }
 
 /// One axis, and what is projected on it.
@@ -58,6 +53,7 @@ impl AxisTest {
             edge_test: params.edge_test,
             transform: params.transform,
             narrow: 2 * params.width + 4 <= 62,
+            laned: 2 * params.width + 4 <= f64::MANTISSA_DIGITS,
             frame: Frame::new(params, exact),
             normaliser: Normaliser::new(params, exact),
             axis_unit: AxisUnit::new(params, exact),
@@ -67,11 +63,12 @@ impl AxisTest {
 
     /// The flags of all axes, or with `STOP` of those up to the first separated one.
     pub fn outcome<const STOP: bool>(&self, pose: &Pose, pair: &Pair) -> Outcome {
-        let points = self.read_points(pose, pair);
-        if self.narrow { self.test::<i64, STOP>(&points) } else { self.test::<i128, STOP>(&points) }
+        let points = self.normaliser.apply(&self.placed(pose, pair));
+        if self.narrow { self.test::<i64, STOP>(&points) } else { self.test::<i128, STOP>(&points) }.outcome()
     }
 
     /// The enclosures of what the unit reads.
+    #[inline(always)]
     pub fn read<M: From<i64>>(&self, pose: &Pose, pair: &Pair) -> Numbers<M> {
         let number = |x: Input| {
             let x = x.interval(self.upper);
@@ -83,31 +80,25 @@ impl AxisTest {
         Numbers { a: triple(&pair.a), b: triple(&pair.b), pose: frame }
     }
 
-    /// Sections 2 to 4.
-    pub fn read_points(&self, pose: &Pose, pair: &Pair) -> Points<i64> {
+    /// A and B in the frame of A: sections 2 and 3.
+    #[inline(always)]
+    pub fn placed(&self, pose: &Pose, pair: &Pair) -> [Triple<i64>; 2] {
         let numbers = self.read(pose, pair);
-        if self.frame.narrow { self.points::<i64>(&numbers) } else { self.points::<i128>(&numbers) }
-    }
-
-    /// Sections 3 and 4.
-    pub fn points<W: Wide>(&self, numbers: &Numbers<W::Mantissa>) -> Points<W::Mantissa> {
-        let transformed = self.frame.apply::<W>(numbers);
-        let coordinates = self.normaliser.apply(&numbers.a, &transformed);
-        Points { transformed, coordinates }
+        if self.frame.narrow { self.frame.apply::<i64>(&numbers) } else { self.frame.apply::<i128>(&numbers) }
     }
 
     /// Section 5, axis by axis in the order of the contract, for as long as `test` wants another.
     #[inline(always)]
     pub fn axes<W: Wide>(
         &self,
-        points: &Points<W::Mantissa>,
+        points: &[Triple<W::Mantissa>; 2],
         mut test: impl FnMut(usize, Tested<'_, W::Mantissa>) -> bool,
     ) {
-        let edges = self.axis_unit.edges(&points.coordinates);
+        let edges = self.axis_unit.edges(points);
         let normals = self.axis_unit.normals::<W>(&edges);
         for (i, &axis) in Axis::all(self.axes).iter().enumerate() {
             let direction = &self.axis_unit.axis::<W>(axis, &edges, &normals);
-            let images = &self.projection_unit.images::<W>(i, direction, &points.coordinates);
+            let images = &self.projection_unit.images::<W>(i, direction, points);
             let enclosure = &self.projection_unit.enclosure(i, images);
             if !test(i, Tested { axis, direction, images, enclosure }) {
                 break;
@@ -115,17 +106,56 @@ impl AxisTest {
         }
     }
 
-    /// All axes, or with `STOP` the axes up to the first separated one.
-    pub fn test<W: Wide, const STOP: bool>(&self, points: &Points<W::Mantissa>) -> Outcome {
-        let (mut separated, mut overlapping, mut sides) = (0, 0, Sides::UNKNOWN);
+    /// All axes, or with `STOP` the axes up to the first by which all pairs are separated.
+    #[inline(always)]
+    pub fn test<W: Wide, const STOP: bool>(&self, points: &[Triple<W::Mantissa>; 2]) -> Shown<W::Flags> {
+        let mut shown = Shown::<W::Flags>::default();
+        let mut sides = Sides::default();
         self.axes::<W>(points, |i, Tested { axis, images, enclosure, .. }| {
             if self.edge_test {
                 sides.see(axis, images);
             }
-            separated |= u32::from(enclosure.separated()) << i;
-            overlapping |= u32::from(enclosure.overlapping()) << i;
-            !STOP || separated == 0
+            shown.separated = shown.separated | enclosure.separated().bit(i);
+            shown.overlapping = shown.overlapping | enclosure.overlapping().bit(i);
+            !STOP || !shown.separated.all()
         });
-        Outcome::new(separated, overlapping, self.edge_test && sides.pierced())
+        if self.edge_test {
+            shown.pierced = sides.pierced();
+        }
+        shown
+    }
+
+    /// Appends the verdicts of many pairs inside the declared ranges.
+    pub fn verdicts(&self, pose: &Pose, pairs: &[Pair], verdicts: &mut Vec<Verdict>) {
+        if !(lanes::PAY && self.laned) {
+            return verdicts.extend(pairs.iter().map(|pair| self.outcome::<true>(pose, pair).verdict));
+        }
+        for pairs in pairs.chunks(LANES) {
+            verdicts.extend(self.outcomes::<true>(pose, pairs).map(|outcome| outcome.verdict));
+        }
+    }
+
+    /// The flags of up to [`LANES`] pairs, or with `STOP` those up to the axis by which the last of them is separated.
+    pub fn outcomes<const STOP: bool>(&self, pose: &Pose, pairs: &[Pair]) -> impl Iterator<Item = Outcome> {
+        let placed = Lanes::gather(pairs.iter().map(|pair| self.placed(pose, pair)));
+        let shown = self.test::<Lanes, STOP>(&self.normaliser.apply(&placed));
+        shown.lanes().take(pairs.len()).map(Shown::outcome)
+    }
+}
+
+/// What the axes show: bit i of the flags belongs to axis i.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Shown<F> {
+    pub separated: F,
+    pub overlapping: F,
+    /// Not 0 if an edge certainly passes through the other triangle.
+    pub pierced: F,
+}
+
+impl Shown<u32> {
+    /// Section 7.
+    #[inline(always)]
+    pub fn outcome(self) -> Outcome {
+        Outcome::new(self.separated, self.overlapping, self.pierced != 0)
     }
 }

@@ -1,59 +1,67 @@
 //! Edges that certainly pass through the other triangle (contract section 7).
 
 use super::axes::Axis;
-use super::interval::{Mantissa, three};
+use super::interval::{Flags, Mantissa, three};
 use super::projection::Images;
 use efsat_hardware::number::Interval;
-use std::cmp::Ordering::{self, Equal, Greater, Less};
 
-/// On which side of each other the triangles' vertices and edges certainly are; [`Equal`] where that is not certain.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Sides {
-    /// W_l against A's plane, and V_k against B's, in the order of the triangles.
-    plane: [[Ordering; 3]; 2],
-    /// Edge l of B against edge k of A, by k and l: on which side of V_k is W_l, on the axis C_kl.
-    edges: [[Ordering; 3]; 3],
+/// On which side of one true number another certainly is: neither flag is set where that is not certain.
+#[derive(Clone, Copy, Debug, Default)]
+struct Side<F> {
+    above: F,
+    below: F,
 }
 
-impl Sides {
-    pub const UNKNOWN: Self = Self { plane: [[Equal; 3]; 2], edges: [[Equal; 3]; 3] };
+impl<F: Flags> Side<F> {
+    /// Of b, seen from a.
+    #[inline(always)]
+    fn new<M: Mantissa<Flags = F>>(a: &Interval<M>, b: &Interval<M>) -> Self {
+        Self { above: a.hi.below(&b.lo), below: b.hi.below(&a.lo) }
+    }
+}
 
+/// On which side of each other the triangles' vertices and edges certainly are.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Sides<F> {
+    /// W_l against A's plane, and V_k against B's, in the order of the triangles.
+    plane: [[Side<F>; 3]; 2],
+    /// Edge l of B against edge k of A, by k and l: on which side of V_k is W_l, on the axis C_kl.
+    edges: [[Side<F>; 3]; 3],
+}
+
+impl<F: Flags> Sides<F> {
     /// Adds what an axis shows.
     #[inline(always)]
-    pub fn see<M: Mantissa>(&mut self, axis: Axis, [a, b]: &Images<M>) {
+    pub fn see<M: Mantissa<Flags = F>>(&mut self, axis: Axis, [a, b]: &Images<M>) {
         match axis {
-            Axis::NormalA => self.plane[0] = three(|l| order(&a[0], &b[l])),
-            Axis::NormalB => self.plane[1] = three(|k| order(&a[k], &b[0])),
-            Axis::Cross(k, l) => self.edges[k][l] = order(&a[k], &b[l]),
+            Axis::NormalA => self.plane[0] = three(|l| Side::new(&a[0], &b[l])),
+            Axis::NormalB => self.plane[1] = three(|k| Side::new(&a[k], &b[0])),
+            Axis::Cross(k, l) => self.edges[k][l] = Side::new(&a[k], &b[l]),
             Axis::InPlaneA(_) | Axis::InPlaneB(_) => {}
         }
     }
 
-    /// Some edge certainly passes through the other triangle.
-    pub fn pierced(&self) -> bool {
-        self.all_edges().any(|(ends, sides)| ends[0] == ends[1].reverse() && ends[0] != Equal && same(&sides))
-    }
-
-    /// Of each edge, where its ends are, and where the edges of the other triangle are.
-    fn all_edges(&self) -> impl Iterator<Item = ([Ordering; 2], [Ordering; 3])> + '_ {
-        let ends = |plane: &[Ordering; 3], k: usize| [plane[k], plane[(k + 1) % 3]];
-        let of_a = (0..3).map(move |k| (ends(&self.plane[1], k), self.edges[k]));
-        of_a.chain((0..3).map(move |l| (ends(&self.plane[0], l), three(|k| self.edges[k][l]))))
+    /// Whether some edge certainly passes through the other triangle.
+    #[inline(always)]
+    pub fn pierced(&self) -> F {
+        let edge = |side: usize, i: usize| {
+            let vertices = &self.plane[1 - side];
+            let edges = three(|j| if side == 0 { self.edges[i][j] } else { self.edges[j][i] });
+            opposite(vertices[i], vertices[(i + 1) % 3]) & same(edges)
+        };
+        let some = |side: usize| edge(side, 0) | edge(side, 1) | edge(side, 2);
+        some(0) | some(1)
     }
 }
 
-/// Whether all are certain and one.
-fn same(sides: &[Ordering]) -> bool {
-    sides[0] != Equal && sides.iter().all(|side| *side == sides[0])
+/// One above and one below.
+#[inline(always)]
+fn opposite<F: Flags>(x: Side<F>, y: Side<F>) -> F {
+    (x.above & y.below) | (x.below & y.above)
 }
 
-/// Which of two true numbers is certainly greater: `Greater` if it is the second.
-fn order<M: Mantissa>(a: &Interval<M>, b: &Interval<M>) -> Ordering {
-    if b.lo > a.hi {
-        Greater
-    } else if b.hi < a.lo {
-        Less
-    } else {
-        Equal
-    }
+/// All above, or all below.
+#[inline(always)]
+fn same<F: Flags>([x, y, z]: [Side<F>; 3]) -> F {
+    (x.above & y.above & z.above) | (x.below & y.below & z.below)
 }

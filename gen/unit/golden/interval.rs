@@ -1,7 +1,7 @@
 //! Interval arithmetic on mantissas: exact sums and products, and the outward rounding that brings a result back to
 //! its format (contract section 5, the paper's 2.3).
 
-use std::ops::{Add, Mul, Neg, Sub};
+use std::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
 
 use crate::params::Row;
 use efsat_hardware::number::{Interval, Upper};
@@ -12,18 +12,84 @@ pub(super) type Vector<M> = [Interval<M>; 3];
 /// The three vertices of a triangle, or its three edges.
 pub(super) type Triple<M> = [Vector<M>; 3];
 
+/// Answers of comparisons, a bit each: one word of them, or a word for each of several pairs.
+pub(super) trait Flags: Copy + Default + BitAnd<Output = Self> + BitOr<Output = Self> {
+    /// The answer of one comparison as bit `i` of a word.
+    fn bit(self, i: usize) -> Self;
+
+    /// Whether no word is zero.
+    fn all(self) -> bool;
+}
+
+impl Flags for u32 {
+    #[inline(always)]
+    fn bit(self, i: usize) -> Self {
+        self << i
+    }
+
+    #[inline(always)]
+    fn all(self) -> bool {
+        self != 0
+    }
+}
+
+/// What can be compared: a number, or the numbers of several pairs each with its like.
+pub(super) trait Ordered: Clone {
+    /// What a comparison gives: zero where it does not hold.
+    type Flags: Flags;
+
+    /// The lesser of two.
+    fn least(self, other: Self) -> Self;
+
+    /// The greater of two.
+    fn greatest(self, other: Self) -> Self;
+
+    /// Whether this is less than the other.
+    fn below(&self, other: &Self) -> Self::Flags;
+
+    /// The one where the comparison held, else the other.
+    fn select(held: Self::Flags, one: Self, other: Self) -> Self;
+}
+
+impl<T: Ord + Clone> Ordered for T {
+    type Flags = u32;
+
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        self.min(other)
+    }
+
+    #[inline(always)]
+    fn greatest(self, other: Self) -> Self {
+        self.max(other)
+    }
+
+    #[inline(always)]
+    fn below(&self, other: &Self) -> u32 {
+        u32::from(self < other)
+    }
+
+    #[inline(always)]
+    fn select(held: u32, one: Self, other: Self) -> Self {
+        if held != 0 { one } else { other }
+    }
+}
+
 /// A number in which exact products and their sums are held before rounding.
 ///
-/// The unit's are integers, `i64` where they fit, else `i128`. A [`Dyadic`](crate::dyadic::Dyadic) may
-/// have digits below the last place, and is what a rounding can be left out with.
+/// The unit's are integers, `i64` where they fit, else `i128`; [`Lanes`](super::lanes::Lanes) are those of several
+/// pairs. A [`Dyadic`](crate::dyadic::Dyadic) may have digits below the last place, and is what a rounding can be left
+/// out with.
 pub(super) trait Wide:
-    Clone + Ord + From<Self::Mantissa> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+    Ordered + From<Self::Mantissa> + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     /// What the number is held in once it is rounded.
-    type Mantissa: Mantissa;
+    type Mantissa: Mantissa<Flags = Self::Flags, Places = Self::Places>;
+    /// A number of binary places.
+    type Places: Copy;
 
-    /// Times 2^power.
-    fn times_power(self, power: u32) -> Self;
+    /// Times 2^places.
+    fn shifted(self, places: Self::Places) -> Self;
 
     /// Both bounds brought outward to another format.
     fn rounded(x: Interval<Self>, to: Rounding) -> Interval<Self::Mantissa>;
@@ -31,20 +97,19 @@ pub(super) trait Wide:
 
 /// A number of any signal of the design, in units of the last place; every format is at most 48 bits wide.
 pub(super) trait Mantissa: Wide<Mantissa = Self> + From<i64> {
-    /// The least p with all these magnitudes below 2^p; any p if all are zero.
-    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32
-    where
-        Self: 'a;
+    /// By how many places, at most `most`, this can be shifted so that all magnitudes in it stay below 2^length.
+    fn free_places(x: Interval<Self>, length: u32, most: u32) -> Self::Places;
 }
 
 macro_rules! integer {
     ($type:ty) => {
         impl Wide for $type {
             type Mantissa = i64;
+            type Places = u32;
 
             #[inline(always)]
-            fn times_power(self, power: u32) -> Self {
-                self << power
+            fn shifted(self, places: u32) -> Self {
+                self << places
             }
 
             #[inline(always)]
@@ -65,9 +130,9 @@ integer!(i128);
 
 impl Mantissa for i64 {
     #[inline(always)]
-    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32 {
-        let all = numbers.fold(0, |all, x| all | x.unsigned_abs());
-        (u64::BITS - all.leading_zeros()) as i32
+    fn free_places(x: Interval<Self>, length: u32, most: u32) -> u32 {
+        let both = x.lo.unsigned_abs() | x.hi.unsigned_abs();
+        length.saturating_sub(u64::BITS - both.leading_zeros()).min(most)
     }
 }
 
@@ -95,94 +160,43 @@ pub(super) fn negated<W: Wide>(a: Interval<W>) -> Interval<W> {
     Interval::new(-a.hi, -a.lo)
 }
 
-/// The three sign cases of a factor; a zero bound counts as non-negative.
-#[derive(Clone, Copy)]
-enum Sign {
-    Plus,
-    Minus,
-    Straddling,
-}
-
+/// The least interval around both.
 #[inline(always)]
-fn sign<M: Mantissa>(a: &Interval<M>) -> Sign {
-    let zero = M::from(0);
-    if a.lo >= zero {
-        Sign::Plus
-    } else if a.hi <= zero {
-        Sign::Minus
-    } else {
-        Sign::Straddling
-    }
+pub(super) fn hull<W: Wide>(a: Interval<W>, b: Interval<W>) -> Interval<W> {
+    Interval::new(a.lo.least(b.lo), a.hi.greatest(b.hi))
 }
 
-/// a * b, exact, at full width, by Kulisch's nine sign cases.
+/// a * 2^places, exact.
+#[inline(always)]
+pub(super) fn shifted<W: Wide>(a: Interval<W>, places: W::Places) -> Interval<W> {
+    Interval::new(a.lo.shifted(places), a.hi.shifted(places))
+}
+
+/// a * b, exact, at full width: the least enclosure, except where both factors straddle zero. That would take four
+/// multiplications of hardware, so there the product is [-P, P] with P = max(-a.lo, a.hi) * max(-b.lo, b.hi).
 ///
-/// In eight of them this is the least enclosure and takes two multiplications. Where both factors straddle zero it
-/// would take four, and the product is the wider [-P, P] with P = max(-a.lo, a.hi) * max(-b.lo, b.hi) instead.
+/// Each bound is that of two products, one for each bound of a, whose sign tells which bound of b stretches it; where
+/// both factors straddle zero, b is first widened to [-max(-b.lo, b.hi), max(-b.lo, b.hi)]. That needs no branch.
 #[inline(always)]
 pub(super) fn product<W: Wide>(a: &Interval<W::Mantissa>, b: &Interval<W::Mantissa>) -> Interval<W> {
-    product_by(sign(b), a, b)
-}
-
-/// [`product`] with the sign case of `b` known: each bound of the product then belongs to one bound of `a`, and that
-/// bound's sign tells which bound of `b` stretches it.
-#[inline(always)]
-fn product_by<W: Wide>(sign_b: Sign, a: &Interval<W::Mantissa>, b: &Interval<W::Mantissa>) -> Interval<W> {
     let zero = W::Mantissa::from(0);
-    let times = |x: &W::Mantissa, y: &W::Mantissa| W::from(x.clone()) * W::from(y.clone());
-    match sign_b {
-        Sign::Plus => {
-            let lo = if a.lo >= zero { &b.lo } else { &b.hi };
-            let hi = if a.hi >= zero { &b.hi } else { &b.lo };
-            Interval::new(times(&a.lo, lo), times(&a.hi, hi))
-        }
-        Sign::Minus => {
-            let lo = if a.hi >= zero { &b.lo } else { &b.hi };
-            let hi = if a.lo >= zero { &b.hi } else { &b.lo };
-            Interval::new(times(&a.hi, lo), times(&a.lo, hi))
-        }
-        Sign::Straddling => match sign(a) {
-            Sign::Plus => Interval::new(times(&a.hi, &b.lo), times(&a.hi, &b.hi)),
-            Sign::Minus => Interval::new(times(&a.lo, &b.hi), times(&a.lo, &b.lo)),
-            Sign::Straddling => {
-                let reach = |x: &Interval<W::Mantissa>| x.hi.clone().max(-x.lo.clone());
-                let hi = times(&reach(a), &reach(b));
-                Interval::new(-hi.clone(), hi)
-            }
-        },
-    }
+    let signs = |x: &Interval<W::Mantissa>| (x.lo.below(&zero), zero.below(&x.hi));
+    let ((minus, plus), (b_minus, b_plus)) = (signs(a), signs(b));
+    let straddling = minus & plus & (b_minus & b_plus);
+    let select = |flag, one: &W::Mantissa, other: &W::Mantissa| W::Mantissa::select(flag, one.clone(), other.clone());
+    let reach = b.hi.clone().greatest(-b.lo.clone());
+    let (lo, hi) = (select(straddling, &-reach.clone(), &b.lo), select(straddling, &reach, &b.hi));
+    let times = |x: &W::Mantissa, y| W::from(x.clone()) * W::from(y);
+    Interval::new(
+        times(&a.lo, select(minus, &hi, &lo)).least(times(&a.hi, select(plus, &lo, &hi))),
+        times(&a.lo, select(minus, &lo, &hi)).greatest(times(&a.hi, select(plus, &hi, &lo))),
+    )
 }
 
 /// a . b, exact: accumulated at full product width.
 #[inline(always)]
 pub(super) fn dot<W: Wide>(a: &Vector<W::Mantissa>, b: &Vector<W::Mantissa>) -> Interval<W> {
     sum(sum(product(&a[0], &b[0]), product(&a[1], &b[1])), product(&a[2], &b[2]))
-}
-
-/// [`dot`] of every point of both triangles with one direction; the sign cases of the direction are told apart once.
-#[inline(always)]
-pub(super) fn dots<W: Wide>(
-    points: &[Triple<W::Mantissa>; 2],
-    direction: &Vector<W::Mantissa>,
-) -> [[Interval<W>; 3]; 2] {
-    let zero = || W::from(W::Mantissa::from(0));
-    let none = || three(|_| Interval::new(zero(), zero()));
-    let mut sums = [none(), none()];
-    for (i, d) in direction.iter().enumerate() {
-        let mut add = |case: Sign| {
-            for (sums, triangle) in sums.iter_mut().zip(points) {
-                for (s, point) in sums.iter_mut().zip(triangle) {
-                    *s = sum(s.clone(), product_by(case, &point[i], d));
-                }
-            }
-        };
-        match sign(d) {
-            Sign::Plus => add(Sign::Plus),
-            Sign::Minus => add(Sign::Minus),
-            Sign::Straddling => add(Sign::Straddling),
-        }
-    }
-    sums
 }
 
 /// Component `i` of a x b, exact: a_j b_k - a_k b_j.
@@ -233,11 +247,6 @@ impl Rounding {
     /// For numbers from a shifter: the zeros behind their last digits are dropped like digits.
     pub fn of_shifted(self) -> Self {
         Self { shifted: true, ..self }
-    }
-
-    /// The same for numbers shifted left by so many places.
-    pub fn behind_shift(self, left: u32) -> Self {
-        Self { append: self.append + left, ..self }
     }
 
     /// The same change of format, without rounding if `left_out`.

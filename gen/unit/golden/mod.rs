@@ -16,6 +16,7 @@ mod edge_test;
 mod guard;
 mod input;
 mod interval;
+mod lanes;
 mod projection;
 mod renormalise;
 mod stages;
@@ -90,14 +91,17 @@ impl Golden {
 
     /// Appends the verdicts of many pairs under one pose, in their order: what is common to them is computed once.
     pub fn verdicts(&self, pose: &Pose, pairs: &[Pair], verdicts: &mut Vec<Verdict>) {
-        match &self.test {
-            Test::Axes(_) => verdicts.extend(pairs.iter().map(|pair| self.verdict(pose, pair))),
-            Test::Determinants(test) => {
-                let frame = test.frame(pose);
-                verdicts.extend(pairs.iter().map(|pair| match self.guard.inside(pose, pair) {
-                    true => test.outcome::<true>(&frame, pair).verdict,
-                    false => Verdict::PossiblyIncorrect,
-                }));
+        // Runs of pairs inside, between which one pair is outside each.
+        for (i, inside) in pairs.split(|pair| !self.guard.inside(pose, pair)).enumerate() {
+            if i > 0 {
+                verdicts.push(Verdict::PossiblyIncorrect);
+            }
+            match &self.test {
+                Test::Axes(test) => test.verdicts(pose, inside, verdicts),
+                Test::Determinants(test) => {
+                    let frame = test.frame(pose);
+                    verdicts.extend(inside.iter().map(|pair| test.outcome::<true>(&frame, pair).verdict));
+                }
             }
         }
     }

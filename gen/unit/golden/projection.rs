@@ -1,7 +1,7 @@
 //! Projections on an axis and what is done with duplicates (contract section 5, the paper's equation 2).
 
 use super::axes::Axis;
-use super::interval::{Mantissa, Rounding, Triple, Vector, Wide, dots, three};
+use super::interval::{Mantissa, Rounding, Triple, Vector, Wide, dot, three};
 use super::verdict::Enclosure;
 use super::{Exact, Stage};
 use crate::params::{Params, Projections};
@@ -92,16 +92,15 @@ impl ProjectionUnit {
         points: &[Triple<W::Mantissa>; 2],
     ) -> Images<W::Mantissa> {
         let plan = &self.plans[index];
-        let exact = dots::<W>(points, direction);
-        let mut images = [0, 1].map(|side: usize| three(|i| plan.rounding.apply(exact[side][i].clone())));
-        if self.policy == Projections::Skip {
-            for (side, image) in images.iter_mut().enumerate() {
-                for i in (0..3).filter(|&i| !plan.computed[side][i]) {
-                    image[i] = image[plan.kept[side]].clone();
-                }
-            }
+        let image = |side: usize, i: usize| plan.rounding.apply(dot::<W>(&points[side][i], direction));
+        if self.policy != Projections::Skip {
+            return [0, 1].map(|side| three(|i| image(side, i)));
         }
-        images
+        let distinct = |side: usize| {
+            let kept = image(side, plan.kept[side]);
+            three(|i| if i != plan.kept[side] && plan.computed[side][i] { image(side, i) } else { kept.clone() })
+        };
+        [distinct(0), distinct(1)]
     }
 
     /// The enclosures that the axis test compares.
@@ -120,7 +119,7 @@ impl ProjectionUnit {
 /// Every duplicate replaced by the intersection of its group, which encloses their common true number too.
 fn intersected<M: Mantissa>(points: &[Interval<M>; 3], group: &[bool; 3]) -> [Interval<M>; 3] {
     let members = (0..3).filter(|&i| group[i]).map(|i| points[i].clone());
-    match members.reduce(|x, y| Interval::new(x.lo.max(y.lo), x.hi.min(y.hi))) {
+    match members.reduce(|x, y| Interval::new(x.lo.greatest(y.lo), x.hi.least(y.hi))) {
         Some(common) => three(|i| if group[i] { common.clone() } else { points[i].clone() }),
         None => points.clone(),
     }

@@ -1,7 +1,7 @@
 //! The pair moved to the origin and scaled up, each coordinate axis by its own power of two (contract section 4, the
 //! paper's 2.5).
 
-use super::interval::{Mantissa, Rounding, Triple, three};
+use super::interval::{Mantissa, Rounding, Triple, hull, shifted, three};
 use super::{Exact, Stage};
 use crate::params::Params;
 use efsat_hardware::number::Interval;
@@ -27,27 +27,33 @@ impl Normaliser {
     }
 
     /// The coordinates of A and B in the format of the axis test.
-    pub fn apply<M: Mantissa>(&self, a: &Triple<M>, b: &Triple<M>) -> [Triple<M>; 2] {
-        let shift = self.renormalise.then(|| three(|i| self.axis(a, b, i)));
+    #[inline(always)]
+    pub fn apply<M: Mantissa>(&self, placed: &[Triple<M>; 2]) -> [Triple<M>; 2] {
+        let shift = self.renormalise.then(|| three(|i| self.axis(placed, i)));
         let normalised = |x: &Interval<M>, i: usize| {
             let Some(shift) = &shift else { return self.rounding.apply(x.clone()) };
             let (origin, left) = &shift[i];
-            let moved = |x: &M| (x.clone() - origin.clone()).times_power(*left);
-            self.rounding.apply(Interval::new(moved(&x.lo), moved(&x.hi)))
+            self.rounding.apply(shifted(moved(x.clone(), origin), *left))
         };
         let triangle = |x: &Triple<M>| three(|k| three(|i| normalised(&x[k][i], i)));
-        [triangle(a), triangle(b)]
+        [triangle(&placed[0]), triangle(&placed[1])]
     }
 
     /// For coordinate axis `i`: the lower bound of V0, an exact constant, and T + 1 - L.
     ///
     /// 2^L is the least power of two above every magnitude.
-    fn axis<M: Mantissa>(&self, a: &Triple<M>, b: &Triple<M>, i: usize) -> (M, u32) {
+    #[inline(always)]
+    fn axis<M: Mantissa>(&self, [a, b]: &[Triple<M>; 2], i: usize) -> (M, M::Places) {
         let origin = &a[0][i].lo;
-        let [p, q, r] = a.each_ref().map(|x| &x[i]);
-        let [s, t, u] = b.each_ref().map(|x| &x[i]);
-        let bounds = [&p.lo, &p.hi, &q.lo, &q.hi, &r.lo, &r.hi, &s.lo, &s.hi, &t.lo, &t.hi, &u.lo, &u.hi];
-        let length = M::length(bounds.map(|x| x.clone() - origin.clone()).iter());
-        (origin.clone(), (self.transform_width as i32 + 1 - length) as u32)
+        let around = |x: &Triple<M>| hull(hull(x[0][i].clone(), x[1][i].clone()), x[2][i].clone());
+        let length = self.transform_width + 1;
+        let all = moved(hull(around(a), around(b)), origin);
+        (origin.clone(), M::free_places(all, length, length))
     }
+}
+
+/// As seen from an exact constant.
+#[inline(always)]
+fn moved<M: Mantissa>(x: Interval<M>, origin: &M) -> Interval<M> {
+    Interval::new(x.lo - origin.clone(), x.hi - origin.clone())
 }

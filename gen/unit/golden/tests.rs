@@ -10,14 +10,17 @@ use num_bigint::BigInt;
 use num_rational::Ratio;
 use num_traits::{One, Zero};
 use rand::rngs::ChaCha8Rng;
+use rand::seq::SliceRandom;
 use rand::{RngExt, SeedableRng};
 
 use super::axes::Axis;
-use super::interval::{Rounding, product};
+use super::axis_test::AxisTest;
+use super::interval::{Flags, Rounding, product};
+use super::lanes::LANES;
 use super::verdict::Enclosure;
-use super::{Golden, Input, Pair, Pose, Verdict};
+use super::{Golden, Input, Pair, Pose, Verdict, stages};
 use crate::host::{Host, SceneHost, loose_pair, sample};
-use crate::params::{Axes, AxisKind, Params, ProjectionWidth, Projections, Transform};
+use crate::params::{Axes, AxisKind, Guard, Params, ProjectionWidth, Projections, Transform};
 use efsat_geometry::Points;
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample::random_points;
@@ -173,24 +176,25 @@ fn the_axis_test_is_sound_and_printed_lines_of_8_are_not() {
             choices(e.a_max, e.b_min).any(|(x, y)| x < y) || choices(e.b_max, e.a_min).any(|(x, y)| x < y);
         let must_be_disjoint =
             choices(e.a_max, e.b_min).all(|(x, y)| x < y) || choices(e.b_max, e.a_min).all(|(x, y)| x < y);
-        assert_eq!(e.separated(), must_be_disjoint, "{e:?}");
-        assert!(!(e.overlapping() && may_be_disjoint), "{e:?}");
+        let [separated, overlapping] = [e.separated(), e.overlapping()].map(Flags::all);
+        assert_eq!(separated, must_be_disjoint, "{e:?}");
+        assert!(!(overlapping && may_be_disjoint), "{e:?}");
         for line in 0..2 {
-            assert!(!printed_line(line, &e) || e.overlapping(), "{e:?}");
+            assert!(!printed_line(line, &e) || overlapping, "{e:?}");
         }
         for (line, wrong) in wrong.iter_mut().enumerate() {
             *wrong += usize::from(printed_line(line, &e) && may_be_disjoint);
         }
-        counts[0] += usize::from(e.separated());
-        counts[1] += usize::from(e.overlapping());
-        counts[2] += usize::from(!e.separated() && !e.overlapping());
+        counts[0] += usize::from(separated);
+        counts[1] += usize::from(overlapping);
+        counts[2] += usize::from(!separated && !overlapping);
     }
     assert!(counts.iter().all(|&n| n > 1000), "{counts:?}");
     assert!(wrong[0] == 0 && wrong[1] == 0 && wrong[2] > 1000 && wrong[3] > 1000, "{wrong:?}");
     // One by hand: A may end at 1, before B begins at 4, and line 3 calls it an intersection.
     let at = Interval::new;
     let e = Enclosure { a_min: at(0, 0), a_max: at(1, 3), b_min: at(2, 4), b_max: at(5, 6) };
-    assert!(printed_line(2, &e) && !e.overlapping() && !e.separated());
+    assert!(printed_line(2, &e) && !e.overlapping().all() && !e.separated().all());
 }
 
 /// Contract section 6: with `<=` for `<`, disjoint coplanar triangles on the grid would be called intersecting.
@@ -289,6 +293,46 @@ fn the_fast_verdict_is_the_outcomes() {
         }
     }
     assert!(seen.iter().all(|&n| n > 500), "{seen:?}");
+}
+
+/// Any number of pairs, hard ones and ones outside the declared ranges among them; in lanes every flag is compared.
+#[test]
+fn pairs_at_once_are_answered_as_each_alone() {
+    let mut rng = ChaCha8Rng::seed_from_u64(16);
+    let points = point_sets(17, 40);
+    let (mut seen, mut laned) = ([0; 3], 0);
+    for (i, p) in parameter_sets().into_iter().enumerate() {
+        let p = Params { guard: [Guard::LeftOut, Guard::Always][i % 2], ..p };
+        let (golden, test) = (Golden::new(&p), AxisTest::without(&p, stages::Exact::NONE));
+        for pose in [Pose::identity(&p), query(&mut rng, &p).0] {
+            let mut pairs: Vec<Pair> = points.iter().map(|points| unit_pair(points, &p)).collect();
+            pairs.extend((0..20).map(|_| sample::random_pair_under(&mut rng, &p, &pose)));
+            pairs.extend((0..5).map(|_| sample::corner_pair(&mut rng, &p)));
+            pairs.shuffle(&mut rng);
+            if test.laned {
+                for pairs in pairs.chunks(LANES) {
+                    let alone = pairs.iter().map(|pair| test.outcome::<false>(&pose, pair));
+                    assert!(test.outcomes::<false>(&pose, pairs).eq(alone), "{pose:?} {pairs:?} {p:?}");
+                    laned += pairs.len();
+                }
+            }
+            if p.guarded() {
+                for (number, how) in sample::Outside::ALL.into_iter().enumerate() {
+                    let at = rng.random_range(0..=pairs.len());
+                    let outside = sample::pair_outside(&mut rng, &p, pairs[0], 3 * number, how);
+                    pairs.insert(at, outside);
+                }
+            }
+            for count in [0, 1, LANES - 1, LANES, LANES + 1, pairs.len()] {
+                let mut verdicts = vec![];
+                golden.verdicts(&pose, &pairs[..count], &mut verdicts);
+                let alone: Vec<Verdict> = pairs[..count].iter().map(|pair| golden.verdict(&pose, pair)).collect();
+                assert_eq!(verdicts, alone, "{p:?}");
+                alone.iter().for_each(|&verdict| seen[verdict as usize] += 1);
+            }
+        }
+    }
+    assert!(seen.iter().all(|&n| n > 500) && laned > 5000, "{seen:?} {laned}");
 }
 
 type Real = Ratio<BigInt>;

@@ -31,11 +31,12 @@ impl AxisTest {
     /// See [`Golden::trace`](super::Golden::trace).
     pub fn trace(&self, pose: &Pose, pair: &Pair) -> Vec<(String, Interval<i128>)> {
         let mut record = Record::default();
-        let points = self.read_points(pose, pair);
-        record.triple("transform.w", &points.transformed);
-        record.triple("renormalise.v", &points.coordinates[0]);
-        record.triple("renormalise.w", &points.coordinates[1]);
-        let edges = self.axis_unit.edges(&points.coordinates);
+        let placed = self.placed(pose, pair);
+        record.triple("transform.w", &placed[1]);
+        let points = self.normaliser.apply(&placed);
+        record.triple("renormalise.v", &points[0]);
+        record.triple("renormalise.w", &points[1]);
+        let edges = self.axis_unit.edges(&points);
         record.triple("edge.a", &edges.a);
         record.triple("edge.b", &edges.b);
         self.axes::<i128>(&points, |i, Tested { axis, direction, images, enclosure }| {

@@ -24,20 +24,22 @@ impl Frame {
         Self { kind: p.transform, fraction, rounding, narrow: 2 * fraction + p.int_bits <= 62 }
     }
 
-    /// The vertices of B~ in the frame of A, in the input format.
+    /// The vertices of A, and those of B~ in the frame of A, in the input format.
     ///
     /// With a matrix: row i of the product, sum over j of M_ij * b_j, plus t_i, exact and rounded once.
-    pub fn apply<W: Wide>(&self, numbers: &Numbers<W::Mantissa>) -> Triple<W::Mantissa> {
+    #[inline(always)]
+    pub fn apply<W: Wide<Places = u32>>(&self, numbers: &Numbers<W::Mantissa>) -> [Triple<W::Mantissa>; 2] {
         let b = &numbers.b;
-        match (&numbers.pose, self.kind) {
+        let moved = match (&numbers.pose, self.kind) {
             (None, _) => b.clone(),
             (Some((_, t)), Transform::Translate) => three(|l| three(|i| sum(b[l][i].clone(), t[i].clone()))),
             (Some((m, t)), _) => {
                 // The translation at the fraction bits of a product.
-                let aligned = |x: &W::Mantissa| W::from(x.clone()).times_power(self.fraction);
+                let aligned = |x: &W::Mantissa| W::from(x.clone()).shifted(self.fraction);
                 let t = t.each_ref().map(|x| Interval::new(aligned(&x.lo), aligned(&x.hi)));
                 three(|l| three(|i| self.rounding.apply(sum(dot::<W>(&m[i], &b[l]), t[i].clone()))))
             }
-        }
+        };
+        [numbers.a.clone(), moved]
     }
 }

@@ -1,7 +1,7 @@
 //! The model with the roundings of some stages left out, for what each of them costs.
 
 use super::axis_test::AxisTest;
-use super::interval::{Mantissa, Rounding, Wide};
+use super::interval::{Mantissa, Rounding, Triple, Wide};
 use super::verdict::Enclosure;
 use super::{Exact, Numbers, Outcome, Pair, Pose};
 use crate::dyadic::Dyadic;
@@ -10,9 +10,10 @@ use efsat_hardware::number::Interval;
 
 impl Wide for Dyadic {
     type Mantissa = Self;
+    type Places = u32;
 
-    fn times_power(self, power: u32) -> Self {
-        self.scaled(power.into())
+    fn shifted(self, places: u32) -> Self {
+        self.scaled(places.into())
     }
 
     fn rounded(x: Interval<Self>, to: Rounding) -> Interval<Self> {
@@ -34,8 +35,9 @@ impl Wide for Dyadic {
 }
 
 impl Mantissa for Dyadic {
-    fn length<'a>(numbers: impl Iterator<Item = &'a Self>) -> i32 {
-        numbers.filter_map(Self::length).max().unwrap_or(0) as i32
+    fn free_places(x: Interval<Self>, length: u32, most: u32) -> u32 {
+        let longest = x.lo.length().max(x.hi.length()).unwrap_or(0);
+        (i64::from(length) - longest).clamp(0, most.into()) as u32
     }
 }
 
@@ -75,13 +77,13 @@ impl Unrounded {
     /// What every axis shows, in the order of the contract.
     pub fn axes(&self, numbers: &Numbers<Dyadic>) -> Vec<AxisAnswer> {
         let zero = Dyadic::from(0);
-        let points = self.model.points::<Dyadic>(numbers);
+        let points = self.points(numbers);
         let mut answers = vec![];
         self.model.axes::<Dyadic>(&points, |_, tested| {
             answers.push(AxisAnswer {
                 kind: tested.axis.kind(),
-                separated: tested.enclosure.separated(),
-                overlapping: tested.enclosure.overlapping(),
+                separated: tested.enclosure.separated() != 0,
+                overlapping: tested.enclosure.overlapping() != 0,
                 zero: tested.direction.iter().all(|x| x.lo == zero && x.hi == zero),
                 flat: flat(tested.enclosure),
             });
@@ -92,7 +94,12 @@ impl Unrounded {
 
     /// The outcome of a pair.
     pub fn outcome(&self, numbers: &Numbers<Dyadic>) -> Outcome {
-        self.model.test::<Dyadic, false>(&self.model.points::<Dyadic>(numbers))
+        self.model.test::<Dyadic, false>(&self.points(numbers)).outcome()
+    }
+
+    /// Sections 3 and 4.
+    fn points(&self, numbers: &Numbers<Dyadic>) -> [Triple<Dyadic>; 2] {
+        self.model.normaliser.apply(&self.model.frame.apply::<Dyadic>(numbers))
     }
 }
 

@@ -78,8 +78,8 @@ impl<M: Mantissa> Enclosure<M> {
     /// Equation (3) on intervals: the enclosure of a minimum takes the minima of both bounds.
     #[inline(always)]
     pub fn new(a: &[Interval<M>; 3], b: &[Interval<M>; 3]) -> Self {
-        let min = |x: Interval<M>, y: Interval<M>| Interval::new(x.lo.min(y.lo), x.hi.min(y.hi));
-        let max = |x: Interval<M>, y: Interval<M>| Interval::new(x.lo.max(y.lo), x.hi.max(y.hi));
+        let min = |x: Interval<M>, y: Interval<M>| Interval::new(x.lo.least(y.lo), x.hi.least(y.hi));
+        let max = |x: Interval<M>, y: Interval<M>| Interval::new(x.lo.greatest(y.lo), x.hi.greatest(y.hi));
         let least = |[x, y, z]: [Interval<M>; 3]| min(min(x, y), z);
         let greatest = |[x, y, z]: [Interval<M>; 3]| max(max(x, y), z);
         Self {
@@ -91,13 +91,15 @@ impl<M: Mantissa> Enclosure<M> {
     }
 
     /// Equation (6): the images are certainly disjoint.
-    pub fn separated(&self) -> bool {
-        self.b_min.lo > self.a_max.hi || self.a_min.lo > self.b_max.hi
+    #[inline(always)]
+    pub fn separated(&self) -> M::Flags {
+        self.a_max.hi.below(&self.b_min.lo) | self.b_max.hi.below(&self.a_min.lo)
     }
 
     /// The images certainly overlap. Strict: on an axis that projects all six points to one true number t,
     /// a_min.hi >= t >= b_max.lo, so such an axis can never say this, and that is what makes 11 axes sound.
-    pub fn overlapping(&self) -> bool {
-        self.a_min.hi < self.b_max.lo && self.b_min.hi < self.a_max.lo
+    #[inline(always)]
+    pub fn overlapping(&self) -> M::Flags {
+        self.a_min.hi.below(&self.b_max.lo) & self.b_min.hi.below(&self.a_max.lo)
     }
 }
