@@ -8,6 +8,7 @@ mod cli;
 mod compare;
 mod diagrams;
 mod effects;
+mod files;
 mod guard;
 mod hierarchy;
 mod house;

@@ -9,6 +9,7 @@ mod compare;
 mod cosim;
 mod diagram;
 mod error;
+mod file;
 mod generate;
 mod mutate;
 mod output;
@@ -88,9 +89,8 @@ fn commands() -> Vec<String> {
     command.get_subcommands().map(|c| c.get_name().to_owned()).collect()
 }
 
-fn report(message: &str, status: u8) -> ExitCode {
-    // Names of files may hold anything; the message is one line.
-    let line: String = message.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    eprintln!("error: {line}");
+/// Says on standard error why the process ends with `status`.
+pub fn report(message: &str, status: u8) -> ExitCode {
+    output::tell("error", message);
     ExitCode::from(status)
 }

@@ -1,7 +1,6 @@
 //! `efsat scene`.
 
 mod given;
-mod outputs;
 mod pairs;
 mod plan;
 mod run;
