@@ -20,7 +20,7 @@ package {{ name }} is
 {%- endif %}
 {%- if functions.contains("less") %}
 
-  -- Whether x < y: the sign of the difference.
+  -- Whether x < y, two numbers of one length: the sign of the difference.
   function less(x, y : signed) return std_logic;
 {%- endif %}
 {%- if functions.contains("choose") %}

@@ -253,6 +253,11 @@ fn plans_name_each_effect_with_its_reason_and_saving() {
     }
     assert_eq!(findings(&wins)["renormalise"]["decided_by"], "option");
     assert_eq!(wins["allowed"], 0.0);
+    let paper = object(dir, "scene plan s.toml --json --like-paper --edge-test on");
+    let command = paper["command_line"].as_str().unwrap();
+    for words in ["--projections all ", "--projection-width rounded ", "--axis-shift 0 ", "--edge-test on "] {
+        assert!(command.contains(words), "{command}");
+    }
     // As many axis units as the full set has axes, and never more than the planned one has.
     let wide = object(dir, "scene plan s.toml --json --axes-per-clock 17 --effect in_plane_axes=off");
     assert!(wide["command_line"].as_str().unwrap().contains("--axes 11 --axes-per-clock 11 "));

@@ -4,6 +4,7 @@
 mod accuracy;
 mod agreement;
 mod baseline;
+mod book;
 mod cli;
 mod compare;
 mod diagrams;
@@ -18,6 +19,7 @@ mod proofs;
 mod protocol;
 mod scenes;
 mod schedule;
+mod soak;
 mod stream;
 mod stress;
 mod strict;

@@ -10,6 +10,7 @@ use super::progress;
 use super::source;
 use crate::accuracy::{self, Amount, Campaign, MOST, Plan, Progress, Request, Results, Shard, sweep};
 use crate::design::Design;
+use crate::params::options::Choice;
 use crate::params::{Method, Params};
 use clap::{Args, FromArgMatches};
 use std::path::{Path, PathBuf};
@@ -85,7 +86,7 @@ fn nanoseconds(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(legal).ok_or_else(|| "expected a number of nanoseconds from 0 to 1e12".to_owned())
 }
 
-fn shard(text: &str) -> Result<Shard, String> {
+pub(super) fn shard(text: &str) -> Result<Shard, String> {
     let parts = text.split_once('/').and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
     let legal = |(index, count): &(usize, usize)| (1..=*count).contains(index) && *count <= 10_000;
     let found = parts.filter(legal).map(|(index, count)| Shard { index, count });
@@ -93,7 +94,7 @@ fn shard(text: &str) -> Result<Shard, String> {
 }
 
 /// The parameters of every point of a sweep around `base`.
-fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> {
+pub(super) fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> {
     let names: Vec<&str> = Params::OPTIONS.iter().map(|option| option.name).collect();
     let wrong = |e: sweep::SweepError| Failure::Usage(format!("--sweep: {e}"));
     let combinations = sweep::parse(spec, &names).map_err(wrong)?;
@@ -104,6 +105,12 @@ fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> {
 fn point(settings: &[sweep::Setting], base: &Params) -> Result<Params, Failure> {
     let mut options = accuracy::options(base);
     options.extend(settings.iter().map(|setting| (setting.option.clone(), setting.value.clone())));
+    // Where a point has another method than the base, options that only the base has are not asked for.
+    let method = options.get("method").and_then(|name| Method::ALL.iter().find(|method| method.name() == name));
+    if let Some(method) = method.filter(|method| **method != base.method) {
+        let given = |name: &str| settings.iter().any(|setting| setting.option == name);
+        options.retain(|name, _| given(name) || Params::OPTIONS.iter().all(|o| o.name != name || o.of.has(*method)));
+    }
     params(&options).map_err(|message| {
         // The message names the option; the last setting that does is the place.
         let named = |setting: &&sweep::Setting| message.contains(&format!("--{} ", setting.option));
@@ -147,11 +154,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return merge::run(arguments);
     }
     let base = arguments.params.params()?;
+    has_axes(&base)?;
     // Every point has its hardware beside it.
-    let check = |params: &Params| -> Result<(), Failure> {
-        has_axes(params)?;
-        Ok(Design::check(params).map(drop)?)
-    };
+    let check = |params: &Params| -> Result<(), Failure> { Ok(Design::check(params).map(drop)?) };
     check(&base)?;
     let sweep = points(&arguments.sweep, &base)?;
     sweep.iter().try_for_each(check)?;
@@ -227,13 +232,12 @@ fn command(request: &Request, transfer: f64) -> String {
     text
 }
 
-/// Refuses the method whose stages the page does not know.
+/// Refuses a base whose stages the page does not examine; points of the sweep may have either method.
 fn has_axes(params: &Params) -> Result<(), Failure> {
     match params.method {
         Method::Axes => Ok(()),
         Method::Determinants => {
-            let why =
-                "--method determinants: expected axes, whose stages the page examines; classify and compare take both";
+            let why = "--method determinants: expected axes, whose stages the page examines; a --sweep may name method=determinants";
             Err(Failure::Usage(why.to_owned()))
         }
     }

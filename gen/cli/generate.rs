@@ -4,7 +4,7 @@ use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::print;
 use super::params::{ParamArguments, choice};
-use crate::artefact::{FileSet, design_files_with, programme_files};
+use crate::artefact::{FileSet, design_files_with, programme_files, ready_designs, ready_files};
 use crate::design::Design;
 use crate::params::Params;
 use crate::params::options::Choice;
@@ -17,9 +17,12 @@ use std::path::{Path, PathBuf};
 /// nothing is written.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Directory of the design
-    #[arg(long, value_name = "DIR", default_value = "rtl-out")]
-    out: PathBuf,
+    /// Directory of the design [default: rtl-out/axes, with --ready rtl-out]
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Write all ready designs, each to a folder below DIR, in place of one design
+    #[arg(long, conflicts_with_all = ["lp", "stream_width"])]
+    ready: bool,
     /// Write nothing; fail if DIR differs by a byte from what would be written
     #[arg(long)]
     check: bool,
@@ -38,6 +41,10 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
+    if arguments.ready {
+        return ready(arguments, &params);
+    }
+    let out = arguments.out.as_deref().unwrap_or(Path::new("rtl-out/axes"));
     let design = Design::new(&params, false)?;
     if let Some(dir) = &arguments.lp {
         let set = programme_files(&design, &params.command_line());
@@ -51,13 +58,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let set =
         design_files_with(&design, arguments.stream_width, &command_line).map_err(|e| Failure::Check(e.to_string()))?;
     if arguments.check {
-        return check(&set, &arguments.out);
+        return check(&set, out);
     }
-    set.write(&arguments.out)?;
+    set.write(out)?;
     print(&format!(
         "{}: {} files\n{} multipliers ({} has {}), {} register bits, {} MHz\none pair every {} clocks, verdict after {} \
          clocks\n",
-        arguments.out.display(),
+        out.display(),
         set.len(),
         design.top.multipliers(),
         design.device.name,
@@ -72,6 +79,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             "{megahertz:.1} MHz are expected, below --frequency: {end} takes longer than a clock by itself\n"
         ))
     })
+}
+
+/// Writes or checks the ready designs.
+fn ready(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
+    if let Some((name, value)) = params.differences(&Params::default()).into_iter().next() {
+        return Err(Failure::Usage(format!("--ready with --{name} {value}: expected no option of the design")));
+    }
+    if arguments.diagram.wanted() {
+        return Err(Failure::Usage("--ready with a diagram: expected one design".to_owned()));
+    }
+    let out = arguments.out.as_deref().unwrap_or(Path::new("rtl-out"));
+    let set = ready_files(command_line).map_err(|e| Failure::Check(e.to_string()))?;
+    if arguments.check {
+        return check(&set, out);
+    }
+    set.write(out)?;
+    print(&format!("{}: {} files, {} designs\n", out.display(), set.len(), ready_designs().len()))
 }
 
 /// The command line that stands in the files of a design.

@@ -16,6 +16,7 @@ mod output;
 mod params;
 mod progress;
 mod scene;
+mod soak;
 mod source;
 mod stress;
 mod synth;
@@ -44,6 +45,7 @@ enum Command {
     Classify(classify::Arguments),
     Compare(compare::Arguments),
     Stress(stress::Arguments),
+    Soak(soak::Arguments),
     Wall(wall::Arguments),
     Mutate(mutate::Arguments),
     Synth(synth::Arguments),
@@ -60,6 +62,7 @@ pub fn main() -> ExitCode {
             Command::Classify(arguments) => classify::run(&arguments),
             Command::Compare(arguments) => compare::run(&arguments),
             Command::Stress(arguments) => stress::run(&arguments),
+            Command::Soak(arguments) => soak::run(&arguments),
             Command::Wall(arguments) => wall::run(&arguments),
             Command::Mutate(arguments) => mutate::run(&arguments),
             Command::Synth(arguments) => synth::run(&arguments),

@@ -40,7 +40,7 @@ pub(super) struct Arguments {
     params: ParamArguments,
 }
 
-fn family() -> impl TypedValueParser<Value = &'static Family> {
+pub(super) fn family() -> impl TypedValueParser<Value = &'static Family> {
     PossibleValuesParser::new(FAMILIES.iter().map(|family| family.name))
         .map(|name| Family::by_name(&name).expect("clap lets names of the list through"))
 }
@@ -158,7 +158,7 @@ fn list() -> String {
 }
 
 /// The bar of a campaign shows its rate too.
-fn bar(pairs: u64) -> ProgressBar {
+pub(super) fn bar(pairs: u64) -> ProgressBar {
     let bar = progress::bar(pairs, "pairs", false);
     if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {per_sec} {eta}") {
         bar.set_style(style);

@@ -6,6 +6,7 @@ pub mod cosim;
 pub mod effects;
 pub mod mutation;
 pub mod process;
+pub mod soak;
 pub mod stress;
 pub mod synth;
 pub mod wall;

@@ -78,9 +78,14 @@ fn share(text: &str) -> Result<f64, String> {
     text.parse().ok().filter(legal).ok_or_else(|| "expected a number from 0 to 1".to_owned())
 }
 
-/// The parameters of the design as far as they are typed: name and value.
+/// The parameters of the design as far as they are typed.
 #[derive(Clone, Debug)]
-struct Options(Vec<(String, String)>);
+struct Options {
+    /// Name and value.
+    typed: Vec<(String, String)>,
+    /// What is not typed is as in the paper.
+    like_paper: bool,
+}
 
 impl Args for Options {
     fn augment_args(command: Command) -> Command {
@@ -101,7 +106,8 @@ impl FromArgMatches for Options {
             let value = matches.get_raw(&id).into_iter().flatten().last().filter(|_| is_typed)?;
             Some((name.to_owned(), value.to_string_lossy().into_owned()))
         };
-        Ok(Self(Params::OPTIONS.iter().filter_map(typed).collect()))
+        let typed = Params::OPTIONS.iter().filter_map(typed).collect();
+        Ok(Self { typed, like_paper: matches.get_flag("like_paper") })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
@@ -113,15 +119,18 @@ impl FromArgMatches for Options {
 impl Options {
     /// The parameters, and the names of those that were given in the file or typed.
     fn params(&self, file: &str, of_file: &[Parameter]) -> Result<(Params, Vec<String>), Failure> {
-        let is_typed = |name: &str| self.0.iter().any(|(typed, _)| typed == name);
+        let is_typed = |name: &str| self.typed.iter().any(|(typed, _)| typed == name);
         let kept: Vec<&Parameter> = of_file.iter().filter(|parameter| !is_typed(&parameter.name)).collect();
         // One by one first, so that the line of the file can be named.
         for Parameter { name, value, line } in &kept {
             parse(&[format!("--{name}={value}")]).map_err(|e| at(file, *line, e))?;
         }
         let of_file = kept.iter().map(|parameter| (parameter.name.clone(), parameter.value.clone()));
-        let given: Vec<(String, String)> = of_file.chain(self.0.iter().cloned()).collect();
+        let given: Vec<(String, String)> = of_file.chain(self.typed.iter().cloned()).collect();
         let mut words: Vec<String> = given.iter().map(|(name, value)| format!("--{name}={value}")).collect();
+        if self.like_paper {
+            words.push("--like-paper".to_owned());
+        }
         let has_axes = !given.iter().any(|(name, value)| name == "method" && value != Method::Axes.name());
         if has_axes && !given.iter().any(|(name, _)| name == "axes") {
             // The unit with all stages has 17, and as many axis units are legal.

@@ -46,7 +46,7 @@ impl Shard {
     pub const WHOLE: Self = Self { index: 1, count: 1 };
 
     /// Whether item number `item` belongs to it.
-    fn has(self, item: usize) -> bool {
+    pub fn has(self, item: usize) -> bool {
         item % self.count == self.index - 1
     }
 }

@@ -29,6 +29,15 @@ impl Figure {
 }
 
 const COLOURS: [&str; 6] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY];
+/// The determinant unit in all its defaults.
+const DETERMINANTS: [(&str, &str); 6] = [
+    ("method", "determinants"),
+    ("clocks-per-pair", "1"),
+    ("span", "1"),
+    ("levels", "6"),
+    ("bound", "moments"),
+    ("boxes", "on"),
+];
 const MARKS: [Mark; 4] = [Mark::Circle, Mark::Square, Mark::Diamond, Mark::Triangle];
 
 /// All plots, the main one first.
@@ -96,8 +105,9 @@ fn share_by_width(results: &Results) -> Figure {
     let seventeen = [("upper", "sticky"), ("projections", "intersect"), ("axes", "17")];
     let paper = [("projections", "all"), ("projection-width", "rounded"), ("axis-shift", "0"), ("edge-test", "off")];
     let own = point_name(results);
-    let lines: [(&str, &[(&str, &str)]); 5] = [
+    let lines: [(&str, &[(&str, &str)]); 6] = [
         (&own, &[]),
+        ("determinants", &DETERMINANTS),
         ("the paper's roundings", &paper),
         ("exact ceilings, intersected projections", &sticky),
         ("the same with 17 axes", &seventeen),
@@ -177,6 +187,10 @@ fn time_by_width(results: &Results) -> Figure {
         let look = style([BLUE, PURPLE, VERMILION][i], MARKS[i], Line::Solid);
         line(format!("{given}{words}"), look, &at_clock, *more);
     }
+    let determinants = results.by_width(&DETERMINANTS);
+    if determinants.len() > 1 {
+        line("determinants, a pair per clock".to_owned(), style(BLACK, Mark::Diamond, Line::Solid), &determinants, 0.0);
+    }
     if fastest.len() > 1 {
         line("fastest clock".to_owned(), style(SKY, Mark::Triangle, Line::Solid), &fastest, 0.0);
     }
@@ -214,20 +228,23 @@ fn time_by_width(results: &Results) -> Figure {
     Figure::new("time-by-width", caption, |size| chart.svg(size))
 }
 
-/// The rows in groups of axis units, for colour.
+/// The rows in groups of axis units, and those of the other method, for colour.
 fn by_folding(results: &Results, y: impl Fn(&Row) -> f64, x: impl Fn(&Row) -> f64) -> Vec<Series> {
-    let mut units: Vec<u32> =
-        results.rows.iter().filter_map(|row| row.point.option("axes-per-clock").parse().ok()).collect();
-    units.sort_unstable();
-    units.dedup();
-    let of = |(i, n): (usize, &u32)| {
-        let rows: Vec<&Row> =
-            results.rows.iter().filter(|row| row.point.option("axes-per-clock") == n.to_string()).collect();
-        let name = format!("{n} {} a clock", if *n == 1 { "axis" } else { "axes" });
-        let look = style(COLOURS[i % COLOURS.len()], MARKS[i % MARKS.len()], Line::None);
+    let units = |row: &Row| row.point.option("axes-per-clock").parse::<u32>().ok();
+    let mut foldings: Vec<Option<u32>> = results.rows.iter().map(units).collect();
+    foldings.sort_unstable();
+    foldings.dedup();
+    let of = |(i, n): (usize, &Option<u32>)| {
+        let rows: Vec<&Row> = results.rows.iter().filter(|row| units(row) == *n).collect();
+        let (name, colour) = match n {
+            None => ("determinants".to_owned(), BLACK),
+            Some(1) => ("1 axis per clock".to_owned(), COLOURS[i % COLOURS.len()]),
+            Some(n) => (format!("{n} axes per clock"), COLOURS[i % COLOURS.len()]),
+        };
+        let look = style(colour, MARKS[i % MARKS.len()], Line::None);
         series(&name, look, &rows, |row| Dot { x: x(row), y: y(row), bounds: None, about: about(results, row) })
     };
-    units.iter().enumerate().map(of).collect()
+    foldings.iter().enumerate().map(of).collect()
 }
 
 /// The line through points that nothing beats.

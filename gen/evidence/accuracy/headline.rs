@@ -52,6 +52,7 @@ pub fn sentences(results: &Results) -> Vec<String> {
     sentences.push(definite(results));
     sentences.push(floor(results));
     sentences.extend(fastest(results));
+    sentences.extend(determinants(results));
     sentences.push(software(results));
     sentences.extend(budgets(results));
     sentences
@@ -192,6 +193,29 @@ fn software(results: &Results) -> String {
         took("retest, batch"),
         took("rational"),
     )
+}
+
+/// The fastest point of the other method on the device of the base.
+fn determinants(results: &Results) -> Option<String> {
+    let base = &results.base().point;
+    let same = |row: &&super::row::Row| {
+        let point = &row.point;
+        let alike = ["width", "transform", "transform-width", "device", "frequency"];
+        point.method() != base.method() && alike.iter().all(|name| point.option(name) == base.option(name))
+    };
+    let row = results.rows.iter().filter(same).min_by(|x, y| x.effective_ns.total_cmp(&y.effective_ns))?;
+    let clocks = match row.point.hardware.interval {
+        1 => "one clock".to_owned(),
+        n => format!("{n} clocks"),
+    };
+    let fits = if row.point.hardware.fits { "" } else { ", which the device does not hold" };
+    Some(format!(
+        "By {} in place of axes a pair takes {}: {clocks} per pair, {} multipliers{fits}, {} possibly incorrect.",
+        row.point.method(),
+        time(row.effective_ns),
+        row.point.hardware.cells.multipliers,
+        percent(row.possibly_incorrect.share)
+    ))
 }
 
 /// What fits into the first budget.

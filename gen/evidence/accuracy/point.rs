@@ -2,8 +2,8 @@
 
 use super::hardware::Cells;
 use super::{Answers, Hardware};
-use efsat_unit::params::Params;
-use efsat_unit::params::options::Affects;
+use efsat_unit::params::options::{Affects, Choice};
+use efsat_unit::params::{Method, Params};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -39,6 +39,11 @@ impl Point {
     /// An option's value.
     pub fn option(&self, name: &str) -> &str {
         self.options.get(name).map_or("", String::as_str)
+    }
+
+    /// How it decides; designs of the default method do not spell it out.
+    pub fn method(&self) -> &str {
+        self.options.get("method").map_or(Method::Axes.name(), String::as_str)
     }
 
     /// The working width.

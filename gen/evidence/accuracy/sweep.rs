@@ -22,7 +22,10 @@ pub const DEFAULT: &str = "width=10..32; \
     width=14..32/2,axes=17,upper=sticky,projections=intersect; \
     transform-width=18|20|24|28|40|48; upper=sticky; projections=all|skip|intersect; axes=17; frequency=50|150|200; \
     width=12|18|25|32,device=xc6slx150-3|xc7a200t-1|lfe5u-85-6; \
-    width=24..32/4,transform-width=48,axes=17,upper=sticky,projections=intersect";
+    width=24..32/4,transform-width=48,axes=17,upper=sticky,projections=intersect; \
+    method=determinants,width=10..32; method=determinants,clocks-per-pair=2|3|6|11; \
+    method=determinants,bound=static|edges|products; method=determinants,bound=products,span=3,clocks-per-pair=1|2; \
+    method=determinants,transform=off,clocks-per-pair=1|2; method=determinants,device=xc7a200t-1|lfe5u-85-6";
 
 /// An option with the value that a combination gives it.
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -3,6 +3,7 @@
 use super::headline::{grouped, significant};
 use super::results::Results;
 use super::row::Row;
+use std::collections::BTreeSet;
 
 /// A column: what its head says, what it means, and whether a narrow or printed table leaves it out.
 pub struct Column {
@@ -34,7 +35,8 @@ const fn words(head: &'static str, about: &'static str) -> Column {
 }
 
 /// All columns, in their order.
-pub const COLUMNS: [Column; 21] = [
+pub const COLUMNS: [Column; 22] = [
+    words("method", "axes or determinants; what follows of options is empty where a method has none"),
     column("width", "bits", "working width of the axis test"),
     minor("transform", "bits", "width of inputs and frame transform"),
     words("upper", "rule of upper bounds"),
@@ -53,7 +55,7 @@ pub const COLUMNS: [Column; 21] = [
     column("LUTs", "", "look-up tables, predicted; synthesised where asked for"),
     minor("FFs", "", "flip-flops outside multipliers"),
     column("clock", "MHz", "that the schedule's delays allow"),
-    minor("interval", "clocks", "clocks between pairs"),
+    column("interval", "clocks", "clocks between pairs"),
     minor("latency", "clocks", "clocks from a pair to its verdict"),
     column("effective", "ns", "effective time a pair"),
 ];
@@ -69,6 +71,7 @@ pub fn cells(row: &Row) -> Vec<Cell> {
     let bounds = (format!("{} – {}", significant(100.0 * low), significant(100.0 * high)), low.to_string());
     let multipliers = format!("{}{}", grouped(shown.multipliers), if hardware.fits { "" } else { " †" });
     let texts = [
+        (point.method().to_owned(), point.method().to_owned()),
         option("width"),
         option("transform-width"),
         option("upper"),
@@ -102,7 +105,8 @@ pub fn cells(row: &Row) -> Vec<Cell> {
 
 /// All points as CSV: every option, every count, every figure.
 pub fn csv(results: &Results) -> String {
-    let names: Vec<&String> = results.base().point.options.keys().collect();
+    // Not every point has every option.
+    let names: BTreeSet<&String> = results.rows.iter().flat_map(|row| row.point.options.keys()).collect();
     let figures = "pairs,separate,intersect,possibly_incorrect,possibly_incorrect_share,bound_low,bound_high,\
         undecided_separate,undecided_touch,undecided_intersect,undecided_coplanar,wrong,host_decided,multipliers,luts,\
         flip_flops,fits,synthesised_multipliers,synthesised_luts,synthesised_flip_flops,clock_mhz,interval,latency,\

@@ -314,6 +314,11 @@ impl<'l> Sig<'l> {
             self.refuse(&format!("{} of {}: {why}", op.role(), operands.join(" and ")))
         });
         let ranges = columns(&args, |ranges| op.range(ranges, &types, ty));
+        // Two numbers as operands would leave VHDL without a type to find the operator by.
+        let constant = |arg: &Self| arg.node(|n| matches!(n.op, Op::Comb(Comb::Constant(_))));
+        if args.iter().all(constant) {
+            return self.unit().element(ranges[0].0, ty);
+        }
         self.make(Op::Comb(op), &args, ty, ranges)
     }
 

@@ -40,7 +40,10 @@ impl Operation for Less {
     }
 
     fn vhdl(&self, args: &[Operand], _: Type) -> Expression {
-        Expression::call("less", [args[0].value.clone(), args[1].value.clone()])
+        // The function takes two numbers of one length.
+        let bits = args[0].ty.bits.max(args[1].ty.bits);
+        let longer = |operand: &Operand| operand.resized(Type { bits, ..operand.ty });
+        Expression::call("less", [longer(&args[0]), longer(&args[1])])
     }
 
     fn picture(&self, args: &[String]) -> (Kind, String, String) {

@@ -9,46 +9,21 @@ use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
 package efsat_types is
-  type interval_u17_t is record
-    lo : unsigned(16 downto 0);
-    hi : unsigned(16 downto 0);
-  end record interval_u17_t;
-  constant zero_interval_u17 : interval_u17_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_u19_t is record
-    lo : unsigned(18 downto 0);
-    hi : unsigned(19 downto 0);
-  end record interval_u19_t;
-  constant zero_interval_u19 : interval_u19_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_18_t is record
     lo : signed(17 downto 0);
     hi : signed(17 downto 0);
   end record interval_18_t;
   constant zero_interval_18 : interval_18_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_19_19_t is record
+  type interval_19_t is record
     lo : signed(18 downto 0);
     hi : signed(18 downto 0);
-  end record interval_19_19_t;
-  constant zero_interval_19_19 : interval_19_19_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_19_20_t is record
-    lo : signed(18 downto 0);
-    hi : signed(19 downto 0);
-  end record interval_19_20_t;
-  constant zero_interval_19_20 : interval_19_20_t := (lo => (others => '0'), hi => (others => '0'));
+  end record interval_19_t;
+  constant zero_interval_19 : interval_19_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_21_t is record
     lo : signed(20 downto 0);
-    hi : signed(20 downto 0);
+    hi : signed(21 downto 0);
   end record interval_21_t;
   constant zero_interval_21 : interval_21_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_22_t is record
-    lo : signed(21 downto 0);
-    hi : signed(21 downto 0);
-  end record interval_22_t;
-  constant zero_interval_22 : interval_22_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_25_t is record
-    lo : signed(24 downto 0);
-    hi : signed(24 downto 0);
-  end record interval_25_t;
-  constant zero_interval_25 : interval_25_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_32_t is record
     lo : signed(31 downto 0);
     hi : signed(31 downto 0);
@@ -89,6 +64,12 @@ package efsat_types is
   constant zero_signed_18_vector : signed_18_vector_t := (others => (others => '0'));
   type signed_19_vector_t is array (0 to 2) of signed(18 downto 0);
   constant zero_signed_19_vector : signed_19_vector_t := (others => (others => '0'));
+  type signed_20_vector_t is array (0 to 2) of signed(19 downto 0);
+  constant zero_signed_20_vector : signed_20_vector_t := (others => (others => '0'));
+  type signed_21_vector_t is array (0 to 2) of signed(20 downto 0);
+  constant zero_signed_21_vector : signed_21_vector_t := (others => (others => '0'));
+  type signed_22_vector_t is array (0 to 2) of signed(21 downto 0);
+  constant zero_signed_22_vector : signed_22_vector_t := (others => (others => '0'));
   type signed_32_vector_t is array (0 to 2) of signed(31 downto 0);
   constant zero_signed_32_vector : signed_32_vector_t := (others => (others => '0'));
   type signed_33_vector_t is array (0 to 2) of signed(32 downto 0);
@@ -97,34 +78,20 @@ package efsat_types is
   constant zero_signed_34_vector : signed_34_vector_t := (others => (others => '0'));
   type signed_64_vector_t is array (0 to 2) of signed(63 downto 0);
   constant zero_signed_64_vector : signed_64_vector_t := (others => (others => '0'));
-  type interval_22_x2_t is array (0 to 1) of interval_22_t;
-  constant zero_interval_22_x2 : interval_22_x2_t := (others => zero_interval_22);
-  type flag_x2_x2_t is array (0 to 1) of std_logic_vector(1 downto 0);
-  constant zero_flag_x2_x2 : flag_x2_x2_t := (others => (others => '0'));
-  type flag_x3_x3_t is array (0 to 2) of std_logic_vector(2 downto 0);
-  constant zero_flag_x3_x3 : flag_x3_x3_t := (others => (others => '0'));
   type unsigned_2_vector_x3_t is array (0 to 2) of unsigned_2_vector_t;
   constant zero_unsigned_2_vector_x3 : unsigned_2_vector_x3_t := (others => zero_unsigned_2_vector);
   type signed_32_vector_x3_t is array (0 to 2) of signed_32_vector_t;
   constant zero_signed_32_vector_x3 : signed_32_vector_x3_t := (others => zero_signed_32_vector);
-  type interval_22_x4_t is array (0 to 3) of interval_22_t;
-  constant zero_interval_22_x4 : interval_22_x4_t := (others => zero_interval_22);
-  type unsigned_2_vector_x4_t is array (0 to 3) of unsigned_2_vector_t;
-  constant zero_unsigned_2_vector_x4 : unsigned_2_vector_x4_t := (others => zero_unsigned_2_vector);
-  type interval_u17_vector_t is array (0 to 2) of interval_u17_t;
-  constant zero_interval_u17_vector : interval_u17_vector_t := (others => zero_interval_u17);
-  type interval_u19_vector_t is array (0 to 2) of interval_u19_t;
-  constant zero_interval_u19_vector : interval_u19_vector_t := (others => zero_interval_u19);
+  type interval_18_x6_t is array (0 to 5) of interval_18_t;
+  constant zero_interval_18_x6 : interval_18_x6_t := (others => zero_interval_18);
+  type unsigned_2_vector_x6_t is array (0 to 5) of unsigned_2_vector_t;
+  constant zero_unsigned_2_vector_x6 : unsigned_2_vector_x6_t := (others => zero_unsigned_2_vector);
   type interval_18_vector_t is array (0 to 2) of interval_18_t;
   constant zero_interval_18_vector : interval_18_vector_t := (others => zero_interval_18);
-  type interval_19_19_vector_t is array (0 to 2) of interval_19_19_t;
-  constant zero_interval_19_19_vector : interval_19_19_vector_t := (others => zero_interval_19_19);
-  type interval_19_20_vector_t is array (0 to 2) of interval_19_20_t;
-  constant zero_interval_19_20_vector : interval_19_20_vector_t := (others => zero_interval_19_20);
+  type interval_19_vector_t is array (0 to 2) of interval_19_t;
+  constant zero_interval_19_vector : interval_19_vector_t := (others => zero_interval_19);
   type interval_21_vector_t is array (0 to 2) of interval_21_t;
   constant zero_interval_21_vector : interval_21_vector_t := (others => zero_interval_21);
-  type interval_25_vector_t is array (0 to 2) of interval_25_t;
-  constant zero_interval_25_vector : interval_25_vector_t := (others => zero_interval_25);
   type interval_32_vector_t is array (0 to 2) of interval_32_t;
   constant zero_interval_32_vector : interval_32_vector_t := (others => zero_interval_32);
   type interval_33_vector_t is array (0 to 2) of interval_33_t;
@@ -139,14 +106,14 @@ package efsat_types is
   constant zero_interval_18_vector_x3 : interval_18_vector_x3_t := (others => zero_interval_18_vector);
   type interval_32_vector_x3_t is array (0 to 2) of interval_32_vector_t;
   constant zero_interval_32_vector_x3 : interval_32_vector_x3_t := (others => zero_interval_32_vector);
-  type interval_18_vector_x4_t is array (0 to 3) of interval_18_vector_t;
-  constant zero_interval_18_vector_x4 : interval_18_vector_x4_t := (others => zero_interval_18_vector);
+  type interval_18_vector_x6_t is array (0 to 5) of interval_18_vector_t;
+  constant zero_interval_18_vector_x6 : interval_18_vector_x6_t := (others => zero_interval_18_vector);
   type numbers_t is array (natural range <>) of integer;
 
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
 
-  -- Whether x < y: the sign of the difference.
+  -- Whether x < y, two numbers of one length: the sign of the difference.
   function less(x, y : signed) return std_logic;
 
   -- One of two values by a flag.

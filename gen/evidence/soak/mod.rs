@@ -1,0 +1,287 @@
+//! The soak test: very many hard pairs, each asked once of every design, all answers compared with the exact ones.
+//!
+//! Where the stress campaign writes each pair in every way, this one makes as many pairs as time allows. The pairs are those
+//! of the stress families. The batched exact retest gives the truth; the two formulations of the oracle check it on every
+//! [`SAMPLE`]th case of a family and wherever a definite answer contradicts it.
+
+mod log;
+
+pub use log::{Log, LogError};
+
+use crate::stress::Family;
+use efsat_geometry::Points;
+use efsat_geometry::exact::{self, Exact, linear_programme};
+use efsat_geometry::software::retest::retest_batch;
+use efsat_unit::golden::{Golden, Pair, Pose, Verdict};
+use efsat_unit::host::{Host, loose_pair};
+use efsat_unit::params::Params;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
+use std::collections::HashMap;
+
+/// Cases of each family in a block, which is what a line of the log holds.
+pub const BLOCK: u64 = 1 << 14;
+/// One case of so many of a family is decided by the oracle too.
+pub const SAMPLE: u64 = 1 << 10;
+/// Cases that a thread takes at a time; their numbers stay in the second cache.
+const SHARE: u64 = 1 << 9;
+/// Faults of a block that are kept to be shown; all are counted.
+const SHOWN: usize = 5;
+
+/// What is asked: designs, families and the seed of their cases.
+pub struct Soak {
+    seed: u64,
+    families: Vec<&'static Family>,
+    designs: Vec<Asked>,
+}
+
+/// A design, with the host side before it.
+struct Asked {
+    params: Params,
+    golden: Golden,
+    identity: Pose,
+}
+
+/// What a design answered.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Answers {
+    /// Answers *separate*.
+    pub separate: u64,
+    /// Answers *intersect*.
+    pub intersect: u64,
+    /// Answers *possibly incorrect*.
+    pub possibly_incorrect: u64,
+    /// Definite answers that are not the exact one.
+    pub wrong: u64,
+}
+
+/// The cases of a family, exactly and as each design answers them.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Tally {
+    /// Pairs without a common point.
+    pub separate: u64,
+    /// Pairs with common points, of which none is inside both triangles.
+    pub touch: u64,
+    /// All other pairs.
+    pub intersect: u64,
+    /// Pairs that the oracle decided too.
+    pub checked: u64,
+    /// Those for which oracle and retest do not agree.
+    pub disagreements: u64,
+    /// By design.
+    pub designs: Vec<Answers>,
+}
+
+/// The result of a block.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Block {
+    /// By family.
+    pub families: Vec<Tally>,
+    /// The first few faults, each with the command that shows it again.
+    pub faults: Vec<String>,
+}
+
+impl Tally {
+    /// The number of cases.
+    pub fn pairs(&self) -> u64 {
+        self.separate + self.touch + self.intersect
+    }
+
+    /// Everything that must not be.
+    pub fn faults(&self) -> u64 {
+        self.disagreements + self.designs.iter().map(|answers| answers.wrong).sum::<u64>()
+    }
+
+    /// Adds the counts of another.
+    pub fn add(&mut self, other: &Self) {
+        self.separate += other.separate;
+        self.touch += other.touch;
+        self.intersect += other.intersect;
+        self.checked += other.checked;
+        self.disagreements += other.disagreements;
+        self.designs.resize(other.designs.len(), Answers::default());
+        for (mine, theirs) in self.designs.iter_mut().zip(&other.designs) {
+            mine.separate += theirs.separate;
+            mine.intersect += theirs.intersect;
+            mine.possibly_incorrect += theirs.possibly_incorrect;
+            mine.wrong += theirs.wrong;
+        }
+    }
+
+    fn count(&mut self, truth: Exact) {
+        *match truth {
+            Exact::Separate => &mut self.separate,
+            Exact::Touch => &mut self.touch,
+            Exact::Intersect => &mut self.intersect,
+        } += 1;
+    }
+}
+
+impl Block {
+    /// Adds another, of the same families.
+    pub fn add(&mut self, other: &Self) {
+        self.families.resize(other.families.len(), Tally::default());
+        self.families.iter_mut().zip(&other.families).for_each(|(mine, theirs)| mine.add(theirs));
+        self.faults.extend(other.faults.iter().take(SHOWN - self.faults.len().min(SHOWN)).cloned());
+    }
+
+    /// All families together.
+    pub fn total(&self) -> Tally {
+        let mut total = Tally::default();
+        self.families.iter().for_each(|tally| total.add(tally));
+        total
+    }
+}
+
+impl Answers {
+    fn count(&mut self, verdict: Verdict) {
+        *match verdict {
+            Verdict::Separate => &mut self.separate,
+            Verdict::Intersect => &mut self.intersect,
+            Verdict::PossiblyIncorrect => &mut self.possibly_incorrect,
+        } += 1;
+    }
+}
+
+/// Whether a definite answer is not the exact one.
+fn wrong(verdict: Verdict, truth: Exact) -> bool {
+    verdict != Verdict::PossiblyIncorrect && (verdict == Verdict::Separate) != (truth == Exact::Separate)
+}
+
+impl Asked {
+    fn new(params: &Params) -> Self {
+        Self { params: params.clone(), golden: Golden::new(params), identity: Pose::identity(params) }
+    }
+
+    /// The verdicts of many pairs, in their order.
+    fn verdicts(&self, pairs: &[Pair]) -> Vec<Verdict> {
+        let mut verdicts = Vec::with_capacity(pairs.len());
+        self.golden.verdicts(&self.identity, pairs, &mut verdicts);
+        verdicts
+    }
+}
+
+/// Pairs as a design reads them; loose pairs are always inside the declared ranges.
+fn quantised(pairs: &[Points], params: &Params) -> Vec<Pair> {
+    let unit = |points: &Points| match loose_pair(points, params) {
+        Host::Unit(pair) => pair,
+        Host::Decided(verdict) => unreachable!("a loose pair decided by the host: {verdict}"),
+    };
+    pairs.iter().map(unit).collect()
+}
+
+impl Soak {
+    /// Prepares a test of validated designs.
+    pub fn new(seed: u64, families: Vec<&'static Family>, designs: &[Params]) -> Self {
+        Self { seed, families, designs: designs.iter().map(Asked::new).collect() }
+    }
+
+    /// What this test asks, in words: equal tests give equal results.
+    pub fn question(&self) -> String {
+        let families: Vec<&str> = self.families.iter().map(|family| family.name).collect();
+        let designs = self.designs.iter().map(|design| design.params.command_line());
+        let designs = designs.collect::<Vec<_>>().join("; ");
+        format!("efsat {}, seed {}, {}: {designs}", env!("CARGO_PKG_VERSION"), self.seed, families.join(" "))
+    }
+
+    /// Asks block number `number`; all threads of the pool take part.
+    pub fn block(&self, number: u64) -> Block {
+        let first = number * BLOCK;
+        let shares: Vec<(usize, u64)> =
+            (0..self.families.len()).flat_map(|family| (0..BLOCK / SHARE).map(move |share| (family, share))).collect();
+        let asked =
+            |&(family, share): &(usize, u64)| (family, self.share(self.families[family], first + share * SHARE));
+        // In order, so that the faults that are kept do not depend on the threads.
+        let answers: Vec<(usize, (Tally, Vec<String>))> = shares.par_iter().map(asked).collect();
+        let mut block = Block { families: vec![Tally::default(); self.families.len()], faults: vec![] };
+        for (family, (tally, faults)) in answers {
+            block.families[family].add(&tally);
+            block.faults.extend(faults);
+        }
+        block.faults.truncate(SHOWN);
+        block
+    }
+
+    /// The cases of a family from `first` on.
+    fn share(&self, family: &Family, first: u64) -> (Tally, Vec<String>) {
+        let pairs: Vec<Points> = (first..first + SHARE).map(|index| family.case(self.seed, index).0).collect();
+        let mut truths = vec![];
+        retest_batch(&pairs, &mut truths);
+        let (mut tally, mut faults) = (Tally::default(), vec![]);
+        truths.iter().for_each(|truth| tally.count(*truth));
+        let mut checked: Vec<usize> = (0..pairs.len()).filter(|i| (first + *i as u64).is_multiple_of(SAMPLE)).collect();
+        // Designs with one format of inputs read the same numbers.
+        let mut read: HashMap<i32, Vec<Pair>> = HashMap::new();
+        for design in &self.designs {
+            let format = design.params.input().fraction;
+            let numbers = read.entry(format).or_insert_with(|| quantised(&pairs, &design.params));
+            let mut answers = Answers::default();
+            for (i, (verdict, truth)) in design.verdicts(numbers).into_iter().zip(&truths).enumerate() {
+                answers.count(verdict);
+                if wrong(verdict, *truth) {
+                    answers.wrong += 1;
+                    checked.push(i);
+                    let index = first + i as u64;
+                    let replay = format!("--seed {} --family {} --first {index} --pairs 1", self.seed, family.name);
+                    let options = design.params.command_line();
+                    let options = options.strip_prefix("efsat generate").unwrap_or(&options).trim();
+                    faults.push(format!("{verdict}, exactly {truth}: efsat stress {options} {replay}"));
+                }
+            }
+            tally.designs.push(answers);
+        }
+        checked.sort_unstable();
+        checked.dedup();
+        for i in checked {
+            tally.checked += 1;
+            let (facets, programme) = (exact::relation(&pairs[i]), linear_programme::relation(&pairs[i]));
+            if facets != programme || facets.class != truths[i] {
+                tally.disagreements += 1;
+                let index = first + i as u64;
+                faults.push(format!(
+                    "retest {}, facets {facets}, linear programme {programme}: efsat stress --seed {} --family {} --first \
+                     {index} --pairs 1",
+                    truths[i], self.seed, family.name
+                ));
+            }
+        }
+        faults.truncate(SHOWN);
+        (tally, faults)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::stress::FAMILIES;
+
+    #[test]
+    fn a_block_is_the_same_whatever_the_threads() {
+        let soak = Soak::new(3, FAMILIES.iter().take(2).collect(), &[Params::default()]);
+        let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
+        let (one, three) = (pool(1).install(|| soak.block(1)), pool(3).install(|| soak.block(1)));
+        assert_eq!(one, three);
+        assert_eq!(one.total().pairs(), 2 * BLOCK);
+        assert_eq!(one.total().checked, 2 * BLOCK / SAMPLE);
+        assert_ne!(one, soak.block(0));
+    }
+
+    #[test]
+    fn only_contradictions_are_wrong() {
+        let found = [Verdict::Separate, Verdict::Intersect, Verdict::PossiblyIncorrect]
+            .map(|verdict| [Exact::Separate, Exact::Touch, Exact::Intersect].map(|truth| wrong(verdict, truth)));
+        assert_eq!(found, [[false, true, true], [true, false, false], [false; 3]]);
+    }
+
+    /// A design that moves B a little answers for other pairs, which is noticed and can be shown again.
+    #[test]
+    fn wrong_answers_are_noticed() {
+        let family = Family::by_name("vertex-on-face-sweep").unwrap();
+        let mut soak = Soak::new(3, vec![family], &[Params::default()]);
+        let pose = &mut soak.designs[0].identity;
+        (pose.bypass, pose.t[0].lo) = (false, 1 << 26);
+        let (tally, faults) = soak.share(family, 0);
+        assert!(tally.designs[0].wrong > 0 && tally.disagreements == 0, "{tally:?}");
+        assert!(faults[0].contains("--family vertex-on-face-sweep --first "), "{faults:?}");
+    }
+}

@@ -1,0 +1,145 @@
+//! The ready designs: those that lie in the repository, each in a folder of its own.
+
+use super::design_files::{DesignFilesError, design_files_with};
+use super::{FileSet, manifest};
+use crate::design::Design;
+use crate::design::top::DesignError;
+use crate::params::stream::StreamWidth;
+use crate::params::{Method, Params};
+use askama::Template;
+use efsat_hardware::estimate;
+
+/// A design that is generated ahead for its users.
+pub struct ReadyDesign {
+    /// Its folder.
+    pub name: &'static str,
+    /// What it is for.
+    pub what: &'static str,
+    /// The options that make it, where they are not the defaults.
+    pub options: &'static str,
+    /// Those options as values.
+    pub params: Params,
+    /// Words of its stream wrapper.
+    pub stream_width: StreamWidth,
+}
+
+/// Why the ready designs cannot be made.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadyError {
+    /// Parameters out of range, or an unknown device.
+    #[error(transparent)]
+    Design(#[from] DesignError),
+    /// A name that is not legal VHDL, or a breach of the rules of the target.
+    #[error(transparent)]
+    Files(#[from] DesignFilesError),
+}
+
+/// A row of the index.
+struct Row {
+    name: &'static str,
+    what: &'static str,
+    options: &'static str,
+    multipliers: usize,
+    luts: u64,
+    flip_flops: u64,
+    interval: usize,
+    latency: usize,
+    million_pairs: String,
+}
+
+#[derive(Template)]
+#[template(path = "ready-readme.md")]
+struct Index {
+    version: &'static str,
+    device: &'static str,
+    frequency: u32,
+    rows: Vec<Row>,
+}
+
+/// The ready designs, the default first.
+pub fn ready_designs() -> [ReadyDesign; 4] {
+    let determinants = |clocks_per_pair| Params { method: Method::Determinants, clocks_per_pair, ..Params::default() };
+    [
+        ReadyDesign {
+            name: "axes",
+            what: "Separating axes, the default: few multipliers, few undecided pairs.",
+            options: "",
+            params: Params::default(),
+            stream_width: StreamWidth::default(),
+        },
+        ReadyDesign {
+            name: "paper",
+            what: "Separating axes with the roundings of the paper.",
+            options: "--like-paper",
+            params: Params::paper(),
+            stream_width: StreamWidth::default(),
+        },
+        ReadyDesign {
+            name: "determinants",
+            what: "Determinants, one pair per clock.",
+            options: "--method determinants --stream-width 1024",
+            params: determinants(1),
+            stream_width: StreamWidth::Bits1024,
+        },
+        ReadyDesign {
+            name: "determinants-2",
+            what: "Determinants, one pair every two clocks.",
+            options: "--method determinants --clocks-per-pair 2 --stream-width 512",
+            params: determinants(2),
+            stream_width: StreamWidth::Bits512,
+        },
+    ]
+}
+
+/// All ready designs, a folder each, with an index and a manifest of the whole. `command_line` says how a design with a
+/// stream wrapper of that width is generated.
+///
+/// # Errors
+/// A defect of the generator; see [`ReadyError`].
+pub fn ready_files(command_line: impl Fn(&Params, StreamWidth) -> String) -> Result<FileSet, ReadyError> {
+    let (mut set, mut rows) = (FileSet::default(), vec![]);
+    for ready in ready_designs() {
+        let design = Design::new(&ready.params, false)?;
+        let files = design_files_with(&design, ready.stream_width, &command_line(&ready.params, ready.stream_width))?;
+        files.iter().for_each(|(name, text)| set.insert(format!("{}/{name}", ready.name), text));
+        let cells = estimate::whole(&design.top, design.device);
+        rows.push(Row {
+            name: ready.name,
+            what: ready.what,
+            options: ready.options,
+            multipliers: design.top.multipliers(),
+            luts: cells.luts + cells.memory_luts,
+            flip_flops: cells.flip_flops,
+            interval: design.interval,
+            latency: design.latency,
+            million_pairs: format!("{:.1}", f64::from(design.params.frequency) / design.interval as f64),
+        });
+    }
+    let params = Params::default();
+    let device = Design::check(&params)?.name;
+    let index = Index { version: env!("CARGO_PKG_VERSION"), device, frequency: params.frequency, rows };
+    set.insert("README.md", index.render().expect("the template renders"));
+    let whole = manifest::of_ready(&set);
+    set.insert(manifest::NAME, whole);
+    Ok(set)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_ready_design_is_complete() {
+        let set = ready_files(|params, width| format!("{} {width:?}", params.command_line())).unwrap();
+        for ready in ready_designs() {
+            for file in
+                ["README.md", "efsat.vhd", "efsat_stream.vhd", "efsat_tb.vec", "manifest.json", "vivado/project.tcl"]
+            {
+                assert!(set.get(&format!("{}/{file}", ready.name)).is_some(), "{}/{file}", ready.name);
+            }
+            let row = format!("| [{0}]({0}/README.md) |", ready.name);
+            assert!(set.get("README.md").unwrap().contains(&row), "{row}");
+        }
+        assert_eq!(manifest::files(set.get(manifest::NAME).unwrap()).unwrap().len(), set.len() - 1);
+    }
+}

@@ -1,0 +1,1616 @@
+--------------------------------------------------------------------------------
+-- The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with
+-- bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is
+-- named after what it is; later copies end in _h<clocks>.
+-- Latency: 33 clocks.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.efsat_types.all;
+
+entity pair_pipeline is
+  port (
+    clk         : in  std_logic;
+    phase       : in  std_logic;  -- phase of the slot: 0 in the first clock of the inputs
+    in_v        : in  signed_32_vector_x3_t;  -- |.| <= 268435456
+    in_w        : in  signed_32_vector_x3_t;  -- |.| <= 268435456
+    pose_m      : in  signed_32_vector_x3_t;  -- |.| <= 268435456
+    pose_t      : in  signed_32_vector_t;  -- s4.28; |.| <= 1073741816
+    pose_bypass : in  std_logic;
+    verdict     : out unsigned(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
+    separated   : out std_logic_vector(8 downto 0);
+    overlapping : out std_logic_vector(8 downto 0)
+  );
+end entity pair_pipeline;
+
+architecture rtl of pair_pipeline is
+  constant axis_level_0_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
+  constant axis_level_1_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
+  constant axis_level_2_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
+  constant boxes_wrong_table : numbers_t(0 to 6) := (1, 1, 2, 3, 5, 9, 17);
+  signal difference_v1 : signed_33_vector_t;  -- |.| <= 536870912
+  signal difference_v2 : signed_33_vector_t;  -- |.| <= 536870912
+  signal moved : signed_33_vector_t;  -- |.| <= 1342177272; t - V0, or - V0 with the bypass
+  signal row_w : signed_32_vector_x3_t;  -- |.| <= 268435456
+  signal row_m0_select_at_0 : std_logic := '0';
+  signal strobe : std_logic_vector(1 downto 0) := (others => '0');  -- one flag per phase
+  signal moved_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal moved_h4 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal in_w_h2 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- |.| <= 268435456
+  signal in_w_h4 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- |.| <= 268435456
+  signal row_same : signed_32_x4_t;  -- |.| <= 268435456
+  signal pose_m_d1 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- |.| <= 268435456
+  signal row_w_d1 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- |.| <= 268435456
+  signal row_turned : signed_32_x5_t;  -- |.| <= 805306372
+  signal pose_bypass_h2 : std_logic := '0';
+  signal pose_bypass_h4 : std_logic := '0';
+  signal pose_bypass_h4_d1 : std_logic := '0';
+  signal row_same_d1 : signed_32_x4_t := zero_signed_32_x4;  -- |.| <= 268435456
+  signal row0_choice_d1 : signed(31 downto 0) := (others => '0');  -- |.| <= 805306372
+  signal row1_choice_d1 : signed(31 downto 0) := (others => '0');  -- |.| <= 805306372
+  signal row2_choice_d1 : signed(31 downto 0) := (others => '0');  -- |.| <= 805306372
+  signal row3_choice_d1 : signed(31 downto 0) := (others => '0');  -- |.| <= 805306372
+  signal row4_choice_d1 : signed(31 downto 0) := (others => '0');  -- |.| <= 805306372
+  signal moved_h4_d1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal moved_h4_d2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal row : signed_34_x5_t;  -- |.| <= 2147483644
+  signal difference : signed_34_x9_t := zero_signed_34_x9;  -- |.| <= 2147483644
+  signal row_m3 : signed_32_vector_t;  -- |.| <= 268435456
+  signal row_moved3 : signed(32 downto 0);  -- |.| <= 1342177272
+  signal row_m3_d1 : signed_32_vector_t := zero_signed_32_vector;  -- |.| <= 268435456
+  signal in_w2_d1 : signed_32_vector_t := zero_signed_32_vector;  -- |.| <= 268435456
+  signal row_moved3_d1 : signed(32 downto 0) := (others => '0');  -- |.| <= 1342177272
+  signal row_moved3_d2 : signed(32 downto 0) := (others => '0');  -- |.| <= 1342177272
+  signal difference_w0 : signed_33_vector_t;  -- |.| <= 2147483644
+  signal difference_w1 : signed_33_vector_t;  -- |.| <= 2147483644
+  signal difference_w2 : signed_33_vector_t;  -- |.| <= 2147483644
+  signal difference4_h2 : signed(33 downto 0) := (others => '0');  -- |.| <= 2147483644
+  signal difference_v1_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v1_h4 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v1_h6 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v1_h8 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_h4 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_h6 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_h8 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal shift : flag_x4_vector_t;
+  signal difference_v1_h10 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_w1_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
+  signal lane : signed_33_vector_x2_t;  -- |.| <= 2147483644
+  signal shift_h1 : flag_x4_vector_t := zero_flag_x4_vector;
+  signal lane_d1 : signed_33_vector_x2_t := zero_signed_33_vector_x2;  -- |.| <= 2147483644
+  signal lane_shifted : signed_19_vector_x3_t;  -- |.| <= 262144
+  signal coordinate_cut : signed_19_vector_x5_t := zero_signed_19_vector_x5;  -- |.| <= 262144
+  signal difference_v2_h10 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_w2_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
+  signal difference_w2_x_h4 : signed(32 downto 0) := (others => '0');  -- |.| <= 2147483644
+  signal difference_w0_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
+  signal difference_w0_h2_d1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
+  signal carried : std_logic_vector(2 downto 0);
+  signal coordinate_cut0_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut1_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut2_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut0_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut1_h3 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal carried_h1 : std_logic_vector(2 downto 0) := (others => '0');
+  signal carried_h2 : std_logic_vector(2 downto 0) := (others => '0');
+  signal coordinate_v1 : signed_18_vector_t;  -- |.| <= 131071
+  signal coordinate_v2 : signed_18_vector_t;  -- |.| <= 131071
+  signal coordinate_w0 : signed_18_vector_t;  -- |.| <= 131071
+  signal coordinate_cut3_h1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_cut4_h1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262144
+  signal coordinate_w1 : signed_18_vector_t;  -- |.| <= 131071
+  signal coordinate_w2 : signed_18_vector_t;  -- |.| <= 131071
+  signal shift_h3 : flag_x4_vector_t := zero_flag_x4_vector;
+  signal taken_x : unsigned(4 downto 0);
+  signal taken_x_h1 : unsigned(4 downto 0) := (others => '0');
+  signal axis_level : unsigned_3_x3_t;
+  signal taken_y : unsigned(4 downto 0);
+  signal taken_y_h1 : unsigned(4 downto 0) := (others => '0');
+  signal taken_z : unsigned(4 downto 0);
+  signal taken_z_h1 : unsigned(4 downto 0) := (others => '0');
+  signal axis_level0_resized_less_choice : unsigned(2 downto 0);
+  signal level_less_resized_first_h1 : signed(3 downto 0) := (others => '0');  -- |.| <= 6
+  signal level_less_resized_second_h1 : signed(3 downto 0) := (others => '0');  -- |.| <= 6
+  signal level_less_h2 : std_logic := '0';
+  signal level_less_h4 : std_logic := '0';
+  signal axis_level0_resized_less_choice_h2 : unsigned(2 downto 0) := (others => '0');
+  signal axis_level0_resized_less_choice_h4 : unsigned(2 downto 0) := (others => '0');
+  signal axis_level0_resized_less_choice_h5 : unsigned(2 downto 0) := (others => '0');
+  signal axis_level2_h2 : unsigned(2 downto 0) := (others => '0');
+  signal axis_level2_h4 : unsigned(2 downto 0) := (others => '0');
+  signal axis_level2_h5 : unsigned(2 downto 0) := (others => '0');
+  signal level : unsigned(2 downto 0);
+  signal moment_plus : signed_18_x2_x6_t;  -- |.| <= 131071
+  signal moment_minus : signed_18_x2_x6_t;  -- |.| <= 131071
+  signal moment_plus_d1 : signed_18_x2_x6_t := zero_signed_18_x2_x6;  -- |.| <= 131071
+  signal moment_minus_d1 : signed_18_x2_x6_t := zero_signed_18_x2_x6;  -- |.| <= 131071
+  signal moment_lane_cut : signed_20_x6_t;  -- |.| <= 524281
+  signal moment_too_great : flag_x1_x6_t;
+  signal moment_cut : signed_20_x12_t := zero_signed_20_x12;  -- |.| <= 524281
+  signal too_great_0_found : std_logic;
+  signal too_great_0_found_d1 : std_logic := '0';
+  signal too_great_0_so_far_select_at_1 : std_logic := '0';
+  signal too_great_0_so_far_before : std_logic := '0';
+  signal too_great_0_so_far : std_logic;
+  signal places_captured : std_logic := '0';
+  signal places : std_logic;
+  signal moment_exact : signed_20_vector_x2_t;  -- |.| <= 524281
+  signal moment_exact_d1 : signed_20_vector_x2_t := zero_signed_20_vector_x2;  -- |.| <= 524281
+  signal moment_lane : signed_18_vector_x2_t;  -- |.| <= 131072
+  signal moment_m0 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal moment_m2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal moment_m1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal moment_n : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal coordinate_w0_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w0_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w0_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w0_h8 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal moment_m1_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal dot_m : signed_18_vector_t;  -- |.| <= 131072
+  signal row_m0_select_at_1 : std_logic := '0';
+  signal coordinate_w0_h8_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w0_h8_d2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_m_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal dot_lane : signed_38_x5_t;  -- |.| <= 51539214336
+  signal determinant_plane_a0 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal determinant_plane_b0 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal coordinate_v1_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v1_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v1_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v2_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v2_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v2_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v2_h8 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_x1 : signed_18_vector_t;  -- |.| <= 131071
+  signal dot_x2 : signed_18_vector_t;  -- |.| <= 131071
+  signal dot_x3 : signed_18_vector_t;  -- |.| <= 131071
+  signal dot_x4 : signed_18_vector_t;  -- |.| <= 131071
+  signal dot_x1_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_x2_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_x3_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_x4_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal moment_m0_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal dot_d1 : signed_38_x3_t := zero_signed_38_x3;  -- |.| <= 51539214336
+  signal determinant_side20 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal moment_m1_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal determinant_side21 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal dot_x3_d2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal dot_x4_d2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal moment_m2_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal determinant_side22 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal coordinate_w1_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w1_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w1_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w1_h8 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w2_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w2_h4 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w2_h6 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w2_h8 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal moment_n_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
+  signal determinant_plane_a1 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal determinant_plane_a2 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal dot_d1_0_h2 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal dot_d1_1_h2 : signed(37 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared : signed_41_x15_t;  -- |.| <= 206156857344
+  signal determinant_side00 : signed(38 downto 0);  -- |.| <= 51539214336
+  signal determinant_side01 : signed(38 downto 0);  -- |.| <= 51539214336
+  signal determinant_side02 : signed(38 downto 0);  -- |.| <= 51539214336
+  signal determinant_side10 : signed(39 downto 0);  -- |.| <= 206156857344
+  signal determinant_side11 : signed(39 downto 0);  -- |.| <= 206156857344
+  signal determinant_side12 : signed(39 downto 0);  -- |.| <= 206156857344
+  signal coordinate_v2_h1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_v1_h1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal e_a1 : signed_19_vector_t;  -- |.| <= 262142
+  signal coordinate_w1_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal coordinate_w0_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal e_b : signed_19_vector_x3_t;  -- |.| <= 262142
+  signal coordinate_w2_h3 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
+  signal norm_x0_resized_third_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal norm_x_x : signed_19_x4_t;  -- |.| <= 262142
+  signal norm_x_y : signed_19_x4_t;  -- |.| <= 262142
+  signal norm_x_z : signed_19_x4_t;  -- |.| <= 262142
+  signal norm_x0_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal norm_x1_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262142
+  signal norm_x2_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262142
+  signal norm_x3_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 262142
+  signal norm_lane : unsigned_21_x5_t;
+  signal length_measure : unsigned_21_x9_t := zero_unsigned_21_x9;
+  signal norm_x3_resized_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal norm_x4_resized_h2 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal norm_x4_resized_h2_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 131071
+  signal rest_of_level : unsigned(14 downto 0);
+  signal rest_of_level_aligned : unsigned(15 downto 0);
+  signal rest_aligned_second_h2 : unsigned(16 downto 0) := (others => '0');
+  signal rest_of_level_aligned_h2 : unsigned(15 downto 0) := (others => '0');
+  signal rest : unsigned(16 downto 0);  -- c(3); four times that is c(5)
+  signal length_measure_h2 : unsigned_21_x9_t := zero_unsigned_21_x9;
+  signal length_measure_h4 : unsigned_21_x9_t := zero_unsigned_21_x9;
+  signal length_measure0_h6 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure1_h6 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure2_h6 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure3_h6 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure8_h5 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure4_h5 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure5_h5 : unsigned(20 downto 0) := (others => '0');
+  signal length_measure7_h5 : unsigned(20 downto 0) := (others => '0');
+  signal rest_h2 : unsigned(16 downto 0) := (others => '0');
+  signal rest_h4 : unsigned(16 downto 0) := (others => '0');
+  signal length_measure0_plane_a0 : unsigned(23 downto 0);
+  signal bound_plane_a1_sum_first_result : unsigned(23 downto 0);
+  signal bound_plane_a2_sum_first_result : unsigned(23 downto 0);
+  signal bound_plane_b1_result : unsigned(26 downto 0);
+  signal bound_plane_b2_result : unsigned(26 downto 0);
+  signal length_measure0_ends0 : unsigned(23 downto 0);
+  signal length_measure0_ends1 : unsigned(23 downto 0);
+  signal bound_side10_result : unsigned(24 downto 0);
+  signal bound_side11_result : unsigned(24 downto 0);
+  signal bound_side12_result : unsigned(24 downto 0);
+  signal length_x : unsigned_21_x4_t;
+  signal places_d1 : std_logic := '0';
+  signal places_d2 : std_logic := '0';
+  signal length_times_g : unsigned_22_x5_t;
+  signal level_h2 : unsigned(2 downto 0) := (others => '0');
+  signal level_h4 : unsigned(2 downto 0) := (others => '0');
+  signal length_times_g_d1 : unsigned_22_x5_t := zero_unsigned_22_x5;
+  signal level_h4_d1 : unsigned(2 downto 0) := (others => '0');
+  signal length_first : unsigned_29_x5_t;
+  signal length_bound : unsigned_29_x9_t := zero_unsigned_29_x9;
+  signal moment_norm_x : signed_18_vector_x2_t;  -- |.| <= 131072
+  signal moment_norm_x_d1 : signed_18_vector_x2_t := zero_signed_18_vector_x2;  -- |.| <= 131072
+  signal moment_norm_lane : unsigned_20_x2_t;
+  signal norm_of_moment : unsigned_20_x4_t := zero_unsigned_20_x4;
+  signal moment_measure : unsigned_21_x4_t;
+  signal moment_x : unsigned_21_x2_t;
+  signal moment_x_d1 : unsigned_21_x2_t := zero_unsigned_21_x2;
+  signal level_h4_d2 : unsigned(2 downto 0) := (others => '0');
+  signal level_h4_d3 : unsigned(2 downto 0) := (others => '0');
+  signal moment_first : unsigned_28_x2_t;
+  signal moment_bound : unsigned_28_x4_t := zero_unsigned_28_x4;
+  signal face_of_vertex_negative_difference : signed_30_x3_x2_t;  -- |.| <= 53476968
+  signal face_of_vertex : unsigned_29_x3_x2_t;
+  signal bound_all_m : unsigned(29 downto 0);
+  signal length_measure0_plane_a0_h2 : unsigned(23 downto 0) := (others => '0');
+  signal face_of_vertex_h1 : unsigned_29_x3_x2_t := zero_unsigned_29_x3_x2;
+  signal bound_plane_a0_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_plane_a0 : unsigned(30 downto 0);
+  signal bound_plane_a1_sum_first_result_h2 : unsigned(23 downto 0) := (others => '0');
+  signal bound_plane_a1_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_plane_a1 : unsigned(30 downto 0);
+  signal bound_plane_a2_sum_first_result_h2 : unsigned(23 downto 0) := (others => '0');
+  signal bound_plane_a2_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_plane_a2 : unsigned(30 downto 0);
+  signal bound_corner_aligned_h1 : unsigned(30 downto 0) := (others => '0');
+  signal bound_corner_sum_h2 : unsigned(30 downto 0) := (others => '0');
+  signal bound_corner_sum_h3 : unsigned(30 downto 0) := (others => '0');
+  signal bound_corner : unsigned(31 downto 0);
+  signal bound_all_m_h1 : unsigned(29 downto 0) := (others => '0');
+  signal length_measure0_plane_a0_h3 : unsigned(23 downto 0) := (others => '0');
+  signal bound_plane_b0 : unsigned(30 downto 0);
+  signal bound_plane_b1_result_h2 : unsigned(26 downto 0) := (others => '0');
+  signal bound_plane_b1_result_h3 : unsigned(26 downto 0) := (others => '0');
+  signal bound_plane_b1 : unsigned(32 downto 0);
+  signal bound_plane_b2_result_h2 : unsigned(26 downto 0) := (others => '0');
+  signal bound_plane_b2_result_h3 : unsigned(26 downto 0) := (others => '0');
+  signal bound_plane_b2 : unsigned(32 downto 0);
+  signal bound_of_a_aligned_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_of_a : unsigned(30 downto 0);
+  signal length_measure0_ends0_h2 : unsigned(23 downto 0) := (others => '0');
+  signal bound_side00_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side00 : unsigned(30 downto 0);
+  signal bound_side01_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side01 : unsigned(30 downto 0);
+  signal bound_side02_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side02 : unsigned(30 downto 0);
+  signal bound_side10_sum_sum_aligned_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side10_sum_h1 : unsigned(31 downto 0) := (others => '0');
+  signal bound_side10_result_h2 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side10_result_h3 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side10 : unsigned(32 downto 0);
+  signal bound_side11_sum_sum_aligned_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side11_sum_h1 : unsigned(31 downto 0) := (others => '0');
+  signal bound_side11_result_h2 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side11_result_h3 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side11 : unsigned(32 downto 0);
+  signal bound_side12_sum_sum_aligned_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side12_sum_h1 : unsigned(31 downto 0) := (others => '0');
+  signal bound_side12_result_h2 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side12_result_h3 : unsigned(24 downto 0) := (others => '0');
+  signal bound_side12 : unsigned(32 downto 0);
+  signal length_measure0_ends1_h2 : unsigned(23 downto 0) := (others => '0');
+  signal bound_side20_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side20 : unsigned(30 downto 0);
+  signal bound_side21_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side21 : unsigned(30 downto 0);
+  signal bound_side22_sum_second_h2 : unsigned(29 downto 0) := (others => '0');
+  signal bound_side22 : unsigned(30 downto 0);
+  signal compared_bound : signed_31_x15_t;  -- |.| <= 67665506
+  signal compared0_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared1_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared3_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared12_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared13_h2 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared_bound0_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound1_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound2_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound3_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 10231806
+  signal compared_bound6_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound7_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound12_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound13_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound14_h1 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared0_sign0 : std_logic;
+  signal compared0_sign1 : std_logic;
+  signal compared1_sign0 : std_logic;
+  signal compared1_sign1 : std_logic;
+  signal compared2_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared4_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal compared5_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal compared6_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared7_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared8_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared9_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal compared10_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal compared11_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 206156857344
+  signal compared14_h1 : signed(40 downto 0) := (others => '0');  -- |.| <= 51539214336
+  signal compared2_sign0 : std_logic;
+  signal compared2_sign1 : std_logic;
+  signal compared3_sign0 : std_logic;
+  signal compared3_sign1 : std_logic;
+  signal compared_bound4_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
+  signal compared_bound5_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 60980936
+  signal compared_bound8_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound9_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
+  signal compared_bound10_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
+  signal compared_bound11_h2 : signed(30 downto 0) := (others => '0');  -- |.| <= 67665506
+  signal compared4_sign0 : std_logic;
+  signal compared4_sign1 : std_logic;
+  signal compared5_sign0 : std_logic;
+  signal compared5_sign1 : std_logic;
+  signal compared_bound6_h3 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound7_h3 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared_bound8_h3 : signed(30 downto 0) := (others => '0');  -- |.| <= 16916376
+  signal compared6_sign0 : std_logic;
+  signal compared6_sign1 : std_logic;
+  signal compared7_sign0 : std_logic;
+  signal compared7_sign1 : std_logic;
+  signal compared8_sign0 : std_logic;
+  signal compared8_sign1 : std_logic;
+  signal compared9_sign0 : std_logic;
+  signal compared9_sign1 : std_logic;
+  signal compared10_sign0 : std_logic;
+  signal compared10_sign1 : std_logic;
+  signal compared11_sign0 : std_logic;
+  signal compared11_sign1 : std_logic;
+  signal compared12_sign0 : std_logic;
+  signal compared12_sign1 : std_logic;
+  signal compared13_sign0 : std_logic;
+  signal compared13_sign1 : std_logic;
+  signal compared14_sign0 : std_logic;
+  signal compared14_sign1 : std_logic;
+  signal boxes_v : signed_18_x2_t;  -- |.| <= 131071
+  signal boxes_w : signed_18_x3_t;  -- |.| <= 131071
+  signal boxes_v_d1 : signed_18_x2_t := zero_signed_18_x2;  -- |.| <= 131071
+  signal boxes_w_d1 : signed_18_x3_t := zero_signed_18_x3;  -- |.| <= 131071
+  signal boxes_wrong_d1 : unsigned(4 downto 0) := (others => '0');
+  signal boxes_lane : std_logic_vector(1 downto 0);
+  signal boxes_apart_along : std_logic_vector(2 downto 0) := (others => '0');
+  signal coordinate_v1_y_h4_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 131071
+  signal coordinate_v2_y_h4_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 131071
+  signal coordinate_w0_y_h4_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 131071
+  signal coordinate_w1_y_h4_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 131071
+  signal coordinate_w2_y_h4_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 131071
+  signal separated_i : std_logic_vector(8 downto 0);
+  signal compared3_sign0_h2 : std_logic := '0';
+  signal compared3_sign1_h2 : std_logic := '0';
+  signal compared4_sign0_h1 : std_logic := '0';
+  signal compared4_sign1_h1 : std_logic := '0';
+  signal compared6_sign0_h1 : std_logic := '0';
+  signal compared6_sign1_h1 : std_logic := '0';
+  signal compared7_sign0_h1 : std_logic := '0';
+  signal compared7_sign1_h1 : std_logic := '0';
+  signal compared8_sign0_h1 : std_logic := '0';
+  signal compared8_sign1_h1 : std_logic := '0';
+  signal overlapping_i : std_logic_vector(8 downto 0);
+  signal compared5_sign0_h1 : std_logic := '0';
+  signal compared5_sign1_h1 : std_logic := '0';
+  signal compared9_sign0_h1 : std_logic := '0';
+  signal compared9_sign1_h1 : std_logic := '0';
+  signal compared10_sign0_h1 : std_logic := '0';
+  signal compared10_sign1_h1 : std_logic := '0';
+  signal compared11_sign0_h1 : std_logic := '0';
+  signal compared11_sign1_h1 : std_logic := '0';
+  signal compared12_sign0_h2 : std_logic := '0';
+  signal compared12_sign0_h3 : std_logic := '0';
+  signal compared12_sign1_h2 : std_logic := '0';
+  signal compared12_sign1_h3 : std_logic := '0';
+  signal compared13_sign0_h2 : std_logic := '0';
+  signal compared13_sign0_h3 : std_logic := '0';
+  signal compared13_sign1_h2 : std_logic := '0';
+  signal compared13_sign1_h3 : std_logic := '0';
+  signal compared14_sign0_h2 : std_logic := '0';
+  signal compared14_sign0_h3 : std_logic := '0';
+  signal compared14_sign1_h2 : std_logic := '0';
+  signal compared14_sign1_h3 : std_logic := '0';
+  signal compared0_sign0_h2 : std_logic := '0';
+  signal compared0_sign0_h3 : std_logic := '0';
+  signal compared0_sign1_h2 : std_logic := '0';
+  signal compared0_sign1_h3 : std_logic := '0';
+  signal compared1_sign0_h2 : std_logic := '0';
+  signal compared1_sign0_h3 : std_logic := '0';
+  signal compared1_sign1_h2 : std_logic := '0';
+  signal compared1_sign1_h3 : std_logic := '0';
+  signal compared2_sign0_h2 : std_logic := '0';
+  signal compared2_sign0_h3 : std_logic := '0';
+  signal compared2_sign1_h2 : std_logic := '0';
+  signal compared2_sign1_h3 : std_logic := '0';
+  signal separated0_h1 : std_logic := '0';
+  signal separated2_h1 : std_logic := '0';
+  signal separated3_h1 : std_logic := '0';
+  signal separated4_h1 : std_logic := '0';
+  signal separated5_h1 : std_logic := '0';
+  signal separated6_h1 : std_logic := '0';
+  signal separated7_h1 : std_logic := '0';
+  signal separated8_h1 : std_logic := '0';
+  signal separated0_h3 : std_logic := '0';
+  signal separated0_h5 : std_logic := '0';
+  signal separated0_h7 : std_logic := '0';
+  signal separated0_h9 : std_logic := '0';
+  signal separated1_h2 : std_logic := '0';
+  signal separated2_h2 : std_logic := '0';
+  signal separated1_h4 : std_logic := '0';
+  signal overlapping3_h1 : std_logic := '0';
+  signal overlapping4_h1 : std_logic := '0';
+  signal overlapping5_h1 : std_logic := '0';
+  signal overlapping6_h1 : std_logic := '0';
+  signal overlapping7_h1 : std_logic := '0';
+  signal overlapping8_h1 : std_logic := '0';
+  signal row_turned_unit_m : signed_32_vector_x5_t;
+  signal row_turned_unit_w : signed_32_vector_x5_t;
+  signal shift_unit_x : signed_33_x5_vector_t;
+  signal lane_shifted_unit_x : signed_33_vector_x3_t;
+  signal carried_unit_cut : signed_19_x5_vector_t;
+  signal dot_lane_unit_x : signed_18_vector_x5_t;
+  signal dot_lane_unit_m : signed_18_vector_x5_t;
+  signal compared_unit_a : signed_38_x3_t;
+  signal compared_unit_d : signed_38_x3_x2_t;
+  signal compared_unit_plane_b : signed_41_x2_t;
+  signal compared_unit_side0 : signed_39_x3_t;
+  signal compared_unit_side1 : signed_40_x3_t;
+  signal norm_lane_unit_x : signed_19_vector_x5_t;
+  signal length_measure0_plane_a0_unit_v : unsigned_21_x2_t;
+  signal length_measure0_plane_a0_unit_w : unsigned_21_x3_t;
+  signal length_measure0_plane_a0_unit_b : unsigned_21_x3_t;
+  signal length_measure0_plane_a0_unit_plane_a : unsigned_24_x3_t;
+  signal length_measure0_plane_a0_unit_plane_b : unsigned_27_x2_t;
+  signal length_measure0_plane_a0_unit_ends : unsigned_24_x2_t;
+  signal length_measure0_plane_a0_unit_middle : unsigned_25_x3_t;
+  signal compared0_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared1_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared2_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared3_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared4_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared5_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared6_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared7_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared8_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared9_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared10_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared11_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared12_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared13_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal compared14_sign0_unit_sign : std_logic_vector(1 downto 0);
+  signal boxes_lane_unit_v : signed_18_x2_x2_t;
+  signal boxes_lane_unit_w : signed_18_x3_x2_t;
+  signal separated3_unit_ends : flag_x2_x2_t;
+  signal separated3_unit_sides : flag_x2_x3_t;
+  signal separated4_unit_ends : flag_x2_x2_t;
+  signal separated4_unit_sides : flag_x2_x3_t;
+  signal separated5_unit_ends : flag_x2_x2_t;
+  signal separated5_unit_sides : flag_x2_x3_t;
+  signal separated6_unit_ends : flag_x2_x2_t;
+  signal separated6_unit_sides : flag_x2_x3_t;
+  signal separated7_unit_ends : flag_x2_x2_t;
+  signal separated7_unit_sides : flag_x2_x3_t;
+  signal separated8_unit_ends : flag_x2_x2_t;
+  signal separated8_unit_sides : flag_x2_x3_t;
+  signal verdict_unit_separated : std_logic_vector(8 downto 0);
+  signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
+begin
+  -- Selectors and strobes, set in the clock before their phase
+  selectors : process (clk)
+  begin
+    if rising_edge(clk) then
+      if phase = '1' then
+        row_m0_select_at_0 <= '0';
+      else
+        row_m0_select_at_0 <= '1';
+      end if;
+      strobe(0) <= flag(phase = '1');
+      strobe(1) <= flag(phase = '0');
+      if phase = '1' then
+        too_great_0_so_far_select_at_1 <= '0';
+      else
+        too_great_0_so_far_select_at_1 <= '1';
+      end if;
+      too_great_0_so_far_before <= too_great_0_so_far;
+      if phase = '1' then
+        row_m0_select_at_1 <= '1';
+      else
+        row_m0_select_at_1 <= '0';
+      end if;
+    end if;
+  end process selectors;
+  overlapping_i(0) <= '0';
+  overlapping_i(1) <= '0';
+  overlapping_i(2) <= '0';
+
+  -- Clock 0
+  difference_v1_each : for i in 0 to 2 generate
+    difference_v1(i) <= resize(in_v(1)(i), 33) - resize(in_v(0)(i), 33);
+    difference_v2(i) <= resize(in_v(2)(i), 33) - resize(in_v(0)(i), 33);
+    moved(i) <= resize(choose(pose_bypass, to_signed(0, 32), pose_t(i)), 33) - resize(in_v(0)(i), 33);
+  end generate difference_v1_each;
+  row_w_each : for k in 0 to 2 generate
+    row_w(k) <= in_w(1) when row_m0_select_at_0 = '1' else in_w(0);
+  end generate row_w_each;
+  row_m3 <= pose_m(1) when row_m0_select_at_0 = '1' else pose_m(0);
+
+  -- Clock 1
+  clock_1 : process (clk)
+  begin
+    if rising_edge(clk) then
+      pose_m_d1 <= pose_m;
+      row_w_d1 <= row_w;
+      row_m3_d1 <= row_m3;
+      in_w2_d1 <= in_w(2);
+    end if;
+  end process clock_1;
+  row_turned_unit_m(0) <= pose_m_d1(0);
+  row_turned_unit_m(1) <= pose_m_d1(1);
+  row_turned_unit_m(2) <= pose_m_d1(2);
+  row_turned_unit_m(3) <= row_m3_d1;
+  row_turned_unit_m(4) <= pose_m(2);
+  row_turned_unit_w(0) <= row_w_d1(0);
+  row_turned_unit_w(1) <= row_w_d1(1);
+  row_turned_unit_w(2) <= row_w_d1(2);
+  row_turned_unit_w(3) <= in_w2_d1;
+  row_turned_unit_w(4) <= in_w(2);
+  row_turned_unit : for k in 0 to 4 generate
+    unit : entity work.difference_row
+      port map (clk => clk, m => row_turned_unit_m(k), w => row_turned_unit_w(k), turned => row_turned(k));
+  end generate row_turned_unit;
+
+  -- Clock 4
+  row_same(0) <= in_w_h4(1)(0) when row_m0_select_at_0 = '1' else in_w_h4(0)(0);
+  row_same(1) <= in_w_h4(1)(1) when row_m0_select_at_0 = '1' else in_w_h4(0)(1);
+  row_same(2) <= in_w_h4(1)(2) when row_m0_select_at_0 = '1' else in_w_h4(0)(2);
+  row_same(3) <= in_w_h4(2)(1) when row_m0_select_at_0 = '1' else in_w_h4(2)(0);
+  row_moved3 <= moved_h4(1) when row_m0_select_at_0 = '1' else moved_h4(0);
+
+  -- Clock 5
+  clock_5 : process (clk)
+  begin
+    if rising_edge(clk) then
+      pose_bypass_h4_d1 <= pose_bypass_h4;
+      row_same_d1 <= row_same;
+      if pose_bypass_h4 = '1' then
+        row4_choice_d1 <= in_w_h4(2)(2);
+      else
+        row4_choice_d1 <= row_turned(4);
+      end if;
+      moved_h4_d1 <= moved_h4;
+      row_moved3_d1 <= row_moved3;
+    end if;
+  end process clock_5;
+  row(4) <= resize(row4_choice_d1, 34) + resize(moved_h4_d1(2), 34);
+
+  -- Clock 6
+  clock_6 : process (clk)
+  begin
+    if rising_edge(clk) then
+      if pose_bypass_h4_d1 = '1' then
+        row0_choice_d1 <= row_same_d1(0);
+      else
+        row0_choice_d1 <= row_turned(0);
+      end if;
+      if pose_bypass_h4_d1 = '1' then
+        row1_choice_d1 <= row_same_d1(1);
+      else
+        row1_choice_d1 <= row_turned(1);
+      end if;
+      if pose_bypass_h4_d1 = '1' then
+        row2_choice_d1 <= row_same_d1(2);
+      else
+        row2_choice_d1 <= row_turned(2);
+      end if;
+      if pose_bypass_h4_d1 = '1' then
+        row3_choice_d1 <= row_same_d1(3);
+      else
+        row3_choice_d1 <= row_turned(3);
+      end if;
+      moved_h4_d2 <= moved_h4_d1;
+      row_moved3_d2 <= row_moved3_d1;
+    end if;
+  end process clock_6;
+  row(0) <= resize(row0_choice_d1, 34) + resize(moved_h4_d2(0), 34);
+  row(1) <= resize(row1_choice_d1, 34) + resize(moved_h4_d2(1), 34);
+  row(2) <= resize(row2_choice_d1, 34) + resize(moved_h4_d2(2), 34);
+  row(3) <= resize(row3_choice_d1, 34) + resize(row_moved3_d2, 34);
+
+  -- Clock 7
+  difference_w0_each : for i in 0 to 2 generate
+    difference_w0(i) <= difference(i)(32 downto 0);
+  end generate difference_w0_each;
+  difference_w2(0) <= difference(3)(32 downto 0);
+
+  -- Clock 8
+  difference_w1_each : for i in 0 to 2 generate
+    difference_w1(i) <= difference(i + 5)(32 downto 0);
+  end generate difference_w1_each;
+  difference_w2(1) <= difference(8)(32 downto 0);
+  difference_w2(2) <= difference4_h2(32 downto 0);
+  shift_unit_x_0_each : for i in 0 to 2 generate
+    shift_unit_x(i)(0) <= difference_v1_h8(i);
+    shift_unit_x(i)(1) <= difference_v2_h8(i);
+    shift_unit_x(i)(2) <= difference_w0(i);
+    shift_unit_x(i)(3) <= difference_w1(i);
+    shift_unit_x(i)(4) <= difference_w2(i);
+  end generate shift_unit_x_0_each;
+  shift_unit : for i in 0 to 2 generate
+    unit : entity work.coordinate_shift
+      port map (clk => clk, x => shift_unit_x(i), shift => shift(i));
+  end generate shift_unit;
+
+  -- Clock 10
+  lane(0) <= difference_w1_h2 when row_m0_select_at_0 = '1' else difference_v1_h10;
+  lane(1)(0) <= difference_w2_x_h4 when row_m0_select_at_0 = '1' else difference_v2_h10(0);
+  lane(1)(1) <= difference_w2_h2(1) when row_m0_select_at_0 = '1' else difference_v2_h10(1);
+  lane(1)(2) <= difference_w2_h2(2) when row_m0_select_at_0 = '1' else difference_v2_h10(2);
+
+  -- Clock 11
+  clock_11 : process (clk)
+  begin
+    if rising_edge(clk) then
+      lane_d1 <= lane;
+      difference_w0_h2_d1 <= difference_w0_h2;
+    end if;
+  end process clock_11;
+  lane_shifted_unit_x(0) <= lane_d1(0);
+  lane_shifted_unit_x(1) <= lane_d1(1);
+  lane_shifted_unit_x(2) <= difference_w0_h2_d1;
+  lane_shifted_unit : for k in 0 to 2 generate
+    unit : entity work.coordinate_scale
+      port map (x => lane_shifted_unit_x(k), shift => shift_h1, cut => lane_shifted(k));
+  end generate lane_shifted_unit;
+
+  -- Clock 13
+  taken_x <= carried(0) & unsigned(shift_h3(0));
+  taken_y <= carried(1) & unsigned(shift_h3(1));
+  taken_z <= carried(2) & unsigned(shift_h3(2));
+  carried_unit_cut_each_of : for i in 0 to 2 generate
+    carried_unit_cut_each : for k in 0 to 4 generate
+      carried_unit_cut(i)(k) <= coordinate_cut(k)(i);
+    end generate carried_unit_cut_each;
+  end generate carried_unit_cut_each_of;
+  carried_unit : for i in 0 to 2 generate
+    unit : entity work.coordinate_carry
+      port map (cut => carried_unit_cut(i), carried => carried(i));
+  end generate carried_unit;
+
+  -- Clock 14
+  axis_level(0) <= to_unsigned(axis_level_0_table(to_integer(taken_x_h1)), 3);
+  axis_level(1) <= to_unsigned(axis_level_1_table(to_integer(taken_y_h1)), 3);
+  axis_level(2) <= to_unsigned(axis_level_2_table(to_integer(taken_z_h1)), 3);
+  axis_level0_resized_less_choice <= axis_level(1) when
+      less(signed(resize(axis_level(0), 4)), signed(resize(axis_level(1), 4))) = '1' else axis_level(0);
+  moment_plus(0)(0) <= coordinate_w2(1) when row_m0_select_at_0 = '1' else coordinate_w0(1);
+  moment_plus(0)(1) <= coordinate_w0(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
+  moment_plus(1)(0) <= coordinate_w2(2) when row_m0_select_at_0 = '1' else coordinate_w0(2);
+  moment_plus(1)(1) <= coordinate_w0(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
+  moment_plus(2)(0) <= coordinate_w2(0) when row_m0_select_at_0 = '1' else coordinate_w0(0);
+  moment_plus(2)(1) <= coordinate_w0(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
+  moment_plus(3)(0) <= coordinate_v1(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
+  moment_plus(3)(1) <= coordinate_v2(2) when row_m0_select_at_0 = '1' else coordinate_w2(2);
+  moment_plus(4)(0) <= coordinate_v1(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
+  moment_plus(4)(1) <= coordinate_v2(0) when row_m0_select_at_0 = '1' else coordinate_w2(0);
+  moment_plus(5)(0) <= coordinate_v1(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
+  moment_plus(5)(1) <= coordinate_v2(1) when row_m0_select_at_0 = '1' else coordinate_w2(1);
+  moment_minus(0)(0) <= coordinate_w2(2) when row_m0_select_at_0 = '1' else coordinate_w0(2);
+  moment_minus(0)(1) <= coordinate_w0(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
+  moment_minus(1)(0) <= coordinate_w2(0) when row_m0_select_at_0 = '1' else coordinate_w0(0);
+  moment_minus(1)(1) <= coordinate_w0(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
+  moment_minus(2)(0) <= coordinate_w2(1) when row_m0_select_at_0 = '1' else coordinate_w0(1);
+  moment_minus(2)(1) <= coordinate_w0(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
+  moment_minus(3)(0) <= coordinate_v1(2) when row_m0_select_at_0 = '1' else coordinate_w1(2);
+  moment_minus(3)(1) <= coordinate_v2(1) when row_m0_select_at_0 = '1' else coordinate_w2(1);
+  moment_minus(4)(0) <= coordinate_v1(0) when row_m0_select_at_0 = '1' else coordinate_w1(0);
+  moment_minus(4)(1) <= coordinate_v2(2) when row_m0_select_at_0 = '1' else coordinate_w2(2);
+  moment_minus(5)(0) <= coordinate_v1(1) when row_m0_select_at_0 = '1' else coordinate_w1(1);
+  moment_minus(5)(1) <= coordinate_v2(0) when row_m0_select_at_0 = '1' else coordinate_w2(0);
+  coordinate_w0_unit : entity work.coordinate_round
+    port map (cut => coordinate_cut2_h2, carried => carried_h1, y => coordinate_w0);
+  coordinate_w1_unit : entity work.coordinate_round
+    port map (cut => coordinate_cut3_h1, carried => carried_h1, y => coordinate_w1);
+  coordinate_w2_unit : entity work.coordinate_round
+    port map (cut => coordinate_cut4_h1, carried => carried_h1, y => coordinate_w2);
+
+  -- Clock 15
+  clock_15 : process (clk)
+  begin
+    if rising_edge(clk) then
+      moment_plus_d1 <= moment_plus;
+      moment_minus_d1 <= moment_minus;
+    end if;
+  end process clock_15;
+  coordinate_v1_unit : entity work.coordinate_round
+    port map (cut => coordinate_cut0_h3, carried => carried_h2, y => coordinate_v1);
+  coordinate_v2_unit : entity work.coordinate_round
+    port map (cut => coordinate_cut1_h3, carried => carried_h2, y => coordinate_v2);
+  moment_lane_cut_unit : for k in 0 to 5 generate
+    unit : entity work.moment_component
+      port map (clk => clk, plus => moment_plus_d1(k), minus => moment_minus_d1(k), cut => moment_lane_cut(k),
+                too_great => moment_too_great(k)(0));
+  end generate moment_lane_cut_unit;
+
+  -- Clock 16
+  e_a1_each : for i in 0 to 2 generate
+    e_a1(i) <= resize(coordinate_v2_h1(i), 19) - resize(coordinate_v1_h1(i), 19);
+  end generate e_a1_each;
+  norm_x_x(0) <= norm_x0_resized_third_h2(0) when row_m0_select_at_0 = '1' else resize(coordinate_v1(0), 19);
+  norm_x_x(1) <= e_b(0)(0) when row_m0_select_at_0 = '1' else resize(coordinate_v2(0), 19);
+  norm_x_x(3) <= e_b(2)(0) when row_m0_select_at_0 = '1' else norm_x3_resized_h2(0);
+  norm_x_y(0) <= norm_x0_resized_third_h2(1) when row_m0_select_at_0 = '1' else resize(coordinate_v1(1), 19);
+  norm_x_y(1) <= e_b(0)(1) when row_m0_select_at_0 = '1' else resize(coordinate_v2(1), 19);
+  norm_x_y(3) <= e_b(2)(1) when row_m0_select_at_0 = '1' else norm_x3_resized_h2(1);
+  norm_x_z(0) <= norm_x0_resized_third_h2(2) when row_m0_select_at_0 = '1' else resize(coordinate_v1(2), 19);
+  norm_x_z(1) <= e_b(0)(2) when row_m0_select_at_0 = '1' else resize(coordinate_v2(2), 19);
+  norm_x_z(3) <= e_b(2)(2) when row_m0_select_at_0 = '1' else norm_x3_resized_h2(2);
+
+  -- Clock 17
+  clock_17 : process (clk)
+  begin
+    if rising_edge(clk) then
+      norm_x0_d1(0) <= norm_x_x(0);
+      norm_x0_d1(1) <= norm_x_y(0);
+      norm_x0_d1(2) <= norm_x_z(0);
+      norm_x1_d1(0) <= norm_x_x(1);
+      norm_x1_d1(1) <= norm_x_y(1);
+      norm_x1_d1(2) <= norm_x_z(1);
+      norm_x3_d1(0) <= norm_x_x(3);
+      norm_x3_d1(1) <= norm_x_y(3);
+      norm_x3_d1(2) <= norm_x_z(3);
+      norm_x4_resized_h2_d1 <= norm_x4_resized_h2;
+    end if;
+  end process clock_17;
+  e_b_0_each : for i in 0 to 2 generate
+    e_b(0)(i) <= resize(coordinate_w1_h3(i), 19) - resize(coordinate_w0_h3(i), 19);
+    e_b(1)(i) <= resize(coordinate_w2_h3(i), 19) - resize(coordinate_w1_h3(i), 19);
+    e_b(2)(i) <= resize(coordinate_w0_h3(i), 19) - resize(coordinate_w2_h3(i), 19);
+  end generate e_b_0_each;
+  norm_x_x(2) <= e_b(1)(0) when row_m0_select_at_1 = '1' else e_a1(0);
+  norm_x_y(2) <= e_b(1)(1) when row_m0_select_at_1 = '1' else e_a1(1);
+  norm_x_z(2) <= e_b(1)(2) when row_m0_select_at_1 = '1' else e_a1(2);
+  norm_lane_unit_x(0) <= norm_x0_d1;
+  norm_lane_unit_x(1) <= norm_x1_d1;
+  norm_lane_unit_x(2) <= norm_x2_d1;
+  norm_lane_unit_x(3) <= norm_x3_d1;
+  norm_lane_unit_x(4) <= norm_x4_resized_h2_d1;
+  norm_lane_unit : for k in 0 to 4 generate
+    unit : entity work.vector_norm
+      port map (clk => clk, x => norm_lane_unit_x(k), norm => norm_lane(k));
+  end generate norm_lane_unit;
+
+  -- Clock 18
+  clock_18 : process (clk)
+  begin
+    if rising_edge(clk) then
+      norm_x2_d1(0) <= norm_x_x(2);
+      norm_x2_d1(1) <= norm_x_y(2);
+      norm_x2_d1(2) <= norm_x_z(2);
+    end if;
+  end process clock_18;
+  too_great_0_found <= or_reduce(unsigned(moment_too_great(5)) & unsigned(moment_too_great(4)) &
+      unsigned(moment_too_great(3)) & unsigned(moment_too_great(2)) & unsigned(moment_too_great(1)) &
+      unsigned(moment_too_great(0)));
+
+  -- Clock 19
+  clock_19 : process (clk)
+  begin
+    if rising_edge(clk) then
+      too_great_0_found_d1 <= too_great_0_found;
+    end if;
+  end process clock_19;
+  level <= axis_level2_h5 when level_less_h4 = '1' else axis_level0_resized_less_choice_h5;
+  too_great_0_so_far <= too_great_0_found_d1 or choose(too_great_0_so_far_select_at_1, '0', too_great_0_so_far_before);
+  rest_of_level <=
+    to_unsigned(64, 15) when level = 0 else
+    to_unsigned(64, 15) when level = 1 else
+    to_unsigned(64, 15) when level = 2 else
+    to_unsigned(256, 15) when level = 3 else
+    to_unsigned(1024, 15) when level = 4 else
+    to_unsigned(4096, 15) when level = 5 else
+    to_unsigned(16384, 15);
+  rest_of_level_aligned <= append(rest_of_level, 1);
+  boxes_v(0) <= coordinate_v1_h4(2) when row_m0_select_at_1 = '1' else coordinate_v1_h4(0);
+  boxes_v(1) <= coordinate_v2_h4(2) when row_m0_select_at_1 = '1' else coordinate_v2_h4(0);
+  boxes_w(0) <= coordinate_w0_h6(2) when row_m0_select_at_1 = '1' else coordinate_w0_h4(0);
+  boxes_w(1) <= coordinate_w1_h6(2) when row_m0_select_at_1 = '1' else coordinate_w1_h4(0);
+  boxes_w(2) <= coordinate_w2_h6(2) when row_m0_select_at_1 = '1' else coordinate_w2_h4(0);
+
+  -- Clock 20
+  clock_20 : process (clk)
+  begin
+    if rising_edge(clk) then
+      boxes_v_d1 <= boxes_v;
+      boxes_w_d1 <= boxes_w;
+      boxes_wrong_d1 <= to_unsigned(boxes_wrong_table(to_integer(level)), 5);
+      coordinate_v1_y_h4_d1 <= coordinate_v1_h4(1);
+      coordinate_v2_y_h4_d1 <= coordinate_v2_h4(1);
+      coordinate_w0_y_h4_d1 <= coordinate_w0_h4(1);
+      coordinate_w1_y_h4_d1 <= coordinate_w1_h4(1);
+      coordinate_w2_y_h4_d1 <= coordinate_w2_h4(1);
+    end if;
+  end process clock_20;
+  moment_exact_0_each : for i in 0 to 2 generate
+    moment_exact(0)(i) <= moment_cut(i + 6) when row_m0_select_at_0 = '1' else moment_cut(i);
+    moment_exact(1)(i) <= moment_cut(i + 9) when row_m0_select_at_0 = '1' else moment_cut(i + 3);
+  end generate moment_exact_0_each;
+  boxes_lane_unit_v(0) <= boxes_v_d1;
+  boxes_lane_unit_v(1)(0) <= coordinate_v1_y_h4_d1;
+  boxes_lane_unit_v(1)(1) <= coordinate_v2_y_h4_d1;
+  boxes_lane_unit_w(0) <= boxes_w_d1;
+  boxes_lane_unit_w(1)(0) <= coordinate_w0_y_h4_d1;
+  boxes_lane_unit_w(1)(1) <= coordinate_w1_y_h4_d1;
+  boxes_lane_unit_w(1)(2) <= coordinate_w2_y_h4_d1;
+  boxes_lane_unit : for k in 0 to 1 generate
+    unit : entity work.boxes_axis
+      port map (clk => clk, v => boxes_lane_unit_v(k), w => boxes_lane_unit_w(k), wrong => boxes_wrong_d1,
+                apart => boxes_lane(k));
+  end generate boxes_lane_unit;
+
+  -- Clock 21
+  clock_21 : process (clk)
+  begin
+    if rising_edge(clk) then
+      moment_exact_d1 <= moment_exact;
+    end if;
+  end process clock_21;
+  places <= '1' when places_captured = '1' else '0';
+  rest <= resize(rest_of_level_aligned_h2, 17) when places = '1' else rest_aligned_second_h2;
+  moment_lane_unit : for k in 0 to 1 generate
+    unit : entity work.moment_round
+      port map (cut => moment_exact_d1(k), places => places, moment => moment_lane(k));
+  end generate moment_lane_unit;
+
+  -- Clock 22
+  clock_22 : process (clk)
+  begin
+    if rising_edge(clk) then
+      places_d1 <= places;
+    end if;
+  end process clock_22;
+  dot_x1 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
+  dot_x2 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
+  dot_x3 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
+  dot_x4 <= coordinate_w2_h8 when row_m0_select_at_0 = '1' else coordinate_w1_h8;
+  moment_norm_x(0) <= moment_m2 when row_m0_select_at_0 = '1' else moment_m0;
+  moment_norm_x(1) <= moment_n when row_m0_select_at_0 = '1' else moment_m1;
+
+  -- Clock 23
+  clock_23 : process (clk)
+  begin
+    if rising_edge(clk) then
+      coordinate_w0_h8_d1 <= coordinate_w0_h8;
+      dot_x1_d1 <= dot_x1;
+      dot_x2_d1 <= dot_x2;
+      dot_x3_d1 <= dot_x3;
+      dot_x4_d1 <= dot_x4;
+      moment_m0_d1 <= moment_m0;
+      moment_m1_d1 <= moment_m1;
+      places_d2 <= places_d1;
+      moment_norm_x_d1 <= moment_norm_x;
+    end if;
+  end process clock_23;
+  dot_m <= moment_m1_h2 when row_m0_select_at_1 = '1' else moment_n;
+  length_x(0) <= length_measure_h4(5) when row_m0_select_at_1 = '1' else length_measure_h4(0);
+  length_x(1) <= length_measure_h2(6) when row_m0_select_at_1 = '1' else length_measure_h4(1);
+  length_x(2) <= length_measure_h4(7) when row_m0_select_at_1 = '1' else length_measure_h4(2);
+  length_x(3) <= length_measure_h4(8) when row_m0_select_at_1 = '1' else length_measure_h4(3);
+  length_times_g(0) <= resize(length_x(0), 22) when places_d2 = '1' else append(length_x(0), 1);
+  length_times_g(1) <= resize(length_x(1), 22) when places_d2 = '1' else append(length_x(1), 1);
+  length_times_g(2) <= resize(length_x(2), 22) when places_d2 = '1' else append(length_x(2), 1);
+  length_times_g(3) <= resize(length_x(3), 22) when places_d2 = '1' else append(length_x(3), 1);
+  length_times_g(4) <= resize(length_measure_h2(4), 22) when places_d2 = '1' else append(length_measure_h2(4), 1);
+  moment_norm_lane_unit : for k in 0 to 1 generate
+    unit : entity work.moment_norm
+      port map (clk => clk, x => moment_norm_x_d1(k), norm => moment_norm_lane(k));
+  end generate moment_norm_lane_unit;
+
+  -- Clock 24
+  clock_24 : process (clk)
+  begin
+    if rising_edge(clk) then
+      coordinate_w0_h8_d2 <= coordinate_w0_h8_d1;
+      dot_m_d1 <= dot_m;
+      dot_x3_d2 <= dot_x3_d1;
+      dot_x4_d2 <= dot_x4_d1;
+      moment_m2_d1 <= moment_m2;
+      moment_n_d1 <= moment_n;
+      length_times_g_d1 <= length_times_g;
+      level_h4_d1 <= level_h4;
+    end if;
+  end process clock_24;
+  separated_i(0) <= or_reduce(unsigned(boxes_apart_along));
+  dot_lane_unit_x(0) <= coordinate_w0_h8_d2;
+  dot_lane_unit_x(1) <= dot_x1_d1;
+  dot_lane_unit_x(2) <= dot_x2_d1;
+  dot_lane_unit_x(3) <= dot_x3_d2;
+  dot_lane_unit_x(4) <= dot_x4_d2;
+  dot_lane_unit_m(0) <= dot_m_d1;
+  dot_lane_unit_m(1) <= moment_m0_d1;
+  dot_lane_unit_m(2) <= moment_m1_d1;
+  dot_lane_unit_m(3) <= moment_m2_d1;
+  dot_lane_unit_m(4) <= moment_n_d1;
+  dot_lane_unit : for k in 0 to 4 generate
+    unit : entity work.dot_product
+      port map (clk => clk, x => dot_lane_unit_x(k), m => dot_lane_unit_m(k), dot => dot_lane(k));
+  end generate dot_lane_unit;
+  length_first_unit : for k in 0 to 4 generate
+    unit : entity work.length_first_order
+      port map (x => length_times_g_d1(k), by => level_h4_d1, first_order => length_first(k));
+  end generate length_first_unit;
+
+  -- Clock 25
+  clock_25 : process (clk)
+  begin
+    if rising_edge(clk) then
+      level_h4_d2 <= level_h4_d1;
+    end if;
+  end process clock_25;
+  moment_measure(0) <= resize(norm_of_moment(0), 21);
+  moment_measure(1) <= resize(norm_of_moment(1), 21);
+  moment_x_each : for k in 0 to 1 generate
+    moment_x(k) <= moment_measure(k + 2) when row_m0_select_at_1 = '1' else moment_measure(k);
+    face_of_vertex_negative_difference_each : for m in 0 to 2 generate
+      face_of_vertex_negative_difference(k)(m) <= signed(resize(length_bound(k), 30)) -
+          signed(resize(length_bound(m + 2), 30));
+      face_of_vertex(k)(m) <= length_bound(k) when face_of_vertex_negative_difference(k)(m)(29) = '1' else
+          length_bound(m + 2);
+    end generate face_of_vertex_negative_difference_each;
+  end generate moment_x_each;
+  length_measure0_plane_a0_unit_v(0) <= length_measure0_h6;
+  length_measure0_plane_a0_unit_v(1) <= length_measure1_h6;
+  length_measure0_plane_a0_unit_w(0) <= length_measure2_h6;
+  length_measure0_plane_a0_unit_w(1) <= length_measure3_h6;
+  length_measure0_plane_a0_unit_w(2) <= length_measure4_h5;
+  length_measure0_plane_a0_unit_b(0) <= length_measure5_h5;
+  length_measure0_plane_a0_unit_b(1) <= length_measure_h4(6);
+  length_measure0_plane_a0_unit_b(2) <= length_measure7_h5;
+  length_measure0_plane_a0 <= length_measure0_plane_a0_unit_plane_a(0);
+  bound_plane_a1_sum_first_result <= length_measure0_plane_a0_unit_plane_a(1);
+  bound_plane_a2_sum_first_result <= length_measure0_plane_a0_unit_plane_a(2);
+  bound_plane_b1_result <= length_measure0_plane_a0_unit_plane_b(0);
+  bound_plane_b2_result <= length_measure0_plane_a0_unit_plane_b(1);
+  length_measure0_ends0 <= length_measure0_plane_a0_unit_ends(0);
+  length_measure0_ends1 <= length_measure0_plane_a0_unit_ends(1);
+  bound_side10_result <= length_measure0_plane_a0_unit_middle(0);
+  bound_side11_result <= length_measure0_plane_a0_unit_middle(1);
+  bound_side12_result <= length_measure0_plane_a0_unit_middle(2);
+  length_measure0_plane_a0_unit : entity work.bound_tails
+    port map (clk => clk, v => length_measure0_plane_a0_unit_v, a => length_measure8_h5,
+              w => length_measure0_plane_a0_unit_w, b => length_measure0_plane_a0_unit_b, rest => rest_h4,
+              plane_a => length_measure0_plane_a0_unit_plane_a, plane_b => length_measure0_plane_a0_unit_plane_b,
+              ends => length_measure0_plane_a0_unit_ends, middle => length_measure0_plane_a0_unit_middle);
+
+  -- Clock 26
+  clock_26 : process (clk)
+  begin
+    if rising_edge(clk) then
+      moment_x_d1 <= moment_x;
+      level_h4_d3 <= level_h4_d2;
+    end if;
+  end process clock_26;
+  moment_measure(2) <= resize(norm_of_moment(2), 21);
+  moment_measure(3) <= resize(norm_of_moment(3), 21);
+  moment_first_unit : for k in 0 to 1 generate
+    unit : entity work.moment_first_order
+      port map (x => moment_x_d1(k), by => level_h4_d3, first_order => moment_first(k));
+  end generate moment_first_unit;
+
+  -- Clock 27
+  compared(0) <= resize(determinant_plane_a0, 41);
+  compared(1) <= resize(determinant_plane_a1, 41);
+  compared(12) <= resize(determinant_side20, 41);
+  compared(13) <= resize(determinant_side21, 41);
+
+  -- Clock 28
+  compared(2) <= resize(determinant_plane_a2, 41);
+  compared(3) <= resize(determinant_plane_b0, 41);
+  compared(14) <= resize(determinant_side22, 41);
+  bound_all_m <= resize(resize(moment_bound(0), 29) + resize(moment_bound(1), 29), 30) + resize(moment_bound(2), 30);
+  bound_plane_a0 <= resize(resize(moment_bound(3), 29) + resize(length_measure0_plane_a0_h2, 29), 31) +
+      resize(bound_plane_a0_sum_second_h2, 31);
+  bound_plane_a1 <= resize(resize(moment_bound(3), 29) + resize(bound_plane_a1_sum_first_result_h2, 29), 31) +
+      resize(bound_plane_a1_sum_second_h2, 31);
+  bound_plane_a2 <= resize(resize(moment_bound(3), 29) + resize(bound_plane_a2_sum_first_result_h2, 29), 31) +
+      resize(bound_plane_a2_sum_second_h2, 31);
+  bound_of_a <= resize(append(moment_bound(3), 1), 31) + resize(bound_of_a_aligned_second_h2, 31);
+  bound_side00 <= resize(resize(moment_bound(0), 29) + resize(length_measure0_ends0_h2, 29), 31) +
+      resize(bound_side00_sum_second_h2, 31);
+  bound_side01 <= resize(resize(moment_bound(1), 29) + resize(length_measure0_ends0_h2, 29), 31) +
+      resize(bound_side01_sum_second_h2, 31);
+  bound_side02 <= resize(resize(moment_bound(2), 29) + resize(length_measure0_ends0_h2, 29), 31) +
+      resize(bound_side02_sum_second_h2, 31);
+  bound_side20 <= resize(resize(moment_bound(0), 29) + resize(length_measure0_ends1_h2, 29), 31) +
+      resize(bound_side20_sum_second_h2, 31);
+  bound_side21 <= resize(resize(moment_bound(1), 29) + resize(length_measure0_ends1_h2, 29), 31) +
+      resize(bound_side21_sum_second_h2, 31);
+  bound_side22 <= resize(resize(moment_bound(2), 29) + resize(length_measure0_ends1_h2, 29), 31) +
+      resize(bound_side22_sum_second_h2, 31);
+  compared_bound(0) <= signed(resize(bound_plane_a0(30 downto 3), 31));
+  compared_bound(1) <= signed(resize(bound_plane_a1(30 downto 3), 31));
+  compared_bound(2) <= signed(resize(bound_plane_a2(30 downto 3), 31));
+  compared_bound(6) <= signed(resize(bound_side00(30 downto 3), 31));
+  compared_bound(7) <= signed(resize(bound_side01(30 downto 3), 31));
+  compared_bound(8) <= signed(resize(bound_side02(30 downto 3), 31));
+  compared_bound(12) <= signed(resize(bound_side20(30 downto 3), 31));
+  compared_bound(13) <= signed(resize(bound_side21(30 downto 3), 31));
+  compared_bound(14) <= signed(resize(bound_side22(30 downto 3), 31));
+  compared_unit_a(0) <= determinant_plane_a0;
+  compared_unit_a(1) <= determinant_plane_a1;
+  compared_unit_a(2) <= determinant_plane_a2;
+  compared_unit_d(0)(0) <= dot_d1_0_h2;
+  compared_unit_d(0)(1) <= dot_d1_1_h2;
+  compared_unit_d(0)(2) <= dot_d1(2);
+  compared_unit_d(1)(0) <= determinant_side20;
+  compared_unit_d(1)(1) <= determinant_side21;
+  compared_unit_d(1)(2) <= determinant_side22;
+  compared_each : for k in 0 to 1 generate
+    compared(k + 4) <= compared_unit_plane_b(k);
+  end generate compared_each;
+  determinant_side00 <= compared_unit_side0(0);
+  determinant_side01 <= compared_unit_side0(1);
+  determinant_side02 <= compared_unit_side0(2);
+  determinant_side10 <= compared_unit_side1(0);
+  determinant_side11 <= compared_unit_side1(1);
+  determinant_side12 <= compared_unit_side1(2);
+  compared_unit : entity work.determinant_sums
+    port map (clk => clk, a => compared_unit_a, d => compared_unit_d, v => determinant_plane_b0,
+              plane_b => compared_unit_plane_b, side0 => compared_unit_side0, side1 => compared_unit_side1);
+
+  -- Clock 29
+  bound_corner <= resize(bound_corner_aligned_h1, 32) + resize(bound_corner_sum_h3, 32);
+  bound_plane_b0 <= resize(bound_all_m_h1, 31) + resize(length_measure0_plane_a0_h3, 31);
+  bound_plane_b1 <= resize(bound_corner, 33) + resize(bound_plane_b1_result_h3, 33);
+  bound_plane_b2 <= resize(bound_corner, 33) + resize(bound_plane_b2_result_h3, 33);
+  bound_side10 <= resize(bound_side10_sum_h1, 33) + resize(bound_side10_result_h3, 33);
+  bound_side11 <= resize(bound_side11_sum_h1, 33) + resize(bound_side11_result_h3, 33);
+  bound_side12 <= resize(bound_side12_sum_h1, 33) + resize(bound_side12_result_h3, 33);
+  compared_bound(3) <= signed(resize(bound_plane_b0(30 downto 3), 31));
+  compared_bound(4) <= signed(resize(bound_plane_b1(32 downto 3), 31));
+  compared_bound(5) <= signed(resize(bound_plane_b2(32 downto 3), 31));
+  compared_bound(9) <= signed(resize(bound_side10(32 downto 3), 31));
+  compared_bound(10) <= signed(resize(bound_side11(32 downto 3), 31));
+  compared_bound(11) <= signed(resize(bound_side12(32 downto 3), 31));
+  separated_i(1) <= (compared0_sign0 and compared1_sign0 and compared2_sign0) or
+      (compared0_sign1 and compared1_sign1 and compared2_sign1);
+  compared0_sign0 <= compared0_sign0_unit_sign(0);
+  compared0_sign1 <= compared0_sign0_unit_sign(1);
+  compared1_sign0 <= compared1_sign0_unit_sign(0);
+  compared1_sign1 <= compared1_sign0_unit_sign(1);
+  compared2_sign0 <= compared2_sign0_unit_sign(0);
+  compared2_sign1 <= compared2_sign0_unit_sign(1);
+  compared12_sign0 <= compared12_sign0_unit_sign(0);
+  compared12_sign1 <= compared12_sign0_unit_sign(1);
+  compared13_sign0 <= compared13_sign0_unit_sign(0);
+  compared13_sign1 <= compared13_sign0_unit_sign(1);
+  compared14_sign0 <= compared14_sign0_unit_sign(0);
+  compared14_sign1 <= compared14_sign0_unit_sign(1);
+  compared0_sign0_unit : entity work.certain_sign
+    port map (x => compared0_h2, bound => compared_bound0_h1, sign => compared0_sign0_unit_sign);
+  compared1_sign0_unit : entity work.certain_sign
+    port map (x => compared1_h2, bound => compared_bound1_h1, sign => compared1_sign0_unit_sign);
+  compared2_sign0_unit : entity work.certain_sign
+    port map (x => compared2_h1, bound => compared_bound2_h1, sign => compared2_sign0_unit_sign);
+  compared12_sign0_unit : entity work.certain_sign
+    port map (x => compared12_h2, bound => compared_bound12_h1, sign => compared12_sign0_unit_sign);
+  compared13_sign0_unit : entity work.certain_sign
+    port map (x => compared13_h2, bound => compared_bound13_h1, sign => compared13_sign0_unit_sign);
+  compared14_sign0_unit : entity work.certain_sign
+    port map (x => compared14_h1, bound => compared_bound14_h1, sign => compared14_sign0_unit_sign);
+
+  -- Clock 30
+  compared(6) <= resize(determinant_side00, 41);
+  compared(7) <= resize(determinant_side01, 41);
+  compared(8) <= resize(determinant_side02, 41);
+  compared(9) <= resize(determinant_side10, 41);
+  compared(10) <= resize(determinant_side11, 41);
+  compared(11) <= resize(determinant_side12, 41);
+  compared3_sign0 <= compared3_sign0_unit_sign(0);
+  compared3_sign1 <= compared3_sign0_unit_sign(1);
+  compared3_sign0_unit : entity work.certain_sign
+    port map (x => compared3_h2, bound => compared_bound3_h1, sign => compared3_sign0_unit_sign);
+
+  -- Clock 31
+  separated_i(2) <= (compared3_sign0 and compared4_sign0 and compared5_sign0) or
+      (compared3_sign1 and compared4_sign1 and compared5_sign1);
+  compared4_sign0 <= compared4_sign0_unit_sign(0);
+  compared4_sign1 <= compared4_sign0_unit_sign(1);
+  compared5_sign0 <= compared5_sign0_unit_sign(0);
+  compared5_sign1 <= compared5_sign0_unit_sign(1);
+  compared6_sign0 <= compared6_sign0_unit_sign(0);
+  compared6_sign1 <= compared6_sign0_unit_sign(1);
+  compared7_sign0 <= compared7_sign0_unit_sign(0);
+  compared7_sign1 <= compared7_sign0_unit_sign(1);
+  compared8_sign0 <= compared8_sign0_unit_sign(0);
+  compared8_sign1 <= compared8_sign0_unit_sign(1);
+  compared9_sign0 <= compared9_sign0_unit_sign(0);
+  compared9_sign1 <= compared9_sign0_unit_sign(1);
+  compared10_sign0 <= compared10_sign0_unit_sign(0);
+  compared10_sign1 <= compared10_sign0_unit_sign(1);
+  compared11_sign0 <= compared11_sign0_unit_sign(0);
+  compared11_sign1 <= compared11_sign0_unit_sign(1);
+  compared4_sign0_unit : entity work.certain_sign
+    port map (x => compared4_h1, bound => compared_bound4_h2, sign => compared4_sign0_unit_sign);
+  compared5_sign0_unit : entity work.certain_sign
+    port map (x => compared5_h1, bound => compared_bound5_h2, sign => compared5_sign0_unit_sign);
+  compared6_sign0_unit : entity work.certain_sign
+    port map (x => compared6_h1, bound => compared_bound6_h3, sign => compared6_sign0_unit_sign);
+  compared7_sign0_unit : entity work.certain_sign
+    port map (x => compared7_h1, bound => compared_bound7_h3, sign => compared7_sign0_unit_sign);
+  compared8_sign0_unit : entity work.certain_sign
+    port map (x => compared8_h1, bound => compared_bound8_h3, sign => compared8_sign0_unit_sign);
+  compared9_sign0_unit : entity work.certain_sign
+    port map (x => compared9_h1, bound => compared_bound9_h2, sign => compared9_sign0_unit_sign);
+  compared10_sign0_unit : entity work.certain_sign
+    port map (x => compared10_h1, bound => compared_bound10_h2, sign => compared10_sign0_unit_sign);
+  compared11_sign0_unit : entity work.certain_sign
+    port map (x => compared11_h1, bound => compared_bound11_h2, sign => compared11_sign0_unit_sign);
+
+  -- Clock 32
+  separated3_unit_ends(0)(0) <= compared3_sign0_h2;
+  separated3_unit_ends(0)(1) <= compared3_sign1_h2;
+  separated3_unit_ends(1)(0) <= compared4_sign0_h1;
+  separated3_unit_ends(1)(1) <= compared4_sign1_h1;
+  separated3_unit_sides(0)(0) <= compared6_sign0_h1;
+  separated3_unit_sides(0)(1) <= compared6_sign1_h1;
+  separated3_unit_sides(1)(0) <= compared7_sign0_h1;
+  separated3_unit_sides(1)(1) <= compared7_sign1_h1;
+  separated3_unit_sides(2)(0) <= compared8_sign0_h1;
+  separated3_unit_sides(2)(1) <= compared8_sign1_h1;
+  separated4_unit_ends(0)(0) <= compared4_sign0_h1;
+  separated4_unit_ends(0)(1) <= compared4_sign1_h1;
+  separated4_unit_ends(1)(0) <= compared5_sign0_h1;
+  separated4_unit_ends(1)(1) <= compared5_sign1_h1;
+  separated4_unit_sides(0)(0) <= compared9_sign0_h1;
+  separated4_unit_sides(0)(1) <= compared9_sign1_h1;
+  separated4_unit_sides(1)(0) <= compared10_sign0_h1;
+  separated4_unit_sides(1)(1) <= compared10_sign1_h1;
+  separated4_unit_sides(2)(0) <= compared11_sign0_h1;
+  separated4_unit_sides(2)(1) <= compared11_sign1_h1;
+  separated5_unit_ends(0)(0) <= compared5_sign0_h1;
+  separated5_unit_ends(0)(1) <= compared5_sign1_h1;
+  separated5_unit_ends(1)(0) <= compared3_sign0_h2;
+  separated5_unit_ends(1)(1) <= compared3_sign1_h2;
+  separated5_unit_sides(0)(0) <= compared12_sign0_h3;
+  separated5_unit_sides(0)(1) <= compared12_sign1_h3;
+  separated5_unit_sides(1)(0) <= compared13_sign0_h3;
+  separated5_unit_sides(1)(1) <= compared13_sign1_h3;
+  separated5_unit_sides(2)(0) <= compared14_sign0_h3;
+  separated5_unit_sides(2)(1) <= compared14_sign1_h3;
+  separated6_unit_ends(0)(0) <= compared0_sign0_h3;
+  separated6_unit_ends(0)(1) <= compared0_sign1_h3;
+  separated6_unit_ends(1)(0) <= compared1_sign0_h3;
+  separated6_unit_ends(1)(1) <= compared1_sign1_h3;
+  separated6_unit_sides(0)(0) <= compared6_sign0_h1;
+  separated6_unit_sides(0)(1) <= compared6_sign1_h1;
+  separated6_unit_sides(1)(0) <= compared9_sign0_h1;
+  separated6_unit_sides(1)(1) <= compared9_sign1_h1;
+  separated6_unit_sides(2)(0) <= compared12_sign0_h3;
+  separated6_unit_sides(2)(1) <= compared12_sign1_h3;
+  separated7_unit_ends(0)(0) <= compared1_sign0_h3;
+  separated7_unit_ends(0)(1) <= compared1_sign1_h3;
+  separated7_unit_ends(1)(0) <= compared2_sign0_h3;
+  separated7_unit_ends(1)(1) <= compared2_sign1_h3;
+  separated7_unit_sides(0)(0) <= compared7_sign0_h1;
+  separated7_unit_sides(0)(1) <= compared7_sign1_h1;
+  separated7_unit_sides(1)(0) <= compared10_sign0_h1;
+  separated7_unit_sides(1)(1) <= compared10_sign1_h1;
+  separated7_unit_sides(2)(0) <= compared13_sign0_h3;
+  separated7_unit_sides(2)(1) <= compared13_sign1_h3;
+  separated8_unit_ends(0)(0) <= compared2_sign0_h3;
+  separated8_unit_ends(0)(1) <= compared2_sign1_h3;
+  separated8_unit_ends(1)(0) <= compared0_sign0_h3;
+  separated8_unit_ends(1)(1) <= compared0_sign1_h3;
+  separated8_unit_sides(0)(0) <= compared8_sign0_h1;
+  separated8_unit_sides(0)(1) <= compared8_sign1_h1;
+  separated8_unit_sides(1)(0) <= compared11_sign0_h1;
+  separated8_unit_sides(1)(1) <= compared11_sign1_h1;
+  separated8_unit_sides(2)(0) <= compared14_sign0_h3;
+  separated8_unit_sides(2)(1) <= compared14_sign1_h3;
+  separated3_unit : entity work.edge_verdict
+    port map (ends => separated3_unit_ends, sides => separated3_unit_sides, missed => separated_i(3),
+              pierces => overlapping_i(3));
+  separated4_unit : entity work.edge_verdict
+    port map (ends => separated4_unit_ends, sides => separated4_unit_sides, missed => separated_i(4),
+              pierces => overlapping_i(4));
+  separated5_unit : entity work.edge_verdict
+    port map (ends => separated5_unit_ends, sides => separated5_unit_sides, missed => separated_i(5),
+              pierces => overlapping_i(5));
+  separated6_unit : entity work.edge_verdict
+    port map (ends => separated6_unit_ends, sides => separated6_unit_sides, missed => separated_i(6),
+              pierces => overlapping_i(6));
+  separated7_unit : entity work.edge_verdict
+    port map (ends => separated7_unit_ends, sides => separated7_unit_sides, missed => separated_i(7),
+              pierces => overlapping_i(7));
+  separated8_unit : entity work.edge_verdict
+    port map (ends => separated8_unit_ends, sides => separated8_unit_sides, missed => separated_i(8),
+              pierces => overlapping_i(8));
+
+  -- Clock 33
+  verdict_unit_separated(0) <= separated0_h9;
+  verdict_unit_separated(1) <= separated1_h4;
+  verdict_unit_separated(2) <= separated2_h2;
+  verdict_unit_separated(3) <= separated3_h1;
+  verdict_unit_separated(4) <= separated4_h1;
+  verdict_unit_separated(5) <= separated5_h1;
+  verdict_unit_separated(6) <= separated6_h1;
+  verdict_unit_separated(7) <= separated7_h1;
+  verdict_unit_separated(8) <= separated8_h1;
+  verdict_unit_overlapping(0) <= overlapping_i(0);
+  verdict_unit_overlapping(1) <= overlapping_i(1);
+  verdict_unit_overlapping(2) <= overlapping_i(2);
+  verdict_unit_overlapping(3) <= overlapping3_h1;
+  verdict_unit_overlapping(4) <= overlapping4_h1;
+  verdict_unit_overlapping(5) <= overlapping5_h1;
+  verdict_unit_overlapping(6) <= overlapping6_h1;
+  verdict_unit_overlapping(7) <= overlapping7_h1;
+  verdict_unit_overlapping(8) <= overlapping8_h1;
+  verdict_unit : entity work.pair_verdict
+    port map (separated => verdict_unit_separated, overlapping => verdict_unit_overlapping, verdict => verdict);
+
+  -- Registers that are loaded once per pair
+  captures : process (clk)
+  begin
+    if rising_edge(clk) then
+      if strobe(1) = '1' then
+        moved_h2 <= moved;
+        moved_h4 <= moved_h2;
+        in_w_h2 <= in_w;
+        in_w_h4 <= in_w_h2;
+        pose_bypass_h2 <= pose_bypass;
+        pose_bypass_h4 <= pose_bypass_h2;
+        difference(4) <= row(4);
+        difference(5) <= row(0);
+        difference(6) <= row(1);
+        difference(7) <= row(2);
+        difference(8) <= row(3);
+        difference4_h2 <= difference(4);
+        difference_v1_h2 <= difference_v1;
+        difference_v1_h4 <= difference_v1_h2;
+        difference_v1_h6 <= difference_v1_h4;
+        difference_v1_h8 <= difference_v1_h6;
+        difference_v2_h2 <= difference_v2;
+        difference_v2_h4 <= difference_v2_h2;
+        difference_v2_h6 <= difference_v2_h4;
+        difference_v2_h8 <= difference_v2_h6;
+        difference_v1_h10 <= difference_v1_h8;
+        difference_w1_h2 <= difference_w1;
+        coordinate_cut(0) <= lane_shifted(0);
+        coordinate_cut(1) <= lane_shifted(1);
+        coordinate_cut(2) <= lane_shifted(2);
+        difference_v2_h10 <= difference_v2_h8;
+        difference_w2_h2(1) <= difference_w2(1);
+        difference_w2_h2(2) <= difference_w2(2);
+        coordinate_cut0_h2 <= coordinate_cut(0);
+        coordinate_cut1_h2 <= coordinate_cut(1);
+        coordinate_cut2_h2 <= coordinate_cut(2);
+        carried_h1 <= carried;
+        coordinate_cut3_h1 <= coordinate_cut(3);
+        coordinate_cut4_h1 <= coordinate_cut(4);
+        taken_x_h1 <= taken_x;
+        taken_y_h1 <= taken_y;
+        taken_z_h1 <= taken_z;
+        axis_level0_resized_less_choice_h2 <= axis_level0_resized_less_choice;
+        axis_level0_resized_less_choice_h4 <= axis_level0_resized_less_choice_h2;
+        axis_level2_h2 <= axis_level(2);
+        axis_level2_h4 <= axis_level2_h2;
+        moment_cut(6) <= moment_lane_cut(0);
+        moment_cut(7) <= moment_lane_cut(1);
+        moment_cut(8) <= moment_lane_cut(2);
+        moment_cut(9) <= moment_lane_cut(3);
+        moment_cut(10) <= moment_lane_cut(4);
+        moment_cut(11) <= moment_lane_cut(5);
+        moment_m0 <= moment_lane(0);
+        moment_m1 <= moment_lane(1);
+        coordinate_w0_h2 <= coordinate_w0;
+        coordinate_w0_h4 <= coordinate_w0_h2;
+        coordinate_w0_h6 <= coordinate_w0_h4;
+        coordinate_w0_h8 <= coordinate_w0_h6;
+        moment_m1_h2 <= moment_m1;
+        determinant_plane_b0 <= dot_lane(0);
+        dot_d1(0) <= dot_lane(1);
+        dot_d1(1) <= dot_lane(2);
+        determinant_side22 <= dot_lane(3);
+        coordinate_w1_h2 <= coordinate_w1;
+        coordinate_w1_h4 <= coordinate_w1_h2;
+        coordinate_w1_h6 <= coordinate_w1_h4;
+        coordinate_w1_h8 <= coordinate_w1_h6;
+        coordinate_w2_h2 <= coordinate_w2;
+        coordinate_w2_h4 <= coordinate_w2_h2;
+        coordinate_w2_h6 <= coordinate_w2_h4;
+        coordinate_w2_h8 <= coordinate_w2_h6;
+        determinant_plane_a2 <= dot_lane(4);
+        dot_d1_0_h2 <= dot_d1(0);
+        dot_d1_1_h2 <= dot_d1(1);
+        coordinate_v2_h1 <= coordinate_v2;
+        coordinate_v1_h1 <= coordinate_v1;
+        for i in 0 to 2 loop
+          norm_x0_resized_third_h2(i) <= resize(coordinate_w2(i), 19);
+        end loop;
+        length_measure(4) <= norm_lane(0);
+        length_measure(5) <= norm_lane(1);
+        length_measure(7) <= norm_lane(3);
+        length_measure(8) <= norm_lane(2);
+        for i in 0 to 2 loop
+          norm_x3_resized_h2(i) <= resize(coordinate_w0(i), 19);
+          norm_x4_resized_h2(i) <= resize(coordinate_w1(i), 19);
+        end loop;
+        length_measure_h2(4) <= length_measure(4);
+        length_measure_h2(5) <= length_measure(5);
+        length_measure_h2(7) <= length_measure(7);
+        length_measure_h2(8) <= length_measure(8);
+        length_measure_h4(4) <= length_measure_h2(4);
+        length_measure_h4(5) <= length_measure_h2(5);
+        length_measure_h4(7) <= length_measure_h2(7);
+        length_measure_h4(8) <= length_measure_h2(8);
+        length_bound(5) <= length_first(0);
+        length_bound(6) <= length_first(1);
+        length_bound(7) <= length_first(2);
+        length_bound(8) <= length_first(3);
+        norm_of_moment(2) <= moment_norm_lane(0);
+        norm_of_moment(3) <= moment_norm_lane(1);
+        moment_bound(2) <= moment_first(0);
+        moment_bound(3) <= moment_first(1);
+        length_measure0_plane_a0_h2 <= length_measure0_plane_a0;
+        face_of_vertex_h1 <= face_of_vertex;
+        bound_plane_a0_sum_second_h2 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(1)(0), 30);
+        bound_plane_a1_sum_first_result_h2 <= bound_plane_a1_sum_first_result;
+        bound_plane_a1_sum_second_h2 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(1)(1), 30);
+        bound_plane_a2_sum_first_result_h2 <= bound_plane_a2_sum_first_result;
+        bound_plane_a2_sum_second_h2 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(1)(2), 30);
+        bound_corner_sum_h2 <= resize(resize(length_bound(5), 30) + resize(length_bound(6), 30), 31) +
+            resize(length_bound(7), 31);
+        bound_plane_b1_result_h2 <= bound_plane_b1_result;
+        bound_plane_b2_result_h2 <= bound_plane_b2_result;
+        bound_of_a_aligned_second_h2 <= append(length_bound(8), 1);
+        length_measure0_ends0_h2 <= length_measure0_ends0;
+        bound_side00_sum_second_h2 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(0)(1), 30);
+        bound_side01_sum_second_h2 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(0)(2), 30);
+        bound_side02_sum_second_h2 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(0)(0), 30);
+        bound_side10_sum_sum_aligned_second_h2 <= append(length_bound(5), 1);
+        bound_side10_result_h2 <= bound_side10_result;
+        bound_side11_sum_sum_aligned_second_h2 <= append(length_bound(6), 1);
+        bound_side11_result_h2 <= bound_side11_result;
+        bound_side12_sum_sum_aligned_second_h2 <= append(length_bound(7), 1);
+        bound_side12_result_h2 <= bound_side12_result;
+        length_measure0_ends1_h2 <= length_measure0_ends1;
+        bound_side20_sum_second_h2 <= resize(face_of_vertex_h1(1)(0), 30) + resize(face_of_vertex_h1(1)(1), 30);
+        bound_side21_sum_second_h2 <= resize(face_of_vertex_h1(1)(1), 30) + resize(face_of_vertex_h1(1)(2), 30);
+        bound_side22_sum_second_h2 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex_h1(1)(0), 30);
+        compared3_h2 <= compared(3);
+        compared_bound3_h1 <= compared_bound(3);
+        compared_bound8_h2 <= compared_bound(8);
+        boxes_apart_along(2) <= boxes_lane(0);
+        compared3_sign0_h2 <= compared3_sign0;
+        compared3_sign1_h2 <= compared3_sign1;
+        compared4_sign0_h1 <= compared4_sign0;
+        compared4_sign1_h1 <= compared4_sign1;
+        compared6_sign0_h1 <= compared6_sign0;
+        compared6_sign1_h1 <= compared6_sign1;
+        compared7_sign0_h1 <= compared7_sign0;
+        compared7_sign1_h1 <= compared7_sign1;
+        compared8_sign0_h1 <= compared8_sign0;
+        compared8_sign1_h1 <= compared8_sign1;
+        compared5_sign0_h1 <= compared5_sign0;
+        compared5_sign1_h1 <= compared5_sign1;
+        compared9_sign0_h1 <= compared9_sign0;
+        compared9_sign1_h1 <= compared9_sign1;
+        compared10_sign0_h1 <= compared10_sign0;
+        compared10_sign1_h1 <= compared10_sign1;
+        compared11_sign0_h1 <= compared11_sign0;
+        compared11_sign1_h1 <= compared11_sign1;
+        compared12_sign0_h3 <= compared12_sign0_h2;
+        compared12_sign1_h3 <= compared12_sign1_h2;
+        compared13_sign0_h3 <= compared13_sign0_h2;
+        compared13_sign1_h3 <= compared13_sign1_h2;
+        compared14_sign0_h3 <= compared14_sign0_h2;
+        compared14_sign1_h3 <= compared14_sign1_h2;
+        compared0_sign0_h3 <= compared0_sign0_h2;
+        compared0_sign1_h3 <= compared0_sign1_h2;
+        compared1_sign0_h3 <= compared1_sign0_h2;
+        compared1_sign1_h3 <= compared1_sign1_h2;
+        compared2_sign0_h3 <= compared2_sign0_h2;
+        compared2_sign1_h3 <= compared2_sign1_h2;
+        separated2_h1 <= separated_i(2);
+      end if;
+      if strobe(0) = '1' then
+        difference(0) <= row(0);
+        difference(1) <= row(1);
+        difference(2) <= row(2);
+        difference(3) <= row(3);
+        shift_h1 <= shift;
+        coordinate_cut(3) <= lane_shifted(0);
+        coordinate_cut(4) <= lane_shifted(1);
+        difference_w2_h2(0) <= difference_w2(0);
+        difference_w2_x_h4 <= difference_w2_h2(0);
+        difference_w0_h2 <= difference_w0;
+        coordinate_cut0_h3 <= coordinate_cut0_h2;
+        coordinate_cut1_h3 <= coordinate_cut1_h2;
+        carried_h2 <= carried_h1;
+        shift_h3 <= shift_h1;
+        level_less_resized_first_h1 <= signed(resize(axis_level0_resized_less_choice, 4));
+        level_less_resized_second_h1 <= signed(resize(axis_level(2), 4));
+        level_less_h2 <= less(level_less_resized_first_h1, level_less_resized_second_h1);
+        level_less_h4 <= level_less_h2;
+        axis_level0_resized_less_choice_h5 <= axis_level0_resized_less_choice_h4;
+        axis_level2_h5 <= axis_level2_h4;
+        moment_cut(0) <= moment_lane_cut(0);
+        moment_cut(1) <= moment_lane_cut(1);
+        moment_cut(2) <= moment_lane_cut(2);
+        moment_cut(3) <= moment_lane_cut(3);
+        moment_cut(4) <= moment_lane_cut(4);
+        moment_cut(5) <= moment_lane_cut(5);
+        places_captured <= too_great_0_so_far;
+        moment_m2 <= moment_lane(0);
+        moment_n <= moment_lane(1);
+        determinant_plane_a0 <= dot_lane(0);
+        coordinate_v1_h2 <= coordinate_v1;
+        coordinate_v1_h4 <= coordinate_v1_h2;
+        coordinate_v1_h6 <= coordinate_v1_h4;
+        coordinate_v2_h2 <= coordinate_v2;
+        coordinate_v2_h4 <= coordinate_v2_h2;
+        coordinate_v2_h6 <= coordinate_v2_h4;
+        coordinate_v2_h8 <= coordinate_v2_h6;
+        dot_d1(2) <= dot_lane(3);
+        determinant_side20 <= dot_lane(1);
+        determinant_side21 <= dot_lane(2);
+        determinant_plane_a1 <= dot_lane(4);
+        coordinate_w1_h3 <= coordinate_w1_h2;
+        coordinate_w0_h3 <= coordinate_w0_h2;
+        coordinate_w2_h3 <= coordinate_w2_h2;
+        length_measure(0) <= norm_lane(0);
+        length_measure(1) <= norm_lane(1);
+        length_measure(2) <= norm_lane(3);
+        length_measure(3) <= norm_lane(4);
+        length_measure(6) <= norm_lane(2);
+        rest_aligned_second_h2 <= append(rest_of_level_aligned, 1);
+        rest_of_level_aligned_h2 <= rest_of_level_aligned;
+        length_measure_h2(0) <= length_measure(0);
+        length_measure_h2(1) <= length_measure(1);
+        length_measure_h2(2) <= length_measure(2);
+        length_measure_h2(3) <= length_measure(3);
+        length_measure_h2(6) <= length_measure(6);
+        length_measure_h4(0) <= length_measure_h2(0);
+        length_measure_h4(1) <= length_measure_h2(1);
+        length_measure_h4(2) <= length_measure_h2(2);
+        length_measure_h4(3) <= length_measure_h2(3);
+        length_measure_h4(6) <= length_measure_h2(6);
+        length_measure0_h6 <= length_measure_h4(0);
+        length_measure1_h6 <= length_measure_h4(1);
+        length_measure2_h6 <= length_measure_h4(2);
+        length_measure3_h6 <= length_measure_h4(3);
+        length_measure8_h5 <= length_measure_h4(8);
+        length_measure4_h5 <= length_measure_h4(4);
+        length_measure5_h5 <= length_measure_h4(5);
+        length_measure7_h5 <= length_measure_h4(7);
+        rest_h2 <= rest;
+        rest_h4 <= rest_h2;
+        level_h2 <= level;
+        level_h4 <= level_h2;
+        length_bound(0) <= length_first(0);
+        length_bound(1) <= length_first(1);
+        length_bound(2) <= length_first(2);
+        length_bound(3) <= length_first(3);
+        length_bound(4) <= length_first(4);
+        norm_of_moment(0) <= moment_norm_lane(0);
+        norm_of_moment(1) <= moment_norm_lane(1);
+        moment_bound(0) <= moment_first(0);
+        moment_bound(1) <= moment_first(1);
+        bound_corner_aligned_h1 <= append(bound_all_m, 1);
+        bound_corner_sum_h3 <= bound_corner_sum_h2;
+        bound_all_m_h1 <= bound_all_m;
+        length_measure0_plane_a0_h3 <= length_measure0_plane_a0_h2;
+        bound_plane_b1_result_h3 <= bound_plane_b1_result_h2;
+        bound_plane_b2_result_h3 <= bound_plane_b2_result_h2;
+        bound_side10_sum_h1 <= resize(resize(append(moment_bound(0), 1), 31) +
+            resize(bound_side10_sum_sum_aligned_second_h2, 31), 32) + resize(bound_of_a, 32);
+        bound_side10_result_h3 <= bound_side10_result_h2;
+        bound_side11_sum_h1 <= resize(resize(append(moment_bound(1), 1), 31) +
+            resize(bound_side11_sum_sum_aligned_second_h2, 31), 32) + resize(bound_of_a, 32);
+        bound_side11_result_h3 <= bound_side11_result_h2;
+        bound_side12_sum_h1 <= resize(resize(append(moment_bound(2), 1), 31) +
+            resize(bound_side12_sum_sum_aligned_second_h2, 31), 32) + resize(bound_of_a, 32);
+        bound_side12_result_h3 <= bound_side12_result_h2;
+        compared0_h2 <= compared(0);
+        compared1_h2 <= compared(1);
+        compared12_h2 <= compared(12);
+        compared13_h2 <= compared(13);
+        compared_bound0_h1 <= compared_bound(0);
+        compared_bound1_h1 <= compared_bound(1);
+        compared_bound2_h1 <= compared_bound(2);
+        compared_bound6_h1 <= compared_bound(6);
+        compared_bound7_h1 <= compared_bound(7);
+        compared_bound12_h1 <= compared_bound(12);
+        compared_bound13_h1 <= compared_bound(13);
+        compared_bound14_h1 <= compared_bound(14);
+        compared2_h1 <= compared(2);
+        compared4_h1 <= compared(4);
+        compared5_h1 <= compared(5);
+        compared6_h1 <= compared(6);
+        compared7_h1 <= compared(7);
+        compared8_h1 <= compared(8);
+        compared9_h1 <= compared(9);
+        compared10_h1 <= compared(10);
+        compared11_h1 <= compared(11);
+        compared14_h1 <= compared(14);
+        compared_bound4_h2 <= compared_bound(4);
+        compared_bound5_h2 <= compared_bound(5);
+        compared_bound9_h2 <= compared_bound(9);
+        compared_bound10_h2 <= compared_bound(10);
+        compared_bound11_h2 <= compared_bound(11);
+        compared_bound6_h3 <= compared_bound6_h1;
+        compared_bound7_h3 <= compared_bound7_h1;
+        compared_bound8_h3 <= compared_bound8_h2;
+        boxes_apart_along(0) <= boxes_lane(0);
+        boxes_apart_along(1) <= boxes_lane(1);
+        compared12_sign0_h2 <= compared12_sign0;
+        compared12_sign1_h2 <= compared12_sign1;
+        compared13_sign0_h2 <= compared13_sign0;
+        compared13_sign1_h2 <= compared13_sign1;
+        compared14_sign0_h2 <= compared14_sign0;
+        compared14_sign1_h2 <= compared14_sign1;
+        compared0_sign0_h2 <= compared0_sign0;
+        compared0_sign1_h2 <= compared0_sign1;
+        compared1_sign0_h2 <= compared1_sign0;
+        compared1_sign1_h2 <= compared1_sign1;
+        compared2_sign0_h2 <= compared2_sign0;
+        compared2_sign1_h2 <= compared2_sign1;
+        separated0_h1 <= separated_i(0);
+        separated3_h1 <= separated_i(3);
+        separated4_h1 <= separated_i(4);
+        separated5_h1 <= separated_i(5);
+        separated6_h1 <= separated_i(6);
+        separated7_h1 <= separated_i(7);
+        separated8_h1 <= separated_i(8);
+        separated0_h3 <= separated0_h1;
+        separated0_h5 <= separated0_h3;
+        separated0_h7 <= separated0_h5;
+        separated0_h9 <= separated0_h7;
+        separated1_h2 <= separated_i(1);
+        separated2_h2 <= separated2_h1;
+        separated1_h4 <= separated1_h2;
+        overlapping3_h1 <= overlapping_i(3);
+        overlapping4_h1 <= overlapping_i(4);
+        overlapping5_h1 <= overlapping_i(5);
+        overlapping6_h1 <= overlapping_i(6);
+        overlapping7_h1 <= overlapping_i(7);
+        overlapping8_h1 <= overlapping_i(8);
+      end if;
+    end if;
+  end process captures;
+
+  -- Outputs
+  separated(0) <= separated0_h9;
+  separated(1) <= separated1_h4;
+  separated(2) <= separated2_h2;
+  separated(3) <= separated_i(3);
+  separated(4) <= separated_i(4);
+  separated(5) <= separated_i(5);
+  separated(6) <= separated_i(6);
+  separated(7) <= separated_i(7);
+  separated(8) <= separated_i(8);
+  overlapping <= overlapping_i;
+end architecture rtl;
