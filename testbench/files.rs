@@ -75,7 +75,8 @@ fn an_interruption_stops_the_simulator() {
     let dir = home.path();
     let tool = dir.join("nvc");
     // It tells its own process and one that it starts, and never ends.
-    let script = "#!/bin/sh\ntest \"$1\" = --version && exit\nsleep 600 &\necho $$ $! > told; mv told processes; wait\n";
+    let script =
+        "#!/bin/sh\ntest \"$1\" = --version && exit\nsleep 600 &\necho $$ $! > told; mv told processes; wait\n";
     fs::write(&tool, script).unwrap();
     fs::set_permissions(&tool, Permissions::from_mode(0o755)).unwrap();
     let path = format!("{}:{}", dir.display(), std::env::var("PATH").unwrap());

@@ -57,9 +57,7 @@ impl Output {
 }
 
 /// Writes all files or, as far as that can be known before, none.
-pub(super) fn write_all(
-    files: impl Iterator<Item = (impl AsRef<Path>, impl AsRef<[u8]>)>,
-) -> Result<(), Failure> {
+pub(super) fn write_all(files: impl Iterator<Item = (impl AsRef<Path>, impl AsRef<[u8]>)>) -> Result<(), Failure> {
     let begun = files.map(|(path, bytes)| {
         let mut file = Output::new(path.as_ref())?;
         file.write(bytes)?;

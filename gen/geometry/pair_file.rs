@@ -236,7 +236,10 @@ mod tests {
         }
         assert!(read_csv(ROW.replacen(" 1,", "-0.00E7,", 1).as_bytes(), "").is_ok());
         // Not a header: a row with a field mistyped, and NaN, which is a number, though not a finite one.
-        assert!(message(format!("{}\n{ROW}", ROW.replacen('0', "O", 1)).as_bytes()).contains("line 1, column 1: found \"O\""));
+        assert!(
+            message(format!("{}\n{ROW}", ROW.replacen('0', "O", 1)).as_bytes())
+                .contains("line 1, column 1: found \"O\"")
+        );
         assert!(message(ROW.replacen('0', "NaN", 1).as_bytes()).contains("line 1, column 1"));
         let mut garbage = format!("{ROW}\n").into_bytes();
         garbage.extend(ROW.replacen("1e", "\u{7}", 1).bytes().map(|b| if b == 7 { 0xff } else { b }));

@@ -222,7 +222,10 @@ mod tests {
         let dir = tempfile::tempdir().unwrap();
         let first = Store::open(dir.path()).unwrap();
         let message = Store::open(dir.path()).err().unwrap().to_string();
-        assert!(message.ends_with("points.jsonl: found another run that writes it; expected one at a time"), "{message}");
+        assert!(
+            message.ends_with("points.jsonl: found another run that writes it; expected one at a time"),
+            "{message}"
+        );
         drop(first);
         Store::open(dir.path()).unwrap();
     }

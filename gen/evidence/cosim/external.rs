@@ -89,7 +89,8 @@ fn write(design: &Design, command_line: &str, stimulus: &Stimulus, dir: &Path) -
 /// Runs a command in a folder; its whole output if it succeeds or ran to the end.
 pub(super) fn call(dir: &Path, command: &str, args: &[String], must: bool) -> Result<String, CosimError> {
     let failed = |message: String| CosimError::Failed { tool: command.to_owned(), message };
-    let output = process::output(Command::new(command).args(args).current_dir(dir)).map_err(|e| failed(e.to_string()))?;
+    let output =
+        process::output(Command::new(command).args(args).current_dir(dir)).map_err(|e| failed(e.to_string()))?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     if must && !output.status.success() {
         let line = text.lines().find(|l| l.contains("error")).or(text.lines().next()).unwrap_or("failed");
