@@ -147,7 +147,7 @@ fn outputs_of_a_scene_inside_and_beside_the_design() {
         ("--csv x.csv --out x.csv", "on the way to --out"),
         ("--csv x.csv --out x.csv/d", "on the way to --out"),
         ("--csv absent/x.csv --out d", "absent/x.csv"),
-        ("--csv x.csv --out here", "found s.toml and no manifest.json"),
+        ("--csv x.csv --out here", "and no manifest.json of efsat"),
         ("--picture d/dataflow/x.svg --csv d/efsat.csv --pairs d/./efsat.csv --out d", "found twice"),
     ] {
         fails(dir, &run(options), part);
@@ -174,7 +174,7 @@ fn links_are_followed_and_permissions_stay() {
     for (arguments, name) in [
         ("scene run s.toml --cosim none --csv x.csv", "x.csv"),
         ("generate --unit projection --svg x.svg", "x.svg"),
-        ("wall face-edge --out .", "face-edge.png"),
+        ("wall edge-on-face --out .", "edge-on-face.png"),
     ] {
         let target = dir.join("elsewhere").join(name);
         fs::write(&target, "old").unwrap();

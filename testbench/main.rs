@@ -9,6 +9,7 @@ mod cli;
 mod compare;
 mod diagrams;
 mod effects;
+mod extent;
 mod files;
 mod guard;
 mod hierarchy;
