@@ -4,7 +4,7 @@
 //! near contact seldom have such an axis, so half of the pairs are made and chosen: in many random ones B is moved until
 //! one ulp decides, and of these are taken those that together have most axes, comparisons and vertices at the edge. A
 //! quarter fills the working grid to its ends, where clamps act, or is as small as an ulp of the input, where enclosures
-//! are as wide as the triangles.
+//! are as wide as the triangles. An eighth has parallel edges, so that edges alone decide *intersect*.
 
 use efsat_hardware::number::Interval;
 use efsat_unit::artefact::Stimulus;
@@ -31,7 +31,7 @@ type Edge = (usize, usize, i128, (usize, u8), (usize, u8));
 type Lacking = [i128; 4];
 
 /// `count` pairs: of four two chosen, one at the ends of the working grid or, one in sixteen, tiny (every second of these
-/// under a rotation), and one random, every other time with an edge of one ulp.
+/// under a rotation), and one random with an edge of one ulp or with parallel edges.
 pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     let pool = Stimulus::random(params, (count * CHOICE).clamp(SMALLEST, LARGEST), seed);
     let random: Vec<(Pose, Pair)> =
@@ -64,6 +64,7 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
                 Some((at_origin(&mut rng, pose), tiny(&mut rng)))
             }
             1 => Some((Pose::identity(params), extreme(&mut rng, params))),
+            3 if number % 8 == 7 => Some((Pose::identity(params), parallel(&mut rng, params))),
             _ => None,
         };
         let Some((pose, mut pair)) = next.or_else(|| random.next()) else { break };
@@ -124,6 +125,24 @@ fn extreme(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
         }
     }
     pair
+}
+
+/// An edge of B parallel to one of A, near the inside of A: their axis is zero and can say neither separated nor
+/// overlapping.
+fn parallel(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
+    let reach = params.coordinate_bound() as i64 / 4;
+    let (k, l) = (rng.random_range(0..3), rng.random_range(0..3));
+    let mut point = |most: i64| [(); 3].map(|()| rng.random_range(-most..=most));
+    let a = [(); 3].map(|()| point(reach));
+    let (off, mut b) = (point(reach / 4), [point(reach); 3]);
+    for i in 0..3 {
+        let middle = (a[0][i] + a[1][i] + a[2][i]) / 3 + off[i];
+        let edge = a[(k + 1) % 3][i] - a[k][i];
+        b[l][i] = middle - edge / 2;
+        b[(l + 1) % 3][i] = b[l][i] + edge;
+    }
+    let exact = |triangle: [[i64; 3]; 3]| triangle.map(|point| point.map(Input::exact));
+    Pair { a: exact(a), b: exact(b) }
 }
 
 /// The pose with a translation of next to nothing: it leaves a tiny pair tiny, but B's enclosures as wide as the pair, so
@@ -271,6 +290,16 @@ mod tests {
             let mut numbers = pairs.flat_map(|pair| pair.a.iter().chain(&pair.b).flatten());
             assert_eq!(numbers.find(|x| x.lo < -bound || x.lo + i64::from(x.sticky) > bound), None);
         }
+    }
+
+    #[test]
+    fn edges_alone_decide_some_pairs() {
+        let params = Params::default();
+        let stimulus = stimulus(&params, 128, 1);
+        let [with, without] = [true, false].map(|edge_test| Golden::new(&Params { edge_test, ..params.clone() }));
+        let pairs = stimulus.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (pose, pair)));
+        let of_edges = pairs.filter(|(pose, pair)| with.verdict(pose, pair) != without.verdict(pose, pair)).count();
+        assert!(of_edges >= 5, "{of_edges}");
     }
 
     #[test]
