@@ -173,7 +173,7 @@ fn parallel(rng: &mut ChaCha8Rng, params: &Params, kind: usize) -> Pair {
         let passing = |side: usize, x: Points, y: Points| {
             (0..3).filter_map(move |i| passes(&x, i, &y).map(|above| (side, i, above)))
         };
-        let of_kind = passing(0, a, b).chain(passing(1, b, a)).eq([(kind % 2, kind / 4, kind / 2 % 2 == 0)]);
+        let of_kind = passing(0, a, b).chain(passing(1, b, a)).eq([(kind % 2, kind / 4, (kind / 2).is_multiple_of(2))]);
         if of_kind && inside(&b, params) {
             return exact_pair(a, b);
         }
