@@ -6,9 +6,12 @@ use std::process::ExitCode;
 const INTERRUPTED: i32 = 130;
 
 fn main() -> ExitCode {
-    if let Err(e) = ctrlc::set_handler(|| efsat::artefact::interrupted(INTERRUPTED)) {
-        eprintln!("error: no handler for interruptions: {e}");
-        return ExitCode::FAILURE;
+    let handler = || {
+        let _stopped = efsat::process::stop();
+        efsat::artefact::interrupted(INTERRUPTED)
+    };
+    match ctrlc::set_handler(handler) {
+        Ok(()) => efsat::cli::main(),
+        Err(e) => efsat::cli::report(&format!("no handler for interruptions: {e}"), 1),
     }
-    efsat::cli::main()
 }

@@ -1,10 +1,11 @@
 //! The three layers of truth agree: reference model = evaluated graph = built-in simulation = GHDL.
 //!
-//! Every option is varied over its range one at a time, then in seeded combinations; GHDL takes a quarter of the values and
-//! four combinations unless EFSAT_AGREEMENT is `full`. The comparison of answers includes the flags of every axis, so
+//! Every option is varied over its range one at a time, then in seeded combinations; inner signals are
+//! compared in a third of them and GHDL takes an eighth, unless everything is asked for. The comparison of answers includes the flags of every axis, so
 //! that a parameter set whose verdicts are all possibly-incorrect is checked too.
 
 use crate::baseline::hardware::Names;
+use crate::extent::{full, share};
 use efsat::artefact::Stimulus;
 use efsat::cosim::{self, Options, Simulator};
 use efsat::design::{Design, Probes};
@@ -257,7 +258,7 @@ fn all_hold(cases: &[Case], check: impl Fn(&str, &Params) -> Result<(), String> 
 #[test]
 fn builtin_agrees_with_the_reference_model_in_every_option_value() {
     let cases = [varied(&Params::default()), determinants(&Params::default())].concat();
-    all_hold(&cases, |name, p| agrees(name, p, 150, Simulator::Builtin, true).map(|_| ()));
+    all_hold(&cases, |name, p| agrees(name, p, 60, Simulator::Builtin, true).map(|_| ()));
 }
 
 #[test]
@@ -303,9 +304,7 @@ fn traced(p: &Params, design: &Design, stimulus: &Stimulus) -> Vec<(usize, usize
 
 #[test]
 fn graph_equals_reference_model_in_every_inner_signal() {
-    let mut cases = varied(&Params::default());
-    cases.extend(combined(20));
-    cases.extend(determinants(&Params::default()));
+    let cases = share(3, [varied(&Params::default()), combined(20), determinants(&Params::default())].concat());
     cases.par_iter().for_each(|(name, p)| {
         let design = Design::new(p, Probes::All).unwrap_or_else(|e| panic!("{name}: {e}"));
         let golden = Golden::new(p);
@@ -360,24 +359,14 @@ fn ghdl_equals_builtin(name: &str, p: &Params) -> Result<(), String> {
     if ghdl == builtin { Ok(()) } else { Err(format!("{name}: GHDL {ghdl:?}, built-in {builtin:?}\n{p:?}")) }
 }
 
-/// Whether GHDL runs everything that the built-in simulator does, for which it takes many times as long.
-fn everything() -> bool {
-    std::env::var_os("EFSAT_AGREEMENT").is_some_and(|value| value == "full")
-}
-
 #[test]
 fn ghdl_agrees_in_option_values() {
     if ghdl_is_missing() {
         return;
     }
-    // Narrow but for the widths under test, and every fourth value: GHDL takes many times as long as the built-in simulator,
-    // which runs them all. EFSAT_AGREEMENT=full leaves none out.
+    // Narrow but for the widths under test: GHDL takes many times as long as the built-in simulator, which runs them all.
     let narrow = Params { width: 10, transform_width: 14, ..Params::default() };
-    let mut cases = [varied(&narrow), determinants(&narrow)].concat();
-    if !everything() {
-        cases = cases.into_iter().step_by(4).collect();
-    }
-    all_hold(&cases, ghdl_equals_builtin);
+    all_hold(&share(8, [varied(&narrow), determinants(&narrow)].concat()), ghdl_equals_builtin);
 }
 
 #[test]
@@ -385,7 +374,12 @@ fn ghdl_agrees_in_combinations() {
     if ghdl_is_missing() {
         return;
     }
-    all_hold(&combined(if everything() { 60 } else { 4 }), ghdl_equals_builtin);
+    let mut cases = combined(60);
+    if !full() {
+        cases.sort_by_key(|(_, p)| p.width as usize * p.axes_per_clock);
+        cases.truncate(4);
+    }
+    all_hold(&cases, ghdl_equals_builtin);
 }
 
 #[test]

@@ -376,10 +376,78 @@ fn cosim_of_a_guarded_unit_counts_its_own_vectors_apart() {
 #[test]
 fn help_and_version_go_to_standard_output() {
     let home = tempfile::tempdir().unwrap();
-    assert_eq!(succeeds(home.path(), "--version"), format!("efsat {}\n", env!("CARGO_PKG_VERSION")));
-    for arguments in ["--help", "generate --help", "cosim -h", "classify --help"] {
+    // In a clone the commit follows.
+    let version = format!("efsat {}", env!("CARGO_PKG_VERSION"));
+    let said = succeeds(home.path(), "--version");
+    let commit = said.trim_end().strip_prefix(&version).unwrap();
+    assert!(commit.is_empty() || (commit.starts_with(" (") && commit.ends_with(')')), "{said}");
+    for arguments in ["--help", "generate --help", "cosim -h", "classify --help", "help", "help scene plan"] {
         assert!(succeeds(home.path(), arguments).contains("Usage: efsat"), "{arguments}");
     }
+}
+
+#[test]
+fn shells_and_man_know_every_command() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let help = succeeds(dir, "--help");
+    let listed = help.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+    let commands: Vec<&str> = listed.filter_map(|line| line.split_whitespace().next()).collect();
+    assert!(commands.len() > 10 && commands.contains(&"generate"), "{commands:?}");
+    for shell in ["bash", "zsh", "fish"] {
+        let script = succeeds(dir, &format!("completions {shell}"));
+        let absent: Vec<_> = commands.iter().filter(|command| !script.contains(**command)).collect();
+        assert!(absent.is_empty() && script.contains("clocks-per-pair"), "{shell}: {absent:?}");
+    }
+    succeeds(dir, "manual new/man1");
+    for command in commands.iter().filter(|command| **command != "help") {
+        let page = fs::read_to_string(dir.join(format!("new/man1/efsat-{command}.1"))).unwrap();
+        assert!(page.contains(".SH SYNOPSIS") && page.contains(&format!("efsat {command}")), "{page}");
+    }
+    assert!(fs::read_to_string(dir.join("new/man1/efsat.1")).unwrap().contains("generate"));
+    fails(dir, "completions tcsh", 2, "expected one of bash, elvish, fish");
+    fs::write(dir.join("file"), "").unwrap();
+    fails(dir, "manual file", 2, "file: ");
+}
+
+#[test]
+fn a_retest_leaves_nothing_open() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::write(dir.join("pairs.csv"), csv()).unwrap();
+    let rows = "pair,verdict\n0,intersect\n1,separate\n2,intersect\n";
+    assert_eq!(succeeds(dir, "classify pairs.csv --retest"), rows, "touching pairs have a common point");
+    let report = object(&succeeds(dir, "classify pairs.csv --retest --exact --json"));
+    assert_eq!(report["verdicts"], serde_json::json!({"separate": 1, "intersect": 2, "possibly_incorrect": 0}));
+    assert_eq!((&report["retested"], &report["wrong"]), (&1.into(), &0.into()));
+    assert!(succeeds(dir, "classify pairs.csv --retest --summary").contains("\n1 of them tested again in software\n"));
+    let report = object(&succeeds(dir, "classify --random 2000 --retest --exact --json"));
+    assert_eq!((&report["verdicts"]["possibly_incorrect"], &report["wrong"]), (&0.into(), &0.into()));
+}
+
+#[test]
+fn generate_says_what_it_wrote_and_what_does_not_fit() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let said = object(&succeeds(dir, "generate --json --out a"));
+    let number = |field: &str| said[field].as_u64().unwrap();
+    assert_eq!((&said["out"], &said["device"]), (&"a".into(), &"xc2v6000-4".into()));
+    assert_eq!(["files", "multipliers", "initiation_interval"].map(number), [45, 48, 11]);
+    assert!(said["expected_mhz"].as_f64().unwrap() >= 100.0);
+    let wide = "--width 32 --axes-per-clock 11";
+    let output = efsat(dir, &format!("generate --out b {wide}"));
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success(), "{errors}");
+    assert!(errors.starts_with("warning: xc2v6000-4 has 144 multipliers; the design is predicted to take"), "{errors}");
+    succeeds(dir, "generate --out c --device xc7a200t-1 --method determinants");
+}
+
+#[test]
+fn a_scene_that_is_not_there_is_answered_with_those_that_are() {
+    let here = Path::new(env!("CARGO_MANIFEST_DIR"));
+    fails(here, "classify --scene gear", 2, "gear: not found: expected one of headlight, scenes/bolt_nut.toml, ");
+    let home = tempfile::tempdir().unwrap();
+    fails(home.path(), "classify --scene gear", 2, "expected headlight or a file that ends in .toml");
 }
 
 #[test]

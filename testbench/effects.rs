@@ -375,7 +375,7 @@ fn wrong_input_is_named() {
         ("", "--cosim none --simulator builtin", "--simulator needs --cosim sample or all, not none"),
         ("", "--cosim all --sample 3", "--sample needs --cosim sample, not all"),
         ("", "--csv s.toml", "expected a name that ends in .csv"),
-        ("", "--csv r.csv --pairs r.csv", "found one name; expected two"),
+        ("", "--csv r.csv --pairs r.csv", "found twice; expected two different files"),
         ("", "--effect hierarchy=on --effect hierarchy=off", "--effect hierarchy: found twice; expected once"),
         ("", "--effect fog=on", "expected one of broad_phase, "),
         ("", "--effect renormalise=on --renormalise off", "--effect renormalise=on beside --renormalise"),

@@ -1,5 +1,6 @@
 //! The k-DOP hierarchy against brute force on every mesh at hand, and `efsat scene pairs`.
 
+use crate::extent::share;
 use efsat::exact::{Exact, posed_pair};
 use efsat::mesh::{Bounds, Mesh, read};
 use efsat::scene::hierarchy::{Directions, DopTree, Scratch, first_hit, pairs};
@@ -88,7 +89,8 @@ fn no_pair_of_any_mesh_is_lost() {
         let mesh = read(&path).unwrap();
         // Four steps at each distance: a quarter turn among them, with entries 0 and 1, and others.
         let scene = Scene::against_itself(name.as_str(), mesh.clone(), 7, &[1.5, 0.4, 0.0]);
-        let poses: Vec<Pose> = [0, 1, 4, 7, 9, 15, 17].map(|frame| scene.frame(frame).poses[1]).to_vec();
+        let poses: Vec<Pose> =
+            share(2, [0, 1, 4, 7, 9, 15, 17]).into_iter().map(|frame| scene.frame(frame).poses[1]).collect();
         let (found, lost) = lost(&name, &mesh, &mesh, &poses);
         touching += found;
         wrong.extend(lost);

@@ -9,6 +9,8 @@ mod cli;
 mod compare;
 mod diagrams;
 mod effects;
+mod extent;
+mod files;
 mod guard;
 mod hierarchy;
 mod house;

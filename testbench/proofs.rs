@@ -2,8 +2,8 @@
 //! a counterexample. `docs/machine-proofs.md` says what is proved and what follows from it.
 //!
 //! Every claim is also tried on units with one mistake in their text, which it must refute. Without Yosys or GHDL the
-//! tests say so on standard error and prove nothing. `EFSAT_PROOFS=full` (what `scripts/prove full` sets) takes greater
-//! widths.
+//! tests say so on standard error and prove nothing. If everything is asked for, greater widths and both rules for upper
+//! bounds are proved.
 
 mod axes;
 mod before_axes;
@@ -16,6 +16,7 @@ mod table;
 mod tools;
 mod unit;
 
+use crate::extent::{full, share};
 use claim::Claim;
 use efsat::params::{Params, Projections, Transform, Upper};
 use rayon::prelude::*;
@@ -32,9 +33,9 @@ fn prove(title: &str, claims: Vec<Claim>) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Both rules for upper bounds, the other options as given.
-fn both_rules(others: &Params) -> Vec<Params> {
-    [Upper::Implied, Upper::Sticky].map(|upper| Params { upper, ..others.clone() }).into()
+/// The rules for upper bounds, the other options as given.
+fn rules(others: &Params) -> Vec<Params> {
+    share(2, [Upper::Implied, Upper::Sticky].map(|upper| Params { upper, ..others.clone() }))
 }
 
 #[test]
@@ -42,7 +43,7 @@ fn sums_and_edges() {
     // The products of 6-bit factors, and those of the design's 18 bits.
     let mut claims = sums::exact_sums(12, true);
     claims.extend(sums::exact_sums(36, false));
-    for params in both_rules(&Params::default()) {
+    for params in rules(&Params::default()) {
         claims.extend(sums::edges(&Setting::small(params.clone())));
         claims.extend(sums::edges(&Setting::full(params)));
     }
@@ -56,28 +57,27 @@ fn roundings() {
 
 #[test]
 fn products() {
-    let small: &[(u32, u32)] = if settings::full() { &[(4, 4), (3, 6), (5, 5)] } else { &[(4, 4)] };
+    let small: &[(u32, u32)] = if full() { &[(4, 4), (3, 6), (5, 5)] } else { &[(4, 4)] };
     let mut claims: Vec<Claim> = small.iter().flat_map(|bits| products::by_definition(*bits)).collect();
     claims.extend(small.iter().map(|bits| products::order_of_corners(*bits)));
-    let wide: &[(u32, u32)] =
-        if settings::full() { &[(19, 2), (2, 19), (19, 4), (36, 2)] } else { &[(19, 2), (2, 19)] };
+    let wide: &[(u32, u32)] = if full() { &[(19, 2), (2, 19), (19, 4), (36, 2)] } else { &[(19, 2), (2, 19)] };
     claims.extend(wide.iter().map(|bits| products::in_parts(*bits)));
     let setting = Setting::full(Params::default());
     claims.extend([products::sign_cases(&setting), products::factors(&setting), products::multiplied(&setting)]);
-    claims.push(products::one_above(if settings::full() { 6 } else { 4 }));
+    claims.push(products::one_above(if full() { 6 } else { 4 }));
     prove("Products", claims);
 }
 
 #[test]
 fn cross_products_and_projections() {
-    let mut settings: Vec<Setting> = both_rules(&Params::paper()).into_iter().map(Setting::full).collect();
+    let mut settings: Vec<Setting> = rules(&Params::paper()).into_iter().map(Setting::full).collect();
     settings.push(Setting::full(Params::default()));
-    if settings::full() {
+    if full() {
         settings.push(Setting::small(Params::paper()));
     }
     let both = |setting| [axes::cross_product(setting), axes::projection(setting)];
     let mut claims: Vec<Claim> = settings.iter().flat_map(both).collect();
-    for params in both_rules(&Params::default()) {
+    for params in rules(&Params::default()) {
         claims.push(axes::axis_shift(&Setting::full(params)));
     }
     claims.push(axes::edge_test(&Setting::full(Params::default())));
@@ -88,10 +88,10 @@ fn cross_products_and_projections() {
 fn comparators() {
     let of_design = |projections| axes::comparator(&Params { projections, ..Params::default() });
     let policies = [Projections::All, Projections::Skip, Projections::Intersect];
-    let bits = if settings::full() { 5 } else { 3 };
+    let bits = if full() { 5 } else { 3 };
     let mut claims: Vec<Claim> = policies.map(|policy| axes::sound_comparator(bits, policy)).into();
     claims.extend([Projections::All, Projections::Skip].map(of_design));
-    if settings::full() {
+    if full() {
         claims.push(of_design(Projections::Intersect));
     }
     prove("Comparators", claims);
@@ -100,7 +100,7 @@ fn comparators() {
 #[test]
 fn transform_and_renormalisation() {
     let mut claims = vec![];
-    for params in both_rules(&Params::default()) {
+    for params in rules(&Params::default()) {
         let setting = Setting::full(params.clone());
         claims.extend(["lo", "hi"].map(|end| before_axes::transform_end(&setting, end)));
         claims.push(before_axes::transform_row(&setting));

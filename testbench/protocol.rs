@@ -1,5 +1,6 @@
 //! The protocol of the top, clock by clock: which pose a pair gets, what reset does, what back-pressure does.
 
+use crate::extent::share;
 use efsat::artefact::Stimulus;
 use efsat::artefact::vectors::{Word, answer_word, pair_word, pose_word};
 use efsat::design::{Design, Probes};
@@ -194,7 +195,7 @@ fn reset_empties_the_unit_and_restores_the_bypass() {
 #[test]
 fn one_clock_of_reset_forgets_verdicts_that_wait() {
     for p in units() {
-        for waiting in [1, 3, 1000] {
+        for waiting in share(2, [1, 3, 1000]) {
             let (_, _, pairs) = telling(&p);
             let mut unit = Unit::new(&p);
             // As many pairs as asked for, or as fit; nobody takes the verdicts.

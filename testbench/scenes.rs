@@ -1,6 +1,7 @@
 //! The built-in scenes through the program: no definite verdict contradicts the exact answer, re-normalisation is what
 //! makes most of them definite, and both formulations of the exact answer agree on every pair.
 
+use crate::extent::share;
 use efsat::exact::{Exact, linear_programme, posed_relation, relation};
 use efsat::golden::{Golden, Pair, Pose, Verdict};
 use efsat::host::{Host, SceneHost, loose_pair};
@@ -71,7 +72,7 @@ fn bolt_and_nut() {
 /// Section 6 of docs/proofs.md: each policy separates what the one before it does, and only `skip` loses overlaps.
 #[test]
 fn projection_policies_are_in_order() {
-    for scene in ["headlight", BOLT_NUT] {
+    for scene in share(2, ["headlight", BOLT_NUT]) {
         let [all, skip, intersect] = ["all", "skip", "intersect"].map(|policy| {
             let report = classify(&["--scene", scene, "--upper", "sticky", "--projections", policy]);
             assert_eq!(report["wrong"], 0, "{report}");
@@ -115,7 +116,7 @@ fn disagreements(scene: &Scene) -> (usize, Vec<(usize, Faces)>) {
 
 #[test]
 fn both_formulations_agree_on_every_pair_of_both_scenes() {
-    for scene in [Scene::default_scene(), load(BOLT_NUT.as_ref()).expect("it is ours")] {
+    for scene in share(2, [Scene::default_scene(), load(BOLT_NUT.as_ref()).expect("it is ours")]) {
         let (pairs, wrong) = disagreements(&scene);
         assert!(pairs > 100_000, "{}: {pairs} pairs", scene.name);
         assert!(wrong.is_empty(), "{}: {wrong:?}", scene.name);

@@ -2,6 +2,7 @@
 //!
 //! Tests whose tools are not installed say so on standard error and check nothing.
 
+use crate::extent::share;
 use efsat::artefact::{Stimulus, vhdl_files};
 use efsat::cosim::{self, Netlist, Options, Simulator};
 use efsat::design::{Design, Probes};
@@ -55,7 +56,7 @@ fn netlists_answer_as_the_reference_model() {
         tag_width: 40,
         ..Params::default()
     };
-    let found: Vec<_> = [small(), other].iter().map(|p| mismatches(p, 20_000, Netlist::Rtl)).collect();
+    let found: Vec<_> = share(2, [other, small()]).iter().map(|p| mismatches(p, 20_000, Netlist::Rtl)).collect();
     assert!(found.iter().all(|n| n.is_none_or(|n| n == 0)), "{found:?}");
 }
 
@@ -66,12 +67,14 @@ fn mapped_mismatches(device: &str, frequency: u32) -> Option<u64> {
 }
 
 #[test]
+#[ignore = "a minute or more: scripts/test full"]
 fn cells_of_virtex_ii_answer_as_the_reference_model() {
     assert!(mapped_mismatches("xc2v6000-4", 100).is_none_or(|n| n == 0));
 }
 
 /// The registers of products are in the multipliers, and choices take two clocks.
 #[test]
+#[ignore = "a minute or more: scripts/test full"]
 fn cells_of_ecp5_answer_as_the_reference_model() {
     assert!(mapped_mismatches("lfe5u-85-6", 150).is_none_or(|n| n == 0));
 }
@@ -139,6 +142,7 @@ fn ecp5_has_the_predicted_multipliers_with_their_registers() {
 }
 
 #[test]
+#[ignore = "a minute or more: scripts/test full"]
 fn ecp5_is_placed_and_routed() {
     let dir = TempDir::new().unwrap();
     let Some(report) = report(&smallest_on_ecp5(), 1, Some(dir.path())) else { return };

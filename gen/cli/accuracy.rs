@@ -8,7 +8,7 @@ use super::output::{print, print_json};
 use super::params::ParamArguments;
 use super::progress;
 use super::source;
-use crate::accuracy::{self, Amount, Campaign, MOST, Plan, Progress, Request, Results, Shard, Store, sweep};
+use crate::accuracy::{self, Amount, Campaign, MOST, Plan, Progress, Request, Results, Shard, sweep};
 use crate::design::Design;
 use crate::params::options::Choice;
 use crate::params::{Method, Params};
@@ -168,8 +168,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     spinner.finish_and_clear();
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
     let campaign = Campaign { request: &request, plan: &plan, scene: &scene, amount: arguments.pairs, shard };
-    output::claim(&arguments.out, &request)?;
-    let mut store = Store::open(&arguments.out).map_err(output::failure)?;
+    let mut store = output::claim(&arguments.out, &request)?;
     let bar = progress::bar(campaign.len() as u64, "points", false);
     bar.tick();
     let progress = campaign.run(&mut store, &|| bar.inc(1)).map_err(output::ended)?;

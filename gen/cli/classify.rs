@@ -37,6 +37,10 @@ pub(super) struct Arguments {
     /// Adds the exact rational answer (separate, touch or intersect) and fails if a definite verdict is wrong
     #[arg(long)]
     exact: bool,
+    /// Tests pairs that are possibly-incorrect again, exactly, so that every answer is final: separate or intersect, which
+    /// includes pairs that only touch
+    #[arg(long)]
+    retest: bool,
     /// Print one JSON object instead of rows
     #[arg(long)]
     json: bool,
@@ -52,6 +56,7 @@ pub(super) struct Arguments {
 struct Answer {
     verdict: Verdict,
     host_decided: bool,
+    retested: bool,
     exact: Option<Relation>,
 }
 
@@ -71,6 +76,8 @@ struct Counts {
     verdicts: Verdicts,
     host_decided: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
+    retested: Option<u64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     exact: Option<ExactCounts>,
     #[serde(skip_serializing_if = "Option::is_none")]
     wrong: Option<u64>,
@@ -79,13 +86,22 @@ struct Counts {
 }
 
 impl Counts {
-    fn new(exact: bool) -> Self {
-        Self { exact: exact.then(ExactCounts::default), wrong: exact.then_some(0), ..Self::default() }
+    fn new(arguments: &Arguments) -> Self {
+        let Arguments { exact, retest, .. } = *arguments;
+        Self {
+            retested: retest.then_some(0),
+            exact: exact.then(ExactCounts::default),
+            wrong: exact.then_some(0),
+            ..Self::default()
+        }
     }
 
     fn add(&mut self, answer: Answer) {
         self.verdicts.add(answer.verdict);
         self.host_decided += u64::from(answer.host_decided);
+        if let Some(retested) = &mut self.retested {
+            *retested += u64::from(answer.retested);
+        }
         if let (Some(exact), Some(counts), Some(wrong)) = (answer.exact, &mut self.exact, &mut self.wrong) {
             counts.coplanar += u64::from(exact.coplanar);
             match exact.class {
@@ -108,6 +124,9 @@ impl Counts {
         if self.host_decided > 0 {
             text.push_str(&format!("{} of them decided on the host\n", self.host_decided));
         }
+        if let Some(retested) = self.retested {
+            text.push_str(&format!("{retested} of them tested again in software\n"));
+        }
         if let (Some(exact), Some(wrong)) = (&self.exact, self.wrong) {
             text.push_str(&format!(
                 "exact: {} separate, {} touch, {} intersect; {} coplanar; {wrong} wrong definite verdicts\n",
@@ -125,12 +144,12 @@ struct Sink {
 }
 
 impl Sink {
-    fn new(exact: bool, rows: bool) -> Result<Self, Failure> {
-        let mut rows = rows.then(|| BufWriter::new(io::stdout().lock()));
+    fn new(arguments: &Arguments) -> Result<Self, Failure> {
+        let mut rows = arguments.rows().then(|| BufWriter::new(io::stdout().lock()));
         if let Some(rows) = &mut rows {
-            writeln!(rows, "pair,verdict{}", if exact { ",exact" } else { "" }).map_err(failure)?;
+            writeln!(rows, "pair,verdict{}", if arguments.exact { ",exact" } else { "" }).map_err(failure)?;
         }
-        Ok(Self { counts: Counts::new(exact), rows })
+        Ok(Self { counts: Counts::new(arguments), rows })
     }
 
     fn take(&mut self, answers: &[Answer]) -> Result<(), Failure> {
@@ -155,6 +174,7 @@ struct Classifier {
     params: Params,
     identity: Pose,
     exact: bool,
+    retest: bool,
 }
 
 impl Classifier {
@@ -163,7 +183,14 @@ impl Classifier {
             Host::Unit(pair) => (self.golden.verdict(pose, pair), false),
             Host::Decided(verdict) => (*verdict, true),
         };
-        Answer { verdict, host_decided, exact: self.exact.then(exact) }
+        let retested = self.retest && verdict == Verdict::PossiblyIncorrect;
+        let exact = (self.exact || retested).then(exact);
+        let verdict = match exact {
+            Some(exact) if retested && exact.class == Exact::Separate => Verdict::Separate,
+            Some(_) if retested => Verdict::Intersect,
+            _ => verdict,
+        };
+        Answer { verdict, host_decided, retested, exact: exact.filter(|_| self.exact) }
     }
 
     fn loose(&self, points: &[Points]) -> Vec<Answer> {
@@ -216,6 +243,13 @@ impl Classifier {
     }
 }
 
+impl Arguments {
+    /// Whether each pair has a row.
+    fn rows(&self) -> bool {
+        !self.json && !self.summary
+    }
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     let given = match (&arguments.file, &arguments.source) {
@@ -224,11 +258,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         (None, SourceArguments { random: Some(_), .. }) => None,
         _ => return Err(Failure::Usage("no pairs: expected one of FILE, --scene FILE and --random N".to_owned())),
     };
-    let rows = !arguments.json && !arguments.summary;
-    let mut sink = Sink::new(arguments.exact, rows)?;
-    let classifier =
-        Classifier { golden: Golden::new(&params), identity: Pose::identity(&params), params, exact: arguments.exact };
-    let bar = |steps: u64, what| progress::bar(steps, what, rows);
+    let mut sink = Sink::new(arguments)?;
+    let (golden, identity) = (Golden::new(&params), Pose::identity(&params));
+    let Arguments { exact, retest, .. } = *arguments;
+    let classifier = Classifier { golden, identity, params, exact, retest };
+    let bar = |steps: u64, what| progress::bar(steps, what, arguments.rows());
     match (&given, arguments.source.random) {
         (Some(Source::Pairs(pairs)), _) => classifier.pairs(pairs, &mut sink, &bar(pairs.len() as u64, "pairs"))?,
         (Some(Source::Scene(scene)), _) => {

@@ -1,13 +1,12 @@
 //! `efsat generate --dot` and `--svg`: the dataflow picture of one unit.
 
 use super::error::Failure;
+use super::file;
 use super::output::print;
-use crate::artefact::Scratch;
 use crate::design::Design;
 use crate::diagram::{self, Picture};
 use crate::schedule::Scheduler;
 use std::path::{Path, PathBuf};
-use std::{fs, io};
 
 /// Options that are of whole designs. Each option here excludes them by itself: clap does not ask for what an option
 /// requires where an option is given that excludes it.
@@ -50,54 +49,11 @@ impl DiagramArguments {
         let files = [(&self.dot, picture.dot()), (&self.svg, picture.svg())];
         let files: Vec<(&Path, String)> =
             files.into_iter().filter_map(|(path, text)| path.as_deref().map(|path| (path, text))).collect();
-        write(&files)?;
+        file::distinct(files.iter().map(|(path, _)| *path))?;
+        file::write_all(files.iter().map(|(path, text)| (path, text)))?;
         let (boxes, clocks) = (picture.places.len(), picture.latency);
         files.iter().try_for_each(|(path, _)| {
             print(&format!("{}: {name}, {boxes} boxes, latency {clocks} clocks\n", path.display()))
         })
     }
-}
-
-/// The one name of a file, links followed, that may not exist yet. A link that leads nowhere is no file, nor is a name
-/// that ends in a slash.
-fn place(path: &Path) -> io::Result<PathBuf> {
-    fs::canonicalize(path).or_else(|e| {
-        let absent = path.symlink_metadata().is_err() && !path.as_os_str().as_encoded_bytes().ends_with(b"/");
-        let name = path.file_name().filter(|_| absent).ok_or(e)?;
-        let parent = path.parent().filter(|parent| !parent.as_os_str().is_empty());
-        Ok(fs::canonicalize(parent.unwrap_or(Path::new(".")))?.join(name))
-    })
-}
-
-/// Writes all files or none: each beside its place first.
-fn write(files: &[(&Path, String)]) -> Result<(), Failure> {
-    let at = |path: &Path| {
-        let path = path.display().to_string();
-        move |e: io::Error| Failure::Usage(format!("{path}: {e}; expected a file in an existing folder"))
-    };
-    let mut staged: Vec<(&Path, PathBuf, Option<Scratch>, &String)> = vec![];
-    for (path, text) in files {
-        let target = place(path).map_err(at(path))?;
-        if staged.iter().any(|(_, other, ..)| *other == target) {
-            return Err(Failure::Usage(format!("{}: found twice; expected two different files", path.display())));
-        }
-        // A pipe or a terminal has no place beside it.
-        let stream = fs::metadata(&target).is_ok_and(|there| !there.is_file() && !there.is_dir());
-        let parent = target.parent().filter(|_| !stream && !target.is_dir());
-        let scratch = parent.map(Scratch::inside).transpose().map_err(at(path))?;
-        if let Some(scratch) = &scratch {
-            fs::write(scratch.path().join("picture"), text).map_err(at(path))?;
-        } else if !stream {
-            return Err(at(path)(io::ErrorKind::IsADirectory.into()));
-        }
-        staged.push((path, target, scratch, text));
-    }
-    for (path, target, scratch, text) in &staged {
-        match scratch {
-            Some(scratch) => fs::rename(scratch.path().join("picture"), target),
-            None => fs::write(target, text),
-        }
-        .map_err(at(path))?;
-    }
-    Ok(())
 }

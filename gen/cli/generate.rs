@@ -2,13 +2,16 @@
 
 use super::diagram::DiagramArguments;
 use super::error::Failure;
-use super::output::print;
+use super::output::{print, print_json, warn};
 use super::params::{ParamArguments, choice};
 use crate::artefact::{FileSet, design_files_with, programme_files, ready_designs, ready_files};
 use crate::design::Design;
+use crate::estimate;
 use crate::params::Params;
 use crate::params::options::Choice;
 use crate::params::stream::StreamWidth;
+use serde::Serialize;
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 /// Writes the design: VHDL, stream wrapper, example, testbenches, vectors, projects for tools and a manifest
@@ -33,6 +36,9 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "BITS", default_value = StreamWidth::default().name())]
     #[arg(value_parser = choice::<StreamWidth>(), allow_negative_numbers = true)]
     stream_width: StreamWidth,
+    /// Print one JSON object about the design
+    #[arg(long, conflicts_with_all = ["lp", "check", "ready", "unit"])]
+    json: bool,
     #[command(flatten)]
     diagram: DiagramArguments,
     #[command(flatten)]
@@ -61,24 +67,64 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return check(&set, out);
     }
     set.write(out)?;
-    print(&format!(
-        "{}: {} files\n{} multipliers ({} has {}), {} register bits, {} MHz\none pair every {} clocks, verdict after {} \
-         clocks\n",
-        out.display(),
-        set.len(),
-        design.top.multipliers(),
-        design.device.name,
-        design.device.multipliers,
-        design.top.register_bits(),
-        params.frequency,
-        design.interval,
-        design.latency,
-    ))?;
-    design.missed_clock().map_or(Ok(()), |(megahertz, end)| {
-        print(&format!(
-            "{megahertz:.1} MHz are expected, below --frequency: {end} takes longer than a clock by itself\n"
-        ))
-    })
+    let written = Written::new(&design, &set, out);
+    if arguments.json {
+        print_json(&written)?
+    } else {
+        print(&written.to_string())?
+    }
+    if let Some((kind, used, there)) = estimate::whole(&design.top, design.device).shortage(&design.device.capacity) {
+        warn(&format!("{} has {there} {kind}; the design is predicted to take {used}", design.device.name));
+    }
+    if let Some((megahertz, end)) = design.missed_clock() {
+        warn(&format!("{megahertz:.1} MHz are expected, below --frequency: {end} takes longer than a clock by itself"));
+    }
+    Ok(())
+}
+
+/// What is said of a design that was written; also the JSON object.
+#[derive(Serialize)]
+struct Written {
+    out: String,
+    files: usize,
+    device: &'static str,
+    multipliers: u64,
+    multipliers_of_device: u64,
+    register_bits: u64,
+    frequency_mhz: u32,
+    expected_mhz: f64,
+    initiation_interval: usize,
+    latency: usize,
+}
+
+impl Written {
+    fn new(design: &Design, set: &FileSet, out: &Path) -> Self {
+        Self {
+            out: out.display().to_string(),
+            files: set.len(),
+            device: design.device.name,
+            multipliers: design.top.multipliers() as u64,
+            multipliers_of_device: design.device.multipliers.into(),
+            register_bits: design.top.register_bits(),
+            frequency_mhz: design.params.frequency,
+            expected_mhz: design.clock().0,
+            initiation_interval: design.interval,
+            latency: design.latency,
+        }
+    }
+}
+
+impl fmt::Display for Written {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { out, files, device, multipliers, multipliers_of_device: all, register_bits, .. } = self;
+        writeln!(f, "{out}: {files} files")?;
+        writeln!(
+            f,
+            "{multipliers} multipliers ({device} has {all}), {register_bits} register bits, {} MHz",
+            self.frequency_mhz
+        )?;
+        writeln!(f, "one pair every {} clocks, verdict after {} clocks", self.initiation_interval, self.latency)
+    }
 }
 
 /// Writes or checks the ready designs.

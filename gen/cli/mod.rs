@@ -6,10 +6,13 @@
 mod accuracy;
 mod classify;
 mod compare;
+mod completions;
 mod cosim;
 mod diagram;
 mod error;
+mod file;
 mod generate;
+mod manual;
 mod mutate;
 mod output;
 mod params;
@@ -28,11 +31,14 @@ use std::process::ExitCode;
 /// Generates and proves synthesizable VHDL for EFSAT, an exact triangle-triangle intersection unit in fixed-point
 /// interval arithmetic
 #[derive(Debug, Parser)]
-#[command(name = "efsat", version, disable_help_subcommand = true, after_help = AFTER)]
+#[command(name = "efsat", version = VERSION, after_help = AFTER)]
 struct CommandLine {
     #[command(subcommand)]
     command: Command,
 }
+
+/// The release and, in a clone, the commit.
+const VERSION: &str = env!("EFSAT_VERSION");
 
 const AFTER: &str = "Exit status: 0 done and everything agreed; 1 a check failed (a mismatch, a wrong definite answer); \
     2 the command line or an input file is wrong.";
@@ -50,6 +56,8 @@ enum Command {
     Synth(synth::Arguments),
     Scene(scene::Arguments),
     Accuracy(accuracy::Arguments),
+    Completions(completions::Arguments),
+    Manual(manual::Arguments),
 }
 
 /// Runs the command line of the process.
@@ -67,6 +75,8 @@ pub fn main() -> ExitCode {
             Command::Synth(arguments) => synth::run(&arguments),
             Command::Scene(arguments) => scene::run(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
+            Command::Completions(arguments) => completions::run(&arguments, &mut CommandLine::command()),
+            Command::Manual(arguments) => manual::run(&arguments, CommandLine::command()),
         },
         Err(e) if !e.use_stderr() => output::print(&e.render().to_string()),
         Err(e) => Err(error::from_clap(&e, &commands())),
@@ -91,9 +101,8 @@ fn commands() -> Vec<String> {
     command.get_subcommands().map(|c| c.get_name().to_owned()).collect()
 }
 
-fn report(message: &str, status: u8) -> ExitCode {
-    // Names of files may hold anything; the message is one line.
-    let line: String = message.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    eprintln!("error: {line}");
+/// Says on standard error why the process ends with `status`.
+pub fn report(message: &str, status: u8) -> ExitCode {
+    output::tell("error", message);
     ExitCode::from(status)
 }

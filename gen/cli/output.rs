@@ -57,9 +57,14 @@ pub(super) fn print(text: &str) -> Result<(), Failure> {
 
 /// Prints a warning on standard error.
 pub(super) fn warn(message: &str) {
+    tell("warning", message);
+}
+
+/// Prints a message of some kind on standard error, where there is no one left to tell if that cannot be written.
+pub(super) fn tell(kind: &str, message: &str) {
     // Names of files may hold anything; the message is one line.
     let line: String = message.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    eprintln!("warning: {line}");
+    let _ = io::stderr().write_all(format!("{kind}: {line}\n").as_bytes());
 }
 
 /// Prints a value as one line of JSON.

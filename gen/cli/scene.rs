@@ -1,7 +1,6 @@
 //! `efsat scene`.
 
 mod given;
-mod outputs;
 mod pairs;
 mod plan;
 mod run;
@@ -13,7 +12,6 @@ use clap::Subcommand;
 
 /// Analyses scenes: which triangles come close, and which optional stages of the unit that calls for
 #[derive(Debug, clap::Args)]
-#[command(disable_help_subcommand = true)]
 pub(super) struct Arguments {
     #[command(subcommand)]
     command: Command,

@@ -2,7 +2,7 @@
 
 use super::accuracy::{points, shard};
 use super::error::Failure;
-use super::output::{print, print_json};
+use super::output::{print, print_json, tell};
 use super::params::ParamArguments;
 use super::{source, stress};
 use crate::accuracy::Shard;
@@ -140,7 +140,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         print(&table(&families, &designs, arguments.seed, &sum))?;
     }
-    sum.faults.iter().for_each(|fault| eprintln!("{fault}"));
+    sum.faults.iter().for_each(|fault| tell("fault", &fault.to_string()));
     if total.faults() == 0 {
         return Ok(());
     }

@@ -65,12 +65,28 @@ pub(super) fn load_planned(name: &str) -> Result<(Scene, Settings), Failure> {
     if name == HEADLIGHT {
         return Ok((Scene::default_scene(), Settings::default()));
     }
-    let scene = scene::load(name.as_ref())?;
+    let path = Path::new(name);
+    if path.extension().is_none() && !path.exists() {
+        return Err(Failure::Usage(format!("{name}: not found: expected {}", known_scenes())));
+    }
+    let scene = scene::load(path)?;
     let settings = Settings::of(&scene, name.as_ref())?;
     for object in scene.objects.iter().filter(|object| object.findings.left_out() > 0) {
         warn(&format!("{name}: object {}: {}", object.name, object.findings));
     }
     Ok((scene, settings))
+}
+
+/// What could have been meant: the built-in scene, and the files that lie where the repository has its scenes.
+fn known_scenes() -> String {
+    let files = std::fs::read_dir("scenes").into_iter().flatten().filter_map(|entry| Some(entry.ok()?.path()));
+    let scenes = files.filter(|path| path.extension().is_some_and(|e| e == "toml"));
+    let mut names: Vec<String> = scenes.map(|path| path.display().to_string()).collect();
+    names.sort();
+    match names.as_slice() {
+        [] => format!("{HEADLIGHT} or a file that ends in .toml"),
+        names => format!("one of {HEADLIGHT}, {}, or another file that ends in .toml", names.join(", ")),
+    }
 }
 
 /// A whole number, at least 1.

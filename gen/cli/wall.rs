@@ -1,10 +1,10 @@
 //! `efsat wall`.
 
 use super::error::Failure;
+use super::file;
 use super::output::{print, print_json};
 use super::params::ParamArguments;
 use super::progress;
-use crate::artefact::Scratch;
 use crate::params::Params;
 use crate::software::Test;
 use crate::wall::{CONTACTS, Contact, Grid, Map, Report, SIZE, Step, picture};
@@ -179,17 +179,7 @@ fn line(name: &str, cells: &[String]) -> String {
 /// Puts the pictures into a folder, each as a whole.
 fn write(dir: &Path, maps: &[Drawn]) -> Result<(), Failure> {
     fs::create_dir_all(dir).map_err(|e| file_failure(dir, &e))?;
-    let scratch = Scratch::inside(dir).map_err(|e| file_failure(dir, &e))?;
-    let names = || maps.iter().map(|map| format!("{}.png", map.contact.name));
-    for (name, map) in names().zip(maps) {
-        let path = scratch.path().join(name);
-        fs::write(&path, &map.picture).map_err(|e| file_failure(&path, &e))?;
-    }
-    for name in names() {
-        let path = dir.join(&name);
-        fs::rename(scratch.path().join(name), &path).map_err(|e| file_failure(&path, &e))?;
-    }
-    Ok(())
+    file::write_all(maps.iter().map(|map| (dir.join(format!("{}.png", map.contact.name)), &map.picture)))
 }
 
 fn file_failure(path: &Path, e: &io::Error) -> Failure {

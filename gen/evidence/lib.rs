@@ -5,6 +5,7 @@ pub mod accuracy;
 pub mod cosim;
 pub mod effects;
 pub mod mutation;
+pub mod process;
 pub mod soak;
 pub mod stress;
 pub mod synth;

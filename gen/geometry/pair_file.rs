@@ -98,7 +98,7 @@ pub fn read(name: &str) -> Result<Vec<Points>, PairFileError> {
     }
 }
 
-/// Reads CSV: 18 numbers a row, a first row whose first field is no number is a header, empty lines are skipped. A
+/// Reads CSV: 18 numbers a row, a first row none of whose fields is a number is a header, empty lines are skipped. A
 /// decimal stands for the nearest binary64 number.
 ///
 /// `name` is used in messages.
@@ -118,7 +118,7 @@ pub fn read_csv(mut source: impl Read, name: &str) -> Result<Vec<Points>, PairFi
             continue;
         }
         let fields: Vec<&[u8]> = row.split(|&byte| byte == b',').map(unquoted).collect();
-        if std::mem::take(&mut first) && number(fields[0]).is_none() {
+        if std::mem::take(&mut first) && fields.iter().all(|field| number(field).is_none()) {
             continue;
         }
         let line = index + 1;
@@ -235,7 +235,11 @@ mod tests {
             assert_eq!(message(text.as_bytes()), format!("p.csv: line 3, column 4: found \"{bad}\"; {legal}"));
         }
         assert!(read_csv(ROW.replacen(" 1,", "-0.00E7,", 1).as_bytes(), "").is_ok());
-        // Not a header: NaN in the first field is a number, though not a finite one.
+        // Not a header: a row with a field mistyped, and NaN, which is a number, though not a finite one.
+        assert!(
+            message(format!("{}\n{ROW}", ROW.replacen('0', "O", 1)).as_bytes())
+                .contains("line 1, column 1: found \"O\"")
+        );
         assert!(message(ROW.replacen('0', "NaN", 1).as_bytes()).contains("line 1, column 1"));
         let mut garbage = format!("{ROW}\n").into_bytes();
         garbage.extend(ROW.replacen("1e", "\u{7}", 1).bytes().map(|b| if b == 7 { 0xff } else { b }));

@@ -2,6 +2,7 @@
 
 use super::tools::{self, Outcome};
 use super::unit::{AROUND, Mistake, Mutant, Subject, Wire};
+use crate::extent::share;
 use std::fmt::Write;
 
 /// What is claimed of a unit.
@@ -227,8 +228,9 @@ impl Claim {
             Some(_) => Some(format!("not refuted: {mutant:?}")),
             None => Some(format!("nothing to mutate: {mutant:?}")),
         };
-        let alive: Vec<String> = self.mutants.iter().filter_map(alive).collect();
-        let refuted = [self.mutants.len() - alive.len(), self.mutants.len()];
+        let mutants = share(3, &self.mutants);
+        let alive: Vec<String> = mutants.iter().copied().filter_map(alive).collect();
+        let refuted = [mutants.len() - alive.len(), mutants.len()];
         failures.extend(alive);
         Row {
             claim: [self.subject.name.clone(), self.widths.clone(), self.property.to_owned()],

@@ -2,9 +2,6 @@
 
 use efsat::params::{Params, Upper};
 
-/// Environment variable: `full` proves at greater widths than the tests take time for.
-pub const EFFORT: &str = "EFSAT_PROOFS";
-
 /// A parameter set whose units are proved.
 pub struct Setting {
     /// Parameters.
@@ -28,18 +25,6 @@ impl Setting {
     /// Widths and rule for upper bounds.
     pub fn label(&self) -> String {
         format!("{}/{} bits, {}", self.params.width, self.params.transform_width, rule(self.params.upper))
-    }
-}
-
-/// Whether the greater widths are asked for.
-///
-/// # Panics
-/// If the environment variable has another value than `quick` or `full`.
-pub fn full() -> bool {
-    match std::env::var(EFFORT).as_deref() {
-        Err(_) | Ok("quick") => false,
-        Ok("full") => true,
-        Ok(other) => panic!("{EFFORT}={other}: expected quick and full"),
     }
 }
 

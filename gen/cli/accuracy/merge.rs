@@ -2,6 +2,7 @@
 
 use super::{command, finish, nanoseconds, output, params, points};
 use crate::accuracy::{Plan, Progress, Request, Results, Store};
+use crate::artefact::Scratch;
 use crate::cli::error::Failure;
 use std::path::{Path, PathBuf};
 
@@ -66,14 +67,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let sweep = points(&request.sweep, &base)?;
     let plan = Plan::new(&base, &sweep, &request.multipliers)?;
     // Joined beside the target first, so that parts that are not complete leave nothing behind.
-    let scratch = tempfile::tempdir().map_err(|e| Failure::Usage(e.to_string()))?;
+    let scratch = Scratch::new().map_err(|e| Failure::Usage(e.to_string()))?;
     let mut store = Store::open(scratch.path()).map_err(output::failure)?;
     arguments.parts.iter().try_for_each(|part| store.join(part)).map_err(output::failure)?;
     let text = command(&request, arguments.transfer);
     let join = |store: &Store| Results::join(&request, &plan, store, arguments.transfer, text.clone());
     join(&store).map_err(|e| Failure::Usage(format!("{e}; expected all parts of one campaign, finished")))?;
-    output::claim(&arguments.out, &request)?;
-    let mut whole = Store::open(&arguments.out).map_err(output::failure)?;
+    let mut whole = output::claim(&arguments.out, &request)?;
     whole.join(scratch.path()).map_err(output::failure)?;
     let results = join(&whole).map_err(|e| Failure::Check(e.to_string()))?;
     let progress = Progress { found: whole.records().count(), made: 0 };

@@ -2,9 +2,9 @@
 
 use crate::accuracy::campaign::CampaignError;
 use crate::accuracy::store::{FILE, StoreError};
-use crate::accuracy::{Progress, Request, Results};
-use crate::artefact::Scratch;
+use crate::accuracy::{Progress, Request, Results, Store};
 use crate::cli::error::Failure;
+use crate::cli::file;
 use serde::Serialize;
 use std::fs;
 use std::io;
@@ -35,7 +35,9 @@ pub(super) fn claimable(dir: &Path) -> Result<(), Failure> {
         Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(()),
         Err(e) => return Err(file_failure(dir, &e)),
     };
-    if entries.next().is_none() || dir.join(REQUEST).is_file() {
+    // Of a run that ended before it said what was asked for.
+    let begun = |entry: fs::DirEntry| entry.file_name() == FILE && entry.metadata().is_ok_and(|found| found.len() == 0);
+    if dir.join(REQUEST).is_file() || entries.all(|entry| entry.is_ok_and(begun)) {
         return Ok(());
     }
     Err(Failure::Usage(format!(
@@ -44,11 +46,13 @@ pub(super) fn claimable(dir: &Path) -> Result<(), Failure> {
     )))
 }
 
-/// Makes a folder ours, and says in it what was asked for.
-pub(super) fn claim(dir: &Path, request: &Request) -> Result<(), Failure> {
+/// Makes a folder ours, unless another run is at work there, and says in it what was asked for; its results.
+pub(super) fn claim(dir: &Path, request: &Request) -> Result<Store, Failure> {
     fs::create_dir_all(dir).map_err(|e| file_failure(dir, &e))?;
+    let store = Store::open(dir).map_err(failure)?;
     let text = serde_json::to_string_pretty(request).expect("keys are strings and numbers are finite");
-    write(dir, &[(REQUEST.to_owned(), text + "\n")])
+    write(dir, &[(REQUEST.to_owned(), text + "\n")])?;
+    Ok(store)
 }
 
 /// What was asked for in a folder.
@@ -68,16 +72,7 @@ pub(super) fn has_results(dir: &Path) -> bool {
 
 /// Puts files into a folder, each as a whole.
 pub(super) fn write(dir: &Path, files: &[(String, String)]) -> Result<(), Failure> {
-    let scratch = Scratch::inside(dir).map_err(|e| file_failure(dir, &e))?;
-    for (name, text) in files {
-        let path = scratch.path().join(name);
-        fs::write(&path, text).map_err(|e| file_failure(&path, &e))?;
-    }
-    for (name, _) in files {
-        let path = dir.join(name);
-        fs::rename(scratch.path().join(name), &path).map_err(|e| file_failure(&path, &e))?;
-    }
-    Ok(())
+    file::write_all(files.iter().map(|(name, text)| (dir.join(name), text)))
 }
 
 /// The JSON object.

@@ -3,9 +3,9 @@
 mod report;
 
 use super::given::GivenArguments;
-use super::outputs::{Output, quoted};
-use crate::artefact::design_files;
+use crate::artefact::{FileSet, design_files};
 use crate::cli::error::Failure;
+use crate::cli::file::{self, Output};
 use crate::cli::generate::command_line;
 use crate::cli::output::{failure, warn};
 use crate::cli::params::choice;
@@ -127,9 +127,6 @@ impl Arguments {
         if self.simulator.is_some() && self.cosim == Which::None {
             return Err(Failure::Usage("--simulator needs --cosim sample or all, not none".to_owned()));
         }
-        if self.csv.is_some() && self.csv == self.pairs {
-            return Err(Failure::Usage("--csv and --pairs: found one name; expected two".to_owned()));
-        }
         let frames = scene.frames() as u64;
         match self.frame {
             Some(frame) if frame >= frames => {
@@ -137,6 +134,42 @@ impl Arguments {
             }
             _ => Ok(()),
         }
+    }
+
+    /// The name of a file within the directory of the design, if it is to be there.
+    fn inside(&self, path: &Path) -> Result<Option<PathBuf>, Failure> {
+        let Some(dir) = &self.out else { return Ok(None) };
+        // A slash at the end says of a directory that it is one.
+        let dir = file::place(&dir.components().collect::<PathBuf>())?;
+        let place = file::place(path)?;
+        if dir.starts_with(&place) {
+            let message = format!("{}: found a name on the way to --out; expected another one", path.display());
+            return Err(Failure::Usage(message));
+        }
+        Ok(place.strip_prefix(dir).ok().map(Path::to_owned))
+    }
+
+    /// Whether files can be where they are wanted, as far as that is known before the design.
+    fn check_outputs(&self) -> Result<(), Failure> {
+        let files = [&self.csv, &self.pairs, &self.picture];
+        let files = || files.into_iter().flatten().map(PathBuf::as_path);
+        file::distinct(files())?;
+        files().try_for_each(|path| self.inside(path).map(|_| ()))?;
+        self.out.as_ref().map_or(Ok(()), |dir| Ok(FileSet::default().check_target(dir)?))
+    }
+
+    /// Writes the planned design, unless another file has the name of one of its files.
+    fn write_design(&self, dir: &Path, set: &FileSet) -> Result<(), Failure> {
+        for path in [&self.csv, &self.pairs, &self.picture].into_iter().flatten() {
+            // One of the two may be taken for a folder, too.
+            let clash = |name: &Path, file: &Path| file.starts_with(name) || name.starts_with(file);
+            let taken = |name: &Path| set.iter().any(|(file, _)| clash(name, Path::new(file)));
+            if self.inside(path)?.is_some_and(|name| taken(&name)) {
+                let message = format!("{}: found a file of the design; expected another name", path.display());
+                return Err(Failure::Usage(message));
+            }
+        }
+        Ok(set.write(dir)?)
     }
 
     fn sampling(&self) -> Sampling {
@@ -148,6 +181,34 @@ impl Arguments {
                 Sampling::Some { stratified: number(self.sample, SAMPLE), close: number(self.close, CLOSE) }
             }
         }
+    }
+}
+
+/// A field of a CSV file.
+fn quoted(text: &str) -> String {
+    format!("\"{}\"", text.replace('"', "\"\""))
+}
+
+/// The files that are written beside the design, or into its directory.
+#[derive(Default)]
+struct Outputs {
+    csv: Option<Output>,
+    pairs: Option<Output>,
+    picture: Option<Output>,
+}
+
+impl Outputs {
+    /// Begins those inside `--out`, or the others.
+    fn begin(&mut self, arguments: &Arguments, inside: bool) -> Result<(), Failure> {
+        let Arguments { csv, pairs, picture, .. } = arguments;
+        for (path, file) in [(csv, &mut self.csv), (pairs, &mut self.pairs), (picture, &mut self.picture)] {
+            if let Some(path) = path
+                && inside == arguments.inside(path)?.is_some()
+            {
+                *file = Some(Output::new(path)?);
+            }
+        }
+        Ok(())
     }
 }
 
@@ -188,24 +249,26 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     arguments.check(&scene)?;
     let mut request = arguments.given.request(&arguments.file, &settings)?;
     request.costs = false;
-    let output = |path: &Option<PathBuf>| path.as_deref().map(Output::new).transpose();
-    let (mut csv, mut pairs) = (output(&arguments.csv)?, output(&arguments.pairs)?);
-    let drawing = output(&arguments.picture)?;
-    if let Some(csv) = &mut csv {
-        csv.write(report::heads())?;
-    }
-    if let Some(pairs) = &mut pairs {
-        pairs.write("frame,a,b,triangle_a,triangle_b,verdict,exact\n")?;
-    }
+    arguments.check_outputs()?;
+    let mut outputs = Outputs::default();
+    outputs.begin(arguments, false)?;
     let spinner = progress::spinner("planning");
     let plan = effects::plan(&scene, &request)?;
     spinner.finish_and_clear();
     // The reference model alone answers where nothing is written or simulated.
     let design = || Design::new(&plan.params, false);
     if let Some(dir) = &arguments.out {
-        design_files(&design()?, &command_line(&plan.params, StreamWidth::default()))
-            .map_err(|e| Failure::Check(e.to_string()))?
-            .write(dir)?;
+        let set = design_files(&design()?, &command_line(&plan.params, StreamWidth::default()))
+            .map_err(|e| Failure::Check(e.to_string()))?;
+        arguments.write_design(dir, &set)?;
+        outputs.begin(arguments, true)?;
+    }
+    let Outputs { mut csv, mut pairs, picture } = outputs;
+    if let Some(csv) = &mut csv {
+        csv.write(report::heads())?;
+    }
+    if let Some(pairs) = &mut pairs {
+        pairs.write("frame,a,b,triangle_a,triangle_b,verdict,exact\n")?;
     }
     let front = Front::new(&scene, plan.software, request.directions);
     let simulator = arguments.simulator.unwrap_or(Simulator::Ghdl);
@@ -249,8 +312,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             ));
         }
     }
-    if let Some(drawing) = drawing {
-        draw(arguments, &scene, &front, &plan, &total, drawing)?;
+    if let Some(picture) = picture {
+        draw(arguments, &scene, &front, &plan, &total, picture)?;
     }
     let Sinks { report, csv, pairs, .. } = sinks;
     csv.into_iter().chain(pairs).try_for_each(Output::finish)?;

@@ -48,10 +48,7 @@ impl Hardware {
         let device = device::find(&params.device).map_err(DesignError::from)?;
         let report = synth::predict(params, Flow::of(device))?;
         let cells = Cells::from(report.cells());
-        // Shift registers and memory are made of the same look-up tables.
-        let there = device.capacity;
-        let fits =
-            cells.multipliers <= there.multipliers && cells.luts <= there.luts && cells.flip_flops <= there.flip_flops;
+        let fits = report.cells().shortage(&device.capacity).is_none();
         let (interval, latency) = (report.interval, report.latency);
         Ok(Self { cells, fits, clock: report.scheduled.0, interval, latency })
     }

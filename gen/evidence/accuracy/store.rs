@@ -13,8 +13,8 @@ use super::point::{Options, Point};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
-use std::fs::{File, OpenOptions};
-use std::io::{self, Seek, SeekFrom, Write};
+use std::fs::{File, OpenOptions, TryLockError};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 /// The file of a folder of results.
@@ -66,6 +66,9 @@ pub enum StoreError {
         /// What it says.
         source: io::Error,
     },
+    /// Another process has the results open.
+    #[error("{}: found another run that writes it; expected one at a time", .0.display())]
+    Busy(PathBuf),
     /// A line that is no result of this version.
     #[error("{}, line {line}: found {found}; expected a result that efsat {} wrote", path.display(), env!("CARGO_PKG_VERSION"))]
     Line {
@@ -91,7 +94,7 @@ pub fn key(kind: &str, of: &str, options: &Options) -> String {
     hex(hash)
 }
 
-/// The results of a folder.
+/// The results of a folder. Nobody else opens them as long as this is there.
 pub struct Store {
     path: PathBuf,
     file: File,
@@ -103,18 +106,21 @@ impl Store {
     /// Opens the results of a folder, or begins them; the folder must be there.
     ///
     /// # Errors
-    /// A file that cannot be read or written, or that holds something else.
+    /// A file that cannot be read or written, that another process has open, or that holds something else.
     pub fn open(dir: &Path) -> Result<Self, StoreError> {
         let path = dir.join(FILE);
-        let text = match std::fs::read_to_string(&path) {
-            Ok(text) => text,
-            Err(e) if e.kind() == io::ErrorKind::NotFound => String::new(),
-            Err(e) => return Err(at(&path)(e)),
-        };
-        let whole = text.rfind('\n').map_or(0, |end| end + 1);
-        let lines = read(&path, &text[..whole])?;
-        let mut file = OpenOptions::new().create(true).truncate(false).write(true).open(&path).map_err(at(&path))?;
-        file.set_len(whole as u64).and_then(|()| file.seek(SeekFrom::End(0))).map_err(at(&path))?;
+        let mut file = OpenOptions::new().create(true).read(true).append(true).open(&path).map_err(at(&path))?;
+        match file.try_lock() {
+            Err(TryLockError::WouldBlock) => return Err(StoreError::Busy(path)),
+            // Not every file system has locks.
+            Err(TryLockError::Error(e)) if e.kind() != io::ErrorKind::Unsupported => return Err(at(&path)(e)),
+            _ => {}
+        }
+        let mut bytes = vec![];
+        file.read_to_end(&mut bytes).map_err(at(&path))?;
+        let whole = whole(&bytes);
+        let lines = read(&path, whole)?;
+        file.set_len(whole.len() as u64).map_err(at(&path))?;
         let mut store = Self { path, file, records: HashMap::new(), lines: vec![] };
         lines.into_iter().for_each(|(line, text)| store.know(line, text));
         Ok(store)
@@ -162,8 +168,8 @@ impl Store {
     /// A file that cannot be read, or that holds something else.
     pub fn join(&mut self, dir: &Path) -> Result<(), StoreError> {
         let path = dir.join(FILE);
-        let text = std::fs::read_to_string(&path).map_err(at(&path))?;
-        for (line, text) in read(&path, &text[..text.rfind('\n').map_or(0, |end| end + 1)])? {
+        let bytes = std::fs::read(&path).map_err(at(&path))?;
+        for (line, text) in read(&path, whole(&bytes))? {
             if !self.records.contains_key(&line.key) {
                 self.append(text)?;
             }
@@ -172,12 +178,17 @@ impl Store {
     }
 }
 
-fn read(path: &Path, text: &str) -> Result<Vec<(Line, String)>, StoreError> {
-    let parse = |(i, line): (usize, &str)| match serde_json::from_str(line) {
-        Ok(parsed) => Ok((parsed, line.to_owned())),
+/// The lines that are whole. One that a crash cut off may end inside a letter.
+fn whole(bytes: &[u8]) -> &[u8] {
+    &bytes[..bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1)]
+}
+
+fn read(path: &Path, text: &[u8]) -> Result<Vec<(Line, String)>, StoreError> {
+    let parse = |(i, line): (usize, &[u8])| match serde_json::from_slice(line) {
+        Ok(parsed) => Ok((parsed, String::from_utf8_lossy(line).trim_end().to_owned())),
         Err(e) => Err(StoreError::Line { path: path.to_owned(), line: i + 1, found: e.to_string() }),
     };
-    text.lines().enumerate().map(parse).collect()
+    text.split_inclusive(|&byte| byte == b'\n').enumerate().map(parse).collect()
 }
 
 #[cfg(test)]
@@ -201,8 +212,32 @@ mod tests {
         let mut store = Store::open(dir.path()).unwrap();
         assert_eq!((store.get("a"), store.get("b")), (Some(&drawn(1)), None));
         store.add("c", drawn(3)).unwrap();
+        drop(store);
         let store = Store::open(dir.path()).unwrap();
         assert_eq!((store.get("a"), store.get("b"), store.get("c")), (Some(&drawn(1)), None, Some(&drawn(3))));
+    }
+
+    #[test]
+    fn one_run_at_a_time() {
+        let dir = tempfile::tempdir().unwrap();
+        let first = Store::open(dir.path()).unwrap();
+        let message = Store::open(dir.path()).err().unwrap().to_string();
+        assert!(
+            message.ends_with("points.jsonl: found another run that writes it; expected one at a time"),
+            "{message}"
+        );
+        drop(first);
+        Store::open(dir.path()).unwrap();
+    }
+
+    #[test]
+    fn a_line_cut_off_inside_a_letter_is_forgotten() {
+        let dir = tempfile::tempdir().unwrap();
+        Store::open(dir.path()).unwrap().add("a", drawn(1)).unwrap();
+        let path = dir.path().join(FILE);
+        let text = [&std::fs::read(&path).unwrap()[..], b"{\"key\":\"\xc3"].concat();
+        std::fs::write(&path, text).unwrap();
+        assert_eq!(Store::open(dir.path()).unwrap().get("a"), Some(&drawn(1)));
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! GHDL and nvc: write design, testbench and vectors to a folder, run, read the result back.
 
 use super::{CosimError, Options, Run, Simulator, wave};
+use crate::process;
 use efsat_unit::artefact::{self, Stimulus, testbench};
 use efsat_unit::design::Design;
 use std::path::{Path, PathBuf};
@@ -29,7 +30,10 @@ pub(super) fn keep(
     options: &Options,
 ) -> Result<(), CosimError> {
     match &options.keep {
-        Some(dir) => write(design, command_line, stimulus, dir).map(|_| ()),
+        Some(dir) => {
+            std::fs::create_dir_all(dir).map_err(file_error(dir))?;
+            write(design, command_line, stimulus, dir).map(|_| ())
+        }
         None => Ok(()),
     }
 }
@@ -71,7 +75,6 @@ pub(super) fn sources(design: &Design, command_line: &str) -> Result<Vec<(String
 
 /// Writes the sources into a folder; returns their names in dependency order.
 fn write(design: &Design, command_line: &str, stimulus: &Stimulus, dir: &Path) -> Result<Vec<String>, CosimError> {
-    std::fs::create_dir_all(dir).map_err(file_error(dir))?;
     let mut sources = sources(design, command_line)?;
     let vectors = artefact::vectors::text(&design.params, stimulus);
     let names = sources.iter().map(|(name, _)| name.clone()).collect();
@@ -86,7 +89,8 @@ fn write(design: &Design, command_line: &str, stimulus: &Stimulus, dir: &Path) -
 /// Runs a command in a folder; its whole output if it succeeds or ran to the end.
 pub(super) fn call(dir: &Path, command: &str, args: &[String], must: bool) -> Result<String, CosimError> {
     let failed = |message: String| CosimError::Failed { tool: command.to_owned(), message };
-    let output = Command::new(command).args(args).current_dir(dir).output().map_err(|e| failed(e.to_string()))?;
+    let output =
+        process::output(Command::new(command).args(args).current_dir(dir)).map_err(|e| failed(e.to_string()))?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     if must && !output.status.success() {
         let line = text.lines().find(|l| l.contains("error")).or(text.lines().next()).unwrap_or("failed");
@@ -106,7 +110,10 @@ pub(super) fn run(
     let command = command(options.simulator, asked <= FEW)?;
     let temporary;
     let dir: PathBuf = match &options.keep {
-        Some(dir) => dir.clone(),
+        Some(dir) => {
+            std::fs::create_dir_all(dir).map_err(file_error(dir))?;
+            dir.clone()
+        }
         None => {
             temporary = artefact::Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
             temporary.path().to_owned()

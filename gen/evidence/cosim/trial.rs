@@ -2,12 +2,14 @@
 
 use super::external::{self, file_error};
 use super::{CosimError, Simulator, probe};
+use crate::process::{self, FOREVER, Running};
 use efsat_unit::artefact::{Scratch, Stimulus, testbench};
 use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
 use std::io::{BufRead, BufReader};
 use std::path::Path;
 use std::process::{Command, Stdio};
+use std::time::Duration;
 
 /// Clocks that a trial may run longer than the unchanged design before it counts as silent.
 const GRACE: u64 = 64;
@@ -105,7 +107,7 @@ impl Bench {
     fn analyse(&self, dir: &Path) -> Result<Option<String>, CosimError> {
         let names: Vec<String> = self.sources.iter().map(|(name, _)| name.clone()).collect();
         for args in external::build(self.command, &names) {
-            let output = Command::new(self.command).args(&args).current_dir(dir).output();
+            let output = process::output(Command::new(self.command).args(&args).current_dir(dir));
             let output = output.map_err(|e| self.failed(&e.to_string()))?;
             if !output.status.success() {
                 let text = String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
@@ -121,28 +123,28 @@ impl Bench {
         let failed = |e: std::io::Error| self.failed(&e.to_string());
         let log = dir.join("errors.log");
         let errors = std::fs::File::create(&log).map_err(file_error(&log))?;
-        let mut child = Command::new(self.command)
+        let mut command = Command::new(self.command);
+        command
             .args(external::simulate(self.command, self.total.map(|total| self.stop_time(total))))
             .current_dir(dir)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
-            .stderr(errors)
-            .spawn()
-            .map_err(failed)?;
+            .stderr(errors);
+        let mut simulation = Running::start(&mut command).map_err(failed)?;
         let mut lines = vec![];
-        if let Some(out) = child.stdout.take() {
+        let mut patience = FOREVER;
+        if let Some(out) = simulation.stdout() {
             for line in BufReader::new(out).split(b'\n') {
                 let line = String::from_utf8_lossy(&line.map_err(failed)?).into_owned();
                 let decided = line.contains(MISMATCH) || line.contains("metavalue");
                 lines.push(line);
                 if decided {
-                    // It may have ended by itself.
-                    let _ = child.kill();
+                    patience = Duration::ZERO;
                     break;
                 }
             }
         }
-        child.wait().map_err(failed)?;
+        simulation.wait(patience).map_err(failed)?;
         let errors = std::fs::read(&log).map_err(file_error(&log))?;
         lines.extend(String::from_utf8_lossy(&errors).lines().map(str::to_owned));
         Ok(lines)

@@ -75,6 +75,10 @@ pub const VHDL: &[Explanation] = &[
         "comparator_network:*_*er_*:bound:*_ordered_* -> *_ordered_*",
         "the lower bounds of two projections are nearly always in the order of their upper bounds",
     ),
+    hidden(
+        "comparator_network:*_ordered_*:bound:*",
+        "seldom do the enclosures of the two least or greatest projections overlap so that this order decides a flag",
+    ),
     same("comparator_network:*_min.*:comparison:* -> <=", EQUAL),
     same("comparator_network:*_max.*:comparison:* -> <=", EQUAL),
     same("cross_product:l_*saturated*:comparison:* -> <=", AT_BOUND),

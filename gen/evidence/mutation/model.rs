@@ -3,6 +3,7 @@
 
 use super::{Fate, Mutant, rust, vectors};
 use crate::cosim::inputs;
+use crate::process::{self, Running};
 use efsat_hardware::graph::evaluate::Evaluator;
 use efsat_unit::artefact::{Scratch, Stimulus};
 use efsat_unit::design::top::DesignError;
@@ -14,7 +15,7 @@ use std::fs::File;
 use std::io;
 use std::path::Path;
 use std::process::{Command, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The longest that a mutant may run: it has a loop without an end.
 const PATIENCE: Duration = Duration::from_secs(60);
@@ -192,7 +193,7 @@ impl ModelCampaign {
         std::fs::write(dir.join("main.rs"), MAIN)?;
         std::fs::write(dir.join("input"), &self.input)?;
         let args = ["--edition=2024", "-Copt-level=1", "--cap-lints=allow", "main.rs", "-o", "model"];
-        let compiler = Command::new("rustc").args(args).current_dir(dir).output()?;
+        let compiler = process::output(Command::new("rustc").args(args).current_dir(dir))?;
         if !compiler.status.success() {
             let text = String::from_utf8_lossy(&compiler.stderr);
             return Ok(Fate::Invalid(text.lines().find(|l| l.starts_with("error")).unwrap_or("refused").to_owned()));
@@ -202,22 +203,11 @@ impl ModelCampaign {
 
     /// Runs the compiled model; the first difference, if there is one.
     fn compare(&self, dir: &Path) -> Result<Fate, ModelError> {
-        let mut child = Command::new(dir.join("model"))
-            .stdin(File::open(dir.join("input"))?)
-            .stdout(File::create(dir.join("output"))?)
-            .stderr(Stdio::null())
-            .spawn()?;
-        let start = Instant::now();
-        let status = loop {
-            match child.try_wait()? {
-                Some(status) => break status,
-                None if start.elapsed() > PATIENCE => {
-                    child.kill()?;
-                    child.wait()?;
-                    return Ok(Fate::Killed("silence: no answer".to_owned()));
-                }
-                None => std::thread::sleep(Duration::from_millis(10)),
-            }
+        let mut command = Command::new(dir.join("model"));
+        let (input, output) = (File::open(dir.join("input"))?, File::create(dir.join("output"))?);
+        command.stdin(input).stdout(output).stderr(Stdio::null());
+        let Some(status) = Running::start(&mut command)?.wait(PATIENCE)? else {
+            return Ok(Fate::Killed("silence: no answer".to_owned()));
         };
         let output = std::fs::read_to_string(dir.join("output"))?;
         let mut lines = output.lines();

@@ -4,16 +4,17 @@
 //! near contact seldom have such an axis, so half of the pairs are made and chosen: in many random ones B is moved until
 //! one ulp decides, and of these are taken those that together have most axes, comparisons and vertices at the edge. A
 //! quarter fills the working grid to its ends, where clamps act, or is as small as an ulp of the input, where enclosures
-//! are as wide as the triangles.
+//! are as wide as the triangles. In an eighth edges decide: one alone passes through the other triangle, or ends on it.
 
 use efsat_hardware::number::Interval;
 use efsat_unit::artefact::Stimulus;
-use efsat_unit::golden::{Golden, Input, Pair, Pose};
+use efsat_unit::golden::{Golden, Input, Pair, Pose, Verdict};
 use efsat_unit::params::{Params, Transform};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, HashSet};
+use std::iter;
 
 /// Random pairs to choose from, for each one chosen.
 const CHOICE: usize = 32;
@@ -31,7 +32,7 @@ type Edge = (usize, usize, i128, (usize, u8), (usize, u8));
 type Lacking = [i128; 4];
 
 /// `count` pairs: of four two chosen, one at the ends of the working grid or, one in sixteen, tiny (every second of these
-/// under a rotation), and one random, every other time with an edge of one ulp.
+/// under a rotation), and one random with an edge of one ulp or with parallel edges.
 pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     let pool = Stimulus::random(params, (count * CHOICE).clamp(SMALLEST, LARGEST), seed);
     let random: Vec<(Pose, Pair)> =
@@ -63,7 +64,18 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
                 let pose = random.next().map_or_else(|| Pose::identity(params), |(pose, _)| pose);
                 Some((at_origin(&mut rng, pose), tiny(&mut rng)))
             }
+            1 if number % 32 == 21 => Some((Pose::identity(params), below_power(&mut rng, params))),
             1 => Some((Pose::identity(params), extreme(&mut rng, params))),
+            3 if number % 8 == 7 => {
+                let pose = Pose::identity(params);
+                let pair = match (number / 8 + (seed / 8) as usize) % 24 {
+                    kind @ 0..12 => answered(&golden, &pose, Verdict::Intersect, || parallel(&mut rng, params, kind)),
+                    kind => {
+                        answered(&golden, &pose, Verdict::PossiblyIncorrect, || on_face(&mut rng, params, kind % 2))
+                    }
+                };
+                Some((pose, pair))
+            }
             _ => None,
         };
         let Some((pose, mut pair)) = next.or_else(|| random.next()) else { break };
@@ -124,6 +136,104 @@ fn extreme(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
         }
     }
     pair
+}
+
+/// A normal whose greatest bound is one ulp below a power of two before it is shifted.
+fn below_power(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
+    let (most, fraction) = (params.coordinate_bound().ilog2(), params.width - 2);
+    let reach = (1 << most) - 1;
+    let short = (1i64 << rng.random_range(fraction.saturating_sub(4).max(2)..=fraction)) - 2;
+    let a = [[0; 3], [reach, 0, 0], [0, short << most.saturating_sub(fraction), 0]];
+    let mut b = [(); 3].map(|()| [(); 3].map(|()| rng.random_range(-reach..=reach)));
+    b[0][1] = reach;
+    exact_pair(a, b)
+}
+
+/// A pair with that answer, if one of many has it.
+fn answered(golden: &Golden, pose: &Pose, verdict: Verdict, mut pair: impl FnMut() -> Pair) -> Pair {
+    let first = pair();
+    iter::once(first)
+        .chain(iter::repeat_with(pair).take(2_000))
+        .find(|x| golden.verdict(pose, x) == verdict)
+        .unwrap_or(first)
+}
+
+/// An edge of B parallel to one of A, and another edge that touches one of A: two axes are zero and can say neither
+/// separated nor overlapping. One edge passes through the other triangle, that of the `kind`, 0 to 11.
+fn parallel(rng: &mut ChaCha8Rng, params: &Params, kind: usize) -> Pair {
+    let weights = |edge: usize, first: i64| [0, 1, 2].map(|k| [first, 4 - first, 0][(k + 3 - edge) % 3]);
+    loop {
+        let (a, mut b) = (triangle(rng, params), triangle(rng, params));
+        let [k, l] = [(); 2].map(|()| rng.random_range(0..3));
+        b[(l + 1) % 3] = [0, 1, 2].map(|i| b[l][i] + a[(k + 1) % 3][i] - a[k][i]);
+        // Not both in the middle of the edge, because the parallel edges are of one length.
+        let of_a = weighted(&a, weights((k + rng.random_range(1..3)) % 3, 2));
+        let of_b = weighted(&b, weights((l + rng.random_range(1..3)) % 3, 1));
+        let b = moved(&b, of_b, of_a);
+        let passing = |side: usize, x: Points, y: Points| {
+            (0..3).filter_map(move |i| passes(&x, i, &y).map(|above| (side, i, above)))
+        };
+        let of_kind = passing(0, a, b).chain(passing(1, b, a)).eq([(kind % 2, kind / 4, (kind / 2).is_multiple_of(2))]);
+        if of_kind && inside(&b, params) {
+            return exact_pair(a, b);
+        }
+    }
+}
+
+/// A vertex of one triangle, the `other` one or the first, on the face of the other, which edges can only nearly reach.
+fn on_face(rng: &mut ChaCha8Rng, params: &Params, other: usize) -> Pair {
+    loop {
+        let (a, b) = (triangle(rng, params), triangle(rng, params));
+        let l = rng.random_range(0..3);
+        let b = moved(&b, b[l], weighted(&a, [2, 1, 1]));
+        let [left, right] = [1, 2].map(|n| volume([&a[0], &a[1], &a[2], &b[(l + n) % 3]]));
+        if left * right > 0 && inside(&b, params) {
+            return if other == 1 { exact_pair(a, b) } else { exact_pair(b, a) };
+        }
+    }
+}
+
+type Points = [[i64; 3]; 3];
+
+/// A random triangle of which quarters of differences are on the grid.
+fn triangle(rng: &mut ChaCha8Rng, params: &Params) -> Points {
+    let reach = params.coordinate_bound() as i64 / 8;
+    [(); 3].map(|()| [(); 3].map(|()| 4 * rng.random_range(-reach..=reach)))
+}
+
+/// Whether all coordinates are in the declared range.
+fn inside(x: &Points, params: &Params) -> bool {
+    x.as_flattened().iter().all(|x| i128::from(*x).abs() <= params.coordinate_bound())
+}
+
+/// A point of a triangle, by weights that add up to 4.
+fn weighted(x: &Points, weights: [i64; 3]) -> [i64; 3] {
+    [0, 1, 2].map(|i| (0..3).map(|k| x[k][i] * weights[k]).sum::<i64>() / 4)
+}
+
+fn moved(x: &Points, from: [i64; 3], to: [i64; 3]) -> Points {
+    x.map(|point| [0, 1, 2].map(|i| point[i] + to[i] - from[i]))
+}
+
+/// Whether edge `i` of `x` passes through `y`, and then whether its first end is above the plane of `y`.
+fn passes(x: &Points, i: usize, y: &Points) -> Option<bool> {
+    let ends = [&x[i], &x[(i + 1) % 3]];
+    let [first, second] = ends.map(|end| volume([&y[0], &y[1], &y[2], end]));
+    let sides = [0, 1, 2].map(|j| volume([ends[0], ends[1], &y[j], &y[(j + 1) % 3]]));
+    (first * second < 0 && sides[0] != 0 && sides.iter().all(|side| *side == sides[0])).then_some(first > 0)
+}
+
+/// The sign of the volume of a tetrahedron.
+fn volume(points: [&[i64; 3]; 4]) -> i128 {
+    let edge = |n: usize| [0, 1, 2].map(|i| i128::from(points[n][i] - points[0][i]));
+    let [e, f, g] = [edge(1), edge(2), edge(3)];
+    let term = |i: usize, j: usize, k: usize| e[i] * (f[j] * g[k] - f[k] * g[j]);
+    (term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1)).signum()
+}
+
+fn exact_pair(a: Points, b: Points) -> Pair {
+    let exact = |triangle: Points| triangle.map(|point| point.map(Input::exact));
+    Pair { a: exact(a), b: exact(b) }
 }
 
 /// The pose with a translation of next to nothing: it leaves a tiny pair tiny, but B's enclosures as wide as the pair, so
@@ -270,6 +380,18 @@ mod tests {
             let pairs = stimulus.segments.iter().flat_map(|(_, pairs)| pairs);
             let mut numbers = pairs.flat_map(|pair| pair.a.iter().chain(&pair.b).flatten());
             assert_eq!(numbers.find(|x| x.lo < -bound || x.lo + i64::from(x.sticky) > bound), None);
+        }
+    }
+
+    #[test]
+    fn edges_alone_decide_some_pairs() {
+        for (width, transform_width, least) in [(18, 32, 12), (8, 10, 6)] {
+            let params = Params { width, transform_width, ..Params::default() };
+            let stimulus = stimulus(&params, 128, 1);
+            let [with, without] = [true, false].map(|edge_test| Golden::new(&Params { edge_test, ..params.clone() }));
+            let pairs = stimulus.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (pose, pair)));
+            let of_edges = pairs.filter(|(pose, pair)| with.verdict(pose, pair) != without.verdict(pose, pair)).count();
+            assert!(of_edges >= least, "{of_edges} {params:?}");
         }
     }
 

@@ -87,13 +87,8 @@ impl Report {
 
     /// Whether the cells are there on the part, which a placer finds out late.
     fn fits(&self) -> Result<(), SynthError> {
-        let (cells, part) = (self.cells(), self.counted_for);
-        let kinds = [
-            ("multipliers", cells.multipliers, part.capacity.multipliers),
-            ("LUTs", cells.luts + cells.memory_luts, part.capacity.luts),
-            ("flip-flops", cells.flip_flops, part.capacity.flip_flops),
-        ];
-        match kinds.into_iter().find(|(_, used, there)| used > there) {
+        let part = self.counted_for;
+        match self.cells().shortage(&part.capacity) {
             Some((kind, used, there)) => Err(SynthError::Part { part: part.name, kind, used, there }),
             None => Ok(()),
         }

@@ -1,11 +1,11 @@
 //! Where synthesis tools are found, and how they are run.
 
 use super::ToolError;
+use crate::process::{FOREVER, Running};
 use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::Duration;
-use wait_timeout::ChildExt;
 
 /// The environment variable that names a folder of tools, looked into before PATH.
 pub const FOLDER: &str = "EFSAT_TOOLS";
@@ -53,9 +53,7 @@ fn shorten(line: &str) -> String {
 /// # Errors
 /// The first error it printed.
 pub fn call(tool: &Path, args: &[&str], dir: &Path, log: &str) -> Result<(), ToolError> {
-    // Nothing that is called without a limit takes as long as that.
-    const LONG: Duration = Duration::from_secs(100 * 24 * 3600);
-    call_within(LONG, tool, args, dir, log).map(|_| ())
+    call_within(FOREVER, tool, args, dir, log).map(|_| ())
 }
 
 /// Runs a tool in a folder, its output kept in `log`, and stops it after a time; whether it ended by itself.
@@ -70,13 +68,8 @@ pub fn call_within(limit: Duration, tool: &Path, args: &[&str], dir: &Path, log:
     let both = file.try_clone().map_err(ToolError::file(&path))?;
     let mut command = Command::new(tool);
     command.args(args).current_dir(dir).stdin(Stdio::null()).stdout(file).stderr(both);
-    let mut child = command.spawn().map_err(|e| failed(e.to_string()))?;
-    let Some(status) = child.wait_timeout(limit).map_err(|e| failed(e.to_string()))? else {
-        // It may have ended meanwhile, which is no error.
-        let _ = child.kill();
-        child.wait().map_err(|e| failed(e.to_string()))?;
-        return Ok(false);
-    };
+    let status = Running::start(&mut command).and_then(|running| running.wait(limit));
+    let Some(status) = status.map_err(|e| failed(e.to_string()))? else { return Ok(false) };
     if status.success() {
         return Ok(true);
     }

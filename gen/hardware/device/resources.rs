@@ -18,6 +18,18 @@ pub struct Resources {
     pub carry: u64,
 }
 
+impl Resources {
+    /// What a part with this capacity has too little of: the kind of cells, how many are used and how many there are.
+    pub fn shortage(&self, capacity: &Self) -> Option<(&'static str, u64, u64)> {
+        let kinds = [
+            ("multipliers", self.multipliers, capacity.multipliers),
+            ("LUTs", self.luts + self.memory_luts, capacity.luts),
+            ("flip-flops", self.flip_flops, capacity.flip_flops),
+        ];
+        kinds.into_iter().find(|(_, used, there)| used > there)
+    }
+}
+
 impl Add for Resources {
     type Output = Self;
 

@@ -105,53 +105,82 @@ impl FileSet {
     }
 
     /// Makes `dir` hold the set. It may be absent, empty or written by efsat before; of the latter, files that a former
-    /// manifest names go, and files that efsat did not write stay.
+    /// manifest names go, and what efsat did not write stays. Files and directories that stay keep their permissions.
     ///
     /// Everything is written to a directory beside it, which then takes its place; an error or an interruption leaves
-    /// the old state.
+    /// the old state. Where the system cannot exchange two directories, files take their places one by one.
     ///
     /// # Errors
     /// A target that holds something else, and what the operating system says.
     pub fn write(&self, dir: &Path) -> Result<(), FileSetError> {
-        let found = match std::fs::metadata(dir) {
-            Ok(found) if !found.is_dir() => return Err(FileSetError::NotDirectory(dir.to_owned())),
-            Ok(_) => true,
-            Err(e) if e.kind() == io::ErrorKind::NotFound => false,
-            Err(e) => return Err(at(dir)(e)),
-        };
-        let kept = if found { self.foreign(dir)? } else { BTreeSet::new() };
-        let target = if found { std::fs::canonicalize(dir) } else { std::path::absolute(dir) }.map_err(at(dir))?;
-        if std::env::current_dir().is_ok_and(|here| here.starts_with(&target)) {
-            return Err(FileSetError::Current(dir.to_owned()));
+        let found = self.replaceable(dir)?;
+        let target = match found {
+            Some(_) => std::fs::canonicalize(dir),
+            None => std::path::absolute(dir),
         }
+        .map_err(at(dir))?;
         let parent = target.parent().ok_or_else(|| FileSetError::Current(dir.to_owned()))?;
         std::fs::create_dir_all(parent).map_err(at(parent))?;
-
         let scratch = Scratch::inside(parent).map_err(at(parent))?;
-        let (new, old) = (scratch.path().join("new"), scratch.path().join("old"));
-        let make_parents = |path: &Path| std::fs::create_dir_all(path.parent().unwrap_or(path)).map_err(at(path));
+        let new = scratch.path().join("new");
+        uninterrupted(|| {
+            self.fill(&new, &target)?;
+            let Some(found) = found else { return std::fs::rename(&new, &target).map_err(at(dir)) };
+            match found.link(&target, &new).and_then(|()| exchange(&new, &target)) {
+                Ok(()) => found.rescue(&new, &target).map_err(at(dir)),
+                Err(_) => self.one_by_one(&new, &target, &found),
+            }
+        })
+    }
+
+    /// Whether `dir` is one that [`write`](Self::write) takes; nothing is written.
+    ///
+    /// # Errors
+    /// As [`write`](Self::write).
+    pub fn check_target(&self, dir: &Path) -> Result<(), FileSetError> {
+        self.replaceable(dir).map(|_| ())
+    }
+
+    /// What is in `dir`, if it is there.
+    fn replaceable(&self, dir: &Path) -> Result<Option<Found>, FileSetError> {
+        match std::fs::metadata(dir) {
+            Ok(found) if !found.is_dir() => return Err(FileSetError::NotDirectory(dir.to_owned())),
+            Ok(_) => {}
+            Err(e) if e.kind() == io::ErrorKind::NotFound => return Ok(None),
+            Err(e) => return Err(at(dir)(e)),
+        }
+        let found = self.found(dir)?;
+        let target = std::fs::canonicalize(dir).map_err(at(dir))?;
+        match std::env::current_dir().is_ok_and(|here| here.starts_with(&target)) {
+            true => Err(FileSetError::Current(dir.to_owned())),
+            false => Ok(Some(found)),
+        }
+    }
+
+    /// Writes all files to a new directory, each with the permissions that it has in the old one.
+    fn fill(&self, new: &Path, old: &Path) -> Result<(), FileSetError> {
         for (name, text) in &self.0 {
             let path = new.join(name);
-            make_parents(&path)?;
-            std::fs::write(&path, text).map_err(at(&path))?;
+            make_parents(&path).and_then(|()| std::fs::write(&path, text)).map_err(at(&path))?;
+            copy_permissions(&old.join(name), &path).map_err(at(&path))?;
         }
-        for name in &kept {
-            let (from, to) = (target.join(name), new.join(name));
-            make_parents(&to)?;
-            std::fs::hard_link(&from, &to).map_err(at(&from))?;
+        Ok(())
+    }
+
+    /// Moves the files of `new` to `target`. The manifest is the first: where this ends early, it names what is there.
+    fn one_by_one(&self, new: &Path, target: &Path, found: &Found) -> Result<(), FileSetError> {
+        for name in found.ours.iter().filter(|name| name.to_str().is_none_or(|name| !self.0.contains_key(name))) {
+            let path = target.join(name);
+            std::fs::remove_file(&path).map_err(at(&path))?;
+            // A directory that holds something stays.
+            let _ = path.parent().filter(|parent| *parent != target).map(std::fs::remove_dir);
         }
-        uninterrupted(|| {
-            if found {
-                std::fs::rename(&target, &old).map_err(at(dir))?;
-            }
-            std::fs::rename(&new, &target).map_err(|e| {
-                if found {
-                    // The first error is the one to report.
-                    let _ = std::fs::rename(&old, &target);
-                }
-                at(dir)(e)
-            })
-        })
+        let manifest = self.0.keys().filter(|name| *name == manifest::NAME);
+        for name in manifest.chain(self.0.keys().filter(|name| *name != manifest::NAME)) {
+            let path = target.join(name);
+            make_parents(&path).and_then(|()| std::fs::rename(new.join(name), &path)).map_err(at(&path))?;
+        }
+        Ok(())
     }
 
     /// Compares `dir` with the set.
@@ -159,53 +188,124 @@ impl FileSet {
     /// # Errors
     /// What the operating system says; a directory that does not exist lacks every file.
     pub fn check(&self, dir: &Path) -> Result<Vec<Difference>, FileSetError> {
-        let mut there = BTreeSet::new();
+        let mut there = Found::default();
         if !matches!(std::fs::metadata(dir), Err(e) if e.kind() == io::ErrorKind::NotFound) {
-            list(dir, "", &mut there)?;
+            there.list(dir, Path::new("")).map_err(|(path, source)| FileSetError::Io { path, source })?;
         }
+        let mut there = there.foreign;
         let mut differences = vec![];
         for (name, text) in &self.0 {
             let path = dir.join(name);
-            if !there.remove(name) {
+            if !there.remove(Path::new(name)) {
                 differences.push(Difference::Missing(name.clone()));
             } else if std::fs::read(&path).map_err(at(&path))? != text.as_bytes() {
                 differences.push(Difference::Differs(name.clone()));
             }
         }
-        differences.extend(there.into_iter().map(Difference::Extra));
+        differences.extend(there.into_iter().map(|name| Difference::Extra(name.display().to_string())));
         Ok(differences)
     }
 
-    /// The files of `dir` that efsat did not write, if the rest may be replaced.
-    fn foreign(&self, dir: &Path) -> Result<BTreeSet<String>, FileSetError> {
-        let mut there = BTreeSet::new();
-        list(dir, "", &mut there)?;
-        let Some(example) = there.first() else { return Ok(there) };
+    /// What is in `dir`, if what efsat wrote of it may be replaced by this set.
+    fn found(&self, dir: &Path) -> Result<Found, FileSetError> {
+        let mut there = Found::default();
+        there.list(dir, Path::new("")).map_err(|(path, source)| FileSetError::Io { path, source })?;
+        let Some(example) = there.foreign.first() else { return Ok(there) };
         let text = std::fs::read_to_string(dir.join(manifest::NAME)).unwrap_or_default();
-        let Some(ours) = manifest::files(&text) else {
-            return Err(FileSetError::Occupied { dir: dir.to_owned(), found: example.clone() });
+        let Some(mut ours) = manifest::files(&text) else {
+            return Err(FileSetError::Occupied { dir: dir.to_owned(), found: example.display().to_string() });
         };
-        there.remove(manifest::NAME);
-        there.retain(|name| !ours.contains(name));
-        match there.iter().find(|name| self.0.contains_key(*name)) {
-            Some(found) => Err(FileSetError::Collision { dir: dir.to_owned(), found: found.clone() }),
+        ours.insert(manifest::NAME.to_owned());
+        // A link in place of a file is somebody's.
+        let is_ours =
+            |name: &PathBuf| name.to_str().is_some_and(|name| ours.contains(name)) && !dir.join(name).is_symlink();
+        (there.ours, there.foreign) = there.foreign.into_iter().partition(is_ours);
+        let parents: BTreeSet<&Path> = there.ours.iter().flat_map(|name| name.ancestors().skip(1)).collect();
+        there.folders.retain(|name| !parents.contains(name.as_path()));
+        let in_the_way = |found: &&PathBuf| self.0.keys().any(|name| Path::new(name).starts_with(found));
+        match there.foreign.iter().find(in_the_way) {
+            Some(found) => Err(FileSetError::Collision { dir: dir.to_owned(), found: found.display().to_string() }),
             None => Ok(there),
         }
     }
 }
 
-/// Adds the names of all files below `dir`, relative to it, each after `prefix`. Links are not followed.
-fn list(dir: &Path, prefix: &str, names: &mut BTreeSet<String>) -> Result<(), FileSetError> {
-    for entry in std::fs::read_dir(dir).map_err(at(dir))? {
-        let entry = entry.map_err(at(dir))?;
-        let name = format!("{prefix}{}", entry.file_name().to_string_lossy());
-        if entry.file_type().map_err(at(&entry.path()))?.is_dir() {
-            list(&entry.path(), &format!("{name}/"), names)?;
-        } else {
-            names.insert(name);
+/// What is in a directory, by path relative to it.
+#[derive(Default)]
+struct Found {
+    /// Files that efsat wrote.
+    ours: BTreeSet<PathBuf>,
+    /// Files that it did not write.
+    foreign: BTreeSet<PathBuf>,
+    /// Directories that hold none of the former.
+    folders: BTreeSet<PathBuf>,
+}
+
+impl Found {
+    /// Adds all files below `dir`, at first as foreign ones, and all directories. Links are not followed.
+    fn list(&mut self, dir: &Path, below: &Path) -> Result<(), (PathBuf, io::Error)> {
+        let here = dir.join(below);
+        let named = |e| (here.clone(), e);
+        for entry in std::fs::read_dir(&here).map_err(named)? {
+            let entry = entry.map_err(named)?;
+            let name = below.join(entry.file_name());
+            if entry.file_type().map_err(named)?.is_dir() {
+                self.list(dir, &name)?;
+                self.folders.insert(name);
+            } else {
+                self.foreign.insert(name);
+            }
         }
+        Ok(())
     }
-    Ok(())
+
+    /// Gives a new directory all that is not ours, and its directories the permissions they have in the old one.
+    fn link(&self, old: &Path, new: &Path) -> io::Result<()> {
+        self.folders.iter().try_for_each(|name| std::fs::create_dir_all(new.join(name)))?;
+        for name in &self.foreign {
+            make_parents(&new.join(name))?;
+            std::fs::hard_link(old.join(name), new.join(name))?;
+        }
+        let ours = self.ours.iter().flat_map(|name| name.ancestors().skip(1));
+        let folders: BTreeSet<&Path> = self.folders.iter().map(PathBuf::as_path).chain(ours).collect();
+        folders.into_iter().try_for_each(|name| copy_permissions(&old.join(name), &new.join(name)))?;
+        copy_permissions(old, new)
+    }
+
+    /// Moves what came to the old directory until the last moment to the new one. What is linked to both stays.
+    fn rescue(&self, old: &Path, new: &Path) -> io::Result<()> {
+        let mut left = Self::default();
+        left.list(old, Path::new("")).map_err(|(_, e)| e)?;
+        for name in left.foreign.difference(&self.ours) {
+            make_parents(&new.join(name))?;
+            std::fs::rename(old.join(name), new.join(name))?;
+        }
+        Ok(())
+    }
+}
+
+fn make_parents(path: &Path) -> io::Result<()> {
+    path.parent().map_or(Ok(()), std::fs::create_dir_all)
+}
+
+/// Copies permissions where both are there.
+fn copy_permissions(from: &Path, to: &Path) -> io::Result<()> {
+    match std::fs::symlink_metadata(from) {
+        Ok(from) if to.exists() => std::fs::set_permissions(to, from.permissions()),
+        _ => Ok(()),
+    }
+}
+
+/// Exchanges two directories; there is no moment at which one of the names leads nowhere.
+#[cfg(target_os = "linux")]
+fn exchange(a: &Path, b: &Path) -> io::Result<()> {
+    use rustix::fs::{CWD, RenameFlags, renameat_with};
+    Ok(renameat_with(CWD, a, CWD, b, RenameFlags::EXCHANGE)?)
+}
+
+#[cfg(not(target_os = "linux"))]
+fn exchange(_: &Path, _: &Path) -> io::Result<()> {
+    Err(io::ErrorKind::Unsupported.into())
 }
 
 #[cfg(test)]
@@ -247,6 +347,93 @@ mod tests {
         assert_eq!(fs::read_dir(home.path().join("a")).unwrap().count(), 1, "nothing is left beside it");
     }
 
+    /// Permissions of a file or directory.
+    #[cfg(unix)]
+    fn mode(path: &Path) -> u32 {
+        use std::os::unix::fs::PermissionsExt;
+        fs::metadata(path).unwrap().permissions().mode() & 0o777
+    }
+
+    #[test]
+    #[cfg(unix)]
+    fn what_stays_is_as_it_was() {
+        use std::os::unix::ffi::OsStrExt;
+        use std::os::unix::fs::{PermissionsExt, symlink};
+        let home = tempfile::tempdir().unwrap();
+        let dir = home.path().join("out");
+        set(&[("x.vhd", "x"), ("ise/y.prj", "y"), ("old/z", "z")]).write(&dir).unwrap();
+        fs::create_dir_all(dir.join("empty/inner")).unwrap();
+        symlink("nowhere", dir.join("link")).unwrap();
+        let latin = dir.join(std::ffi::OsStr::from_bytes(b"na\xefve"));
+        fs::write(&latin, "mine").unwrap();
+        let modes = [("", 0o750), ("x.vhd", 0o640), ("ise", 0o711), ("ise/y.prj", 0o604), ("empty/inner", 0o700)];
+        for (name, mode) in modes {
+            fs::set_permissions(dir.join(name), fs::Permissions::from_mode(mode)).unwrap();
+        }
+        set(&[("x.vhd", "x2"), ("ise/y.prj", "y"), ("new", "n")]).write(&dir).unwrap();
+        for (name, expected) in modes {
+            assert_eq!(mode(&dir.join(name)), expected, "{name}");
+        }
+        assert_eq!(fs::read_link(dir.join("link")).unwrap(), Path::new("nowhere"));
+        assert_eq!(fs::read_to_string(latin).unwrap(), "mine");
+        assert!(!dir.join("old").exists(), "it was ours and is empty");
+    }
+
+    #[test]
+    fn others_always_find_their_files() {
+        let home = tempfile::tempdir().unwrap();
+        let dir = home.path().join("out");
+        let sets = [set(&[("x.vhd", "x"), ("a/b", "b")]), set(&[("x.vhd", "y")])];
+        sets[0].write(&dir).unwrap();
+        fs::write(dir.join("notes.txt"), "mine").unwrap();
+        let done = std::sync::atomic::AtomicBool::new(false);
+        let relaxed = std::sync::atomic::Ordering::Relaxed;
+        std::thread::scope(|scope| {
+            let writer = scope.spawn(|| {
+                let written = (0..300).try_for_each(|i| sets[i % 2].write(&dir));
+                done.store(true, relaxed);
+                written
+            });
+            while !done.load(relaxed) {
+                assert_eq!(fs::read_to_string(dir.join("notes.txt")).unwrap_or_default(), "mine");
+            }
+            writer.join().unwrap().unwrap();
+        });
+    }
+
+    #[test]
+    fn what_comes_at_the_last_moment_is_not_lost() {
+        let home = tempfile::tempdir().unwrap();
+        let [old, new] = ["old", "new"].map(|name| home.path().join(name));
+        let files = set(&[("x.vhd", "x")]);
+        files.write(&old).unwrap();
+        fs::write(old.join("kept"), "mine").unwrap();
+        let found = files.found(&old).unwrap();
+        set(&[("x.vhd", "new")]).write(&new).unwrap();
+        found.link(&old, &new).unwrap();
+        // After the other directory was filled: a file that is new, and one that an editor writes beside and renames.
+        fs::create_dir(old.join("late")).unwrap();
+        fs::write(old.join("late/file"), "mine").unwrap();
+        fs::write(old.join("beside"), "changed").unwrap();
+        fs::rename(old.join("beside"), old.join("kept")).unwrap();
+        found.rescue(&old, &new).unwrap();
+        let text = |name: &str| fs::read_to_string(new.join(name)).unwrap();
+        assert_eq!((text("late/file"), text("kept"), text("x.vhd")), ("mine".into(), "changed".into(), "new\n".into()));
+    }
+
+    #[test]
+    fn files_take_their_places_one_by_one_where_directories_cannot() {
+        let home = tempfile::tempdir().unwrap();
+        let [dir, new] = ["out", "new"].map(|name| home.path().join(name));
+        set(&[("x.vhd", "x"), ("old/z", "z"), ("ise/y", "y")]).write(&dir).unwrap();
+        fs::write(dir.join("ise/notes.txt"), "mine").unwrap();
+        let second = set(&[("x.vhd", "x2"), ("deep/a", "a")]);
+        second.fill(&new, &dir).unwrap();
+        second.one_by_one(&new, &dir, &second.found(&dir).unwrap()).unwrap();
+        assert_eq!(second.check(&dir).unwrap(), [Difference::Extra("ise/notes.txt".to_owned())]);
+        assert!(!dir.join("old").exists() && !dir.join("ise/y").exists());
+    }
+
     #[test]
     fn what_others_wrote_is_never_replaced() {
         let home = tempfile::tempdir().unwrap();
@@ -263,6 +450,14 @@ mod tests {
         fs::write(dir.join("x.vhd"), "by hand").unwrap();
         assert!(matches!(files.write(&dir), Err(FileSetError::Collision { .. })));
         assert_eq!(fs::read_to_string(dir.join("x.vhd")).unwrap(), "by hand");
+        // A folder of ours that is somebody's file, and a manifest that names what is not below it.
+        let deep = set(&[("x.vhd/y", "y")]);
+        assert!(matches!(deep.write(&dir), Err(FileSetError::Collision { .. })));
+        fs::remove_file(dir.join("x.vhd")).unwrap();
+        fs::write(home.path().join("thesis.tex"), "t").unwrap();
+        fs::write(dir.join(manifest::NAME), set(&[("../thesis.tex", "")]).get(manifest::NAME).unwrap()).unwrap();
+        files.write(&dir).unwrap();
+        assert_eq!(fs::read_to_string(home.path().join("thesis.tex")).unwrap(), "t");
 
         let file = home.path().join("file");
         fs::write(&file, "").unwrap();

@@ -3,7 +3,10 @@
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
-use tempfile::TempDir;
+use std::time::Duration;
+
+/// How often an interruption tries to delete a folder.
+const ATTEMPTS: usize = 100;
 
 /// The folders there are now.
 static LIVE: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
@@ -14,7 +17,7 @@ fn live() -> MutexGuard<'static, Vec<PathBuf>> {
 
 /// A temporary folder, deleted with all it holds when it goes out of scope, and by [`interrupted`].
 #[derive(Debug)]
-pub struct Scratch(TempDir);
+pub struct Scratch(PathBuf);
 
 impl Scratch {
     /// A folder where the system keeps such.
@@ -32,20 +35,24 @@ impl Scratch {
     pub fn inside(parent: &Path) -> io::Result<Self> {
         let mut live = live();
         // Its error names the folder that was to be made, which nobody has asked for.
-        let dir = tempfile::Builder::new().prefix(".efsat-").tempdir_in(parent).map_err(|e| e.kind())?;
-        live.push(dir.path().to_owned());
+        let dir = tempfile::Builder::new().prefix(".efsat-").tempdir_in(parent).map_err(|e| e.kind())?.keep();
+        live.push(dir.clone());
         Ok(Self(dir))
     }
 
     /// Where it is.
     pub fn path(&self) -> &Path {
-        self.0.path()
+        &self.0
     }
 }
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        live().retain(|path| path != self.0.path());
+        // Known until it is deleted, so that an interruption finds what is left of it.
+        let mut live = live();
+        // There is no one to tell if it cannot be deleted.
+        let _ = std::fs::remove_dir_all(&self.0);
+        live.retain(|path| *path != self.0);
     }
 }
 
@@ -59,9 +66,14 @@ pub(super) fn uninterrupted<T>(action: impl FnOnce() -> T) -> T {
 pub fn interrupted(status: i32) -> ! {
     // Kept until the end, so that no other thread makes a folder or swaps one in any more.
     let live = live();
-    for path in live.iter() {
-        // A simulator that is just dying may still write; and there is no one left to tell if it cannot be deleted.
-        let _ = std::fs::remove_dir_all(path).or_else(|_| std::fs::remove_dir_all(path));
+    // Other threads may write to them still; and there is no one left to tell if one cannot be deleted.
+    for _ in 0..ATTEMPTS {
+        let mut there = live.iter().filter(|path| path.exists()).peekable();
+        if there.peek().is_none() {
+            break;
+        }
+        there.for_each(|path| drop(std::fs::remove_dir_all(path)));
+        std::thread::sleep(Duration::from_millis(1));
     }
     std::process::exit(status)
 }
@@ -78,5 +90,19 @@ mod tests {
         assert!(live().contains(&path));
         drop(scratch);
         assert!(!path.exists() && !live().contains(&path));
+    }
+
+    #[test]
+    fn known_until_it_is_deleted() {
+        let scratch = Scratch::new().unwrap();
+        let path = scratch.path().to_owned();
+        // Enough to delete that it takes a while.
+        (0..2000).for_each(|i| std::fs::write(path.join(i.to_string()), "").unwrap());
+        let deleting = std::thread::spawn(|| drop(scratch));
+        while live().contains(&path) {
+            std::thread::yield_now();
+        }
+        assert!(!path.exists(), "an interruption would leave it");
+        deleting.join().unwrap();
     }
 }

@@ -8,6 +8,7 @@ pub mod fixes;
 
 use super::ToolError;
 use super::tools::{self, Tool};
+use crate::process;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -40,13 +41,9 @@ pub fn from_vhdl(files: &[(String, String)], top: &str, dir: &Path) -> Result<St
     }
     let refused = |message: String| ToolError::failed(&ghdl.version, message);
     let names = files.iter().map(|(name, _)| name.as_str());
-    let output = Command::new(&ghdl.path)
-        .args(["--synth", "--std=93c", "--out=verilog"])
-        .args(names)
-        .args(["-e", top])
-        .current_dir(dir)
-        .output()
-        .map_err(|e| refused(e.to_string()))?;
+    let mut command = Command::new(&ghdl.path);
+    command.args(["--synth", "--std=93c", "--out=verilog"]).args(names).args(["-e", top]).current_dir(dir);
+    let output = process::output(&mut command).map_err(|e| refused(e.to_string()))?;
     let said = String::from_utf8_lossy(&output.stderr);
     if let Some(line) = said.lines().find(|line| UNWANTED.iter().any(|what| line.contains(what))) {
         return Err(refused(line.to_owned()));

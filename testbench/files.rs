@@ -1,0 +1,209 @@
+//! What commands leave in folders: interrupted, twice at the same time, through links, beside files of others.
+
+use std::fs::{self, File, OpenOptions, Permissions};
+use std::io::Read;
+use std::os::unix::fs::{PermissionsExt, symlink};
+use std::path::Path;
+use std::process::{Command, Output, Stdio};
+use std::time::{Duration, Instant};
+
+/// Two triangles that cross, beside each other in one frame.
+const SCENE: &str = "name = \"s\"\n[a]\nmesh = \"t.obj\"\n[b]\nmesh = \"t.obj\"\n[[pose]]\naxis = [0, 0, 1]\n\
+                     angle_degrees = 90\ntranslation = [0.25, 0.25, 0]\n";
+const MESH: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n";
+
+fn command(dir: &Path, arguments: &str) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
+    command.args(arguments.split_whitespace()).current_dir(dir).stdin(Stdio::null());
+    command
+}
+
+fn efsat(dir: &Path, arguments: &str) -> Output {
+    command(dir, arguments).output().unwrap()
+}
+
+fn succeeds(dir: &Path, arguments: &str) {
+    let output = efsat(dir, arguments);
+    assert!(output.status.success(), "efsat {arguments}: {}", String::from_utf8_lossy(&output.stderr));
+}
+
+fn fails(dir: &Path, arguments: &str, part: &str) {
+    let output = efsat(dir, arguments);
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "efsat {arguments}: {errors}");
+    assert!(errors.lines().count() == 1 && errors.contains(part), "efsat {arguments}: {errors}");
+}
+
+fn names(dir: &Path) -> Vec<String> {
+    let mut names: Vec<String> =
+        fs::read_dir(dir).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.sort();
+    names
+}
+
+fn signal(process: u32) {
+    assert!(Command::new("kill").args(["-TERM", &process.to_string()]).status().unwrap().success());
+}
+
+fn mode(path: &Path) -> u32 {
+    fs::metadata(path).unwrap().permissions().mode() & 0o777
+}
+
+#[test]
+fn an_interruption_leaves_nothing_behind() {
+    const RUNS: u32 = 40;
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let start = Instant::now();
+    succeeds(dir, "generate");
+    let whole = start.elapsed();
+    let mut interrupted = 0;
+    for run in 0..RUNS {
+        let mut child = command(dir, "generate").stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap();
+        std::thread::sleep(whole * run / RUNS);
+        signal(child.id());
+        interrupted += u32::from(child.wait().unwrap().code() == Some(130));
+        assert_eq!(names(dir), ["rtl-out"], "after {run} of {RUNS} parts of the time");
+    }
+    assert!(interrupted > 0, "no run was interrupted");
+    succeeds(dir, "generate --check");
+}
+
+#[test]
+fn an_interruption_stops_the_simulator() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let tool = dir.join("nvc");
+    // It tells its own process and one that it starts, and never ends.
+    let script =
+        "#!/bin/sh\ntest \"$1\" = --version && exit\nsleep 600 &\necho $$ $! > told; mv told processes; wait\n";
+    fs::write(&tool, script).unwrap();
+    fs::set_permissions(&tool, Permissions::from_mode(0o755)).unwrap();
+    let path = format!("{}:{}", dir.display(), std::env::var("PATH").unwrap());
+    let arguments = "cosim --simulator nvc --random 2 --keep kept";
+    let mut child = command(dir, arguments).env("PATH", path).stderr(Stdio::null()).spawn().unwrap();
+    let start = Instant::now();
+    let patient = || start.elapsed() < Duration::from_secs(60);
+    let told = dir.join("kept/processes");
+    while !told.exists() && patient() {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    signal(child.id());
+    assert_eq!(child.wait().unwrap().code(), Some(130));
+    let processes = fs::read_to_string(told).unwrap();
+    // One that has ended and that nobody waits for has no command line any more.
+    let lives = |process: &&str| fs::read(format!("/proc/{process}/cmdline")).is_ok_and(|line| !line.is_empty());
+    let left = || processes.split_whitespace().filter(lives).map(str::to_owned).collect::<Vec<_>>();
+    let soon = Instant::now();
+    while !left().is_empty() && soon.elapsed() < Duration::from_secs(5) {
+        std::thread::sleep(Duration::from_millis(5));
+    }
+    let left = left();
+    left.iter().for_each(|process| signal(process.parse().unwrap()));
+    assert!(left.is_empty(), "processes {left:?} outlive it");
+}
+
+#[test]
+fn two_runs_of_accuracy_do_not_mix() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::create_dir(dir.join("out")).unwrap();
+    let results = dir.join("out/points.jsonl");
+    let first = OpenOptions::new().create(true).append(true).open(&results).unwrap();
+    first.lock().unwrap();
+    let arguments = "accuracy --pairs 100 --sweep width=12 --multipliers 72 --shard 1/1 --out out";
+    fails(dir, arguments, "points.jsonl: found another run that writes it; expected one at a time");
+    assert_eq!((names(&dir.join("out")), fs::read(&results).unwrap().len()), (vec!["points.jsonl".to_owned()], 0));
+    drop(first);
+    succeeds(dir, arguments);
+}
+
+#[test]
+fn standard_error_that_cannot_be_written_changes_nothing() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::write(dir.join("t.obj"), format!("{MESH}f 1 2 9\n")).unwrap();
+    fs::write(dir.join("s.toml"), SCENE).unwrap();
+    let status = |arguments: &str| {
+        let full = OpenOptions::new().write(true).open("/dev/full").unwrap();
+        command(dir, arguments).stdout(Stdio::null()).stderr(full).status().unwrap().code()
+    };
+    assert_eq!(status("generate --width 5"), Some(2), "an error");
+    assert_eq!(status("classify s.toml"), Some(0), "a warning");
+}
+
+#[test]
+fn outputs_of_a_scene_inside_and_beside_the_design() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::write(dir.join("t.obj"), MESH).unwrap();
+    fs::write(dir.join("s.toml"), SCENE).unwrap();
+    let before = names(dir);
+    symlink(".", dir.join("here")).unwrap();
+    let run = |options: &str| format!("scene run s.toml --cosim none {options}");
+    for (options, part) in [
+        ("--csv x.csv --pairs ./x.csv", "found twice"),
+        ("--csv x.csv --pairs here/x.csv", "found twice"),
+        ("--csv x.csv --out x.csv", "on the way to --out"),
+        ("--csv x.csv --out x.csv/d", "on the way to --out"),
+        ("--csv absent/x.csv --out d", "absent/x.csv"),
+        ("--csv x.csv --out here", "and no manifest.json of efsat"),
+        ("--picture d/dataflow/x.svg --csv d/efsat.csv --pairs d/./efsat.csv --out d", "found twice"),
+    ] {
+        fails(dir, &run(options), part);
+    }
+    fs::remove_file(dir.join("here")).unwrap();
+    assert_eq!(names(dir), before, "nothing is written");
+    // Twice: to a folder that is not there, and to that of an earlier run.
+    for _ in 0..2 {
+        succeeds(dir, &run("--out d/ --csv d/x.csv --pairs ./d/y.csv --picture beside.svg"));
+        let there = names(&dir.join("d"));
+        assert!(["x.csv", "y.csv", "efsat.vhd"].iter().all(|name| there.contains(&(*name).to_owned())), "{there:?}");
+        assert!(fs::read_to_string(dir.join("d/x.csv")).unwrap().lines().count() == 2);
+    }
+    assert_eq!(names(dir), ["beside.svg", "d", "s.toml", "t.obj"]);
+}
+
+#[test]
+fn links_are_followed_and_permissions_stay() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::write(dir.join("t.obj"), MESH).unwrap();
+    fs::write(dir.join("s.toml"), SCENE).unwrap();
+    fs::create_dir(dir.join("elsewhere")).unwrap();
+    for (arguments, name) in [
+        ("scene run s.toml --cosim none --csv x.csv", "x.csv"),
+        ("generate --unit projection --svg x.svg", "x.svg"),
+        ("wall edge-on-face --out .", "edge-on-face.png"),
+    ] {
+        let target = dir.join("elsewhere").join(name);
+        fs::write(&target, "old").unwrap();
+        fs::set_permissions(&target, Permissions::from_mode(0o640)).unwrap();
+        symlink(&target, dir.join(name)).unwrap();
+        succeeds(dir, arguments);
+        assert_eq!(fs::read_link(dir.join(name)).unwrap(), target, "{name} is a link still");
+        assert!(fs::read(&target).unwrap() != b"old" && mode(&target) == 0o640, "{name}");
+    }
+    fails(dir, "generate --unit projection --svg elsewhere", "found a directory");
+    symlink("nowhere", dir.join("dangling.svg")).unwrap();
+    fails(dir, "generate --unit projection --svg dangling.svg", "dangling.svg");
+}
+
+#[test]
+fn a_picture_goes_into_a_pipe() {
+    let home = tempfile::tempdir().unwrap();
+    let output = efsat(home.path(), "generate --unit projection --svg /dev/stdout");
+    assert!(output.status.success() && output.stdout.starts_with(b"<svg"), "{output:?}");
+    let fifo = home.path().join("pipe.svg");
+    assert!(Command::new("mkfifo").arg(&fifo).status().unwrap().success());
+    let reader = std::thread::spawn({
+        let fifo = fifo.clone();
+        move || {
+            let mut text = String::new();
+            File::open(fifo).unwrap().read_to_string(&mut text).unwrap();
+            text
+        }
+    });
+    succeeds(home.path(), "generate --unit projection --svg pipe.svg");
+    assert!(reader.join().unwrap().starts_with("<svg"));
+}
