@@ -68,6 +68,9 @@ const LEFT_OUT: [&str; 5] = [
     "pub use unrounded::{AxisAnswer, Unrounded};",
 ];
 
+/// In place of the file of that name, whose vectors of numbers are another crate's: one pair after the other.
+const LANES: (&str, &str) = ("golden/lanes.rs", include_str!("model_lanes.txt"));
+
 /// A program around the model: parameters (`S`), poses (`P`) and pairs (`V`) in, answers out, one a line.
 const MAIN: &str = include_str!("model_main.txt");
 
@@ -184,7 +187,7 @@ impl ModelCampaign {
         let dir = scratch.path();
         std::fs::create_dir_all(dir.join(OTHER_METHOD))?;
         std::fs::create_dir(dir.join("params"))?;
-        for (name, text) in SOURCES {
+        for (name, text) in SOURCES.into_iter().chain([LANES]) {
             let changed = mutant.filter(|mutant| mutant.unit == name).map(|mutant| mutant.apply(text));
             let text = changed.as_deref().unwrap_or(text);
             let kept = |line: &&str| !LEFT_OUT.contains(line);

@@ -10,12 +10,11 @@ use super::axes::{Axis, AxisUnit};
 use super::edge_test::Sides;
 use super::input::{Input, Numbers, Pair, Pose};
 use super::interval::{Flags, Triple, Vector, Wide, three};
-use super::lanes::{self, LANES, Lanes};
 use super::projection::{Images, ProjectionUnit};
 use super::renormalise::Normaliser;
 use super::stages::Exact;
 use super::transform::Frame;
-use super::verdict::{Enclosure, Outcome, Verdict};
+use super::verdict::{Enclosure, Outcome};
 use crate::params::{Axes, Params, Transform};
 use efsat_hardware::number::{Interval, Upper};
 
@@ -123,23 +122,6 @@ impl AxisTest {
             shown.pierced = sides.pierced();
         }
         shown
-    }
-
-    /// Appends the verdicts of many pairs inside the declared ranges.
-    pub fn verdicts(&self, pose: &Pose, pairs: &[Pair], verdicts: &mut Vec<Verdict>) {
-        if !(lanes::PAY && self.laned) {
-            return verdicts.extend(pairs.iter().map(|pair| self.outcome::<true>(pose, pair).verdict));
-        }
-        for pairs in pairs.chunks(LANES) {
-            verdicts.extend(self.outcomes::<true>(pose, pairs).map(|outcome| outcome.verdict));
-        }
-    }
-
-    /// The flags of up to [`LANES`] pairs, or with `STOP` those up to the axis by which the last of them is separated.
-    pub fn outcomes<const STOP: bool>(&self, pose: &Pose, pairs: &[Pair]) -> impl Iterator<Item = Outcome> {
-        let placed = Lanes::gather(pairs.iter().map(|pair| self.placed(pose, pair)));
-        let shown = self.test::<Lanes, STOP>(&self.normaliser.apply(&placed));
-        shown.lanes().take(pairs.len()).map(Shown::outcome)
     }
 }
 

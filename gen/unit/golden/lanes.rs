@@ -3,8 +3,10 @@
 //! They are held in binary64: most processors cannot multiply vectors of 64-bit integers, and integers of up to 53 bits
 //! have exact sums and products there, exact powers of two as factors, and floors and ceilings.
 
-use super::axis_test::Shown;
+use super::axis_test::{AxisTest, Shown};
+use super::input::{Pair, Pose};
 use super::interval::{Flags, Mantissa, Ordered, Rounding, Triple, Wide};
+use super::verdict::{Outcome, Verdict};
 use efsat_hardware::number::{Interval, Upper};
 use std::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
 use wide::{f64x8, i64x8, u64x8};
@@ -14,7 +16,26 @@ pub(super) const LANES: usize = 8;
 
 /// Whether they are faster than one pair after the other: with the vectors of any x86-64, where a floor is a call of a
 /// function, they take twice as long.
-pub(super) const PAY: bool = cfg!(target_feature = "avx2");
+const PAY: bool = cfg!(target_feature = "avx2");
+
+impl AxisTest {
+    /// Appends the verdicts of many pairs inside the declared ranges.
+    pub fn verdicts(&self, pose: &Pose, pairs: &[Pair], verdicts: &mut Vec<Verdict>) {
+        if !(PAY && self.laned) {
+            return verdicts.extend(pairs.iter().map(|pair| self.outcome::<true>(pose, pair).verdict));
+        }
+        for pairs in pairs.chunks(LANES) {
+            verdicts.extend(self.outcomes::<true>(pose, pairs).map(|outcome| outcome.verdict));
+        }
+    }
+
+    /// The flags of up to [`LANES`] pairs, or with `STOP` those up to the axis by which the last of them is separated.
+    pub fn outcomes<const STOP: bool>(&self, pose: &Pose, pairs: &[Pair]) -> impl Iterator<Item = Outcome> {
+        let placed = Lanes::gather(pairs.iter().map(|pair| self.placed(pose, pair)));
+        let shown = self.test::<Lanes, STOP>(&self.normaliser.apply(&placed));
+        shown.lanes().take(pairs.len()).map(Shown::outcome)
+    }
+}
 
 /// A number of each pair.
 #[derive(Clone, Copy, Debug)]
