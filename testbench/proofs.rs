@@ -72,11 +72,12 @@ fn products() {
 fn cross_products_and_projections() {
     let mut settings: Vec<Setting> = rules(&Params::paper()).into_iter().map(Setting::full).collect();
     settings.push(Setting::full(Params::default()));
-    if full() {
-        settings.push(Setting::small(Params::paper()));
-    }
     let both = |setting| [axes::cross_product(setting), axes::projection(setting)];
     let mut claims: Vec<Claim> = settings.iter().flat_map(both).collect();
+    if full() {
+        // Not the projection: no solver ended with three products that are anywhere in their enclosures.
+        claims.push(axes::cross_product(&Setting::small(Params::paper())));
+    }
     for params in rules(&Params::default()) {
         claims.push(axes::axis_shift(&Setting::full(params)));
     }
