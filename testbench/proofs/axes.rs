@@ -100,7 +100,9 @@ pub fn cross_product(setting: &Setting) -> Claim {
         return claim;
     }
     claim.mutant(NoUlp, "l_hi_up(i)|l_hi_up_d1(i)|l_hi_up_up_d1(i)|l(i).hi").mutant(OtherBound, "exact(i).lo");
-    claim.mutant(WrongSlice, "l_lo_floor_17_d1(i)|l_lo_floor_4_d1(i)|l(i).lo").mutant(WrongComponent, "e_j_f_k_unit");
+    claim
+        .mutant(WrongSlice, "l_lo_floor_17_d1(i)|l_lo_floor_5_d1(i)|l_lo_floor_4_d1(i)|l(i).lo")
+        .mutant(WrongComponent, "e_j_f_k_unit");
     if ways.len() > 1 {
         claim.mutant(WrongArm, "l(i).lo").mutant(WrongArm, "l_saturated(i).hi");
     }
