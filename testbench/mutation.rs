@@ -152,11 +152,15 @@ fn the_evaluated_graph_kills_mutants_of_the_reference_model() {
     let all = model::mutants();
     let files: HashSet<&str> = all.iter().map(|m| m.unit.as_str()).collect();
     assert!(all.len() > 200 && files.len() >= 10, "{} in {files:?}", all.len());
-    let slice = spread(capped(all, 1), if full() { 5 } else { 2 });
+    let slice = spread(capped(all, 1), if full() { 6 } else { 3 });
     let campaign = ModelCampaign::new(64, 1).unwrap();
     let run = |mutant: Mutant| {
         let fate = campaign.fate(&mutant).unwrap();
         Entry::new(mutant, fate, explained::MODEL)
     };
-    assert_eq!(holes(slice.into_par_iter().map(run).collect()), Vec::<String>::new());
+    // What rustc refuses tells nothing.
+    let entries: Vec<Entry> =
+        slice.into_par_iter().map(run).filter(|entry| entry.standing() != Standing::Invalid).collect();
+    assert!(entries.iter().any(|entry| entry.standing() == Standing::Killed));
+    assert_eq!(holes(entries), Vec::<String>::new());
 }

@@ -13,7 +13,10 @@ pub fn cross_product<'l>(
     roundings: Option<&Roundings<'l>>,
     formats: &[String],
 ) -> Vector<'l> {
-    let rounded = if roundings.is_some() { "exact, then rounded outward once." } else { "exact." };
+    let rounded = match roundings {
+        Some(_) => "exact, then rounded outward once.",
+        None => "exact; what axis_shift makes of it has the format and bound of the table.",
+    };
     let component = format!("Component i is e_j f_k - e_k f_j, {rounded}");
     let mut doc = vec!["One separating axis, l = e x f in interval arithmetic (equation 1).", &component, ""];
     doc.extend(formats.iter().map(String::as_str));
