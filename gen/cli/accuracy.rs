@@ -109,7 +109,8 @@ fn point(settings: &[sweep::Setting], base: &Params) -> Result<Params, Failure> 
     let method = options.get("method").and_then(|name| Method::ALL.iter().find(|method| method.name() == name));
     if let Some(method) = method.filter(|method| **method != base.method) {
         let given = |name: &str| settings.iter().any(|setting| setting.option == name);
-        options.retain(|name, _| given(name) || Params::OPTIONS.iter().all(|o| o.name != name || o.of.has(*method)));
+        options
+            .retain(|name, _| given(name) || Params::OPTIONS.iter().all(|o| o.name != name || o.of.contains(method)));
     }
     params(&options).map_err(|message| {
         // The message names the option; the last setting that does is the place.
@@ -236,9 +237,12 @@ fn command(request: &Request, transfer: f64) -> String {
 fn has_axes(params: &Params) -> Result<(), Failure> {
     match params.method {
         Method::Axes => Ok(()),
-        Method::Determinants => {
-            let why = "--method determinants: expected axes, whose stages the page examines; a --sweep may name method=determinants";
-            Err(Failure::Usage(why.to_owned()))
+        Method::Determinants | Method::Exact => {
+            let found = params.method.name();
+            let why = format!(
+                "--method {found}: expected axes, whose stages the page examines; a --sweep may name method={found}"
+            );
+            Err(Failure::Usage(why))
         }
     }
 }

@@ -35,13 +35,13 @@ impl Stages {
     pub fn optional(method: Method) -> &'static [Effect] {
         match method {
             Method::Axes => &[Effect::Transform, Effect::Renormalise, Effect::InPlaneAxes, Effect::ExactCeiling],
-            Method::Determinants => &[Effect::Transform],
+            Method::Determinants | Method::Exact => &[Effect::Transform],
         }
     }
 
     /// Parameters with these stages, as far as they are optional. There are never more axis units than axes.
     pub fn params(self, base: &Params) -> Params {
-        if base.method == Method::Determinants {
+        if base.method != Method::Axes {
             return Params { transform: self.transform, ..base.clone() };
         }
         let axes = if self.in_plane_axes { Axes::Seventeen } else { Axes::Eleven };

@@ -37,6 +37,7 @@ pub(super) fn rungs(params: &Params) -> Vec<Params> {
             rungs.extend(Bound::ALL.iter().map(|&bound| Params { bound, ..params.clone() }));
             rungs.extend(bool::ALL.iter().map(|&boxes| Params { boxes, ..params.clone() }));
         }
+        Method::Exact => {}
     }
     let given = arithmetic(params);
     rungs.retain(|rung| arithmetic(rung) != given);

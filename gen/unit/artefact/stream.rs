@@ -172,7 +172,7 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
     let (tag, flags) = (p.tag_width, format.flags);
     let what = match p.method {
         Method::Axes => "axis",
-        Method::Determinants => "witness",
+        Method::Determinants | Method::Exact => "witness",
     };
     let status = "  7 downto 0  status; bits 1..0: 00 separate, 01 intersect, 10 possibly incorrect, 11 report";
     let outside = "              bit 4: a number of the pair or its pose is outside its declared range (10, no flags)";

@@ -121,6 +121,7 @@ pub fn formats_line(p: &Params) -> String {
                  bound {bound} boxes {boxes}{guard}"
             )
         }
+        Method::Exact => format!("efsat vectors 1: exact input {input} transform {transform} width {width}{guard}"),
     }
 }
 

@@ -81,7 +81,7 @@ impl<'l, 'p> Guards<'l, 'p> {
         busy: &[bool],
         name: &str,
     ) -> [Number<Sig<'l>>; N] {
-        if !self.p.guarded() {
+        if !self.p.has_guards() {
             return numbers;
         }
         let entity = if bound == self.p.coordinate_bound() { "guard_coordinate" } else { "guard_translation" };

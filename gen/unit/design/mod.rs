@@ -12,6 +12,7 @@ pub mod comparator;
 pub mod cross_product;
 pub mod determinants;
 pub mod edge_test;
+pub mod exact;
 pub mod guard;
 pub mod interval;
 pub mod number;

@@ -106,6 +106,7 @@ impl Design {
         let pipeline = match params.method {
             Method::Axes => pipeline::unit(params),
             Method::Determinants => determinants::unit(params),
+            Method::Exact => exact::unit(params),
         };
         let mut scheduler = Scheduler::new(device, params.frequency);
         let schedule = scheduler.schedule(&pipeline);
@@ -310,6 +311,10 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
             "EFSAT: exact triangle-triangle intersection test in fixed-point arithmetic.",
             "The signs of fifteen determinants with bounds on their errors; a definite answer is never wrong.",
         ]),
+        Method::Exact => text(&[
+            "EFSAT: exact triangle-triangle intersection test for points on a grid.",
+            "The signs of fifteen determinants, nothing rounded: every pair that fits is answered, and rightly.",
+        ]),
     };
     lines.push(String::new());
     let pace =
@@ -334,11 +339,17 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
             "  out_separated, out_overlapping: what each witness said, bit i for witness i: boxes, plane of A, plane of B, edges",
             "  0 to 2 of A, edges 0 to 2 of B. An edge that misses the other triangle is separated, one that pierces it overlaps.",
         ]),
+        Method::Exact => text(&[
+            "  out_separated, out_overlapping: what each witness said, bit i for witness i: the pair as a whole, plane of A, plane",
+            "  of B, edges 0 to 2 of A, edges 0 to 2 of B (docs/exact.md). Bit 0 of out_overlapping: the triangles cross, rather",
+            "  than touch; bit 1: all six points are in one plane.",
+        ]),
     });
     lines.push(String::new());
     lines.push(match p.method {
         Method::Axes => format!("Numbers are lower bounds, {format} (ulp 2^-{}); {}.", format.fraction, upper_rule(p)),
         Method::Determinants => format!("Numbers are rounded down to {format} (ulp 2^-{}).", format.fraction),
+        Method::Exact => format!("Numbers are on the grid of {format} (ulp 2^-{}).", format.fraction),
     });
     if p.transform != Transform::Off {
         let law = if p.transform == Transform::On { "B = M B~ + t" } else { "B = B~ + t" };
@@ -353,7 +364,9 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
     }
     lines.extend(text(&["", "Assumed of the input:"]));
     lines.extend(p.assumptions().into_iter().map(|line| format!("  {line}")));
-    lines.extend(text(if p.guarded() {
+    lines.extend(text(if p.method == Method::Exact {
+        &["A pair that does not fit is answered possibly incorrect, with out_outside set and all other flags clear."]
+    } else if p.guarded() {
         &[
             "The unit has a guard: a pair with a number outside, or under a pose with one, is answered possibly incorrect",
             "with out_outside set and all other flags clear.",

@@ -19,7 +19,7 @@ pub(super) struct Guard {
 impl Guard {
     pub fn new(p: &Params) -> Self {
         Self {
-            there: p.guarded(),
+            there: p.has_guards(),
             upper: p.upper,
             transform: p.transform,
             coordinate: p.coordinate_bound() as i64,

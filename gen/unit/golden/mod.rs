@@ -13,6 +13,7 @@ mod axes;
 mod axis_test;
 mod determinants;
 mod edge_test;
+mod exact;
 mod guard;
 mod input;
 mod interval;
@@ -29,6 +30,7 @@ mod verdict;
 
 use axis_test::AxisTest;
 use determinants::DeterminantTest;
+use exact::ExactTest;
 use guard::Guard;
 pub use input::{Input, Numbers, Pair, Pose};
 pub use stages::{Exact, Stage};
@@ -55,6 +57,7 @@ enum Test {
     // The larger by far, and there is one of it.
     Axes(Box<AxisTest>),
     Determinants(DeterminantTest),
+    Exact(ExactTest),
 }
 
 impl Golden {
@@ -63,6 +66,7 @@ impl Golden {
         let test = match params.method {
             Method::Axes => Test::Axes(Box::new(AxisTest::without(params, Exact::NONE))),
             Method::Determinants => Test::Determinants(DeterminantTest::new(params)),
+            Method::Exact => Test::Exact(ExactTest::new(params)),
         };
         Self { guard: Guard::new(params), test }
     }
@@ -75,6 +79,7 @@ impl Golden {
         match &self.test {
             Test::Axes(test) => test.outcome::<false>(pose, pair),
             Test::Determinants(test) => test.outcome::<false>(&test.frame(pose), pair),
+            Test::Exact(test) => test.outcome(pose, pair),
         }
     }
 
@@ -86,6 +91,7 @@ impl Golden {
         match &self.test {
             Test::Axes(test) => test.outcome::<true>(pose, pair).verdict,
             Test::Determinants(test) => test.outcome::<true>(&test.frame(pose), pair).verdict,
+            Test::Exact(test) => test.outcome(pose, pair).verdict,
         }
     }
 
@@ -102,6 +108,7 @@ impl Golden {
                     let frame = test.frame(pose);
                     verdicts.extend(inside.iter().map(|pair| test.outcome::<true>(&frame, pair).verdict));
                 }
+                Test::Exact(test) => verdicts.extend(inside.iter().map(|pair| test.outcome(pose, pair).verdict)),
             }
         }
     }
@@ -131,6 +138,9 @@ impl Golden {
             Test::Determinants(test) => {
                 let trace = test.trace(&test.frame(&pose), &pair);
                 trace.into_iter().map(|(name, x)| (name, Interval::new(x, x))).collect()
+            }
+            Test::Exact(test) => {
+                test.trace(&pose, &pair).into_iter().map(|(name, x)| (name, Interval::new(x, x))).collect()
             }
         }
     }

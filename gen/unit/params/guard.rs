@@ -1,7 +1,7 @@
 //! The guard against words outside the declared ranges, and what a unit assumes of its input (docs/guard.md).
 
 use super::options::Choice;
-use super::{Params, Transform};
+use super::{Method, Params, Transform};
 
 /// Which units carry the guard (section 10 of the contract).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -24,15 +24,24 @@ impl Choice for Guard {
 }
 
 impl Params {
-    /// Whether the unit answers pairs outside the declared ranges itself.
+    /// Whether the unit answers pairs outside the declared ranges itself, so that any word may come.
     pub fn guarded(&self) -> bool {
+        self.has_guards() || self.method == Method::Exact
+    }
+
+    /// Whether a guard checks each number. The exact unit has none: it checks the differences of numbers instead.
+    pub fn has_guards(&self) -> bool {
         let complete = self.transform == Transform::On && self.renormalise;
-        self.guard == Guard::Always || !complete
+        self.method != Method::Exact && (self.guard == Guard::Always || !complete)
     }
 
     /// What the unit assumes of its input, each line with the stage that makes it so; bounds are mantissas of
     /// [`Params::input`]. Other stages assume nothing: docs/guard.md says why.
     pub fn assumptions(&self) -> Vec<String> {
+        if self.method == Method::Exact {
+            let n = self.width;
+            return vec![format!("input: any words; differences of coordinates beyond {n} bits are flagged")];
+        }
         let mut lines = vec![format!("input: |coordinate| <= {} ulp", self.coordinate_bound())];
         let translation = format!("|t| <= {} ulp", self.translation_bound());
         lines.push(match self.transform {

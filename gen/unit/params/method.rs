@@ -1,4 +1,5 @@
-//! How a pair is decided, and what there is to choose in the determinant unit (docs/determinants.md).
+//! How a pair is decided, and what there is to choose in the determinant unit (docs/determinants.md) and in the exact one
+//! (docs/exact.md).
 
 use super::options::Choice;
 
@@ -9,15 +10,18 @@ pub enum Method {
     Axes,
     /// The signs of fifteen determinants with error bounds.
     Determinants,
+    /// The signs of fifteen determinants without error, for points on a grid.
+    Exact,
 }
 
 impl Choice for Method {
-    const ALL: &'static [Self] = &[Self::Axes, Self::Determinants];
+    const ALL: &'static [Self] = &[Self::Axes, Self::Determinants, Self::Exact];
 
     fn name(self) -> &'static str {
         match self {
             Self::Axes => "axes",
             Self::Determinants => "determinants",
+            Self::Exact => "exact",
         }
     }
 }

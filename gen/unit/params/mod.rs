@@ -114,16 +114,15 @@ impl Params {
     fn validate_method(&self) -> Result<(), ParamError> {
         let foreign = |(option, _): &(&'static str, String)| {
             let row = Self::OPTIONS.iter().find(|row| row.name == *option);
-            row.is_some_and(|row| !row.of.has(self.method))
+            row.is_some_and(|row| !row.of.contains(&self.method))
         };
-        let own = Self { method: self.method, ..Self::default() };
-        if let Some((option, found)) = self.differences(&own).into_iter().find(foreign) {
-            let other = match self.method {
-                Method::Axes => Method::Determinants,
-                Method::Determinants => Method::Axes,
-            };
-            let legal = format!("expected --method {}, which has this option", options::Choice::name(other));
+        if let Some((option, found)) = self.differences(&Self::of(self.method)).into_iter().find(foreign) {
+            let legal = format!("expected --method {}, which has this option", methods_with(option));
             return Err(ParamError { option, found, legal });
+        }
+        if self.method == Method::Exact && self.transform == Transform::On {
+            let legal = "expected off or translate with --method exact, which rounds nothing".to_owned();
+            return Err(ParamError { option: "transform", found: "on".to_owned(), legal });
         }
         let axes = self.axes.count();
         if !(1..=axes).contains(&self.axes_per_clock) {
@@ -148,7 +147,7 @@ impl Params {
     pub fn interval(&self) -> usize {
         match self.method {
             Method::Axes => self.axes.count().div_ceil(self.axes_per_clock),
-            Method::Determinants => self.clocks_per_pair as usize,
+            Method::Determinants | Method::Exact => self.clocks_per_pair as usize,
         }
     }
 
@@ -156,7 +155,7 @@ impl Params {
     pub fn flags(&self) -> u32 {
         match self.method {
             Method::Axes => self.axes.count() as u32,
-            Method::Determinants => 9,
+            Method::Determinants | Method::Exact => 9,
         }
     }
 
@@ -181,7 +180,12 @@ impl Params {
     /// Declared bound on the true magnitude of a coordinate, in mantissas of [`Params::input`]: 1, or without the
     /// transform 2^(K-1) - 2 ulp. That ulp is the input's, but without re-normalisation the working format's, because
     /// then the coordinate is rounded outward to sK.(N-K) and must still fit.
+    ///
+    /// The exact unit takes any word; the bound is where it may end on both sides.
     pub fn coordinate_bound(&self) -> i128 {
+        if self.method == Method::Exact {
+            return (1 << (self.transform_width - 1)) - 1;
+        }
         let ulp = if self.renormalise { 1 } else { 1 << (self.transform_width - self.width) };
         match self.transform {
             Transform::Off => (1 << (self.transform_width - 1)) - 2 * ulp,
@@ -192,6 +196,9 @@ impl Params {
     /// Declared bound on the true magnitude of a translation entry, in mantissas of [`Params::input`]:
     /// 2^(K-1) - 4 - 2^(K-T+3).
     pub fn translation_bound(&self) -> i128 {
+        if self.method == Method::Exact {
+            return self.coordinate_bound();
+        }
         (1 << (self.transform_width - 1)) - 4 * self.one() - 8
     }
 
@@ -217,6 +224,13 @@ impl Params {
     }
 }
 
+/// The names of the methods that have an option.
+fn methods_with(option: &str) -> String {
+    let row = Params::OPTIONS.iter().find(|row| row.name == option);
+    let names = row.into_iter().flat_map(|row| row.of).map(|method| options::Choice::name(*method));
+    names.collect::<Vec<_>>().join(" or ")
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -231,7 +245,7 @@ mod tests {
     #[test]
     fn every_option_outside_its_range_is_named() {
         type Change = fn(&mut Params);
-        let cases: [(Change, &str); 13] = [
+        let cases: [(Change, &str); 16] = [
             (|p| p.width = 5, "--width 5: expected 6 to 32"),
             (|p| p.width = 33, "--width 33: expected 6 to 32"),
             (|p| p.int_bits = 3, "--int-bits 3: expected 4 to 8 (4 to 8, at most width - 2 = 16)"),
@@ -248,6 +262,15 @@ mod tests {
                 "--upper sticky: expected --method axes, which has this option",
             ),
             (|p| (p.method, p.span) = (Method::Determinants, 2), "--span 2: expected one of 0, 1, 3"),
+            (|p| p.clocks_per_pair = 2, "--clocks-per-pair 2: expected --method determinants or exact, which has this option"),
+            (
+                |p| (*p, p.guard) = (Params::of(Method::Exact), Guard::Always),
+                "--guard always: expected --method axes or determinants, which has this option",
+            ),
+            (
+                |p| p.method = Method::Exact,
+                "--transform on: expected off or translate with --method exact, which rounds nothing",
+            ),
         ];
         for (change, message) in cases {
             let mut p = Params::default();

@@ -132,28 +132,6 @@ pub enum Affects {
     Hardware,
 }
 
-/// Which method has an option.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Of {
-    /// Both.
-    Both,
-    /// Separating axes.
-    Axes,
-    /// Determinants. The choice of the method counts as theirs: a design of the default method does not spell it out.
-    Determinants,
-}
-
-impl Of {
-    /// Whether units of a method have the option.
-    pub fn has(self, method: Method) -> bool {
-        match self {
-            Self::Both => true,
-            Self::Axes => method == Method::Axes,
-            Self::Determinants => method == Method::Determinants,
-        }
-    }
-}
-
 /// What is known of an option without its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Row {
@@ -161,8 +139,9 @@ pub struct Row {
     pub name: &'static str,
     /// What it has an effect on.
     pub affects: Affects,
-    /// Which method has it.
-    pub of: Of,
+    /// The methods that have it. The choice of the method counts as one of those that are not the default: a design of the
+    /// default method does not spell it out.
+    pub of: &'static [Method],
 }
 
 /// The table of options. A row is name, field and type, default, the paper's value where that is another, what the option
@@ -170,7 +149,7 @@ pub struct Row {
 macro_rules! options {
     ($(
         #[doc = $help:literal]
-        $name:literal $field:ident: $type:ty = $default:expr $(; paper $paper:expr)?, $affects:ident, $of:ident,
+        $name:literal $field:ident: $type:ty = $default:expr $(; paper $paper:expr)?, $affects:ident, [$($of:ident)+],
             [$($argument:tt)*];
     )+) => {
         /// A complete parameter set. Build one with [`Params::default`] and change fields, then
@@ -195,6 +174,12 @@ macro_rules! options {
         }
 
         impl Params {
+            /// The default design of a method.
+            pub fn of(method: Method) -> Self {
+                let transform = if method == Method::Exact { Transform::Off } else { Transform::On };
+                Self { method, transform, ..Self::default() }
+            }
+
             /// The paper's design.
             pub fn paper() -> Self {
                 let mut paper = Self::default();
@@ -202,10 +187,10 @@ macro_rules! options {
                 paper
             }
 
-            /// All options of both methods.
-            pub const OPTIONS: &[Row] = &[$(Row { name: $name, affects: Affects::$affects, of: Of::$of },)+];
+            /// All options of all methods.
+            pub const OPTIONS: &[Row] = &[$(Row { name: $name, affects: Affects::$affects, of: &[$(Method::$of),+] },)+];
 
-            /// Every option of both methods (without its dashes) with its value, in a fixed order. Those that the method does
+            /// Every option of all methods (without its dashes) with its value, in a fixed order. Those that the method does
             /// not have are at their defaults if the parameters are valid.
             pub fn every_option(&self) -> Vec<(&'static str, String)> {
                 vec![$(($name, self.$field.spelled()),)+]
@@ -215,72 +200,72 @@ macro_rules! options {
 }
 
 options! {
-    /// How pairs are decided: by separating axes as in the paper, or by determinants, which need fewer multipliers
-    "method" method: Method = Method::Axes, Verdicts, Determinants,
+    /// How pairs are decided: by separating axes as in the paper, by determinants, which need fewer multipliers, or exactly on a grid
+    "method" method: Method = Method::Axes, Verdicts, [Determinants Exact],
         [value_name = "METHOD", value_parser = choice::<Method>()];
     /// Working width in bits, 6 to 32
-    "width" width: u32 = 18, Verdicts, Both,
+    "width" width: u32 = 18, Verdicts, [Axes Determinants Exact],
         [value_name = "N", value_parser = whole(WIDTH), allow_negative_numbers = true];
     /// Integral digits of the input format with the sign, 4 to 8 and at most width - 2
-    "int-bits" int_bits: u32 = 4, Verdicts, Both,
+    "int-bits" int_bits: u32 = 4, Verdicts, [Axes Determinants Exact],
         [value_name = "K", value_parser = whole(INT_BITS), allow_negative_numbers = true];
     /// Width of inputs and frame transform in bits, at least width, up to 48
-    "transform-width" transform_width: u32 = 32, Verdicts, Both,
+    "transform-width" transform_width: u32 = 32, Verdicts, [Axes Determinants Exact],
         [value_name = "N", value_parser = whole(*WIDTH.start()..=TRANSFORM_WIDTH), allow_negative_numbers = true];
     /// Axis set: the paper's 11, or 17 with the six in-plane edge normals
-    "axes" axes: Axes = Axes::Eleven, Verdicts, Axes,
+    "axes" axes: Axes = Axes::Eleven, Verdicts, [Axes],
         [value_name = "SET", value_parser = choice::<Axes>(), allow_negative_numbers = true];
     /// Axis units side by side, 1 to the number of axes; one pair every ceil(axes / N) clocks
-    "axes-per-clock" axes_per_clock: usize = 1, Hardware, Axes,
+    "axes-per-clock" axes_per_clock: usize = 1, Hardware, [Axes],
         [value_name = "N", value_parser = whole(1..=Axes::Seventeen.count() as u32).map(|n| n as usize),
             allow_negative_numbers = true];
     /// What is done with duplicate projections
-    "projections" projections: Projections = Projections::Skip; paper Projections::All, Verdicts, Axes,
+    "projections" projections: Projections = Projections::Skip; paper Projections::All, Verdicts, [Axes],
         [value_name = "POLICY", value_parser = choice::<Projections>()];
     /// Bits of the projections that are compared: +N (N more than width, up to 31), full (all), or rounded (to width, as in the paper)
-    "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Plus(4); paper ProjectionWidth::Rounded, Verdicts, Axes,
+    "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Plus(4); paper ProjectionWidth::Rounded, Verdicts, [Axes],
         [value_name = "WIDTH", value_parser = projection_width];
     /// Places by which an axis is shifted left at most before it is rounded, 0 to 30; 0 as in the paper
-    "axis-shift" axis_shift: u32 = 7; paper 0, Verdicts, Axes,
+    "axis-shift" axis_shift: u32 = 7; paper 0, Verdicts, [Axes],
         [value_name = "N", value_parser = whole(AXIS_SHIFT), allow_negative_numbers = true];
     /// Whether an edge that certainly passes through the other triangle decides
-    "edge-test" edge_test: bool = true; paper false, Verdicts, Axes,
+    "edge-test" edge_test: bool = true; paper false, Verdicts, [Axes],
         [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
     /// Upper bound of an input: the next grid point, or the exact ceiling with a sticky bit
-    "upper" upper: Upper = Upper::Implied, Verdicts, Axes,
+    "upper" upper: Upper = Upper::Implied, Verdicts, [Axes],
         [value_name = "RULE", value_parser = choice::<Upper>()];
     /// Whether pairs are re-normalised one by one (the paper's 2.5)
-    "renormalise" renormalise: bool = true, Verdicts, Axes,
+    "renormalise" renormalise: bool = true, Verdicts, [Axes],
         [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
-    /// Determinants: clocks between pairs
-    "clocks-per-pair" clocks_per_pair: u32 = 1, Hardware, Determinants,
+    /// Determinants, exact: clocks between pairs
+    "clocks-per-pair" clocks_per_pair: u32 = 1, Hardware, [Determinants Exact],
         [value_name = "N", value_parser = one_of(CLOCKS_PER_PAIR), allow_negative_numbers = true];
     /// Determinants: how far the rounding of the first products follows the pair, in bits
-    "span" span: u32 = 1, Verdicts, Determinants,
+    "span" span: u32 = 1, Verdicts, [Determinants],
         [value_name = "BITS", value_parser = one_of(SPAN), allow_negative_numbers = true];
     /// Determinants: how many levels of input error are told apart, for triangles that are small in the input format
-    "levels" levels: u32 = 6, Verdicts, Determinants,
+    "levels" levels: u32 = 6, Verdicts, [Determinants],
         [value_name = "N", value_parser = one_of(LEVELS), allow_negative_numbers = true];
     /// Determinants: what error bounds are made of, from coarse to fine
-    "bound" bound: Bound = Bound::Moments, Verdicts, Determinants,
+    "bound" bound: Bound = Bound::Moments, Verdicts, [Determinants],
         [value_name = "KIND", value_parser = choice::<Bound>()];
     /// Determinants: whether the boxes of the triangles are compared as well
-    "boxes" boxes: bool = true, Verdicts, Determinants,
+    "boxes" boxes: bool = true, Verdicts, [Determinants],
         [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
     /// Frame transform: B = M B~ + t, translation only, or none
-    "transform" transform: Transform = Transform::On, Verdicts, Both,
-        [value_name = "KIND", value_parser = choice::<Transform>()];
+    "transform" transform: Transform = Transform::On, Verdicts, [Axes Determinants Exact],
+        [value_name = "KIND", value_parser = choice::<Transform>(), default_value_if("method", "exact", "off")];
     /// Guard: units generated without a stage, or all, answer a pair outside the declared ranges possibly-incorrect
-    "guard" guard: Guard = Guard::LeftOut, Outside, Both,
+    "guard" guard: Guard = Guard::LeftOut, Outside, [Axes Determinants],
         [value_name = "UNITS", value_parser = choice::<Guard>()];
     /// Device model that pipelining and estimates use
-    "device" device: String = "xc2v6000-4".to_owned(), Hardware, Both,
+    "device" device: String = "xc2v6000-4".to_owned(), Hardware, [Axes Determinants Exact],
         [value_name = "NAME", value_parser = PossibleValuesParser::new(efsat_hardware::device::names())];
     /// Target clock in MHz, 20 to 250
-    "frequency" frequency: u32 = 100, Hardware, Both,
+    "frequency" frequency: u32 = 100, Hardware, [Axes Determinants Exact],
         [value_name = "MHZ", value_parser = whole(FREQUENCY), allow_negative_numbers = true];
     /// Bits of the pair tag, 0 to 64
-    "tag-width" tag_width: u32 = 16, Hardware, Both,
+    "tag-width" tag_width: u32 = 16, Hardware, [Axes Determinants Exact],
         [value_name = "N", value_parser = whole(TAG_WIDTH), allow_negative_numbers = true];
 }
 
@@ -289,7 +274,7 @@ impl Params {
     /// lists, however they were typed.
     pub fn options(&self) -> Vec<(&'static str, String)> {
         let rows = Self::OPTIONS.iter().zip(self.every_option());
-        rows.filter(|(row, _)| row.of.has(self.method)).map(|(_, option)| option).collect()
+        rows.filter(|(row, _)| row.of.contains(&self.method)).map(|(_, option)| option).collect()
     }
 
     /// The options in which the parameters differ from others, with their values.

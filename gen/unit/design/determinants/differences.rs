@@ -5,7 +5,7 @@ use super::super::number::Number;
 use super::super::pipeline::Inputs;
 use super::super::product::product;
 use super::{Points, constant, shared};
-use crate::params::{Params, Transform};
+use crate::params::{Method, Params, Transform};
 use efsat_hardware::device::MULTIPLIER_BITS;
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Top, Vec3};
@@ -23,7 +23,9 @@ pub(super) fn points<'l>(u: Top<'l>, p: &Params, guards: &Guards<'l, '_>, inputs
     let v = [0, 1, 2].map(|k| guarded(inputs.v[k], bound, &format!("in_v{k}")));
     let w = [0, 1, 2].map(|l| guarded(inputs.w[l], bound, &format!("in_w{l}")));
     let origin = v[0];
-    let bits = p.transform_width + 1;
+    // Any words may be added where nothing is rounded.
+    let sums = p.method == Method::Exact && p.transform == Transform::Translate;
+    let bits = p.transform_width + if sums { 2 } else { 1 };
     let narrow = |x: Vec3<Sig<'l>>| x.map(|x| x.bits(bits));
     let of_a = [v[1] - origin, v[2] - origin].map(narrow);
     let of_b = match &inputs.pose {
@@ -39,7 +41,7 @@ pub(super) fn points<'l>(u: Top<'l>, p: &Params, guards: &Guards<'l, '_>, inputs
                 None => w.map(|w| w + moved),
                 Some(m) => {
                     // Only a guard must not see the ports that the bypass leaves out.
-                    let read = |m: Number<Sig<'l>>| if p.guarded() { unless_bypass(m) } else { m };
+                    let read = |m: Number<Sig<'l>>| if p.has_guards() { unless_bypass(m) } else { m };
                     let m = [0, 1, 2].map(|i| guarded(m[i].map(read), p.one(), &format!("pose_m{i}")));
                     turned(u, p, m, w, moved, pose.bypass)
                 }
