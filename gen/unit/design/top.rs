@@ -1,7 +1,7 @@
 //! The top: input and pose registers, sequencer, data path, result queue; and the whole design as one value.
 
 use super::sequencer::{self, PoseReading};
-use super::{determinants, number::input_type, pipeline};
+use super::{determinants, exact, number::input_type, pipeline};
 use crate::params::{Method, ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, UnknownDevice};
 use efsat_hardware::graph::{Place, Step, Unit};

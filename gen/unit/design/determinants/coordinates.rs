@@ -32,7 +32,7 @@ impl<'l> Level<'l> {
 }
 
 /// One of some signals, by a number from 0 to `most`; the first where there is no number.
-pub(super) fn by_number<'l>(number: Option<Sig<'l>>, of: impl Fn(u32) -> Sig<'l>, most: u32) -> Sig<'l> {
+pub(in super::super) fn by_number<'l>(number: Option<Sig<'l>>, of: impl Fn(u32) -> Sig<'l>, most: u32) -> Sig<'l> {
     let Some(number) = number else { return of(0) };
     number.apply(Select::default(), &(0..=most).map(of).collect::<Vec<_>>())
 }

@@ -15,7 +15,7 @@ use efsat_hardware::op::Type;
 const FACTOR: Type = Type { signed: true, bits: MULTIPLIER_BITS, fraction: None };
 
 /// The differences, T + 1 bits each.
-pub(super) fn points<'l>(u: Top<'l>, p: &Params, guards: &Guards<'l, '_>, inputs: &Inputs<'l>) -> Points<'l> {
+pub(in super::super) fn points<'l>(u: Top<'l>, p: &Params, guards: &Guards<'l, '_>, inputs: &Inputs<'l>) -> Points<'l> {
     let guarded = |x: Vec3<Number<Sig<'l>>>, bound: i128, name: &str| {
         Vec3(guards.guarded(x.0, bound, &[], name)).map(|number| number.lo.at_point(None))
     };

@@ -2,13 +2,12 @@
 //! docs/determinants.md).
 
 use super::super::product::product;
-use super::moments::Moments;
 use super::{Points, shared, traced};
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Top, Vec3};
 
 /// Something for each of the fifteen determinants.
-pub(super) struct Fifteen<T> {
+pub(in super::super) struct Fifteen<T> {
     /// Of W_l against the plane of A.
     pub plane_a: [T; 3],
     /// Of V_k against the plane of B.
@@ -49,12 +48,17 @@ const NAMES: [&str; 15] = [
     "side11", "side12", "side20", "side21", "side22",
 ];
 
-/// The determinants, in units of 2^s.
-pub(super) fn determinants<'l>(u: Top<'l>, points: &Points<'l>, moments: &Moments<'l>) -> Fifteen<Sig<'l>> {
+/// The determinants from the moments of the edges of B and the normal of A, by a unit for dot products.
+pub(in super::super) fn determinants<'l, M: Signals<'l>>(
+    u: Top<'l>,
+    points: &Points<'l>,
+    [m0, m1, m2, n]: &[M; 4],
+    dot_product: impl Fn(Vec3<Sig<'l>>, M) -> Sig<'l>,
+) -> Fifteen<Sig<'l>> {
     let Points { v: [v1, v2], w: [w0, w1, w2] } = *points;
-    let Moments { m: [m0, m1, m2], n, .. } = *moments;
     // So that with two clocks per pair both dot products of a unit have a factor in common.
     let jobs = [(w0, n), (v1, m0), (v1, m1), (v1, m2), (w1, n), (w0, m1), (v2, m0), (v2, m1), (v2, m2), (w2, n)];
+    let jobs = jobs.map(|(x, m)| (x, m.clone()));
     let dots = shared(u, "dot", &jobs, |k, (x, m)| {
         dot_product(x.named_at("dot_x", k), m.named_at("dot_m", k)).named_at("dot_lane", k)
     });
@@ -66,7 +70,7 @@ pub(super) fn determinants<'l>(u: Top<'l>, points: &Points<'l>, moments: &Moment
 }
 
 /// x . m, exact.
-fn dot_product<'l>(x: Vec3<Sig<'l>>, m: Vec3<Sig<'l>>) -> Sig<'l> {
+pub(super) fn dot_product<'l>(x: Vec3<Sig<'l>>, m: Vec3<Sig<'l>>) -> Sig<'l> {
     let doc = ["The dot product x . m, exact. Three multipliers at up to 18 bits."];
     entity!("dot_product", &doc, (x, m) => {
         let products = x.zip(m, product).named("product");

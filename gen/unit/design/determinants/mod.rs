@@ -7,7 +7,7 @@
 mod bounds;
 pub mod coordinates;
 pub mod differences;
-mod fifteen;
+pub(super) mod fifteen;
 pub mod moments;
 mod verdict;
 
@@ -32,7 +32,8 @@ pub fn unit(p: &Params) -> Rc<Unit> {
         let differences = differences::points(u, p, &guards, &inputs);
         let coordinates = coordinates::coordinates(u, p, &differences);
         let moments = moments::moments(u, p, &coordinates.points);
-        let determinants = fifteen::determinants(u, &coordinates.points, &moments);
+        let dots = [moments.m[0], moments.m[1], moments.m[2], moments.n];
+        let determinants = fifteen::determinants(u, &coordinates.points, &dots, fifteen::dot_product);
         let bounds = bounds::bounds(u, p, &coordinates, &moments);
         let signs = verdict::signs(u, &determinants, &bounds);
         let apart = p.boxes.then(|| verdict::boxes_apart(u, &coordinates));
@@ -51,22 +52,22 @@ pub struct Points<'l> {
 
 impl<'l> Points<'l> {
     /// All five.
-    fn all(&self) -> [Vec3<Sig<'l>>; 5] {
+    pub(super) fn all(&self) -> [Vec3<Sig<'l>>; 5] {
         let Self { v: [v1, v2], w: [w0, w1, w2] } = *self;
         [v1, v2, w0, w1, w2]
     }
 
-    fn of([v1, v2, w0, w1, w2]: [Vec3<Sig<'l>>; 5]) -> Self {
+    pub(super) fn of([v1, v2, w0, w1, w2]: [Vec3<Sig<'l>>; 5]) -> Self {
         Self { v: [v1, v2], w: [w0, w1, w2] }
     }
 
     /// The five coordinates along axis `j`.
-    fn along(&self, j: usize) -> [Sig<'l>; 5] {
+    pub(super) fn along(&self, j: usize) -> [Sig<'l>; 5] {
         self.all().map(|point| point[j])
     }
 
     /// Names the points and brings them out of a probed design.
-    fn traced(self, stage: &str) -> Self {
+    pub(super) fn traced(self, stage: &str) -> Self {
         let v = [0, 1].map(|i| traced(self.v[i], &format!("{stage}_v{}", i + 1)));
         let w = [0, 1, 2].map(|l| traced(self.w[l], &format!("{stage}_w{l}")));
         Self { v, w }
@@ -74,13 +75,13 @@ impl<'l> Points<'l> {
 }
 
 /// Names what is held for the pair and brings it out of a probed design.
-fn traced<'l, B: Signals<'l>>(bundle: B, name: &str) -> B {
+pub(super) fn traced<'l, B: Signals<'l>>(bundle: B, name: &str) -> B {
     bundle.named(name).probe(&[(0, false)])
 }
 
 /// What a unit makes of each job, held for the pair. There are as few units as the phases of the slot allow: with n of
 /// them, unit k takes the jobs k, k + n, k + 2 n and so on. The unit is told its number.
-fn shared<'l, B, R>(u: Top<'l>, name: &str, jobs: &[B], unit: impl Fn(usize, B) -> R) -> Vec<R>
+pub(super) fn shared<'l, B, R>(u: Top<'l>, name: &str, jobs: &[B], unit: impl Fn(usize, B) -> R) -> Vec<R>
 where
     B: Signals<'l>,
     R: Signals<'l>,
@@ -113,12 +114,12 @@ fn constant(u: Top<'_>, value: i128) -> Sig<'_> {
 }
 
 /// A table indexed by a signal, an entry for each of its values, in as few bits as they take.
-fn table<'l>(index: Sig<'l>, entries: Vec<i128>) -> Sig<'l> {
+pub(super) fn table<'l>(index: Sig<'l>, entries: Vec<i128>) -> Sig<'l> {
     let most = entries.iter().copied().max().unwrap_or(0);
     index.lookup(entries, Type::unsigned((128 - most.leading_zeros()).max(1)))
 }
 
 /// Numbers side by side as one of that name, the first in the lowest bits: an index of a table.
-fn word<'l>(parts: &[Sig<'l>], name: &str) -> Sig<'l> {
+pub(super) fn word<'l>(parts: &[Sig<'l>], name: &str) -> Sig<'l> {
     if let [one] = parts { *one } else { parts[0].below(&parts[1..]).named(name) }
 }

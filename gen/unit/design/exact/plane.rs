@@ -1,0 +1,164 @@
+//! Pairs in one plane, or on two lines (section 5 of docs/exact.md).
+
+use super::super::determinants::coordinates::by_number;
+use super::super::determinants::{Points, shared, table, traced, word};
+use super::super::guard::any;
+use super::{Factors, Sign, components, factors_of, not_0, sign};
+use efsat_hardware::entity;
+use efsat_hardware::graph::{Sig, Signals, Top, Vec3};
+use efsat_hardware::record;
+
+record! {
+    /// What the boxes say of a pair.
+    Boxes "boxes" {
+        /// Apart along some coordinate.
+        apart: S,
+        /// Along some coordinate the ends of A and B have at most one number in common.
+        nearly_apart: S,
+        /// Along every coordinate, 0 is in the range of B.
+        with_0: S,
+        /// Along some coordinate, V1 and V2 are on different sides of V0.
+        sides_a: S,
+        /// Along some coordinate, B has corners on both sides of V0.
+        sides_b: S,
+    }
+}
+
+/// What is known of a pair in one plane.
+pub(super) struct Plane<'l> {
+    /// It has no common point.
+    pub apart: Sig<'l>,
+    /// If it has one, the relative interiors meet.
+    pub crosses: Sig<'l>,
+}
+
+/// The rule of section 5; what it says has no meaning for other pairs.
+pub(super) fn plane<'l>(u: Top<'l>, points: &Points<'l>, moments: &[Vec3<Sig<'l>>; 4]) -> Plane<'l> {
+    let along = [0, 1, 2].map(|j| points.along(j));
+    let boxes = shared(u, "box", &along, |k, [v1, v2, w0, w1, w2]| {
+        box_along([v1, v2].named_at("box_v", k), [w0, w1, w2].named_at("box_w", k)).named_at("box_lane", k)
+    });
+    let some = |of: fn(&Boxes<Sig<'l>>) -> Sig<'l>| any(&[of(&boxes[0]), of(&boxes[1]), of(&boxes[2])]);
+    let boxes = Boxes {
+        apart: some(|x| x.apart),
+        nearly_apart: some(|x| x.nearly_apart),
+        with_0: boxes[0].with_0 & boxes[1].with_0 & boxes[2].with_0,
+        sides_a: some(|x| x.sides_a),
+        sides_b: some(|x| x.sides_b),
+    };
+    let boxes = boxes.named("boxes");
+    let seen = [0, 1, 2].map(|j| any(&moments.map(|m| not_0(m[j])))).named("moment_seen");
+    // The coordinate that is left out, or 3 if all is on two lines.
+    let entry = |word: u32| i128::from(word.trailing_zeros().min(3));
+    let left_out = table(word(&seen, "moments_seen"), (0..8).map(entry).collect()).named("left_out");
+    let lines = left_out.equals(left_out.like(3)).named("lines");
+    let [m0, m1, m2, n] = moments.map(|m| by_number(Some(left_out), |c| m[c as usize % 3], 3)).named("moment_c");
+    let factors = factors(points, left_out, lines);
+    let x = traced(components(u, "component_of_c", &factors), "component");
+    let x = [[x[0], x[1], x[2]], [x[3], x[4], x[5]]];
+    let no_u = (!any(&x[0].map(not_0))).named("no_u");
+    let [x1, x2] = x;
+    let of_a = [x1, [0, 1, 2].map(|l| n + (x2[l] - x1[l])), x2.map(|x| -x)];
+    let of_b = [(m0, 0), (m1, 1), (m2, 2)].map(|(m, l)| [m, m + (x1[l] - x1[(l + 1) % 3]), m + (x2[l] - x2[(l + 1) % 3])]);
+    let [area_a, area_b] = [n, (m0 + m1) + m2].map(|area| sign(area)).named("area");
+    // Sums of three.
+    let bits = n.ty().bits + 2;
+    let by_edge = [of_a, of_b].concat().into_iter().map(|x| x.map(|x| x.bits(bits)));
+    let by_edge = by_edge.collect::<Vec<_>>().named("by_edge");
+    let areas = [[area_a; 3], [area_b; 3]].concat();
+    let (parts, nearly): (Vec<_>, Vec<_>) = by_edge.into_iter().zip(areas).map(|(x, area)| edge(x, area)).unzip();
+    decided(lines, no_u, parts.named("parts"), nearly.named("nearly_parts"), boxes)
+}
+
+/// The factors of component c of v_i x w_l; in the case of lines in place of the first three those of v x w.
+fn factors<'l>(points: &Points<'l>, left_out: Sig<'l>, lines: Sig<'l>) -> Vec<Factors<'l>> {
+    let Points { v, w } = *points;
+    let doc = ["The coordinates of a point in the plane without coordinate c: those after it, in turn."];
+    let projected = |x: Vec3<Sig<'l>>| {
+        entity!("plane_coordinates", &doc, (x, left_out) => {
+            [1, 2].map(|next| by_number(Some(left_out), |c| x[c as usize + next], 3)).named("projected")
+        })
+    };
+    let (v_in_plane, w_in_plane) = (v.map(projected).named("v_in_plane"), w.map(projected).named("w_in_plane"));
+    let seen = |x: Vec3<Sig<'l>>| any(&x.signals().into_iter().map(not_0).collect::<Vec<_>>());
+    let first_v = seen(v[0]).choose(v[0], v[1]).named("first_v");
+    let first_w = seen(w[0]).choose(w[0], seen(w[1]).choose(w[1], w[2])).named("first_w");
+    let factors = |t: usize| {
+        let ([vj, vk], [wj, wk]) = (v_in_plane[t / 3], w_in_plane[t % 3]);
+        let in_plane = ([vj, wk], [vk, wj]);
+        if t < 3 { lines.choose(factors_of(first_v, first_w, t), in_plane) } else { in_plane }
+    };
+    (0..6).map(factors).collect()
+}
+
+/// What the boxes say along one coordinate.
+fn box_along<'l>(v: [Sig<'l>; 2], w: [Sig<'l>; 3]) -> Boxes<Sig<'l>> {
+    let doc = [
+        "The ranges of A and B along a coordinate; V_0 is 0. apart: one is wholly below the other. nearly_apart: they have at",
+        "most one end in common, and are not one number both. with_0: 0 is in that of B. sides_a, sides_b: v_1 and v_2, or",
+        "some of w_l, are on different sides of 0.",
+    ];
+    entity!("box_axis", &doc, (v, w) => {
+        let (above, below) = (|x: Sig<'l>| !x.negative() & not_0(x), Sig::negative);
+        let (v_above, v_below) = (v.map(above).named("v_above"), v.map(below).named("v_below"));
+        let (w_above, w_below) = (w.map(above).named("w_above"), w.map(below).named("w_below"));
+        let v_w = v.map(|v| w.map(|w| v.less(w))).named("v_below_w");
+        let w_v = v.map(|v| w.map(|w| w.less(v))).named("w_below_v");
+        // All comparisons of a corner of A with one of B.
+        let a_below = [w_above.to_vec(), v_w.concat()].concat();
+        let b_below = [w_below.to_vec(), w_v.concat()].concat();
+        let [some_a, some_b] = [&a_below, &b_below].map(|flags| any(flags));
+        let all = |flags: Vec<Sig<'l>>| flags.into_iter().reduce(|a, b| a & b).expect("triangles have corners");
+        let apart = all(a_below) | all(b_below);
+        let with_0 = !(all(w_above.to_vec()) | all(w_below.to_vec()));
+        Boxes {
+            apart: apart.named("apart"),
+            nearly_apart: (some_a & !some_b | some_b & !some_a).named("nearly_apart"),
+            with_0: with_0.named("with_0"),
+            sides_a: (v_above[0] & v_below[1] | v_above[1] & v_below[0]).named("sides_a"),
+            sides_b: (any(&w_above) & any(&w_below)).named("sides_b"),
+        }
+    })
+}
+
+/// Whether an edge parts a pair in a plane, and whether it nearly does.
+fn edge<'l>(x: [Sig<'l>; 3], area: Sign<'l>) -> (Sig<'l>, Sig<'l>) {
+    let doc = [
+        "An edge of a triangle, the sides of it on which the other's corners are, and the sign of its own triangle's area.",
+        "It parts the pair if all corners are on the outer side; nearly, if some are on its line, but not everything is.",
+    ];
+    entity!("plane_edge", &doc, (x, area) => {
+        let [above, below] = [x.map(|x| !x.negative() & not_0(x)).named("above"), x.map(Sig::negative).named("below")];
+        let all = |flags: [Sig<'l>; 3]| flags[0] & flags[1] & flags[2];
+        let [positive, negative] = area;
+        let parts = all(below) & !negative | all(above) & !positive;
+        let (some_above, some_below) = (any(&above).named("some_above"), any(&below).named("some_below"));
+        let outside = !some_above & !negative & (some_below | positive);
+        let inside = !some_below & !positive & (some_above | negative);
+        (parts.named("parts"), (outside | inside).named("nearly"))
+    })
+}
+
+/// The rule itself.
+fn decided<'l>(
+    lines: Sig<'l>,
+    no_u: Sig<'l>,
+    parts: Vec<Sig<'l>>,
+    nearly: Vec<Sig<'l>>,
+    boxes: Boxes<Sig<'l>>,
+) -> Plane<'l> {
+    let doc = [
+        "Pairs in one plane (section 5 of docs/exact.md). In a plane: separate if an edge parts the pair or the boxes are apart. On",
+        "one line (u = 0): if the boxes are apart. On two lines: if B does not have V_0, where they meet.",
+    ];
+    let (apart, crosses) = entity!("plane_verdict", &doc, (lines, no_u, parts, nearly, boxes) => {
+        let in_plane = !lines & any(&parts);
+        let on_lines = lines & !no_u & !boxes.with_0;
+        let two_lines = (lines & !no_u).named("two_lines");
+        let through = two_lines & boxes.sides_a & boxes.sides_b;
+        let near = boxes.nearly_apart | !lines & any(&nearly);
+        let apart = boxes.apart | in_plane | on_lines;
+        (apart.named("apart"), (through | !two_lines & !near).named("crosses"))
+    });
+    Plane { apart, crosses }
+}
