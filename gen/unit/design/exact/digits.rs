@@ -7,44 +7,49 @@ use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Vec3};
 use efsat_hardware::op::Type;
 
-/// The digits of a number, the lowest first: x is the sum of digit i times 2^(18 i). Each takes a multiplier's width, from
-/// -2^17 to 2^17 - 1, and the highest is what is left.
-pub fn digits(x: Sig<'_>) -> Vec<Sig<'_>> {
-    let bits = x.ty().bits;
-    if bits <= MULTIPLIER_BITS {
-        return vec![x];
-    }
-    let doc = ["The digits of a number, each of 18 bits with a sign of its own, the lowest first."];
-    entity!(&format!("digits_{bits}"), &doc, (x) => cut(x).named("digit"))
+/// Bits of a digit below its sign.
+const BELOW: u32 = MULTIPLIER_BITS - 1;
+
+/// The number of digits of a number of so many bits.
+fn count(bits: u32) -> u32 {
+    bits.div_ceil(MULTIPLIER_BITS)
 }
 
-fn cut(x: Sig<'_>) -> Vec<Sig<'_>> {
+/// A number with 2^17 added to each digit but the highest: the digits can then be cut out of it, each less 2^17.
+pub fn offset(x: Sig<'_>) -> Sig<'_> {
     let bits = x.ty().bits;
-    if bits <= MULTIPLIER_BITS {
+    if count(bits) == 1 {
+        return x;
+    }
+    let added = (0..count(bits) - 1).map(|i| 1 << (BELOW + MULTIPLIER_BITS * i)).sum();
+    let sum = x + x.like(added);
+    let (least, most) = sum.range();
+    sum.bits(129 - most.max(-1 - least).leading_zeros())
+}
+
+/// The digits of a number that has its offset, the lowest first. Each takes a multiplier's width, from -2^17 to 2^17 - 1.
+fn digits(x: Sig<'_>) -> Vec<Sig<'_>> {
+    if count(x.ty().bits) == 1 {
         return vec![x];
     }
-    let below = MULTIPLIER_BITS - 1;
-    // The digit's sign is worth -2^17 in it, so that it is missing above.
-    let sign = x.floor(below as i32).low(1);
     let wide = |bits: u32| Type { signed: true, bits, fraction: None };
-    let digit = x.low(below).resize(wide(MULTIPLIER_BITS)) - sign.floor(-(below as i32)).resize(wide(MULTIPLIER_BITS + 1));
-    let above = x.floor(MULTIPLIER_BITS as i32) + sign.resize(wide(2));
-    // As wide as what is left: the carry may take a bit more.
-    let (least, most) = above.range();
-    let rest = 129 - most.max(-1 - least).leading_zeros();
-    [vec![digit.bits(MULTIPLIER_BITS)], cut(above.bits(rest))].concat()
+    // The highest bit of a digit less 2^17 is a sign once it is inverted.
+    let sign = !x.floor(BELOW as i32).low(1);
+    let digit = x.low(BELOW).resize(wide(MULTIPLIER_BITS)) - sign.floor(-(BELOW as i32)).resize(wide(MULTIPLIER_BITS + 1));
+    [vec![digit.bits(MULTIPLIER_BITS)], digits(x.floor(MULTIPLIER_BITS as i32))].concat()
 }
 
-/// The dot product x . m of coordinates and the digits of a moment, exact.
-pub fn dot_product<'l>(x: Vec3<Sig<'l>>, m: Vec3<Vec<Sig<'l>>>) -> Sig<'l> {
+/// The dot product x . m of coordinates and of a moment that has its offset, exact.
+pub fn dot_product<'l>(x: Vec3<Sig<'l>>, m: Vec3<Sig<'l>>) -> Sig<'l> {
     let doc = [
-        "The dot product x . m, exact, m in digits of 18 bits: a dot product of three multipliers for each digit, which are",
-        "added at their places.",
+        "The dot product x . m, exact. m has 2^17 added to each digit of 18 bits but the highest; less that, a digit is a",
+        "factor with a sign of its own. Three multipliers for each digit, whose products are added at their places.",
     ];
-    let x = x.map(digits);
     entity!("dot_product", &doc, (x, m) => {
+        let (x, m) = (x.map(|x| digits(offset(x))), m.map(digits));
         let (last_x, last_m) = (x[0].len() - 1, m[0].len() - 1);
-        // The dot products of each place, the highest first.
+        let m = m.named("digit");
+        // The dot product of the digits at a place.
         let place = |place: usize| {
             let digits = (0..=last_x).filter_map(|i| Some((i, place.checked_sub(i).filter(|j| *j <= last_m)?)));
             let dot = |(i, j): (usize, usize)| {
@@ -53,10 +58,9 @@ pub fn dot_product<'l>(x: Vec3<Sig<'l>>, m: Vec3<Vec<Sig<'l>>>) -> Sig<'l> {
             };
             digits.map(dot).reduce(|a, b| a + b).expect("a place has digits").named(&format!("place_{place}"))
         };
-        let places = (0..=last_x + last_m).rev().map(place);
         let join = |above: Sig<'l>, here: Sig<'l>| {
             here.low(MULTIPLIER_BITS).below(&[above + here.floor(MULTIPLIER_BITS as i32)])
         };
-        places.reduce(join).expect("there is a place").named("dot")
+        (0..=last_x + last_m).rev().map(place).reduce(join).expect("there is a place").named("dot")
     })
 }

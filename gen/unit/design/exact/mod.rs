@@ -31,8 +31,11 @@ pub fn unit(p: &Params) -> Rc<Unit> {
         let differences = differences::points(u, p, &Guards::new(u, p), &inputs);
         let (points, outside) = fitted(p, &differences);
         let moments = moments(u, &points);
-        let digits = moments.map(|m| m.map(digits::digits)).named("moment_digits");
-        let determinants = fifteen::determinants(u, &points, &digits, digits::dot_product);
+        let offset = moments.map(|m| m.map(digits::offset));
+        (0..4).filter(|l| offset[*l] != moments[*l]).for_each(|l| {
+            offset[l].named(&format!("offset_{}", MOMENTS[l]));
+        });
+        let determinants = fifteen::determinants(u, &points, &offset, digits::dot_product);
         let signs = Fifteen::of(&determinants.all().into_iter().map(sign).collect::<Vec<_>>().named("sign"));
         let plane = plane::plane(u, &points, &moments);
         verdict::verdict(&signs, &plane, outside)
@@ -63,9 +66,11 @@ fn moments<'l>(u: Top<'l>, points: &Points<'l>) -> [Vec3<Sig<'l>>; 4] {
     let jobs: Vec<_> = factors.iter().flat_map(|[x, y]| (0..3).map(|i| factors_of(*x, *y, i))).collect();
     let all = components(u, "moment_component", &jobs);
     let of = |l: usize| Vec3([all[3 * l], all[3 * l + 1], all[3 * l + 2]]);
-    let name = ["moment_m0", "moment_m1", "moment_m2", "moment_n"];
-    [0, 1, 2, 3].map(|l| traced(of(l), name[l]))
+    [0, 1, 2, 3].map(|l| traced(of(l), &format!("moment_{}", MOMENTS[l])))
 }
+
+/// What the moments are called.
+const MOMENTS: [&str; 4] = ["m0", "m1", "m2", "n"];
 
 /// x_j y_k and x_k y_j, whose difference is component i of x x y, as (plus, minus).
 type Factors<'l> = ([Sig<'l>; 2], [Sig<'l>; 2]);

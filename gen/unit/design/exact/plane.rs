@@ -54,7 +54,7 @@ pub(super) fn plane<'l>(u: Top<'l>, points: &Points<'l>, moments: &[Vec3<Sig<'l>
     let lines = left_out.equals(left_out.like(3)).named("lines");
     let [m0, m1, m2, n] = moments.map(|m| by_number(Some(left_out), |c| m[c as usize % 3], 3)).named("moment_c");
     let factors = factors(points, left_out, lines);
-    let x = traced(components(u, "component_of_c", &factors), "component");
+    let x = traced(components(u, "cross_in_plane", &factors), "component_c");
     let x = [[x[0], x[1], x[2]], [x[3], x[4], x[5]]];
     let no_u = (!any(&x[0].map(not_0))).named("no_u");
     let [x1, x2] = x;
