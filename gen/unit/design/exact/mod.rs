@@ -36,7 +36,7 @@ pub fn unit(p: &Params) -> Rc<Unit> {
             offset[l].named(&format!("offset_{}", MOMENTS[l]));
         });
         let determinants = fifteen::determinants(u, &points, &offset, digits::dot_product);
-        let signs = Fifteen::of(&determinants.all().into_iter().map(sign).collect::<Vec<_>>().named("sign"));
+        let signs = signs(&determinants);
         let plane = plane::plane(u, &points, &moments);
         verdict::verdict(&signs, &plane, outside)
     })
@@ -91,6 +91,16 @@ fn components<'l>(u: Top<'l>, name: &str, jobs: &[Factors<'l>]) -> Vec<Sig<'l>> 
         });
         component.named_at(&format!("{name}_lane"), k)
     })
+}
+
+/// The signs of the determinants.
+fn signs<'l>(determinants: &Fifteen<Sig<'l>>) -> Fifteen<Sign<'l>> {
+    let all = determinants.all();
+    let bits = all.iter().map(|x| x.ty().bits).max().unwrap_or(1);
+    let all = all.into_iter().map(|x| x.bits(bits)).collect::<Vec<_>>().named("of_sign");
+    let doc = ["The sign of a number: (0) it is positive, (1) it is negative."];
+    let of = |x: Sig<'l>| entity!("exact_sign", &doc, (x) => sign(x).named("sign"));
+    Fifteen::of(&all.into_iter().map(of).collect::<Vec<_>>().named("sign"))
 }
 
 /// The sign of a number: whether it is positive, and whether it is negative.

@@ -9,6 +9,16 @@ use efsat_hardware::graph::{Sig, Signals, Top, Vec3};
 use efsat_hardware::record;
 
 record! {
+    /// What is known of a pair in one plane.
+    Plane "plane" {
+        /// It has no common point.
+        apart: S,
+        /// If it has one, the relative interiors meet.
+        crosses: S,
+    }
+}
+
+record! {
     /// What the boxes say of a pair.
     Boxes "boxes" {
         /// Apart along some coordinate.
@@ -24,16 +34,9 @@ record! {
     }
 }
 
-/// What is known of a pair in one plane.
-pub(super) struct Plane<'l> {
-    /// It has no common point.
-    pub apart: Sig<'l>,
-    /// If it has one, the relative interiors meet.
-    pub crosses: Sig<'l>,
-}
 
 /// The rule of section 5; what it says has no meaning for other pairs.
-pub(super) fn plane<'l>(u: Top<'l>, points: &Points<'l>, moments: &[Vec3<Sig<'l>>; 4]) -> Plane<'l> {
+pub(super) fn plane<'l>(u: Top<'l>, points: &Points<'l>, moments: &[Vec3<Sig<'l>>; 4]) -> Plane<Sig<'l>> {
     let along = [0, 1, 2].map(|j| points.along(j));
     let boxes = shared(u, "box", &along, |k, [v1, v2, w0, w1, w2]| {
         box_along([v1, v2].named_at("box_v", k), [w0, w1, w2].named_at("box_w", k)).named_at("box_lane", k)
@@ -47,27 +50,59 @@ pub(super) fn plane<'l>(u: Top<'l>, points: &Points<'l>, moments: &[Vec3<Sig<'l>
         sides_b: some(|x| x.sides_b),
     };
     let boxes = boxes.named("boxes");
-    let seen = [0, 1, 2].map(|j| any(&moments.map(|m| not_0(m[j])))).named("moment_seen");
-    // The coordinate that is left out, or 3 if all is on two lines.
-    let entry = |word: u32| i128::from(word.trailing_zeros().min(3));
-    let left_out = table(word(&seen, "moments_seen"), (0..8).map(entry).collect()).named("left_out");
+    let left_out = left_out(moments).named("left_out");
     let lines = left_out.equals(left_out.like(3)).named("lines");
     let [m0, m1, m2, n] = moments.map(|m| by_number(Some(left_out), |c| m[c as usize % 3], 3)).named("moment_c");
     let factors = factors(points, left_out, lines);
     let x = traced(components(u, "cross_in_plane", &factors), "component_c");
     let x = [[x[0], x[1], x[2]], [x[3], x[4], x[5]]];
     let no_u = (!any(&x[0].map(not_0))).named("no_u");
-    let [x1, x2] = x;
-    let of_a = [x1, [0, 1, 2].map(|l| n + (x2[l] - x1[l])), x2.map(|x| -x)];
-    let of_b = [(m0, 0), (m1, 1), (m2, 2)].map(|(m, l)| [m, m + (x1[l] - x1[(l + 1) % 3]), m + (x2[l] - x2[(l + 1) % 3])]);
-    let [area_a, area_b] = [n, (m0 + m1) + m2].map(|area| sign(area)).named("area");
-    // Sums of three.
-    let bits = n.ty().bits + 2;
-    let by_edge = [of_a, of_b].concat().into_iter().map(|x| x.map(|x| x.bits(bits)));
-    let by_edge = by_edge.collect::<Vec<_>>().named("by_edge");
+    let (by_edge, [area_a, area_b]) = sums([m0, m1, m2], n, x);
+    let by_edge = by_edge.named("by_edge");
     let areas = [[area_a; 3], [area_b; 3]].concat();
     let (parts, nearly): (Vec<_>, Vec<_>) = by_edge.into_iter().zip(areas).map(|(x, area)| edge(x, area)).unzip();
     decided(lines, no_u, parts.named("parts"), nearly.named("nearly_parts"), boxes)
+}
+
+/// For each edge of A, then of B, the side of it on which each corner of the other triangle is; the signs of both areas.
+fn sums<'l>(m: [Sig<'l>; 3], n: Sig<'l>, x: [[Sig<'l>; 3]; 2]) -> ([[Sig<'l>; 3]; 6], [Sign<'l>; 2]) {
+    let doc = [
+        "Sides of edges from components c (section 5 of docs/exact.md), and the signs of the areas n and m_0 + m_1 + m_2:",
+        "  W_l by the edges of A: x_1l, n + x_2l - x_1l, -x_2l",
+        "  V_k by edge l of B: m_l, m_l + x_1l - x_1(l+1), m_l + x_2l - x_2(l+1)",
+    ];
+    let (sides, area) = entity!("plane_sums", &doc, (m, n, x) => {
+        let next = |l: usize| (l + 1) % 3;
+        let of_a = |l: usize| [x[0][l], n + (x[1][l] - x[0][l]), -x[1][l]];
+        let of_b = |l: usize| [m[l], m[l] + (x[0][l] - x[0][next(l)]), m[l] + (x[1][l] - x[1][next(l)])];
+        // Sums of three.
+        let wide = |x: Sig<'l>| x.bits(n.ty().bits + 2);
+        let sides: [[Sig<'l>; 3]; 6] =
+            std::array::from_fn(|k| if k < 3 { [0, 1, 2].map(|l| wide(of_a(l)[k])) } else { of_b(k - 3).map(wide) });
+        let areas = [wide(n), wide((m[0] + m[1]) + m[2])].named("area");
+        (sides.named("sides"), areas.map(sign).named("area_sign"))
+    });
+    (sides, area.named("area"))
+}
+
+/// The coordinate that is left out, or 3 if all is on two lines.
+fn left_out<'l>(moments: &[Vec3<Sig<'l>>; 4]) -> Sig<'l> {
+    let doc = ["The first coordinate in which some moment is not 0, which is left out; 3 if there is none."];
+    let moments = *moments;
+    entity!("left_out_coordinate", &doc, (moments) => {
+        let seen = [0, 1, 2].map(|j| any(&moments.map(|m| not_0(m[j])))).named("seen");
+        let entry = |word: u32| i128::from(word.trailing_zeros().min(3));
+        table(word(&seen, "all_seen"), (0..8).map(entry).collect()).named("left_out")
+    })
+}
+
+/// The first of three points that is not V0, which is 0; the last if there is none.
+fn first_seen<'l>([x, y, z]: [Vec3<Sig<'l>>; 3]) -> Vec3<Sig<'l>> {
+    let doc = ["The first of three points that is not 0, or the last of them."];
+    entity!("first_point", &doc, (x, y, z) => {
+        let seen = |x: Vec3<Sig<'l>>| any(&x.signals().into_iter().map(not_0).collect::<Vec<_>>());
+        seen(x).choose(x, seen(y).choose(y, z)).named("first")
+    })
 }
 
 /// The factors of component c of v_i x w_l; in the case of lines in place of the first three those of v x w.
@@ -80,9 +115,7 @@ fn factors<'l>(points: &Points<'l>, left_out: Sig<'l>, lines: Sig<'l>) -> Vec<Fa
         })
     };
     let (v_in_plane, w_in_plane) = (v.map(projected).named("v_in_plane"), w.map(projected).named("w_in_plane"));
-    let seen = |x: Vec3<Sig<'l>>| any(&x.signals().into_iter().map(not_0).collect::<Vec<_>>());
-    let first_v = seen(v[0]).choose(v[0], v[1]).named("first_v");
-    let first_w = seen(w[0]).choose(w[0], seen(w[1]).choose(w[1], w[2])).named("first_w");
+    let [first_v, first_w] = [[v[0], v[1], v[1]], w].map(first_seen).named("first");
     let factors = |t: usize| {
         let ([vj, vk], [wj, wk]) = (v_in_plane[t / 3], w_in_plane[t % 3]);
         let in_plane = ([vj, wk], [vk, wj]);
@@ -146,19 +179,18 @@ fn decided<'l>(
     parts: Vec<Sig<'l>>,
     nearly: Vec<Sig<'l>>,
     boxes: Boxes<Sig<'l>>,
-) -> Plane<'l> {
+) -> Plane<Sig<'l>> {
     let doc = [
         "Pairs in one plane (section 5 of docs/exact.md). In a plane: separate if an edge parts the pair or the boxes are apart. On",
         "one line (u = 0): if the boxes are apart. On two lines: if B does not have V_0, where they meet.",
     ];
-    let (apart, crosses) = entity!("plane_verdict", &doc, (lines, no_u, parts, nearly, boxes) => {
+    entity!("plane_verdict", &doc, (lines, no_u, parts, nearly, boxes) => {
         let in_plane = !lines & any(&parts);
         let on_lines = lines & !no_u & !boxes.with_0;
         let two_lines = (lines & !no_u).named("two_lines");
         let through = two_lines & boxes.sides_a & boxes.sides_b;
         let near = boxes.nearly_apart | !lines & any(&nearly);
         let apart = boxes.apart | in_plane | on_lines;
-        (apart.named("apart"), (through | !two_lines & !near).named("crosses"))
-    });
-    Plane { apart, crosses }
+        Plane { apart: apart.named("apart"), crosses: (through | !two_lines & !near).named("crosses") }
+    })
 }

@@ -40,12 +40,12 @@ fn edge<'l>(ends: [Sign<'l>; 2], sides: [Sign<'l>; 3]) -> Edge<Sig<'l>> {
     })
 }
 
-/// Whether A, where it meets the plane of B, is not all beyond edge l of B, for each l.
+/// Whether the part of A in the plane of B is not all beyond edge l of B, for each l.
 fn inside<'l>(plane_b: [Sign<'l>; 3], side: [[Sign<'l>; 3]; 3]) -> [Sig<'l>; 3] {
     let doc = [
         "A meets the plane of B in a segment, which ends on the edges of A whose ends are on different sides of the plane, or",
         "one end on it. Whether some end is on the inner side of edge l of B: edge k passes the plane upward and side(k, l) is",
-        "negative, or downward and it is positive.",
+        "positive, or downward and it is negative.",
     ];
     entity!("inner_side", &doc, (plane_b, side) => {
         let [up, down] = [[1, 0], [0, 1]].map(|[from, to]: [usize; 2]| {
@@ -56,44 +56,50 @@ fn inside<'l>(plane_b: [Sign<'l>; 3], side: [[Sign<'l>; 3]; 3]) -> [Sig<'l>; 3] 
             })
         });
         let (up, down) = (up.named("up"), down.named("down"));
-        let inner = |k: usize, l: usize| up[k] & side[k][l][1] | down[k] & side[k][l][0];
+        let inner = |k: usize, l: usize| up[k] & side[k][l][0] | down[k] & side[k][l][1];
         [0, 1, 2].map(|l| any(&[inner(0, l), inner(1, l), inner(2, l)])).named("inner")
     })
 }
 
 /// The verdict of the pair and whether it is outside, then what each of the nine witnesses says: separated, overlapping.
-type Outcome<'l> = ((Sig<'l>, Sig<'l>), (Vec<Sig<'l>>, Vec<Sig<'l>>));
+type Outcome<'l> = ((Sig<'l>, Sig<'l>), ([Sig<'l>; 9], [Sig<'l>; 9]));
 
 /// The verdict of the pair.
-pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<'l>, outside: Sig<'l>) -> Outcome<'l> {
+pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<Sig<'l>>, outside: Sig<'l>) -> Outcome<'l> {
     let Fifteen { plane_a, plane_b, side } = *signs;
     let ends = |plane: &[Sign<'l>; 3], k: usize| [plane[k], plane[(k + 1) % 3]];
     let of_a = [0, 1, 2].map(|k| edge(ends(&plane_b, k), side[k]));
     let of_b = [0, 1, 2].map(|l| edge(ends(&plane_a, l), [0, 1, 2].map(|k| side[k][l])));
     let edges = [of_a, of_b].concat().named("edge");
     let inner = inside(plane_b, side).named("inner");
-    let of = |plane: &[Sign<'l>; 3], way: usize| plane.map(|sign| sign[way]);
-    let all = |flags: [Sig<'l>; 3]| flags[0] & flags[1] & flags[2];
-    let one_side = |plane: &[Sign<'l>; 3]| all(of(plane, 0)) | all(of(plane, 1));
-    let both_sides = |plane: &[Sign<'l>; 3]| any(&of(plane, 0)) & any(&of(plane, 1));
-    let in_plane = !any(&[plane_a, plane_b].concat().concat());
-    let in_plane = in_plane.named("in_plane").comment("all six plane signs are 0");
-    let skew = any(&side.concat().concat()).named("skew");
-    let hit = any(&edges.iter().map(|edge| edge.hits).collect::<Vec<_>>()).named("hit");
-    let pierced = any(&edges.iter().map(|edge| edge.pierces).collect::<Vec<_>>());
-    let straddle = both_sides(&plane_a) & both_sides(&plane_b);
-    let through = (pierced | straddle & all(inner)).named("through");
-    let apart = (in_plane & (skew | plane.apart)).named("apart");
-    let crosses = in_plane.choose(!apart & plane.crosses, through);
-    let fits = (!outside).named("fits");
-    let counts = |flags: Vec<Sig<'l>>| flags.into_iter().map(|flag| flag & fits).collect::<Vec<_>>();
-    let missed = edges.iter().map(|edge| edge.missed);
-    let separated = [apart, one_side(&plane_a), one_side(&plane_b)].into_iter().chain(missed);
-    let none = outside.unit().element(0, efsat_hardware::op::Type::FLAG);
-    let overlapping = [crosses, in_plane & !skew, none].into_iter().chain(edges.iter().map(|edge| edge.hits));
-    let (separated, overlapping) = (counts(separated.collect()), counts(overlapping.collect()));
-    let intersect = fits & in_plane.choose(!apart, hit);
-    let verdict = intersect.named("intersects").below(&[outside]).named("verdict");
-    let verdict = verdict.comment("00 separate, 01 intersect, 10 possibly incorrect");
+    let skew = any(&side.concat().concat()).named("skew").comment("some side sign is not 0");
+    let (planes, plane) = ([plane_a, plane_b], *plane);
+    let doc = [
+        "The verdict (sections 4 and 6 of docs/exact.md): of a pair in one plane by the rule for those, else intersect if an",
+        "edge hits. crosses: the relative interiors meet, as an edge pierces, or as each triangle has corners on both sides of",
+        "the other's plane and A has a part on the inner side of every edge of B. Of a pair that does not fit no flag is set.",
+    ];
+    let (verdict, (separated, overlapping)) = entity!("pair_verdict", &doc, (planes, edges, inner, skew, plane, outside) => {
+        let of = |plane: [Sign<'l>; 3], way: usize| plane.map(|sign| sign[way]);
+        let all = |flags: [Sig<'l>; 3]| flags[0] & flags[1] & flags[2];
+        let one_side = planes.map(|plane| all(of(plane, 0)) | all(of(plane, 1))).named("one_side");
+        let both_sides = planes.map(|plane| any(&of(plane, 0)) & any(&of(plane, 1))).named("both_sides");
+        let in_plane = (!any(&planes.concat().concat())).named("in_plane").comment("all six plane signs are 0");
+        let some = |of: fn(&Edge<Sig<'l>>) -> Sig<'l>| any(&edges.iter().map(of).collect::<Vec<_>>());
+        let (hit, pierced) = (some(|edge| edge.hits).named("hit"), some(|edge| edge.pierces).named("pierced"));
+        let apart = (in_plane & (skew | plane.apart)).named("apart");
+        let through = (pierced | both_sides[0] & both_sides[1] & all(inner)).named("through");
+        let crosses = in_plane.choose(!apart & plane.crosses, through).named("crosses");
+        let counts = |flags: [Sig<'l>; 9]| flags.map(|flag| flag & !outside);
+        let flags = |first: [Sig<'l>; 3], of: fn(&Edge<Sig<'l>>) -> Sig<'l>| {
+            counts(std::array::from_fn(|i| if i < 3 { first[i] } else { of(&edges[i - 3]) }))
+        };
+        let separated = flags([apart, one_side[0], one_side[1]], |edge| edge.missed);
+        let overlapping = flags([crosses, in_plane & !skew, pierced], |edge| edge.hits);
+        let intersects = (!outside & in_plane.choose(!apart, hit)).named("intersects");
+        let verdict = intersects.below(&[outside]).named("verdict");
+        (verdict, (separated.named("separated"), overlapping.named("overlapping")))
+    });
+    let verdict = verdict.named("verdict").comment("00 separate, 01 intersect, 10 possibly incorrect");
     ((verdict, outside), (separated.named("separated"), overlapping.named("overlapping")))
 }
