@@ -7,7 +7,7 @@ use crate::params::{Params, Transform};
 
 /// The points beside V0, which is the origin.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Points {
+pub(in crate::golden) struct Points {
     /// V1 and V2.
     pub v: [Vector; 2],
     /// W0, W1 and W2.
@@ -34,7 +34,7 @@ const MULTIPLIER: u32 = 18;
 
 /// The first stage of one parameter set.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Differences {
+pub(in crate::golden) struct Differences {
     transform: Transform,
     /// f, the fraction bits of the input format.
     fraction: u32,

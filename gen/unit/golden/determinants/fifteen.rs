@@ -8,7 +8,7 @@ use crate::golden::interval::three;
 
 /// Something for each of the fifteen determinants.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Fifteen<T> {
+pub(in crate::golden) struct Fifteen<T> {
     /// Of W_l against the plane of A.
     pub plane_a: [T; 3],
     /// Of V_k against the plane of B.
@@ -42,7 +42,7 @@ impl<T> Fifteen<T> {
 
 /// The ten dot products of the second level.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Dots<N> {
+pub(in crate::golden) struct Dots<N> {
     /// a_l = n . W_l.
     pub a: [N; 3],
     /// d_il = V_i . m_l, `[i - 1][l]`.

@@ -7,13 +7,13 @@
 
 mod bounds;
 mod coordinates;
-mod differences;
-mod fifteen;
-mod moments;
-mod number;
+pub(super) mod differences;
+pub(super) mod fifteen;
+pub(super) mod moments;
+pub(super) mod number;
 #[cfg(test)]
 mod tests;
-mod trace;
+pub(super) mod trace;
 mod verdict;
 
 use super::{Outcome, Pair, Pose};

@@ -7,7 +7,7 @@ use crate::params::Params;
 
 /// m_l = W_l x W_(l+1) and n_A = V1 x V2.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Moments {
+pub(in crate::golden) struct Moments {
     pub m: [Vector; 3],
     pub n: Vector,
 }

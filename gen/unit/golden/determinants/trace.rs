@@ -1,6 +1,8 @@
 //! Every inner number by name, for comparison with another implementation of docs/determinants.md.
 
 use super::differences::{Frame, Points};
+use super::fifteen::{Dots, Fifteen};
+use super::moments::Moments;
 use super::number::{Number, Vector};
 use super::verdict::{boxes_apart, edges, outcome};
 use super::{Computed, DeterminantTest};
@@ -8,10 +10,10 @@ use crate::golden::Pair;
 
 /// The record being written.
 #[derive(Default)]
-struct Record(Vec<(String, i128)>);
+pub(in crate::golden) struct Record(pub Vec<(String, i128)>);
 
 impl Record {
-    fn number(&mut self, name: impl Into<String>, x: impl Into<i128>) {
+    pub fn number(&mut self, name: impl Into<String>, x: impl Into<i128>) {
         self.0.push((name.into(), x.into()));
     }
 
@@ -27,9 +29,24 @@ impl Record {
         }
     }
 
-    fn points(&mut self, stage: &str, points: &Points) {
+    pub fn points(&mut self, stage: &str, points: &Points) {
         self.vectors(&format!("{stage}.v"), 1, &points.v);
         self.vectors(&format!("{stage}.w"), 0, &points.w);
+    }
+
+    pub fn moments(&mut self, stage: &str, moments: &Moments) {
+        self.vectors(&format!("{stage}.m"), 0, &moments.m);
+        self.vector(&format!("{stage}.n"), &moments.n);
+    }
+
+    pub fn dots<N: Number>(&mut self, dots: &Dots<N>) {
+        (0..3).for_each(|l| self.number(format!("dot.a{l}"), dots.a[l]));
+        (0..6).for_each(|i| self.number(format!("dot.d{}{}", i / 3 + 1, i % 3), dots.d[i / 3][i % 3]));
+        self.number("dot.v", dots.v);
+    }
+
+    pub fn determinants<N: Number>(&mut self, determinants: Fifteen<N>) {
+        determinants.named().for_each(|(name, x)| self.number(format!("determinant.{name}"), x));
     }
 }
 
@@ -49,15 +66,11 @@ impl DeterminantTest {
         record.vector("dropped", &coordinates.dropped.map(i64::from));
         record.number("level", coordinates.level);
         record.points("coordinate", &coordinates.points);
-        for (stage, moments) in [("exact", &moments), ("moment", &rounded)] {
-            record.vectors(&format!("{stage}.m"), 0, &moments.m);
-            record.vector(&format!("{stage}.n"), &moments.n);
-        }
+        record.moments("exact", &moments);
+        record.moments("moment", &rounded);
         record.number("shift", shift);
-        (0..3).for_each(|l| record.number(format!("dot.a{l}"), dots.a[l]));
-        (0..6).for_each(|i| record.number(format!("dot.d{}{}", i / 3 + 1, i % 3), dots.d[i / 3][i % 3]));
-        record.number("dot.v", dots.v);
-        determinants.named().for_each(|(name, x)| record.number(format!("determinant.{name}"), x));
+        record.dots(&dots);
+        record.determinants(determinants);
         bounds.named().for_each(|(name, x)| record.number(format!("bound.{name}"), x));
         signs.named().for_each(|(name, x)| record.number(format!("sign.{name}"), x));
         for (side, edges) in ["a", "b"].iter().zip(edges(&signs)) {

@@ -1,10 +1,77 @@
-//! Stub.
+//! The third method: the signs of fifteen determinants of points on a grid, nothing rounded (docs/exact.md).
+//!
+//! The differences, the moments and the determinants of sections 2 and 3 are those of the
+//! [determinant unit](super::determinants) before anything is rounded there. A pair in one plane has a rule of its own
+//! (`plane`, section 5); all others are decided by their six edges (`verdict`, sections 4 and 6).
+
+mod plane;
+#[cfg(test)]
+mod tests;
+mod trace;
+mod verdict;
+
+use super::determinants::differences::{Differences, Points};
+use super::determinants::fifteen::{Dots, Fifteen};
+use super::determinants::moments::Moments;
+use super::determinants::number::Number;
 use super::{Outcome, Pair, Pose};
 use crate::params::Params;
-#[derive(Clone, Debug)]
-pub(super) struct ExactTest;
+use plane::Components;
+use verdict::{outcome, signs};
+
+/// The exact unit of one parameter set.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct ExactTest {
+    differences: Differences,
+    /// R - 1: the greatest magnitude of a difference that fits.
+    reach: i64,
+    /// Whether the determinants, of at most 24 R^3, fit `i64`.
+    narrow: bool,
+}
+
+/// What is computed from the differences of a pair that fits, in the order of the data flow.
+struct Computed<N> {
+    moments: Moments,
+    dots: Dots<N>,
+    determinants: Fifteen<N>,
+    components: Components,
+    outcome: Outcome,
+}
+
 impl ExactTest {
-    pub fn new(_: &Params) -> Self { Self }
-    pub fn outcome(&self, _: &Pose, _: &Pair) -> Outcome { Outcome::outside() }
-    pub fn trace(&self, _: &Pose, _: &Pair) -> Vec<(String, i128)> { vec![] }
+    pub fn new(p: &Params) -> Self {
+        Self { differences: Differences::new(p), reach: (1 << (p.width - 1)) - 1, narrow: 3 * (p.width - 1) + 5 <= 63 }
+    }
+
+    /// The verdict of a pair with what each witness says.
+    pub fn outcome(&self, pose: &Pose, pair: &Pair) -> Outcome {
+        let points = self.points(pose, pair);
+        if !self.fits(&points) {
+            Outcome::outside()
+        } else if self.narrow {
+            computed::<i64>(&points).outcome
+        } else {
+            computed::<i128>(&points).outcome
+        }
+    }
+
+    /// Section 2: the five points relative to V0.
+    fn points(&self, pose: &Pose, pair: &Pair) -> Points {
+        self.differences.points(&self.differences.frame(pose), pair)
+    }
+
+    /// Whether the unit decides the pair.
+    fn fits(&self, Points { v, w }: &Points) -> bool {
+        v.iter().chain(w).flatten().all(|x| x.abs() <= self.reach)
+    }
+}
+
+/// Sections 3 to 6.
+fn computed<N: Number>(points: &Points) -> Computed<N> {
+    let moments = Moments::new(points);
+    let dots = Dots::new(points, &moments);
+    let determinants = dots.determinants();
+    let components = Components::new(points, &moments);
+    let outcome = outcome(&signs(&determinants), || components.position::<N>(points, &moments));
+    Computed { moments, dots, determinants, components, outcome }
 }

@@ -1,0 +1,37 @@
+//! Every inner number by name, for comparison with another implementation of docs/exact.md.
+
+use super::{Computed, ExactTest, computed};
+use crate::golden::determinants::differences::Points;
+use crate::golden::determinants::number::Number;
+use crate::golden::determinants::trace::Record;
+use crate::golden::{Outcome, Pair, Pose};
+
+impl ExactTest {
+    /// See [`Golden::trace`](crate::golden::Golden::trace).
+    pub fn trace(&self, pose: &Pose, pair: &Pair) -> Vec<(String, i128)> {
+        let points = self.points(pose, pair);
+        let mut record = Record::default();
+        record.points("difference", &points);
+        let outcome = if !self.fits(&points) {
+            Outcome::outside()
+        } else if self.narrow {
+            record_computed::<i64>(&mut record, &points)
+        } else {
+            record_computed::<i128>(&mut record, &points)
+        };
+        record.number("verdict", outcome.verdict as u8);
+        record.0
+    }
+}
+
+/// The numbers of a pair that fits.
+fn record_computed<N: Number>(record: &mut Record, points: &Points) -> Outcome {
+    let Computed { moments, dots, determinants, components, outcome } = computed::<N>(points);
+    record.moments("moment", &moments);
+    record.dots(&dots);
+    record.determinants(determinants);
+    for (t, x) in components.products(points).into_iter().enumerate() {
+        record.number(format!("component.{t}"), x);
+    }
+    outcome
+}
