@@ -11,7 +11,7 @@ use rand::RngExt;
 use rand::rngs::ChaCha8Rng;
 
 use crate::golden::{Input, Pair, Pose};
-use crate::params::{Params, Transform, Upper};
+use crate::params::{Method, Params, Transform, Upper};
 
 /// A pair of random triangles of mixed sizes, many of them near contact, in one frame (for a bypassed pose).
 pub fn random_pair(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
@@ -23,6 +23,9 @@ pub fn random_pair(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
 /// As [`random_pair`], with the relation between the triangles (near contact and so on) holding after the pose, as far
 /// as B~ then fits the declared range.
 pub fn random_pair_under(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose) -> Pair {
+    if params.method == Method::Exact {
+        return grid_pair(rng, params, pose);
+    }
     if pose.bypass {
         return random_pair(rng, params);
     }
@@ -37,6 +40,44 @@ pub fn random_pair_under(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose) -> 
         *point = (inverse * x * (one / bound)).into();
     }
     quantised_pair(rng, &points, params.coordinate_bound())
+}
+
+/// A pair of the exact unit, almost always one that fits, of any size and anywhere: small multiples of two or three
+/// directions, so that vertices are on edges and planes of the other triangle and many pairs are in one plane or on two
+/// lines; some points are off by one.
+fn grid_pair(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose) -> Pair {
+    let size = 1 << rng.random_range(0..=params.width - 5);
+    let directions = rng.random_range(1..=3);
+    let [x, y, z] = [(); 3].map(|()| [(); 3].map(|()| rng.random_range(-size..=size)));
+    let lines = rng.random_range(0..8) == 0;
+    let mut point = |i: usize| {
+        let mut times = [(); 3].map(|()| rng.random_range(-2..=2));
+        times[directions..].fill(0);
+        if lines {
+            // A on one line, B on another that meets it.
+            times = [if i < 3 { times[0] } else { 0 }, if i < 3 { 0 } else { times[0] }, 0];
+        }
+        let off = if rng.random_range(0..16) == 0 { rng.random_range(-1..=1) } else { 0 };
+        std::array::from_fn(|j| times[0] * x[j] + times[1] * y[j] + times[2] * z[j] + off)
+    };
+    let points: [[i64; 3]; 6] = std::array::from_fn(&mut point);
+    placed(rng, params, pose, points)
+}
+
+/// Points of a grid moved to anywhere where all words hold them, B~ so that it comes there.
+fn placed(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose, points: [[i64; 3]; 6]) -> Pair {
+    let bound = params.coordinate_bound() as i64;
+    let t = if pose.bypass || params.transform == Transform::Off { [0; 3] } else { pose.t.map(|x| x.lo) };
+    let place: [i64; 3] = std::array::from_fn(|j| {
+        let a = points[..3].iter().map(|x| x[j]);
+        let all = a.chain(points[3..].iter().map(|x| x[j] - t[j]));
+        let (least, most) = all.fold((i64::MAX, i64::MIN), |(least, most), x| (least.min(x), most.max(x)));
+        if most - least > 2 * bound { 0 } else { rng.random_range(-bound - least..=bound - most) }
+    });
+    let at = |i: usize, t: [i64; 3]| {
+        std::array::from_fn(|j| Input::exact((points[i][j] - t[j] + place[j]).clamp(-bound, bound)))
+    };
+    Pair { a: [0, 1, 2].map(|i| at(i, [0; 3])), b: [3, 4, 5].map(|i| at(i, t)) }
 }
 
 /// A proper rotation with a translation in the declared range; sometimes axis-parallel, sometimes bypassed.
@@ -74,6 +115,13 @@ pub fn random_pose(rng: &mut ChaCha8Rng, params: &Params) -> Pose {
 
 /// A pair whose every coordinate is at an end, at the middle or next to one of them in its declared range.
 pub fn corner_pair(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
+    if params.method == Method::Exact {
+        // Differences at the ends of what fits, and one beyond.
+        let half = 1 << (params.width - 2);
+        let ends = [-half, 1 - half, -1, 0, 1, half - 1, half];
+        let points = [(); 6].map(|()| [(); 3].map(|()| ends[rng.random_range(0..ends.len())]));
+        return placed(rng, params, &Pose::identity(params), points);
+    }
     let bound = params.coordinate_bound() as i64;
     let mut triangle = || [(); 3].map(|()| [(); 3].map(|()| corner(rng, bound)));
     Pair { a: triangle(), b: triangle() }
@@ -114,9 +162,11 @@ impl Outside {
         let sticky = params.upper == Upper::Sticky;
         let lo = match self {
             Self::JustBelow => -bound - 1,
-            Self::JustAbove => bound + i64::from(!sticky),
+            Self::JustAbove => (bound + i64::from(!sticky)).min(end - 1),
             Self::Least => -end,
             Self::Greatest => end - 1,
+            // Of the exact unit no word is outside by itself.
+            Self::Anywhere if bound + 1 == end => rng.random_range(-end..end),
             Self::Anywhere if rng.random() => rng.random_range(bound + 1..end),
             Self::Anywhere => rng.random_range(-end..-bound),
         };

@@ -17,14 +17,20 @@ fn count(bits: u32) -> u32 {
 
 /// A number with 2^17 added to each digit but the highest: the digits can then be cut out of it, each less 2^17.
 pub fn offset(x: Sig<'_>) -> Sig<'_> {
-    let bits = x.ty().bits;
-    if count(bits) == 1 {
-        return x;
+    let of_digits = |digits: u32| {
+        let added = (0..digits - 1).map(|i| 1 << (BELOW + MULTIPLIER_BITS * i)).sum();
+        let sum =
+            x + x.unit().constant(added, Type { bits: x.ty().bits.max(MULTIPLIER_BITS * (digits - 1) + 1), ..x.ty() });
+        let (least, most) = sum.range();
+        sum.bits(129 - most.max(-1 - least).leading_zeros())
+    };
+    match count(x.ty().bits) {
+        1 => x,
+        // What is added may take one more.
+        digits => Some(of_digits(digits))
+            .filter(|sum| count(sum.ty().bits) == digits)
+            .unwrap_or_else(|| of_digits(digits + 1)),
     }
-    let added = (0..count(bits) - 1).map(|i| 1 << (BELOW + MULTIPLIER_BITS * i)).sum();
-    let sum = x + x.like(added);
-    let (least, most) = sum.range();
-    sum.bits(129 - most.max(-1 - least).leading_zeros())
 }
 
 /// The digits of a number that has its offset, the lowest first. Each takes a multiplier's width, from -2^17 to 2^17 - 1.
@@ -35,7 +41,8 @@ fn digits(x: Sig<'_>) -> Vec<Sig<'_>> {
     let wide = |bits: u32| Type { signed: true, bits, fraction: None };
     // The highest bit of a digit less 2^17 is a sign once it is inverted.
     let sign = !x.floor(BELOW as i32).low(1);
-    let digit = x.low(BELOW).resize(wide(MULTIPLIER_BITS)) - sign.floor(-(BELOW as i32)).resize(wide(MULTIPLIER_BITS + 1));
+    let digit =
+        x.low(BELOW).resize(wide(MULTIPLIER_BITS)) - sign.floor(-(BELOW as i32)).resize(wide(MULTIPLIER_BITS + 1));
     [vec![digit.bits(MULTIPLIER_BITS)], digits(x.floor(MULTIPLIER_BITS as i32))].concat()
 }
 

@@ -34,7 +34,6 @@ record! {
     }
 }
 
-
 /// The rule of section 5; what it says has no meaning for other pairs.
 pub(super) fn plane<'l>(u: Top<'l>, points: &Points<'l>, moments: &[Vec3<Sig<'l>>; 4]) -> Plane<Sig<'l>> {
     let along = [0, 1, 2].map(|j| points.along(j));

@@ -60,6 +60,12 @@ impl ExactTest {
         self.differences.points(&self.differences.frame(pose), pair)
     }
 
+    /// What the unit goes on with: 0 in place of what does not fit.
+    fn held(&self, Points { v, w }: &Points) -> Points {
+        let fit = |x: &[i64; 3]| x.map(|x| if x.abs() <= self.reach { x } else { 0 });
+        Points { v: v.each_ref().map(fit), w: w.each_ref().map(fit) }
+    }
+
     /// Whether the unit decides the pair.
     fn fits(&self, Points { v, w }: &Points) -> bool {
         v.iter().chain(w).flatten().all(|x| x.abs() <= self.reach)

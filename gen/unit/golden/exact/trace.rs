@@ -12,26 +12,26 @@ impl ExactTest {
         let points = self.points(pose, pair);
         let mut record = Record::default();
         record.points("difference", &points);
-        let outcome = if !self.fits(&points) {
-            Outcome::outside()
-        } else if self.narrow {
-            record_computed::<i64>(&mut record, &points)
+        let held = self.held(&points);
+        let outcome = if self.narrow {
+            record_computed::<i64>(&mut record, &held)
         } else {
-            record_computed::<i128>(&mut record, &points)
+            record_computed::<i128>(&mut record, &held)
         };
+        let outcome = if self.fits(&points) { outcome } else { Outcome::outside() };
         record.number("verdict", outcome.verdict as u8);
         record.0
     }
 }
 
-/// The numbers of a pair that fits.
+/// The numbers of a pair, 0 in place of those that do not fit.
 fn record_computed<N: Number>(record: &mut Record, points: &Points) -> Outcome {
     let Computed { moments, dots, determinants, components, outcome } = computed::<N>(points);
     record.moments("moment", &moments);
     record.dots(&dots);
     record.determinants(determinants);
     for (t, x) in components.products(points).into_iter().enumerate() {
-        record.number(format!("component.{t}"), x);
+        record.number(format!("component.c{t}"), x);
     }
     outcome
 }

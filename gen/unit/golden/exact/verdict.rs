@@ -86,7 +86,8 @@ pub(super) fn outcome(signs: &Signs, in_plane: impl FnOnce() -> Position) -> Out
     let one_side = |plane: &[i8; 3]| *plane == [1; 3] || *plane == [-1; 3];
     let mut separated =
         u32::from(flat && separate) | u32::from(one_side(plane_a)) << 1 | u32::from(one_side(plane_b)) << 2;
-    let mut overlapping = u32::from(crosses) | u32::from(coplanar) << 1;
+    let pierced = edges.iter().any(|edge| edge.pierces);
+    let mut overlapping = u32::from(crosses) | u32::from(coplanar) << 1 | u32::from(pierced) << 2;
     for (i, edge) in (3..).zip(edges) {
         separated |= u32::from(edge.misses) << i;
         overlapping |= u32::from(edge.hits) << i;
