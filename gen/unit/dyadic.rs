@@ -96,6 +96,12 @@ impl Dyadic {
         inside.then_some(Input { lo: lo as i64, sticky })
     }
 
+    /// The coordinates of points as integers, all with one last place.
+    pub(crate) fn together<const N: usize>(points: [[Self; 3]; N]) -> [[BigInt; 3]; N] {
+        let exponent = points.iter().flatten().filter(|x| !x.is_zero()).map(|x| x.exponent).min().unwrap_or(0);
+        points.map(|point| point.map(|x| if x.is_zero() { BigInt::ZERO } else { x.refined(exponent).mantissa }))
+    }
+
     /// Both mantissas at the lesser exponent.
     fn aligned(&self, other: &Self) -> (BigInt, BigInt, i64) {
         let exponent = self.exponent.min(other.exponent);

@@ -14,7 +14,7 @@ use efsat_geometry::exact::{self, Exact, linear_programme};
 use efsat_geometry::software::retest::retest_batch;
 use efsat_unit::golden::{Golden, Pair, Pose, Verdict};
 use efsat_unit::host::{Host, loose_pair};
-use efsat_unit::params::Params;
+use efsat_unit::params::{Method, Params};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
@@ -154,20 +154,41 @@ impl Asked {
     }
 
     /// The verdicts of many pairs, in their order.
-    fn verdicts(&self, pairs: &[Pair]) -> Vec<Verdict> {
-        let mut verdicts = Vec::with_capacity(pairs.len());
-        self.golden.verdicts(&self.identity, pairs, &mut verdicts);
+    fn verdicts(&self, read: &Read) -> Vec<Verdict> {
+        let mut verdicts = Vec::with_capacity(read.pairs.len());
+        self.golden.verdicts(&self.identity, &read.pairs, &mut verdicts);
+        read.decided.iter().for_each(|(i, verdict)| verdicts[*i] = *verdict);
         verdicts
     }
 }
 
-/// Pairs as a design reads them; loose pairs are always inside the declared ranges.
-fn quantised(pairs: &[Points], params: &Params) -> Vec<Pair> {
-    let unit = |points: &Points| match loose_pair(points, params) {
-        Host::Unit(pair) => pair,
-        Host::Decided(verdict) => unreachable!("a loose pair decided by the host: {verdict}"),
-    };
-    pairs.iter().map(unit).collect()
+/// Pairs as a design reads them.
+#[derive(Default)]
+struct Read {
+    pairs: Vec<Pair>,
+    /// What the host has decided, by place; some pair is there. It is nothing but for the exact unit.
+    decided: Vec<(usize, Verdict)>,
+}
+
+impl Read {
+    fn new(pairs: &[Points], params: &Params) -> Self {
+        let mut read = Self::default();
+        for (i, points) in pairs.iter().enumerate() {
+            read.pairs.push(match loose_pair(points, params) {
+                Host::Unit(pair) => pair,
+                Host::Decided(verdict) => {
+                    read.decided.push((i, verdict));
+                    Pair::default()
+                }
+            });
+        }
+        read
+    }
+}
+
+/// Designs of which this is equal read the same numbers: a format, or for the exact unit a width.
+fn reading(params: &Params) -> (i32, Option<u32>) {
+    (params.input().fraction, (params.method == Method::Exact).then_some(params.width))
 }
 
 impl Soak {
@@ -210,13 +231,11 @@ impl Soak {
         let (mut tally, mut faults) = (Tally::default(), vec![]);
         truths.iter().for_each(|truth| tally.count(*truth));
         let mut checked: Vec<usize> = (0..pairs.len()).filter(|i| (first + *i as u64).is_multiple_of(SAMPLE)).collect();
-        // Designs with one format of inputs read the same numbers.
-        let mut read: HashMap<i32, Vec<Pair>> = HashMap::new();
+        let mut all: HashMap<(i32, Option<u32>), Read> = HashMap::new();
         for design in &self.designs {
-            let format = design.params.input().fraction;
-            let numbers = read.entry(format).or_insert_with(|| quantised(&pairs, &design.params));
+            let read = all.entry(reading(&design.params)).or_insert_with(|| Read::new(&pairs, &design.params));
             let mut answers = Answers::default();
-            for (i, (verdict, truth)) in design.verdicts(numbers).into_iter().zip(&truths).enumerate() {
+            for (i, (verdict, truth)) in design.verdicts(read).into_iter().zip(&truths).enumerate() {
                 answers.count(verdict);
                 if wrong(verdict, *truth) {
                     answers.wrong += 1;

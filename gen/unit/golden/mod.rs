@@ -1,8 +1,9 @@
 //! The reference model: what the unit answers, bit for bit, written from the numeric contract and from nothing else.
 //!
-//! A [`Pair`] of quantised triangles under a [`Pose`] is answered by one of two methods: separating axes in interval
-//! arithmetic (`axis_test`, docs/contract.md) or determinants with error bounds (`determinants`, docs/determinants.md). What
-//! is read, the guard, the three verdicts and what [`Golden`] offers are the same.
+//! A [`Pair`] of quantised triangles under a [`Pose`] is answered by one of three methods: separating axes in interval
+//! arithmetic (`axis_test`, docs/contract.md), determinants with error bounds (`determinants`, docs/determinants.md), or
+//! determinants without error of points on a grid (`exact`, docs/exact.md). What is read, the three verdicts and what
+//! [`Golden`] offers are the same.
 //!
 //! [`Unrounded`] is the first method with some of the roundings left out: the arithmetic is generic over its numbers, which
 //! are integers for the unit and have further digits there.
@@ -131,6 +132,11 @@ impl Golden {
     /// rounding, and `moment.m{l}_{x}`, `moment.n_{x}` after it; `shift`, what their rounding drops; `dot.a{l}`,
     /// `dot.d{i}{l}`, `dot.v`; `determinant.{name}`; `bound.{name}` in eighths; `sign.{name}`, -1, 0 or 1; `missed.a{k}`,
     /// `missed.b{l}`, `pierces.a{k}`, `pierces.b{l}`; `boxes_apart`; `verdict`.
+    ///
+    /// **Exact**: single numbers, with the names of the determinants where they are the same: `difference`, `moment` (not
+    /// rounded), `dot`, `determinant`; `component.{t}`, t = 0 to 5, what the multipliers of section 5 give: x_1l and x_2l, or
+    /// for triangles on a line each u and the first components of v_2 x w_l; `verdict`. Of a pair that does not fit there
+    /// are the differences and the verdict alone.
     pub fn trace(&self, pose: &Pose, pair: &Pair) -> Vec<(String, Interval<i128>)> {
         let (pose, pair) = self.guard.held(pose, pair);
         match &self.test {

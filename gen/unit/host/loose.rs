@@ -3,17 +3,21 @@
 use num_bigint::BigInt;
 use num_traits::Signed;
 
-use super::Host;
+use super::{Host, grid};
 use crate::dyadic::decoded;
 use crate::golden::{Input, Pair};
-use crate::params::Params;
+use crate::params::{Method, Params};
+use efsat_geometry::exact;
 
 /// An integer wide enough for the pair at hand.
-trait Whole:
+pub(super) trait Whole:
     Signed + Ord + Clone + From<i64> + std::ops::Shl<u32, Output = Self> + std::ops::Shr<u32, Output = Self>
 {
     /// The number of bits of a non-negative number.
     fn length(&self) -> u32;
+
+    /// How often two divides a number that is not zero.
+    fn twos(&self) -> u32;
 
     /// The low bits; only asked for what fits.
     fn low(&self) -> i64;
@@ -22,6 +26,10 @@ trait Whole:
 impl Whole for i128 {
     fn length(&self) -> u32 {
         Self::BITS - self.leading_zeros()
+    }
+
+    fn twos(&self) -> u32 {
+        self.trailing_zeros()
     }
 
     fn low(&self) -> i64 {
@@ -34,6 +42,10 @@ impl Whole for BigInt {
         self.bits() as u32
     }
 
+    fn twos(&self) -> u32 {
+        self.trailing_zeros().map_or(0, |twos| twos as u32)
+    }
+
     fn low(&self) -> i64 {
         i64::try_from(self).expect("a normalised coordinate has at most 48 bits")
     }
@@ -43,28 +55,46 @@ impl Whole for BigInt {
 /// box, scaled by the largest power of two with all |coordinates| <= 1 (by 1 if all six points coincide).
 ///
 /// Such a pair is always inside the declared ranges and its pose is [`Pose::identity`](crate::golden::Pose::identity).
+///
+/// For the exact unit the pair is moved to V0 instead and put on its own grid: scaled by the least power of two with
+/// which all differences are whole. One whose differences do not fit then is decided here.
 pub fn loose_pair(points: &[[f64; 3]; 6], params: &Params) -> Host {
     let numbers = points.map(|point| point.map(decoded));
     let nonzero = || numbers.iter().flatten().filter(|(mantissa, _)| *mantissa != 0);
     let grid = nonzero().map(|&(_, exponent)| exponent).min().unwrap_or(0);
     let top = nonzero().map(|&(m, exponent)| exponent + i128::from(m).abs().length() as i32).max().unwrap_or(0);
-    let fraction = params.input().fraction;
     // 2x - (min + max) has two bits more than x, and a sign.
-    Host::Unit(if top - grid <= 120 {
+    let short = top - grid <= 120;
+    if params.method == Method::Exact {
+        let pair = if short {
+            grid::pair(&points_at::<i128>(&numbers, grid), params.width)
+        } else {
+            grid::pair(&points_at::<BigInt>(&numbers, grid), params.width)
+        };
+        return pair.map_or_else(|| Host::exactly(exact::pair(points)), Host::Unit);
+    }
+    let fraction = params.input().fraction;
+    Host::Unit(if short {
         normalised::<i128>(&numbers, grid, fraction)
     } else {
         normalised::<BigInt>(&numbers, grid, fraction)
     })
 }
 
-/// The pair whose coordinates are the given multiples of powers of two, none finer than 2^grid.
-fn normalised<Z: Whole>(numbers: &[[(i64, i32); 3]; 6], grid: i32, fraction: i32) -> Pair {
+/// Coordinates in units of 2^grid, none of them finer.
+fn points_at<Z: Whole>(numbers: &[[(i64, i32); 3]; 6], grid: i32) -> [[Z; 3]; 6] {
     let at_grid = |(mantissa, exponent): (i64, i32)| {
         if mantissa == 0 { Z::zero() } else { Z::from(mantissa) << (exponent - grid) as u32 }
     };
+    numbers.map(|point| point.map(at_grid))
+}
+
+/// The pair whose coordinates are the given multiples of powers of two, none finer than 2^grid.
+fn normalised<Z: Whole>(numbers: &[[(i64, i32); 3]; 6], grid: i32, fraction: i32) -> Pair {
+    let points = points_at::<Z>(numbers, grid);
     // Twice the centred coordinates, so that the midpoint is an integer; by axis, then by point.
     let doubled = [0, 1, 2].map(|axis| {
-        let x = numbers.map(|point| at_grid(point[axis]));
+        let x = points.each_ref().map(|point| point[axis].clone());
         let (low, high) = (x.iter().min(), x.iter().max());
         let ends = low.into_iter().chain(high).fold(Z::zero(), |sum, end| sum + end.clone());
         x.map(|x| (x << 1) - ends.clone())

@@ -5,6 +5,7 @@
 
 mod boxes;
 pub mod driver;
+mod grid;
 mod loose;
 pub mod sample;
 mod scene;
@@ -21,15 +22,26 @@ pub use scene::{SceneHost, ScenePose};
 pub use stage::{Posed, Stage};
 
 use crate::golden::{Pair, Verdict};
+use efsat_geometry::exact::Exact;
 
 /// What the host makes of a pair.
 // A boxed pair would cost an allocation for every pair of a scene.
 #[allow(clippy::large_enum_variant)]
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Host {
-    /// Inside the declared ranges: for the unit.
+    /// Inside the declared ranges, or for the exact unit a pair that fits: for the unit.
     Unit(Pair),
     /// Outside the declared ranges: decided here, `separate` if the boxes are strictly disjoint, else
-    /// `possibly-incorrect`.
+    /// `possibly-incorrect`. Beside the exact unit the host decides exactly, `separate` or `intersect`, what does not fit.
     Decided(Verdict),
+}
+
+impl Host {
+    /// A pair that is decided here by its exact answer.
+    fn exactly(answer: Exact) -> Self {
+        Self::Decided(match answer {
+            Exact::Separate => Verdict::Separate,
+            Exact::Touch | Exact::Intersect => Verdict::Intersect,
+        })
+    }
 }

@@ -2,11 +2,12 @@
 
 use std::borrow::Cow;
 
-use super::Host;
 use super::boxes::Boxes;
+use super::{Host, grid};
 use crate::dyadic::Dyadic;
 use crate::golden::{Input, Numbers, Pair, Pose};
-use crate::params::{Params, Transform};
+use crate::params::{Method, Params, Transform};
+use efsat_geometry::exact;
 use efsat_hardware::number::Interval;
 
 /// Two meshes, each centred on the exact midpoint of its own box and both scaled by the largest power of two with
@@ -28,17 +29,40 @@ pub struct ScenePose<'a> {
     pub pose: Pose,
     a: &'a [[Input; 3]],
     b: Cow<'a, [[Input; 3]]>,
-    outside: Outside,
+    outside: Outside<'a>,
 }
 
 /// Which pairs are outside the declared ranges.
 #[derive(Clone, Debug)]
-enum Outside {
+enum Outside<'a> {
     None,
     /// Those that use a marked vertex of B.
     Vertices(Vec<bool>, Boxes),
     /// All, because the pose itself is.
     All(Boxes),
+    /// Those that do not fit the exact unit, each moved to its own V0 and put on its own grid.
+    OffGrid(OffGrid<'a>),
+}
+
+/// A scene in one pose for the exact unit, which reads neither the pose nor the normalised meshes.
+#[derive(Clone, Debug)]
+struct OffGrid<'a> {
+    host: &'a SceneHost,
+    m: [[f64; 3]; 3],
+    t: [f64; 3],
+    /// The vertices of B in the frame of A.
+    images: Vec<[Dyadic; 3]>,
+}
+
+impl OffGrid<'_> {
+    fn pair(&self, a: [usize; 3], b: [usize; 3]) -> Host {
+        let [of_a, of_b] = &self.host.vertices;
+        let [v, w] = [a.map(|i| of_a[i]), b.map(|i| of_b[i])];
+        let [v0, v1, v2] = v.map(|vertex| vertex.map(Dyadic::from));
+        let [w0, w1, w2] = b.map(|i| self.images[i].clone());
+        let pair = grid::pair(&Dyadic::together([v0, v1, v2, w0, w1, w2]), self.host.params.width);
+        pair.map_or_else(|| Host::exactly(exact::posed_pair(&v, &w, &self.m, &self.t)), Host::Unit)
+    }
 }
 
 impl SceneHost {
@@ -69,7 +93,7 @@ impl SceneHost {
     ///
     /// In normalised coordinates the translation becomes t' = s (M c_B + t - c_A), exactly. A unit that cannot do the
     /// pose (no transform, or a translation only) gets vertices of B to which it has been applied, exactly, before
-    /// quantisation.
+    /// quantisation. The exact unit gets every pair as [`loose_pair`](super::loose_pair) makes it, after the pose.
     pub fn pose(&self, m: &[[f64; 3]; 3], t: &[f64; 3]) -> ScenePose<'_> {
         let motion = Motion { m: m.map(|row| row.map(Dyadic::from)), t: t.map(Dyadic::from) };
         let (way, shift) = self.way(m, &motion);
@@ -79,6 +103,10 @@ impl SceneHost {
             b: Cow::Borrowed(&self.inputs[1]),
             outside: Outside::None,
         };
+        if self.params.method == Method::Exact {
+            scene.outside = Outside::OffGrid(OffGrid { host: self, m: *m, t: *t, images: self.images(&motion) });
+            return scene;
+        }
         match way {
             Way::Host => return self.moved(&motion),
             Way::None => {}
@@ -191,6 +219,7 @@ impl ScenePose<'_> {
     pub fn pair(&self, a: [u32; 3], b: [u32; 3]) -> Host {
         let (a, b) = (a.map(|i| i as usize), b.map(|i| i as usize));
         match &self.outside {
+            Outside::OffGrid(scene) => scene.pair(a, b),
             Outside::All(boxes) => Host::Decided(boxes.verdict(a, b)),
             Outside::Vertices(marked, boxes) if b.iter().any(|&i| marked[i]) => Host::Decided(boxes.verdict(a, b)),
             _ => Host::Unit(Pair { a: a.map(|i| self.a[i]), b: b.map(|i| self.b[i]) }),

@@ -11,8 +11,9 @@ use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
 use super::{Host, SceneHost, loose_pair};
-use crate::golden::{Input, Pair, Pose, Verdict};
-use crate::params::{Params, Transform};
+use crate::golden::{Golden, Input, Pair, Pose, Verdict};
+use crate::params::{Method, Params, Transform};
+use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample;
 
 type Real = Ratio<BigInt>;
@@ -263,4 +264,89 @@ fn a_point_mesh_keeps_its_scale() {
     assert_eq!(scene.pose.t[0], Input::exact(3 << 27));
     // Nothing to read from a mesh without vertices, but it can be posed.
     assert!(SceneHost::new(&[], &[], &p).pose(&IDENTITY, &[0.0; 3]).pose.bypass);
+}
+
+/// What the host makes of a pair for the exact unit: the pair relative to V0 on its coarsest grid, if that fits.
+fn check_grid(host: Host, points: &[[Real; 3]; 6], truth: Exact, p: &Params) -> bool {
+    let differences = points.each_ref().map(|point| [0, 1, 2].map(|j| &point[j] - &points[0][j]));
+    // How often two divides a number; its denominator is a power of two.
+    let twos = |x: &Real| x.numer().trailing_zeros().unwrap() as i64 - x.denom().trailing_zeros().unwrap() as i64;
+    let grid = differences.iter().flatten().filter(|x| !x.is_zero()).map(twos).min().unwrap_or(0);
+    let whole = differences.map(|point| point.map(|x| (x * two_to(-grid)).to_integer()));
+    let fits = whole.iter().flatten().all(|x| x.bits() < u64::from(p.width));
+    let expected = if truth == Exact::Separate { Verdict::Separate } else { Verdict::Intersect };
+    match host {
+        Host::Unit(pair) => {
+            let read = pair.a.iter().chain(&pair.b).flatten();
+            assert!(fits && read.clone().all(|x| !x.sticky));
+            assert!(read.map(|x| BigInt::from(x.lo)).eq(whole.into_iter().flatten()));
+            assert_eq!(Golden::new(p).verdict(&Pose::identity(p), &pair), expected);
+        }
+        Host::Decided(verdict) => assert_eq!((fits, verdict), (false, expected)),
+    }
+    fits
+}
+
+#[test]
+fn the_exact_unit_gets_pairs_on_their_own_grid() {
+    let mut rng = ChaCha8Rng::seed_from_u64(5);
+    for (width, transform) in [(6, Transform::Off), (18, Transform::Translate), (32, Transform::Off)] {
+        let p = Params { width, transform, ..Params::of(Method::Exact) };
+        let mut fit = 0;
+        for round in 0..1500 {
+            // Coordinates of few bits at any place, on several grids, and some that no grid holds.
+            let bits = rng.random_range(1..=width + 2);
+            let mut unit = f64::from(rng.random_range(-1000..900)).exp2();
+            let at = f64::from(rng.random_range(-(1i64 << 20)..1 << 20) as i32) * unit;
+            let mut points = [(); 6].map(|()| [(); 3].map(|()| at + rng.random_range(0..1i64 << bits) as f64 * unit));
+            match round % 10 {
+                0 => points = sample::random_points(&mut rng),
+                1 => (points[4], points[5]) = (points[3], points[3]),
+                2 => points[3] = points[1],
+                3 => points[5][2] = 1e300,
+                4 => {
+                    // One plane that is at the other end of binary64.
+                    unit = 1e-300;
+                    points = [(); 6].map(|()| [1e300, 5.0 * unit, rng.random_range(0..4) as f64 * unit]);
+                }
+                5 => points = [points[0]; 6],
+                _ => {}
+            }
+            fit +=
+                i32::from(check_grid(loose_pair(&points, &p), &points.map(|x| x.map(real)), exact::pair(&points), &p));
+        }
+        assert!((400..1400).contains(&fit), "{fit}");
+    }
+}
+
+#[test]
+fn the_exact_unit_gets_scenes_after_their_pose() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    let (turned, mut fit) = ([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], [0; 3]);
+    for transform in [Transform::Off, Transform::Translate] {
+        let p = Params { transform, width: 10, ..Params::of(Method::Exact) };
+        for _ in 0..20 {
+            let mut mesh = || (0..6).map(|_| [(); 3].map(|()| f64::from(rng.random_range(-200..200)) / 4.0)).collect();
+            let [a, b]: [Vec<[f64; 3]>; 2] = [mesh(), mesh()];
+            let t = [0.25, -1e3, 7.5].map(|x| if rng.random() { x } else { 0.0 });
+            let host = SceneHost::new(&a, &b, &p);
+            for (m, fit) in [IDENTITY, turned, ODD].iter().zip(&mut fit) {
+                let scene = host.pose(m, &t);
+                assert!(scene.pose.bypass);
+                let image = |x: &[f64; 3]| {
+                    [0, 1, 2].map(|i| (0..3).fold(real(t[i]), |sum, j| sum + real(m[i][j]) * real(x[j])))
+                };
+                for k in 0..6 {
+                    let (v, w) = ([k, 0, 1], [k, 2, k]);
+                    let (of_a, of_b) = (v.map(|i| a[i as usize]), w.map(|i| b[i as usize]));
+                    let [v0, v1, v2] = of_a.map(|x| x.map(real));
+                    let [w0, w1, w2] = of_b.each_ref().map(image);
+                    let truth = exact::posed_pair(&of_a, &of_b, m, &t);
+                    *fit += i32::from(check_grid(scene.pair(v, w), &[v0, v1, v2, w0, w1, w2], truth, &p));
+                }
+            }
+        }
+    }
+    // Rotations by other angles leave no grid.
+    assert!(fit[0] > 20 && fit[1] > 20 && fit[2] == 0, "{fit:?}");
 }

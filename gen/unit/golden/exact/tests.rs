@@ -1,15 +1,18 @@
-//! The exact unit against the oracle: not a definite answer that is right, but the same answer for every pair that fits.
+//! The exact unit against the oracle: every pair that fits has the oracle's answer, and its kind of contact too.
 
 use rand::rngs::ChaCha8Rng;
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 
 use crate::golden::{Golden, Input, Outcome, Pair, Pose, Verdict};
-use crate::params::{Method, Params};
+use crate::params::{Method, Params, Transform};
 use efsat_geometry::exact::{self, Exact, Relation};
 
 type Point = [i64; 3];
 type Points = [Point; 6];
+
+/// The orders of three things.
+const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2, 0, 1], [2, 1, 0]];
 
 /// Both triangles as the unit reads them.
 fn read(points: &Points) -> Pair {
@@ -22,16 +25,19 @@ fn truth(points: &Points) -> Relation {
     exact::relation(&points.map(|point| point.map(|x| x as f64)))
 }
 
-/// The unit that takes differences of `width` bits.
-fn golden(width: u32) -> Golden {
+fn params(width: u32) -> Params {
     let p = Params { width, transform_width: width + 4, ..Params::of(Method::Exact) };
     p.validate().unwrap();
-    Golden::new(&p)
+    p
+}
+
+/// The unit that takes differences of `width` bits.
+fn golden(width: u32) -> Golden {
+    Golden::new(&params(width))
 }
 
 fn outcome(golden: &Golden, points: &Points) -> Outcome {
-    let p = Params::of(Method::Exact);
-    golden.outcome(&Pose::identity(&p), &read(points))
+    golden.outcome(&Pose::identity(&params(6)), &read(points))
 }
 
 /// The verdict, whether the triangles cross, and whether they are in one plane, all as the oracle says.
@@ -108,6 +114,55 @@ fn small(rng: &mut ChaCha8Rng) -> Points {
     points
 }
 
+/// A pair of differences up to R - 1, with large determinants that are 0 or nearly so.
+fn large(rng: &mut ChaCha8Rng, width: u32) -> Points {
+    let reach: i64 = (1 << (width - 1)) - 1;
+    let vector = |rng: &mut ChaCha8Rng, reach: i64| [(); 3].map(|()| rng.random_range(-reach..=reach));
+    let sum = |terms: &[(i64, Point)]| [0, 1, 2].map(|j| terms.iter().map(|(u, x)| u * x[j]).sum::<i64>());
+    // Multiples of four, so that quarters are on the grid.
+    let [x, y, z] = [(); 3].map(|()| vector(rng, reach / 8));
+    let mut points: Points = [(); 6].map(|()| vector(rng, reach));
+    match rng.random_range(0..7) {
+        // Corners of the box of all pairs.
+        0 => {
+            let ends = [reach, reach - 1, -reach, 1 - reach, 0, 1, -1];
+            points = [(); 6].map(|()| [(); 3].map(|()| *ends.choose(rng).unwrap()));
+        }
+        // A small lattice made great.
+        1 => points = small(rng).map(|point| point.map(|x| x * (reach / 6))),
+        // A slanted plane, or a line.
+        2 => points = [(); 6].map(|()| sum(&[(rng.random_range(-4..=4), x), (rng.random_range(-4..=4), y)])),
+        3 => points = [(); 6].map(|()| sum(&[(rng.random_range(-8..=8), x)])),
+        // A vertex of B in the plane of A, in or near the triangle.
+        4 => {
+            points[..3].copy_from_slice(&[[0; 3], sum(&[(4, x)]), sum(&[(4, y)])]);
+            points[3] = sum(&[(rng.random_range(-1..=4), x), (rng.random_range(-1..=4), y)]);
+        }
+        // Edges that meet, or whose lines do.
+        5 => {
+            points[..2].copy_from_slice(&[[0; 3], sum(&[(4, x)])]);
+            let at = rng.random_range(-1..=5);
+            let [down, up] = [rng.random_range(-3..=1), rng.random_range(0..=3)];
+            (points[3], points[4]) = (sum(&[(at, x), (down, z)]), sum(&[(at, x), (up, z)]));
+        }
+        // One plane but for a vertex of B.
+        _ => {
+            points = [0, 1, 2, 3, 4, 5].map(|i| {
+                let off = (i64::from(i == 5) * rng.random_range(-1..=1), z);
+                sum(&[(rng.random_range(-3..=3), x), (rng.random_range(-3..=3), y), off])
+            })
+        }
+    }
+    if rng.random() {
+        points[rng.random_range(0..6)][rng.random_range(0..3)] += [-1, 1][rng.random_range(0..2)];
+    }
+    // Any difference may be the greatest there is, and so V0 is the origin.
+    let origin = if rng.random() { points[0] } else { [0; 3] };
+    points[0] = origin;
+    let off = vector(rng, reach);
+    points.map(|point| [0, 1, 2].map(|j| (point[j] - origin[j]).clamp(-reach, reach) + off[j]))
+}
+
 #[test]
 fn every_pair_of_a_small_lattice_is_right() {
     let mut rng = ChaCha8Rng::seed_from_u64(1);
@@ -117,4 +172,199 @@ fn every_pair_of_a_small_lattice_is_right() {
         seen.add(check(&golden, &small(&mut rng)));
     }
     assert!(seen.all().all(|count| count > 2000), "{seen:?}");
+}
+
+/// All pairs of triangles with corners in {0, 1, 2}^3 up to the symmetries of the cube, each in an image and an order
+/// that are left to chance.
+#[test]
+fn every_pair_of_the_cube_of_27_points_is_right() {
+    let triangles: Vec<[usize; 3]> =
+        (0..27).flat_map(|i| (i..27).flat_map(move |j| (j..27).map(move |k| [i, j, k]))).collect();
+    // A symmetry permutes the coordinates and turns some of them round.
+    let turned = |symmetry: usize, i: usize| {
+        let point = [i / 9, i / 3 % 3, i % 3];
+        [0, 1, 2].map(|j| {
+            let x = point[ORDERS[symmetry / 8][j]];
+            (if symmetry >> j & 1 == 0 { x } else { 2 - x }) as i64
+        })
+    };
+    let is_first = |triangle: &&[usize; 3]| {
+        (0..48).all(|symmetry| {
+            let number = |[x, y, z]: Point| (9 * x + 3 * y + z) as usize;
+            let mut image = triangle.map(|i| number(turned(symmetry, i)));
+            image.sort_unstable();
+            **triangle <= image
+        })
+    };
+    let first: Vec<&[usize; 3]> = triangles.iter().filter(is_first).collect();
+    assert_eq!((triangles.len(), first.len()), (3654, 136));
+    let mut rng = ChaCha8Rng::seed_from_u64(2);
+    let golden = golden(6);
+    let mut seen = Seen::default();
+    for a in first {
+        for b in &triangles {
+            let symmetry = rng.random_range(0..48);
+            let [a, b] = [a, b].map(|x| ORDERS[rng.random_range(0..6)].map(|i| turned(symmetry, x[i])));
+            let [a, b] = if rng.random() { [a, b] } else { [b, a] };
+            seen.add(check(&golden, &[a[0], a[1], a[2], b[0], b[1], b[2]]));
+        }
+    }
+    assert!(seen.all().all(|count| count > 5000), "{seen:?}");
+}
+
+/// Determinants of all lengths, and contact that a single unit breaks.
+#[test]
+fn large_coordinates_are_right() {
+    let mut rng = ChaCha8Rng::seed_from_u64(3);
+    for width in [6, 9, 10, 18, 19, 20, 21, 32] {
+        let golden = golden(width);
+        let mut seen = Seen::default();
+        for _ in 0..20_000 {
+            seen.add(check(&golden, &large(&mut rng, width)));
+        }
+        assert!(seen.all().all(|count| count > 150), "{width}: {seen:?}");
+    }
+}
+
+/// Neither the order of the vertices nor that of the triangles matters, nor where the pair is.
+#[test]
+fn all_orders_have_one_answer() {
+    let mut rng = ChaCha8Rng::seed_from_u64(4);
+    for width in [7, 18, 32] {
+        // One bit more, because the differences are those from another vertex then.
+        let golden = golden(width);
+        for _ in 0..3000 {
+            let points = if rng.random() { small(&mut rng) } else { large(&mut rng, width - 1) };
+            let answer = |points: &Points| {
+                let Outcome { verdict, overlapping, outside, .. } = outcome(&golden, points);
+                assert!(!outside);
+                (verdict, overlapping & 0b11)
+            };
+            let expected = answer(&points);
+            for (a, b) in ORDERS.iter().flat_map(|a| ORDERS.iter().map(move |b| (a, b))) {
+                let (a, b) = (a.map(|i| points[i]), b.map(|i| points[i + 3]));
+                assert_eq!(answer(&[a[0], a[1], a[2], b[0], b[1], b[2]]), expected, "{points:?}");
+                assert_eq!(answer(&[b[0], b[1], b[2], a[0], a[1], a[2]]), expected, "{points:?}");
+            }
+        }
+    }
+}
+
+/// What single witnesses say is so: an edge that misses is separate from the other triangle, one that hits is not.
+#[test]
+fn witnesses_say_what_is_so() {
+    let mut rng = ChaCha8Rng::seed_from_u64(5);
+    let golden = golden(10);
+    for _ in 0..10_000 {
+        let points = if rng.random() { small(&mut rng) } else { large(&mut rng, 10) };
+        let Outcome { separated, overlapping, .. } = outcome(&golden, &points);
+        if separated & 0b111 != 0 {
+            assert_eq!(truth(&points).class, Exact::Separate, "{points:?}");
+        }
+        assert_eq!((separated & overlapping, overlapping & 0b100, separated >> 9, overlapping >> 9), (0, 0, 0, 0));
+        for i in 0..6 {
+            let (own, other) = (3 * (i / 3), 3 - 3 * (i / 3));
+            let [from, to] = [points[own + i % 3], points[own + (i + 1) % 3]];
+            let edge = truth(&[from, to, to, points[other], points[other + 1], points[other + 2]]);
+            let apart = edge.class == Exact::Separate;
+            assert!(separated >> (3 + i) & 1 == 0 || apart, "edge {i} of {points:?}");
+            assert!(overlapping >> (3 + i) & 1 == 0 || !apart, "edge {i} of {points:?}");
+        }
+    }
+}
+
+/// Section 2: which pairs are answered, and how the others are.
+#[test]
+fn pairs_that_do_not_fit_are_outside() {
+    let mut rng = ChaCha8Rng::seed_from_u64(6);
+    for (width, transform) in
+        [6, 11, 18, 32].into_iter().flat_map(|width| [(width, Transform::Off), (width, Transform::Translate)])
+    {
+        let p = Params { transform, ..params(width) };
+        let (golden, unmoved, reach) = (Golden::new(&p), golden(width), (1i64 << (width - 1)) - 1);
+        let end = 1i64 << (p.transform_width - 1);
+        for round in 0..2000 {
+            let points = large(&mut rng, width);
+            let t = [(); 3].map(|()| rng.random_range(-reach..=reach));
+            let moves = transform == Transform::Translate && rng.random_range(0..4) > 0;
+            let pose = Pose { t: t.map(Input::exact), bypass: !moves && rng.random(), ..Pose::identity(&p) };
+            // Without the transform no pose is read.
+            let moves = transform == Transform::Translate && !pose.bypass;
+            let mut pair = read(&points);
+            let mut back = |x: Input, t: i64| Input { lo: x.lo - t, sticky: rng.random() };
+            if moves {
+                pair.b = pair.b.map(|w| [back(w[0], t[0]), back(w[1], t[1]), back(w[2], t[2])]);
+            }
+            let found = golden.outcome(&pose, &pair);
+            assert_eq!(found, outcome(&unmoved, &points));
+            assert!(!found.outside);
+            // One difference out of range: the first numbers there, the last of the word, or any.
+            let (vertex, j) = (1 + round % 5, rng.random_range(0..3));
+            let (number, base) = match vertex {
+                1 | 2 => (&mut pair.a[vertex][j], points[0][j]),
+                _ => (&mut pair.b[vertex - 3][j], points[0][j] - if moves { t[j] } else { 0 }),
+            };
+            let difference = match rng.random_range(0..6) {
+                0 => reach,
+                1 => -reach,
+                2 => reach + 1,
+                3 => -reach - 1,
+                4 => end - 1 - base,
+                _ => -end - base,
+            };
+            number.lo = base + difference;
+            let fits = difference.abs() <= reach;
+            let found = golden.outcome(&pose, &pair);
+            assert_eq!(found.outside, !fits, "{difference}");
+            if !fits {
+                assert_eq!(found, Outcome::outside());
+                assert_eq!((found.verdict, found.separated, found.overlapping), (Verdict::PossiblyIncorrect, 0, 0));
+            }
+            assert_eq!(golden.verdict(&pose, &pair), found.verdict);
+            let trace = golden.trace(&pose, &pair);
+            assert_eq!(trace.last().map(|(name, x)| (name.as_str(), x.lo)), Some(("verdict", found.verdict as i128)));
+            assert_eq!(trace.len(), if fits { 15 + 12 + 10 + 15 + 6 + 1 } else { 15 + 1 });
+        }
+    }
+}
+
+/// Sections 2, 3 and 5: numbers have the bits that the page says.
+#[test]
+fn numbers_keep_to_their_formats() {
+    let mut rng = ChaCha8Rng::seed_from_u64(7);
+    for width in [6, 18, 19, 32] {
+        let (p, golden, reach) = (params(width), golden(width), (1i128 << (width - 1)) - 1);
+        for _ in 0..3000 {
+            for (name, x) in golden.trace(&Pose::identity(&p), &read(&large(&mut rng, width))) {
+                let most = match name.split('.').next().unwrap() {
+                    "difference" => reach,
+                    "moment" | "component" => 2 * reach * reach,
+                    "dot" => 6 * reach * reach * reach,
+                    "determinant" => 24 * reach * reach * reach,
+                    _ => 2,
+                };
+                assert!(x.lo == x.hi && x.lo.abs() <= most, "{name} = {} of {width} bits", x.lo);
+            }
+        }
+    }
+}
+
+/// By hand: one pair of each kind, with all flags.
+#[test]
+fn plain_pairs() {
+    let golden = golden(8);
+    let a = [[0, 0, 0], [8, 0, 0], [0, 8, 0]];
+    let of = |b: [Point; 3]| {
+        let Outcome { verdict, separated, overlapping, .. } = outcome(&golden, &[a[0], a[1], a[2], b[0], b[1], b[2]]);
+        (verdict, separated, overlapping)
+    };
+    // The two long edges of B pierce A, and no edge of A reaches B.
+    assert_eq!(of([[2, 2, -4], [2, 3, 4], [3, 2, 4]]), (Verdict::Intersect, 0b010_111_000, 0b101_000_001));
+    // Above A; and with a corner on it, where two edges of B hit.
+    assert_eq!(of([[2, 2, 1], [2, 3, 4], [3, 2, 4]]).1 & 0b111, 0b010);
+    assert_eq!(of([[2, 2, 0], [2, 3, 4], [3, 2, 4]]), (Verdict::Intersect, 0b010_111_000, 0b101_000_000));
+    // In one plane: inside, along an edge, beside.
+    assert_eq!(of([[1, 1, 0], [2, 1, 0], [1, 2, 0]]), (Verdict::Intersect, 0, 0b11));
+    assert_eq!(of([[1, 0, 0], [2, 0, 0], [1, -2, 0]]), (Verdict::Intersect, 0, 0b10));
+    assert_eq!(of([[9, 0, 0], [10, 0, 0], [9, 2, 0]]), (Verdict::Separate, 1, 0b10));
 }
