@@ -7,14 +7,19 @@ use efsat::design::{Design, Probes};
 use efsat::golden::{Golden, Pair, Pose};
 use efsat::host::sample;
 use efsat::netlist::simulate::Simulation;
-use efsat::params::{CLOCKS_PER_PAIR, Method, Params};
+use efsat::params::{CLOCKS_PER_PAIR, Method, Params, Transform};
 use rand::SeedableRng;
 
-/// Units of both methods, at several rates.
+/// Units of all methods, at several rates.
 fn units() -> Vec<Params> {
     let axes = [1, 3, 11].map(|axes_per_clock| Params { axes_per_clock, ..Params::default() });
     let determinants = CLOCKS_PER_PAIR.iter().map(|clocks| determinants(*clocks));
-    axes.into_iter().chain(determinants).collect()
+    let exact = [1, 6].map(|clocks_per_pair| Params {
+        clocks_per_pair,
+        transform: Transform::Translate,
+        ..Params::of(Method::Exact)
+    });
+    axes.into_iter().chain(determinants).chain(exact).collect()
 }
 
 fn determinants(clocks_per_pair: u32) -> Params {

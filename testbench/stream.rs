@@ -134,6 +134,7 @@ fn answers_equal_the_reference_models() {
         (Params { transform: Transform::Off, tag_width: 0, upper: sticky, ..small() }, StreamWidth::Bits128),
         (Params { transform: Transform::Translate, tag_width: 40, axes_per_clock: 3, ..small() }, StreamWidth::Bits32),
         (determinants(), StreamWidth::Bits1024),
+        (Params { transform: Transform::Off, method: Method::Exact, ..small() }, StreamWidth::Bits1024),
         (Params { clocks_per_pair: 2, transform_width: 33, ..determinants() }, StreamWidth::Bits512),
         (Params { transform: Transform::Translate, ..determinants() }, StreamWidth::Bits256),
     ];
@@ -334,9 +335,11 @@ fn a_long_packet_runs_at_the_stated_speed() {
     let axes = [(Bits32, 22), (Bits64, 11), (Bits128, 11)];
     let determinants = [(Bits64, 10), (Bits128, 5), (Bits256, 3), (Bits512, 2), (Bits1024, 1)];
     let of = |method: Method, widths: &[(StreamWidth, usize)]| -> Vec<_> {
-        widths.iter().map(|(width, period)| (Params { method, ..tiny.clone() }, *width, *period)).collect()
+        let params = Params { method, transform: Params::of(method).transform, ..tiny.clone() };
+        widths.iter().map(|(width, period)| (params.clone(), *width, *period)).collect()
     };
-    let cases = [of(Method::Axes, &axes), of(Method::Determinants, &determinants)].concat();
+    let exact = [(Bits512, 2), (Bits1024, 1)];
+    let cases = [of(Method::Axes, &axes), of(Method::Determinants, &determinants), of(Method::Exact, &exact)].concat();
     let wrong: Vec<String> = cases
         .par_iter()
         .filter_map(|(params, width, period)| {

@@ -50,6 +50,17 @@ fn settings() -> Vec<(&'static str, Params)> {
                 ..default()
             },
         ),
+        ("exact", Params::of(Method::Exact)),
+        (
+            "exact, folded and wide",
+            Params {
+                width: 30,
+                clocks_per_pair: 6,
+                transform: Transform::Translate,
+                device: "lfe5u-85-6".to_owned(),
+                ..Params::of(Method::Exact)
+            },
+        ),
         ("wide", Params { width: 32, transform_width: 48, tag_width: 64, ..default() }),
     ]
 }

@@ -57,7 +57,7 @@ struct Index {
 }
 
 /// The ready designs, the default first.
-pub fn ready_designs() -> [ReadyDesign; 4] {
+pub fn ready_designs() -> [ReadyDesign; 5] {
     let determinants = |clocks_per_pair| Params { method: Method::Determinants, clocks_per_pair, ..Params::default() };
     [
         ReadyDesign {
@@ -87,6 +87,13 @@ pub fn ready_designs() -> [ReadyDesign; 4] {
             options: "--method determinants --clocks-per-pair 2 --stream-width 512",
             params: determinants(2),
             stream_width: StreamWidth::Bits512,
+        },
+        ReadyDesign {
+            name: "exact",
+            what: "For points on a grid: exact, no pair undecided, one pair per clock.",
+            options: "--method exact --stream-width 1024",
+            params: Params::of(Method::Exact),
+            stream_width: StreamWidth::Bits1024,
         },
     ]
 }

@@ -1,0 +1,132 @@
+--------------------------------------------------------------------------------
+-- Sides of edges from components c (section 5 of docs/exact.md), and the signs of the areas n and m_0 + m_1 + m_2:
+--   W_l by the edges of A: x_1l, n + x_2l - x_1l, -x_2l
+--   V_k by edge l of B: m_l, m_l + x_1l - x_1(l+1), m_l + x_2l - x_2(l+1)
+-- Latency: 2 clocks.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.efsat_types.all;
+
+entity plane_sums is
+  port (
+    clk       : in  std_logic;
+    m         : in  signed_36_x3_t;  -- |.| <= 34359214082
+    n         : in  signed(35 downto 0);  -- |.| <= 34359214082
+    x         : in  signed_36_x3_x2_t;  -- |.| <= 34359214082
+    sides     : out signed_38_x3_x6_t;  -- |.| <= 103077642246
+    area_sign : out flag_x2_x2_t
+  );
+end entity plane_sums;
+
+architecture rtl of plane_sums is
+  signal x_d1 : signed_36_x3_x2_t := zero_signed_36_x3_x2;  -- |.| <= 34359214082
+  signal x0_d2 : signed_36_x3_t := zero_signed_36_x3;  -- |.| <= 34359214082
+  signal sides_i : signed_38_x3_x6_t;  -- |.| <= 103077642246
+  signal n_d1 : signed(35 downto 0) := (others => '0');  -- |.| <= 34359214082
+  signal sides1_difference_d1 : signed_37_x3_t := zero_signed_37_x3;  -- |.| <= 68718428164
+  signal sides3_1_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
+  signal sides3_2_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
+  signal sides4_1_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
+  signal sides4_2_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
+  signal sides5_1_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
+  signal sides5_2_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
+  signal sides2_negative_d1 : signed_37_x3_t := zero_signed_37_x3;  -- |.| <= 34359214082
+  signal m_d1 : signed_36_x3_t := zero_signed_36_x3;  -- |.| <= 34359214082
+  signal m_d2 : signed_36_x3_t := zero_signed_36_x3;  -- |.| <= 34359214082
+  signal area : signed_38_x2_t;  -- |.| <= 103077642246
+  signal area1_sum_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
+  signal area_sign_i : flag_x2_x2_t;
+  signal area_sign1_1_d1 : std_logic := '0';
+  signal area_sign0_d1 : std_logic_vector(1 downto 0) := (others => '0');
+  signal area_sign1_not_second_equal_d1 : std_logic_vector(0 downto 0) := (others => '0');
+  signal sides1_d1 : signed_38_x3_t := zero_signed_38_x3;  -- |.| <= 103077642246
+  signal sides3_1_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
+  signal sides3_2_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
+  signal sides4_1_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
+  signal sides4_2_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
+  signal sides5_1_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
+  signal sides5_2_d1 : signed(37 downto 0) := (others => '0');  -- |.| <= 103077642246
+begin
+  -- Clock 1
+  clock_1 : process (clk)
+  begin
+    if rising_edge(clk) then
+      x_d1 <= x;
+      n_d1 <= n;
+      for k in 0 to 2 loop
+        sides1_difference_d1(k) <= resize(x(1)(k), 37) - resize(x(0)(k), 37);
+      end loop;
+      sides3_1_difference_d1 <= resize(x(0)(0), 37) - resize(x(0)(1), 37);
+      sides3_2_difference_d1 <= resize(x(1)(0), 37) - resize(x(1)(1), 37);
+      sides4_1_difference_d1 <= resize(x(0)(1), 37) - resize(x(0)(2), 37);
+      sides4_2_difference_d1 <= resize(x(1)(1), 37) - resize(x(1)(2), 37);
+      sides5_1_difference_d1 <= resize(x(0)(2), 37) - resize(x(0)(0), 37);
+      sides5_2_difference_d1 <= resize(x(1)(2), 37) - resize(x(1)(0), 37);
+      m_d1 <= m;
+      area1_sum_d1 <= resize(m(0), 37) + resize(m(1), 37);
+    end if;
+  end process clock_1;
+  sides_i_1_each : for m in 0 to 2 generate
+    sides_i(1)(m) <= resize(n_d1, 38) + resize(sides1_difference_d1(m), 38);
+  end generate sides_i_1_each;
+  sides_i(3)(1) <= resize(m_d1(0), 38) + resize(sides3_1_difference_d1, 38);
+  sides_i(3)(2) <= resize(m_d1(0), 38) + resize(sides3_2_difference_d1, 38);
+  sides_i(4)(1) <= resize(m_d1(1), 38) + resize(sides4_1_difference_d1, 38);
+  sides_i(4)(2) <= resize(m_d1(1), 38) + resize(sides4_2_difference_d1, 38);
+  sides_i(5)(1) <= resize(m_d1(2), 38) + resize(sides5_1_difference_d1, 38);
+  sides_i(5)(2) <= resize(m_d1(2), 38) + resize(sides5_2_difference_d1, 38);
+  area(0) <= resize(n_d1, 38);
+  area(1) <= resize(area1_sum_d1, 38) + resize(m_d1(2), 38);
+  area_sign_i(0)(0) <= not area_sign_i(0)(1) and not flag(area(0) = 0);
+  area_sign_i(0)(1) <= area(0)(37);
+  area_sign_i(1)(1) <= area(1)(37);
+
+  -- Clock 2
+  clock_2 : process (clk)
+  begin
+    if rising_edge(clk) then
+      x0_d2 <= x_d1(0);
+      for k in 0 to 2 loop
+        sides2_negative_d1(k) <= -resize(x_d1(1)(k), 37);
+      end loop;
+      m_d2 <= m_d1;
+      area_sign1_1_d1 <= area_sign_i(1)(1);
+      area_sign0_d1 <= area_sign_i(0);
+      area_sign1_not_second_equal_d1(0) <= flag(area(1) = 0);
+      sides1_d1 <= sides_i(1);
+      sides3_1_d1 <= sides_i(3)(1);
+      sides3_2_d1 <= sides_i(3)(2);
+      sides4_1_d1 <= sides_i(4)(1);
+      sides4_2_d1 <= sides_i(4)(2);
+      sides5_1_d1 <= sides_i(5)(1);
+      sides5_2_d1 <= sides_i(5)(2);
+    end if;
+  end process clock_2;
+  sides_i_0_each : for m in 0 to 2 generate
+    sides_i(0)(m) <= resize(x0_d2(m), 38);
+    sides_i(2)(m) <= resize(sides2_negative_d1(m), 38);
+  end generate sides_i_0_each;
+  sides_i(3)(0) <= resize(m_d2(0), 38);
+  sides_i(4)(0) <= resize(m_d2(1), 38);
+  sides_i(5)(0) <= resize(m_d2(2), 38);
+  area_sign_i(1)(0) <= not area_sign1_1_d1 and not area_sign1_not_second_equal_d1(0);
+
+  -- Outputs
+  sides(0) <= sides_i(0);
+  sides(1) <= sides1_d1;
+  sides(2) <= sides_i(2);
+  sides(3)(0) <= sides_i(3)(0);
+  sides(3)(1) <= sides3_1_d1;
+  sides(3)(2) <= sides3_2_d1;
+  sides(4)(0) <= sides_i(4)(0);
+  sides(4)(1) <= sides4_1_d1;
+  sides(4)(2) <= sides4_2_d1;
+  sides(5)(0) <= sides_i(5)(0);
+  sides(5)(1) <= sides5_1_d1;
+  sides(5)(2) <= sides5_2_d1;
+  area_sign(0) <= area_sign0_d1;
+  area_sign(1)(0) <= area_sign_i(1)(0);
+  area_sign(1)(1) <= area_sign1_1_d1;
+end architecture rtl;

@@ -1,0 +1,134 @@
+--------------------------------------------------------------------------------
+-- Phases of the slot, handshakes and queue pointers. A pair is accepted in the last phase of a slot if a place
+-- in the result queue is free; the data path itself never stops.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.efsat_types.all;
+
+entity sequencer is
+  port (
+    clk            : in  std_logic;
+    reset          : in  std_logic;
+    in_valid       : in  std_logic;
+    out_ready      : in  std_logic;
+    in_ready       : out std_logic;
+    accept         : out std_logic;
+    decide         : out std_logic;
+    out_valid      : out std_logic;
+    take           : out std_logic;
+    accept_address : out unsigned(4 downto 0);
+    decide_address : out unsigned(4 downto 0);
+    take_address   : out unsigned(4 downto 0)
+  );
+end entity sequencer;
+
+architecture rtl of sequencer is
+  signal running : std_logic := '0';  -- clear in reset and in the first clock after: nothing is accepted
+  signal accepted : unsigned(5 downto 0) := (others => '0');
+  signal accepted_ahead : unsigned(5 downto 0) := to_unsigned(1, 6);
+  signal accepted_moved : std_logic := '0';
+  signal taken : unsigned(5 downto 0) := (others => '0');
+  signal taken_ahead : unsigned(5 downto 0) := to_unsigned(1, 6);
+  signal taken_moved : std_logic := '0';
+  signal decided : unsigned(5 downto 0) := (others => '0');
+  signal taken_turned : unsigned(5 downto 0);
+  signal full_if_moved : std_logic := '0';
+  signal full_if_still : std_logic := '0';
+  signal full : std_logic;
+  signal accepts : std_logic;
+  signal accept_pair : std_logic;
+  signal holds : std_logic_vector(15 downto 0) := (others => '0');
+  signal decide_pair : std_logic := '0';
+  signal empty_if_moved : std_logic := '1';
+  signal empty_if_still : std_logic := '1';
+  signal empty : std_logic;
+  signal offered : std_logic := '0';
+  signal output_free : std_logic;
+  signal take_pair : std_logic;
+begin
+  taken_turned <= taken + 32;
+  full <= full_if_moved when accepted_moved = '1' else full_if_still;
+  accepts <= running and '1' and not full;
+  accept_pair <= in_valid and accepts;
+  empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
+  output_free <= not offered or out_ready;
+  take_pair <= not empty and output_free;
+  accept_address <= accepted(4 downto 0);
+  decide_address <= decided(4 downto 0);
+  take_address <= taken(4 downto 0);
+
+  -- State
+  state : process (clk)
+  begin
+    if rising_edge(clk) then
+      if reset = '1' then
+        running <= '0';
+        accepted_moved <= '0';
+        taken_moved <= '0';
+        full_if_moved <= '0';
+        full_if_still <= '0';
+        for k in 0 to 15 loop
+          holds(k) <= '0';
+        end loop;
+        decide_pair <= '0';
+        empty_if_moved <= '1';
+        empty_if_still <= '1';
+        offered <= '0';
+      else
+        running <= '1';
+        accepted_moved <= accept_pair;
+        taken_moved <= take_pair;
+        full_if_moved <= flag(accepted_ahead = taken_turned);
+        full_if_still <= flag(accepted = taken_turned);
+        holds(0) <= accept_pair;
+        holds(1) <= holds(0);
+        holds(2) <= holds(1);
+        holds(3) <= holds(2);
+        holds(4) <= holds(3);
+        holds(5) <= holds(4);
+        holds(6) <= holds(5);
+        holds(7) <= holds(6);
+        holds(8) <= holds(7);
+        holds(9) <= holds(8);
+        holds(10) <= holds(9);
+        holds(11) <= holds(10);
+        holds(12) <= holds(11);
+        holds(13) <= holds(12);
+        holds(14) <= holds(13);
+        holds(15) <= holds(14);
+        decide_pair <= holds(15);
+        empty_if_moved <= flag(taken_ahead = decided);
+        empty_if_still <= flag(taken = decided);
+        offered <= take_pair or not output_free;
+      end if;
+      if reset = '1' then
+        accepted <= to_unsigned(0, 6);
+        accepted_ahead <= to_unsigned(1, 6);
+      elsif accept_pair = '1' then
+        accepted <= accepted_ahead;
+        accepted_ahead <= accepted_ahead + 1;
+      end if;
+      if reset = '1' then
+        taken <= to_unsigned(0, 6);
+        taken_ahead <= to_unsigned(1, 6);
+      elsif take_pair = '1' then
+        taken <= taken_ahead;
+        taken_ahead <= taken_ahead + 1;
+      end if;
+      if reset = '1' then
+        decided <= to_unsigned(0, 6);
+      elsif decide_pair = '1' then
+        decided <= decided + 1;
+      end if;
+    end if;
+  end process state;
+
+  -- Outputs
+  in_ready <= accepts;
+  accept <= accept_pair;
+  decide <= decide_pair;
+  out_valid <= offered;
+  take <= take_pair;
+end architecture rtl;
