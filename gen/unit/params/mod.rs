@@ -262,7 +262,10 @@ mod tests {
                 "--upper sticky: expected --method axes, which has this option",
             ),
             (|p| (p.method, p.span) = (Method::Determinants, 2), "--span 2: expected one of 0, 1, 3"),
-            (|p| p.clocks_per_pair = 2, "--clocks-per-pair 2: expected --method determinants or exact, which has this option"),
+            (
+                |p| p.clocks_per_pair = 2,
+                "--clocks-per-pair 2: expected --method determinants or exact, which has this option",
+            ),
             (
                 |p| (*p, p.guard) = (Params::of(Method::Exact), Guard::Always),
                 "--guard always: expected --method axes or determinants, which has this option",
