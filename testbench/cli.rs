@@ -234,6 +234,77 @@ fn classify_takes_scenes_and_random_pairs() {
     assert_ne!(random, succeeds(dir, "classify --random 500 --seed 8 --exact"));
 }
 
+/// Nothing is left open by the exact unit and its host, whatever the numbers are.
+#[test]
+fn classify_by_the_exact_method_answers_every_pair() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let (a, far, tiny) = ([[0.0; 3], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]], 1e300, 1e-300);
+    let on_grid = [
+        // Through the face, on it, above it; with a common vertex and a common edge.
+        [[1.0, 1.0, -1.0], [1.5, 1.25, 1.0], [2.0, 1.5, 1.25]],
+        [[1.0, 1.0, 0.0], [1.5, 1.25, 1.0], [2.0, 1.5, 1.25]],
+        [[1.0, 1.0, 0.125], [1.5, 1.25, 1.0], [2.0, 1.5, 1.25]],
+        [[4.0, 0.0, 0.0], [8.0, 0.0, 1.0], [8.0, 1.0, 0.0]],
+        [[4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 4.0]],
+        // In one plane: inside, along an edge, beside.
+        [[1.0, 1.0, 0.0], [1.5, 1.0, 0.0], [1.0, 1.5, 0.0]],
+        [[1.0, 0.0, 0.0], [2.0, 0.0, 0.0], [1.0, -2.0, 0.0]],
+        [[5.0, 0.0, 0.0], [6.0, 0.0, 0.0], [5.0, 2.0, 0.0]],
+        // A segment through the face and one that ends on an edge; a point in the face and one outside.
+        [[1.0, 1.0, -1.0], [1.0, 1.0, 1.0], [1.0, 1.0, 1.0]],
+        [[2.0, 2.0, 0.0], [2.0, 2.0, 1.0], [2.0, 2.0, 1.0]],
+        [[1.0, 1.0, 0.0]; 3],
+        [[3.0, 3.0, 0.0]; 3],
+    ];
+    let off_grid = [
+        [[1.0, 1.0, -tiny], [1.0, 1.0, tiny], [1.5, 1.0, far]],
+        [[1.0, 1.0, tiny], [1.0, 1.0, far], [1.5, 1.0, far]],
+        [[1.0, 1.0, 0.0], [1.0, 1.0, far], [1.5, tiny, far]],
+        [[0.1, 0.2, 0.0], [0.3, 0.7, 0.0], [0.9, 0.7, 0.0]],
+        [[-tiny, -tiny, -tiny], [far, far, far], [0.1, 0.1, 0.1]],
+        [[-far, -far, 0.0], [far, far, 0.0], [far, -tiny, 0.0]],
+        [[5e-324; 3], [f64::MAX; 3], [-f64::MAX; 3]],
+    ];
+    let pairs: Vec<efsat::Points> =
+        on_grid.iter().chain(&off_grid).map(|b| [a[0], a[1], a[2], b[0], b[1], b[2]]).collect();
+    let raw: Vec<u8> = pairs.iter().flatten().flatten().flat_map(|x| x.to_le_bytes()).collect();
+    fs::write(dir.join("pairs.f64"), raw).unwrap();
+    let answers: Vec<efsat::exact::Exact> = pairs.iter().map(efsat::exact::pair).collect();
+    let verdict = |answer| if answer == efsat::exact::Exact::Separate { "separate" } else { "intersect" };
+    let rows = answers.iter().enumerate().map(|(i, answer)| format!("{i},{}\n", verdict(*answer)));
+    let expected = rows.fold("pair,verdict\n".to_owned(), |text, row| text + &row);
+    for options in ["", " --width 32 --transform translate", " --width 6 --transform-width 6"] {
+        assert_eq!(succeeds(dir, &format!("classify pairs.f64 --method exact{options}")), expected, "{options}");
+    }
+    let report = object(&succeeds(dir, "classify pairs.f64 --method exact --exact --json"));
+    let counts = ["pairs", "host_decided", "wrong"].map(|name| report[name].as_u64().unwrap());
+    assert_eq!(counts, [19, 7, 0]);
+    assert_eq!(report["verdicts"]["possibly_incorrect"], 0);
+    let said = succeeds(dir, "classify pairs.f64 --method exact --summary");
+    assert!(said.contains("\n7 of them do not fit the exact unit: decided on the host, exactly\n"), "{said}");
+    // A rotation leaves the grid; quarter turns and shifts do not.
+    fs::write(dir.join("t.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n").unwrap();
+    let scene = "name = \"s\"\n[a]\nmesh = \"t.obj\"\n[b]\nmesh = \"t.obj\"\n[[pose]]\naxis = [0, 0, 1]\n\
+                 angle_degrees = 30\n[[pose]]\nmatrix = [0, -1, 0, 1, 0, 0, 0, 0, 1]\n[[pose]]\naxis = [0, 0, 1]\n\
+                 angle_degrees = 0\ntranslation = [0.25, 0, 0]\n";
+    fs::write(dir.join("s.toml"), scene).unwrap();
+    let report = object(&succeeds(dir, "classify --scene s.toml --method exact --exact --json"));
+    let counts = ["pairs", "host_decided", "wrong"].map(|name| report[name].as_u64().unwrap());
+    assert_eq!((counts, &report["verdicts"]["possibly_incorrect"]), ([3, 1, 0], &0.into()));
+    for command in ["scene plan s.toml --method exact", "accuracy --method exact", "accuracy --sweep method=exact"] {
+        fails(dir, command, 2, "expected axes");
+    }
+    let report = object(&succeeds(dir, "soak --pairs 1 --family shared-edge --sweep method=axes,exact --json"));
+    let designs: Vec<[u64; 2]> = report["total"]["designs"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|design| ["possibly_incorrect", "wrong"].map(|name| design[name].as_u64().unwrap()))
+        .collect();
+    assert!(designs[0][0] > 0 && designs[1] == [0, 0], "{designs:?}");
+}
+
 #[test]
 fn a_reader_that_leaves_is_no_error() {
     let mut child = Command::new(env!("CARGO_BIN_EXE_efsat"))

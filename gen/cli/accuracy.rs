@@ -105,12 +105,14 @@ pub(super) fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> 
 fn point(settings: &[sweep::Setting], base: &Params) -> Result<Params, Failure> {
     let mut options = accuracy::options(base);
     options.extend(settings.iter().map(|setting| (setting.option.clone(), setting.value.clone())));
-    // Where a point has another method than the base, options that only the base has are not asked for.
+    // Where a point has another method than the base, options that only the base has are not asked for, and what the base
+    // has by default does not hold for it.
     let method = options.get("method").and_then(|name| Method::ALL.iter().find(|method| method.name() == name));
     if let Some(method) = method.filter(|method| **method != base.method) {
         let given = |name: &str| settings.iter().any(|setting| setting.option == name);
-        options
-            .retain(|name, _| given(name) || Params::OPTIONS.iter().all(|o| o.name != name || o.of.contains(method)));
+        let default = accuracy::options(&Params::of(base.method));
+        let has = |name: &str| Params::OPTIONS.iter().any(|option| option.name == name && option.of.contains(method));
+        options.retain(|name, value| given(name) || (has(name) && default.get(name) != Some(value)));
     }
     params(&options).map_err(|message| {
         // The message names the option; the last setting that does is the place.
@@ -160,6 +162,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let check = |params: &Params| -> Result<(), Failure> { Ok(Design::check(params).map(drop)?) };
     check(&base)?;
     let sweep = points(&arguments.sweep, &base)?;
+    if sweep.iter().any(|params| params.method == Method::Exact) {
+        let why =
+            "--sweep: found method=exact, which leaves no pair undecided on its grid; expected axes or determinants";
+        return Err(Failure::Usage(why.to_owned()));
+    }
     sweep.iter().try_for_each(check)?;
     let scene = source::load_scene(&arguments.scene)?;
     output::claimable(&arguments.out)?;
@@ -233,16 +240,17 @@ fn command(request: &Request, transfer: f64) -> String {
     text
 }
 
-/// Refuses a base whose stages the page does not examine; points of the sweep may have either method.
+/// Refuses a base whose stages the page does not examine; points of the sweep may be determinants.
 fn has_axes(params: &Params) -> Result<(), Failure> {
     match params.method {
         Method::Axes => Ok(()),
-        Method::Determinants | Method::Exact => {
-            let found = params.method.name();
-            let why = format!(
-                "--method {found}: expected axes, whose stages the page examines; a --sweep may name method={found}"
-            );
-            Err(Failure::Usage(why))
+        Method::Determinants => {
+            let why = "--method determinants: expected axes, whose stages the page examines; a --sweep may name method=determinants";
+            Err(Failure::Usage(why.to_owned()))
+        }
+        Method::Exact => {
+            let why = "--method exact: expected axes, whose stages the page examines; the exact unit rounds nothing";
+            Err(Failure::Usage(why.to_owned()))
         }
     }
 }

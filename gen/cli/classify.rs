@@ -9,7 +9,7 @@ use crate::Points;
 use crate::exact::{self, Exact, Relation};
 use crate::golden::{Golden, Pose, Verdict};
 use crate::host::{Host, Stage, loose_pair};
-use crate::params::Params;
+use crate::params::{Method, Params};
 use crate::sample::random_points;
 use crate::scene::{Meeting, Scene};
 use indicatif::ProgressBar;
@@ -83,15 +83,23 @@ struct Counts {
     wrong: Option<u64>,
     #[serde(skip)]
     first_wrong: Option<u64>,
+    /// Why the host decides pairs.
+    #[serde(skip)]
+    host: &'static str,
 }
 
 impl Counts {
-    fn new(arguments: &Arguments) -> Self {
+    fn new(arguments: &Arguments, method: Method) -> Self {
+        let host = match method {
+            Method::Exact => "do not fit the exact unit: decided on the host, exactly",
+            Method::Axes | Method::Determinants => "decided on the host",
+        };
         let Arguments { exact, retest, .. } = *arguments;
         Self {
             retested: retest.then_some(0),
             exact: exact.then(ExactCounts::default),
             wrong: exact.then_some(0),
+            host,
             ..Self::default()
         }
     }
@@ -122,7 +130,7 @@ impl Counts {
     fn table(&self) -> String {
         let mut text = self.verdicts.table();
         if self.host_decided > 0 {
-            text.push_str(&format!("{} of them decided on the host\n", self.host_decided));
+            text.push_str(&format!("{} of them {}\n", self.host_decided, self.host));
         }
         if let Some(retested) = self.retested {
             text.push_str(&format!("{retested} of them tested again in software\n"));
@@ -144,12 +152,12 @@ struct Sink {
 }
 
 impl Sink {
-    fn new(arguments: &Arguments) -> Result<Self, Failure> {
+    fn new(arguments: &Arguments, method: Method) -> Result<Self, Failure> {
         let mut rows = arguments.rows().then(|| BufWriter::new(io::stdout().lock()));
         if let Some(rows) = &mut rows {
             writeln!(rows, "pair,verdict{}", if arguments.exact { ",exact" } else { "" }).map_err(failure)?;
         }
-        Ok(Self { counts: Counts::new(arguments), rows })
+        Ok(Self { counts: Counts::new(arguments, method), rows })
     }
 
     fn take(&mut self, answers: &[Answer]) -> Result<(), Failure> {
@@ -258,7 +266,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         (None, SourceArguments { random: Some(_), .. }) => None,
         _ => return Err(Failure::Usage("no pairs: expected one of FILE, --scene FILE and --random N".to_owned())),
     };
-    let mut sink = Sink::new(arguments)?;
+    let mut sink = Sink::new(arguments, params.method)?;
     let (golden, identity) = (Golden::new(&params), Pose::identity(&params));
     let Arguments { exact, retest, .. } = *arguments;
     let classifier = Classifier { golden, identity, params, exact, retest };

@@ -140,6 +140,11 @@ impl Options {
             [] => e,
             _ => within(file, e),
         })?;
+        if params.method == Method::Exact {
+            let why =
+                "--method exact: expected axes or determinants, which have stages to plan; the exact unit has none";
+            return Err(Failure::Usage(why.to_owned()));
+        }
         Ok((params, given.into_iter().map(|(name, _)| name).collect()))
     }
 }

@@ -24,11 +24,11 @@ const PATIENCE: Duration = Duration::from_secs(60);
 /// and stages.
 const UNCHANGED: [&str; 4] = ["params/options.rs", "params/method.rs", "golden/stages.rs", "golden/trace.rs"];
 
-/// Sources of the other method.
-const OTHER_METHOD: &str = "golden/determinants/";
+/// Sources of the other methods.
+const OTHER_METHODS: [&str; 2] = ["golden/determinants/", "golden/exact/"];
 
 /// The sources of the reference model, as this program was built from them.
-const SOURCES: [(&str, &str); 28] = [
+const SOURCES: [(&str, &str); 32] = [
     ("params/options.rs", include_str!("../../unit/params/options.rs")),
     ("golden/stages.rs", include_str!("../../unit/golden/stages.rs")),
     ("golden/trace.rs", include_str!("../../unit/golden/trace.rs")),
@@ -57,6 +57,10 @@ const SOURCES: [(&str, &str); 28] = [
     ("golden/determinants/number.rs", include_str!("../../unit/golden/determinants/number.rs")),
     ("golden/determinants/trace.rs", include_str!("../../unit/golden/determinants/trace.rs")),
     ("golden/determinants/verdict.rs", include_str!("../../unit/golden/determinants/verdict.rs")),
+    ("golden/exact/mod.rs", include_str!("../../unit/golden/exact/mod.rs")),
+    ("golden/exact/plane.rs", include_str!("../../unit/golden/exact/plane.rs")),
+    ("golden/exact/trace.rs", include_str!("../../unit/golden/exact/trace.rs")),
+    ("golden/exact/verdict.rs", include_str!("../../unit/golden/exact/verdict.rs")),
 ];
 
 /// What the model does without: the stream, errors with words, and numbers of any length.
@@ -185,7 +189,7 @@ impl ModelCampaign {
     fn simulate(&self, mutant: Option<&Mutant>) -> Result<Fate, ModelError> {
         let scratch = Scratch::new()?;
         let dir = scratch.path();
-        std::fs::create_dir_all(dir.join(OTHER_METHOD))?;
+        OTHER_METHODS.iter().try_for_each(|other| std::fs::create_dir_all(dir.join(other)))?;
         std::fs::create_dir(dir.join("params"))?;
         for (name, text) in SOURCES.into_iter().chain([LANES]) {
             let changed = mutant.filter(|mutant| mutant.unit == name).map(|mutant| mutant.apply(text));
@@ -232,7 +236,8 @@ impl ModelCampaign {
 
 /// All mutants of all sources, in the order of files and lines.
 pub fn mutants() -> Vec<Mutant> {
-    let sources = SOURCES.iter().filter(|(name, _)| !UNCHANGED.contains(name) && !name.starts_with(OTHER_METHOD));
+    let of_axes = |name: &str| !OTHER_METHODS.iter().any(|other| name.starts_with(other));
+    let sources = SOURCES.iter().filter(|(name, _)| !UNCHANGED.contains(name) && of_axes(name));
     sources.flat_map(|(name, text)| rust::mutants(name, text)).collect()
 }
 

@@ -170,7 +170,9 @@ pub const MALFORMED: u8 = 1 << 7;
 pub const OUTSIDE: u8 = 1 << 4;
 /// Bits of the status.
 pub const STATUS_BITS: u32 = 8;
-/// Bit of the header of a unit that answers by determinants.
+/// Bit of the header of an exact unit.
+const EXACT_BIT: u32 = 14;
+/// Bit of the header of a unit that answers by determinants with bounds.
 const DETERMINANTS_BIT: u32 = 15;
 /// Bit of the header, and of the flags of a record, at which nothing but this is found: 17 axes, bypass.
 const TOP_BIT: u32 = 31;
@@ -246,7 +248,7 @@ impl StreamFormat {
     }
 
     /// The low 32 bits of the header word; the others are not read. It names the format, so that a unit refuses what
-    /// was packed for another one: kind in bits 7..0, bits of a number in 13..8, determinants in 15, bits of the tag in
+    /// was packed for another one: kind in bits 7..0, bits of a number in 13..8, exact in 14, determinants in 15, bits of the tag in
     /// 23..16, integral digits in 27..24, sticky in 28, transform in 30..29 (0 off, 1 translate, 2 on), 17 axes in 31.
     pub fn header(&self, kind: Kind) -> u32 {
         let transform = match self.transform {
@@ -261,6 +263,7 @@ impl StreamFormat {
             | u32::from(self.sticky) << 28
             | transform << 29
             | u32::from(self.method == Method::Determinants) << DETERMINANTS_BIT
+            | u32::from(self.method == Method::Exact) << EXACT_BIT
             | u32::from(self.axes == Axes::Seventeen) << TOP_BIT
     }
 
@@ -393,6 +396,8 @@ mod tests {
         assert_eq!(StreamWord::from_hex(&words[0].hex(1024)), Some(words[0]));
         assert_eq!(words[0].low(), 0xffff_ffff_0000_0000_0000_abcd_0000_0000);
         assert_eq!(format.header(Kind::Pairs), 0x4410_a001);
+        let exact = StreamFormat::new(&Params::of(Method::Exact), StreamWidth::Bits1024);
+        assert_eq!(exact.header(Kind::Pairs), 0x0410_6001);
         assert_eq!((format.answer_bits(), format.answer_width()), (8 + 16 + 18, 64));
     }
 

@@ -1,8 +1,9 @@
 //! A batch of pairs: what is sent, and what its answers mean.
 
 use super::{Answer, Driver, DriverError, Transfer};
-use crate::golden::{Pose, Verdict};
+use crate::golden::{Outcome, Pose, Verdict};
 use crate::host::{Host, SceneHost};
+use crate::params::Method;
 use crate::params::stream::Report;
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::software::retest;
@@ -69,13 +70,15 @@ impl Geometry<'_> {
 /// How the pairs of a job were decided.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Statistics {
-    /// Outside the declared ranges and separate by their boxes: decided by the host, never sent.
+    /// Decided by the host, never sent: outside the declared ranges and separate by their boxes, or beside the exact unit
+    /// separate and of no fitting grid.
     pub host_separate: usize,
     /// Decided by the unit: separate.
     pub unit_separate: usize,
     /// Decided by the unit: intersect.
     pub unit_intersect: usize,
-    /// Decided by neither: retested in software.
+    /// Decided by neither: retested in software. Beside the exact unit these are pairs that do not fit, unless they are
+    /// separate.
     pub retested: usize,
 }
 
@@ -145,22 +148,29 @@ impl<'a> Job<'a> {
     /// # Errors
     /// What came back does not answer what was sent; then nothing is known of any pair of the job.
     pub fn finish(self, answers: &[Transfer]) -> Result<Results, DriverError> {
-        let verdicts = self.verdicts(answers)?;
-        let mut verdicts = verdicts.into_iter();
+        let mut outcomes = self.outcomes(answers)?.into_iter();
+        // The exact unit says whether they cross. All eleven axes overlap strictly, or an edge passes through the inside of
+        // a triangle: then the relative interiors meet in any case.
+        let touch = |outcome: &Outcome| self.driver.params.method == Method::Exact && outcome.overlapping & 1 == 0;
         let mut statistics = Statistics::default();
         let mut open = vec![];
         let mut found = vec![Exact::Separate; self.decided.len()];
         for (i, decided) in self.decided.iter().enumerate() {
-            let verdict = decided.or_else(|| verdicts.next()).expect("a verdict was due for every pair sent");
-            match (verdict, decided) {
-                (Verdict::Separate, Some(_)) => statistics.host_separate += 1,
-                (Verdict::Separate, None) => statistics.unit_separate += 1,
-                (Verdict::Intersect, _) => {
-                    // All eleven axes overlap strictly: 0 is inside A - B, so the relative interiors meet.
-                    statistics.unit_intersect += 1;
-                    found[i] = Exact::Intersect;
+            if let Some(verdict) = decided {
+                match verdict {
+                    Verdict::Separate => statistics.host_separate += 1,
+                    Verdict::Intersect | Verdict::PossiblyIncorrect => open.push(i),
                 }
-                (Verdict::PossiblyIncorrect, _) => open.push(i),
+                continue;
+            }
+            let outcome = outcomes.next().expect("a verdict was due for every pair sent");
+            match outcome.verdict {
+                Verdict::Separate => statistics.unit_separate += 1,
+                Verdict::Intersect => {
+                    statistics.unit_intersect += 1;
+                    found[i] = if touch(&outcome) { Exact::Touch } else { Exact::Intersect };
+                }
+                Verdict::PossiblyIncorrect => open.push(i),
             }
         }
         statistics.retested = open.len();
@@ -170,11 +180,11 @@ impl<'a> Job<'a> {
         Ok(Results { answers: found, statistics })
     }
 
-    /// The verdicts of the pairs sent, if the answers are what is due.
-    fn verdicts(&self, answers: &[Transfer]) -> Result<Vec<Verdict>, DriverError> {
+    /// What the unit says of the pairs sent, if the answers are what is due.
+    fn outcomes(&self, answers: &[Transfer]) -> Result<Vec<Outcome>, DriverError> {
         let (due, sent) = (self.answers_due(), self.sent());
         let tags = u64::MAX.checked_shr(64 - self.driver.format.tag_width).unwrap_or(0);
-        let mut verdicts = vec![];
+        let mut outcomes = vec![];
         for (at, transfer) in answers.iter().enumerate().take(due) {
             let answer =
                 self.driver.unpack(transfer.data).ok_or(DriverError::Word { at, data: Box::new(transfer.data) })?;
@@ -185,9 +195,9 @@ impl<'a> Job<'a> {
                 Answer::Report(Report::PoseTaken) if pose && transfer.last => {}
                 Answer::Report(report) => return Err(DriverError::Reported { at, report }),
                 Answer::Pair { tag, outcome }
-                    if !pose && transfer.last == last && tag == verdicts.len() as u64 & tags =>
+                    if !pose && transfer.last == last && tag == outcomes.len() as u64 & tags =>
                 {
-                    verdicts.push(outcome.verdict);
+                    outcomes.push(outcome);
                 }
                 Answer::Pair { .. } => return Err(DriverError::Order { at }),
             }
@@ -195,6 +205,6 @@ impl<'a> Job<'a> {
         if answers.len() != due {
             return Err(DriverError::Count { expected: due, found: answers.len() });
         }
-        Ok(verdicts)
+        Ok(outcomes)
     }
 }

@@ -3,7 +3,7 @@
 use super::{Answer, Driver, DriverError, StandIn, Transfer};
 use crate::golden::{Input, Pair, Pose, Verdict};
 use crate::params::stream::{Report, StreamWidth};
-use crate::params::{Axes, Params, Transform, Upper};
+use crate::params::{Axes, Method, Params, Transform, Upper};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample;
 use rand::rngs::ChaCha8Rng;
@@ -74,6 +74,26 @@ fn final_answers_of_posed_meshes_are_exact() {
         }
     }
     assert!(host_separate > 100, "the far pose is outside the declared ranges");
+}
+
+/// The exact unit tells touching pairs from others, and what it does not take is decided by the host.
+#[test]
+fn final_answers_of_the_exact_unit_are_exact() {
+    let mut rng = ChaCha8Rng::seed_from_u64(7);
+    let mut lattice = || [(); 6].map(|()| [(); 3].map(|()| f64::from(rng.random_range(-3..=3)) / 8.0));
+    let mut given: Vec<[[f64; 3]; 6]> = (0..400).map(|_| lattice()).collect();
+    given.extend(pairs(50));
+    for transform in [Transform::Off, Transform::Translate] {
+        let params = Params { transform, ..Params::of(Method::Exact) };
+        let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
+        let job = driver.loose(&given);
+        let answers = StandIn::new(&params, StreamWidth::Bits64).unwrap().answer(job.transfers());
+        let results = job.finish(&answers).unwrap();
+        assert_eq!(results.answers, given.iter().map(exact::pair).collect::<Vec<_>>());
+        assert!(results.answers[..400].iter().filter(|answer| **answer == Exact::Touch).count() > 10);
+        let s = results.statistics;
+        assert_eq!((s.unit_separate + s.unit_intersect, s.host_separate + s.retested), (400, 50));
+    }
 }
 
 #[test]
