@@ -1,4 +1,4 @@
-//! Vectors chosen to kill: pairs on whose axes a comparison is decided by a single ulp.
+//! Vectors chosen to kill: pairs on whose axes, or of whose determinants, a comparison is decided by a single ulp.
 //!
 //! A bound that is one ulp off shows in a flag only where that bound is at the edge of flipping it. Random pairs
 //! near contact seldom have such an axis, so half of the pairs are made and chosen: in many random ones B is moved until
@@ -9,7 +9,8 @@
 use efsat_hardware::number::Interval;
 use efsat_unit::artefact::Stimulus;
 use efsat_unit::golden::{Golden, Input, Pair, Pose, Verdict};
-use efsat_unit::params::{Params, Transform};
+use efsat_unit::host::sample;
+use efsat_unit::params::{Method, Params, Transform};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
@@ -24,11 +25,12 @@ const LARGEST: usize = 8192;
 /// The most pairs that are chosen.
 const MOST_CHOSEN: usize = 128;
 
-/// A comparison at the edge: axis, which of the four, what is lacking (0 or 1 ulp), and the ends of A and of B: the vertex
+/// A comparison at the edge: axis or determinant, which of the four or two, what is lacking (0 or 1 ulp), and the ends of A and of B: the vertex
 /// that has the bound, and the set of those that nearly have it.
 type Edge = (usize, usize, i128, (usize, u8), (usize, u8));
 
-/// What the four comparisons of section 6 lack on an axis, in ulps: each holds where its number is positive.
+/// What the four comparisons of section 6 lack on an axis, in ulps: each holds where its number is positive. A determinant
+/// has two: it is above its bound, or below minus its bound.
 type Lacking = [i128; 4];
 
 /// `count` pairs: of four two chosen, one at the ends of the working grid or, one in sixteen, tiny (every second of these
@@ -41,6 +43,10 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     let near = |x: Input, by: i64| within(bound, x.lo + by, x.sticky);
     let at_edge = |(i, (pose, pair)): (usize, &(Pose, Pair))| {
         let mut pair = *pair;
+        if params.method == Method::Exact {
+            // Such pairs are at the edge as they come, and elsewhere they might not fit.
+            return (*pose, pair);
+        }
         // Vertices next to each other: enclosures overlap, and which of them is taken matters.
         let (one, other, by) = (i % 3, (i / 3) % 3, (i / 9) as i64 % 5 - 2);
         let triangle = if i % 2 == 0 { &mut pair.a } else { &mut pair.b };
@@ -58,6 +64,8 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     for number in 0..count {
         let next = match number % 4 {
             0 | 2 => chosen.next(),
+            1 if params.method == Method::Exact => Some((Pose::identity(params), sample::corner_pair(&mut rng, params))),
+            _ if params.method == Method::Exact => None,
             1 if number == 1 && params.transform != Transform::Off => Some(farthest(params)),
             1 if number % 32 == 13 => Some((Pose::identity(params), tiny(&mut rng))),
             1 if number % 32 == 29 => {
@@ -79,7 +87,7 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
             _ => None,
         };
         let Some((pose, mut pair)) = next.or_else(|| random.next()) else { break };
-        if number % 8 == 3 {
+        if number % 8 == 3 && params.method != Method::Exact {
             // V1 next to V0, so that coordinates and n_A straddle 0.
             pair.a[1] = pair.a[0].map(|x| near(x, -1));
         }
@@ -302,7 +310,7 @@ fn moved_to_edge(golden: &Golden, bound: i64, pose: &Pose, pair: Pair, number: u
     moved(if number % 8 < 4 { from } else { to })
 }
 
-/// What the reference model computes on the axes of a pair.
+/// What the reference model computes on the axes of a pair, or its determinants.
 struct Axes(BTreeMap<String, Interval>);
 
 impl Axes {
@@ -310,9 +318,9 @@ impl Axes {
         Self(golden.trace(pose, pair).into_iter().collect())
     }
 
-    /// The names of the axes, in one order for all pairs of a parameter set.
+    /// The names of the axes or determinants, in one order for all pairs of a parameter set.
     fn names(&self) -> Vec<&str> {
-        self.0.keys().filter_map(|name| name.strip_prefix("axis.")?.strip_suffix("_x")).collect()
+        self.0.keys().filter_map(|name| compared(name)).collect()
     }
 
     fn enclosure(&self, axis: &str, end: &str) -> Interval {
@@ -321,6 +329,11 @@ impl Axes {
 
     fn lacking(&self, axis: usize) -> Lacking {
         let axis = self.names()[axis];
+        if let Some(x) = self.0.get(&format!("determinant.{axis}")) {
+            // Bounds are in eighths; exact determinants have none.
+            let bound = self.0.get(&format!("bound.{axis}")).map_or(0, |bound| bound.lo >> 3);
+            return [x.lo - bound, -x.lo - bound, x.lo - bound, -x.lo - bound];
+        }
         let [a_min, a_max, b_min, b_max] = ["a_min", "a_max", "b_min", "b_max"].map(|end| self.enclosure(axis, end));
         [b_min.lo - a_max.hi, a_min.lo - b_max.hi, b_max.lo - a_min.hi, a_max.lo - b_min.hi]
     }
@@ -335,6 +348,11 @@ impl Axes {
     }
 }
 
+/// The axis or determinant whose number that is.
+fn compared(name: &str) -> Option<&str> {
+    name.strip_prefix("determinant.").or_else(|| name.strip_prefix("axis.")?.strip_suffix("_x"))
+}
+
 /// A bound of an interval.
 type Bound = fn(&Interval) -> i128;
 
@@ -345,6 +363,11 @@ fn edges(golden: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
     let mut found = vec![];
     for (number, axis) in axes.names().into_iter().enumerate() {
         let lacking = axes.lacking(number);
+        if axes.0.contains_key(&format!("determinant.{axis}")) {
+            let at_edge = (0..2).filter(|i| matches!(lacking[*i], 0 | 1));
+            found.extend(at_edge.map(|i| (number, i, lacking[i], (3, 0), (3, 0))));
+            continue;
+        }
         // The bound of A, and that of B, that each comparison looks at.
         let ends = [
             (("a_max", hi), ("b_min", lo)),
@@ -380,6 +403,18 @@ mod tests {
             let pairs = stimulus.segments.iter().flat_map(|(_, pairs)| pairs);
             let mut numbers = pairs.flat_map(|pair| pair.a.iter().chain(&pair.b).flatten());
             assert_eq!(numbers.find(|x| x.lo < -bound || x.lo + i64::from(x.sticky) > bound), None);
+        }
+    }
+
+    #[test]
+    fn other_methods_have_comparisons_at_the_edge_too() {
+        for method in [Method::Determinants, Method::Exact] {
+            let params = Params::of(method);
+            let golden = Golden::new(&params);
+            let stimulus = stimulus(&params, 64, 1);
+            let pairs = stimulus.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (pose, pair)));
+            let found: HashSet<Edge> = pairs.flat_map(|(pose, pair)| edges(&golden, pose, pair)).collect();
+            assert!(found.len() >= 45, "{method:?}: {} of 60", found.len());
         }
     }
 
