@@ -64,7 +64,9 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     for number in 0..count {
         let next = match number % 4 {
             0 | 2 => chosen.next(),
-            1 if params.method == Method::Exact => Some((Pose::identity(params), sample::corner_pair(&mut rng, params))),
+            1 if params.method == Method::Exact => {
+                Some((Pose::identity(params), sample::corner_pair(&mut rng, params)))
+            }
             _ if params.method == Method::Exact => None,
             1 if number == 1 && params.transform != Transform::Off => Some(farthest(params)),
             1 if number % 32 == 13 => Some((Pose::identity(params), tiny(&mut rng))),
@@ -91,9 +93,11 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
             // V1 next to V0, so that coordinates and n_A straddle 0.
             pair.a[1] = pair.a[0].map(|x| near(x, -1));
         }
-        match segments.last_mut() {
-            Some((last, pairs)) if *last == pose => pairs.push(pair),
-            _ => segments.push((pose, vec![pair])),
+        // Between poses a unit that takes a pair in every clock has to wait, so there equal ones come together.
+        let last = segments.len().saturating_sub(if params.interval() == 1 { segments.len() } else { 1 });
+        match segments[last..].iter_mut().find(|(known, _)| *known == pose) {
+            Some((_, pairs)) => pairs.push(pair),
+            None => segments.push((pose, vec![pair])),
         }
     }
     Stimulus { segments }
