@@ -142,7 +142,7 @@ fn co_simulation_kills_mutants_of_every_kind() {
     let campaign = Campaign::new(&params, &Options { simulator: Simulator::Ghdl, vectors: 64, seed: 1 }).unwrap();
     let run = |mutant: Mutant| {
         let fate = campaign.fate(&mutant).unwrap();
-        Entry::new(mutant, fate, explained::VHDL)
+        Entry::new(mutant, fate, &explained::vhdl(&params))
     };
     assert_eq!(holes(slice.into_par_iter().map(run).collect()), Vec::<String>::new());
 }
@@ -156,7 +156,7 @@ fn the_evaluated_graph_kills_mutants_of_the_reference_model() {
     let campaign = ModelCampaign::new(64, 1).unwrap();
     let run = |mutant: Mutant| {
         let fate = campaign.fate(&mutant).unwrap();
-        Entry::new(mutant, fate, explained::MODEL)
+        Entry::new(mutant, fate, &explained::model())
     };
     // What rustc refuses tells nothing.
     let entries: Vec<Entry> =

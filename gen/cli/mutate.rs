@@ -144,12 +144,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             let options = Options { simulator: arguments.simulator, vectors, seed: arguments.seed };
             let campaign = Campaign::new(&params, &options)?;
             spinner.finish_and_clear();
-            results(arguments, chosen, explained::VHDL, |mutant| Ok(campaign.fate(mutant)?))?
+            results(arguments, chosen, &explained::vhdl(&params), |mutant| Ok(campaign.fate(mutant)?))?
         }
         Target::Golden => {
             let campaign = ModelCampaign::new(vectors, arguments.seed)?;
             spinner.finish_and_clear();
-            results(arguments, chosen, explained::MODEL, |mutant| Ok(campaign.fate(mutant)?))?
+            results(arguments, chosen, &explained::model(), |mutant| Ok(campaign.fate(mutant)?))?
         }
     };
     let mut score = Score::default();
@@ -202,7 +202,7 @@ fn choose(arguments: &Arguments, mut all: Vec<Mutant>) -> Result<Vec<Mutant>, Fa
 fn results(
     arguments: &Arguments,
     chosen: Vec<Mutant>,
-    table: &'static [Explanation],
+    table: &[&'static Explanation],
     fate: impl Fn(&Mutant) -> Result<Fate, Failure> + Sync,
 ) -> Result<Vec<Entry>, Failure> {
     let bar = progress::bar(chosen.len() as u64, "mutants", !arguments.json);

@@ -34,7 +34,7 @@ pub enum Standing {
 
 impl Entry {
     /// Looks the mutant up in a table of explanations.
-    pub fn new(mutant: Mutant, fate: Fate, table: &'static [Explanation]) -> Self {
+    pub fn new(mutant: Mutant, fate: Fate, table: &[&'static Explanation]) -> Self {
         let explanation = explained::find(table, &mutant.name());
         Self { mutant, fate, explanation }
     }
