@@ -3,13 +3,12 @@
 use super::settings::Setting;
 use efsat::design::{Design, Probes};
 use efsat::device;
-use efsat::graph::{Place, Step, Unit};
+use efsat::graph::{Place, Unit};
 use efsat::netlist::lower::Lowering;
 use efsat::netlist::{Driver, Module, Signal, SignalId};
 use efsat::params::Params;
 use efsat::schedule::Scheduler;
 use efsat::vhdl::{self, generated_instance};
-use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -83,7 +82,7 @@ impl Subject {
         }
         let own = module.signals.iter().filter(|s| s.named && s.place.path.is_empty());
         inner.extend(own.map(|s| Wire::new(s.name(), format!("unit.{}", s.place), s)));
-        files.push((AROUND.to_owned(), around(module)));
+        files.push((AROUND.to_owned(), around(top, module)));
         let port = |place: &Place, id: SignalId| Wire::new(place.to_string(), place.to_string(), module.signal(id));
         Self {
             name: name.to_owned(),
@@ -137,36 +136,22 @@ fn label(text: &str, place: &Place) -> String {
 }
 
 /// An entity with a port for each number of a unit, which GHDL connects with the elements of the unit's ports.
-fn around(module: &Module) -> String {
+fn around(top: &Rc<Module>, module: &Module) -> String {
     let inputs = module.inputs.iter().map(|id| ("in", &module.signal(*id).place, *id));
-    let mut all: Vec<(&str, &Place, SignalId)> =
-        inputs.chain(module.outputs.iter().map(|(place, id)| ("out", place, *id))).collect();
+    let outputs = module.outputs.iter().map(|(place, id)| ("out", place, *id));
+    let elements = vhdl::ports(top, module).concat();
+    let mut all: Vec<_> = inputs.chain(outputs).zip(elements).collect();
     // The elements of a port must stand beside each other.
-    all.sort_by_key(|(direction, place, _)| (*direction, &place.base, &place.suffix));
-    let mut fields: HashMap<&str, HashSet<&str>> = HashMap::new();
-    for step in all.iter().flat_map(|(_, place, _)| &place.path) {
-        if let Step::Field(kind, _, field) = step {
-            fields.entry(kind).or_default().insert(field);
-        }
-    }
-    let element = |place: &Place| {
-        let step = |step: &Step| match step {
-            Step::Index(i) | Step::Component(i) => format!("({i})"),
-            // A record of one field is that field.
-            Step::Field(kind, _, field) if fields[kind].len() > 1 => format!(".{field}"),
-            _ => String::new(),
-        };
-        format!("{}{}{}", place.base, place.suffix, place.path.iter().map(step).collect::<String>())
-    };
+    all.sort_by(|x, y| x.1.cmp(&y.1));
     let clock = ("clk : in std_logic".to_owned(), "clk => clk".to_owned());
-    let port = |(direction, place, id): &(&str, &Place, SignalId)| {
+    let port = |((direction, place, id), element): &((&str, &Place, SignalId), String)| {
         let ty = module.signal(*id).ty;
         let vhdl = match (ty.is_flag(), ty.signed) {
             (true, _) => "std_logic".to_owned(),
             (_, true) => format!("signed({} downto 0)", ty.bits - 1),
             _ => format!("unsigned({} downto 0)", ty.bits - 1),
         };
-        (format!("{place} : {direction} {vhdl}"), format!("{} => {place}", element(place)))
+        (format!("{place} : {direction} {vhdl}"), format!("{element} => {place}"))
     };
     let (ports, map): (Vec<_>, Vec<_>) =
         module.clocked().then_some(clock).into_iter().chain(all.iter().map(port)).unzip();
@@ -235,7 +220,8 @@ impl Mutant {
             let starts_line = |at: &usize| text[..*at].trim_end_matches(' ').ends_with('\n');
             let start = text.match_indices(&head).map(|(at, _)| at).find(starts_line)? + head.len();
             let end = start + text[start..].find(';')?;
-            let wrong = self.mistake.make(&text[start..end])?;
+            let in_one_line = text[start..end].split_whitespace().map(|word| format!(" {word}")).collect::<String>();
+            let wrong = self.mistake.make(&in_one_line)?;
             Some(format!("{}{wrong}{}", &text[..start], &text[end..]))
         })
     }
