@@ -9,6 +9,7 @@ mod axes;
 mod before_axes;
 mod claim;
 mod determinants;
+mod pair;
 mod products;
 mod rounding;
 mod settings;
@@ -159,4 +160,17 @@ fn determinants() {
     claims.extend(["length_first_order", "moment_first_order"].map(|entity| first_order(&setting, entity)));
     claims.push(short_products(&products));
     prove("Determinants", claims);
+}
+
+#[test]
+fn pairs_by_determinants() {
+    let params = |transform| Params { method: Method::Determinants, transform, ..Params::default() };
+    let settings =
+        share(3, [Transform::On, Transform::Translate, Transform::Off].map(params)).into_iter().map(Setting::full);
+    let mut claims: Vec<Claim> = settings.map(|setting| pair::differences(&setting)).collect();
+    if full() {
+        let setting = Setting::full(params(Transform::On));
+        claims.extend([pair::norms(&setting), pair::verdicts(&setting)]);
+    }
+    prove("Pairs by determinants", claims);
 }

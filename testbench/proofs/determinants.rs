@@ -110,7 +110,7 @@ pub fn pair_verdict(setting: &Setting) -> Claim {
 }
 
 /// That boxes are apart along an axis, by how a vertex is above one of the other triangle.
-fn apart(above: impl Fn(&str, &str) -> String) -> String {
+pub fn apart(above: impl Fn(&str, &str) -> String) -> String {
     let (of_a, of_b) = (["0", "v0", "v1"], ["w0", "w1", "w2"]);
     let all =
         |high: [&str; 3], low: [&str; 3]| joined(" && ", high.iter().flat_map(|high| low.map(|low| above(high, low))));
@@ -203,13 +203,18 @@ pub fn coordinate_carry(setting: &Setting) -> Claim {
     claim
 }
 
-/// Coordinates are rounded by the last bit or the last two.
+/// Coordinates are rounded by the last bit or the last two, within half a unit of what was cut.
 pub fn coordinate_round(setting: &Setting) -> Claim {
-    let mut claim = of(setting, "coordinate_round", "as defined, within the width");
+    let mut claim = of(setting, "coordinate_round", "as defined, within the width and half a unit");
     let most = number((1 << (setting.params.width - 1)) - 1);
     for (c, carried) in COORDINATES.iter().zip(["carried_x", "carried_y", "carried_z"]) {
-        claim.value(&format!("exact_{c}"), format!("{carried} ? (cut_{c} + 2) >>> 2 : (cut_{c} + 1) >>> 1"));
-        claim.given(format!("-{most} <= exact_{c} && exact_{c} <= {most}")).shown(format!("y_{c} == exact_{c}"));
+        // With some of the bits that were cut off.
+        claim.free(&format!("exact_{c}"), setting.params.width + 9).given(format!("cut_{c} == (exact_{c} >>> 8)"));
+        claim.value(&format!("round_{c}"), format!("({carried} ? (cut_{c} + 2) >>> 2 : (cut_{c} + 1) >>> 1)"));
+        claim.given(format!("-{most} <= round_{c} && round_{c} <= {most}")).shown(format!("y_{c} == round_{c}"));
+        claim.value(&format!("error_{c}"), format!("(y_{c} <<< (9 + {carried})) - exact_{c}"));
+        claim.value(&format!("half_{c}"), format!("256 <<< {carried}"));
+        claim.shown(format!("-half_{c} <= error_{c} && error_{c} <= half_{c}"));
     }
     claim.mutant(WrongArm, "chosen(i)").mutant(NoUlp, "y_floor_1_sum(i)").mutant(WrongSlice, "chosen(i)");
     claim

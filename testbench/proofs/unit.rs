@@ -68,15 +68,20 @@ impl Subject {
         for (number, instance) in module.instances.iter().enumerate() {
             let (place, label) = (instance.place.to_string(), label(text, &instance.place));
             let name = place.strip_suffix("_unit").unwrap_or(&place);
-            let wire =
-                |port: &Place, signal| Wire::new(format!("{name}_{port}"), format!("unit.{label}.{port}"), signal);
-            let inputs = instance.module.inputs.iter().map(|id| instance.module.signal(*id));
-            inner.extend(inputs.map(|signal| wire(&signal.place, signal)));
+            let [inputs, outputs] = vhdl::ports(top, &instance.module);
+            let wire = |port: &Place, element: &str, signal| {
+                // An array of one element is that element.
+                let alone = element.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+                let of_instance = if alone { element.to_owned() } else { port.to_string() };
+                Wire::new(format!("{name}_{port}"), format!("unit.{label}.{of_instance}"), signal)
+            };
+            let signals = instance.module.inputs.iter().map(|id| instance.module.signal(*id));
+            inner.extend(signals.zip(&inputs).map(|(signal, element)| wire(&signal.place, element, signal)));
             for signal in &module.signals {
                 if let Driver::Instance { instance: by, port } = signal.driver
                     && by == number
                 {
-                    inner.push(wire(&instance.module.outputs[port].0, signal));
+                    inner.push(wire(&instance.module.outputs[port].0, &outputs[port], signal));
                 }
             }
         }
@@ -96,8 +101,17 @@ impl Subject {
 
     /// An entity of a generated design.
     pub fn of_design(setting: &Setting, name: &str) -> Self {
+        Self::designed(setting, Probes::None, name)
+    }
+
+    /// An entity of a generated design whose inner numbers come out.
+    pub fn probed(setting: &Setting, name: &str) -> Self {
+        Self::designed(setting, Probes::All, name)
+    }
+
+    fn designed(setting: &Setting, probes: Probes, name: &str) -> Self {
         let params = &setting.params;
-        let design = Design::new(params, Probes::None).unwrap_or_else(|e| panic!("{params:?}: {e}"));
+        let design = Design::new(params, probes).unwrap_or_else(|e| panic!("{params:?}: {e}"));
         Self::new(&design.top, name)
     }
 
