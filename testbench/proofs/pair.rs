@@ -3,9 +3,9 @@
 
 use super::axes::COORDINATES;
 use super::claim::Claim;
-use super::determinants::{apart, edge, joined, levels, verdict};
+use super::determinants::{edge, joined, verdict};
 use super::settings::Setting;
-use super::unit::Mistake::{Inverted, Reversed, WrongArm, WrongSign};
+use super::unit::Mistake::{Reversed, WrongArm, WrongGate, WrongSign};
 use super::unit::Subject;
 use efsat::params::Transform;
 
@@ -70,7 +70,7 @@ pub fn differences(setting: &Setting) -> Claim {
         }
     }
     claim.mutant(Reversed, "difference_v2(i)");
-    if setting.params.transform != Transform::Off {
+    if setting.params.transform == Transform::On {
         claim.mutant(WrongArm, "moved(i)");
     }
     claim
@@ -108,11 +108,11 @@ pub fn norms(setting: &Setting) -> Claim {
     claim
 }
 
-/// The witnesses and the verdict from any dot products, by the bounds; boxes by coordinates and level. With any number
-/// outside its declared range all flags are clear.
+/// The witnesses beside the boxes, and the verdict, from any dot products, by the bounds. Of a pair with any number outside its
+/// declared range all flags are clear.
 pub fn verdicts(setting: &Setting) -> Claim {
-    let mut claim = of(setting, "flags and verdict as defined, from any dot products");
-    let [_, greatest, _] = levels(&setting.params);
+    let mut claim = of(setting, "flags by signs and verdict as defined, from any dot products");
+    claim.compares_only();
     any_moments(&mut claim, setting.params.span);
     let dot = |k: usize| format!("dot_lane{k}_dot");
     (0..10).for_each(|k| _ = claim.cut(&dot(k)));
@@ -129,7 +129,7 @@ pub fn verdicts(setting: &Setting) -> Claim {
     }
     for name in fifteen() {
         let bound = format!("(probe_bound_{name} >>> 3)");
-        claim.value(&format!("sign_{name}"), format!("({name} > {bound} ? 1 : {name} < -{bound} ? -1 : 0)"));
+        claim.value(&format!("sign_{name}"), format!("({bound} - {name} < 0 ? 1 : {name} + {bound} < 0 ? -1 : 0)"));
     }
     let sign = |name: String| format!("sign_{name}");
     let plane = |of: &str, k: usize| sign(format!("plane_{of}{}", k % 3));
@@ -137,14 +137,6 @@ pub fn verdicts(setting: &Setting) -> Claim {
         let all = |way: &str| joined(" && ", (0..3).map(|k| format!("{} == {way}", plane(of, k))));
         format!("({} || {})", all("1"), all("-1"))
     };
-    let level = if greatest > 0 { "probe_level" } else { "0" };
-    claim.value("wrong", format!("1 + ((1 <<< {level}) >>> 2)"));
-    let along = |c: &str| {
-        let of =
-            |y: &str| if y == "0" { y.to_owned() } else { coordinate(&y.replace("v1", "v2").replace("v0", "v1"), c) };
-        apart(|high, low| format!("{} + wrong < {}", of(low), of(high)))
-    };
-    claim.value("apart0", joined(" || ", COORDINATES.map(along)));
     claim.value("apart1", one_side("a")).value("apart2", one_side("b"));
     for k in 0..3 {
         let of_a = [0, 1, 2].map(|l| sign(format!("side{k}{l}")));
@@ -155,12 +147,12 @@ pub fn verdicts(setting: &Setting) -> Claim {
             claim.value(&format!("apart{}", first + k), missed).value(&format!("meets{}", first + k), pierces);
         }
     }
-    for witness in 0..9 {
+    for witness in 1..9 {
         let meets = if witness < 3 { "0".to_owned() } else { format!("meets{witness}") };
         claim.shown(format!("separated{witness} == (out ? 0 : apart{witness})"));
         claim.shown(format!("overlapping{witness} == (out ? 0 : {meets})"));
     }
     claim.shown(format!("verdict == {}", verdict("separated", "overlapping")));
-    claim.mutant(WrongSign, "plane_b(k)").mutant(Inverted, "boxes_wrong");
+    claim.mutant(WrongSign, "side1_i(k)").mutant(WrongGate, "pierces");
     claim
 }
