@@ -8,6 +8,8 @@
 mod axes;
 mod before_axes;
 mod claim;
+mod determinants;
+mod pair;
 mod products;
 mod rounding;
 mod settings;
@@ -18,7 +20,7 @@ mod unit;
 
 use crate::extent::{full, share};
 use claim::Claim;
-use efsat::params::{Params, Projections, Transform, Upper};
+use efsat::params::{Bound, Method, Params, Projections, Transform, Upper};
 use rayon::prelude::*;
 use settings::Setting;
 
@@ -128,4 +130,47 @@ fn transform_and_renormalisation() {
     claims.push(before_axes::offset(&setting));
     claims.push(before_axes::shift(&setting));
     prove("Transform and re-normalisation", claims);
+}
+
+#[test]
+fn determinants() {
+    use determinants::*;
+    let params = Params { method: Method::Determinants, ..Params::default() };
+    let products = Setting::full(Params { bound: Bound::Products, ..params.clone() });
+    let setting = Setting::full(params);
+    let claims = [
+        certain_sign,
+        determinant_sums,
+        edge_verdict,
+        pair_verdict,
+        boxes_axis,
+        boxes_axis_of_the_truth,
+        coordinate_shift,
+        coordinate_scale,
+        coordinate_carry,
+        coordinate_round,
+        moment_component,
+        moment_round,
+        dot_product,
+        bound_tails,
+        difference_row,
+    ];
+    let mut claims: Vec<Claim> = claims.iter().map(|claim| claim(&setting)).collect();
+    claims.extend(["vector_norm", "moment_norm"].map(|entity| norm(&setting, entity)));
+    claims.extend(["length_first_order", "moment_first_order"].map(|entity| first_order(&setting, entity)));
+    claims.push(short_products(&products));
+    prove("Determinants", claims);
+}
+
+#[test]
+fn pairs_by_determinants() {
+    let params = |transform| Params { method: Method::Determinants, transform, ..Params::default() };
+    let settings =
+        share(3, [Transform::On, Transform::Translate, Transform::Off].map(params)).into_iter().map(Setting::full);
+    let mut claims: Vec<Claim> = settings.map(|setting| pair::differences(&setting)).collect();
+    if full() {
+        let setting = Setting::full(params(Transform::On));
+        claims.extend([pair::norms(&setting), pair::verdicts(&setting)]);
+    }
+    prove("Pairs by determinants", claims);
 }

@@ -136,7 +136,12 @@ impl Claim {
     /// Says that the claim only compares numbers: with the one bit that a difference needs, and no more, the solver sees
     /// that it compares as the unit does.
     pub fn compares_only(&mut self) -> &mut Self {
-        self.slack = 1;
+        self.room_for(1)
+    }
+
+    /// Gives numbers so many bits more than the widest has.
+    pub fn room_for(&mut self, bits: u32) -> &mut Self {
+        self.slack = bits;
         self
     }
 

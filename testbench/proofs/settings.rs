@@ -1,6 +1,6 @@
 //! Parameter sets and widths that are proved, and how the table names them.
 
-use efsat::params::{Params, Upper};
+use efsat::params::{Method, Params, Upper};
 
 /// A parameter set whose units are proved.
 pub struct Setting {
@@ -22,9 +22,13 @@ impl Setting {
         Self { params: Params { width: 6, transform_width: 8, ..params }, small: true }
     }
 
-    /// Widths and rule for upper bounds.
+    /// Widths, and the rule for upper bounds where there are any.
     pub fn label(&self) -> String {
-        format!("{}/{} bits, {}", self.params.width, self.params.transform_width, rule(self.params.upper))
+        let widths = format!("{}/{} bits", self.params.width, self.params.transform_width);
+        match self.params.method {
+            Method::Axes => format!("{widths}, {}", rule(self.params.upper)),
+            Method::Determinants => widths,
+        }
     }
 }
 

@@ -80,6 +80,8 @@ proc
 flatten
 techmap -map wires.v
 setattr -unset init w:*
+memory -nomap
+memory_map -rom-only
 select -assert-none t:$*dff* t:$*latch* t:$mem*
 {}{}read_verilog -sv -formal claim.v
 prep -flatten -top claim

@@ -3,13 +3,12 @@
 use super::settings::Setting;
 use efsat::design::{Design, Probes};
 use efsat::device;
-use efsat::graph::{Place, Step, Unit};
+use efsat::graph::{Place, Unit};
 use efsat::netlist::lower::Lowering;
 use efsat::netlist::{Driver, Module, Signal, SignalId};
 use efsat::params::Params;
 use efsat::schedule::Scheduler;
 use efsat::vhdl::{self, generated_instance};
-use std::collections::{HashMap, HashSet};
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -69,21 +68,26 @@ impl Subject {
         for (number, instance) in module.instances.iter().enumerate() {
             let (place, label) = (instance.place.to_string(), label(text, &instance.place));
             let name = place.strip_suffix("_unit").unwrap_or(&place);
-            let wire =
-                |port: &Place, signal| Wire::new(format!("{name}_{port}"), format!("unit.{label}.{port}"), signal);
-            let inputs = instance.module.inputs.iter().map(|id| instance.module.signal(*id));
-            inner.extend(inputs.map(|signal| wire(&signal.place, signal)));
+            let [inputs, outputs] = vhdl::ports(top, &instance.module);
+            let wire = |port: &Place, element: &str, signal| {
+                // An array of one element is that element.
+                let alone = element.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
+                let of_instance = if alone { element.to_owned() } else { port.to_string() };
+                Wire::new(format!("{name}_{port}"), format!("unit.{label}.{of_instance}"), signal)
+            };
+            let signals = instance.module.inputs.iter().map(|id| instance.module.signal(*id));
+            inner.extend(signals.zip(&inputs).map(|(signal, element)| wire(&signal.place, element, signal)));
             for signal in &module.signals {
                 if let Driver::Instance { instance: by, port } = signal.driver
                     && by == number
                 {
-                    inner.push(wire(&instance.module.outputs[port].0, signal));
+                    inner.push(wire(&instance.module.outputs[port].0, &outputs[port], signal));
                 }
             }
         }
         let own = module.signals.iter().filter(|s| s.named && s.place.path.is_empty());
         inner.extend(own.map(|s| Wire::new(s.name(), format!("unit.{}", s.place), s)));
-        files.push((AROUND.to_owned(), around(module)));
+        files.push((AROUND.to_owned(), around(top, module)));
         let port = |place: &Place, id: SignalId| Wire::new(place.to_string(), place.to_string(), module.signal(id));
         Self {
             name: name.to_owned(),
@@ -97,8 +101,17 @@ impl Subject {
 
     /// An entity of a generated design.
     pub fn of_design(setting: &Setting, name: &str) -> Self {
+        Self::designed(setting, Probes::None, name)
+    }
+
+    /// An entity of a generated design whose inner numbers come out.
+    pub fn probed(setting: &Setting, name: &str) -> Self {
+        Self::designed(setting, Probes::All, name)
+    }
+
+    fn designed(setting: &Setting, probes: Probes, name: &str) -> Self {
         let params = &setting.params;
-        let design = Design::new(params, Probes::None).unwrap_or_else(|e| panic!("{params:?}: {e}"));
+        let design = Design::new(params, probes).unwrap_or_else(|e| panic!("{params:?}: {e}"));
         Self::new(&design.top, name)
     }
 
@@ -137,36 +150,22 @@ fn label(text: &str, place: &Place) -> String {
 }
 
 /// An entity with a port for each number of a unit, which GHDL connects with the elements of the unit's ports.
-fn around(module: &Module) -> String {
+fn around(top: &Rc<Module>, module: &Module) -> String {
     let inputs = module.inputs.iter().map(|id| ("in", &module.signal(*id).place, *id));
-    let mut all: Vec<(&str, &Place, SignalId)> =
-        inputs.chain(module.outputs.iter().map(|(place, id)| ("out", place, *id))).collect();
+    let outputs = module.outputs.iter().map(|(place, id)| ("out", place, *id));
+    let elements = vhdl::ports(top, module).concat();
+    let mut all: Vec<_> = inputs.chain(outputs).zip(elements).collect();
     // The elements of a port must stand beside each other.
-    all.sort_by_key(|(direction, place, _)| (*direction, &place.base, &place.suffix));
-    let mut fields: HashMap<&str, HashSet<&str>> = HashMap::new();
-    for step in all.iter().flat_map(|(_, place, _)| &place.path) {
-        if let Step::Field(kind, _, field) = step {
-            fields.entry(kind).or_default().insert(field);
-        }
-    }
-    let element = |place: &Place| {
-        let step = |step: &Step| match step {
-            Step::Index(i) | Step::Component(i) => format!("({i})"),
-            // A record of one field is that field.
-            Step::Field(kind, _, field) if fields[kind].len() > 1 => format!(".{field}"),
-            _ => String::new(),
-        };
-        format!("{}{}{}", place.base, place.suffix, place.path.iter().map(step).collect::<String>())
-    };
+    all.sort_by(|x, y| x.1.cmp(&y.1));
     let clock = ("clk : in std_logic".to_owned(), "clk => clk".to_owned());
-    let port = |(direction, place, id): &(&str, &Place, SignalId)| {
+    let port = |((direction, place, id), element): &((&str, &Place, SignalId), String)| {
         let ty = module.signal(*id).ty;
         let vhdl = match (ty.is_flag(), ty.signed) {
             (true, _) => "std_logic".to_owned(),
             (_, true) => format!("signed({} downto 0)", ty.bits - 1),
             _ => format!("unsigned({} downto 0)", ty.bits - 1),
         };
-        (format!("{place} : {direction} {vhdl}"), format!("{} => {place}", element(place)))
+        (format!("{place} : {direction} {vhdl}"), format!("{element} => {place}"))
     };
     let (ports, map): (Vec<_>, Vec<_>) =
         module.clocked().then_some(clock).into_iter().chain(all.iter().map(port)).unzip();
@@ -235,7 +234,8 @@ impl Mutant {
             let starts_line = |at: &usize| text[..*at].trim_end_matches(' ').ends_with('\n');
             let start = text.match_indices(&head).map(|(at, _)| at).find(starts_line)? + head.len();
             let end = start + text[start..].find(';')?;
-            let wrong = self.mistake.make(&text[start..end])?;
+            let in_one_line = text[start..end].split_whitespace().map(|word| format!(" {word}")).collect::<String>();
+            let wrong = self.mistake.make(&in_one_line)?;
             Some(format!("{}{wrong}{}", &text[..start], &text[end..]))
         })
     }

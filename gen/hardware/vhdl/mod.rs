@@ -45,3 +45,13 @@ pub fn print(top: &Rc<Module>, package: &str, origin: &[String]) -> Result<Vec<(
     files.insert(0, (package.to_owned(), package::text(package, &types, &functions)));
     Ok(files)
 }
+
+/// What the text calls the numbers at the ports of a module below a top: its inputs, and its outputs, in their order.
+pub fn ports(top: &Rc<Module>, module: &Module) -> [Vec<String>; 2] {
+    let mut names = [vec![String::new(); module.inputs.len()], vec![String::new(); module.outputs.len()]];
+    for (input, object) in view::ports(&shape::Records::of(&top.hierarchy()), module) {
+        let of_direction = &mut names[usize::from(!input)];
+        object.members.iter().for_each(|(id, subs)| of_direction[id.0] = object.part(subs).to_string());
+    }
+    names
+}

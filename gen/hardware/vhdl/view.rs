@@ -523,7 +523,7 @@ fn label(place: &Place) -> Place {
 }
 
 /// The input and output ports of a module as objects, their members being numbers of inputs or outputs.
-fn ports(records: &Records, module: &Module) -> Vec<(bool, Object)> {
+pub(super) fn ports(records: &Records, module: &Module) -> Vec<(bool, Object)> {
     let inputs = module.inputs.iter().map(|id| (module.signal(*id).place.clone(), module.signal(*id).ty));
     let outputs = module.outputs.iter().map(|(place, id)| (place.clone(), module.signal(*id).ty));
     let numbered = |ports: Vec<(Place, Type)>| ports.into_iter().enumerate().map(|(k, (p, t))| (p, t, SignalId(k)));
