@@ -27,7 +27,7 @@ impl Setting {
         let widths = format!("{}/{} bits", self.params.width, self.params.transform_width);
         match self.params.method {
             Method::Axes => format!("{widths}, {}", rule(self.params.upper)),
-            Method::Determinants => widths,
+            Method::Determinants | Method::Exact => widths,
         }
     }
 }
