@@ -4,7 +4,7 @@
 -- AXI4-Stream wrapper of efsat. A word that lacks bytes by its TKEEP makes its packet malformed.
 --
 -- In: packets of 1024-bit words, the last with TLAST. The first word is the header, in its low 32 bits:
---   16#04102001#  pairs: any number of records follow, at least one
+--   16#04106001#  pairs: any number of records follow, at least one
 -- A record is one word for a pair:
 --   31 downto 0  not read
 --   47 downto 32  tag
@@ -45,7 +45,7 @@ entity efsat_stream is
 end entity efsat_stream;
 
 architecture rtl of efsat_stream is
-  constant pairs_header : std_logic_vector(31 downto 0) := x"04102001";
+  constant pairs_header : std_logic_vector(31 downto 0) := x"04106001";
   constant all_bytes : std_logic_vector(127 downto 0) := (others => '1');
   constant pair_end : unsigned(5 downto 0) := to_unsigned(0, 6);  -- last word of a pair, counted from 0
 

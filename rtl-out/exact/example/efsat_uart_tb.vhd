@@ -23,7 +23,7 @@ architecture simulation of efsat_uart_tb is
   type byte_list is array (natural range <>) of std_logic_vector(7 downto 0);
   -- A vertex through a face.
   constant pair_packet : byte_list(0 to 255) := (
-    x"01", x"20", x"10", x"04", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00",
+    x"01", x"60", x"10", x"04", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00",
     x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00",
     x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00",
     x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00", x"00",
