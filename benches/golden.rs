@@ -51,26 +51,36 @@ fn exact(c: &mut Criterion) {
     group.finish();
 }
 
-/// The determinant unit, one pair at a time and in batches under one pose.
-fn determinants(c: &mut Criterion) {
-    let mut group = c.benchmark_group("determinants");
+/// Pairs under one pose, in batches and one at a time, by method.
+fn batches(c: &mut Criterion) {
+    let mut group = c.benchmark_group("batches");
     group.throughput(Throughput::Elements(PAIRS as u64));
-    for bound in [Bound::Moments, Bound::Products] {
+    let unit = |method, bound| Params { method, bound, ..Params::of(method) };
+    let units = [
+        ("axes", Params::default()),
+        ("determinants", Params::of(Method::Determinants)),
+        ("determinants, products", unit(Method::Determinants, Bound::Products)),
+        ("exact", Params::of(Method::Exact)),
+    ];
+    for (unit, params) in units {
         for (transform, name) in [(Transform::On, "pose"), (Transform::Off, "no transform")] {
-            let params = Params { method: Method::Determinants, bound, transform, ..Params::default() };
+            let params = Params { transform, ..params.clone() };
+            if params.validate().is_err() {
+                continue;
+            }
             let golden = Golden::new(&params);
             let mut rng = ChaCha8Rng::seed_from_u64(1);
             let mut pose = sample::random_pose(&mut rng, &params);
             pose.bypass = false;
             let pairs: Vec<Pair> = (0..PAIRS).map(|_| sample::random_pair_under(&mut rng, &params, &pose)).collect();
             let mut verdicts = vec![];
-            group.bench_function(format!("verdicts, {bound:?}, {name}"), |b| {
+            group.bench_function(format!("verdicts, {unit}, {name}"), |b| {
                 b.iter(|| {
                     verdicts.clear();
                     golden.verdicts(black_box(&pose), &pairs, &mut verdicts);
                 });
             });
-            group.bench_function(format!("outcome, {bound:?}, {name}"), |b| {
+            group.bench_function(format!("outcome, {unit}, {name}"), |b| {
                 b.iter(|| pairs.iter().map(|pair| golden.outcome(black_box(&pose), pair).separated).max());
             });
         }
@@ -78,5 +88,5 @@ fn determinants(c: &mut Criterion) {
     group.finish();
 }
 
-criterion_group!(benches, verdict, determinants, exact);
+criterion_group!(benches, verdict, batches, exact);
 criterion_main!(benches);

@@ -4,7 +4,7 @@ use crate::extent::share;
 use efsat::artefact::Stimulus;
 use efsat::artefact::vectors::{Word, answer_word, pair_word, pose_word};
 use efsat::design::{Design, Probes};
-use efsat::golden::{Golden, Pair, Pose};
+use efsat::golden::{Golden, Input, Pair, Pose};
 use efsat::host::sample;
 use efsat::netlist::simulate::Simulation;
 use efsat::params::{CLOCKS_PER_PAIR, Method, Params, Transform};
@@ -105,10 +105,16 @@ fn expected(p: &Params, pose: &Pose, pair: &Pair) -> [i128; 3] {
     [0, 1, 2].map(|i| word.fields[i].1)
 }
 
-/// Pairs that are answered differently under the two poses, and the poses.
+/// Pairs that are answered differently without a pose and under each of two poses, and the poses. For an exact unit these
+/// are a shift within its range and one that brings every pair out of it.
 fn telling(p: &Params) -> (Pose, Pose, Vec<Pair>) {
     let mut rng = rand::rngs::ChaCha8Rng::seed_from_u64(4);
-    let [first, second] = [0, 1].map(|_| {
+    let identity = Pose::identity(p);
+    let [first, second] = [p.width - 6, p.width + 2].map(|bits| {
+        if p.method == Method::Exact {
+            let shift = [1 << bits, 0, 0].map(Input::exact);
+            return Pose { t: shift, bypass: false, ..identity };
+        }
         loop {
             let pose = sample::random_pose(&mut rng, p);
             if !pose.bypass {
@@ -118,8 +124,8 @@ fn telling(p: &Params) -> (Pose, Pose, Vec<Pair>) {
     });
     let mut pairs = vec![];
     while pairs.len() < 6 {
-        let pair = sample::random_pair(&mut rng, p);
-        let answers = [Pose::identity(p), first, second].map(|pose| expected(p, &pose, &pair));
+        let pair = sample::random_pair_under(&mut rng, p, &identity);
+        let answers = [identity, first, second].map(|pose| expected(p, &pose, &pair));
         if answers[0] != answers[1] && answers[1] != answers[2] && answers[0] != answers[2] {
             pairs.push(pair);
         }
