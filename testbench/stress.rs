@@ -400,7 +400,22 @@ fn the_command() {
         object["definite"].as_u64().unwrap() + object["possibly_incorrect"].as_u64().unwrap(),
         object["answers"]
     );
+    let dir = tempfile::tempdir().unwrap();
+    let (status, out, errors) = efsat(&format!(
+        "stress --pairs 3 --family anything --family lattice-5 --first 4 --seed 9 --emit {}",
+        dir.path().display()
+    ));
+    assert_eq!((status, out.as_str(), errors.as_str()), (Some(0), "", ""));
+    let file = |name: &str| std::fs::read(dir.path().join(name)).unwrap();
+    let pairs = |name: &str, cases: &[u64]| -> Vec<u8> {
+        let points = cases.iter().map(|i| Family::by_name(name).unwrap().case(9, *i).0);
+        points.flat_map(|points| points.into_iter().flatten()).flat_map(f64::to_le_bytes).collect()
+    };
+    assert_eq!(file("anything.f64"), pairs("anything", &[4, 5]));
+    assert_eq!(file("lattice-5.f64"), pairs("lattice-5", &[4]));
     let cases = [
+        ("--emit x --list", "cannot be used with"),
+        ("--emit /dev/null/x", "/dev/null/x: "),
         ("--family nothing", "'nothing' for '--family <NAME>': expected one of anything, coplanar-disjoint, "),
         ("--pairs 0", "expected a whole number, 1 or greater"),
         ("--pairs -1", "expected a whole number, 1 or greater"),

@@ -97,7 +97,7 @@ pub(super) fn place(path: &Path) -> Result<PathBuf, Failure> {
     if is_stream { std::path::absolute(path) } else { seek(path) }.map_err(fault(path))
 }
 
-fn fault(path: &Path) -> impl FnOnce(io::Error) -> Failure + use<> {
+pub(super) fn fault(path: &Path) -> impl FnOnce(io::Error) -> Failure + use<> {
     let path = path.display().to_string();
     move |e| Failure::Usage(format!("{path}: {e}; expected a file in an existing folder"))
 }

@@ -1,6 +1,7 @@
 //! `efsat stress`.
 
 use super::error::Failure;
+use super::file;
 use super::output::{print, print_json};
 use super::params::ParamArguments;
 use super::progress;
@@ -9,6 +10,7 @@ use crate::stress::{Campaign, Counts, FAMILIES, Family, Model, Plan, Report};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
+use std::path::{Path, PathBuf};
 
 /// Compares the reference model with the exact answer on named families of hard pairs
 ///
@@ -33,6 +35,9 @@ pub(super) struct Arguments {
     /// List the families and do nothing else
     #[arg(long, conflicts_with_all = ["pairs", "seed", "families", "first", "json"])]
     list: bool,
+    /// Write the pairs to DIR/FAMILY.f64 (18 little-endian binary64 numbers a pair) and do nothing else
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["list", "json"])]
+    emit: Option<PathBuf>,
     /// Print one JSON object instead of a table
     #[arg(long)]
     json: bool,
@@ -157,6 +162,19 @@ fn list() -> String {
     FAMILIES.iter().map(|family| format!("{:<22}{}\n", family.name, family.what)).collect()
 }
 
+/// The pairs of each family as a file.
+fn emit(plan: &Plan, dir: &Path) -> Result<(), Failure> {
+    std::fs::create_dir_all(dir).map_err(file::fault(dir))?;
+    let files = plan.families.iter().enumerate().map(|(i, family)| {
+        let cases = (i as u64..plan.pairs).step_by(plan.families.len()).zip(plan.first..);
+        let points = cases.map(|(_, index)| family.case(plan.seed, index).0);
+        let bytes: Vec<u8> =
+            points.flat_map(|points| points.into_iter().flatten()).flat_map(f64::to_le_bytes).collect();
+        (dir.join(family.name).with_extension("f64"), bytes)
+    });
+    file::write_all(files.filter(|(_, bytes)| !bytes.is_empty()))
+}
+
 /// The bar of a campaign shows its rate too.
 pub(super) fn bar(pairs: u64) -> ProgressBar {
     let bar = progress::bar(pairs, "pairs", false);
@@ -178,6 +196,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Usage(format!("--first {first}: expected an index with --pairs {pairs} below 2^64")));
     }
     let plan = Plan { families, pairs, first, seed };
+    if let Some(dir) = &arguments.emit {
+        return emit(&plan, dir);
+    }
     let bar = bar(pairs);
     let report = Campaign::new(&params, Model::new).run(&plan, &|| bar.inc(1));
     bar.finish_and_clear();
