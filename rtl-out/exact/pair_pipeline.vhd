@@ -195,7 +195,7 @@ architecture rtl of pair_pipeline is
   signal first_unit_z : signed_18_vector_x2_t;
   signal cross_in_plane_lane_unit_plus : signed_18_x2_x6_t;
   signal cross_in_plane_lane_unit_minus : signed_18_x2_x6_t;
-  signal by_edge_unit_m : signed_36_x3_t;
+  signal by_edge_unit_moment : signed_36_x3_t;
   signal by_edge_unit_x : signed_36_x3_x2_t;
   signal parts_unit_area : flag_x2_x6_t;
   signal edge_missed_unit_ends : flag_x2_x2_x6_t;
@@ -487,16 +487,16 @@ begin
     end if;
   end process clock_8;
   no_u <= not or_reduce(not flag(component_c(2) = 0) & not flag(component_c(1) = 0) & not flag(component_c(0) = 0));
-  by_edge_unit_m_each : for k in 0 to 2 generate
-    by_edge_unit_m(k) <= moment_c_line(3)(k);
-  end generate by_edge_unit_m_each;
+  by_edge_unit_moment_each : for k in 0 to 2 generate
+    by_edge_unit_moment(k) <= moment_c_line(3)(k);
+  end generate by_edge_unit_moment_each;
   by_edge_unit_x_0_each : for m in 0 to 2 generate
     by_edge_unit_x(0)(m) <= component_c(m);
     by_edge_unit_x(1)(m) <= component_c(m + 3);
   end generate by_edge_unit_x_0_each;
   by_edge_unit : entity work.plane_sums
-    port map (clk => clk, m => by_edge_unit_m, n => moment_c_line(3)(3), x => by_edge_unit_x, sides => by_edge,
-              area_sign => area);
+    port map (clk => clk, moment => by_edge_unit_moment, n => moment_c_line(3)(3), x => by_edge_unit_x,
+              sides => by_edge, area_sign => area);
 
   -- Clock 10
   clock_10 : process (clk)

@@ -12,7 +12,7 @@ use work.efsat_types.all;
 entity plane_sums is
   port (
     clk       : in  std_logic;
-    m         : in  signed_36_x3_t;  -- |.| <= 34359214082
+    moment    : in  signed_36_x3_t;  -- |.| <= 34359214082
     n         : in  signed(35 downto 0);  -- |.| <= 34359214082
     x         : in  signed_36_x3_x2_t;  -- |.| <= 34359214082
     sides     : out signed_38_x3_x6_t;  -- |.| <= 103077642246
@@ -33,8 +33,8 @@ architecture rtl of plane_sums is
   signal sides5_1_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
   signal sides5_2_difference_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
   signal sides2_negative_d1 : signed_37_x3_t := zero_signed_37_x3;  -- |.| <= 34359214082
-  signal m_d1 : signed_36_x3_t := zero_signed_36_x3;  -- |.| <= 34359214082
-  signal m_d2 : signed_36_x3_t := zero_signed_36_x3;  -- |.| <= 34359214082
+  signal moment_d1 : signed_36_x3_t := zero_signed_36_x3;  -- |.| <= 34359214082
+  signal moment_d2 : signed_36_x3_t := zero_signed_36_x3;  -- |.| <= 34359214082
   signal area : signed_38_x2_t;  -- |.| <= 103077642246
   signal area1_sum_d1 : signed(36 downto 0) := (others => '0');  -- |.| <= 68718428164
   signal area_sign_i : flag_x2_x2_t;
@@ -64,21 +64,21 @@ begin
       sides4_2_difference_d1 <= resize(x(1)(1), 37) - resize(x(1)(2), 37);
       sides5_1_difference_d1 <= resize(x(0)(2), 37) - resize(x(0)(0), 37);
       sides5_2_difference_d1 <= resize(x(1)(2), 37) - resize(x(1)(0), 37);
-      m_d1 <= m;
-      area1_sum_d1 <= resize(m(0), 37) + resize(m(1), 37);
+      moment_d1 <= moment;
+      area1_sum_d1 <= resize(moment(0), 37) + resize(moment(1), 37);
     end if;
   end process clock_1;
   sides_i_1_each : for m in 0 to 2 generate
     sides_i(1)(m) <= resize(n_d1, 38) + resize(sides1_difference_d1(m), 38);
   end generate sides_i_1_each;
-  sides_i(3)(1) <= resize(m_d1(0), 38) + resize(sides3_1_difference_d1, 38);
-  sides_i(3)(2) <= resize(m_d1(0), 38) + resize(sides3_2_difference_d1, 38);
-  sides_i(4)(1) <= resize(m_d1(1), 38) + resize(sides4_1_difference_d1, 38);
-  sides_i(4)(2) <= resize(m_d1(1), 38) + resize(sides4_2_difference_d1, 38);
-  sides_i(5)(1) <= resize(m_d1(2), 38) + resize(sides5_1_difference_d1, 38);
-  sides_i(5)(2) <= resize(m_d1(2), 38) + resize(sides5_2_difference_d1, 38);
+  sides_i(3)(1) <= resize(moment_d1(0), 38) + resize(sides3_1_difference_d1, 38);
+  sides_i(3)(2) <= resize(moment_d1(0), 38) + resize(sides3_2_difference_d1, 38);
+  sides_i(4)(1) <= resize(moment_d1(1), 38) + resize(sides4_1_difference_d1, 38);
+  sides_i(4)(2) <= resize(moment_d1(1), 38) + resize(sides4_2_difference_d1, 38);
+  sides_i(5)(1) <= resize(moment_d1(2), 38) + resize(sides5_1_difference_d1, 38);
+  sides_i(5)(2) <= resize(moment_d1(2), 38) + resize(sides5_2_difference_d1, 38);
   area(0) <= resize(n_d1, 38);
-  area(1) <= resize(area1_sum_d1, 38) + resize(m_d1(2), 38);
+  area(1) <= resize(area1_sum_d1, 38) + resize(moment_d1(2), 38);
   area_sign_i(0)(0) <= not area_sign_i(0)(1) and not flag(area(0) = 0);
   area_sign_i(0)(1) <= area(0)(37);
   area_sign_i(1)(1) <= area(1)(37);
@@ -91,7 +91,7 @@ begin
       for k in 0 to 2 loop
         sides2_negative_d1(k) <= -resize(x_d1(1)(k), 37);
       end loop;
-      m_d2 <= m_d1;
+      moment_d2 <= moment_d1;
       area_sign1_1_d1 <= area_sign_i(1)(1);
       area_sign0_d1 <= area_sign_i(0);
       area_sign1_not_second_equal_d1(0) <= flag(area(1) = 0);
@@ -108,9 +108,9 @@ begin
     sides_i(0)(m) <= resize(x0_d2(m), 38);
     sides_i(2)(m) <= resize(sides2_negative_d1(m), 38);
   end generate sides_i_0_each;
-  sides_i(3)(0) <= resize(m_d2(0), 38);
-  sides_i(4)(0) <= resize(m_d2(1), 38);
-  sides_i(5)(0) <= resize(m_d2(2), 38);
+  sides_i(3)(0) <= resize(moment_d2(0), 38);
+  sides_i(4)(0) <= resize(moment_d2(1), 38);
+  sides_i(5)(0) <= resize(moment_d2(2), 38);
   area_sign_i(1)(0) <= not area_sign1_1_d1 and not area_sign1_not_second_equal_d1(0);
 
   -- Outputs

@@ -98,10 +98,10 @@ begin
   end process clock_4;
   l_hi_up_each : for i in 0 to 2 generate
     l_hi_up(i) <= resize(l_hi_up_floor_17_d1(i), 21) + 1;
-    l_saturated(i).lo <= to_signed(65536, 21) when l_lo_saturated_too_high_d1(i) = '1' else
-        choose(l_lo_saturated_raised_too_low_d1(i), to_signed(-65536, 21), exact_lo_floor_16_d1(i));
-    l_saturated(i).hi <= to_signed(65536, 22) when l_hi_saturated_too_high_d1(i) = '1' else
-        choose(l_hi_saturated_raised_too_low_d1(i), to_signed(-65536, 22), exact_hi_floor_16_up_d1(i));
+    l_saturated(i).lo <= to_signed(65536, 21) when l_lo_saturated_too_high_d1(i) = '1' else to_signed(-65536, 21) when
+        l_lo_saturated_raised_too_low_d1(i) = '1' else exact_lo_floor_16_d1(i);
+    l_saturated(i).hi <= to_signed(65536, 22) when l_hi_saturated_too_high_d1(i) = '1' else to_signed(-65536, 22) when
+        l_hi_saturated_raised_too_low_d1(i) = '1' else exact_hi_floor_16_up_d1(i);
     l(i).lo <= l_saturated(i).lo(17 downto 0) when rounding_line(4) = '1' else l_lo_floor_17_d1(i)(17 downto 0);
     l(i).hi <= l_saturated(i).hi(17 downto 0) when rounding_line(4) = '1' else l_hi_up(i)(17 downto 0);
   end generate l_hi_up_each;

@@ -25,8 +25,8 @@ const LARGEST: usize = 8192;
 /// The most pairs that are chosen.
 const MOST_CHOSEN: usize = 128;
 
-/// A comparison at the edge: axis or determinant, which of the four or two, what is lacking (0 or 1 ulp), and the ends of A and of B: the vertex
-/// that has the bound, and the set of those that nearly have it.
+/// A comparison at the edge: axis or determinant, which of the four or two, what is lacking (0 or 1 ulp; of a determinant
+/// whether it holds), and the ends of A and of B: the vertex that has the bound, and the set of those that nearly have it.
 type Edge = (usize, usize, i128, (usize, u8), (usize, u8));
 
 /// What the four comparisons of section 6 lack on an axis, in ulps: each holds where its number is positive. A determinant
@@ -334,12 +334,16 @@ impl Axes {
     fn lacking(&self, axis: usize) -> Lacking {
         let axis = self.names()[axis];
         if let Some(x) = self.0.get(&format!("determinant.{axis}")) {
-            // Bounds are in eighths; exact determinants have none.
-            let bound = self.0.get(&format!("bound.{axis}")).map_or(0, |bound| bound.lo >> 3);
+            let bound = self.bound(axis);
             return [x.lo - bound, -x.lo - bound, x.lo - bound, -x.lo - bound];
         }
         let [a_min, a_max, b_min, b_max] = ["a_min", "a_max", "b_min", "b_max"].map(|end| self.enclosure(axis, end));
         [b_min.lo - a_max.hi, a_min.lo - b_max.hi, b_max.lo - a_min.hi, a_max.lo - b_min.hi]
+    }
+
+    /// The bound of a determinant, which is in eighths of it; exact determinants have none.
+    fn bound(&self, determinant: &str) -> i128 {
+        self.0.get(&format!("bound.{determinant}")).map_or(0, |bound| bound.lo >> 3)
     }
 
     /// The vertex whose projection has this bound (3: none has), and those of the same triangle whose enclosures overlap its.
@@ -368,8 +372,10 @@ fn edges(golden: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
     for (number, axis) in axes.names().into_iter().enumerate() {
         let lacking = axes.lacking(number);
         if axes.0.contains_key(&format!("determinant.{axis}")) {
-            let at_edge = (0..2).filter(|i| matches!(lacking[*i], 0 | 1));
-            found.extend(at_edge.map(|i| (number, i, lacking[i], (3, 0), (3, 0))));
+            // A step of a coordinate moves a determinant by about its bound, so few are nearer than a part of it.
+            let near = axes.bound(axis) / 4 + 1;
+            let at_edge = (0..2).filter(|i| (-near..near).contains(&(lacking[*i] - 1)));
+            found.extend(at_edge.map(|i| (number, i, i128::from(lacking[i] > 0), (3, 0), (3, 0))));
             continue;
         }
         // The bound of A, and that of B, that each comparison looks at.

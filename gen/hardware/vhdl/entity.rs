@@ -406,7 +406,16 @@ impl Printer<'_, '_> {
                 let text = match value {
                     Expression::Select(index, legs) => match &legs[..] {
                         [clear, set] if index.ty.is_flag() => {
-                            vec![format!("{target} <= {set} when {} else {clear};", condition(&index.value))]
+                            let mut text = format!("{target} <= {set} when {} else", condition(&index.value));
+                            // A choice among bundles, for which the package has no function, goes on in the same way.
+                            let mut last = clear;
+                            while let Expression::Select(index, legs) = last
+                                && let ([clear, set], true) = (&legs[..], index.ty.is_flag())
+                            {
+                                text += &format!(" {set} when {} else", condition(&index.value));
+                                last = clear;
+                            }
+                            vec![format!("{text} {last};")]
                         }
                         _ => {
                             let (last, others) = legs.split_last().expect("a choice has operands");

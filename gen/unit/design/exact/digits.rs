@@ -55,7 +55,8 @@ pub fn dot_product<'l>(x: Vec3<Sig<'l>>, m: Vec3<Sig<'l>>) -> Sig<'l> {
     entity!("dot_product", &doc, (x, m) => {
         let (x, m) = (x.map(|x| digits(offset(x))), m.map(digits));
         let (last_x, last_m) = (x[0].len() - 1, m[0].len() - 1);
-        let m = m.named("digit");
+        // One digit is the port itself, which has its name.
+        let m = if last_m > 0 { m.named("digit") } else { m };
         // The dot product of the digits at a place.
         let place = |place: usize| {
             let digits = (0..=last_x).filter_map(|i| Some((i, place.checked_sub(i).filter(|j| *j <= last_m)?)));

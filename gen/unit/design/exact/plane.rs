@@ -64,21 +64,23 @@ pub(super) fn plane<'l>(u: Top<'l>, points: &Points<'l>, moments: &[Vec3<Sig<'l>
 }
 
 /// For each edge of A, then of B, the side of it on which each corner of the other triangle is; the signs of both areas.
-fn sums<'l>(m: [Sig<'l>; 3], n: Sig<'l>, x: [[Sig<'l>; 3]; 2]) -> ([[Sig<'l>; 3]; 6], [Sign<'l>; 2]) {
+fn sums<'l>(moment: [Sig<'l>; 3], n: Sig<'l>, x: [[Sig<'l>; 3]; 2]) -> ([[Sig<'l>; 3]; 6], [Sign<'l>; 2]) {
     let doc = [
         "Sides of edges from components c (section 5 of docs/exact.md), and the signs of the areas n and m_0 + m_1 + m_2:",
         "  W_l by the edges of A: x_1l, n + x_2l - x_1l, -x_2l",
         "  V_k by edge l of B: m_l, m_l + x_1l - x_1(l+1), m_l + x_2l - x_2(l+1)",
     ];
-    let (sides, area) = entity!("plane_sums", &doc, (m, n, x) => {
+    let (sides, area) = entity!("plane_sums", &doc, (moment, n, x) => {
         let next = |l: usize| (l + 1) % 3;
         let of_a = |l: usize| [x[0][l], n + (x[1][l] - x[0][l]), -x[1][l]];
-        let of_b = |l: usize| [m[l], m[l] + (x[0][l] - x[0][next(l)]), m[l] + (x[1][l] - x[1][next(l)])];
+        let of_b = |l: usize| {
+            [moment[l], moment[l] + (x[0][l] - x[0][next(l)]), moment[l] + (x[1][l] - x[1][next(l)])]
+        };
         // Sums of three.
         let wide = |x: Sig<'l>| x.bits(n.ty().bits + 2);
         let sides: [[Sig<'l>; 3]; 6] =
             std::array::from_fn(|k| if k < 3 { [0, 1, 2].map(|l| wide(of_a(l)[k])) } else { of_b(k - 3).map(wide) });
-        let areas = [wide(n), wide((m[0] + m[1]) + m[2])].named("area");
+        let areas = [wide(n), wide((moment[0] + moment[1]) + moment[2])].named("area");
         (sides.named("sides"), areas.map(sign).named("area_sign"))
     });
     (sides, area.named("area"))
