@@ -51,6 +51,8 @@ fn settings() -> Vec<(&'static str, Params)> {
             },
         ),
         ("exact", Params::of(Method::Exact)),
+        // Delay lines that begin where others end.
+        ("exact, 130 MHz", Params { device: "lfe5u-85-6".to_owned(), frequency: 130, ..Params::of(Method::Exact) }),
         (
             "exact, folded and wide",
             Params {

@@ -34,9 +34,9 @@ architecture rtl of pair_verdict is
   signal hit : std_logic;
   signal pierced : std_logic;
   signal apart : std_logic;
-  signal through : std_logic;
+  signal proper : std_logic;
   signal in_plane_d1 : std_logic := '0';
-  signal through_d1 : std_logic := '0';
+  signal proper_d1 : std_logic := '0';
   signal crosses_and_d1 : std_logic := '0';
   signal crosses : std_logic;
   signal separated_i : std_logic_vector(8 downto 0);
@@ -59,7 +59,7 @@ begin
   hit <= or_reduce(unsigned(edges_hits));
   pierced <= or_reduce(unsigned(edges_pierces));
   apart <= in_plane and (skew or plane_apart);
-  through <= pierced or (both_sides(0) and both_sides(1) and inner(0) and inner(1) and inner(2));
+  proper <= pierced or (both_sides(0) and both_sides(1) and inner(0) and inner(1) and inner(2));
   separated_i(0) <= apart and not outside;
   separated_i(1) <= one_side(0) and not outside;
   separated_i(2) <= one_side(1) and not outside;
@@ -75,7 +75,7 @@ begin
   begin
     if rising_edge(clk) then
       in_plane_d1 <= in_plane;
-      through_d1 <= through;
+      proper_d1 <= proper;
       crosses_and_d1 <= not apart and plane_crosses;
       outside_d1 <= outside;
       overlapping1_and_d1 <= in_plane and not skew;
@@ -89,7 +89,7 @@ begin
       separated <= separated_i;
     end if;
   end process clock_1;
-  crosses <= crosses_and_d1 when in_plane_d1 = '1' else through_d1;
+  crosses <= crosses_and_d1 when in_plane_d1 = '1' else proper_d1;
   intersects <= not outside_d1 and intersects_choice_d1;
   verdict <= outside_d1 & intersects;
   overlapping(0) <= crosses and not outside_d1;

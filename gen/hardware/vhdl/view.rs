@@ -197,19 +197,24 @@ impl<'a> View<'a> {
                 object.members.iter().map(|(id, subs)| (subs.clone(), by_end[id].source)).collect();
             found.push((i, sources, length));
         }
-        for (object, sources, length) in found {
-            let (shape, end) = (self.objects[object].shape.clone(), self.objects[object].name.clone());
+        let mut shapes = vec![];
+        for (object, _, length) in &found {
+            let (shape, end) = (self.objects[*object].shape.clone(), self.objects[*object].name.clone());
             // The line is called after what it delays.
             let base = end.rsplit_once('_').map_or(end.as_str(), |(base, _)| base);
             let short = format!("{base}_line");
             let name = if self.shapes.contains_key(&short) { format!("{end}_line") } else { short };
-            for (id, subs) in &self.objects[object].members {
-                let subs = std::iter::once(Sub::Index(Index::At(length))).chain(subs.iter().cloned()).collect();
+            for (id, subs) in &self.objects[*object].members {
+                let subs = std::iter::once(Sub::Index(Index::At(*length))).chain(subs.iter().cloned()).collect();
                 self.names[id.0] = Some(Name { base: name.clone(), subs });
             }
-            self.objects[object].name.clone_from(&name);
+            self.objects[*object].name.clone_from(&name);
             self.shapes.remove(&end);
             self.shapes.insert(name, Shape::Array { vector: false, size: length + 1, of: Box::new(shape.clone()) });
+            shapes.push(shape);
+        }
+        // All lines have their names: one may delay what another ends in.
+        for ((object, sources, length), shape) in found.into_iter().zip(shapes) {
             let of: HashMap<&[Sub], SignalId> = sources.iter().map(|(subs, id)| (&subs[..], *id)).collect();
             let source = self.whole(&shape, &mut vec![], &|subs| of.get(subs).map(|id| self.value(*id)));
             // What is no whole is taken in part by part.

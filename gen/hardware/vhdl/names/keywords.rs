@@ -1,7 +1,7 @@
-//! Reserved words by language, from the standards: IEEE 1076 (VHDL), 1364 (Verilog), 1800 (SystemVerilog).
+//! Reserved words by language, from the standards: IEEE 1076 (VHDL), 1076.1 (VHDL-AMS), 1364 (Verilog), 1800 (SystemVerilog).
 
 /// What is wrong with a word, and the words that a language adds to those above it.
-pub(super) const LANGUAGES: [(&str, &str); 7] = [
+pub(super) const LANGUAGES: [(&str, &str); 8] = [
     (
         "is a keyword of VHDL-87",
         "abs access after alias all and architecture array assert attribute begin block body buffer bus case component \
@@ -22,6 +22,10 @@ pub(super) const LANGUAGES: [(&str, &str); 7] = [
          restrict_guarantee sequence strong vmode vprop vunit",
     ),
     ("is a keyword of VHDL-2019", "private view vpkg"),
+    (
+        "is a keyword of VHDL-AMS",
+        "across break limit nature noise procedural quantity reference spectrum subnature terminal through tolerance",
+    ),
     (
         "is a keyword of Verilog-2005",
         "always assign automatic buf bufif0 bufif1 casex casez cell cmos config deassign defparam design disable edge endcase \

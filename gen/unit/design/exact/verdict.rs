@@ -88,8 +88,8 @@ pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<Sig<'l>>, out
         let some = |of: fn(&Edge<Sig<'l>>) -> Sig<'l>| any(&edges.iter().map(of).collect::<Vec<_>>());
         let (hit, pierced) = (some(|edge| edge.hits).named("hit"), some(|edge| edge.pierces).named("pierced"));
         let apart = (in_plane & (skew | plane.apart)).named("apart");
-        let through = (pierced | both_sides[0] & both_sides[1] & all(inner)).named("through");
-        let crosses = in_plane.choose(!apart & plane.crosses, through).named("crosses");
+        let proper = (pierced | both_sides[0] & both_sides[1] & all(inner)).named("proper");
+        let crosses = in_plane.choose(!apart & plane.crosses, proper).named("crosses");
         let counts = |flags: [Sig<'l>; 9]| flags.map(|flag| flag & !outside);
         let flags = |first: [Sig<'l>; 3], of: fn(&Edge<Sig<'l>>) -> Sig<'l>| {
             counts(std::array::from_fn(|i| if i < 3 { first[i] } else { of(&edges[i - 3]) }))
