@@ -1,6 +1,7 @@
 //! The top: input and pose registers, sequencer, data path, result queue; and the whole design as one value.
 
-use super::sequencer::{self, PoseReading};
+use super::exact::cascade;
+use super::sequencer::{self, PoseReading, Sequencer};
 use super::{determinants, exact, number::input_type, pipeline};
 use crate::params::{Method, ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, UnknownDevice};
@@ -8,7 +9,7 @@ use efsat_hardware::graph::{Place, Step, Unit};
 use efsat_hardware::netlist::lower::{Lowering, Probe};
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::number::Upper;
-use efsat_hardware::op::{Concatenate, Floor, LowBits, Type};
+use efsat_hardware::op::{Floor, LowBits, Resize, Type};
 use efsat_hardware::schedule::{Schedule, Scheduler};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -74,6 +75,16 @@ pub struct Design {
     pub interval: usize,
     /// Places in the result queue.
     pub places: usize,
+    /// Of a cascade.
+    pub second: Option<SecondStage>,
+}
+
+/// The second data path of a cascade.
+pub struct SecondStage {
+    /// It, with the proven ranges of all nodes.
+    pub pipeline: Rc<Unit>,
+    /// Its schedule.
+    pub schedule: Rc<Schedule>,
 }
 
 impl Design {
@@ -106,22 +117,38 @@ impl Design {
         let pipeline = match params.method {
             Method::Axes => pipeline::unit(params),
             Method::Determinants => determinants::unit(params),
-            Method::Exact => exact::unit(params),
+            Method::Exact => match params.first_stage() {
+                Some(first) => cascade::first(params, &first),
+                None => exact::unit(params),
+            },
         };
         let mut scheduler = Scheduler::new(device, params.frequency);
         let schedule = scheduler.schedule(&pipeline);
         let (path, probes) = Lowering::new(&mut scheduler, device).lower(&pipeline, probes.into() == Probes::All);
         let interval = params.interval();
+        let second = params.exact_clocks.map(|clocks| {
+            let pipeline = cascade::second(params, clocks);
+            let schedule = scheduler.schedule(&pipeline);
+            (clocks, SecondStage { pipeline, schedule })
+        });
+        // So that an open pair can go through the second stage while the first goes on.
+        let more = second.as_ref().map_or(0, |(clocks, second)| second.schedule.latency + 2 * *clocks as i32);
+        let places = sequencer::places(schedule.latency + more, interval);
+        let stage = second.as_ref().map(|(clocks, second)| {
+            let (path, _) = Lowering::new(&mut scheduler, device).lower(&second.pipeline, false);
+            cascade::stage(&path, second.schedule.latency, *clocks, places)
+        });
         Ok(Self {
             params: params.clone(),
             device,
-            top: top(params, &path, schedule.latency),
+            top: top(params, &path, schedule.latency, places, stage.as_ref()),
             pipeline,
             probes,
             latency: schedule.latency as usize + 4,
             interval,
-            places: sequencer::places(schedule.latency, interval),
+            places,
             schedule,
+            second: second.map(|(_, second)| second),
         })
     }
 
@@ -196,13 +223,15 @@ fn words(p: &Params, numbers: Vec<Number>) -> Vec<(String, Place, Type)> {
     each.collect()
 }
 
-fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
+/// The top around the data path, of a cascade with what is behind the first.
+fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Option<&Rc<Module>>) -> Rc<Module> {
     let interval = p.interval();
     let has_pose = p.transform != Transform::Off;
     let reading = if p.pose_is_free_in_last_phase() { PoseReading::NotLast } else { PoseReading::Always };
     let reading = has_pose.then_some(reading);
-    let control = sequencer::module(interval, latency, reading);
-    let m = Control::new("efsat", header(p, latency as usize + 4, sequencer::places(latency, interval)));
+    let waits = second.is_some();
+    let control = sequencer::module(&Sequencer { name: "sequencer", interval, latency, places, pose: reading, waits });
+    let m = Control::new("efsat", header(p, latency as usize + 4, places));
     let reset = m.input("reset", Type::FLAG);
     let in_valid = m.input("in_valid", Type::FLAG);
     let tag = (p.tag_width > 0).then(|| m.input("in_tag", Type::unsigned(p.tag_width)));
@@ -214,9 +243,11 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
     let pose = ports(words(p, pose_numbers(p)));
     let bypass = has_pose.then(|| m.input("pose_bypass", Type::FLAG));
     let out_ready = m.input("out_ready", Type::FLAG);
-    let control_inputs: Vec<Wire> = [reset, in_valid].into_iter().chain(pose_valid).chain([out_ready]).collect();
+    let head_ready = waits.then(|| m.later(Type::FLAG));
+    let control_inputs: Vec<Wire> =
+        [reset, in_valid].into_iter().chain(pose_valid).chain([out_ready]).chain(head_ready).collect();
     let signals = m.instance("control", &control, &control_inputs);
-    let of = |name: &str| signals[control.outputs.iter().position(|(n, _)| n.base == name).expect("an output")];
+    let of = |name: &str| sequencer::output(&control, &signals, name);
 
     // The pair of the running slot; without one the last pair stays, so that nothing toggles.
     let mut inputs: HashMap<Place, Wire> = HashMap::new();
@@ -253,16 +284,35 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
         })
         .collect();
     let results = m.instance("path", path, &given);
-    let of_path = |name: &&str| -> Vec<Wire> {
-        let outputs = path.outputs.iter().zip(&results);
-        outputs.filter(|((place, _), _)| place.base == **name).map(|(_, wire)| *wire).collect()
-    };
-    let parts: Vec<Wire> = ["verdict", "separated", "overlapping", "outside"].iter().flat_map(of_path).collect();
-    let word = parts[0].apply(Concatenate, &parts[1..]).named("result_word");
+    let parts = ["verdict", "separated", "overlapping", "outside"];
+    let word = sequencer::result_word(path, &results, &[&parts[..], &["open"][..usize::from(waits)]].concat());
     let queue = m.memory("result_queue", of("decide"), of("decide_address"), word, of("take_address"));
-    let offered = m.register("offered_word", queue.ty());
     queue.comment("verdict and flags of the pairs decided and not yet taken");
-    offered.loads(queue, Some(of("take")), None);
+    let taken = match (second, head_ready) {
+        (Some(second), Some(head_ready)) => {
+            // The oldest verdict: the second stage's if the first has left the pair open, as soon as it is there.
+            let flag = queue.ty().bits - 1;
+            let waits = queue.apply(Floor(flag), &[]).named("head_open");
+            let open = sequencer::output(path, &results, "open");
+            let push = (of("decide") & open).named("push_open");
+            let pop = (of("take") & waits).named("take_exact");
+            let points = second.inputs.iter().map(|id| match &second.signal(*id).place {
+                place if place.base == cascade::HANDED_OVER => sequencer::output(path, &results, &place.to_string()),
+                place => match place.base.as_str() {
+                    "reset" => reset,
+                    "push" => push,
+                    _ => pop,
+                },
+            });
+            let exact = m.instance("exact", second, &points.collect::<Vec<_>>());
+            let exact = |name: &str| sequencer::output(second, &exact, name);
+            head_ready.stands_for((!waits | exact("out_valid")).named("head_ready"));
+            waits.choose(exact("out_word").apply(Resize(Type::unsigned(flag)), &[]), queue.low(flag)).named("head_word")
+        }
+        _ => queue,
+    };
+    let offered = m.register("offered_word", taken.ty());
+    offered.loads(taken, Some(of("take")), None);
     of("in_ready").output("in_ready");
     if has_pose {
         of("pose_ready").output("pose_ready");

@@ -98,7 +98,7 @@ fn edge<'l>(ends: [Sign<'l>; 2], sides: [Sign<'l>; 3]) -> Edge<'l> {
 }
 
 /// The verdict and whether the pair is outside, then what each of the nine witnesses says: separated, overlapping.
-type Outcome<'l> = ((Sig<'l>, Option<Sig<'l>>), (Vec<Sig<'l>>, Vec<Sig<'l>>));
+pub(in super::super) type Outcome<'l> = ((Sig<'l>, Option<Sig<'l>>), (Vec<Sig<'l>>, Vec<Sig<'l>>));
 
 /// The verdict of the pair.
 pub(super) fn verdict<'l>(

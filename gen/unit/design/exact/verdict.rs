@@ -62,7 +62,7 @@ fn inside<'l>(plane_b: [Sign<'l>; 3], side: [[Sign<'l>; 3]; 3]) -> [Sig<'l>; 3] 
 }
 
 /// The verdict of the pair and whether it is outside, then what each of the nine witnesses says: separated, overlapping.
-type Outcome<'l> = ((Sig<'l>, Sig<'l>), ([Sig<'l>; 9], [Sig<'l>; 9]));
+pub(super) type Outcome<'l> = ((Sig<'l>, Sig<'l>), ([Sig<'l>; 9], [Sig<'l>; 9]));
 
 /// The verdict of the pair.
 pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<Sig<'l>>, outside: Sig<'l>) -> Outcome<'l> {
