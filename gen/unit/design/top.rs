@@ -9,7 +9,7 @@ use efsat_hardware::graph::{Place, Step, Unit};
 use efsat_hardware::netlist::lower::{Lowering, Probe};
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::number::Upper;
-use efsat_hardware::op::{Floor, LowBits, Resize, Type};
+use efsat_hardware::op::{Concatenate, Floor, LowBits, Type};
 use efsat_hardware::schedule::{Schedule, Scheduler};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -69,7 +69,8 @@ pub struct Design {
     pub top: Rc<Module>,
     /// Nodes brought out, empty unless probed.
     pub probes: Vec<Probe>,
-    /// Clocks from the acceptance of a pair to the offer of its verdict, the queue being empty.
+    /// Clocks from the acceptance of a pair to the offer of its verdict, the queue being empty; of a cascade, of a pair that
+    /// the first stage decides.
     pub latency: usize,
     /// Clocks between pairs.
     pub interval: usize,
@@ -85,12 +86,27 @@ pub struct SecondStage {
     pub pipeline: Rc<Unit>,
     /// Its schedule.
     pub schedule: Rc<Schedule>,
+    /// Clocks from the acceptance of a pair that the first stage leaves open to the offer of its verdict, at most, all queues
+    /// being empty.
+    pub latency: usize,
 }
 
 impl Design {
+    /// The units at the top of the data paths.
+    pub fn pipelines(&self) -> impl Iterator<Item = &Rc<Unit>> {
+        [&self.pipeline].into_iter().chain(self.second.as_ref().map(|second| &second.pipeline))
+    }
+
+    /// The schedules of all units, each with the number of its instances.
+    pub fn schedules(&self) -> Vec<(Rc<Schedule>, usize)> {
+        let second = self.second.as_ref().map(|second| second.schedule.hierarchy());
+        [self.schedule.hierarchy(), second.unwrap_or_default()].concat()
+    }
+
     /// The clock in MHz that the schedule reaches, and the node that ends its longest path.
     pub fn clock(&self) -> (f64, &str) {
-        let (ns, end) = &self.schedule.critical;
+        let second = self.second.as_ref().map(|second| &second.schedule.critical);
+        let (ns, end) = second.filter(|second| second.0 > self.schedule.critical.0).unwrap_or(&self.schedule.critical);
         (1000.0 / (ns + self.device.setup()), end)
     }
 
@@ -128,8 +144,10 @@ impl Design {
         let interval = params.interval();
         let second = params.exact_clocks.map(|clocks| {
             let pipeline = cascade::second(params, clocks);
-            let schedule = scheduler.schedule(&pipeline);
-            (clocks, SecondStage { pipeline, schedule })
+            let second = scheduler.schedule(&pipeline);
+            // Two clocks from a queue to the data path, and as many to the next queue, in each stage; the slot may just have begun.
+            let latency = (schedule.latency + second.latency) as usize + 8 + clocks as usize - 1;
+            (clocks, SecondStage { pipeline, schedule: second, latency })
         });
         // So that an open pair can go through the second stage while the first goes on.
         let more = second.as_ref().map_or(0, |(clocks, second)| second.schedule.latency + 2 * *clocks as i32);
@@ -285,7 +303,7 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
         .collect();
     let results = m.instance("path", path, &given);
     let parts = ["verdict", "separated", "overlapping", "outside"];
-    let word = sequencer::result_word(path, &results, &[&parts[..], &["open"][..usize::from(waits)]].concat());
+    let word = sequencer::result_word(path, &results, &[&parts[..], &["left_open"][..usize::from(waits)]].concat());
     let queue = m.memory("result_queue", of("decide"), of("decide_address"), word, of("take_address"));
     queue.comment("verdict and flags of the pairs decided and not yet taken");
     let taken = match (second, head_ready) {
@@ -293,7 +311,7 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
             // The oldest verdict: the second stage's if the first has left the pair open, as soon as it is there.
             let flag = queue.ty().bits - 1;
             let waits = queue.apply(Floor(flag), &[]).named("head_open");
-            let open = sequencer::output(path, &results, "open");
+            let open = sequencer::output(path, &results, "left_open");
             let push = (of("decide") & open).named("push_open");
             let pop = (of("take") & waits).named("take_exact");
             let points = second.inputs.iter().map(|id| match &second.signal(*id).place {
@@ -307,7 +325,10 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
             let exact = m.instance("exact", second, &points.collect::<Vec<_>>());
             let exact = |name: &str| sequencer::output(second, &exact, name);
             head_ready.stands_for((!waits | exact("out_valid")).named("head_ready"));
-            waits.choose(exact("out_word").apply(Resize(Type::unsigned(flag)), &[]), queue.low(flag)).named("head_word")
+            // Its verdict has one bit, and no pair of it is outside.
+            let (word, zero) = (exact("out_word"), m.constant(0, Type::FLAG));
+            let word = word.low(1).apply(Concatenate, &[zero, word.apply(Floor(1), &[]), zero]);
+            waits.choose(word.named("exact_word"), queue.low(flag)).named("head_word")
         }
         _ => queue,
     };
@@ -361,6 +382,10 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
             "EFSAT: exact triangle-triangle intersection test in fixed-point arithmetic.",
             "The signs of fifteen determinants with bounds on their errors; a definite answer is never wrong.",
         ]),
+        Method::Exact if p.exact_clocks.is_some() => text(&[
+            "EFSAT: exact triangle-triangle intersection test for points on a grid, in two stages.",
+            "Fifteen determinants with bounds on their errors decide most pairs, an exact unit those that they leave open.",
+        ]),
         Method::Exact => text(&[
             "EFSAT: exact triangle-triangle intersection test for points on a grid.",
             "The signs of fifteen determinants, nothing rounded: every pair that fits is answered, and rightly.",
@@ -370,6 +395,11 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
     let pace =
         if interval == 1 { "One pair per clock".to_owned() } else { format!("One pair every {interval} clocks") };
     lines.push(format!("{pace}, verdict {latency} clocks after acceptance."));
+    if let Some(clocks) = p.exact_clocks {
+        lines.push(format!(
+            "Of pairs that the first stage leaves open one every {clocks} clocks, and later; no pair passes another."
+        ));
+    }
     lines.extend(text(&[
         "",
         "Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B~ in its own frame, tag is opaque. A pair is accepted in a clock",
@@ -393,6 +423,13 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
             "  out_separated, out_overlapping: what each witness said, bit i for witness i: the pair as a whole, plane of A, plane",
             "  of B, edges 0 to 2 of A, edges 0 to 2 of B (docs/exact.md). Bit 0 of out_overlapping: the triangles cross, rather",
             "  than touch; bit 1: all six points are in one plane.",
+        ]),
+    });
+    lines.extend(match p.exact_clocks {
+        None => vec![],
+        Some(_) => text(&[
+            "  Of a pair that the first stage decides, bit 0 of out_separated says that the boxes are apart, and a flag that is",
+            "  clear says nothing, but for bit 0 of out_overlapping, which is that of the exact unit (docs/cascade.md).",
         ]),
     });
     lines.push(String::new());

@@ -31,12 +31,18 @@ pub fn unit(p: &Params) -> Rc<Unit> {
         let guards = Guards::new(u, p);
         let inputs = Inputs::new(u, p);
         let differences = differences::points(u, p, &guards, &inputs);
-        decided(u, p, &differences, guards.outside())
+        decided(u, p, &differences, guards.outside(), false)
     })
 }
 
-/// What the differences decide: sections 3 to 6.
-pub(super) fn decided<'l>(u: Top<'l>, p: &Params, differences: &Points<'l>, outside: Option<Sig<'l>>) -> Outcome<'l> {
+/// What the differences decide: sections 3 to 6. For `crosses` see [`verdict`](verdict::verdict).
+pub(super) fn decided<'l>(
+    u: Top<'l>,
+    p: &Params,
+    differences: &Points<'l>,
+    outside: Option<Sig<'l>>,
+    crosses: bool,
+) -> Outcome<'l> {
     let coordinates = coordinates::coordinates(u, p, differences);
     let moments = moments::moments(u, p, &coordinates.points);
     let factors = [moments.m[0], moments.m[1], moments.m[2], moments.n];
@@ -48,7 +54,7 @@ pub(super) fn decided<'l>(u: Top<'l>, p: &Params, differences: &Points<'l>, outs
     let bounds = bounds::bounds(u, p, &coordinates, &moments);
     let signs = verdict::signs(u, &determinants, &bounds);
     let apart = p.boxes.then(|| verdict::boxes_apart(u, &coordinates));
-    verdict::verdict(u, apart, &signs, outside)
+    verdict::verdict(u, apart, &signs, outside, crosses)
 }
 
 /// The points beside V0, which is the origin.

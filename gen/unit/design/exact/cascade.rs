@@ -31,16 +31,11 @@ pub fn first(p: &Params, first: &Params) -> Rc<Unit> {
         let differences = differences::points(u, p, &Guards::new(u, p), &inputs);
         let (points, outside) = fitted(p, &differences);
         let scaled = points.all().map(|point| point.map(|x| x.floor(-(BELOW_GRID as i32)))).named("scaled");
-        let ((verdict, _), (separated, overlapping)) =
-            determinants::decided(u, first, &Points::of(scaled), Some(outside));
-        let intersects = || verdict.low(1);
-        let mut overlapping = overlapping.named("pierced");
-        // What an edge pierces crosses.
-        (overlapping[0], overlapping[2]) = (intersects(), intersects());
+        let ((verdict, _), flags) = determinants::decided(u, first, &Points::of(scaled), Some(outside), true);
         let open = (!verdict.floor(1).named("undecided") | outside).named("closed");
-        let open = (!open).named("open").comment("the second stage decides");
+        let open = (!open).named("left_open").comment("the second stage decides");
         let handed_over = points.all();
-        (((verdict, outside), (separated, overlapping.named("overlapping"))), (open, handed_over))
+        (((verdict, outside), flags), (open, handed_over))
     })
 }
 
@@ -57,7 +52,7 @@ pub fn second(p: &Params, clocks: u32) -> Rc<Unit> {
         let point = || Vec3::each(|_| u.input(ty, (-most, most)).at_point(None));
         let points: [Vec3<Sig>; 5] = std::array::from_fn(|_| point());
         let points = Points::of(points.named(HANDED_OVER));
-        let ((verdict, _), flags) = decided(u, &points, u.constant(0, Type::FLAG));
+        let ((verdict, _), flags) = decided(u, &points, None);
         (verdict, flags)
     })
 }
@@ -81,7 +76,7 @@ pub fn stage(path: &Rc<Module>, latency: i32, clocks: u32, places: usize) -> Rc<
     let take = m.input("take", Type::FLAG);
     let pop = m.later(Type::FLAG);
     let pointers = sequencer::pointers("open_pointers", places);
-    let queue = m.instance("open", &pointers, &[reset, push, pop]);
+    let queue = m.instance("queue", &pointers, &[reset, push, pop]);
     let queue = |name: &str| sequencer::output(&pointers, &queue, name);
     let interval = clocks as usize;
     let sequencer = Sequencer {
@@ -97,10 +92,9 @@ pub fn stage(path: &Rc<Module>, latency: i32, clocks: u32, places: usize) -> Rc<
     let of = |name: &str| sequencer::output(&control, &signals, name);
     pop.stands_for(of("accept"));
     let held = |(place, point): &(&Place, Wire<'_>)| {
-        let named = |base: &str| Place { base: base.to_owned(), ..(*place).clone() };
-        let waiting = m.memory(named("open_queue"), push, queue("push_address"), *point, queue("pop_address"));
-        waiting.comment("differences of open pairs");
-        let held = m.register(named("pair"), waiting.ty());
+        let waiting =
+            m.memory(format!("open_{place}").as_str(), push, queue("push_address"), *point, queue("pop_address"));
+        let held = m.register(Place { base: "pair".to_owned(), ..(*place).clone() }, waiting.ty());
         held.loads(waiting, Some(of("accept")), None);
         ((*place).clone(), held)
     };

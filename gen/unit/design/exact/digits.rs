@@ -63,7 +63,7 @@ pub(super) fn dot_products<'l>(u: Top<'l>, jobs: &[(Vec3<Sig<'l>>, Vec3<Sig<'l>>
         let phases =
             Phases::new(u.interval(), |s| Some((s / 3 * units + k, s % 3)).filter(|(job, _)| *job < jobs.len()));
         let (x, m) = phases.map(|(job, j)| (jobs[*job].0[*j], jobs[*job].1[*j])).mux();
-        let product = wide_product(x.named_at("dot_x", k), m.named_at("dot_m", k)).named_at("dot_product", k);
+        let product = wide_product(x.named_at("dot_x", k), m.named_at("dot_m", k)).named_at("dot_part", k);
         let sum = (product + product.earlier(1) + product.earlier(2)).named_at("dot_lane", k);
         let whole = phases.filter_map(|(job, j)| Some(*job).filter(|_| *j == 2));
         whole.capture(&sum).for_each(|(job, dot)| dots[*job] = Some(dot));

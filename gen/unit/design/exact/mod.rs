@@ -33,12 +33,12 @@ pub fn unit(p: &Params) -> Rc<Unit> {
         let inputs = Inputs::new(u, p);
         let differences = differences::points(u, p, &Guards::new(u, p), &inputs);
         let (points, outside) = fitted(p, &differences);
-        decided(u, &points, outside)
+        decided(u, &points, Some(outside))
     })
 }
 
 /// What the differences that fit decide: sections 3 to 6.
-fn decided<'l>(u: Top<'l>, points: &Points<'l>, outside: Sig<'l>) -> Outcome<'l> {
+fn decided<'l>(u: Top<'l>, points: &Points<'l>, outside: Option<Sig<'l>>) -> Outcome<'l> {
     let moments = moments(u, points);
     let offset = moments.map(|m| m.map(digits::offset));
     (0..4).filter(|l| offset[*l] != moments[*l]).for_each(|l| {
