@@ -262,7 +262,7 @@ mod tests {
     #[test]
     fn every_option_outside_its_range_is_named() {
         type Change = fn(&mut Params);
-        let cases: [(Change, &str); 16] = [
+        let cases: [(Change, &str); 18] = [
             (|p| p.width = 5, "--width 5: expected 6 to 32"),
             (|p| p.width = 33, "--width 33: expected 6 to 32"),
             (|p| p.int_bits = 3, "--int-bits 3: expected 4 to 8 (4 to 8, at most width - 2 = 16)"),
@@ -286,6 +286,11 @@ mod tests {
             (
                 |p| (*p, p.guard) = (Params::of(Method::Exact), Guard::Always),
                 "--guard always: expected --method axes or determinants, which has this option",
+            ),
+            (|p| p.exact_clocks = Some(16), "--exact-clocks 16: expected --method exact, which has this option"),
+            (
+                |p| (*p, p.exact_clocks) = (Params::of(Method::Exact), Some(10)),
+                "--exact-clocks 10: expected 11 to 32, or off",
             ),
             (
                 |p| p.method = Method::Exact,

@@ -32,10 +32,8 @@ pub fn first(p: &Params, first: &Params) -> Rc<Unit> {
         let (points, outside) = fitted(p, &differences);
         let scaled = points.all().map(|point| point.map(|x| x.floor(-(BELOW_GRID as i32)))).named("scaled");
         let ((verdict, _), flags) = determinants::decided(u, first, &Points::of(scaled), Some(outside), true);
-        let open = (!verdict.floor(1).named("undecided") | outside).named("closed");
-        let open = (!open).named("left_open").comment("the second stage decides");
-        let handed_over = points.all();
-        (((verdict, outside), flags), (open, handed_over))
+        let open = (verdict.floor(1) & !outside).named("left_open").comment("the second stage decides");
+        (((verdict, outside), flags), (open, points.all()))
     })
 }
 
@@ -48,9 +46,8 @@ pub fn second(p: &Params, clocks: u32) -> Rc<Unit> {
     ];
     Library::with_prefix("exact_").unit("pipeline", &doc, clocks as usize, |u| {
         let most = (1i128 << (p.width - 1)) - 1;
-        let ty = Type { signed: true, bits: p.width, fraction: p.input().fraction.into() };
-        let point = || Vec3::each(|_| u.input(ty, (-most, most)).at_point(None));
-        let points: [Vec3<Sig>; 5] = std::array::from_fn(|_| point());
+        let ty = Type { signed: true, bits: p.width, fraction: None };
+        let points: [Vec3<Sig>; 5] = std::array::from_fn(|_| Vec3::each(|_| u.input(ty, (-most, most))));
         let points = Points::of(points.named(HANDED_OVER));
         let ((verdict, _), flags) = decided(u, &points, None);
         (verdict, flags)
@@ -58,7 +55,11 @@ pub fn second(p: &Params, clocks: u32) -> Rc<Unit> {
 }
 
 /// All that is behind the first data path: the queue of open pairs, the second data path, and its verdicts until they are
-/// taken. No pair is refused: the queue has a place for each that the first stage can accept.
+/// taken.
+///
+/// No pair is lost: the unit accepts one only with a place in its result queue, which the pair keeps until its answer is
+/// taken, and there are as many places here. There is no deadlock: both stages keep the order of their pairs, so if the oldest
+/// pair in the unit is open, it is the oldest one here. Nothing else is needed for its answer, which comes and frees a place.
 pub fn stage(path: &Rc<Module>, latency: i32, clocks: u32, places: usize) -> Rc<Module> {
     let doc = [
         "The second stage: open pairs wait in a queue with a place for every pair that the unit can accept, then the exact data",

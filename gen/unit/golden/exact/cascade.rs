@@ -19,9 +19,11 @@ impl FirstStage {
     /// The answer of a pair that fits; none if it is left open. An edge that pierces hits, and the pair crosses.
     pub fn outcome(&self, points: &Points) -> Option<Outcome> {
         let outcome = self.0.of_differences::<false>(&scaled(points));
-        let pierced = u32::from(outcome.verdict == Verdict::Intersect);
-        let decided = outcome.verdict != Verdict::PossiblyIncorrect;
-        decided.then_some(Outcome { overlapping: outcome.overlapping | pierced * 0b101, ..outcome })
+        match outcome.verdict {
+            Verdict::Separate => Some(outcome),
+            Verdict::Intersect => Some(Outcome { overlapping: outcome.overlapping | 0b101, ..outcome }),
+            Verdict::PossiblyIncorrect => None,
+        }
     }
 
     /// What is computed of differences, 0 in place of those that do not fit.
