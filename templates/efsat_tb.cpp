@@ -255,7 +255,7 @@ int main(int argc, char **argv) {
     std::printf("Error: efsat_tb: the unit and the reference model differ\n");
   if (interval != 0 && interval != {{ interval }})
     std::printf("Error: efsat_tb: initiation interval is not {{ interval }}\n");
-  if (latency != {{ latency }})
+  if (latency {% if two_stages %}<{% else %}!={% endif %} {{ latency }})
     std::printf("Error: efsat_tb: latency is not {{ latency }}\n");
   unit->final();
   return 0;

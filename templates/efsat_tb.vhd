@@ -348,7 +348,7 @@ begin
     writeline(output, message);
     assert mismatches = 0 report "efsat_tb: the unit and the reference model differ" severity error;
     assert interval = 0 or interval = {{ interval }} report "efsat_tb: initiation interval is not {{ interval }}" severity error;
-    assert latency = {{ latency }} report "efsat_tb: latency is not {{ latency }}" severity error;
+    assert latency {% if two_stages %}>{% endif %}= {{ latency }} report "efsat_tb: latency is not {{ latency }}" severity error;
     done <= true;
     wait;
   end process main;

@@ -5,6 +5,7 @@ mod accuracy;
 mod agreement;
 mod baseline;
 mod book;
+mod cascade;
 mod cli;
 mod compare;
 mod diagrams;

@@ -19,7 +19,8 @@ fn units() -> Vec<Params> {
         transform: Transform::Translate,
         ..Params::of(Method::Exact)
     });
-    axes.into_iter().chain(determinants).chain(exact).collect()
+    let cascade = Params { exact_clocks: Some(16), transform: Transform::Translate, ..Params::of(Method::Exact) };
+    axes.into_iter().chain(determinants).chain(exact).chain([cascade]).collect()
 }
 
 fn determinants(clocks_per_pair: u32) -> Params {
@@ -27,14 +28,17 @@ fn determinants(clocks_per_pair: u32) -> Params {
 }
 
 /// The top, driven one clock at a time.
-struct Unit {
-    design: Design,
+pub struct Unit {
+    pub design: Design,
     simulation: Simulation,
 }
 
 impl Unit {
-    fn new(params: &Params) -> Self {
-        let design = Design::new(params, Probes::None).unwrap();
+    pub fn new(params: &Params) -> Self {
+        Self::of(Design::new(params, Probes::None).unwrap())
+    }
+
+    pub fn of(design: Design) -> Self {
         let simulation = Simulation::new(&design.top, 1);
         let mut unit = Self { design, simulation };
         unit.set("reset", 1);
@@ -45,7 +49,7 @@ impl Unit {
         unit
     }
 
-    fn set(&mut self, name: &str, value: i128) {
+    pub fn set(&mut self, name: &str, value: i128) {
         let top = &self.design.top;
         let port = top.inputs.iter().position(|id| top.signal(*id).name() == name);
         self.simulation.set(port.unwrap_or_else(|| panic!("no input {name}")), 0, value);
@@ -57,24 +61,29 @@ impl Unit {
         }
     }
 
-    fn clock(&mut self) {
+    pub fn clock(&mut self) {
         self.simulation.run();
     }
 
     /// An output in the clock just run.
-    fn get(&self, name: &str) -> i128 {
+    pub fn get(&self, name: &str) -> i128 {
         let port = self.design.top.outputs.iter().position(|(n, _)| n.to_string() == name);
         self.simulation.output(port.unwrap_or_else(|| panic!("no output {name}")), 0)
     }
 
-    fn answer(&self) -> [i128; 3] {
+    pub fn answer(&self) -> [i128; 3] {
         ["out_verdict", "out_separated", "out_overlapping"].map(|n| self.get(n))
+    }
+
+    /// Puts a pair and its tag on the ports.
+    pub fn offer(&mut self, pair: &Pair, tag: i128) {
+        self.put(&pair_word(&self.design.params, pair));
+        self.set("in_tag", tag);
     }
 
     /// Offers a pair until it is accepted.
     fn send(&mut self, pair: &Pair, tag: i128) {
-        self.put(&pair_word(&self.design.params, pair));
-        self.set("in_tag", tag);
+        self.offer(pair, tag);
         self.set("in_valid", 1);
         loop {
             self.clock();
@@ -100,7 +109,7 @@ impl Unit {
     }
 }
 
-fn expected(p: &Params, pose: &Pose, pair: &Pair) -> [i128; 3] {
+pub fn expected(p: &Params, pose: &Pose, pair: &Pair) -> [i128; 3] {
     let word = answer_word(p, &Golden::new(p).outcome(pose, pair));
     [0, 1, 2].map(|i| word.fields[i].1)
 }

@@ -135,6 +135,10 @@ fn answers_equal_the_reference_models() {
         (Params { transform: Transform::Translate, tag_width: 40, axes_per_clock: 3, ..small() }, StreamWidth::Bits32),
         (determinants(), StreamWidth::Bits1024),
         (Params { transform: Transform::Off, method: Method::Exact, ..small() }, StreamWidth::Bits1024),
+        (
+            Params { exact_clocks: Some(15), width: 12, transform_width: 16, ..Params::of(Method::Exact) },
+            StreamWidth::Bits1024,
+        ),
         (Params { clocks_per_pair: 2, transform_width: 33, ..determinants() }, StreamWidth::Bits512),
         (Params { transform: Transform::Translate, ..determinants() }, StreamWidth::Bits256),
     ];

@@ -56,6 +56,7 @@ pub(super) struct Arguments {
 struct Answer {
     verdict: Verdict,
     host_decided: bool,
+    open: bool,
     retested: bool,
     exact: Option<Relation>,
 }
@@ -76,6 +77,8 @@ struct Counts {
     verdicts: Verdicts,
     host_decided: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
+    second_stage: Option<u64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     retested: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     exact: Option<ExactCounts>,
@@ -89,13 +92,14 @@ struct Counts {
 }
 
 impl Counts {
-    fn new(arguments: &Arguments, method: Method) -> Self {
-        let host = match method {
+    fn new(arguments: &Arguments, params: &Params) -> Self {
+        let host = match params.method {
             Method::Exact => "do not fit the exact unit: decided on the host, exactly",
             Method::Axes | Method::Determinants => "decided on the host",
         };
         let Arguments { exact, retest, .. } = *arguments;
         Self {
+            second_stage: params.exact_clocks.map(|_| 0),
             retested: retest.then_some(0),
             exact: exact.then(ExactCounts::default),
             wrong: exact.then_some(0),
@@ -107,6 +111,9 @@ impl Counts {
     fn add(&mut self, answer: Answer) {
         self.verdicts.add(answer.verdict);
         self.host_decided += u64::from(answer.host_decided);
+        if let Some(second_stage) = &mut self.second_stage {
+            *second_stage += u64::from(answer.open);
+        }
         if let Some(retested) = &mut self.retested {
             *retested += u64::from(answer.retested);
         }
@@ -132,6 +139,9 @@ impl Counts {
         if self.host_decided > 0 {
             text.push_str(&format!("{} of them {}\n", self.host_decided, self.host));
         }
+        if let Some(second_stage) = self.second_stage {
+            text.push_str(&format!("{second_stage} of them left open by the first stage, decided by the second\n"));
+        }
         if let Some(retested) = self.retested {
             text.push_str(&format!("{retested} of them tested again in software\n"));
         }
@@ -152,12 +162,12 @@ struct Sink {
 }
 
 impl Sink {
-    fn new(arguments: &Arguments, method: Method) -> Result<Self, Failure> {
+    fn new(arguments: &Arguments, params: &Params) -> Result<Self, Failure> {
         let mut rows = arguments.rows().then(|| BufWriter::new(io::stdout().lock()));
         if let Some(rows) = &mut rows {
             writeln!(rows, "pair,verdict{}", if arguments.exact { ",exact" } else { "" }).map_err(failure)?;
         }
-        Ok(Self { counts: Counts::new(arguments, method), rows })
+        Ok(Self { counts: Counts::new(arguments, params), rows })
     }
 
     fn take(&mut self, answers: &[Answer]) -> Result<(), Failure> {
@@ -187,9 +197,9 @@ struct Classifier {
 
 impl Classifier {
     fn answer(&self, pose: &Pose, pair: &Host, exact: impl FnOnce() -> Relation) -> Answer {
-        let (verdict, host_decided) = match pair {
-            Host::Unit(pair) => (self.golden.verdict(pose, pair), false),
-            Host::Decided(verdict) => (*verdict, true),
+        let (verdict, host_decided, open) = match pair {
+            Host::Unit(pair) => (self.golden.verdict(pose, pair), false, self.golden.is_open(pose, pair)),
+            Host::Decided(verdict) => (*verdict, true, false),
         };
         let retested = self.retest && verdict == Verdict::PossiblyIncorrect;
         let exact = (self.exact || retested).then(exact);
@@ -198,7 +208,7 @@ impl Classifier {
             Some(_) if retested => Verdict::Intersect,
             _ => verdict,
         };
-        Answer { verdict, host_decided, retested, exact: exact.filter(|_| self.exact) }
+        Answer { verdict, host_decided, open, retested, exact: exact.filter(|_| self.exact) }
     }
 
     fn loose(&self, points: &[Points]) -> Vec<Answer> {
@@ -266,7 +276,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         (None, SourceArguments { random: Some(_), .. }) => None,
         _ => return Err(Failure::Usage("no pairs: expected one of FILE, --scene FILE and --random N".to_owned())),
     };
-    let mut sink = Sink::new(arguments, params.method)?;
+    let mut sink = Sink::new(arguments, &params)?;
     let (golden, identity) = (Golden::new(&params), Pose::identity(&params));
     let Arguments { exact, retest, .. } = *arguments;
     let classifier = Classifier { golden, identity, params, exact, retest };

@@ -39,7 +39,7 @@ impl DiagramArguments {
         if self.dot.is_none() && self.svg.is_none() {
             return Err(Failure::Usage(format!("--unit {name}: needs --dot FILE or --svg FILE")));
         }
-        let units = diagram::units(&design.pipeline);
+        let units: Vec<_> = design.pipelines().flat_map(diagram::units).collect();
         let Some(unit) = units.iter().find(|unit| unit.name == name) else {
             let names: Vec<&str> = units.iter().map(|unit| unit.name.as_str()).collect();
             return Err(Failure::Usage(format!("--unit {name}: expected one of {}", names.join(", "))));

@@ -95,6 +95,8 @@ struct Written {
     expected_mhz: f64,
     initiation_interval: usize,
     latency: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    latency_of_open_pairs: Option<usize>,
 }
 
 impl Written {
@@ -110,6 +112,7 @@ impl Written {
             expected_mhz: design.clock().0,
             initiation_interval: design.interval,
             latency: design.latency,
+            latency_of_open_pairs: design.second.as_ref().map(|second| second.latency),
         }
     }
 }
@@ -123,7 +126,11 @@ impl fmt::Display for Written {
             "{multipliers} multipliers ({device} has {all}), {register_bits} register bits, {} MHz",
             self.frequency_mhz
         )?;
-        writeln!(f, "one pair every {} clocks, verdict after {} clocks", self.initiation_interval, self.latency)
+        write!(f, "one pair every {} clocks, verdict after {} clocks", self.initiation_interval, self.latency)?;
+        if let Some(latency) = self.latency_of_open_pairs {
+            write!(f, ", of an open pair after {latency} at most if no other waits")?;
+        }
+        writeln!(f)
     }
 }
 

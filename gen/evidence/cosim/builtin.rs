@@ -1,7 +1,7 @@
 //! The built-in simulator under the same stimulus as the printed testbench, clock for clock.
 //!
-//! Handshakes never depend on data. So the control logic is run first, clock by clock, to learn what the unit is given
-//! in each clock; then the whole design runs on these inputs a block of clocks at a time.
+//! Handshakes depend on data in a cascade alone. So the control logic is run first, clock by clock, to learn what the unit
+//! is given in each clock; then the whole design runs on these inputs a block of clocks at a time.
 
 use super::Run;
 use efsat_hardware::netlist::simulate::Simulation;
@@ -37,6 +37,36 @@ struct Given {
 enum Record {
     Pose(Word),
     Pair(Word, Vec<i128>),
+}
+
+/// The ports of the top at which it is given something.
+struct Ports {
+    /// Reset, valid, valid of a pose, ready, tag.
+    control: [Option<usize>; 5],
+    pair: Vec<usize>,
+    pose: Vec<usize>,
+}
+
+impl Ports {
+    /// Sets what is given in clock `t` of a block.
+    fn drive(&self, unit: &mut Simulation, t: usize, given: &Given, records: &[Record]) {
+        let flags = [given.reset, given.in_valid, given.pose_valid, given.out_ready].map(i128::from);
+        let values = flags.into_iter().chain([i128::from(given.tag)]);
+        for (port, value) in self.control.iter().zip(values) {
+            if let Some(port) = port {
+                unit.set(*port, t, value);
+            }
+        }
+        for (ports, record) in [(&self.pair, given.pair), (&self.pose, given.pose)] {
+            let (Record::Pair(word, _) | Record::Pose(word)) = match record.checked_sub(1) {
+                Some(record) => &records[record],
+                None => continue,
+            };
+            for (port, field) in ports.iter().zip(&word.fields) {
+                unit.set(*port, t, field.1);
+            }
+        }
+    }
 }
 
 /// The built-in simulator for one design.
@@ -78,6 +108,18 @@ impl<'a> Builtin<'a> {
         run
     }
 
+    fn ports(&self, records: &[Record]) -> Ports {
+        let ports = |word: &Word| -> Vec<usize> {
+            word.fields.iter().map(|f| self.port(&f.0).expect("a port of the top")).collect()
+        };
+        let shape = |pick: fn(&Record) -> Option<&Word>| records.iter().find_map(pick).map(ports).unwrap_or_default();
+        Ports {
+            control: ["reset", "in_valid", "pose_valid", "out_ready", "in_tag"].map(|n| self.port(n)),
+            pair: shape(|r| if let Record::Pair(word, _) = r { Some(word) } else { None }),
+            pose: shape(|r| if let Record::Pose(word) = r { Some(word) } else { None }),
+        }
+    }
+
     fn records(&self, stimulus: &Stimulus) -> Vec<Record> {
         let p = &self.design.params;
         let golden = Golden::new(p);
@@ -101,11 +143,10 @@ impl<'a> Builtin<'a> {
         let names = ["in_ready", "out_valid", "pose_ready"];
         let has_pose = self.port("pose_valid").is_some();
         let mut unit = Simulation::restricted(&self.design.top, if has_pose { &names } else { &names[..2] });
-        let port = |name: &str| self.port(name);
-        let ports = ["reset", "in_valid", "pose_valid", "out_ready"].map(port);
+        let ports = self.ports(records);
         for (i, id) in self.design.top.inputs.iter().enumerate() {
             let name = &self.design.top.signal(*id).name();
-            let control = Design::channel(name) == Channel::Control;
+            let control = Design::channel(name) == Channel::Control || self.design.second.is_some();
             assert!(control || !unit.reaches(i), "a handshake depends on {name}");
         }
         let tags = 1u64 << self.design.params.tag_width.min(30);
@@ -113,12 +154,7 @@ impl<'a> Builtin<'a> {
         let mut history = vec![];
         let mut now = Given { reset: true, ..Given::default() };
         let step = |unit: &mut Simulation, now: &Given| {
-            let values = [now.reset, now.in_valid, now.pose_valid, now.out_ready];
-            for (port, value) in ports.iter().zip(values) {
-                if let Some(port) = port {
-                    unit.set(*port, 0, i128::from(value));
-                }
-            }
+            ports.drive(unit, 0, now, records);
             unit.run();
             [unit.output(0, 0) != 0, unit.output(1, 0) != 0, has_pose && unit.output(2, 0) != 0]
         };
@@ -213,11 +249,7 @@ impl<'a> Builtin<'a> {
     fn data(&self, records: &[Record], given: &[Given], timing: &Timing, probe: bool) -> Run {
         let top = &self.design.top;
         let mut unit = Simulation::new(top, BLOCK);
-        let control = ["reset", "in_valid", "pose_valid", "out_ready", "in_tag"].map(|n| self.port(n));
-        let ports = |word: &Word| -> Vec<Option<usize>> { word.fields.iter().map(|f| self.port(&f.0)).collect() };
-        let shape = |pick: fn(&Record) -> Option<&Word>| records.iter().find_map(pick).map(ports).unwrap_or_default();
-        let pair_ports = shape(|r| if let Record::Pair(word, _) = r { Some(word) } else { None });
-        let pose_ports = shape(|r| if let Record::Pose(word) = r { Some(word) } else { None });
+        let ports = self.ports(records);
         let output = |name: &str| top.outputs.iter().position(|(n, _)| n.to_string() == name);
         let [_, _, answer] = testbench::blank(&self.design.params);
         let answers: Vec<usize> = answer.fields.iter().map(|f| output(&f.0).expect("an output")).collect();
@@ -229,22 +261,7 @@ impl<'a> Builtin<'a> {
         let mut run = Run::default();
         for (start, block) in given.chunks(BLOCK).enumerate().map(|(i, b)| (i * BLOCK, b)) {
             for (t, g) in block.iter().enumerate() {
-                let flags = [g.reset, g.in_valid, g.pose_valid, g.out_ready].map(i128::from);
-                let values = flags.into_iter().chain([i128::from(g.tag)]);
-                for (port, value) in control.iter().zip(values) {
-                    if let Some(port) = port {
-                        unit.set(*port, t, value);
-                    }
-                }
-                for (ports, record) in [(&pair_ports, g.pair), (&pose_ports, g.pose)] {
-                    let (Record::Pair(word, _) | Record::Pose(word)) = match record.checked_sub(1) {
-                        Some(record) => &records[record],
-                        None => continue,
-                    };
-                    for (port, field) in ports.iter().zip(&word.fields) {
-                        unit.set(port.expect("a port of the top"), t, field.1);
-                    }
-                }
+                ports.drive(&mut unit, t, g, records);
             }
             unit.run();
             for (t, g) in block.iter().enumerate() {

@@ -50,6 +50,7 @@ struct Bench {
     tags: u64,
     interval: usize,
     latency: usize,
+    two_stages: bool,
 }
 
 fn fields(word: &Word) -> Vec<Field> {
@@ -81,6 +82,7 @@ fn bench(design: &Design) -> String {
         tags: 1 << p.tag_width.min(30),
         interval: design.interval,
         latency: design.latency,
+        two_stages: design.second.is_some(),
     };
     bench.render().expect("the template renders")
 }

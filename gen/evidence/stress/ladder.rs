@@ -1,7 +1,7 @@
 //! Other parameter sets that every case is asked on: narrower and wider, and every other option changed alone.
 
 use efsat_unit::params::options::{Affects, Choice, TRANSFORM_WIDTH, WIDTH};
-use efsat_unit::params::{Axes, Bound, LEVELS, Method, Params, Projections, SPAN, Upper};
+use efsat_unit::params::{Axes, Bound, EXACT_CLOCKS, LEVELS, Method, Params, Projections, SPAN, Upper};
 
 /// Working widths of the ladder.
 const WIDTHS: [u32; 9] = [6, 8, 10, 12, 15, 18, 21, 26, 32];
@@ -37,7 +37,10 @@ pub(super) fn rungs(params: &Params) -> Vec<Params> {
             rungs.extend(Bound::ALL.iter().map(|&bound| Params { bound, ..params.clone() }));
             rungs.extend(bool::ALL.iter().map(|&boxes| Params { boxes, ..params.clone() }));
         }
-        Method::Exact => {}
+        Method::Exact => {
+            let exact_clocks = params.exact_clocks.is_none().then_some(*EXACT_CLOCKS.start());
+            rungs.push(Params { exact_clocks, ..params.clone() });
+        }
     }
     let given = arithmetic(params);
     rungs.retain(|rung| arithmetic(rung) != given);

@@ -13,6 +13,8 @@ use std::rc::Rc;
 /// The units of a design in the making.
 #[derive(Default)]
 pub struct Library {
+    /// What names of units begin with, so that those of two libraries can stand side by side.
+    prefix: &'static str,
     drafts: RefCell<Vec<Draft>>,
     finished: RefCell<HashMap<String, Rc<Unit>>>,
 }
@@ -86,10 +88,15 @@ impl std::fmt::Debug for Sig<'_> {
 }
 
 impl Library {
+    /// A library in which the name of every unit begins with a prefix.
+    pub fn with_prefix(prefix: &'static str) -> Self {
+        Self { prefix, ..Self::default() }
+    }
+
     /// Begins a unit with `interval` phases. `columns` are the cases in which per-phase values are looked at.
     pub(super) fn begin(&self, name: &str, doc: &[&str], interval: usize, columns: usize) -> usize {
         let doc = doc.iter().map(|line| (*line).to_owned()).collect();
-        let unit = Unit::new(name.to_owned(), doc, interval);
+        let unit = Unit::new(format!("{}{name}", self.prefix), doc, interval);
         let mut drafts = self.drafts.borrow_mut();
         drafts.push(Draft { unit, ranges: vec![], columns, later: HashMap::new() });
         drafts.len() - 1

@@ -4,13 +4,15 @@ use super::module::{Driver, Instance, Module, Signal, SignalId};
 use crate::graph::{Bundle, Place, Step};
 use crate::op::*;
 use std::cell::RefCell;
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::ops;
 use std::rc::Rc;
 
 /// A module in the making.
 pub struct Control {
     module: RefCell<Module>,
+    /// Signals that are connected later, with what they stand for.
+    later: RefCell<HashMap<usize, SignalId>>,
 }
 
 /// A signal of a module in the making.
@@ -30,7 +32,7 @@ impl<'m> Bundle<Wire<'m>> for Wire<'m> {
 impl Control {
     /// An empty module.
     pub fn new(name: &str, doc: Vec<String>) -> Self {
-        Self { module: RefCell::new(Module::new(name, doc)) }
+        Self { module: RefCell::new(Module::new(name, doc)), later: RefCell::default() }
     }
 
     fn push(&self, place: Place, ty: Type, driver: Driver) -> Wire<'_> {
@@ -51,6 +53,11 @@ impl Control {
     /// A constant.
     pub fn constant(&self, value: i128, ty: Type) -> Wire<'_> {
         self.push(Place::default(), ty, Driver::Combinational { op: Constant(value, ty).into(), args: vec![] })
+    }
+
+    /// A signal that is made later, for an instance that is given what depends on its own outputs: see [`Wire::stands_for`].
+    pub fn later(&self, ty: Type) -> Wire<'_> {
+        self.constant(0, ty)
     }
 
     /// A register whose input is connected later by [`Wire::loads`].
@@ -104,6 +111,11 @@ impl Control {
     /// The finished module, without signals that nothing depends on.
     pub fn finish(self) -> Rc<Module> {
         let mut module = self.module.into_inner();
+        let later = self.later.into_inner();
+        let connect = |id: &mut SignalId| *id = later.get(&id.0).copied().unwrap_or(*id);
+        module.signals.iter_mut().for_each(|signal| signal.driver.operands_mut().into_iter().for_each(connect));
+        module.instances.iter_mut().flat_map(|instance| &mut instance.inputs).for_each(connect);
+        module.outputs.iter_mut().for_each(|(_, id)| connect(id));
         module.name_signals();
         Rc::new(module.pruned())
     }
@@ -170,6 +182,15 @@ impl<'m> Wire<'m> {
         *args = vec![data.id];
         *enable = when.map(|w| w.id);
         *reset = reset_to.map(|(flag, value)| (flag.id, value));
+    }
+
+    /// Connects a signal that was to be made later.
+    ///
+    /// # Panics
+    /// If the types differ.
+    pub fn stands_for(self, made: Self) {
+        assert!(self.ty().same_bits(made.ty()), "{} is made later as {}", self.ty(), made.ty());
+        self.control.later.borrow_mut().insert(self.id.0, made.id);
     }
 
     /// Flag: it equals a number.

@@ -307,9 +307,15 @@ impl Printer<'_, '_> {
         lines.push("begin".to_owned());
         lines.push("  if rising_edge(clk) then".to_owned());
         for line in &self.view.lines {
-            let name = &self.view.objects[line.object].name;
+            let Object { name, shape, .. } = &self.view.objects[line.object];
             let (length, before) = (line.length, line.length - 1);
             let text = match &line.source {
+                // What is concatenated could be a word or, but for this, a line of words.
+                Some(source @ Expression::Binary(_, "&", _)) => {
+                    let ty = self.types.name(shape);
+                    let mark = ty.split_once('(').map_or(&*ty, |(mark, _)| mark);
+                    format!("{name} <= {mark}'({source}) & {name}(1 to {before});")
+                }
                 Some(source @ Expression::Binary(..)) => format!("{name} <= ({source}) & {name}(1 to {before});"),
                 Some(source) => format!("{name} <= {source} & {name}(1 to {before});"),
                 None => format!("{name}(2 to {length}) <= {name}(1 to {before});"),

@@ -61,6 +61,7 @@ struct Testbench {
     patience: usize,
     full_after: usize,
     latency: usize,
+    two_stages: bool,
     interval: usize,
     probes: Vec<Field>,
     probe_high: u32,
@@ -117,6 +118,7 @@ pub fn text(design: &Design, origin: &[String]) -> String {
         patience: patience(design),
         full_after: full_after(design.interval),
         latency: design.latency,
+        two_stages: design.second.is_some(),
         interval: design.interval,
     };
     testbench.render().expect("the template renders")

@@ -6,7 +6,7 @@
 
 use efsat_hardware::graph::Place;
 use efsat_hardware::netlist::{Control, Module, Wire};
-use efsat_hardware::op::{Equal, Lookup, Type};
+use efsat_hardware::op::{Concatenate, Equal, Lookup, Type};
 use std::rc::Rc;
 
 /// Places in the result queue for a data path of that latency: enough for every pair in flight at full speed, and no fewer
@@ -14,6 +14,21 @@ use std::rc::Rc;
 pub fn places(latency: i32, interval: usize) -> usize {
     let in_flight = (latency as usize + 6).div_ceil(interval) + 1;
     in_flight.next_power_of_two().max(16)
+}
+
+/// One of the outputs of an instance, by its name.
+pub fn output<'m>(module: &Module, outputs: &[Wire<'m>], name: &str) -> Wire<'m> {
+    outputs[module.outputs.iter().position(|(place, _)| place.to_string() == name).expect("an output")]
+}
+
+/// Some outputs of a data path side by side, the first in the lowest bits.
+pub fn result_word<'m>(path: &Module, results: &[Wire<'m>], names: &[&str]) -> Wire<'m> {
+    let of_path = |name: &&str| -> Vec<Wire<'m>> {
+        let outputs = path.outputs.iter().zip(results);
+        outputs.filter(|((place, _), _)| place.base == **name).map(|(_, wire)| *wire).collect()
+    };
+    let parts: Vec<Wire> = names.iter().flat_map(of_path).collect();
+    parts[0].apply(Concatenate, &parts[1..]).named("result_word")
 }
 
 /// When the data path reads the pose.
@@ -25,19 +40,35 @@ pub enum PoseReading {
     Always,
 }
 
-/// The sequencer of a data path whose outputs are there `latency` clocks after phase 0 of the inputs, and that may read a
-/// pose.
-pub fn module(interval: usize, latency: i32, pose: Option<PoseReading>) -> Rc<Module> {
-    let depth = places(latency, interval);
-    let address = depth.trailing_zeros();
+/// What a sequencer is for.
+pub struct Sequencer {
+    /// Name of the module.
+    pub name: &'static str,
+    /// Phases of a slot.
+    pub interval: usize,
+    /// The outputs of the data path are there so many clocks after phase 0 of its inputs.
+    pub latency: i32,
+    /// Places in the result queue.
+    pub places: usize,
+    /// When the data path reads a pose, if it does.
+    pub pose: Option<PoseReading>,
+    /// Whether the oldest verdict is taken only with `head_ready` set.
+    pub waits: bool,
+}
+
+/// The sequencer of a data path.
+pub fn module(sequencer: &Sequencer) -> Rc<Module> {
+    let Sequencer { name, interval, latency, places, pose, waits } = *sequencer;
+    let address = places.trailing_zeros();
     let doc = [
         "Phases of the slot, handshakes and queue pointers. A pair is accepted in the last phase of a slot if a place",
         "in the result queue is free; the data path itself never stops.",
     ];
-    let m = Control::new("sequencer", doc.map(str::to_owned).to_vec());
+    let m = Control::new(name, doc.map(str::to_owned).to_vec());
     let [reset, in_valid] = ["reset", "in_valid"].map(|name| m.input(name, Type::FLAG));
     let pose = pose.map(|reading| (reading, m.input("pose_valid", Type::FLAG)));
     let out_ready = m.input("out_ready", Type::FLAG);
+    let head_ready = waits.then(|| m.input("head_ready", Type::FLAG));
     let one = || m.constant(1, Type::FLAG);
     let running = m.register("running", Type::FLAG);
     running.comment("clear in reset and in the first clock after: nothing is accepted").loads(
@@ -94,7 +125,8 @@ pub fn module(interval: usize, latency: i32, pose: Option<PoseReading>) -> Rc<Mo
     let empty = taken.meets("empty", decided, (reset, 1));
     let offered = m.register("offered", Type::FLAG);
     let free = (!offered | out_ready).named("output_free");
-    let take = (!empty & free).named("take_pair");
+    let take = !empty & free;
+    let take = head_ready.map_or(take, |ready| take & ready).named("take_pair");
     offered.loads(take | !free, None, Some((reset, 0)));
     taken.advance(take, reset);
 
@@ -126,6 +158,23 @@ pub fn module(interval: usize, latency: i32, pose: Option<PoseReading>) -> Rc<Mo
     let pose_ready = pose_ready.named("takes_pose");
     pose_ready.output("pose_ready");
     (pose_valid & pose_ready).named("accept_pose").output("pose_accept");
+    m.finish()
+}
+
+/// The pointers of a queue that never overflows: its writer makes sure of a place.
+pub fn pointers(name: &str, depth: usize) -> Rc<Module> {
+    let address = depth.trailing_zeros();
+    let m = Control::new(name, vec!["The pointers of a queue that is never full when something is pushed.".to_owned()]);
+    let [reset, push, pop] = ["reset", "push", "pop"].map(|name| m.input(name, Type::FLAG));
+    let ty = Type::unsigned(address + 1);
+    let pushed = m.register("pushed", ty);
+    pushed.loads(pushed.plus(1), Some(push), Some((reset, 0)));
+    let popped = Pointer::new(&m, "popped", ty);
+    let empty = popped.meets("empty", pushed, (reset, 1));
+    popped.advance(pop, reset);
+    (!empty).named("holds_some").output("valid");
+    pushed.low(address).named("push_place").output("push_address");
+    popped.count.low(address).named("pop_place").output("pop_address");
     m.finish()
 }
 

@@ -1,6 +1,7 @@
 //! The top: input and pose registers, sequencer, data path, result queue; and the whole design as one value.
 
-use super::sequencer::{self, PoseReading};
+use super::exact::cascade;
+use super::sequencer::{self, PoseReading, Sequencer};
 use super::{determinants, exact, number::input_type, pipeline};
 use crate::params::{Method, ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, UnknownDevice};
@@ -68,18 +69,44 @@ pub struct Design {
     pub top: Rc<Module>,
     /// Nodes brought out, empty unless probed.
     pub probes: Vec<Probe>,
-    /// Clocks from the acceptance of a pair to the offer of its verdict, the queue being empty.
+    /// Clocks from the acceptance of a pair to the offer of its verdict, the queue being empty; of a cascade, of a pair that
+    /// the first stage decides.
     pub latency: usize,
     /// Clocks between pairs.
     pub interval: usize,
     /// Places in the result queue.
     pub places: usize,
+    /// Of a cascade.
+    pub second: Option<SecondStage>,
+}
+
+/// The second data path of a cascade.
+pub struct SecondStage {
+    /// It, with the proven ranges of all nodes.
+    pub pipeline: Rc<Unit>,
+    /// Its schedule.
+    pub schedule: Rc<Schedule>,
+    /// Clocks from the acceptance of a pair that the first stage leaves open to the offer of its verdict, at most, all queues
+    /// being empty.
+    pub latency: usize,
 }
 
 impl Design {
+    /// The units at the top of the data paths.
+    pub fn pipelines(&self) -> impl Iterator<Item = &Rc<Unit>> {
+        [&self.pipeline].into_iter().chain(self.second.as_ref().map(|second| &second.pipeline))
+    }
+
+    /// The schedules of all units, each with the number of its instances.
+    pub fn schedules(&self) -> Vec<(Rc<Schedule>, usize)> {
+        let second = self.second.as_ref().map(|second| second.schedule.hierarchy());
+        [self.schedule.hierarchy(), second.unwrap_or_default()].concat()
+    }
+
     /// The clock in MHz that the schedule reaches, and the node that ends its longest path.
     pub fn clock(&self) -> (f64, &str) {
-        let (ns, end) = &self.schedule.critical;
+        let second = self.second.as_ref().map(|second| &second.schedule.critical);
+        let (ns, end) = second.filter(|second| second.0 > self.schedule.critical.0).unwrap_or(&self.schedule.critical);
         (1000.0 / (ns + self.device.setup()), end)
     }
 
@@ -106,22 +133,40 @@ impl Design {
         let pipeline = match params.method {
             Method::Axes => pipeline::unit(params),
             Method::Determinants => determinants::unit(params),
-            Method::Exact => exact::unit(params),
+            Method::Exact => match params.first_stage() {
+                Some(first) => cascade::first(params, &first),
+                None => exact::unit(params),
+            },
         };
         let mut scheduler = Scheduler::new(device, params.frequency);
         let schedule = scheduler.schedule(&pipeline);
         let (path, probes) = Lowering::new(&mut scheduler, device).lower(&pipeline, probes.into() == Probes::All);
         let interval = params.interval();
+        let second = params.exact_clocks.map(|clocks| {
+            let pipeline = cascade::second(params, clocks);
+            let second = scheduler.schedule(&pipeline);
+            // Two clocks from a queue to the data path, and as many to the next queue, in each stage; the slot may just have begun.
+            let latency = (schedule.latency + second.latency) as usize + 8 + clocks as usize - 1;
+            (clocks, SecondStage { pipeline, schedule: second, latency })
+        });
+        // So that an open pair can go through the second stage while the first goes on.
+        let more = second.as_ref().map_or(0, |(clocks, second)| second.schedule.latency + 2 * *clocks as i32);
+        let places = sequencer::places(schedule.latency + more, interval);
+        let stage = second.as_ref().map(|(clocks, second)| {
+            let (path, _) = Lowering::new(&mut scheduler, device).lower(&second.pipeline, false);
+            cascade::stage(&path, second.schedule.latency, *clocks, places)
+        });
         Ok(Self {
             params: params.clone(),
             device,
-            top: top(params, &path, schedule.latency),
+            top: top(params, &path, schedule.latency, places, stage.as_ref()),
             pipeline,
             probes,
             latency: schedule.latency as usize + 4,
             interval,
-            places: sequencer::places(schedule.latency, interval),
+            places,
             schedule,
+            second: second.map(|(_, second)| second),
         })
     }
 
@@ -196,13 +241,15 @@ fn words(p: &Params, numbers: Vec<Number>) -> Vec<(String, Place, Type)> {
     each.collect()
 }
 
-fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
+/// The top around the data path, of a cascade with what is behind the first.
+fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Option<&Rc<Module>>) -> Rc<Module> {
     let interval = p.interval();
     let has_pose = p.transform != Transform::Off;
     let reading = if p.pose_is_free_in_last_phase() { PoseReading::NotLast } else { PoseReading::Always };
     let reading = has_pose.then_some(reading);
-    let control = sequencer::module(interval, latency, reading);
-    let m = Control::new("efsat", header(p, latency as usize + 4, sequencer::places(latency, interval)));
+    let waits = second.is_some();
+    let control = sequencer::module(&Sequencer { name: "sequencer", interval, latency, places, pose: reading, waits });
+    let m = Control::new("efsat", header(p, latency as usize + 4, places));
     let reset = m.input("reset", Type::FLAG);
     let in_valid = m.input("in_valid", Type::FLAG);
     let tag = (p.tag_width > 0).then(|| m.input("in_tag", Type::unsigned(p.tag_width)));
@@ -214,9 +261,11 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
     let pose = ports(words(p, pose_numbers(p)));
     let bypass = has_pose.then(|| m.input("pose_bypass", Type::FLAG));
     let out_ready = m.input("out_ready", Type::FLAG);
-    let control_inputs: Vec<Wire> = [reset, in_valid].into_iter().chain(pose_valid).chain([out_ready]).collect();
+    let head_ready = waits.then(|| m.later(Type::FLAG));
+    let control_inputs: Vec<Wire> =
+        [reset, in_valid].into_iter().chain(pose_valid).chain([out_ready]).chain(head_ready).collect();
     let signals = m.instance("control", &control, &control_inputs);
-    let of = |name: &str| signals[control.outputs.iter().position(|(n, _)| n.base == name).expect("an output")];
+    let of = |name: &str| sequencer::output(&control, &signals, name);
 
     // The pair of the running slot; without one the last pair stays, so that nothing toggles.
     let mut inputs: HashMap<Place, Wire> = HashMap::new();
@@ -253,16 +302,38 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32) -> Rc<Module> {
         })
         .collect();
     let results = m.instance("path", path, &given);
-    let of_path = |name: &&str| -> Vec<Wire> {
-        let outputs = path.outputs.iter().zip(&results);
-        outputs.filter(|((place, _), _)| place.base == **name).map(|(_, wire)| *wire).collect()
-    };
-    let parts: Vec<Wire> = ["verdict", "separated", "overlapping", "outside"].iter().flat_map(of_path).collect();
-    let word = parts[0].apply(Concatenate, &parts[1..]).named("result_word");
+    let parts = ["verdict", "separated", "overlapping", "outside"];
+    let word = sequencer::result_word(path, &results, &[&parts[..], &["left_open"][..usize::from(waits)]].concat());
     let queue = m.memory("result_queue", of("decide"), of("decide_address"), word, of("take_address"));
-    let offered = m.register("offered_word", queue.ty());
     queue.comment("verdict and flags of the pairs decided and not yet taken");
-    offered.loads(queue, Some(of("take")), None);
+    let taken = match (second, head_ready) {
+        (Some(second), Some(head_ready)) => {
+            // The oldest verdict: the second stage's if the first has left the pair open, as soon as it is there.
+            let flag = queue.ty().bits - 1;
+            let waits = queue.apply(Floor(flag), &[]).named("head_open");
+            let open = sequencer::output(path, &results, "left_open");
+            let push = (of("decide") & open).named("push_open");
+            let pop = (of("take") & waits).named("take_exact");
+            let points = second.inputs.iter().map(|id| match &second.signal(*id).place {
+                place if place.base == cascade::HANDED_OVER => sequencer::output(path, &results, &place.to_string()),
+                place => match place.base.as_str() {
+                    "reset" => reset,
+                    "push" => push,
+                    _ => pop,
+                },
+            });
+            let exact = m.instance("exact", second, &points.collect::<Vec<_>>());
+            let exact = |name: &str| sequencer::output(second, &exact, name);
+            head_ready.stands_for((!waits | exact("out_valid")).named("head_ready"));
+            // Its verdict has one bit, and no pair of it is outside.
+            let (word, zero) = (exact("out_word"), m.constant(0, Type::FLAG));
+            let word = word.low(1).apply(Concatenate, &[zero, word.apply(Floor(1), &[]), zero]);
+            waits.choose(word.named("exact_word"), queue.low(flag)).named("head_word")
+        }
+        _ => queue,
+    };
+    let offered = m.register("offered_word", taken.ty());
+    offered.loads(taken, Some(of("take")), None);
     of("in_ready").output("in_ready");
     if has_pose {
         of("pose_ready").output("pose_ready");
@@ -311,6 +382,10 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
             "EFSAT: exact triangle-triangle intersection test in fixed-point arithmetic.",
             "The signs of fifteen determinants with bounds on their errors; a definite answer is never wrong.",
         ]),
+        Method::Exact if p.exact_clocks.is_some() => text(&[
+            "EFSAT: exact triangle-triangle intersection test for points on a grid, in two stages.",
+            "Fifteen determinants with bounds on their errors decide most pairs, an exact unit those that they leave open.",
+        ]),
         Method::Exact => text(&[
             "EFSAT: exact triangle-triangle intersection test for points on a grid.",
             "The signs of fifteen determinants, nothing rounded: every pair that fits is answered, and rightly.",
@@ -320,6 +395,11 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
     let pace =
         if interval == 1 { "One pair per clock".to_owned() } else { format!("One pair every {interval} clocks") };
     lines.push(format!("{pace}, verdict {latency} clocks after acceptance."));
+    if let Some(clocks) = p.exact_clocks {
+        lines.push(format!(
+            "Of pairs that the first stage leaves open one every {clocks} clocks, and later; no pair passes another."
+        ));
+    }
     lines.extend(text(&[
         "",
         "Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B~ in its own frame, tag is opaque. A pair is accepted in a clock",
@@ -343,6 +423,13 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
             "  out_separated, out_overlapping: what each witness said, bit i for witness i: the pair as a whole, plane of A, plane",
             "  of B, edges 0 to 2 of A, edges 0 to 2 of B (docs/exact.md). Bit 0 of out_overlapping: the triangles cross, rather",
             "  than touch; bit 1: all six points are in one plane.",
+        ]),
+    });
+    lines.extend(match p.exact_clocks {
+        None => vec![],
+        Some(_) => text(&[
+            "  Of a pair that the first stage decides, bit 0 of out_separated says that the boxes are apart, and a flag that is",
+            "  clear says nothing, but for bit 0 of out_overlapping, which is that of the exact unit (docs/cascade.md).",
         ]),
     });
     lines.push(String::new());

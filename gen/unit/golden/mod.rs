@@ -84,6 +84,14 @@ impl Golden {
         }
     }
 
+    /// Whether the first stage of a cascade leaves the pair open, so that the second has to decide it; never of another unit.
+    pub fn is_open(&self, pose: &Pose, pair: &Pair) -> bool {
+        match &self.test {
+            Test::Axes(_) | Test::Determinants(_) => false,
+            Test::Exact(test) => test.is_open(pose, pair),
+        }
+    }
+
     /// The verdict alone: stops at the first certain separation.
     pub fn verdict(&self, pose: &Pose, pair: &Pair) -> Verdict {
         if !self.guard.inside(pose, pair) {
@@ -135,8 +143,9 @@ impl Golden {
     ///
     /// **Exact**: single numbers, with the names of the determinants where they are the same: `difference`, `moment` (not
     /// rounded), `dot`, `determinant`; `component.{t}`, t = 0 to 5, what the multipliers of section 5 give: x_1l and x_2l, or
-    /// for triangles on a line each u and the first components of v_2 x w_l; `verdict`. Of a pair that does not fit there
-    /// are the differences and the verdict alone.
+    /// for triangles on a line each u and the first components of v_2 x w_l; `verdict`. Of a pair that does not fit
+    /// they are those of 0 in place of the differences that do not. Of a cascade: `difference`, then the numbers of its first stage with the names
+    /// of the determinant unit.
     pub fn trace(&self, pose: &Pose, pair: &Pair) -> Vec<(String, Interval<i128>)> {
         let (pose, pair) = self.guard.held(pose, pair);
         match &self.test {

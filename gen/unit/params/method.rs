@@ -2,6 +2,7 @@
 //! (docs/exact.md).
 
 use super::options::Choice;
+use std::ops::RangeInclusive;
 
 /// How a pair is decided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -52,6 +53,13 @@ impl Choice for Bound {
     }
 }
 
+/// Binary places below the grid that the first stage of a cascade adds to differences: three that are dropped in any case,
+/// and as many as bring a difference of one to 18 bits.
+pub const BELOW_GRID: u32 = 20;
+/// The clocks between pairs of the second stage of a cascade, or none: a unit of one stage.
+pub type ExactClocks = Option<u32>;
+/// How many clocks those may be.
+pub const EXACT_CLOCKS: RangeInclusive<u32> = 11..=32;
 /// Clocks between pairs.
 pub const CLOCKS_PER_PAIR: &[u32] = &[1, 2, 3, 6, 11];
 /// How many places the shift of the moments has to choose from, beside the first.

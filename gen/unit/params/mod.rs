@@ -12,7 +12,7 @@ pub mod stream;
 pub use efsat_hardware::number::Upper;
 pub use formats::{AxisKind, Clamp, Formats, Row};
 pub use guard::Guard;
-pub use method::{Bound, CLOCKS_PER_PAIR, LEVELS, Method, SPAN};
+pub use method::{BELOW_GRID, Bound, CLOCKS_PER_PAIR, EXACT_CLOCKS, ExactClocks, LEVELS, Method, SPAN};
 pub use options::Params;
 
 use std::ops::RangeInclusive;
@@ -124,6 +124,12 @@ impl Params {
             let legal = "expected off or translate with --method exact, which rounds nothing".to_owned();
             return Err(ParamError { option: "transform", found: "on".to_owned(), legal });
         }
+        if let Some(clocks) = self.exact_clocks
+            && !EXACT_CLOCKS.contains(&clocks)
+        {
+            let legal = format!("expected {} to {}, or off", EXACT_CLOCKS.start(), EXACT_CLOCKS.end());
+            return Err(ParamError { option: "exact-clocks", found: clocks.to_string(), legal });
+        }
         let axes = self.axes.count();
         if !(1..=axes).contains(&self.axes_per_clock) {
             let legal = format!("expected 1 to {axes} (--axes {axes})");
@@ -141,6 +147,17 @@ impl Params {
                 Err(ParamError { option, found: found.to_string(), legal: format!("expected one of {legal}") })
             }
         }
+    }
+
+    /// The first stage of a cascade: a determinant unit whose input error is nothing, as all that it drops of the
+    /// differences at least are places below the grid (docs/cascade.md).
+    pub fn first_stage(&self) -> Option<Self> {
+        self.exact_clocks.map(|_| Self {
+            clocks_per_pair: self.clocks_per_pair,
+            transform: Transform::Off,
+            levels: 0,
+            ..Self::of(Method::Determinants)
+        })
     }
 
     /// Initiation interval in clocks: one pair every ceil(axes / axes per clock), or as many clocks as are asked for.
@@ -245,7 +262,7 @@ mod tests {
     #[test]
     fn every_option_outside_its_range_is_named() {
         type Change = fn(&mut Params);
-        let cases: [(Change, &str); 16] = [
+        let cases: [(Change, &str); 18] = [
             (|p| p.width = 5, "--width 5: expected 6 to 32"),
             (|p| p.width = 33, "--width 33: expected 6 to 32"),
             (|p| p.int_bits = 3, "--int-bits 3: expected 4 to 8 (4 to 8, at most width - 2 = 16)"),
@@ -269,6 +286,11 @@ mod tests {
             (
                 |p| (*p, p.guard) = (Params::of(Method::Exact), Guard::Always),
                 "--guard always: expected --method axes or determinants, which has this option",
+            ),
+            (|p| p.exact_clocks = Some(16), "--exact-clocks 16: expected --method exact, which has this option"),
+            (
+                |p| (*p, p.exact_clocks) = (Params::of(Method::Exact), Some(10)),
+                "--exact-clocks 10: expected 11 to 32, or off",
             ),
             (
                 |p| p.method = Method::Exact,

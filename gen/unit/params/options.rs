@@ -3,9 +3,9 @@
 //! The command line reads them by [clap](https://docs.rs/clap), which whoever only generates VHDL does not compile: the
 //! feature `clap` makes [`Params`] a group of its arguments.
 
-use super::{Axes, Bound, Guard, Method, ProjectionWidth, Projections, Transform, Upper};
+use super::{Axes, Bound, ExactClocks, Guard, Method, ProjectionWidth, Projections, Transform, Upper};
 #[cfg(feature = "clap")]
-use super::{CLOCKS_PER_PAIR, LEVELS, SPAN};
+use super::{CLOCKS_PER_PAIR, EXACT_CLOCKS, LEVELS, SPAN};
 #[cfg(feature = "clap")]
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::ops::RangeInclusive;
@@ -120,6 +120,12 @@ macro_rules! spelled_as_displayed {
 }
 
 spelled_as_displayed!(u32 usize String);
+
+impl Spelled for ExactClocks {
+    fn spelled(&self) -> String {
+        self.map_or("off".to_owned(), |number| number.to_string())
+    }
+}
 
 /// What an option has an effect on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -240,6 +246,9 @@ options! {
     /// Determinants, exact: clocks between pairs
     "clocks-per-pair" clocks_per_pair: u32 = 1, Hardware, [Determinants Exact],
         [value_name = "N", value_parser = one_of(CLOCKS_PER_PAIR), allow_negative_numbers = true];
+    /// Exact: off, or a cascade: rounded determinants first, and the exact unit for what they leave open, 11 to 32 clocks per pair
+    "exact-clocks" exact_clocks: ExactClocks = None, Verdicts, [Exact],
+        [value_name = "N", value_parser = off_or(EXACT_CLOCKS), allow_negative_numbers = true];
     /// Determinants: how far the rounding of the first products follows the pair, in bits
     "span" span: u32 = 1, Verdicts, [Determinants],
         [value_name = "BITS", value_parser = one_of(SPAN), allow_negative_numbers = true];
@@ -303,6 +312,16 @@ pub fn whole(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<u32, String>
     move |text| match text.parse() {
         Ok(number) if legal.contains(&number) => Ok(number),
         _ => Err(format!("expected a whole number from {} to {}", legal.start(), legal.end())),
+    }
+}
+
+/// Reads whole numbers of a range, or off.
+#[cfg(feature = "clap")]
+fn off_or(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<ExactClocks, String> + Clone + Send + Sync + 'static {
+    let number = whole(legal);
+    move |text| match text {
+        "off" => Ok(None),
+        text => number(text).map(Some).map_err(|expected| format!("{expected}, or off")),
     }
 }
 

@@ -2,9 +2,9 @@
 //! docs/determinants.md).
 
 use super::super::product::product;
-use super::{Points, shared, traced};
+use super::{Points, traced};
 use efsat_hardware::entity;
-use efsat_hardware::graph::{Sig, Signals, Top, Vec3};
+use efsat_hardware::graph::{Sig, Signals, Vec3};
 
 /// Something for each of the fifteen determinants.
 pub(in super::super) struct Fifteen<T> {
@@ -48,20 +48,16 @@ const NAMES: [&str; 15] = [
     "side11", "side12", "side20", "side21", "side22",
 ];
 
-/// The determinants from the moments of the edges of B and the normal of A, by a unit for dot products.
-pub(in super::super) fn determinants<'l, M: Signals<'l>>(
-    u: Top<'l>,
+/// The determinants from the moments of the edges of B and the normal of A, by what makes the ten dot products.
+pub(in super::super) fn determinants<'l>(
     points: &Points<'l>,
-    [m0, m1, m2, n]: &[M; 4],
-    dot_product: impl Fn(Vec3<Sig<'l>>, M) -> Sig<'l>,
+    [m0, m1, m2, n]: &[Vec3<Sig<'l>>; 4],
+    dot_products: impl FnOnce(&[(Vec3<Sig<'l>>, Vec3<Sig<'l>>)]) -> Vec<Sig<'l>>,
 ) -> Fifteen<Sig<'l>> {
     let Points { v: [v1, v2], w: [w0, w1, w2] } = *points;
     // So that with two clocks per pair both dot products of a unit have a factor in common.
     let jobs = [(w0, n), (v1, m0), (v1, m1), (v1, m2), (w1, n), (w0, m1), (v2, m0), (v2, m1), (v2, m2), (w2, n)];
-    let jobs = jobs.map(|(x, m)| (x, m.clone()));
-    let dots = shared(u, "dot", &jobs, |k, (x, m)| {
-        dot_product(x.named_at("dot_x", k), m.named_at("dot_m", k)).named_at("dot_lane", k)
-    });
+    let dots = dot_products(&jobs.map(|(x, m)| (x, *m)));
     let a = [0, 1, 2].map(|l| dots[[0, 4, 9][l]]);
     let d = [0, 1].map(|i| [0, 1, 2].map(|l| dots[[1, 6][i] + l]));
     let v = dots[5];

@@ -17,6 +17,7 @@ use crate::params::Params;
 use efsat_hardware::graph::{Library, Phases, Sig, Signals, Top, Unit, Vec3};
 use efsat_hardware::op::Type;
 use std::rc::Rc;
+pub(super) use verdict::Outcome;
 
 /// The data path for a parameter set. Its inputs are the pair and its pose, held for the slot; its outputs are
 /// `verdict`, `separated` and `overlapping` (bit i: witness i), and `outside` where there is a guard.
@@ -30,15 +31,30 @@ pub fn unit(p: &Params) -> Rc<Unit> {
         let guards = Guards::new(u, p);
         let inputs = Inputs::new(u, p);
         let differences = differences::points(u, p, &guards, &inputs);
-        let coordinates = coordinates::coordinates(u, p, &differences);
-        let moments = moments::moments(u, p, &coordinates.points);
-        let dots = [moments.m[0], moments.m[1], moments.m[2], moments.n];
-        let determinants = fifteen::determinants(u, &coordinates.points, &dots, fifteen::dot_product);
-        let bounds = bounds::bounds(u, p, &coordinates, &moments);
-        let signs = verdict::signs(u, &determinants, &bounds);
-        let apart = p.boxes.then(|| verdict::boxes_apart(u, &coordinates));
-        verdict::verdict(u, apart, &signs, guards.outside())
+        decided(u, p, &differences, guards.outside(), false)
     })
+}
+
+/// What the differences decide: sections 3 to 6. For `crosses` see [`verdict`](verdict::verdict).
+pub(super) fn decided<'l>(
+    u: Top<'l>,
+    p: &Params,
+    differences: &Points<'l>,
+    outside: Option<Sig<'l>>,
+    crosses: bool,
+) -> Outcome<'l> {
+    let coordinates = coordinates::coordinates(u, p, differences);
+    let moments = moments::moments(u, p, &coordinates.points);
+    let factors = [moments.m[0], moments.m[1], moments.m[2], moments.n];
+    let determinants = fifteen::determinants(&coordinates.points, &factors, |jobs| {
+        shared(u, "dot", jobs, |k, (x, m)| {
+            fifteen::dot_product(x.named_at("dot_x", k), m.named_at("dot_m", k)).named_at("dot_lane", k)
+        })
+    });
+    let bounds = bounds::bounds(u, p, &coordinates, &moments);
+    let signs = verdict::signs(u, &determinants, &bounds);
+    let apart = p.boxes.then(|| verdict::boxes_apart(u, &coordinates));
+    verdict::verdict(u, apart, &signs, outside, crosses)
 }
 
 /// The points beside V0, which is the origin.

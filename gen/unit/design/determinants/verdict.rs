@@ -98,14 +98,16 @@ fn edge<'l>(ends: [Sign<'l>; 2], sides: [Sign<'l>; 3]) -> Edge<'l> {
 }
 
 /// The verdict and whether the pair is outside, then what each of the nine witnesses says: separated, overlapping.
-type Outcome<'l> = ((Sig<'l>, Option<Sig<'l>>), (Vec<Sig<'l>>, Vec<Sig<'l>>));
+pub(in super::super) type Outcome<'l> = ((Sig<'l>, Option<Sig<'l>>), (Vec<Sig<'l>>, Vec<Sig<'l>>));
 
-/// The verdict of the pair.
+/// The verdict of the pair; `crosses` says that flags 0 and 2 of `overlapping` are set as well where an edge pierces, as they
+/// are in the exact unit.
 pub(super) fn verdict<'l>(
     u: Top<'l>,
     apart: Option<Sig<'l>>,
     signs: &Fifteen<Sign<'l>>,
     outside: Option<Sig<'l>>,
+    crosses: bool,
 ) -> Outcome<'l> {
     let Fifteen { plane_a, plane_b, side } = signs;
     let ends = |plane: &[Sign<'l>; 3], k: usize| [plane[k], plane[(k + 1) % 3]];
@@ -119,7 +121,10 @@ pub(super) fn verdict<'l>(
     let never = || u.element(0, Type::FLAG);
     let witnesses = [apart.unwrap_or_else(never), one_side(plane_a), one_side(plane_b)];
     let separated: Vec<Sig<'l>> = witnesses.into_iter().chain(edges.iter().map(|edge| edge.missed)).collect();
-    let overlapping: Vec<Sig<'l>> = (0..3).map(|_| never()).chain(edges.iter().map(|edge| edge.pierces)).collect();
+    let pierces: Vec<Sig<'l>> = edges.iter().map(|edge| edge.pierces).collect();
+    let pierces = if crosses { pierces.named("pierced") } else { pierces };
+    let first = |i| if crosses && i != 1 { any(&pierces) } else { never() };
+    let overlapping: Vec<Sig<'l>> = (0..3).map(first).chain(pierces.iter().copied()).collect();
     // Of a pair outside the declared ranges all flags are clear.
     let counts = |flags: Vec<Sig<'l>>| match outside {
         Some(outside) => flags.into_iter().map(|flag| flag & !outside).collect(),

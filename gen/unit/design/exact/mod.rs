@@ -2,8 +2,10 @@
 //! (docs/exact.md).
 //!
 //! Differences and determinants are those of [`determinants`](super::determinants). In [`digits`] are products of factors
-//! that are wider than a multiplier, in [`plane`] is the rule for pairs in one plane, in `verdict` that for all others.
+//! that are wider than a multiplier, in [`plane`] is the rule for pairs in one plane, in `verdict` that for all others. In
+//! [`cascade`] another data path stands in front, which decides most pairs by rounded determinants.
 
+pub mod cascade;
 pub mod digits;
 pub mod plane;
 mod verdict;
@@ -17,6 +19,7 @@ use crate::params::Params;
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Library, Sig, Signals, Top, Unit, Vec3};
 use std::rc::Rc;
+use verdict::Outcome;
 
 /// The data path for a parameter set. Its inputs are the pair and its pose, held for the slot; its outputs are `verdict`,
 /// `outside`, and `separated` and `overlapping` (bit i: witness i).
@@ -30,16 +33,21 @@ pub fn unit(p: &Params) -> Rc<Unit> {
         let inputs = Inputs::new(u, p);
         let differences = differences::points(u, p, &Guards::new(u, p), &inputs);
         let (points, outside) = fitted(p, &differences);
-        let moments = moments(u, &points);
-        let offset = moments.map(|m| m.map(digits::offset));
-        (0..4).filter(|l| offset[*l] != moments[*l]).for_each(|l| {
-            offset[l].named(&format!("offset_{}", MOMENTS[l]));
-        });
-        let determinants = fifteen::determinants(u, &points, &offset, digits::dot_product);
-        let signs = signs(&determinants);
-        let plane = plane::plane(u, &points, &moments);
-        verdict::verdict(&signs, &plane, outside)
+        decided(u, &points, Some(outside))
     })
+}
+
+/// What the differences that fit decide: sections 3 to 6.
+fn decided<'l>(u: Top<'l>, points: &Points<'l>, outside: Option<Sig<'l>>) -> Outcome<'l> {
+    let moments = moments(u, points);
+    let offset = moments.map(|m| m.map(digits::offset));
+    (0..4).filter(|l| offset[*l] != moments[*l]).for_each(|l| {
+        offset[l].named(&format!("offset_{}", MOMENTS[l]));
+    });
+    let determinants = fifteen::determinants(points, &offset, |jobs| digits::dot_products(u, jobs));
+    let signs = signs(&determinants);
+    let plane = plane::plane(u, points, &moments);
+    verdict::verdict(&signs, &plane, outside)
 }
 
 /// The differences in N bits each, and whether some did not fit. In place of those that do not are zeros.

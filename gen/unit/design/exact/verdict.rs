@@ -62,10 +62,10 @@ fn inside<'l>(plane_b: [Sign<'l>; 3], side: [[Sign<'l>; 3]; 3]) -> [Sig<'l>; 3] 
 }
 
 /// The verdict of the pair and whether it is outside, then what each of the nine witnesses says: separated, overlapping.
-type Outcome<'l> = ((Sig<'l>, Sig<'l>), ([Sig<'l>; 9], [Sig<'l>; 9]));
+pub(super) type Outcome<'l> = ((Sig<'l>, Option<Sig<'l>>), (Vec<Sig<'l>>, Vec<Sig<'l>>));
 
-/// The verdict of the pair.
-pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<Sig<'l>>, outside: Sig<'l>) -> Outcome<'l> {
+/// The verdict of the pair, which may be outside; else it is one bit.
+pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<Sig<'l>>, outside: Option<Sig<'l>>) -> Outcome<'l> {
     let Fifteen { plane_a, plane_b, side } = *signs;
     let ends = |plane: &[Sign<'l>; 3], k: usize| [plane[k], plane[(k + 1) % 3]];
     let of_a = [0, 1, 2].map(|k| edge(ends(&plane_b, k), side[k]));
@@ -74,6 +74,8 @@ pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<Sig<'l>>, out
     let inner = inside(plane_b, side).named("inner");
     let skew = any(&side.concat().concat()).named("skew").comment("some side sign is not 0");
     let (planes, plane) = ([plane_a, plane_b], *plane);
+    let missed: Vec<Sig<'l>> = edges.iter().map(|edge| edge.missed).collect();
+    let hits: Vec<Sig<'l>> = edges.iter().map(|edge| edge.hits).collect();
     let doc = [
         "The verdict (sections 4 and 6 of docs/exact.md): of a pair in one plane by the rule for those, else intersect if an",
         "edge hits. crosses: the relative interiors meet, as an edge pierces, or as each triangle has corners on both sides of",
@@ -90,16 +92,27 @@ pub(super) fn verdict<'l>(signs: &Fifteen<Sign<'l>>, plane: &Plane<Sig<'l>>, out
         let apart = (in_plane & (skew | plane.apart)).named("apart");
         let proper = (pierced | both_sides[0] & both_sides[1] & all(inner)).named("proper");
         let crosses = in_plane.choose(!apart & plane.crosses, proper).named("crosses");
-        let counts = |flags: [Sig<'l>; 9]| flags.map(|flag| flag & !outside);
-        let flags = |first: [Sig<'l>; 3], of: fn(&Edge<Sig<'l>>) -> Sig<'l>| {
-            counts(std::array::from_fn(|i| if i < 3 { first[i] } else { of(&edges[i - 3]) }))
+        let flags = |first: [Sig<'l>; 3], of: fn(&Edge<Sig<'l>>) -> Sig<'l>| -> Vec<Sig<'l>> {
+            match outside {
+                Some(outside) => first.into_iter().chain(edges.iter().map(of)).map(|flag| flag & !outside).collect(),
+                None => first.to_vec(),
+            }
         };
         let separated = flags([apart, one_side[0], one_side[1]], |edge| edge.missed);
         let overlapping = flags([crosses, in_plane & !skew, pierced], |edge| edge.hits);
-        let intersects = (!outside & in_plane.choose(!apart, hit)).named("intersects");
-        let verdict = intersects.below(&[outside]).named("verdict");
-        (verdict, (separated.named("separated"), overlapping.named("overlapping")))
+        let intersects = in_plane.choose(!apart, hit);
+        let verdict = match outside {
+            Some(outside) => (!outside & intersects).named("intersects").below(&[outside]),
+            None => intersects,
+        };
+        (verdict.named("verdict"), (separated.named("separated"), overlapping.named("overlapping")))
     });
-    let verdict = verdict.named("verdict").comment("00 separate, 01 intersect, 10 possibly incorrect");
+    let [separated, overlapping] = match outside {
+        Some(_) => [separated, overlapping],
+        None => [[separated, missed].concat(), [overlapping, hits].concat()],
+    };
+    let comment =
+        if outside.is_some() { "00 separate, 01 intersect, 10 possibly incorrect" } else { "1: they intersect" };
+    let verdict = verdict.named("verdict").comment(comment);
     ((verdict, outside), (separated.named("separated"), overlapping.named("overlapping")))
 }

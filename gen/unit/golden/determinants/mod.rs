@@ -20,7 +20,7 @@ use super::{Outcome, Pair, Pose};
 use crate::params::Params;
 use bounds::Bounds;
 use coordinates::{Coordinates, Scaling};
-use differences::{Differences, Frame};
+use differences::{Differences, Frame, Points};
 use fifteen::{Dots, Fifteen};
 use moments::{Moments, Rounding};
 use number::Number;
@@ -70,7 +70,13 @@ impl DeterminantTest {
     /// The verdict of a pair with what each witness says, or with `STOP` the verdict as soon as the boxes are apart.
     #[inline]
     pub fn outcome<const STOP: bool>(&self, frame: &Frame, pair: &Pair) -> Outcome {
-        let coordinates = self.scaling.coordinates(&self.differences.points(frame, pair));
+        self.of_differences::<STOP>(&self.differences.points(frame, pair))
+    }
+
+    /// The same from the differences on.
+    #[inline]
+    pub fn of_differences<const STOP: bool>(&self, differences: &Points) -> Outcome {
+        let coordinates = self.scaling.coordinates(differences);
         let apart = self.boxes && boxes_apart(&coordinates);
         let signs = match self.narrow {
             _ if STOP && apart => Signs::UNKNOWN,

@@ -53,16 +53,22 @@ impl Record {
 impl DeterminantTest {
     /// See [`Golden::trace`](crate::golden::Golden::trace).
     pub fn trace(&self, frame: &Frame, pair: &Pair) -> Vec<(String, i128)> {
-        if self.narrow { self.record::<i64>(frame, pair) } else { self.record::<i128>(frame, pair) }
-    }
-
-    fn record<N: Number>(&self, frame: &Frame, pair: &Pair) -> Vec<(String, i128)> {
         let differences = self.differences.points(frame, pair);
-        let coordinates = self.scaling.coordinates(&differences);
-        let apart = self.boxes && boxes_apart(&coordinates);
-        let Computed { moments, rounded, shift, dots, determinants, bounds, signs } = self.computed::<N>(&coordinates);
         let mut record = Record::default();
         record.points("difference", &differences);
+        self.trace_from(&differences, &mut record);
+        record.0
+    }
+
+    /// What comes after the differences.
+    pub fn trace_from(&self, differences: &Points, record: &mut Record) {
+        if self.narrow { self.record::<i64>(differences, record) } else { self.record::<i128>(differences, record) }
+    }
+
+    fn record<N: Number>(&self, differences: &Points, record: &mut Record) {
+        let coordinates = self.scaling.coordinates(differences);
+        let apart = self.boxes && boxes_apart(&coordinates);
+        let Computed { moments, rounded, shift, dots, determinants, bounds, signs } = self.computed::<N>(&coordinates);
         record.vector("dropped", &coordinates.dropped.map(i64::from));
         record.number("level", coordinates.level);
         record.points("coordinate", &coordinates.points);
@@ -81,6 +87,5 @@ impl DeterminantTest {
         }
         record.number("boxes_apart", apart);
         record.number("verdict", outcome(apart, &signs).verdict as u8);
-        record.0
     }
 }

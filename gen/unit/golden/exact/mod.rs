@@ -4,6 +4,7 @@
 //! [determinant unit](super::determinants) before anything is rounded there. A pair in one plane has a rule of its own
 //! (`plane`, section 5); all others are decided by their six edges (`verdict`, sections 4 and 6).
 
+mod cascade;
 mod plane;
 #[cfg(test)]
 mod tests;
@@ -16,6 +17,7 @@ use super::determinants::moments::Moments;
 use super::determinants::number::Number;
 use super::{Outcome, Pair, Pose};
 use crate::params::Params;
+use cascade::FirstStage;
 use plane::Components;
 use verdict::{outcome, signs};
 
@@ -27,6 +29,8 @@ pub(super) struct ExactTest {
     reach: i64,
     /// Whether the determinants, of at most 24 R^3, fit `i64`.
     narrow: bool,
+    /// Of a cascade.
+    first: Option<FirstStage>,
 }
 
 /// What is computed from the differences of a pair that fits, in the order of the data flow.
@@ -40,19 +44,31 @@ struct Computed<N> {
 
 impl ExactTest {
     pub fn new(p: &Params) -> Self {
-        Self { differences: Differences::new(p), reach: (1 << (p.width - 1)) - 1, narrow: 3 * (p.width - 1) + 5 <= 63 }
+        Self {
+            differences: Differences::new(p),
+            reach: (1 << (p.width - 1)) - 1,
+            narrow: 3 * (p.width - 1) + 5 <= 63,
+            first: FirstStage::new(p),
+        }
     }
 
     /// The verdict of a pair with what each witness says.
     pub fn outcome(&self, pose: &Pose, pair: &Pair) -> Outcome {
         let points = self.points(pose, pair);
         if !self.fits(&points) {
-            Outcome::outside()
-        } else if self.narrow {
-            computed::<i64>(&points).outcome
-        } else {
-            computed::<i128>(&points).outcome
+            return Outcome::outside();
         }
+        let decided = self.first.and_then(|first| first.outcome(&points));
+        decided.unwrap_or_else(|| match self.narrow {
+            true => computed::<i64>(&points).outcome,
+            false => computed::<i128>(&points).outcome,
+        })
+    }
+
+    /// Whether the first stage of a cascade leaves the pair to the second.
+    pub fn is_open(&self, pose: &Pose, pair: &Pair) -> bool {
+        let points = self.points(pose, pair);
+        self.fits(&points) && self.first.is_some_and(|first| first.outcome(&points).is_none())
     }
 
     /// Section 2: the five points relative to V0.

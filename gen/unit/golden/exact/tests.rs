@@ -369,3 +369,54 @@ fn plain_pairs() {
     assert_eq!(of([[1, 0, 0], [2, 0, 0], [1, -2, 0]]), (Verdict::Intersect, 0, 0b10));
     assert_eq!(of([[9, 0, 0], [10, 0, 0], [9, 2, 0]]), (Verdict::Separate, 1, 0b10));
 }
+
+/// A cascade answers as the exact unit does, and what its first stage says is so; how many of the pairs are left open.
+fn cascaded(width: u32, pairs: impl Iterator<Item = Points>) -> [u64; 2] {
+    let p = Params { exact_clocks: Some(16), ..params(width) };
+    let (cascade, exact) = (Golden::new(&p), golden(width));
+    let pose = Pose::identity(&p);
+    let mut stages = [0; 2];
+    for points in pairs {
+        let (expected, found, pair) = (outcome(&exact, &points), outcome(&cascade, &points), read(&points));
+        let open = cascade.is_open(&pose, &pair);
+        stages[usize::from(open)] += 1;
+        if open {
+            assert_eq!(found, expected, "{points:?}");
+            continue;
+        }
+        let truth = truth(&points);
+        assert_eq!(found.verdict == Verdict::Separate, truth.class == Exact::Separate, "{points:?}: {truth}");
+        assert_ne!(found.verdict, Verdict::PossiblyIncorrect);
+        // What crosses is known; else no flag is wrong but that of the boxes, which the exact unit has not.
+        assert_eq!((found.overlapping ^ expected.overlapping) & 0b1, 0, "{points:?}");
+        assert_eq!((found.separated & !1 & !expected.separated, found.outside), (0, false), "{points:?}");
+        assert_eq!(found.overlapping & !expected.overlapping, 0, "{points:?}");
+        assert_ne!(truth.class, Exact::Touch, "{points:?}");
+        assert_eq!(cascade.verdict(&pose, &pair), found.verdict);
+    }
+    stages
+}
+
+#[test]
+fn a_cascade_is_right_and_its_second_stage_gets_what_touches() {
+    let mut rng = ChaCha8Rng::seed_from_u64(8);
+    for width in [7, 9, 18, 19, 24, 32] {
+        let [decided, open] =
+            cascaded(width, (0..20_000).map(|i| if i % 2 == 0 { small(&mut rng) } else { large(&mut rng, width) }));
+        assert!(decided > 2000 && open > 2000, "width {width}: {decided} decided, {open} open");
+    }
+}
+
+/// Of pairs at random the second stage gets few, however small they are on the grid.
+#[test]
+fn a_cascade_leaves_few_pairs_open() {
+    let mut rng = ChaCha8Rng::seed_from_u64(9);
+    for bits in [5, 8, 12, 18, 24, 31] {
+        let reach = (1i64 << (bits - 1)) - 1;
+        let any = |rng: &mut ChaCha8Rng| [(); 6].map(|()| [(); 3].map(|()| rng.random_range(-reach..=reach) / 2));
+        let [decided, open] = cascaded(32, (0..100_000).map(|_| any(&mut rng)));
+        // On the smallest grid many pairs touch.
+        let most = if bits == 5 { 1500 } else { 60 };
+        assert!((10..most).contains(&open) && decided + open == 100_000, "{bits} bits: {open} open");
+    }
+}

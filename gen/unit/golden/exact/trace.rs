@@ -13,6 +13,10 @@ impl ExactTest {
         let mut record = Record::default();
         record.points("difference", &points);
         let held = self.held(&points);
+        if let Some(first) = &self.first {
+            first.trace(&held, &mut record);
+            return record.0;
+        }
         let outcome = if self.narrow {
             record_computed::<i64>(&mut record, &held)
         } else {

@@ -83,8 +83,13 @@ fn final_answers_of_the_exact_unit_are_exact() {
     let mut lattice = || [(); 6].map(|()| [(); 3].map(|()| f64::from(rng.random_range(-3..=3)) / 8.0));
     let mut given: Vec<[[f64; 3]; 6]> = (0..400).map(|_| lattice()).collect();
     given.extend(pairs(50));
-    for transform in [Transform::Off, Transform::Translate] {
-        let params = Params { transform, ..Params::of(Method::Exact) };
+    for (transform, exact_clocks) in [
+        (Transform::Off, None),
+        (Transform::Translate, None),
+        (Transform::Off, Some(16)),
+        (Transform::Translate, Some(16)),
+    ] {
+        let params = Params { transform, exact_clocks, ..Params::of(Method::Exact) };
         let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
         let job = driver.loose(&given);
         let answers = StandIn::new(&params, StreamWidth::Bits64).unwrap().answer(job.transfers());
