@@ -58,10 +58,7 @@
       // A unit without the transform leaves work to the host that is not counted.
       point.shown = point.device === part && point.whole && point.multipliers <= budget && (point.fits || !$("fits").checked);
     }
-    for (const test of scene.software) {
-      test.ns = retest * test.measured;
-      test.shown = true;
-    }
+    scene.software.forEach((test) => (test.ns = retest * test.measured));
     front = pareto(scene.points.filter((point) => point.shown));
   }
 
@@ -99,14 +96,17 @@
     return tries.find((ticks) => ticks.length <= room) || tries[tries.length - 1];
   }
 
+  // What a plot shows. A test in software that takes much longer than every unit would squeeze all others together.
   function items(plot) {
-    return plot.software ? [...scene.points, ...scene.software] : scene.points;
+    const points = scene.points.filter((point) => point.shown);
+    const slowest = Math.max(...points.map((point) => point.ns));
+    return plot.software ? [...points, ...scene.software.filter((test) => points.length === 0 || test.ns < 5 * slowest)] : points;
   }
 
   // The columns of a plot: x, then for each kind its line and its points, then the front.
   function columns(plot) {
     const share = plot.y === undefined;
-    plot.items = items(plot).filter((item) => item.shown).sort((a, b) => plot.x(a) - plot.x(b));
+    plot.items = items(plot).sort((a, b) => plot.x(a) - plot.x(b));
     const positive = plot.items.map((item) => item.share).filter((y) => y > 0);
     // A share of nothing has no place on a logarithmic scale: it gets one below all others.
     plot.nothing = share ? Math.min(...positive, 0.001) / 4 : 0;
@@ -174,9 +174,9 @@
       const stroke = kind.mark === "hollow" ? paint : paper;
       series.push({ paths: () => null, points: { show: true, size: 8, width: kind.mark === "hollow" ? 1.8 : 0.6, fill, stroke, paths: marks(kind.mark) } });
     });
-    series.push({ stroke: ink, width: 2, spanGaps: true, points: { show: false } });
+    series.push({ stroke: ink, width: 2, spanGaps: true, paths: uPlot.paths.stepped({ align: 1 }), points: { show: false } });
     const share = plot.y === undefined;
-    const axis = { stroke: soft, font: FONT, labelFont: FONT, grid: { stroke: grid, width: 1 }, ticks: { show: false } };
+    const axis = { stroke: soft, font: FONT, labelFont: FONT, grid: { stroke: grid, width: 1 }, ticks: { show: false }, filter: (_, ticks) => ticks };
     const yunit = share ? (v) => (v === plot.nothing ? "none" : percent(v)) : plot.yunit;
     const yticks = (u, _, low, high) => {
       const ticks = decades(share ? Math.max(low, 2 * plot.nothing) : low, high, u.height / 38);
@@ -192,7 +192,7 @@
         y: { distr: 3, range: () => padded(plot.items.map(plot.height_of), true, 0.04) },
       },
       axes: [
-        { ...axis, label: plot.xlabel, labelSize: 22, size: 32, ...(plot.xlog && { splits: (u, _, low, high) => decades(low, high, u.width / 75) }), values: (_, ticks) => ticks.map(plot.xunit || String) },
+        { ...axis, label: plot.xlabel, labelSize: 22, size: 32, ...(!plot.xlog && { incrs: [1, 2, 5, 10] }), ...(plot.xlog && { splits: (u, _, low, high) => decades(low, high, u.width / 75) }), values: (_, ticks) => ticks.map(plot.xunit || String) },
         { ...axis, size: 62, splits: yticks, values: (_, ticks) => ticks.map(yunit) },
       ],
       series,
@@ -231,15 +231,20 @@
     const k = uPlot.pxRatio;
     const place = (item) => [u.valToPos(plot.x(item), "x", true), u.valToPos(plot.height_of(item), "y", true)];
     const taken = plot.items.map(place).map(([x, y]) => [x - 5 * k, y - 5 * k, x + 5 * k, y + 5 * k]);
+    front.slice(1).forEach((point, i) => {
+      const [[x, y], [end]] = [place(front[i]), place(point)];
+      taken.push([x, y - 2 * k, end, y + 2 * k]);
+    });
     const hits = (a) => taken.some((b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]);
     ctx.save();
     ctx.textBaseline = "middle";
+    ctx.textAlign = "left";
     const write = (item, text, weight, paint) => {
       ctx.font = `${weight} ${12 * k}px system-ui, -apple-system, 'Segoe UI', Roboto, Arial, sans-serif`;
       const [x, y] = place(item);
       const [width, height, gap] = [ctx.measureText(text).width, 15 * k, 9 * k];
       const corners = [];
-      for (const down of [0, -14, 14, -28, 28, -42, 42, -56, 56]) {
+      for (const down of [0, -14, 14, -28, 28, -42, 42, -56, 56, -70, 70, -84, 84]) {
         corners.push([x + gap, y + down * k - height / 2], [x - gap - width, y + down * k - height / 2]);
       }
       corners.push([x - width / 2, y - 24 * k], [x - width / 2, y + 9 * k]);
@@ -266,9 +271,11 @@
       ctx.fillStyle = paint;
       ctx.fillText(text, l, t + height / 2);
     };
-    front.forEach((point, i) => write(point, narrow ? String(i + 1) : named(point), 600, colour("--ink")));
+    // The ends come first: they are what most readers look for.
+    const order = [...front].sort((a, b) => (b === front[0] || b === front.at(-1)) - (a === front[0] || a === front.at(-1)));
+    order.forEach((point) => write(point, narrow ? String(front.indexOf(point) + 1) : named(point), 600, colour("--ink")));
     if (!narrow) {
-      scene.software.forEach((test) => write(test, test.name, 400, colour("--soft")));
+      plot.items.filter((item) => item.kind === SOFTWARE).forEach((test) => write(test, test.name, 400, colour("--soft")));
     }
     ctx.restore();
   }
@@ -325,9 +332,9 @@
       box.replaceChildren(element("h3", {}, item.name), element("p", { class: "soft" }, item.about), facts);
       return;
     }
-    fact("of it hardware", `${time(item.hardware)}: ${clocks(item.clocks)} at ${significant(item.at)} MHz`);
-    fact("of it undecided pairs", `${time(item.share * item.cost)}: ${percent(item.share)} of ${time(item.cost)}`);
-    fact("95 % bounds of the share", `${percent(item.low)} to ${percent(item.high)}`);
+    fact("hardware", `${time(item.hardware)}: ${clocks(item.clocks)} at ${significant(item.at)} MHz`);
+    fact("undecided pairs", `${time(item.share * item.cost)}: ${percent(item.share)} of ${time(item.cost)}`);
+    fact("95 % bounds", `${percent(item.low)} to ${percent(item.high)}`);
     fact("wrong answers", whole(item.wrong));
     fact("multipliers", whole(item.multipliers));
     fact("LUTs, flip-flops", `${whole(item.luts)}, ${whole(item.flip_flops)}`);
@@ -388,10 +395,10 @@
   function tiles() {
     const shown = scene.points.filter((point) => point.shown);
     const by = (key) => [...shown].sort((a, b) => key(a) - key(b) || a.ns - b.ns || a.multipliers - b.multipliers)[0];
-    const exact = [...scene.software].filter((test) => test.share === 0).sort((a, b) => a.ns - b.ns)[0];
+    const exact = scene.software.filter((test) => test.exact).sort((a, b) => a.ns - b.ns)[0];
     const tile = (name, item, number) => {
       const about = item && item.kind === SOFTWARE ? `${item.name}, one core` : item ? named(item) : "no unit fits these settings";
-      const rest = item && item.kind === SOFTWARE ? "nothing undecided" : item ? `${time(item.ns)} per pair, ${percent(item.share)} undecided, ${item.wrong} wrong` : "";
+      const rest = item && item.kind === SOFTWARE ? (item.share === 0 ? "nothing undecided or wrong" : `${percent(item.share)} changed by rounding its input`) : item ? `${time(item.ns)} per pair, ${percent(item.share)} undecided, ${item.wrong} wrong` : "";
       const made = element("button", { type: "button" }, element("span", { class: "what" }, name), element("b", {}, item ? number(item) : "none"), element("span", {}, about), element("span", {}, rest));
       made.item = item;
       made.addEventListener("click", () => item && pin(item));
@@ -410,7 +417,7 @@
       const shapes = { circle: '<circle cx="7" cy="7" r="4.5"/>', diamond: '<path d="M7 1l6 6l-6 6l-6-6z"/>', square: '<rect x="2.5" y="2.5" width="9" height="9"/>', hollow: '<rect x="3" y="3" width="8" height="8" fill="none" stroke="currentColor" stroke-width="2"/>' };
       return `<svg viewBox="0 0 14 14" fill="currentColor" style="color:var(${kind.colour})" aria-hidden="true">${shapes[kind.mark]}</svg>`;
     };
-    const there = KINDS.filter((_, kind) => items(PLOTS[0]).some((item) => item.kind === kind));
+    const there = KINDS.filter((_, kind) => PLOTS[0].items.some((item) => item.kind === kind));
     $("legend").innerHTML = there.map((kind) => `<span>${svg(kind)}${kind.name}</span>`).join("") +
       '<span><svg viewBox="0 0 14 14" aria-hidden="true"><path d="M0 7h14" stroke="currentColor" stroke-width="2.4"/></svg>frontier: no other unit is both faster and surer</span>';
   }
@@ -452,13 +459,13 @@
   function update() {
     reckon();
     Object.entries(settings).forEach(([name, setting]) => ($(name + "-value").textContent = setting.show(value(name))));
-    if (pinned && !pinned.shown) {
+    if (pinned && pinned.kind !== SOFTWARE && !pinned.shown) {
       pinned = null;
     }
+    PLOTS.forEach((plot) => plot.u.setData(columns(plot)));
     tiles();
     table();
     legend();
-    PLOTS.forEach((plot) => plot.u.setData(columns(plot)));
     rings();
     describe();
     remember();

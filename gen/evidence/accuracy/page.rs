@@ -4,6 +4,7 @@ use super::break_even::{BreakEven, Effect, Step};
 use super::figures;
 use super::floor::Blocks;
 use super::headline::{capitalised, grouped, percent, significant, time};
+use super::ladder::EXACT;
 use super::point::{Options, options};
 use super::results::Results;
 use super::row::Row;
@@ -107,6 +108,8 @@ struct Test<'a> {
     kind: u8,
     name: &'a str,
     about: &'a str,
+    /// Whether it answers every pair there can be, and never wrongly.
+    exact: bool,
     /// Share of pairs without a right answer.
     share: f64,
     /// Time per pair, ns.
@@ -155,6 +158,7 @@ fn shown(results: &Results) -> Shown<'_> {
         kind: Kind::Software as u8,
         name: &step.rung.name,
         about: &step.rung.about,
+        exact: EXACT.contains(&step.rung.name.as_str()),
         share: step.open.share,
         measured: step.ns,
     });
