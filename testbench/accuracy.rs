@@ -211,7 +211,10 @@ fn the_page_in_the_repository_is_that_of_its_results() {
         fs::create_dir(dir.path().join(scene)).unwrap();
         fs::copy(kept.join(scene).join("accuracy.json"), dir.path().join(scene).join("accuracy.json")).unwrap();
     }
-    assert_eq!(succeeds(dir.path(), &["page", scenes[0], scenes[1], scenes[2], "--out", "."]), "The page: ./index.html\n");
+    assert_eq!(
+        succeeds(dir.path(), &["page", scenes[0], scenes[1], scenes[2], "--out", "."]),
+        "The page: ./index.html\n"
+    );
     assert_eq!(files(dir.path()), files(&kept));
     let same = |name: &str| {
         let [made, kept] = [dir.path(), &kept].map(|folder| fs::read_to_string(folder.join(name)).unwrap());

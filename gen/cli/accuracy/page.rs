@@ -33,9 +33,11 @@ fn read(dir: &Path) -> Result<Results, Failure> {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let campaigns: Vec<Results> = arguments.campaigns.iter().map(|dir| read(dir)).collect::<Result<_, _>>()?;
     let page = arguments.out.join(output::PAGE);
-    let beside = arguments.campaigns.iter().zip(&campaigns).flat_map(|(dir, results)| {
-        accuracy::files(results).into_iter().map(|(name, text)| (dir.join(name), text))
-    });
+    let beside = arguments
+        .campaigns
+        .iter()
+        .zip(&campaigns)
+        .flat_map(|(dir, results)| accuracy::files(results).into_iter().map(|(name, text)| (dir.join(name), text)));
     file::write_all(beside.chain([(page.clone(), accuracy::page(&campaigns))]))?;
     print(&format!("The page: {}\n", page.display()))
 }

@@ -1,6 +1,6 @@
 //! What the colours mean.
 
-use super::Mark;
+use crate::effects::mark::Mark;
 
 /// The longest text in characters.
 const LONGEST: usize = 60;

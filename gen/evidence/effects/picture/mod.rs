@@ -11,8 +11,8 @@ mod svg;
 mod view;
 
 use super::Contact;
+use super::mark::Mark;
 use efsat_geometry::scene::{Frame, Scene};
-use efsat_unit::golden::Verdict;
 use legend::Legend;
 use std::collections::{HashMap, HashSet};
 use view::{Item, View};
@@ -21,51 +21,6 @@ use view::{Item, View};
 const WIDTH: usize = 1200;
 /// Its height.
 const HEIGHT: usize = 900;
-
-/// What is said of a triangle, the most important first. Colours after Okabe and Ito: told apart with any kind of colour
-/// vision.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-enum Mark {
-    /// In a pair that intersects for certain.
-    Intersect,
-    /// In a pair that the unit leaves open and that touches.
-    OpenTouching,
-    /// In a pair with a degenerate triangle that touches.
-    Degenerate,
-    /// In a pair that the unit leaves open and that is separate.
-    OpenSeparate,
-}
-
-impl Mark {
-    const ALL: [Self; 4] = [Self::Intersect, Self::OpenTouching, Self::Degenerate, Self::OpenSeparate];
-
-    fn of(contact: &Contact) -> Self {
-        match (contact.verdict, contact.touches()) {
-            (None, _) => Self::Degenerate,
-            (Some(Verdict::PossiblyIncorrect), true) => Self::OpenTouching,
-            (Some(Verdict::PossiblyIncorrect), false) => Self::OpenSeparate,
-            (Some(_), _) => Self::Intersect,
-        }
-    }
-
-    fn colour(self) -> [u8; 3] {
-        match self {
-            Self::Intersect => [213, 94, 0],
-            Self::OpenTouching => [0, 114, 178],
-            Self::Degenerate => [0, 158, 115],
-            Self::OpenSeparate => [240, 228, 66],
-        }
-    }
-
-    fn words(self) -> &'static str {
-        match self {
-            Self::Intersect => "intersect",
-            Self::OpenTouching => "possibly incorrect, touching",
-            Self::Degenerate => "degenerate, touching",
-            Self::OpenSeparate => "possibly incorrect, separate",
-        }
-    }
-}
 
 /// Pale colours of the objects, by turns.
 const OBJECTS: [[u8; 3]; 4] = [[200, 210, 220], [226, 214, 196], [205, 220, 205], [218, 206, 222]];
