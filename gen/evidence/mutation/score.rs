@@ -146,6 +146,7 @@ impl Score {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::mutation::explained::Rate;
 
     #[test]
     fn equivalent_and_invalid_mutants_do_not_count_and_wrong_explanations_are_seen() {
@@ -159,10 +160,10 @@ mod tests {
             new: String::new(),
         };
         const fn said(claim: Claim) -> Explanation {
-            Explanation { pattern: "u:x:case:c", claim, reason: "because" }
+            Explanation { pattern: "u:x:case:c", claim, reason: "because", rate: Rate::Any }
         }
-        const SAME: &[Explanation] = &[said(Claim::Equivalent)];
-        const HIDDEN: &[Explanation] = &[said(Claim::Hidden)];
+        const SAME: &[&Explanation] = &[&said(Claim::Equivalent)];
+        const HIDDEN: &[&Explanation] = &[&said(Claim::Hidden)];
         let killed = || Fate::Killed("answer".to_owned());
         let invalid = Fate::Invalid("refused".to_owned());
         let cases = [
