@@ -1,9 +1,12 @@
 """Checks the pages in a browser. What they show is compared with what is reckoned here from the same data."""
 
+import csv
 import json
 import math
 import os
+import subprocess
 import sys
+import tempfile
 from pathlib import Path
 
 from playwright.sync_api import sync_playwright
@@ -54,7 +57,7 @@ class Browser:
 
     def open(self, path):
         self.page.goto(Path(path).resolve().as_uri())
-        self.page.wait_for_timeout(300)
+        self.page.wait_for_timeout(500)
 
     def picture(self, name, full=True):
         self.page.wait_for_timeout(300)
@@ -182,9 +185,101 @@ def accuracy(chromium):
         browser.close()
 
 
+def colours(browser):
+    """How many different pixels the view of the scene has, and their digest."""
+    return browser.page.evaluate("""() => {
+        const view = document.querySelector('#view canvas');
+        const copy = document.createElement('canvas');
+        [copy.width, copy.height] = [view.width, view.height];
+        const context = copy.getContext('2d');
+        context.drawImage(view, 0, 0);
+        const pixels = new Uint32Array(context.getImageData(0, 0, copy.width, copy.height).data.buffer);
+        let digest = 0;
+        const seen = new Set();
+        pixels.forEach((pixel) => { seen.add(pixel); digest = (Math.imul(digest, 31) + pixel) | 0; });
+        return [seen.size, digest];
+    }""")
+
+
+def scene(chromium, name, options):
+    """The viewer of a scene run against what the run says of the same pairs."""
+    with tempfile.TemporaryDirectory() as folder:
+        page, table = Path(folder) / "view.html", Path(folder) / "pairs.csv"
+        command = [os.environ["EFSAT"], "scene", "run", f"scenes/{name}.toml", *options, "--cosim", "none", "--json",
+                   "--view", page, "--pairs", table]
+        run = json.loads(subprocess.run(command, check=True, stdout=subprocess.PIPE).stdout)
+        pairs = list(csv.DictReader(table.open()))
+        browser = Browser(chromium)
+        browser.open(page)
+        open_pairs = {frame["frame"]: frame["possibly_incorrect"] + frame["intersect"] for frame in run["frames"]}
+        shown = [frame["frame"] for frame in run["frames"]
+                 if open_pairs[frame["frame"]] + sum(int(pair["frame"]) == frame["frame"] for pair in pairs) > 0]
+        check(f"{name}: poses", int(browser.page.get_attribute("#step", "max")) + 1, len(shown))
+        for place, number in enumerate(shown[:3]):
+            browser.slide("step", place)
+            true(f"{name}: pose {number}", browser.text("#frame").startswith(f"pose {number}:"))
+            rows = browser.rows("pairs")
+            touching = sorted(
+                (f"{pair['a']} {pair['triangle_a']}", f"{pair['b']} {pair['triangle_b']}", pair["exact"])
+                for pair in pairs if int(pair["frame"]) == number)
+            check(f"{name}: pairs that touch in pose {number}",
+                  sorted((row[0].removeprefix("■ "), row[1], row[3]) for row in rows if row[3] != "separate"), touching)
+        # Something is drawn, and turning, stepping and picking change it.
+        browser.slide("step", 0)
+        browser.page.wait_for_timeout(300)
+        many, before = colours(browser)
+        true(f"{name}: the scene is drawn, in {many} colours", many > 20)
+        browser.page.locator("#pairs tbody tr").first.click()
+        browser.page.wait_for_timeout(300)
+        picked = colours(browser)[1]
+        true(f"{name}: a pair that is picked is drawn otherwise", picked != before)
+        check(f"{name}: its row is marked", browser.page.locator("#pairs tr.on").count(), 1)
+        first = browser.rows("pairs")[0]
+        told = browser.text("#pair dl")
+        true(f"{name}: its verdict and exact answer are told: {told}", first[2] in told and first[3] in told)
+        signs = browser.page.locator("#pair table tbody tr").count()
+        true(f"{name}: so is what every axis or determinant says: {signs}", signs in ([15] if "determinants" in options else [12, 18]))
+        view = browser.page.locator("#view canvas").bounding_box()
+        middle = [view["x"] + view["width"] / 2, view["y"] + view["height"] / 2]
+        browser.page.mouse.move(*middle)
+        browser.page.mouse.down()
+        browser.page.mouse.move(middle[0] + 120, middle[1] + 60, steps=4)
+        browser.page.mouse.up()
+        browser.page.wait_for_timeout(300)
+        true(f"{name}: dragging turns the scene", colours(browser)[1] != picked)
+        # Clicking a triangle in the view: somewhere along its lines there are some.
+        browser.page.click("#near")
+        browser.page.locator("#view").hover()
+        browser.page.wait_for_timeout(300)
+        browser.slide("step", 0)
+        check(f"{name}: nothing is picked in a new pose", browser.page.locator("#pairs tr.on").count(), 0)
+        found = 0
+        for x in range(1, 20):
+            for y in range(1, 20):
+                browser.page.mouse.click(view["x"] + view["width"] * x / 20, view["y"] + view["height"] * y / 20)
+                found = browser.page.locator("#pairs tr.on").count()
+                if found:
+                    break
+            if found:
+                break
+        check(f"{name}: clicking a triangle picks its pair", found, 1)
+        browser.page.keyboard.press("ArrowRight")
+        if len(shown) > 1:
+            true(f"{name}: an arrow key steps", browser.text("#frame").startswith(f"pose {shown[1]}:"))
+        browser.close()
+        for size in SIZES:
+            browser = Browser(chromium, size)
+            browser.open(page)
+            browser.picture(f"scene-{name}", full=False)
+            browser.close()
+
+
 with sync_playwright() as playwright:
-    # As root Chromium has no sandbox; it opens only files of this project.
-    chromium = playwright.chromium.launch(executable_path=os.environ["CHROMIUM"], args=["--no-sandbox"])
+    # As root Chromium has no sandbox; it opens only files of this project. Pictures are computed without a graphics card.
+    switches = ["--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+    chromium = playwright.chromium.launch(executable_path=os.environ["CHROMIUM"], args=switches)
     accuracy(chromium)
+    scene(chromium, "gears", [])
+    scene(chromium, "plates", ["--method", "determinants"])
     chromium.close()
 print(f"{passed} passed, 0 failed")

@@ -42,11 +42,15 @@
     return body;
   });
 
-  // Triangles and segments of contacts; they are made anew for each pose.
-  const contacts = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ vertexColors: true, side: THREE.DoubleSide, transparent: true, opacity: 0.75, depthTest: false }));
-  const segments = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x000000, depthTest: false }));
-  const chosen = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xc2185b, depthTest: false }));
-  [contacts, segments, chosen].forEach((mesh, i) => {
+  // Triangles and segments of contacts; they are made anew for each pose. Each triangle is painted once, with its most
+  // important kind; what is clicked is found among those of all pairs, which are not painted.
+  const contacts = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ vertexColors: true, side: THREE.DoubleSide, transparent: true, opacity: 0.6, depthTest: false }));
+  const pairs = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ side: THREE.DoubleSide }));
+  pairs.visible = false;
+  const segments = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0x000000, transparent: true, depthTest: false }));
+  const filling = new THREE.Mesh(new THREE.BufferGeometry(), new THREE.MeshBasicMaterial({ color: 0xe0409a, side: THREE.DoubleSide, transparent: true, opacity: 0.75, depthTest: false }));
+  const chosen = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xe0409a, transparent: true, depthTest: false }));
+  [pairs, contacts, filling, segments, chosen].forEach((mesh, i) => {
     mesh.renderOrder = i + 1;
     mesh.frustumCulled = false;
     scene.add(mesh);
@@ -55,6 +59,8 @@
   // Contacts come as lists, which are shorter: kind, objects, triangles, exact answer, and what there is of the rest.
   for (const frame of data.frames) {
     frame.contacts = frame.contacts.map(([kind, a, b, p, q, exact, says, segment]) => ({ kind, a, b, p, q, exact, says, segment }));
+    // What the unit left open comes first in the list.
+    frame.contacts.sort((x, y) => (data.kinds[x.kind].verdict === "intersect") - (data.kinds[y.kind].verdict === "intersect"));
   }
 
   let frame = null;
@@ -83,23 +89,28 @@
       body.matrix.set(m[0], m[1], m[2], t[0], m[3], m[4], m[5], t[1], m[6], m[7], m[8], t[2], 0, 0, 0, 1);
       body.updateMatrixWorld(true);
     });
-    // The most important kind is drawn last, over the others.
-    const order = frame.contacts.map((contact, i) => [contact, i]).sort(([a], [b]) => b.kind - a.kind);
-    const [corners, colours, ends] = [[], [], []];
+    const [all, ends, marked] = [[], [], new Map()];
     frame.owners = [];
-    for (const [contact, i] of order) {
-      const colour = new THREE.Color(kind(contact).colour);
+    frame.contacts.forEach((contact, i) => {
       for (const [object, face] of [[contact.a, contact.p], [contact.b, contact.q]]) {
-        corners.push(...triangle(object, face));
-        colours.push(colour, colour, colour);
+        const corners = triangle(object, face);
+        all.push(...corners);
         frame.owners.push(i);
+        const key = `${object} ${face}`;
+        if (!marked.has(key) || contact.kind < marked.get(key).kind) {
+          marked.set(key, { kind: contact.kind, corners });
+        }
       }
       if (contact.segment) {
         ends.push(new THREE.Vector3(...contact.segment.slice(0, 3)), new THREE.Vector3(...contact.segment.slice(3)));
       }
-    }
+    });
+    // The most important kind is drawn last, over the others.
+    const order = [...marked.values()].sort((x, y) => y.kind - x.kind);
+    const colours = order.flatMap(({ kind }) => Array(3).fill(new THREE.Color(data.kinds[kind].colour)));
     const painted = new THREE.BufferAttribute(new Float32Array(colours.flatMap((c) => [c.r, c.g, c.b])), 3);
-    replace(contacts, { position: points(corners), color: painted });
+    replace(contacts, { position: points(order.flatMap(({ corners }) => corners)), color: painted });
+    replace(pairs, { position: points(all) });
     replace(segments, { position: points(ends) });
     const rows = frame.contacts.map((contact, i) => {
       const swatch = element("i", { style: `color:${kind(contact).colour}` }, "■ ");
@@ -129,20 +140,23 @@
     camera.near = away / 1000;
     camera.far = away * 100;
     camera.updateProjectionMatrix();
+    controls.update();
     draw();
   }
 
   function pick(number) {
     picked = number;
     const contact = number === null ? null : frame.contacts[number];
-    const lines = [];
+    const [lines, faces] = [[], []];
     if (contact) {
       for (const [object, face] of [[contact.a, contact.p], [contact.b, contact.q]]) {
         const [p, q, r] = triangle(object, face);
         lines.push(p, q, q, r, r, p);
+        faces.push(p, q, r);
       }
     }
     replace(chosen, { position: points(lines) });
+    replace(filling, { position: points(faces) });
     [...$("pairs").tBodies[0].rows].forEach((row, i) => row.classList.toggle("on", i === number));
     const box = $("pair");
     if (!contact) {
@@ -174,7 +188,7 @@
     const { left, top, width, height } = renderer.domElement.getBoundingClientRect();
     const at = new THREE.Vector2((2 * (event.clientX - left)) / width - 1, 1 - (2 * (event.clientY - top)) / height);
     caster.setFromCamera(at, camera);
-    return [...new Set(caster.intersectObject(contacts).map((hit) => frame.owners[hit.faceIndex]))];
+    return [...new Set(caster.intersectObject(pairs).map((hit) => frame.owners[hit.faceIndex]))];
   }
 
   let down = null;
@@ -230,7 +244,7 @@
     draw();
   });
   $("legend").replaceChildren(
-    ...data.kinds.map((kind) => element("span", {}, element("i", { style: `background:${kind.colour}` }), kind.words)),
+    ...data.kinds.filter((_, kind) => data.frames.some((frame) => frame.contacts.some((contact) => contact.kind === kind))).map((kind) => element("span", {}, element("i", { style: `background:${kind.colour}` }), kind.words)),
     ...data.objects.slice(0, 6).map((object, i) => element("span", {}, element("i", { style: `background:#${BODIES[i % BODIES.length].toString(16)}` }), object.name)),
   );
   fit();

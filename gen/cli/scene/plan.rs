@@ -6,6 +6,8 @@ use crate::cli::output::{print, print_json};
 use crate::cli::progress;
 use crate::cli::source::load_planned;
 use crate::effects::{self, Answers, Cost, Finding, Other, Plan, Saving, Tally, Wish};
+use crate::params::Params;
+use crate::params::options::Choice;
 use std::cmp::Ordering;
 
 /// Finds out which optional stages a scene needs, why, and what leaving out the others saves
@@ -93,7 +95,7 @@ fn conclusion(plan: &Plan) -> String {
     if tally.contradictions > 0 {
         text.push_str(&format!(" CONTRADICTIONS: {}.", tally.contradictions));
     }
-    text.push_str(&format!("\n\n  {}\n", plan.command_line));
+    text.push_str(&format!("\n\n  {}\n", command(&plan.params)));
     if let Some(other) = plan.other.as_ref().filter(|_| tally.pairs() > 0) {
         text.push('\n');
         text.push_str(&compared(plan, other));
@@ -118,14 +120,22 @@ fn compared(plan: &Plan, other: &Other) -> String {
         })
     };
     format!(
-        "The method {} {says}: {} instead of {}. It takes {} instead of {}.\n\n  {}\n",
+        "The other method, {}, {says}: {} instead of {}. It takes {} instead of {}.\n\n  {}\n",
         other.method,
         undecided(&there.tally),
         undecided(&here.tally),
         takes(there),
         takes(here),
-        other.command_line
+        command(&other.params)
     )
+}
+
+/// The command that generates a unit, without what goes without saying.
+fn command(params: &Params) -> String {
+    let usual = Params::of(params.method);
+    let method = (params.method != Params::default().method).then(|| format!(" --method {}", params.method.name()));
+    let options = params.differences(&usual).into_iter().map(|(name, value)| format!(" --{name} {value}"));
+    "efsat generate".to_owned() + &method.into_iter().chain(options).collect::<String>()
 }
 
 fn undecided(tally: &Tally) -> String {

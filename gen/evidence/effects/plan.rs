@@ -51,6 +51,9 @@ pub struct Other {
     pub answers: Answers,
     /// The command line that generates it.
     pub command_line: String,
+    /// Its parameters.
+    #[serde(skip)]
+    pub params: Params,
 }
 
 /// Which stages a scene needs, and the unit that has them.
@@ -160,7 +163,12 @@ fn other(front: &Front<'_>, planned: &Params, census: &Census) -> Result<Option<
     }
     let tally = measure(front, &[planned.clone(), params.clone()], None).tallies[1];
     let cost = Some(Cost::new(front, &params, &census.vectors)?);
-    Ok(Some(Other { method: method.name(), answers: Answers { tally, cost }, command_line: params.command_line() }))
+    Ok(Some(Other {
+        method: method.name(),
+        answers: Answers { tally, cost },
+        command_line: params.command_line(),
+        params,
+    }))
 }
 
 /// What units take, each built once.

@@ -167,9 +167,9 @@ impl<'a, 'b> Viewer<'a, 'b> {
             Kind { words: mark.words(), verdict: mark.verdict(), colour: format!("#{red:02x}{green:02x}{blue:02x}") }
         };
         let (witness, words): (_, &[(char, &'static str)]) = match self.params.method {
-            Method::Axes => ("axis", &[('s', "certainly separated"), ('o', "certainly overlap"), ('?', "uncertain")]),
+            Method::Axes => ("axis", &[('s', "separated"), ('o', "overlapping"), ('?', "uncertain")]),
             Method::Determinants | Method::Exact => {
-                ("determinant", &[('+', "certainly positive"), ('-', "certainly negative"), ('?', "sign uncertain")])
+                ("determinant", &[('+', "positive"), ('-', "negative"), ('?', "uncertain")])
             }
         };
         let objects = scene.objects.iter().zip(mesh_of);
