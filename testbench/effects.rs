@@ -328,8 +328,8 @@ fn runs_answer_retest_simulate_and_draw() {
 fn plans_begin_with_their_conclusion() {
     let home = blocks("[[pose]]\nobject = 'q'\ntranslation = [0.75, 0.5, 0.25]\n");
     let dir = home.path();
-    let plan = object(dir, "scene plan s.toml --json --width 20");
-    let text = succeeds(dir, "scene plan s.toml --width 20");
+    let plan = object(dir, "scene plan s.toml --json --width 17");
+    let text = succeeds(dir, "scene plan s.toml --width 17");
     let open = plan["planned"]["possibly_incorrect"].as_u64().unwrap();
     let first = text.lines().next().unwrap();
     assert!(first.starts_with("s: ") && first.contains(&format!("decides all but {open} (")), "{text}");
@@ -349,6 +349,9 @@ fn plans_begin_with_their_conclusion() {
         });
         assert!(manifests[0] == manifests[1], "{short}");
     }
+    // A unit that is too large for its device is said to be.
+    let wide = succeeds(dir, "scene plan s.toml --width 32");
+    assert!(wide.contains("(more than the device has)") && !text.contains("(more than the device has)"), "{wide}");
     // The other way round, and the transform that the scene calls for goes along.
     let turned = object(dir, "scene plan s.toml --json --method determinants");
     assert_eq!(

@@ -85,6 +85,9 @@ fn conclusion(plan: &Plan) -> String {
         0 => " No pair comes to the unit.".to_owned(),
         pairs => format!(" The unit decides all but {open} of {pairs} pairs."),
     });
+    if plan.planned.cost.is_some_and(|cost| !cost.fits) {
+        text.push_str(&format!(" It does not fit the {}.", plan.params.device));
+    }
     if let Some(saving) = plan.saving.as_ref().filter(|_| plan.params != plan.full_params) {
         text.push_str(&format!(" Against the unit with every stage that {}.", words(saving, "saves", "costs")));
     }
@@ -114,9 +117,10 @@ fn compared(plan: &Plan, other: &Other) -> String {
     };
     let takes = |answers: &Answers| {
         answers.cost.map_or(String::new(), |cost| {
-            let Cost { multipliers, luts, interval, .. } = cost;
+            let Cost { multipliers, luts, interval, fits, .. } = cost;
             let clocks = if interval == 1 { "clock" } else { "clocks" };
-            format!("{multipliers} multipliers, {luts} LUTs, {interval} {clocks} per pair")
+            let lacks = if fits { "" } else { " (more than the device has)" };
+            format!("{multipliers} multipliers, {luts} LUTs{lacks}, {interval} {clocks} per pair")
         })
     };
     format!(

@@ -234,9 +234,14 @@ fn front(mut rows: Vec<&Row>, x: impl Fn(&Row) -> f64) -> Series {
     rows.sort_by(|p, q| x(p).total_cmp(&x(q)));
     rows.dedup_by(|p, q| x(p) == x(q) && p.possibly_incorrect.share == q.possibly_incorrect.share);
     let look = style(GREY, Mark::None, Line::Solid);
-    let dot =
-        |row: &Row| Dot { x: x(row), y: 100.0 * row.possibly_incorrect.share, bounds: None, about: String::new() };
-    series("best of all", look, &rows, dot)
+    let dot = |x: f64, row: &Row| {
+        let y = 100.0 * row.possibly_incorrect.share;
+        Dot { x, y, bounds: None, about: String::new() }
+    };
+    // In steps: between two points nothing is better than the one before.
+    let corners = rows.windows(2).flat_map(|pair| [dot(x(pair[0]), pair[0]), dot(x(pair[1]), pair[0])]);
+    let dots = corners.chain(rows.last().map(|row| dot(x(row), row))).collect();
+    Series { name: "best of all".to_owned(), style: look, dots }
 }
 
 /// Share over time, hardware and software, with the names of what nothing beats on the device of the base.
@@ -262,7 +267,10 @@ fn frontier(results: &Results) -> Figure {
             percent(step.open.share)
         ),
     };
-    let software = results.ladder.iter().map(step).collect();
+    // What takes much longer than every unit would squeeze all others together.
+    let slowest = times.iter().copied().fold(0.0, f64::max);
+    let shown = |step: &&super::results::Step| step.ns < 5.0 * slowest;
+    let software = results.ladder.iter().filter(shown).map(step).collect();
     all.push(Series {
         name: "software, one core".to_owned(),
         style: style(BLACK, Mark::Hollow, Line::None),
@@ -283,8 +291,8 @@ fn frontier(results: &Results) -> Figure {
     let mut labels: Vec<Label> = best.iter().map(label).collect();
     let default = results.base();
     labels.push(base_label(results, default.effective_ns, 100.0 * default.possibly_incorrect.share));
-    let shown = ["f64, epsilon", "f64", "f32", "filter, batch", "retest, batch", "retest", "predicates", "rational"];
-    let named = shown.iter().filter_map(|name| results.step(name)).map(|step| Label {
+    let names = ["f64, epsilon", "f64", "f32", "filter, batch", "retest, batch", "retest", "predicates", "rational"];
+    let named = names.iter().filter_map(|name| results.step(name)).filter(shown).map(|step| Label {
         x: step.ns,
         y: 100.0 * step.open.share,
         text: step.rung.name.clone(),

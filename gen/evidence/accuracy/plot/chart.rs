@@ -155,9 +155,8 @@ impl Chart {
         for label in self.labels.iter().filter(|label| !label.text.is_empty()) {
             let at = [x.at(label.x), level(label.y)];
             let weight = if label.ring { "font-weight=\"650\" " } else { "" };
-            let (from, farthest) = if label.ring { (1.06, 62.0) } else { (1.0, 26.0) };
-            let width = from * text_width(&label.text, SMALL);
-            if let Some(Rectangle([left, top, right, bottom])) = places.find(at, width, SMALL + 3.0, farthest) {
+            let width = if label.ring { 1.06 } else { 1.0 } * text_width(&label.text, SMALL);
+            if let Some(Rectangle([left, top, right, bottom])) = places.find(at, width, SMALL + 3.0) {
                 let near = [at[0].clamp(left, right), at[1].clamp(top, bottom)];
                 if (near[0] - at[0]).hypot(near[1] - at[1]) > 16.0 {
                     let ([x, y], [to_x, to_y]) = (at, near);
