@@ -323,6 +323,82 @@ fn runs_answer_retest_simulate_and_draw() {
     assert_eq!(left.len(), 7, "nothing half-written is left: {left:?}");
 }
 
+/// The conclusion comes first, and its commands generate the units that the rest is about.
+#[test]
+fn plans_begin_with_their_conclusion() {
+    let home = blocks("[[pose]]\nobject = 'q'\ntranslation = [0.75, 0.5, 0.25]\n");
+    let dir = home.path();
+    let plan = object(dir, "scene plan s.toml --json --width 17");
+    let text = succeeds(dir, "scene plan s.toml --width 17");
+    let open = plan["planned"]["possibly_incorrect"].as_u64().unwrap();
+    let first = text.lines().next().unwrap();
+    assert!(first.starts_with("s: ") && first.contains(&format!("decides all but {open} (")), "{text}");
+    let other = &plan["other"];
+    assert_eq!((other["method"].as_str(), &other["contradictions"]), (Some("determinants"), &Value::from(0)));
+    let says = format!("{} (", other["possibly_incorrect"]);
+    assert!(text.contains("The other method, determinants, leaves") && text.contains(&says), "{text}");
+    let commands: Vec<&str> = text.lines().filter_map(|line| line.strip_prefix("  efsat ")).collect();
+    let full = [&plan, other].map(|of| of["command_line"].as_str().unwrap().strip_prefix("efsat ").unwrap());
+    assert_eq!(commands.len(), 2, "{text}");
+    for (short, full) in commands.into_iter().zip(full) {
+        assert!(short.len() < full.len(), "{short}");
+        let manifests = [short, full].map(|command| {
+            let out = tempfile::tempdir().unwrap();
+            succeeds(out.path(), &format!("{command} --out out"));
+            fs::read_to_string(out.path().join("out/manifest.json")).unwrap()
+        });
+        assert!(manifests[0] == manifests[1], "{short}");
+    }
+    // A unit that is too large for its device is said to be.
+    let wide = succeeds(dir, "scene plan s.toml --width 32");
+    assert!(wide.contains("(more than the device has)") && !text.contains("(more than the device has)"), "{wide}");
+    // The other way round: the default axes answer as when they are asked for themselves.
+    let turned = object(dir, "scene plan s.toml --json --method determinants");
+    let alone = object(dir, "scene run s.toml --json --cosim none --axes 11 --upper implied --renormalise on");
+    assert_eq!(turned["other"]["method"], "axes");
+    for answer in ["separate", "intersect", "possibly_incorrect"] {
+        assert_eq!(turned["other"][answer], alone["total"][answer], "{answer}");
+    }
+}
+
+/// The page of a scene has every pair that touches or is left open, and what its axes or determinants say fits its verdict.
+#[test]
+fn pages_of_scenes_have_every_contact() {
+    let home = blocks(
+        "[[pose]]\nobject = 'q'\ntranslation = [0.75, 0.5, 0.25]\n[[pose]]\nobject = 'q'\ntranslation = [5, 5, 5]\n",
+    );
+    let dir = home.path();
+    for method in ["axes", "determinants"] {
+        let run = object(dir, &format!("scene run s.toml --method {method} --json --cosim none --view v.html"));
+        let page = fs::read_to_string(dir.join("v.html")).unwrap();
+        assert!(page.contains("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none';"));
+        let data = page.split_once("id=\"data\">").and_then(|(_, rest)| rest.split_once("</script>")).unwrap().0;
+        let data: Value = serde_json::from_str(data).unwrap();
+        let frames = data["frames"].as_array().unwrap();
+        // Nothing touches in the second pose.
+        assert_eq!((frames.len(), &frames[0]["number"]), (1, &Value::from(0)));
+        let contacts = frames[0]["contacts"].as_array().unwrap();
+        let exact = |contact: &&Value| contact[5] != "separate";
+        let number = |key: &str| run["frames"][0][key].as_u64().unwrap() as usize;
+        assert_eq!(contacts.iter().filter(exact).count(), number("touching"));
+        let kinds = data["kinds"].as_array().unwrap();
+        let verdict = |contact: &Value| kinds[contact[0].as_u64().unwrap() as usize]["verdict"].as_str().unwrap();
+        for (name, key) in [("intersect", "intersect"), ("possibly incorrect", "possibly_incorrect")] {
+            assert_eq!(contacts.iter().filter(|contact| verdict(contact) == name).count(), number(key), "{name}");
+        }
+        let witnesses = data["witnesses"].as_array().unwrap().len();
+        for contact in contacts {
+            let Some(says) = contact[6].as_str() else { continue };
+            assert_eq!(says.len(), witnesses);
+            assert!(says.chars().all(|sign| data["words"].get(sign.to_string()).is_some()), "{contact}");
+            if method == "axes" {
+                let overlap = says[..11].chars().all(|sign| sign == 'o') || says.ends_with('o');
+                assert_eq!((says.contains('s'), overlap), (false, verdict(contact) == "intersect"), "{contact}");
+            }
+        }
+    }
+}
+
 #[test]
 fn runs_do_not_depend_on_the_number_of_threads() {
     let home = tempfile::tempdir().unwrap();
@@ -331,11 +407,12 @@ fn runs_do_not_depend_on_the_number_of_threads() {
     fs::write(home.path().join("s.toml"), scene).unwrap();
     let run = |threads: &str| {
         let [one, two] = ["json", "summary"].map(|how| {
-            let options = "--simulator builtin --sample 40 --close 30 --csv r.csv --pairs p.csv --picture p.png";
+            let options =
+                "--simulator builtin --sample 40 --close 30 --csv r.csv --pairs p.csv --picture p.png --view v.html";
             efsat(home.path(), &format!("scene run s.toml --{how} {options}"), threads)
         });
         assert_eq!((one.0, two.0), (Some(0), Some(0)), "{} {}", one.2, two.2);
-        let files = ["r.csv", "p.csv", "p.png"].map(|name| fs::read(home.path().join(name)).unwrap());
+        let files = ["r.csv", "p.csv", "p.png", "v.html"].map(|name| fs::read(home.path().join(name)).unwrap());
         (one, two, files)
     };
     assert_eq!(run("1"), run("2"));
@@ -371,6 +448,7 @@ fn wrong_input_is_named() {
         ("[[object]]\nname = 'z'\nmesh = 'absent.stl'\n", "", "s.toml:16: absent.stl: cannot be read"),
         ("", "--frame 1 --picture p.svg --cosim none", "--frame 1: expected 0 to 0"),
         ("", "--picture p.jpg", "expected a name that ends in .svg or .png"),
+        ("", "--view p.svg", "expected a name that ends in .html"),
         ("", "--frame 0", "--picture"),
         ("", "--cosim none --simulator builtin", "--simulator needs --cosim sample or all, not none"),
         ("", "--cosim all --sample 3", "--sample needs --cosim sample, not all"),

@@ -2,6 +2,7 @@
 
 mod merge;
 mod output;
+mod page;
 
 use super::error::Failure;
 use super::output::{print, print_json};
@@ -32,7 +33,7 @@ const OUT: &str = "accuracy-out";
 #[command(args_conflicts_with_subcommands = true)]
 pub(super) struct Arguments {
     #[command(subcommand)]
-    merge: Option<Command>,
+    command: Option<Command>,
     /// Scene whose pairs are asked: a TOML file, or `headlight` for the built-in scene
     #[arg(long, value_name = "FILE", default_value = source::HEADLIGHT)]
     scene: String,
@@ -73,6 +74,7 @@ pub(super) struct Arguments {
 #[derive(Debug, clap::Subcommand)]
 enum Command {
     Merge(merge::Arguments),
+    Page(page::Arguments),
 }
 
 fn amount(text: &str) -> Result<Amount, String> {
@@ -153,8 +155,10 @@ impl Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    if let Some(Command::Merge(arguments)) = &arguments.merge {
-        return merge::run(arguments);
+    match &arguments.command {
+        Some(Command::Merge(arguments)) => return merge::run(arguments),
+        Some(Command::Page(arguments)) => return page::run(arguments),
+        None => {}
     }
     let base = arguments.params.params()?;
     has_axes(&base)?;
@@ -199,7 +203,8 @@ fn part_done(arguments: &Arguments, shard: Shard, Progress { found, made }: Prog
 
 /// Writes the page and prints what is in it.
 fn finish(results: &Results, dir: &Path, progress: Progress, json: bool) -> Result<(), Failure> {
-    output::write(dir, &accuracy::files(results))?;
+    let page = (output::PAGE.to_owned(), accuracy::page(std::slice::from_ref(results)));
+    output::write(dir, &[accuracy::files(results), vec![page]].concat())?;
     if json {
         print_json(&output::Printed::new(results, progress))?;
     } else {

@@ -12,6 +12,8 @@ use std::path::Path;
 
 /// What was asked for, beside the results.
 const REQUEST: &str = "campaign.json";
+/// The page.
+pub(super) const PAGE: &str = "index.html";
 
 pub(super) fn failure(e: StoreError) -> Failure {
     Failure::Usage(e.to_string())
@@ -123,5 +125,5 @@ pub(super) fn summary(results: &Results, dir: &Path, progress: Progress) -> Stri
         let (missed, invented, open) = (rung.missed, rung.invented, rung.undecided);
         text.push_str(&format!("{:<16}{:>9.1} ns{missed:>10}{invented:>10}{open:>10}\n", rung.name, step.ns));
     }
-    text + &format!("\nThe page: {}\n", dir.join("index.html").display())
+    text + &format!("\nThe page: {}\n", dir.join(PAGE).display())
 }

@@ -14,7 +14,7 @@ use crate::cli::{output, progress};
 use crate::cosim::Simulator;
 use crate::design::Design;
 use crate::effects::picture::Picture;
-use crate::effects::{self, Contact, Cosimulation, Front, Options, Place, Plan, Row, Sampling, Total};
+use crate::effects::{self, Contact, Cosimulation, Front, Options, Place, Plan, Row, Sampling, Total, Viewer};
 use crate::golden::Verdict;
 use crate::params::options::Choice;
 use crate::params::stream::StreamWidth;
@@ -54,6 +54,9 @@ pub(super) struct Arguments {
     /// Draw a pose to FILE, .svg or .png: what touches coloured by verdict
     #[arg(long, value_name = "FILE", value_parser = picture)]
     picture: Option<PathBuf>,
+    /// Write a page to FILE, .html, in which the scene can be turned and every pair that touches or is undecided be looked at
+    #[arg(long, value_name = "FILE", value_parser = page)]
+    view: Option<PathBuf>,
     /// The pose that is drawn, from 0 [default: the one in which most pairs touch]
     #[arg(long, value_name = "N", requires = "picture", value_parser = seed, allow_negative_numbers = true)]
     frame: Option<u64>,
@@ -109,6 +112,11 @@ fn picture(text: &str) -> Result<PathBuf, String> {
     ending(text, &["svg", "png"])
 }
 
+/// The name of a page.
+fn page(text: &str) -> Result<PathBuf, String> {
+    ending(text, &["html"])
+}
+
 fn ending(text: &str, legal: &[&str]) -> Result<PathBuf, String> {
     match Path::new(text).extension().and_then(|e| e.to_str()) {
         Some(found) if legal.contains(&found) => Ok(text.into()),
@@ -151,7 +159,7 @@ impl Arguments {
 
     /// Whether files can be where they are wanted, as far as that is known before the design.
     fn check_outputs(&self) -> Result<(), Failure> {
-        let files = [&self.csv, &self.pairs, &self.picture];
+        let files = [&self.csv, &self.pairs, &self.picture, &self.view];
         let files = || files.into_iter().flatten().map(PathBuf::as_path);
         file::distinct(files())?;
         files().try_for_each(|path| self.inside(path).map(|_| ()))?;
@@ -160,7 +168,7 @@ impl Arguments {
 
     /// Writes the planned design, unless another file has the name of one of its files.
     fn write_design(&self, dir: &Path, set: &FileSet) -> Result<(), Failure> {
-        for path in [&self.csv, &self.pairs, &self.picture].into_iter().flatten() {
+        for path in [&self.csv, &self.pairs, &self.picture, &self.view].into_iter().flatten() {
             // One of the two may be taken for a folder, too.
             let clash = |name: &Path, file: &Path| file.starts_with(name) || name.starts_with(file);
             let taken = |name: &Path| set.iter().any(|(file, _)| clash(name, Path::new(file)));
@@ -195,13 +203,16 @@ struct Outputs {
     csv: Option<Output>,
     pairs: Option<Output>,
     picture: Option<Output>,
+    view: Option<Output>,
 }
 
 impl Outputs {
     /// Begins those inside `--out`, or the others.
     fn begin(&mut self, arguments: &Arguments, inside: bool) -> Result<(), Failure> {
-        let Arguments { csv, pairs, picture, .. } = arguments;
-        for (path, file) in [(csv, &mut self.csv), (pairs, &mut self.pairs), (picture, &mut self.picture)] {
+        let Arguments { csv, pairs, picture, view, .. } = arguments;
+        let files =
+            [(csv, &mut self.csv), (pairs, &mut self.pairs), (picture, &mut self.picture), (view, &mut self.view)];
+        for (path, file) in files {
             if let Some(path) = path
                 && inside == arguments.inside(path)?.is_some()
             {
@@ -218,6 +229,7 @@ struct Sinks<'a> {
     report: Report,
     csv: Option<Output>,
     pairs: Option<Output>,
+    viewer: Option<Viewer<'a, 'a>>,
 }
 
 impl Sinks<'_> {
@@ -230,6 +242,9 @@ impl Sinks<'_> {
             for contact in contacts.iter().filter(|contact| contact.touches()) {
                 pairs.write(pair(self.scene, contact))?;
             }
+        }
+        if let Some(viewer) = &mut self.viewer {
+            viewer.take(row, contacts);
         }
         Ok(())
     }
@@ -263,7 +278,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         arguments.write_design(dir, &set)?;
         outputs.begin(arguments, true)?;
     }
-    let Outputs { mut csv, mut pairs, picture } = outputs;
+    let Outputs { mut csv, mut pairs, picture, view } = outputs;
     if let Some(csv) = &mut csv {
         csv.write(report::heads())?;
     }
@@ -277,10 +292,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     // What GHDL takes hours for, the built-in simulator takes seconds for: it gets every pair that matters.
     let every = || simulated(Simulator::Builtin);
     let mut every = (arguments.cosim == Which::Sample).then(every).transpose()?;
-    let options =
-        Options { sampling: arguments.sampling(), exact: arguments.pairs.is_some(), seed: arguments.seed.unwrap_or(1) };
+    let exact = arguments.pairs.is_some() || arguments.view.is_some();
+    let options = Options { sampling: arguments.sampling(), exact, seed: arguments.seed.unwrap_or(1) };
     let report = Report::new(arguments.json, arguments.summary, &plan)?;
-    let mut sinks = Sinks { scene: &scene, report, csv, pairs };
+    let viewer = view.is_some().then(|| Viewer::new(&front, &plan));
+    let mut sinks = Sinks { scene: &scene, report, csv, pairs, viewer };
     let bar = progress::bar(scene.frames() as u64, "poses", !arguments.summary);
     let mut waiting: Vec<Place> = vec![];
     let total = effects::run(&front, &plan, options, |row, contacts, all| {
@@ -315,7 +331,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(picture) = picture {
         draw(arguments, &scene, &front, &plan, &total, picture)?;
     }
-    let Sinks { report, csv, pairs, .. } = sinks;
+    let Sinks { report, csv, pairs, viewer, .. } = sinks;
+    if let (Some(viewer), Some(mut file)) = (viewer, view) {
+        file.write(viewer.page(&plan))?;
+        file.finish()?;
+    }
     csv.into_iter().chain(pairs).try_for_each(Output::finish)?;
     report.finish(&plan, &total, cosimulation.as_ref(), every.as_ref())?;
     verdict(&plan, &total, cosimulation.iter().chain(&every))

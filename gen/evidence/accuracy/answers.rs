@@ -38,7 +38,7 @@ impl Truths {
 }
 
 /// A count as a share, with its 95 % bounds.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Share {
     /// The share.
     pub share: f64,

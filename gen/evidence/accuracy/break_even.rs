@@ -1,7 +1,7 @@
 //! Which bit is the last that pays: what a bit of width costs in hardware time, and what it saves in retests.
 
 use super::row::Row;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Times that differ by less than this part are even: the clocks of schedules differ by up to 0.7 % for no reason of width.
 pub const TOLERANCE: f64 = 0.01;
@@ -11,7 +11,7 @@ const FLOOR_RATIO: f64 = 0.85;
 const FALLING_RATIO: f64 = 0.72;
 
 /// What a step does to the effective time.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Effect {
     /// Less by more than the tolerance.
@@ -23,7 +23,7 @@ pub enum Effect {
 }
 
 /// From one width to the next of a series.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Step {
     /// The lesser width.
     pub from: u32,
@@ -46,7 +46,7 @@ pub struct Step {
 }
 
 /// A series of widths, all else equal or made to fit.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BreakEven {
     /// What is equal, in words.
     pub series: String,

@@ -3,29 +3,19 @@
 use super::break_even::TOLERANCE;
 use super::headline::{grouped, percent, significant, time};
 use super::plot::{
-    Axis, BLACK, BLUE, Bar, Bars, Chart, Dot, GREEN, GREY, Label, Line, Mark, NARROW, ORANGE, PURPLE, SKY, Series,
-    Size, Style, VERMILION, WIDE,
+    Axis, BLACK, BLUE, Bar, Bars, Chart, Dot, GREEN, GREY, Label, Line, Mark, ORANGE, PURPLE, SKY, Series, Style,
+    VERMILION,
 };
 use super::results::Results;
-use super::row::Row;
+use super::row::{Row, is_best};
 use efsat_unit::params::Params;
 
 /// A plot.
 pub struct Figure {
     /// Name of its file, without extension.
     pub name: &'static str,
-    /// What is to be seen.
-    pub caption: String,
-    /// For desks and paper.
-    pub wide: String,
-    /// For phones.
-    pub narrow: String,
-}
-
-impl Figure {
-    fn new(name: &'static str, caption: impl Into<String>, svg: impl Fn(Size) -> String) -> Self {
-        Self { name, caption: caption.into(), wide: svg(WIDE), narrow: svg(NARROW) }
-    }
+    /// The picture.
+    pub svg: String,
 }
 
 const COLOURS: [&str; 6] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY];
@@ -42,7 +32,7 @@ const MARKS: [Mark; 4] = [Mark::Circle, Mark::Square, Mark::Diamond, Mark::Trian
 
 /// All plots, the main one first.
 pub fn all(results: &Results) -> Vec<Figure> {
-    let mut figures = vec![time_by_width(results), share_by_width(results), share_by_time(results)];
+    let mut figures = vec![frontier(results), time_by_width(results), share_by_width(results)];
     figures.push(share_by_multipliers(results));
     figures.extend(time_by_budget(results));
     figures.push(causes(results));
@@ -142,9 +132,7 @@ fn share_by_width(results: &Results) -> Figure {
         series: all,
         none: "none".to_owned(),
     };
-    let caption = "Each bit of working width leaves fewer pairs possibly incorrect, down to the floor of pairs that no width \
-        decides. Bars are 95 % confidence bounds of the sample.";
-    Figure::new("share-by-width", caption, |size| chart.svg(size))
+    Figure { name: "share-by-width", svg: chart.svg() }
 }
 
 /// What the transfer of a possibly incorrect pair may take beyond what is given, in words and in ns.
@@ -208,8 +196,6 @@ fn time_by_width(results: &Results) -> Figure {
             });
         }
     }
-    let clock = base.point.option("frequency");
-    let units = base.point.option("axes-per-clock");
     let chart = Chart {
         title: "What a pair costs at each width".to_owned(),
         about: "Effective time a pair over the working width".to_owned(),
@@ -219,49 +205,56 @@ fn time_by_width(results: &Results) -> Figure {
         series: all,
         none: String::new(),
     };
-    let caption = format!(
-        "Effective time = clocks a pair over the clock + share of possibly incorrect (p.i.) pairs x their cost: the exact retest as \
-         measured, and what it takes to bring the pair to software (0, 1 or 10 µs more). Small rings mark the least width within \
-         1 % of the least time of a line. {clock} MHz, axes a clock: {units}. The dashed lines are the \
-         same pairs in software alone, on one core of this machine."
-    );
-    Figure::new("time-by-width", caption, |size| chart.svg(size))
+    Figure { name: "time-by-width", svg: chart.svg() }
 }
 
 /// The rows in groups of axis units, and those of the other method, for colour.
-fn by_folding(results: &Results, y: impl Fn(&Row) -> f64, x: impl Fn(&Row) -> f64) -> Vec<Series> {
+fn by_folding(rows: &[&Row], about: impl Fn(&Row) -> String, x: impl Fn(&Row) -> f64) -> Vec<Series> {
     let units = |row: &Row| row.point.option("axes-per-clock").parse::<u32>().ok();
-    let mut foldings: Vec<Option<u32>> = results.rows.iter().map(units).collect();
+    let mut foldings: Vec<Option<u32>> = rows.iter().map(|row| units(row)).collect();
     foldings.sort_unstable();
     foldings.dedup();
     let of = |(i, n): (usize, &Option<u32>)| {
-        let rows: Vec<&Row> = results.rows.iter().filter(|row| units(row) == *n).collect();
+        let rows: Vec<&Row> = rows.iter().copied().filter(|row| units(row) == *n).collect();
         let (name, colour) = match n {
             None => ("determinants".to_owned(), BLACK),
             Some(1) => ("1 axis per clock".to_owned(), COLOURS[i % COLOURS.len()]),
             Some(n) => (format!("{n} axes per clock"), COLOURS[i % COLOURS.len()]),
         };
         let look = style(colour, MARKS[i % MARKS.len()], Line::None);
-        series(&name, look, &rows, |row| Dot { x: x(row), y: y(row), bounds: None, about: about(results, row) })
+        let dot =
+            |row: &Row| Dot { x: x(row), y: 100.0 * row.possibly_incorrect.share, bounds: None, about: about(row) };
+        series(&name, look, &rows, dot)
     };
     foldings.iter().enumerate().map(of).collect()
 }
 
 /// The line through points that nothing beats.
-fn front(results: &Results, x: impl Fn(&Row) -> f64, best: impl Fn(&Row) -> bool) -> Series {
-    let mut rows: Vec<&Row> = results.rows.iter().filter(|row| best(row)).collect();
+fn front(mut rows: Vec<&Row>, x: impl Fn(&Row) -> f64) -> Series {
     rows.sort_by(|p, q| x(p).total_cmp(&x(q)));
     rows.dedup_by(|p, q| x(p) == x(q) && p.possibly_incorrect.share == q.possibly_incorrect.share);
     let look = style(GREY, Mark::None, Line::Solid);
-    let dot =
-        |row: &Row| Dot { x: x(row), y: 100.0 * row.possibly_incorrect.share, bounds: None, about: String::new() };
-    series("best of all", look, &rows, dot)
+    let dot = |x: f64, row: &Row| {
+        let y = 100.0 * row.possibly_incorrect.share;
+        Dot { x, y, bounds: None, about: String::new() }
+    };
+    // In steps: between two points nothing is better than the one before.
+    let corners = rows.windows(2).flat_map(|pair| [dot(x(pair[0]), pair[0]), dot(x(pair[1]), pair[0])]);
+    let dots = corners.chain(rows.last().map(|row| dot(x(row), row))).collect();
+    Series { name: "best of all".to_owned(), style: look, dots }
 }
 
-/// Share over time, hardware and software.
-fn share_by_time(results: &Results) -> Figure {
-    let mut all = vec![front(results, |row| row.effective_ns, |row| row.best_for_time)];
-    all.extend(by_folding(results, |row| 100.0 * row.possibly_incorrect.share, |row| row.effective_ns));
+/// Share over time, hardware and software, with the names of what nothing beats on the device of the base.
+fn frontier(results: &Results) -> Figure {
+    let base = &results.base().point;
+    // A unit without a stage of the base leaves work to the host.
+    let same = |row: &&Row| ["device", "transform"].iter().all(|name| row.point.option(name) == base.option(name));
+    let rows: Vec<&Row> = results.rows.iter().filter(same).filter(|row| row.point.hardware.fits).collect();
+    let (times, shares): (Vec<f64>, Vec<f64>) =
+        rows.iter().map(|row| (row.effective_ns, row.possibly_incorrect.share)).unzip();
+    let best: Vec<&Row> = (0..rows.len()).filter(|i| is_best(&times, &shares, *i)).map(|i| rows[i]).collect();
+    let mut all = vec![front(best.clone(), |row| row.effective_ns)];
+    all.extend(by_folding(&rows, |row| about(results, row), |row| row.effective_ns));
     let step = |step: &super::results::Step| Dot {
         x: step.ns,
         y: 100.0 * step.open.share,
@@ -274,16 +267,32 @@ fn share_by_time(results: &Results) -> Figure {
             percent(step.open.share)
         ),
     };
-    let software = results.ladder.iter().map(step).collect();
+    // What takes much longer than every unit would squeeze all others together.
+    let slowest = times.iter().copied().fold(0.0, f64::max);
+    let shown = |step: &&super::results::Step| step.ns < 5.0 * slowest;
+    let software = results.ladder.iter().filter(shown).map(step).collect();
     all.push(Series {
         name: "software, one core".to_owned(),
         style: style(BLACK, Mark::Hollow, Line::None),
         dots: software,
     });
-    let base = results.base();
-    let mut labels = vec![base_label(results, base.effective_ns, 100.0 * base.possibly_incorrect.share)];
-    let shown = ["f64, epsilon", "f64", "f32", "filter, batch", "retest, batch", "retest", "predicates", "rational"];
-    let named = shown.iter().filter_map(|name| results.step(name)).map(|step| Label {
+    let name = |row: &Row| {
+        let (bits, hardware) = (row.point.width(), &row.point.hardware);
+        let clocks = if hardware.interval == 1 { "clock" } else { "clocks" };
+        let (interval, multipliers) = (hardware.interval, grouped(hardware.cells.multipliers));
+        format!("{} {bits} bits, {interval} {clocks}, {multipliers} multipliers", row.point.method())
+    };
+    let label = |row: &&Row| Label {
+        x: row.effective_ns,
+        y: 100.0 * row.possibly_incorrect.share,
+        text: name(row),
+        ring: false,
+    };
+    let mut labels: Vec<Label> = best.iter().map(label).collect();
+    let default = results.base();
+    labels.push(base_label(results, default.effective_ns, 100.0 * default.possibly_incorrect.share));
+    let names = ["f64, epsilon", "f64", "f32", "filter, batch", "retest, batch", "retest", "predicates", "rational"];
+    let named = names.iter().filter_map(|name| results.step(name)).filter(shown).map(|step| Label {
         x: step.ns,
         y: 100.0 * step.open.share,
         text: step.rung.name.clone(),
@@ -291,24 +300,24 @@ fn share_by_time(results: &Results) -> Figure {
     });
     labels.extend(named);
     let chart = Chart {
-        title: "Accuracy against time, hardware and software".to_owned(),
+        title: format!("Accuracy against time: units that fit the {}, and software", base.option("device")),
         about: "Share of pairs without a right definite answer over the effective time a pair".to_owned(),
-        x: Axis::logarithmic("effective time a pair, ns (log scale)"),
+        x: Axis::logarithmic("effective time a pair, undecided pairs retested, ns (log scale)"),
         y: Axis::logarithmic("pairs without a right definite answer (log scale)").with_unit(" %"),
         series: all,
         labels,
         none: "none".to_owned(),
     };
-    let caption = "Hardware leaves pairs possibly incorrect, which the effective time pays for; plain floating point is wrong \
-        without saying so, and the filter leaves pairs open. Exact methods are in the strip at the bottom. Left and below is better.";
-    Figure::new("share-by-time", caption, |size| chart.svg(size))
+    Figure { name: "frontier", svg: chart.svg() }
 }
 
 /// Share over multipliers.
 fn share_by_multipliers(results: &Results) -> Figure {
     let multipliers = |row: &Row| row.point.hardware.cells.multipliers as f64;
-    let mut all = vec![front(results, multipliers, |row| row.best_for_multipliers)];
-    all.extend(by_folding(results, |row| 100.0 * row.possibly_incorrect.share, multipliers));
+    let rows: Vec<&Row> = results.rows.iter().collect();
+    let best = rows.iter().copied().filter(|row| row.best_for_multipliers).collect();
+    let mut all = vec![front(best, multipliers)];
+    all.extend(by_folding(&rows, |row| about(results, row), multipliers));
     let base = results.base();
     let chart = Chart {
         title: "Accuracy against multipliers".to_owned(),
@@ -319,9 +328,7 @@ fn share_by_multipliers(results: &Results) -> Figure {
         labels: vec![base_label(results, multipliers(base), 100.0 * base.possibly_incorrect.share)],
         none: "none".to_owned(),
     };
-    let caption =
-        "Up to 18 bits a product takes one multiplier, beyond up to four: the last bits are bought with silicon.";
-    Figure::new("share-by-multipliers", caption, |size| chart.svg(size))
+    Figure { name: "share-by-multipliers", svg: chart.svg() }
 }
 
 /// Time over width in fixed budgets.
@@ -360,9 +367,7 @@ fn time_by_budget(results: &Results) -> Option<Figure> {
         series: all,
         none: String::new(),
     };
-    let caption = "For each width the fastest folding whose multipliers fit the budget. A line ends where one axis a clock, the \
-        slowest folding there is, takes more: nothing is drawn that cannot be generated.";
-    Some(Figure::new("time-by-budget", caption, |size| chart.svg(size)))
+    Some(Figure { name: "time-by-budget", svg: chart.svg() })
 }
 
 /// Where possibly incorrect answers come from.
@@ -384,12 +389,5 @@ fn causes(results: &Results) -> Figure {
         about: "Parts of the possibly incorrect pairs by the stage that loses accuracy".to_owned(),
         bars,
     };
-    let caption = format!(
-        "{} of the {} possibly incorrect pairs of {}, with each stage made exact in turn: a stage's part is the mean over all \
-         orders. Blue are roundings, red is what no arithmetic decides.",
-        grouped(causes.examined),
-        grouped(causes.undecided),
-        point_name(results)
-    );
-    Figure::new("causes", caption, |size| chart.svg(size))
+    Figure { name: "causes", svg: chart.svg() }
 }

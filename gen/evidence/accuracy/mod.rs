@@ -32,7 +32,7 @@ pub use answers::{Answers, Share, Truths};
 pub use campaign::{Campaign, Progress, Shard};
 pub use hardware::{Cells, Hardware};
 pub use join::Missing;
-pub use page::files;
+pub use page::{files, page};
 pub use pairs::{Amount, MOST, Pairs, digest};
 pub use plan::{Plan, Request};
 pub use point::{Options, Point, options};

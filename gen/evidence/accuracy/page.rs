@@ -1,21 +1,19 @@
-//! The files that a campaign ends in: the page, its plots, its data.
+//! The files that a campaign ends in: the page, its plots, its data. The page may show several campaigns.
 
 use super::break_even::{BreakEven, Effect, Step};
-use super::figures::{self, Figure};
+use super::figures;
 use super::floor::Blocks;
 use super::headline::{capitalised, grouped, percent, significant, time};
+use super::ladder::EXACT;
+use super::point::{Options, options};
 use super::results::Results;
 use super::row::Row;
 use super::store::Drawn;
-use super::table::{self, COLUMNS, Cell, Column};
+use super::table;
 use askama::Template;
-
-/// A number worth its size.
-struct Fact {
-    number: String,
-    unit: &'static str,
-    about: String,
-}
+use efsat_unit::params::options::Choice;
+use efsat_unit::params::{Method, Params};
+use serde::Serialize;
 
 /// A line of a small table.
 struct Line {
@@ -24,29 +22,10 @@ struct Line {
     cells: Vec<String>,
 }
 
-/// A row of the big table.
-struct TableRow {
-    base: bool,
-    cells: Vec<Cell>,
-}
-
-/// A plot in both sizes.
-struct Plot {
-    name: &'static str,
-    caption: String,
-    wide: String,
-    narrow: String,
-}
-
-#[derive(Template)]
-#[template(path = "accuracy.html")]
-struct Page<'a> {
+/// What the page says about a scene beside its points.
+struct Scene<'a> {
     title: &'a str,
-    lede: &'a str,
     sentences: &'a [String],
-    facts: Vec<Fact>,
-    main: Plot,
-    plots: Vec<Plot>,
     ladder: Vec<Line>,
     changed_by_rounding: String,
     steps: Vec<(String, Vec<Line>)>,
@@ -58,41 +37,191 @@ struct Page<'a> {
     undecided: String,
     floor_about: Vec<String>,
     floor_axes: Vec<Line>,
-    columns: &'static [Column],
-    rows: Vec<TableRow>,
-    points: usize,
     command: &'a str,
     sweep: Vec<&'a str>,
     parameters: String,
     pairs: String,
     transfer: String,
     yardstick: String,
+}
+
+#[derive(Template)]
+#[template(path = "accuracy.html")]
+struct Page<'a> {
+    scenes: Vec<Scene<'a>>,
+    library_style: &'static str,
+    library: String,
+    style: &'static str,
+    script: &'static str,
+    data: String,
     version: &'static str,
 }
 
-/// All files by name.
+/// What the page's script reads.
+#[derive(Serialize)]
+struct Data<'a> {
+    scenes: Vec<Shown<'a>>,
+}
+
+#[derive(Serialize)]
+struct Shown<'a> {
+    title: &'a str,
+    /// The device of the point around which the sweep goes.
+    device: &'a str,
+    points: Vec<Dot<'a>>,
+    software: Vec<Test<'a>>,
+}
+
+/// A point, with everything that does not depend on the controls.
+#[derive(Serialize)]
+struct Dot<'a> {
+    kind: u8,
+    method: &'a str,
+    bits: u32,
+    /// Clocks per pair.
+    clocks: usize,
+    latency: usize,
+    /// The clock that the schedule allows, MHz.
+    clock: f64,
+    multipliers: u64,
+    luts: u64,
+    flip_flops: u64,
+    fits: bool,
+    device: &'a str,
+    /// Share of undecided pairs, and its bounds.
+    share: f64,
+    low: f64,
+    high: f64,
+    wrong: u64,
+    /// The exact retest of an undecided pair, ns.
+    retest: f64,
+    /// Whether it does all the work that the point around which the sweep goes does.
+    whole: bool,
+    /// Whether it differs from the plain unit of its kind in the width alone.
+    line: bool,
+    options: String,
+}
+
+/// A test in software.
+#[derive(Serialize)]
+struct Test<'a> {
+    kind: u8,
+    name: &'a str,
+    about: &'a str,
+    /// Whether it answers every pair there can be, and never wrongly.
+    exact: bool,
+    /// Share of pairs without a right answer.
+    share: f64,
+    /// Time per pair, ns.
+    measured: f64,
+}
+
+/// What the script draws alike, by its number there.
+#[derive(Clone, Copy)]
+enum Kind {
+    Axes = 0,
+    Paper = 1,
+    Determinants = 2,
+    Software = 3,
+}
+
+/// The files of a campaign beside its page, by name: plots and data.
 pub fn files(results: &Results) -> Vec<(String, String)> {
-    let figures = figures::all(results);
     let mut files: Vec<(String, String)> =
-        figures.iter().map(|figure| (format!("{}.svg", figure.name), figure.wide.clone())).collect();
+        figures::all(results).into_iter().map(|figure| (format!("{}.svg", figure.name), figure.svg)).collect();
     let json = serde_json::to_string_pretty(results).expect("keys are strings and numbers are finite");
     files.push(("points.csv".to_owned(), table::csv(results)));
     files.push(("accuracy.json".to_owned(), json + "\n"));
-    files.push(("index.html".to_owned(), page(results, figures)));
     files
 }
 
-fn page(results: &Results, figures: Vec<Figure>) -> String {
-    let mut plots = figures.into_iter().map(plot);
-    let main = plots.next().expect("there is a main plot");
-    let (lede, sentences) = results.headline.split_first().expect("there is a headline");
+/// The page of one campaign or several.
+pub fn page(campaigns: &[Results]) -> String {
+    let data = Data { scenes: campaigns.iter().map(shown).collect() };
+    let data = serde_json::to_string(&data).expect("keys are strings and numbers are finite");
+    let licence = include_str!("../../../web/uplot/LICENSE");
     let page = Page {
+        scenes: campaigns.iter().map(scene).collect(),
+        library_style: include_str!("../../../web/uplot/uPlot.min.css"),
+        library: format!("/*\n{licence}*/\n{}", include_str!("../../../web/uplot/uPlot.iife.min.js")),
+        style: include_str!("../../../web/accuracy.css"),
+        script: include_str!("../../../web/accuracy.js"),
+        // No text in it ends the element.
+        data: data.replace('<', "\\u003c"),
+        version: env!("CARGO_PKG_VERSION"),
+    };
+    page.render().expect("the template renders")
+}
+
+fn shown(results: &Results) -> Shown<'_> {
+    let software = results.ladder.iter().map(|step| Test {
+        kind: Kind::Software as u8,
+        name: &step.rung.name,
+        about: &step.rung.about,
+        exact: EXACT.contains(&step.rung.name.as_str()),
+        share: step.open.share,
+        measured: step.ns,
+    });
+    Shown {
         title: &results.request.title,
-        lede,
-        sentences,
-        facts: facts(results),
-        main,
-        plots: plots.collect(),
+        device: results.base().point.option("device"),
+        points: results.rows.iter().map(|row| dot(results, row)).collect(),
+        software: software.collect(),
+    }
+}
+
+fn dot<'a>(results: &'a Results, row: &'a Row) -> Dot<'a> {
+    let (point, hardware) = (&row.point, &row.point.hardware);
+    let cells = point.synthesised.unwrap_or(hardware.cells);
+    let [low, high] = row.possibly_incorrect.bounds;
+    let paper = options(&Params::paper());
+    let rounds = ["projections", "projection-width", "axis-shift", "edge-test"];
+    let kind = match point.method() {
+        method if method == Method::Determinants.name() => Kind::Determinants,
+        _ if rounds.iter().all(|name| paper.get(*name).is_some_and(|value| value == point.option(name))) => Kind::Paper,
+        _ => Kind::Axes,
+    };
+    let plain = options(&match kind {
+        Kind::Paper => Params::paper(),
+        Kind::Determinants => Params::of(Method::Determinants),
+        _ => Params::default(),
+    });
+    Dot {
+        kind: kind as u8,
+        method: point.method(),
+        bits: point.width(),
+        clocks: hardware.interval,
+        latency: hardware.latency,
+        clock: hardware.clock,
+        multipliers: cells.multipliers,
+        luts: cells.luts,
+        flip_flops: cells.flip_flops,
+        fits: hardware.fits,
+        device: point.option("device"),
+        share: row.possibly_incorrect.share,
+        low,
+        high,
+        wrong: point.answers.wrong,
+        retest: if point.answers.retest.is_some() { row.cost_ns - results.transfer_ns } else { 0.0 },
+        whole: point.option("transform") == results.base().point.option("transform"),
+        line: point.differs_only_in(&plain, &["width"]),
+        options: command_options(&point.options),
+    }
+}
+
+/// The options that `efsat generate` needs for a point.
+fn command_options(of: &Options) -> String {
+    let method = Method::ALL.iter().find(|method| of.get("method").is_some_and(|name| name == method.name()));
+    let usual = options(&Params::of(*method.unwrap_or(&Method::Axes)));
+    let given = |(name, value): &(&String, &String)| *name == "method" || usual.get(*name) != Some(*value);
+    let words: Vec<String> = of.iter().filter(given).map(|(name, value)| format!("--{name} {value}")).collect();
+    words.join(" ")
+}
+
+fn scene(results: &Results) -> Scene<'_> {
+    Scene {
+        title: &results.request.title,
+        sentences: &results.headline,
         ladder: ladder(results),
         changed_by_rounding: grouped(results.changed_by_rounding),
         steps: steps(results),
@@ -110,18 +239,13 @@ fn page(results: &Results, figures: Vec<Figure>) -> String {
         undecided: grouped(results.causes.undecided),
         floor_about: floor_about(results),
         floor_axes: floor_axes(results),
-        columns: &COLUMNS,
-        rows: results.rows.iter().map(|row| TableRow { base: row.base, cells: table::cells(row) }).collect(),
-        points: results.rows.len(),
         command: &results.command,
         sweep: results.request.sweep.split(';').map(str::trim).collect(),
         parameters: parameters(results.base()),
         pairs: pairs(&results.drawn),
         transfer: significant(results.transfer_ns),
         yardstick: significant(results.yardstick_ns),
-        version: env!("CARGO_PKG_VERSION"),
-    };
-    page.render().expect("the template renders")
+    }
 }
 
 /// Which pairs were asked, and what they are.
@@ -139,39 +263,6 @@ fn pairs(drawn: &Drawn) -> String {
         grouped(truths.intersect),
         grouped(truths.coplanar)
     )
-}
-
-fn plot(figure: Figure) -> Plot {
-    // Inside HTML the namespace is known, and the page names no address at all.
-    let inline = |svg: String| svg.replace(" xmlns=\"http://www.w3.org/2000/svg\"", "");
-    Plot { name: figure.name, caption: figure.caption, wide: inline(figure.wide), narrow: inline(figure.narrow) }
-}
-
-fn facts(results: &Results) -> Vec<Fact> {
-    let row = results.base();
-    let number = |share: f64| significant(100.0 * share);
-    let mut facts = vec![
-        Fact {
-            number: number(row.definite.share),
-            unit: "%",
-            about: format!("definite answers at {} bits", row.point.width()),
-        },
-        Fact {
-            number: grouped(results.wrong()),
-            unit: "",
-            about: format!("wrong definite answers at all {} points", results.rows.len()),
-        },
-        Fact {
-            number: significant(row.effective_ns),
-            unit: "ns",
-            about: format!("effective time a pair, {} axes a clock", row.point.option("axes-per-clock")),
-        },
-        Fact { number: number(results.floor.share()), unit: "%", about: "that no width decides".to_owned() },
-    ];
-    if facts[2].about.contains(" 1 axes") {
-        facts[2].about = "effective time a pair, one axis a clock".to_owned();
-    }
-    facts
 }
 
 fn parameters(row: &Row) -> String {

@@ -4,14 +4,15 @@ use super::Share;
 use super::break_even::BreakEven;
 use super::causes::Causes;
 use super::floor::Floor;
+use super::headline;
 use super::ladder::Rung;
 use super::plan::Request;
 use super::row::Row;
 use super::store::Drawn;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A rung of the software ladder in nanoseconds.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Step {
     /// The rung.
     #[serde(flatten)]
@@ -23,7 +24,7 @@ pub struct Step {
 }
 
 /// The fastest folding of a width within a budget.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Fold {
     /// Multipliers there are.
     pub budget: u64,
@@ -36,7 +37,7 @@ pub struct Fold {
 }
 
 /// Results of a whole campaign.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Results {
     /// What was asked for.
     pub request: Request,
@@ -71,6 +72,16 @@ pub struct Results {
 }
 
 impl Results {
+    /// Results as the file `accuracy.json` has them. Sentences are worded anew.
+    ///
+    /// # Errors
+    /// What is wrong with the text.
+    pub fn read(json: &str) -> Result<Self, serde_json::Error> {
+        let mut results: Self = serde_json::from_str(json)?;
+        results.headline = headline::sentences(&results);
+        Ok(results)
+    }
+
     /// The row around which the sweep goes.
     pub fn base(&self) -> &Row {
         &self.rows[0]

@@ -2,10 +2,10 @@
 
 use super::point::{Options, Point};
 use super::{Answers, Share};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// A point with what follows from it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
     /// The point.
     #[serde(flatten)]

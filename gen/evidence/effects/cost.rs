@@ -20,6 +20,8 @@ pub struct Cost {
     pub luts: u64,
     /// Flip-flops outside multipliers.
     pub flip_flops: u64,
+    /// Whether the device has that many.
+    pub fits: bool,
     /// Clocks from a pair to its verdict.
     pub latency: u64,
     /// Clocks between pairs.
@@ -53,6 +55,7 @@ impl Cost {
             multipliers: cells.multipliers,
             luts: cells.luts + cells.memory_luts,
             flip_flops: cells.flip_flops,
+            fits: cells.shortage(&design.device.capacity).is_none(),
             latency: design.latency as u64,
             interval: design.interval as u64,
             simulation,

@@ -1,11 +1,13 @@
 //! Which stages a scene needs.
 
 use super::bench::{Bench, Step};
+use super::measure::measure;
 use super::{Census, Cost, Front, Request, Saving, Software, Stages, Tally, Wish, reason};
 use crate::cosim::CosimError;
 use efsat_geometry::scene::Scene;
 use efsat_unit::host::settings::Effect;
-use efsat_unit::params::{Params, Transform};
+use efsat_unit::params::options::Choice;
+use efsat_unit::params::{Method, Params, Transform};
 use serde::Serialize;
 use std::collections::HashMap;
 
@@ -39,6 +41,21 @@ pub struct Answers {
     pub cost: Option<Cost>,
 }
 
+/// The unit of the other method on the same pairs, for comparison.
+#[derive(Clone, Debug, Serialize)]
+pub struct Other {
+    /// Its method.
+    pub method: &'static str,
+    /// What it answers, beside the planned unit, and what it takes.
+    #[serde(flatten)]
+    pub answers: Answers,
+    /// The command line that generates it.
+    pub command_line: String,
+    /// Its parameters.
+    #[serde(skip)]
+    pub params: Params,
+}
+
 /// Which stages a scene needs, and the unit that has them.
 #[derive(Clone, Debug, Serialize)]
 pub struct Plan {
@@ -56,7 +73,10 @@ pub struct Plan {
     pub full: Answers,
     /// The planned unit.
     pub planned: Answers,
-    /// What it saves in all against the full one, if that was wanted.
+    /// The unit of the other method, in its defaults, if costs were wanted.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub other: Option<Other>,
+    /// What the planned unit saves in all against the full one, if that was wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub saving: Option<Saving>,
     /// The stages before it.
@@ -98,6 +118,7 @@ pub fn plan(scene: &Scene, request: &Request) -> Result<Plan, CosimError> {
             saving: prices.of(with)?.zip(prices.of(without)?).map(|(with, without)| Saving::new(&with, &without)),
         });
     }
+    let other = if request.costs { other(&front, &params, &census)? } else { None };
     let full = Answers { tally: bench.tally(bench.full), cost: prices.of(bench.full)? };
     let planned = Answers { tally: bench.tally(planned), cost: prices.of(planned)? };
     Ok(Plan {
@@ -106,6 +127,7 @@ pub fn plan(scene: &Scene, request: &Request) -> Result<Plan, CosimError> {
         census,
         allowed: request.allowed,
         effects,
+        other,
         saving: full.cost.zip(planned.cost).map(|(full, planned)| Saving::new(&full, &planned)),
         full,
         planned,
@@ -114,6 +136,39 @@ pub fn plan(scene: &Scene, request: &Request) -> Result<Plan, CosimError> {
         full_params,
         params,
     })
+}
+
+/// Asks the unit of the other method for the same pairs, with the widths, device and transform of the planned one. The exact
+/// unit is for another kind of input and has no other.
+fn other(front: &Front<'_>, planned: &Params, census: &Census) -> Result<Option<Other>, CosimError> {
+    let method = match planned.method {
+        Method::Axes => Method::Determinants,
+        Method::Determinants => Method::Axes,
+        Method::Exact => return Ok(None),
+    };
+    let params = Params {
+        width: planned.width,
+        int_bits: planned.int_bits,
+        transform: planned.transform,
+        transform_width: planned.transform_width,
+        device: planned.device.clone(),
+        frequency: planned.frequency,
+        guard: planned.guard,
+        tag_width: planned.tag_width,
+        ..Params::of(method)
+    };
+    // Not every width has both methods.
+    if params.validate().is_err() {
+        return Ok(None);
+    }
+    let tally = measure(front, &[planned.clone(), params.clone()], None).tallies[1];
+    let cost = Some(Cost::new(front, &params, &census.vectors)?);
+    Ok(Some(Other {
+        method: method.name(),
+        answers: Answers { tally, cost },
+        command_line: params.command_line(),
+        params,
+    }))
 }
 
 /// What units take, each built once.

@@ -2,7 +2,7 @@
 
 use super::labels::{Places, Rectangle};
 use super::scale::{Axis, Scale};
-use super::{BLACK, GREY, Size, begin, escaped, text, text_width};
+use super::{BLACK, CHART, GREY, Size, begin, escaped, text, text_width};
 
 /// Shapes of points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -76,13 +76,14 @@ const STRIP: f64 = 34.0;
 const SMALL: f64 = 12.5;
 
 impl Chart {
-    /// The chart as a picture of this size.
-    pub fn svg(&self, size: Size) -> String {
+    /// The chart as a picture.
+    pub fn svg(&self) -> String {
+        let size = CHART;
         let (mut svg, top) = begin(size, &self.title, &self.about);
         let top = self.legend(&mut svg, size, top);
         let strip = self.y.logarithmic && self.series.iter().flat_map(|s| &s.dots).any(|dot| dot.y <= 0.0);
         svg.push_str(&text(4.0, top + 14.0, &format!("fill=\"{GREY}\" font-size=\"{SMALL}\""), &self.y.label));
-        let (left, right) = (if size.width < 500.0 { 52.0 } else { 64.0 }, size.width - 14.0);
+        let (left, right) = (64.0, size.width - 14.0);
         let (top, bottom) = (top + 26.0, size.height - 46.0);
         let floor = if strip { bottom - STRIP } else { bottom };
         let dots = || self.series.iter().flat_map(|series| &series.dots);
@@ -100,7 +101,7 @@ impl Chart {
             svg.push_str(&format!("<path d=\"M{left} {at:.1}H{right}\" stroke=\"#e3e3e3\"/>\n"));
             svg.push_str(&text(left - 7.0, at + 4.0, "text-anchor=\"end\"", &tick.text));
         }
-        for tick in x.ticks(if size.width < 500.0 { 52.0 } else { 64.0 }) {
+        for tick in x.ticks(64.0) {
             let at = tick.at;
             svg.push_str(&format!("<path d=\"M{at:.1} {top}V{bottom}\" stroke=\"#efefef\"/>\n"));
             // The last number must not stick out.
@@ -154,9 +155,8 @@ impl Chart {
         for label in self.labels.iter().filter(|label| !label.text.is_empty()) {
             let at = [x.at(label.x), level(label.y)];
             let weight = if label.ring { "font-weight=\"650\" " } else { "" };
-            let (from, farthest) = if label.ring { (1.06, 62.0) } else { (1.0, 26.0) };
-            let width = from * text_width(&label.text, SMALL);
-            if let Some(Rectangle([left, top, right, bottom])) = places.find(at, width, SMALL + 3.0, farthest) {
+            let width = if label.ring { 1.06 } else { 1.0 } * text_width(&label.text, SMALL);
+            if let Some(Rectangle([left, top, right, bottom])) = places.find(at, width, SMALL + 3.0) {
                 let near = [at[0].clamp(left, right), at[1].clamp(top, bottom)];
                 if (near[0] - at[0]).hypot(near[1] - at[1]) > 16.0 {
                     let ([x, y], [to_x, to_y]) = (at, near);

@@ -38,10 +38,10 @@ impl Places {
         self.take(Rectangle([x - radius, y - radius, x + radius, y + radius]));
     }
 
-    /// A rectangle of that size beside a point, at most so far away, which is taken then; none if there is no room.
-    pub fn find(&mut self, [x, y]: [f64; 2], width: f64, height: f64, farthest: f64) -> Option<Rectangle> {
+    /// A rectangle of that size beside a point, which is taken then; none if there is no room.
+    pub fn find(&mut self, [x, y]: [f64; 2], width: f64, height: f64) -> Option<Rectangle> {
         let mut candidates = vec![];
-        for gap in [8.0, 12.0, 18.0, 26.0, 36.0, 48.0, 62.0].into_iter().filter(|gap| *gap <= farthest) {
+        for gap in [8.0, 12.0, 18.0, 26.0, 36.0, 48.0, 62.0, 80.0] {
             let (above, below, middle) = (y - gap - height, y + gap, y - height / 2.0);
             let (right, left, centre) = (x + gap, x - gap - width, x - width / 2.0);
             candidates.extend([(right, middle), (left, middle), (centre, above), (centre, below)]);
@@ -62,10 +62,10 @@ mod tests {
     #[test]
     fn labels_keep_clear_of_each_other_and_of_the_edge() {
         let mut places = Places::new(Rectangle([0.0, 0.0, 100.0, 40.0]));
-        let first = places.find([10.0, 20.0], 30.0, 10.0, 60.0).unwrap();
+        let first = places.find([10.0, 20.0], 30.0, 10.0).unwrap();
         assert_eq!(first, Rectangle([18.0, 15.0, 48.0, 25.0]));
-        let second = places.find([12.0, 20.0], 30.0, 10.0, 60.0).unwrap();
+        let second = places.find([12.0, 20.0], 30.0, 10.0).unwrap();
         assert!(!second.overlaps(&first));
-        assert_eq!(places.find([50.0, 20.0], 200.0, 10.0, 60.0), None);
+        assert_eq!(places.find([50.0, 20.0], 200.0, 10.0), None);
     }
 }

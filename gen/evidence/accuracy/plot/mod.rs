@@ -24,15 +24,13 @@ const FONT: &str = "system-ui, -apple-system, 'Segoe UI', Roboto, 'Helvetica Neu
 
 /// A picture's size, in pixels.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Size {
-    pub width: f64,
-    pub height: f64,
+struct Size {
+    width: f64,
+    height: f64,
 }
 
-/// For desks and paper.
-pub const WIDE: Size = Size { width: 760.0, height: 470.0 };
-/// For phones.
-pub const NARROW: Size = Size { width: 372.0, height: 430.0 };
+/// Of every chart.
+const CHART: Size = Size { width: 760.0, height: 470.0 };
 
 /// Text between tags.
 pub fn escaped(text: &str) -> String {

@@ -1,6 +1,6 @@
 //! What the colours mean.
 
-use super::Mark;
+use crate::effects::mark::Mark;
 
 /// The longest text in characters.
 const LONGEST: usize = 60;
@@ -15,8 +15,12 @@ pub(super) struct Legend {
 impl Legend {
     pub fn new(scene: &str, frame: usize, label: &str, counts: [usize; 4], objects: Vec<(String, [u8; 3])>) -> Self {
         let mut lines = vec![(None, format!("{scene}, frame {frame}: {label}"))];
-        for (mark, count) in Mark::ALL.into_iter().zip(counts) {
-            lines.push((Some(mark.colour()), format!("{}: {count} pairs", mark.words())));
+        for (mark, count) in Mark::ALL.into_iter().zip(counts).filter(|(_, count)| *count > 0) {
+            let pairs = if count == 1 { "pair" } else { "pairs" };
+            lines.push((Some(mark.colour()), format!("{}: {count} {pairs}", mark.words())));
+        }
+        if counts == [0; 4] {
+            lines.push((None, "no pair touches or is possibly incorrect".to_owned()));
         }
         let more = objects.len().saturating_sub(OBJECTS);
         lines.extend(objects.into_iter().take(OBJECTS).map(|(name, colour)| (Some(colour), name)));

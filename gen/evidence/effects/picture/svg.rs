@@ -1,7 +1,7 @@
 //! The picture as SVG: triangles of one colour that follow each other are one path.
 
-use super::view::Item;
-use super::{HEIGHT, Picture, WIDTH};
+use super::view::{Frame, Item};
+use super::{BODY, CONTACT, HEIGHT, Picture, WIDTH};
 use std::fmt::Write;
 
 impl Picture {
@@ -12,8 +12,40 @@ impl Picture {
              {HEIGHT}\">\n<rect width=\"{WIDTH}\" height=\"{HEIGHT}\" fill=\"#fff\"/>\n<g stroke-width=\".5\" \
              stroke-linejoin=\"round\">\n"
         );
-        paths(&mut out, &self.seen, None);
-        paths(&mut out, &self.marked, Some("#000"));
+        for (number, pane) in self.panes.iter().enumerate() {
+            let Frame { low: [left, top], .. } = pane.window;
+            let [width, height] = pane.window.size();
+            let _ = writeln!(
+                out,
+                "<svg x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" viewBox=\"{left} {top} {width} {height}\">"
+            );
+            if number > 0 {
+                let _ = writeln!(
+                    out,
+                    "<rect x=\"{left}\" y=\"{top}\" width=\"{width}\" height=\"{height}\" fill=\"#fff\"/>"
+                );
+            }
+            for body in &pane.bodies {
+                let _ = writeln!(out, "<g opacity=\"{BODY}\">");
+                paths(&mut out, body, None);
+                out.push_str("</g>\n");
+            }
+            let _ = writeln!(out, "<g opacity=\"{CONTACT}\">");
+            paths(&mut out, &pane.marked, Some("#000"));
+            out.push_str(
+                "</g>\n<path fill=\"none\" stroke=\"#000\" stroke-width=\"2.2\" stroke-linecap=\"round\" d=\"",
+            );
+            for [[x0, y0], [x1, y1]] in &pane.segments {
+                let _ = write!(out, "M{x0:.1} {y0:.1}L{x1:.1} {y1:.1}");
+            }
+            out.push_str("\"/>\n</svg>\n");
+        }
+        for Frame { low: [left, top], high: [right, bottom] } in self.outlines() {
+            let _ = writeln!(
+                out,
+                "<path fill=\"none\" stroke=\"#000\" stroke-width=\"1.2\" d=\"M{left:.1} {top:.1}H{right:.1}V{bottom:.1}H{left:.1}z\"/>"
+            );
+        }
         out.push_str("</g>\n<g font-family=\"sans-serif\" font-size=\"15\" fill=\"#000\">\n");
         for (row, (colour, text)) in self.legend.lines.iter().enumerate() {
             let y = 24 + 20 * row;

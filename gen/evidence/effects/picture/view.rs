@@ -1,17 +1,45 @@
 //! From the scene to the picture.
 
 use super::{HEIGHT, WIDTH};
-use efsat_geometry::scene::{Pose, Scene};
 use nalgebra::{Point3, Vector3};
 
-/// Pixels around the scene; the legend stands above it.
-const MARGIN: f64 = 30.0;
-/// Pixels above the scene.
-const HEAD: f64 = 190.0;
 /// Steps of light, so that triangles of one colour can be put together.
 const LIGHTS: f64 = 6.0;
 
-/// The isometric projection, scaled to the picture.
+/// A rectangle, in pixels of the picture or before scaling: the least and the greatest coordinates.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Frame {
+    pub low: [f64; 2],
+    pub high: [f64; 2],
+}
+
+impl Frame {
+    /// The least one around points before scaling.
+    pub fn around<'a>(points: impl Iterator<Item = &'a Point3<f64>>) -> Self {
+        let empty = Self { low: [f64::INFINITY; 2], high: [f64::NEG_INFINITY; 2] };
+        points.fold(empty, |frame, point| {
+            let at = projected(point);
+            Self {
+                low: [0, 1].map(|axis| frame.low[axis].min(at[axis])),
+                high: [0, 1].map(|axis| frame.high[axis].max(at[axis])),
+            }
+        })
+    }
+
+    /// Width and height.
+    pub fn size(&self) -> [f64; 2] {
+        [0, 1].map(|axis| self.high[axis] - self.low[axis])
+    }
+
+    /// A square around its middle, so many times as wide as its longer side.
+    pub fn square(&self, times: f64) -> Self {
+        let half = 0.5 * times * self.size()[0].max(self.size()[1]);
+        let middle = [0, 1].map(|axis| self.low[axis] * 0.5 + self.high[axis] * 0.5);
+        Self { low: middle.map(|x| x - half), high: middle.map(|x| x + half) }
+    }
+}
+
+/// The isometric projection, scaled to a part of the picture.
 pub(super) struct View {
     scale: f64,
     offset: [f64; 2],
@@ -31,8 +59,8 @@ impl Item {
         self.corners.iter().map(|corner| corner[2]).sum()
     }
 
-    /// Calls `visit` with every pixel whose centre it covers, and the depth there.
-    pub fn pixels(&self, mut visit: impl FnMut(usize, f64)) {
+    /// Calls `visit` with every pixel of a window whose centre it covers, and the depth there.
+    pub fn pixels(&self, window: &Frame, mut visit: impl FnMut(usize, f64)) {
         let [p, q, r] = self.corners;
         let area = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
         if area == 0.0 || !area.is_finite() {
@@ -40,6 +68,7 @@ impl Item {
         }
         let span = |axis: usize, end: usize| {
             let (low, high) = (p[axis].min(q[axis]).min(r[axis]), p[axis].max(q[axis]).max(r[axis]));
+            let (low, high) = (low.max(window.low[axis]), high.min(window.high[axis]));
             // A negative number becomes 0.
             (low - 0.5).ceil() as usize..end.min((high + 0.5).max(0.0) as usize + 1)
         };
@@ -69,26 +98,25 @@ fn projected(point: &Point3<f64>) -> [f64; 3] {
 }
 
 impl View {
-    /// Scales so that the objects fit that are to be shown.
-    pub fn new(scene: &Scene, poses: &[Pose], shown: impl Fn(usize) -> bool) -> Self {
-        let mut low = [f64::INFINITY; 2];
-        let mut high = [f64::NEG_INFINITY; 2];
-        let objects = scene.objects.iter().zip(poses).enumerate().filter(|(number, _)| shown(*number));
-        for (_, (object, pose)) in objects {
-            for vertex in &object.mesh.vertices {
-                let point = projected(&pose.image(vertex));
-                for axis in 0..2 {
-                    low[axis] = low[axis].min(point[axis]);
-                    high[axis] = high[axis].max(point[axis]);
-                }
-            }
-        }
-        let room = [WIDTH as f64 - 2.0 * MARGIN, HEIGHT as f64 - HEAD - MARGIN];
-        let fits = |axis: usize| room[axis] / (high[axis] - low[axis]).max(f64::MIN_POSITIVE);
+    /// Scales so that a frame before scaling fits into a window of the picture.
+    pub fn new(shown: &Frame, window: &Frame) -> Self {
+        let [size, room] = [shown, window].map(Frame::size);
+        let fits = |axis: usize| room[axis] / size[axis].max(f64::MIN_POSITIVE);
         let scale = fits(0).min(fits(1));
-        let middle = |axis: usize| low[axis] * 0.5 + high[axis] * 0.5;
-        let offset = [MARGIN + room[0] / 2.0 - scale * middle(0), HEAD + room[1] / 2.0 - scale * middle(1)];
-        Self { scale, offset }
+        let middle = |frame: &Frame, axis: usize| frame.low[axis] * 0.5 + frame.high[axis] * 0.5;
+        Self { scale, offset: [0, 1].map(|axis| middle(window, axis) - scale * middle(shown, axis)) }
+    }
+
+    /// A point of the scene: to the right, downwards, towards the eye.
+    pub fn point(&self, point: &Point3<f64>) -> [f64; 3] {
+        let [x, y, z] = projected(point);
+        [self.offset[0] + self.scale * x, self.offset[1] + self.scale * y, self.scale * z]
+    }
+
+    /// A frame before scaling, in the picture.
+    pub fn frame(&self, frame: &Frame) -> Frame {
+        let at = |corner: [f64; 2]| [0, 1].map(|axis| self.offset[axis] + self.scale * corner[axis]);
+        Frame { low: at(frame.low), high: at(frame.high) }
     }
 
     /// A triangle; the colour follows from the light on it, which is at most 1.
@@ -99,19 +127,15 @@ impl View {
         // Either side is lit: faces may be turned.
         let lit = Vector3::new(0.3, 0.5, 0.81).dot(&normal).abs() / if length > 0.0 { length } else { 1.0 };
         let light = 0.62 + 0.38 * (lit * LIGHTS).round().min(LIGHTS) / LIGHTS;
-        let corner = |point: &Point3<f64>| {
-            let [x, y, z] = projected(point);
-            [self.offset[0] + self.scale * x, self.offset[1] + self.scale * y, self.scale * z]
-        };
-        Item { corners: [corner(p), corner(q), corner(r)], colour: colour(light) }
+        Item { corners: corners.each_ref().map(|corner| self.point(corner)), colour: colour(light) }
     }
 }
 
-/// For every pixel the item that is nearest to the eye, by its number.
-pub(super) fn buffer(items: &[Item]) -> Vec<Option<usize>> {
+/// For every pixel of a window the item that is nearest to the eye, by its number.
+pub(super) fn buffer(items: &[Item], window: &Frame) -> Vec<Option<usize>> {
     let mut nearest = vec![(f64::NEG_INFINITY, None); WIDTH * HEIGHT];
     for (number, item) in items.iter().enumerate() {
-        item.pixels(|pixel, depth| {
+        item.pixels(window, |pixel, depth| {
             if depth > nearest[pixel].0 {
                 nearest[pixel] = (depth, Some(number));
             }
@@ -120,10 +144,10 @@ pub(super) fn buffer(items: &[Item]) -> Vec<Option<usize>> {
     nearest.into_iter().map(|(_, number)| number).collect()
 }
 
-/// The items that are seen in some pixel, the farthest first.
-pub(super) fn seen(items: &[Item]) -> Vec<Item> {
+/// The items that are seen in some pixel of a window, the farthest first.
+pub(super) fn seen(items: &[Item], window: &Frame) -> Vec<Item> {
     let mut flags = vec![false; items.len()];
-    buffer(items).into_iter().flatten().for_each(|number| flags[number] = true);
+    buffer(items, window).into_iter().flatten().for_each(|number| flags[number] = true);
     let mut seen: Vec<Item> = items.iter().zip(flags).filter(|(_, seen)| *seen).map(|(item, _)| item.clone()).collect();
     seen.sort_by(|x, y| x.depth().total_cmp(&y.depth()));
     seen
