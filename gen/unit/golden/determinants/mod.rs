@@ -6,6 +6,8 @@
 //! section 6). Numbers are single integers, no intervals.
 
 mod bounds;
+#[cfg(test)]
+mod containment;
 mod coordinates;
 pub(super) mod differences;
 pub(super) mod fifteen;
