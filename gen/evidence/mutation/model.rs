@@ -28,7 +28,7 @@ const UNCHANGED: [&str; 4] = ["params/options.rs", "params/method.rs", "golden/s
 const OTHER_METHODS: [&str; 2] = ["golden/determinants/", "golden/exact/"];
 
 /// The sources of the reference model, as this program was built from them.
-const SOURCES: [(&str, &str); 32] = [
+const SOURCES: [(&str, &str); 33] = [
     ("params/options.rs", include_str!("../../unit/params/options.rs")),
     ("golden/stages.rs", include_str!("../../unit/golden/stages.rs")),
     ("golden/trace.rs", include_str!("../../unit/golden/trace.rs")),
@@ -58,6 +58,7 @@ const SOURCES: [(&str, &str); 32] = [
     ("golden/determinants/trace.rs", include_str!("../../unit/golden/determinants/trace.rs")),
     ("golden/determinants/verdict.rs", include_str!("../../unit/golden/determinants/verdict.rs")),
     ("golden/exact/mod.rs", include_str!("../../unit/golden/exact/mod.rs")),
+    ("golden/exact/cascade.rs", include_str!("../../unit/golden/exact/cascade.rs")),
     ("golden/exact/plane.rs", include_str!("../../unit/golden/exact/plane.rs")),
     ("golden/exact/trace.rs", include_str!("../../unit/golden/exact/trace.rs")),
     ("golden/exact/verdict.rs", include_str!("../../unit/golden/exact/verdict.rs")),

@@ -23,10 +23,6 @@ pub(super) const LANGUAGES: [(&str, &str); 8] = [
     ),
     ("is a keyword of VHDL-2019", "private view vpkg"),
     (
-        "is a keyword of VHDL-AMS",
-        "across break limit nature noise procedural quantity reference spectrum subnature terminal through tolerance",
-    ),
-    (
         "is a keyword of Verilog-2005",
         "always assign automatic buf bufif0 bufif1 casex casez cell cmos config deassign defparam design disable edge endcase \
          endconfig endfunction endgenerate endmodule endprimitive endspecify endtable endtask event forever fork genvar \
@@ -46,6 +42,11 @@ pub(super) const LANGUAGES: [(&str, &str); 8] = [
          rand randc randcase randsequence ref reject_on s_always s_eventually s_nexttime s_until s_until_with shortint \
          shortreal soft solve static string struct super sync_accept_on sync_reject_on tagged this throughout timeprecision \
          timeunit typedef union unique unique0 until_with untyped var virtual void wait_order weak wildcard within",
+    ),
+    // Break is one of SystemVerilog, too.
+    (
+        "is a keyword of VHDL-AMS",
+        "across limit nature noise procedural quantity reference spectrum subnature terminal through tolerance",
     ),
 ];
 
