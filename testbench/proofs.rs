@@ -9,6 +9,7 @@ mod axes;
 mod before_axes;
 mod claim;
 mod determinants;
+mod exact;
 mod pair;
 mod products;
 mod rounding;
@@ -173,4 +174,44 @@ fn pairs_by_determinants() {
         claims.extend([pair::norms(&setting), pair::verdicts(&setting)]);
     }
     prove("Pairs by determinants", claims);
+}
+
+#[test]
+fn exact() {
+    use exact::*;
+    let setting = Setting::full(Params { method: Method::Exact, transform: Transform::Off, ..Params::default() });
+    let claims = [
+        difference_fit,
+        cross_component,
+        dot_product,
+        determinants::determinant_sums,
+        exact_sign,
+        box_axis,
+        left_out_coordinate,
+        plane_coordinates,
+        first_point,
+        plane_sums,
+        plane_edge,
+        plane_verdict,
+        edge_verdict,
+        inner_side,
+        pair_verdict,
+    ];
+    prove("Exact", claims.iter().map(|claim| claim(&setting)).collect());
+}
+
+#[test]
+fn exact_pairs() {
+    use exact::*;
+    let params = |transform| Params { method: Method::Exact, transform, ..Params::default() };
+    let setting = Setting::full(params(Transform::Off));
+    let mut claims = vec![
+        operands(&setting),
+        by_signs(&setting),
+        in_plane_operands(&setting),
+        in_plane_edges(&setting),
+        in_plane(&setting),
+    ];
+    claims.extend([Transform::Off, Transform::Translate].map(|transform| fits(&Setting::full(params(transform)))));
+    prove("Exact pairs", claims);
 }

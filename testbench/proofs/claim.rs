@@ -3,6 +3,7 @@
 use super::tools::{self, Outcome};
 use super::unit::{AROUND, Mistake, Mutant, Subject, Wire};
 use crate::extent::share;
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 /// What is claimed of a unit.
@@ -180,13 +181,21 @@ impl Claim {
         let mut outputs = vec![];
         for wire in unit.outputs.iter().chain(&self.seen) {
             let raw = format!("raw_{}", wire.name);
-            outputs.push(format!("  wire {};\n", signal(&raw, &wire.name, wire.bits, wire.signed)));
+            let value =
+                wire.element.map_or(String::new(), |(_, below)| format!(" = {}[{below} +: {}]", word(wire), wire.bits));
+            outputs.push(format!("  wire {}{value};\n", signal(&raw, &wire.name, wire.bits, wire.signed)));
+        }
+        let words: BTreeMap<String, &Wire> =
+            self.seen.iter().filter(|wire| wire.element.is_some()).map(|wire| (word(wire), wire)).collect();
+        for (name, wire) in &words {
+            outputs.insert(0, format!("  wire [{}:0] {name};\n", wire.element.expect("a word's element").0 - 1));
+            connections.push(format!(".\\{} ({name})", wire.path));
         }
         if unit.clocked {
             connections.push(".clk(1'b0)".to_owned());
         }
         let all = unit.inputs.iter().chain(&unit.outputs).chain(&self.seen);
-        connections.extend(all.map(|w| format!(".\\{} (raw_{})", w.path, w.name)));
+        connections.extend(all.filter(|w| w.element.is_none()).map(|w| format!(".\\{} (raw_{})", w.path, w.name)));
         connections.extend(self.cut.iter().map(|w| format!(".\\{}__i (raw_{})", w.path, w.name)));
         for (name, x, y) in &self.products {
             let bits = self.bits(x) + self.bits(y);
@@ -199,7 +208,8 @@ impl Claim {
         let given = [declared(&unit.inputs), declared(&self.cut), self.given.clone()].concat();
         let lines = |word: &str, all: &[String]| all.iter().map(|c| format!("    {word}({c});\n")).collect::<String>();
         format!(
-            "module claim({});\n{}  {AROUND} unit({});\n{body}  always @* begin\n{}{}  end\nendmodule\n",
+            // A name that nothing has must not become a wire of any value.
+            "`default_nettype none\nmodule claim({});\n{}  {AROUND} unit({});\n{body}  always @* begin\n{}{}  end\nendmodule\n",
             ports.join(", "),
             outputs.concat(),
             connections.join(", "),
@@ -245,6 +255,11 @@ impl Claim {
             failures,
         }
     }
+}
+
+/// The name of the word of which a wire is an element.
+fn word(wire: &Wire) -> String {
+    format!("word_{}", wire.path.replace(|c: char| !c.is_ascii_alphanumeric(), "_"))
 }
 
 /// That wires are in their declared ranges, and lower bounds not above upper ones.

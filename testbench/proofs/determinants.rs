@@ -11,7 +11,7 @@ use super::unit::Subject;
 use efsat::params::{Params, Transform};
 
 /// A claim of an entity of a design.
-fn of(setting: &Setting, entity: &str, property: &'static str) -> Claim {
+pub fn of(setting: &Setting, entity: &str, property: &'static str) -> Claim {
     Claim::new(Subject::of_design(setting, entity), setting.label(), property)
 }
 
@@ -73,7 +73,7 @@ pub fn edge(ends: [&str; 2], sides: [&str; 3]) -> [String; 2] {
 }
 
 /// Names a sign by its number; it is not both.
-fn sign(claim: &mut Claim, name: &str, flag: &str) {
+pub fn sign(claim: &mut Claim, name: &str, flag: &str) {
     claim.value(name, format!("{flag}_0 - {flag}_1")).given(format!("{flag}_0 == 0 || {flag}_1 == 0"));
 }
 
@@ -221,7 +221,7 @@ pub fn coordinate_round(setting: &Setting) -> Claim {
 }
 
 /// Cuts the product of an instance, and claims that these are its factors.
-fn cut_product(claim: &mut Claim, instance: &str, x: &str, y: &str) -> String {
+pub fn cut_product(claim: &mut Claim, instance: &str, x: &str, y: &str) -> String {
     let product = format!("{instance}_p");
     claim.cut(&product).seen_ports(instance, &["x", "y"]);
     claim.shown(format!("{instance}_x == {x} && {instance}_y == {y}"));

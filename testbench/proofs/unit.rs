@@ -31,11 +31,13 @@ pub struct Wire {
     pub signed: bool,
     /// Declared range, where there is one.
     pub range: Option<(i128, i128)>,
+    /// If it is an element of an array, which GHDL makes one word: the elements' bits in all, and the bits below it.
+    pub element: Option<(u32, u32)>,
 }
 
 impl Wire {
     fn new(name: String, path: String, signal: &Signal) -> Self {
-        Self { name, path, bits: signal.ty.bits, signed: signal.ty.signed, range: signal.range }
+        Self { name, path, bits: signal.ty.bits, signed: signal.ty.signed, range: signal.range, element: None }
     }
 }
 
@@ -69,11 +71,37 @@ impl Subject {
             let (place, label) = (instance.place.to_string(), label(text, &instance.place));
             let name = place.strip_suffix("_unit").unwrap_or(&place);
             let [inputs, outputs] = vhdl::ports(top, &instance.module);
+            let ports: Vec<(&Place, u32)> = instance
+                .module
+                .inputs
+                .iter()
+                .map(|id| instance.module.signal(*id))
+                .map(|s| (&s.place, s.ty.bits))
+                .collect();
             let wire = |port: &Place, element: &str, signal| {
+                let of_instance = format!("unit.{label}");
+                let array = element.split('(').next().expect("a name");
+                let of_record = array.contains('.');
                 // An array of one element is that element.
-                let alone = element.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
-                let of_instance = if alone { element.to_owned() } else { port.to_string() };
-                Wire::new(format!("{name}_{port}"), format!("unit.{label}.{of_instance}"), signal)
+                let alone = array == element && !of_record;
+                let path = if alone {
+                    element
+                } else if of_record {
+                    &port.to_string()
+                } else {
+                    array
+                };
+                let wire = Wire::new(format!("{name}_{port}"), format!("{of_instance}.{path}"), signal);
+                // Element 0 is on the left, but on the right of a vector of flags.
+                let is_below =
+                    |other: &Place| match (signal.ty.is_flag(), port.path.split_last(), other.path.split_last()) {
+                        (true, Some((last, rest)), Some((other, of))) => of > rest || of == rest && other < last,
+                        _ => other.path > port.path,
+                    };
+                let below = |other: &&(&Place, u32)| other.0.base == port.base && is_below(other.0);
+                let bits = |of: &dyn Fn(&&(&Place, u32)) -> bool| ports.iter().filter(|x| of(x)).map(|x| x.1).sum();
+                let element = (bits(&|other| other.0.base == port.base), bits(&below));
+                Wire { element: Some(element).filter(|_| array == path && !alone), ..wire }
             };
             let signals = instance.module.inputs.iter().map(|id| instance.module.signal(*id));
             inner.extend(signals.zip(&inputs).map(|(signal, element)| wire(&signal.place, element, signal)));
@@ -145,8 +173,13 @@ impl Subject {
 
 /// What GHDL calls an instance, printed apart or in a generate statement.
 fn label(text: &str, place: &Place) -> String {
-    let apart = text.contains(&format!("  {place} : entity "));
-    generated_instance(place).filter(|_| !apart).unwrap_or_else(|| place.to_string())
+    if text.contains(&format!("  {place} : entity ")) {
+        return place.to_string();
+    }
+    // The outer one of two loops has a label of its own.
+    let looped =
+        |label: &String| label.split_once("_of_n").is_none_or(|(of, _)| text.contains(&format!("  {of}_of : for ")));
+    generated_instance(place).into_iter().rfind(looped).unwrap_or_else(|| place.to_string())
 }
 
 /// An entity with a port for each number of a unit, which GHDL connects with the elements of the unit's ports.
@@ -209,6 +242,10 @@ pub enum Mistake {
     WrongSlice,
     /// The entry of this number in a table of flags is wrong.
     WrongEntry(usize),
+    /// What is chosen for the number 1 is chosen for 2, and the other way round.
+    OtherCase,
+    /// The elements 0 and 1 are exchanged.
+    OtherElement,
     /// An instance is connected with the component after the right one.
     WrongComponent,
 }
@@ -318,6 +355,8 @@ impl Mistake {
                 let other = if value[at..].starts_with('0') { "1" } else { "0" };
                 Some(instead(at..at + 1, other.to_owned()))
             }
+            Self::OtherCase => exchanged(value, " = 1 ", " = 2 "),
+            Self::OtherElement => exchanged(value, "(0)", "(1)"),
             Self::WrongComponent if value.contains("(i)") => Some(value.replacen("(i)", "((i + 1) mod 3)", 1)),
             Self::WrongComponent => exchanged(value, "i + 1", "i + 2"),
         }

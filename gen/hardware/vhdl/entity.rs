@@ -455,11 +455,22 @@ impl Printer<'_, '_> {
     }
 }
 
-/// What GHDL calls an instance inside a generate statement over the last index of its name: it counts the iterations from
-/// one. Nothing for a name that does not end in an index.
-pub fn generated_instance(place: &Place) -> Option<String> {
-    let (Step::Index(i) | Step::Component(i), rest) = place.path.split_last()? else { return None };
-    Some(format!("{}_n{}_unit", Place { path: rest.to_vec(), ..place.clone() }, i + 1))
+/// What GHDL calls an instance inside a generate statement over the last index of its name, and inside two of them over the
+/// last two: it counts the iterations from one. Nothing for a name that does not end in an index.
+pub fn generated_instance(place: &Place) -> Vec<String> {
+    let (mut path, mut iterations, mut found) = (place.path.clone(), vec![], vec![]);
+    while iterations.len() < 2
+        && let Some(Step::Index(i) | Step::Component(i)) = path.pop()
+    {
+        iterations.insert(0, format!("n{}", i + 1));
+        let label = Place { path: path.clone(), ..place.clone() };
+        found.push(match &iterations[..] {
+            [inner] => format!("{label}_{inner}_unit"),
+            [outer, inner] => format!("{label}_of_{outer}_{label}_{inner}_unit"),
+            _ => unreachable!("two loops at most"),
+        });
+    }
+    found
 }
 
 /// The label of a loop: after the first thing in it.
