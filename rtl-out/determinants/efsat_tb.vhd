@@ -24,7 +24,7 @@ architecture simulation of efsat_tb is
   constant paced : natural := 96;  -- pairs of the second pass
   constant patience : natural := 4212;  -- clocks without an answer before giving up
   constant in_flight : natural := 4096;  -- answers awaited at most
-  constant full_after : natural := 6;  -- clocks of refusal after which the unit is full
+  constant full_after : natural := 35;  -- clocks of refusal after which the unit is full
 
   subtype pair_word is std_logic_vector(575 downto 0);
   subtype pose_word is std_logic_vector(384 downto 0);

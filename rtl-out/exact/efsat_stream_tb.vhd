@@ -28,7 +28,7 @@ end entity efsat_stream_tb;
 architecture simulation of efsat_stream_tb is
   constant formats : string := "efsat vectors 1: exact input s4.28 transform off width 18 guard tag 16 stream 1024 to 64";
   constant patience : natural := 4176;  -- clocks without a transfer before giving up
-  constant full_after : natural := 70;  -- clocks of refusal after which the unit is full
+  constant full_after : natural := 90;  -- clocks of refusal after which the unit is full
   constant begun : natural := 3;  -- words before the reset between passes: a pair in the unit, one that waits
 
   signal clk : std_logic := '0';

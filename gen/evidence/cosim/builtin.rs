@@ -164,7 +164,7 @@ impl<'a> Builtin<'a> {
         }
         now.reset = false;
         let mut random: u16 = 0xace1;
-        let full_after = testbench::full_after(self.design.interval);
+        let full_after = testbench::full_after(self.design);
         let (mut waited, mut filled) = (0, false);
         let (mut clock, mut first, mut previous) = (0u64, None, None);
         for pass in 1..=2u8 {

@@ -72,7 +72,7 @@ fn bench(design: &Design) -> String {
         formats: formats_line(p),
         paced: PACED,
         patience: testbench::patience(design),
-        full_after: testbench::full_after(design.interval),
+        full_after: testbench::full_after(design),
         reset_clocks: RESET_CLOCKS,
         pair: fields(&pair),
         pose: fields(&pose),

@@ -8,6 +8,7 @@
 
 pub mod campaign;
 pub mod explained;
+mod in_plane;
 pub mod model;
 pub mod rust;
 pub mod score;

@@ -6,6 +6,7 @@
 //! quarter fills the working grid to its ends, where clamps act, or is as small as an ulp of the input, where enclosures
 //! are as wide as the triangles. In an eighth edges decide: one alone passes through the other triangle, or ends on it.
 
+use super::in_plane;
 use efsat_hardware::number::Interval;
 use efsat_unit::artefact::Stimulus;
 use efsat_unit::golden::{Golden, Input, Pair, Pose, Verdict};
@@ -23,7 +24,7 @@ const CHOICE: usize = 32;
 const SMALLEST: usize = 512;
 const LARGEST: usize = 8192;
 /// The most pairs that are chosen.
-const MOST_CHOSEN: usize = 128;
+const MOST_CHOSEN: usize = 160;
 
 /// A comparison at the edge: axis or determinant, which of the four or two, what is lacking (0 or 1 ulp; of a determinant
 /// whether it holds), and the ends of A and of B: the vertex that has the bound, and the set of those that nearly have it.
@@ -33,12 +34,25 @@ type Edge = (usize, usize, i128, (usize, u8), (usize, u8));
 /// has two: it is above its bound, or below minus its bound.
 type Lacking = [i128; 4];
 
-/// `count` pairs: of four two chosen, one at the ends of the working grid or, one in sixteen, tiny (every second of these
+/// `count` pairs: of four two chosen (of the exact unit three), one at the ends of the working grid or, one in sixteen, tiny (every second of these
 /// under a rotation), and one random with an edge of one ulp or with parallel edges.
 pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     let pool = Stimulus::random(params, (count * CHOICE).clamp(SMALLEST, LARGEST), seed);
-    let random: Vec<(Pose, Pair)> =
-        pool.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (*pose, *pair))).collect();
+    let mut rng = ChaCha8Rng::seed_from_u64(seed);
+    let in_plane = |(i, (pose, pair)): (usize, (Pose, Pair))| {
+        if params.method != Method::Exact || i % 2 == 0 {
+            return (pose, pair);
+        }
+        let points = in_plane::points(&mut rng, params);
+        (pose, sample::placed(&mut rng, params, &pose, points))
+    };
+    let random: Vec<(Pose, Pair)> = pool
+        .segments
+        .iter()
+        .flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (*pose, *pair)))
+        .enumerate()
+        .map(in_plane)
+        .collect();
     let (golden, bound) = (Golden::new(params), params.coordinate_bound() as i64);
     let near = |x: Input, by: i64| within(bound, x.lo + by, x.sticky);
     let at_edge = |(i, (pose, pair)): (usize, &(Pose, Pair))| {
@@ -55,7 +69,8 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     };
     let all: Vec<(Pose, Pair)> = random.par_iter().enumerate().map(at_edge).chain(random.par_iter().copied()).collect();
     let edges: Vec<Vec<Edge>> = all.par_iter().map(|(pose, pair)| edges(&golden, pose, pair)).collect();
-    let chosen = cover(&edges, (count / 2).min(MOST_CHOSEN));
+    let share = if params.method == Method::Exact { 3 * count / 4 } else { count / 2 };
+    let chosen = cover(&edges, share.min(MOST_CHOSEN));
     let mut chosen = chosen.into_iter().map(|i| all[i]);
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     // Strides through the pool, so that few pairs see many poses.
@@ -64,9 +79,10 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
     for number in 0..count {
         let next = match number % 4 {
             0 | 2 => chosen.next(),
-            1 if params.method == Method::Exact => {
+            1 if params.method == Method::Exact && number % 8 == 1 => {
                 Some((Pose::identity(params), sample::corner_pair(&mut rng, params)))
             }
+            1 | 3 if params.method == Method::Exact && number % 8 != 7 => chosen.next(),
             _ if params.method == Method::Exact => None,
             1 if number == 1 && params.transform != Transform::Off => Some(farthest(params)),
             1 if number % 32 == 13 => Some((Pose::identity(params), tiny(&mut rng))),
@@ -269,7 +285,9 @@ fn cover(entries: &[Vec<Edge>], count: usize) -> Vec<usize> {
     let mut chosen: Vec<usize> = vec![];
     let mut covered = HashSet::new();
     while chosen.len() < count.min(entries.len()) {
-        let gain = |i: &usize| entries[*i].iter().filter(|edge| !covered.contains(*edge)).count();
+        // Every second one is chosen by cases of which there are few.
+        let weight = |edge: &Edge| if chosen.len() % 2 == 1 && in_plane::is_rare(edge.0) { 1000 } else { 1 };
+        let gain = |i: &usize| entries[*i].iter().filter(|edge| !covered.contains(*edge)).map(weight).sum::<usize>();
         let open = (0..entries.len()).filter(|i| !chosen.contains(i));
         let Some(best) = open.max_by_key(|i| (gain(i), std::cmp::Reverse(*i))) else { break };
         if gain(&best) == 0 && !covered.is_empty() {
@@ -368,7 +386,9 @@ type Bound = fn(&Interval) -> i128;
 fn edges(golden: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
     let axes = Axes::new(golden, pose, pair);
     let (lo, hi): (Bound, Bound) = (|x| x.lo, |x| x.hi);
-    let mut found = vec![];
+    // Behind the determinants come the cases of pairs in one plane.
+    let in_plane = in_plane::cases(&axes.0).into_iter().map(|(rule, part, how)| (rule, part, how, (3, 0), (3, 0)));
+    let mut found: Vec<Edge> = in_plane.collect();
     for (number, axis) in axes.names().into_iter().enumerate() {
         let lacking = axes.lacking(number);
         if axes.0.contains_key(&format!("determinant.{axis}")) {
@@ -426,6 +446,18 @@ mod tests {
             let found: HashSet<Edge> = pairs.flat_map(|(pose, pair)| edges(&golden, pose, pair)).collect();
             assert!(found.len() >= 45, "{method:?}: {} of 60", found.len());
         }
+    }
+
+    #[test]
+    fn pairs_of_the_exact_unit_have_the_cases_of_pairs_in_one_plane() {
+        let params = Params::of(Method::Exact);
+        let golden = Golden::new(&params);
+        let stimulus = stimulus(&params, 192, 1);
+        let pairs = stimulus.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (pose, pair)));
+        let of_plane =
+            pairs.flat_map(|(pose, pair)| edges(&golden, pose, pair)).filter(|edge| edge.0 >= in_plane::FIRST);
+        let rules: std::collections::BTreeSet<usize> = of_plane.map(|edge| edge.0 - in_plane::FIRST).collect();
+        assert_eq!(rules, (0..26).collect());
     }
 
     #[test]

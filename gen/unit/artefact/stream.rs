@@ -261,7 +261,7 @@ pub fn bench(design: &Design, format: &StreamFormat, origin: &[String]) -> Strin
         answer_width: format.answer_width(),
         answer_bytes: format.answer_width() / 8,
         patience: 4096 + 4 * design.latency,
-        full_after: testbench::full_after(design.interval) + 64,
+        full_after: testbench::full_after(design) + 64,
         // The header, a pair in the unit, and one that waits for its slot.
         begun: 1 + 2 * format.record_words(Kind::Pairs),
         half_period: format!("{} ps", testbench::half_period(p)),

@@ -13,9 +13,9 @@ use askama::Template;
 /// Pairs of the second pass.
 pub const PACED: usize = 96;
 
-/// Clocks of refusal after which the unit is full.
-pub fn full_after(interval: usize) -> usize {
-    2 * interval + 4
+/// Clocks of refusal after which the unit is full, and all answers in it wait in the queue.
+pub fn full_after(design: &Design) -> usize {
+    design.latency + 2 * design.interval + 4
 }
 
 /// Clocks without an answer after which there will be none.
@@ -116,7 +116,7 @@ pub fn text(design: &Design, origin: &[String]) -> String {
         tags: 1 << p.tag_width.min(30),
         half_period: format!("{} ps", half_period(p)),
         patience: patience(design),
-        full_after: full_after(design.interval),
+        full_after: full_after(design),
         latency: design.latency,
         two_stages: design.second.is_some(),
         interval: design.interval,

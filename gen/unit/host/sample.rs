@@ -65,7 +65,7 @@ fn grid_pair(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose) -> Pair {
 }
 
 /// Points of a grid moved to anywhere where all words hold them, B~ so that it comes there.
-fn placed(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose, points: [[i64; 3]; 6]) -> Pair {
+pub fn placed(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose, points: [[i64; 3]; 6]) -> Pair {
     let bound = params.coordinate_bound() as i64;
     let t = if pose.bypass || params.transform == Transform::Off { [0; 3] } else { pose.t.map(|x| x.lo) };
     let place: [i64; 3] = std::array::from_fn(|j| {
