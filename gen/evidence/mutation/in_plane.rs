@@ -15,7 +15,7 @@ pub type Case = (usize, usize, i128);
 pub const FIRST: usize = 100;
 /// Whether a rule has few cases.
 pub fn is_rare(rule: usize) -> bool {
-    rule >= FIRST && !matches!(rule - FIRST, 10..=23)
+    rule >= FIRST && !matches!(rule - FIRST, 3 | 4 | 10..=23)
 }
 
 /// A sign pattern as one number.
