@@ -472,7 +472,7 @@ fn shells_and_man_know_every_command() {
     }
     succeeds(dir, "manual new/man1");
     for command in commands.iter().filter(|command| **command != "help") {
-        let page = fs::read_to_string(dir.join(format!("new/man1/efsat-{command}.1"))).unwrap();
+        let page = fs::read_to_string(dir.join(format!("new/man1/efsat-{command}.1"))).unwrap().replace("\\-", "-");
         assert!(page.contains(".SH SYNOPSIS") && page.contains(&format!("efsat {command}")), "{page}");
     }
     assert!(fs::read_to_string(dir.join("new/man1/efsat.1")).unwrap().contains("generate"));
@@ -526,4 +526,45 @@ fn the_ready_designs_are_current() {
     let output = efsat(Path::new(env!("CARGO_MANIFEST_DIR")), "generate --ready --check");
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "run `efsat generate --ready` in the repository: {errors}");
+}
+
+#[test]
+fn self_intersections_of_a_mesh() {
+    let dir = tempfile::tempdir().unwrap();
+    let mesh = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/m8_nut.stl");
+    let told = succeeds(
+        dir.path(),
+        &format!("self-intersections {mesh} --exact --json --csv d.csv --pairs p.csv --picture p.png"),
+    );
+    let told: Value = serde_json::from_str(&told).unwrap();
+    let numbers =
+        ["triangles", "defects", "crossing", "contradictions", "by_host"].map(|key| told[key].as_u64().unwrap());
+    assert_eq!(numbers, [4218, 588, 214, 0, 0]);
+    let rows = fs::read_to_string(dir.path().join("d.csv")).unwrap();
+    assert_eq!((rows.lines().next(), rows.lines().count()), (Some("first,second,kind"), 589));
+    assert!(fs::read(dir.path().join("p.png")).unwrap().starts_with(b"\x89PNG"));
+    let pairs = fs::read_to_string(dir.path().join("p.csv")).unwrap();
+    // Neighbours that meet elsewhere are not asked about a second time.
+    assert!(pairs.lines().count() as u64 >= told["asked"].as_u64().unwrap());
+    let some: Vec<&str> = pairs.lines().step_by(500).collect();
+    fs::write(dir.path().join("some.csv"), some.join("\n")).unwrap();
+    succeeds(dir.path(), "cosim --method exact --simulator builtin --pairs some.csv");
+    // A coarser unit has a coarser grid; on a finer one some pairs do not fit, and the host decides them.
+    let told = succeeds(dir.path(), "self-intersections builtin:gear --width 12 --grid 0.001 --exact");
+    let of_host = told.lines().find(|line| line.contains("by the host")).unwrap();
+    assert!(!of_host.ends_with(" 0"), "{of_host}");
+}
+
+#[test]
+fn mistakes_about_self_intersections() {
+    let dir = tempfile::tempdir().unwrap();
+    let expect = |arguments: &str, part: &str| fails(dir.path(), &format!("self-intersections {arguments}"), 2, part);
+    expect("absent.stl", "expected a readable file");
+    expect("part.txt", "expected .stl, .obj or .ply");
+    expect("builtin:teapot", "one of headlight, gear");
+    expect("builtin:gear --grid 0", "expected a positive number");
+    expect("builtin:gear --grid 1e-30", "expected a coarser grid");
+    expect("builtin:gear --width 5", "6..=32");
+    expect("builtin:gear --picture x.txt", "expected a name that ends in .svg or .png");
+    expect("builtin:gear --csv x.csv --pairs x.csv", "x.csv");
 }

@@ -56,6 +56,19 @@ impl Output {
     }
 }
 
+/// The name of a picture.
+pub(super) fn picture(text: &str) -> Result<PathBuf, String> {
+    ending(text, &["svg", "png"])
+}
+
+/// A name with one of some extensions.
+pub(super) fn ending(text: &str, legal: &[&str]) -> Result<PathBuf, String> {
+    match Path::new(text).extension().and_then(|e| e.to_str()) {
+        Some(found) if legal.contains(&found) => Ok(text.into()),
+        _ => Err(format!("expected a name that ends in .{}", legal.join(" or ."))),
+    }
+}
+
 /// Writes all files or, as far as that can be known before, none.
 pub(super) fn write_all(files: impl Iterator<Item = (impl AsRef<Path>, impl AsRef<[u8]>)>) -> Result<(), Failure> {
     let begun = files.map(|(path, bytes)| {

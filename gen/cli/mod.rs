@@ -18,6 +18,7 @@ mod output;
 mod params;
 mod progress;
 mod scene;
+mod self_intersections;
 mod soak;
 mod source;
 mod stress;
@@ -55,6 +56,7 @@ enum Command {
     Mutate(mutate::Arguments),
     Synth(synth::Arguments),
     Scene(scene::Arguments),
+    SelfIntersections(self_intersections::Arguments),
     Accuracy(accuracy::Arguments),
     Completions(completions::Arguments),
     Manual(manual::Arguments),
@@ -74,6 +76,7 @@ pub fn main() -> ExitCode {
             Command::Mutate(arguments) => mutate::run(&arguments),
             Command::Synth(arguments) => synth::run(&arguments),
             Command::Scene(arguments) => scene::run(&arguments),
+            Command::SelfIntersections(arguments) => self_intersections::run(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
             Command::Completions(arguments) => completions::run(&arguments, &mut CommandLine::command()),
             Command::Manual(arguments) => manual::run(&arguments, CommandLine::command()),

@@ -52,7 +52,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "FILE", value_parser = table)]
     pairs: Option<PathBuf>,
     /// Draw a pose to FILE, .svg or .png: what touches coloured by verdict
-    #[arg(long, value_name = "FILE", value_parser = picture)]
+    #[arg(long, value_name = "FILE", value_parser = file::picture)]
     picture: Option<PathBuf>,
     /// Write a page to FILE, .html, in which the scene can be turned and every pair that touches or is undecided be looked at
     #[arg(long, value_name = "FILE", value_parser = page)]
@@ -104,24 +104,12 @@ impl Choice for Which {
 
 /// The name of a table. That of a scene or a mesh, typed by mistake, is none.
 fn table(text: &str) -> Result<PathBuf, String> {
-    ending(text, &["csv"])
-}
-
-/// The name of a picture.
-fn picture(text: &str) -> Result<PathBuf, String> {
-    ending(text, &["svg", "png"])
+    file::ending(text, &["csv"])
 }
 
 /// The name of a page.
 fn page(text: &str) -> Result<PathBuf, String> {
-    ending(text, &["html"])
-}
-
-fn ending(text: &str, legal: &[&str]) -> Result<PathBuf, String> {
-    match Path::new(text).extension().and_then(|e| e.to_str()) {
-        Some(found) if legal.contains(&found) => Ok(text.into()),
-        _ => Err(format!("expected a name that ends in .{}", legal.join(" or ."))),
-    }
+    file::ending(text, &["html"])
 }
 
 impl Arguments {

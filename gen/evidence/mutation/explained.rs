@@ -64,7 +64,7 @@ const POSE: &str = "a pose is taken in the last phase but one, and first read at
 const IDLE: &str = "the bypass changes between slots only, and there the row is idle for two clocks";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
 const FASTER: &str = "decides only in what type numbers are held, and the sums fit it in either case";
-const UNUSED: &str = "no unit of the design calls this function for values of this type";
+const UNUSED: &str = "most designs do not call this function for values of this type";
 const LAST_PHASE: &str = "full counts in the last phase only, and the clock before it accepts nothing";
 const RUNNING: &str = "pose_phase and last_phase are first set many clocks after reset, when running is long set";
 const NOT_MOVED: &str = "after reset nothing has been taken, and either flag says that the queue is empty";
@@ -74,11 +74,11 @@ const ALWAYS: &str = "the flag is the constant 1";
 
 /// Mutants of the generated VHDL.
 const VHDL: &[Explanation] = &[
-    same("efsat_types:choose:case:'1' -> '0'", UNUSED),
-    same("efsat_types:choose:operand:condition -> if_set", UNUSED),
-    same("efsat_types:choose:operand:if_set -> condition", UNUSED),
-    same("efsat_types:choose:operand:if_clear -> if_set", UNUSED),
-    same("efsat_types:choose:* #3", UNUSED),
+    hidden("efsat_types:choose:case:'1' -> '0'", UNUSED),
+    hidden("efsat_types:choose:operand:condition -> if_set", UNUSED),
+    hidden("efsat_types:choose:operand:if_set -> condition", UNUSED),
+    hidden("efsat_types:choose:operand:if_clear -> if_set", UNUSED),
+    hidden("efsat_types:choose:* #3", UNUSED),
     same_in_several("sequencer:full:*:full_if_moved -> *", LAST_PHASE),
     same_in_several("sequencer:full_if_moved:*", LAST_PHASE),
     same_in_several("sequencer:accepted_moved:constant:'0' -> '1'", LAST_PHASE),
@@ -144,6 +144,7 @@ const VHDL: &[Explanation] = &[
     ),
     same("coordinate_carry:carried:operand:sign dropped", "R and -R are one word in as many bits"),
     same("dot_product:product_unit.*:operand:x(i) and m(i)*", PRODUCT),
+    same_in_several("bound_tails:w_d1:delay:a register too many", STEADY),
     same("certain_sign:sign:constant:sign1_sum(41) -> (40)", "the sum has a sign bit more than it needs"),
     same("edge_verdict:missed*:operand:sides(*) and sides(*) exchanged", ANY),
     same("box_axis:*_word_any_d1:operand:* exchanged", ANY),

@@ -11,12 +11,14 @@ mod findings;
 mod lines;
 mod obj;
 mod ply;
+mod snapped;
 mod stl;
 
 pub use bounds::Bounds;
 pub use builtin::{BUILTIN, builtin, headlight};
 pub use error::MeshError;
 pub use findings::{Defect, Finding, Findings};
+pub use snapped::Snapped;
 
 use error::Fault;
 use nalgebra::Point3;

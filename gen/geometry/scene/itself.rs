@@ -1,4 +1,4 @@
-//! Scenes of one mesh: it tumbles in front of itself.
+//! Scenes that no file describes: objects at rest, and one mesh that tumbles in front of itself.
 
 use super::motion::{Motion, Tumble};
 use super::{Object, Pose, Scene};
@@ -11,6 +11,11 @@ impl Scene {
     pub const STEPS: u32 = 360;
     /// The distances of the default scene, in half-sizes of the cube.
     pub const DISTANCES: [f64; 7] = [1.6, 1.575, 1.55, 1.525, 1.5, 1.475, 1.45];
+
+    /// Objects that stay where they are placed, in one frame.
+    pub fn at_rest(name: impl Into<String>, objects: Vec<Object>) -> Self {
+        Self { name: name.into(), objects, effects: vec![], parameters: vec![], motions: vec![Motion::Rest] }
+    }
 
     /// A mesh against itself in a tumbling turn, the direction that of the default scene: along z.
     pub fn against_itself(name: impl Into<String>, mesh: Mesh, steps: u32, distances: &[f64]) -> Self {

@@ -10,6 +10,8 @@ mod loose;
 pub mod sample;
 mod scene;
 #[cfg(feature = "scenes")]
+pub mod self_intersections;
+#[cfg(feature = "scenes")]
 pub mod settings;
 #[cfg(feature = "scenes")]
 mod stage;

@@ -1,0 +1,202 @@
+//! `efsat self-intersections`.
+
+use super::error::Failure;
+use super::file::{self, Output};
+use super::output::{print, print_json};
+use super::progress;
+use crate::effects::picture::Picture;
+use crate::effects::{Contact, Place};
+use crate::exact::Exact;
+use crate::golden::Verdict;
+use crate::host::self_intersections::{Checker, Defect, Effort, Kind};
+use crate::mesh::{self, BUILTIN, Findings, Mesh, Snapped};
+use crate::params::{Method, Params};
+use crate::scene::{Object, Pose, Scene};
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// Finds all pairs of triangles of a mesh that intersect, on a grid, by answers of the exact unit
+///
+/// Vertices are moved to the nearest points of the grid, and equal ones become one. Pairs of triangles whose boxes overlap go to
+/// the reference model of the unit that `efsat generate --method exact` makes. A common vertex or edge alone is no defect.
+/// Exit status 0 whether or not there are defects; 1 if --exact finds an answer wrong.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Mesh file (.stl, .obj or .ply), or builtin:NAME
+    #[arg(value_name = "MESH")]
+    mesh: PathBuf,
+    /// Bits of a difference of coordinates in the unit, 6 to 32
+    #[arg(long, value_name = "N", default_value_t = 18, value_parser = clap::value_parser!(u32).range(6..=32), allow_negative_numbers = true)]
+    width: u32,
+    /// Distance of two points of the grid, in units of the mesh; by default the finest power of two on which the mesh fits N bits
+    #[arg(long, value_name = "SIZE", value_parser = size, allow_negative_numbers = true)]
+    grid: Option<f64>,
+    /// Ask the exact oracle about every pair too
+    #[arg(long)]
+    exact: bool,
+    /// Write the defects, one row for each: numbers of the two triangles, kind
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Write all pairs that the unit is asked about, as `efsat cosim --method exact --pairs FILE` reads them
+    #[arg(long, value_name = "FILE")]
+    pairs: Option<PathBuf>,
+    /// Draw the mesh with its defects, as .svg or .png
+    #[arg(long, value_name = "FILE", value_parser = file::picture)]
+    picture: Option<PathBuf>,
+    /// Print one JSON object instead of a table
+    #[arg(long)]
+    json: bool,
+}
+
+/// A positive number.
+fn size(text: &str) -> Result<f64, String> {
+    text.parse().ok().filter(|x: &f64| *x > 0.0 && x.is_finite()).ok_or_else(|| "expected a positive number".to_owned())
+}
+
+/// The JSON object.
+#[derive(Serialize)]
+struct Summary<'a> {
+    mesh: String,
+    triangles: usize,
+    vertices: usize,
+    left_out: u64,
+    grid: f64,
+    width: u32,
+    degenerate: usize,
+    #[serde(flatten)]
+    effort: &'a Effort,
+    defects: usize,
+    crossing: usize,
+    touching: usize,
+    neighbours_meet: usize,
+    duplicate: usize,
+}
+
+fn read(path: &Path) -> Result<(Mesh, Findings), Failure> {
+    let Some(name) = path.to_str().and_then(|name| name.strip_prefix("builtin:")) else {
+        return mesh::survey(path).map_err(|e| Failure::Usage(e.to_string()));
+    };
+    let found = mesh::builtin(name).ok_or_else(|| {
+        Failure::Usage(format!("builtin:{name}: no such mesh; expected builtin: and one of {}", BUILTIN.join(", ")))
+    })?;
+    Ok(((*found).clone(), Findings::of_mesh(&found)))
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let outputs = [&arguments.csv, &arguments.pairs, &arguments.picture];
+    file::distinct(outputs.into_iter().flatten().map(PathBuf::as_path))?;
+    let (original, findings) = read(&arguments.mesh)?;
+    let most = f64::from((1u32 << (arguments.width - 1)) - 1);
+    let grid = arguments.grid.unwrap_or_else(|| Snapped::finest(&original, most));
+    if Snapped::most(&original) / grid >= 2f64.powi(53) {
+        let message = format!("--grid {grid}: a coordinate has 2^53 units or more; expected a coarser grid");
+        return Err(Failure::Usage(message));
+    }
+    let Snapped { mesh, .. } = Snapped::new(&original, grid);
+    let [csv, pairs, picture] = outputs.map(|path| path.as_deref().map(Output::new).transpose());
+    let (csv, pairs, picture) = (csv?, pairs?, picture?);
+    let params = Params { width: arguments.width, ..Params::of(Method::Exact) };
+    let checker = Checker::new(&mesh, &params, arguments.exact);
+    let spinner = progress::spinner("candidate pairs");
+    let candidates = checker.candidates();
+    spinner.finish_and_clear();
+    let bar = progress::bar(candidates.len() as u64, "pairs", false);
+    let (defects, effort) = checker.check(&candidates, |pairs| bar.inc(pairs as u64));
+    bar.finish_and_clear();
+    if let Some(mut file) = csv {
+        file.write("first,second,kind\n")?;
+        for Defect { pair: (p, q), kind } in &defects {
+            file.write(format!("{p},{q},{}\n", kind.name()))?;
+        }
+        file.finish()?;
+    }
+    if let Some(mut file) = pairs {
+        for points in candidates.iter().flat_map(|pair| checker.asked(*pair)) {
+            let numbers: Vec<String> = points.as_flattened().iter().map(f64::to_string).collect();
+            file.write(numbers.join(",") + "\n")?;
+        }
+        file.finish()?;
+    }
+    if let Some(mut file) = picture {
+        let png = arguments.picture.as_ref().is_some_and(|path| path.extension().is_some_and(|e| e == "png"));
+        let picture = drawn(&arguments.mesh, &mesh, &defects);
+        if png {
+            file.write(picture.png())?;
+        } else {
+            file.write(picture.svg())?;
+        }
+        file.finish()?;
+    }
+    let count = |kind: Kind| defects.iter().filter(|defect| defect.kind == kind).count();
+    let summary = Summary {
+        mesh: arguments.mesh.display().to_string(),
+        triangles: mesh.faces.len(),
+        vertices: mesh.vertices.len(),
+        left_out: findings.left_out(),
+        grid,
+        width: arguments.width,
+        degenerate: mesh.degenerate().len(),
+        effort: &effort,
+        defects: defects.len(),
+        crossing: count(Kind::Crossing),
+        touching: count(Kind::Touching),
+        neighbours_meet: count(Kind::Neighbours),
+        duplicate: count(Kind::Duplicate),
+    };
+    if arguments.json {
+        print_json(&summary)?;
+    } else {
+        print(&table(&summary, arguments.exact))?;
+    }
+    if effort.contradictions > 0 {
+        return Err(Failure::Check(format!("{} answers are not those of the exact oracle", effort.contradictions)));
+    }
+    Ok(())
+}
+
+fn table(summary: &Summary<'_>, exact: bool) -> String {
+    let Summary { mesh, triangles, vertices, left_out, grid, width, degenerate, effort, .. } = summary;
+    let mut text = format!("{mesh}: {triangles} triangles, {vertices} vertices on a grid of {grid}, {width} bits\n");
+    if *left_out > 0 {
+        let _ = writeln!(text, "{left_out} faces of the file cannot be used and are left out");
+    }
+    let _ = writeln!(text, "{degenerate} triangles are segments or points on this grid");
+    let mut row = |what: &str, count: u64| {
+        let _ = writeln!(text, "{what:<44}{count:>12}");
+    };
+    row("pairs of triangles whose boxes overlap", effort.candidates);
+    row("  of these with a common vertex or edge", effort.neighbours);
+    row("pairs that the unit decided", effort.asked);
+    row("pairs that did not fit, decided by the host", effort.by_host);
+    if exact {
+        row("answers that are not the oracle's", effort.contradictions);
+    }
+    row("self-intersections", summary.defects as u64);
+    row("  crossing", summary.crossing as u64);
+    row("  touching", summary.touching as u64);
+    row("  neighbours that meet elsewhere too", summary.neighbours_meet as u64);
+    row("  duplicate triangles", summary.duplicate as u64);
+    text
+}
+
+/// The mesh as a scene of one object, whose triangles meet each other.
+fn drawn(path: &Path, mesh: &Mesh, defects: &[Defect]) -> Picture {
+    let name = path.file_stem().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let object = Object {
+        name: name.clone(),
+        mesh: Arc::new(mesh.clone()),
+        findings: Findings::default(),
+        placed: Pose::identity(),
+    };
+    let contacts: Vec<Contact> = defects
+        .iter()
+        .map(|defect| Contact {
+            place: Place { frame: 0, objects: (0, 0), pair: defect.pair },
+            verdict: Some(Verdict::Intersect),
+            exact: Some(if defect.kind == Kind::Touching { Exact::Touch } else { Exact::Intersect }),
+        })
+        .collect();
+    Picture::new(&Scene::at_rest(name, vec![object]), 0, &contacts)
+}
