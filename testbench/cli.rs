@@ -329,8 +329,15 @@ fn generation_is_reproducible_and_checked_to_the_byte() {
     succeeds(dir, "generate");
     assert_eq!(files, tree(&dir.join("rtl-out/axes")), "written over itself");
     succeeds(dir, "generate --check");
-    fails(dir, "generate --check --width 17", 1, "differs manifest.json");
-    fails(dir, "generate --check --out absent", 1, "missing efsat.vhd");
+    fails(dir, "generate --check --width 17 --out rtl-out/axes", 1, "differs manifest.json");
+    fails(dir, "generate --check --out absent", 1, "found nothing");
+    fails(dir, "generate --ready --check --out absent", 1, "found nothing");
+    // A design of other options is not put in the place of a ready one.
+    fails(dir, "generate --width 17", 2, "expected --out DIR");
+    fails(dir, "generate --stream-width 256", 2, "expected --out DIR");
+    assert_eq!(files, tree(&dir.join("rtl-out/axes")));
+    succeeds(dir, "generate --method exact --stream-width 1024");
+    assert!(dir.join("rtl-out/exact/efsat.vhd").exists());
 
     for (name, bytes) in files.iter().filter(|(name, _)| name.starts_with("efsat") || name.contains('/')) {
         let mut changed = bytes.clone();
@@ -342,7 +349,7 @@ fn generation_is_reproducible_and_checked_to_the_byte() {
     }
     fs::write(dir.join("rtl-out/axes/notes.txt"), "mine").unwrap();
     fails(dir, "generate --check", 1, "extra notes.txt");
-    succeeds(dir, "generate --width 16");
+    succeeds(dir, "generate --width 16 --out rtl-out/axes");
     assert_eq!(fs::read_to_string(dir.join("rtl-out/axes/notes.txt")).unwrap(), "mine");
 }
 
@@ -567,4 +574,25 @@ fn mistakes_about_self_intersections() {
     expect("builtin:gear --width 5", "6..=32");
     expect("builtin:gear --picture x.txt", "expected a name that ends in .svg or .png");
     expect("builtin:gear --csv x.csv --pairs x.csv", "x.csv");
+}
+
+#[test]
+fn options_of_another_method_are_refused_with_any_value() {
+    let home = tempfile::tempdir().unwrap();
+    let refused = |arguments: &str, part: &str| fails(home.path(), arguments, 2, part);
+    refused("classify --random 1 --span 3", "expected --method determinants, which has this option");
+    refused("classify --random 1 --method exact --axes 11", "expected --method axes, which has this option");
+    refused("generate --method determinants --upper implied", "expected --method axes, which has this option");
+    succeeds(home.path(), "classify --random 1 --method determinants --span 3 --summary");
+}
+
+#[test]
+fn files_of_another_kind_are_named() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::write(dir.join("semicolons.csv"), csv().replace(',', ";")).unwrap();
+    fs::write(dir.join("pairs.csv"), csv()).unwrap();
+    fails(dir, "classify semicolons.csv", 2, "line 1: found semicolons between the numbers; expected commas");
+    fails(dir, "classify part.stl", 2, "a mesh: a scene file names it");
+    fails(dir, "classify --scene pairs.csv", 2, "found pairs, which are read without --scene");
 }

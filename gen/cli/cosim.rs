@@ -8,6 +8,7 @@ use super::source::{Source, SourceArguments, count};
 use crate::Points;
 use crate::artefact::Stimulus;
 use crate::cosim::{self, Netlist, Options, Report, Simulator};
+use crate::design::top::pace;
 use crate::golden::{Pair, Pose, Verdict};
 use crate::host::{Host, Stage, loose_pair};
 use crate::params::{Params, options::Choice};
@@ -224,8 +225,12 @@ fn text(report: &Report, verdicts: &Verdicts, host_decided: u64) -> String {
         text.push_str(&format!("{host_decided} of them decided on the host\n"));
     }
     text.push_str(&format!(
-        "one pair every {} clocks, verdict after {} clocks; {} clocks at full speed, {:.1} s in {}\n",
-        report.initiation_interval, report.latency, report.cycles, report.seconds, report.simulator
+        "{}, verdict after {} clocks; {} clocks at full speed, {:.1} s in {}\n",
+        pace(report.initiation_interval as usize),
+        report.latency,
+        report.cycles,
+        report.seconds,
+        report.simulator
     ));
     if report.mismatches == 0 {
         let more = match report.guard_vectors {

@@ -4,8 +4,9 @@ use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::{print, print_json, warn};
 use super::params::{ParamArguments, choice};
-use crate::artefact::{FileSet, design_files_with, programme_files, ready_designs, ready_files};
+use crate::artefact::{FileSet, ReadyDesign, design_files_with, programme_files, ready_designs, ready_files};
 use crate::design::Design;
+use crate::design::top::pace;
 use crate::estimate;
 use crate::params::Params;
 use crate::params::options::Choice;
@@ -20,7 +21,7 @@ use std::path::{Path, PathBuf};
 /// nothing is written.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Directory of the design [default: rtl-out/axes, with --ready rtl-out]
+    /// Directory of the design [default: that of the ready design with these options below rtl-out, with --ready rtl-out]
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write all ready designs, each to a folder below DIR, in place of one design
@@ -50,7 +51,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.ready {
         return ready(arguments, &params);
     }
-    let out = arguments.out.as_deref().unwrap_or(Path::new("rtl-out/axes"));
     let design = Design::new(&params, false)?;
     if let Some(dir) = &arguments.lp {
         let set = programme_files(&design, &params.command_line());
@@ -60,6 +60,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.diagram.wanted() {
         return arguments.diagram.run(&design);
     }
+    let out = &folder(arguments, &params)?;
     let command_line = command_line(&params, arguments.stream_width);
     let set =
         design_files_with(&design, arguments.stream_width, &command_line).map_err(|e| Failure::Check(e.to_string()))?;
@@ -80,6 +81,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         warn(&format!("{megahertz:.1} MHz are expected, below --frequency: {end} takes longer than a clock by itself"));
     }
     Ok(())
+}
+
+/// Where the design goes. Without --out it is a ready one, which another one must not replace.
+fn folder(arguments: &Arguments, params: &Params) -> Result<PathBuf, Failure> {
+    if let Some(out) = &arguments.out {
+        return Ok(out.clone());
+    }
+    let is_ready = |ready: &ReadyDesign| ready.params == *params && ready.stream_width == arguments.stream_width;
+    match ready_designs().into_iter().find(is_ready) {
+        Some(ready) => Ok(Path::new("rtl-out").join(ready.name)),
+        None => {
+            let why = "rtl-out has the ready designs, and none has these options";
+            Err(Failure::Usage(format!("no --out: expected --out DIR, as {why}")))
+        }
+    }
 }
 
 /// What is said of a design that was written; also the JSON object.
@@ -126,7 +142,7 @@ impl fmt::Display for Written {
             "{multipliers} multipliers ({device} has {all}), {register_bits} register bits, {} MHz",
             self.frequency_mhz
         )?;
-        write!(f, "one pair every {} clocks, verdict after {} clocks", self.initiation_interval, self.latency)?;
+        write!(f, "{}, verdict after {} clocks", pace(self.initiation_interval), self.latency)?;
         if let Some(latency) = self.latency_of_open_pairs {
             write!(f, ", of an open pair after {latency} at most if no other waits")?;
         }
@@ -157,6 +173,13 @@ pub(super) fn command_line(params: &Params, width: StreamWidth) -> String {
 }
 
 fn check(set: &FileSet, dir: &Path) -> Result<(), Failure> {
+    if !dir.exists() {
+        return Err(Failure::Check(format!(
+            "{}: found nothing; expected {} generated files",
+            dir.display(),
+            set.len()
+        )));
+    }
     let differences = set.check(dir)?;
     if differences.is_empty() {
         return print(&format!("{}: {} files, all as generated\n", dir.display(), set.len()));

@@ -4,19 +4,51 @@ use super::error::Failure;
 use crate::design::top::DesignError;
 use crate::params::Params;
 pub(super) use crate::params::options::{choice, whole};
+use clap::parser::ValueSource;
+use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
 
-/// Parameters of the design. The defaults are the paper's.
-#[derive(Debug, clap::Args)]
+/// Parameters of the design, and which of them were typed.
+#[derive(Debug)]
 pub(super) struct ParamArguments {
-    #[command(flatten)]
     typed: Params,
+    given: Vec<&'static str>,
 }
 
 impl ParamArguments {
     /// The parameters, if they fit together.
     pub fn params(&self) -> Result<Params, Failure> {
-        self.typed.validate().map_err(DesignError::from)?;
+        // The choice of the method itself is no option of the method.
+        let typed = |option: &str| option != "method" && self.given.contains(&option);
+        let given = self.typed.every_option().into_iter().filter(|(option, _)| typed(option));
+        self.typed.has(given).and_then(|()| self.typed.validate()).map_err(DesignError::from)?;
         Ok(self.typed.clone())
+    }
+}
+
+impl FromArgMatches for ParamArguments {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let typed = |option: &&str| matches.value_source(&option.replace('-', "_")) == Some(ValueSource::CommandLine);
+        let given = Params::OPTIONS.iter().map(|row| row.name).filter(typed).collect();
+        Ok(Self { typed: Params::from_arg_matches(matches)?, given })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+impl Args for ParamArguments {
+    fn group_id() -> Option<Id> {
+        Params::group_id()
+    }
+
+    fn augment_args(command: Command) -> Command {
+        Params::augment_args(command)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        Params::augment_args_for_update(command)
     }
 }
 
@@ -24,7 +56,6 @@ impl ParamArguments {
 mod tests {
     use super::*;
     use crate::params::Transform;
-    use clap::{Args, FromArgMatches};
 
     fn parse(options: &[&str]) -> Params {
         let command = ParamArguments::augment_args(clap::Command::new("efsat").no_binary_name(true));

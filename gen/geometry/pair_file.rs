@@ -20,12 +20,14 @@ pub enum PairFileError {
         source: std::io::Error,
     },
     /// Neither `.csv` nor `.f64` nor `-`.
-    #[error("{file}: found a name ending in \"{found}\"; expected .csv, .f64, or - for CSV on standard input")]
+    #[error("{file}: found a name ending in \"{found}\"; expected .csv, .f64, or - for CSV on standard input{hint}")]
     Kind {
         /// The file as named by the user.
         file: String,
         /// The extension found.
         found: String,
+        /// What reads such a file.
+        hint: &'static str,
     },
     /// No pair in the file.
     #[error("{file}: found no pair; expected at least one")]
@@ -65,6 +67,16 @@ pub enum PairFileError {
         /// The number of fields.
         found: usize,
     },
+    /// Fields between which semicolons stand.
+    #[error(
+        "{file}: line {line}: found semicolons between the numbers; expected commas, and a point in each decimal number"
+    )]
+    Semicolons {
+        /// The file as named by the user.
+        file: String,
+        /// Line, counted from 1.
+        line: usize,
+    },
     /// A field that is no finite number.
     #[error(
         "{file}: line {line}, column {column}: found \"{found}\"; expected a finite number that binary64 does not round to 0"
@@ -94,7 +106,13 @@ pub fn read(name: &str) -> Result<Vec<Points>, PairFileError> {
     match extension.as_str() {
         "csv" => read_csv(open()?, name),
         "f64" => read_f64(open()?, name),
-        _ => Err(PairFileError::Kind { file: name.to_owned(), found: extension }),
+        _ => {
+            let hint = match extension.as_str() {
+                "stl" | "obj" | "ply" => " (a mesh: a scene file names it, or efsat compare --mesh reads it)",
+                _ => "",
+            };
+            Err(PairFileError::Kind { file: name.to_owned(), found: extension, hint })
+        }
     }
 }
 
@@ -117,11 +135,14 @@ pub fn read_csv(mut source: impl Read, name: &str) -> Result<Vec<Points>, PairFi
         if row.trim_ascii().is_empty() {
             continue;
         }
+        let line = index + 1;
+        if row.iter().filter(|&&byte| byte == b';').count() >= 17 {
+            return Err(PairFileError::Semicolons { file: file(), line });
+        }
         let fields: Vec<&[u8]> = row.split(|&byte| byte == b',').map(unquoted).collect();
         if std::mem::take(&mut first) && fields.iter().all(|field| number(field).is_none()) {
             continue;
         }
-        let line = index + 1;
         if fields.len() != 18 {
             return Err(PairFileError::Fields { file: file(), line, found: fields.len() });
         }

@@ -1,5 +1,6 @@
 //! The text of `efsat synth`.
 
+use crate::design::top::pace;
 use crate::device::Resources;
 use crate::params::Params;
 use crate::synth::{CriticalPath, Placed, Report, Routed, Timing, Unit};
@@ -27,7 +28,7 @@ pub(super) fn text(report: &Report, params: &Params) -> String {
     row(&mut text, &report.top, 0);
     text.push('\n');
     shares(&mut text, report);
-    let _ = writeln!(text, "one pair every {} clocks, verdict after {} clocks", report.interval, report.latency);
+    let _ = writeln!(text, "{}, verdict after {} clocks", pace(report.interval), report.latency);
     let (scheduled, end) = &report.scheduled;
     let below = if *scheduled < f64::from(params.frequency) { ", below the target" } else { "" };
     let device = &params.device;

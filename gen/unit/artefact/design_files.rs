@@ -5,6 +5,7 @@ use super::units::{UnitRow, first_sentence, units};
 use super::{FileSet, Stimulus, origin, vhdl_files};
 use super::{drop_in, example, ise, manifest, stream, stream_vectors, testbench, vectors};
 use crate::design::Design;
+use crate::design::top::pace;
 use crate::params::stream::{StreamFormat, StreamWidth};
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
@@ -38,6 +39,7 @@ struct Readme<'a> {
     interval: usize,
     latency: usize,
     multipliers: usize,
+    pace: String,
     register_bits: u64,
     frequency: u32,
     device: &'static str,
@@ -135,6 +137,7 @@ fn readme(design: &Design, command_line: &str, files: Vec<Described>) -> String 
         interval: design.interval,
         latency: design.latency,
         multipliers: design.top.multipliers(),
+        pace: pace(design.interval),
         register_bits: design.top.register_bits(),
         frequency: design.params.frequency,
         device: design.device.name,

@@ -91,6 +91,11 @@ pub struct SecondStage {
     pub latency: usize,
 }
 
+/// How often pairs come, in words.
+pub fn pace(interval: usize) -> String {
+    if interval == 1 { "one pair per clock".to_owned() } else { format!("one pair every {interval} clocks") }
+}
+
 impl Design {
     /// The units at the top of the data paths.
     pub fn pipelines(&self) -> impl Iterator<Item = &Rc<Unit>> {
@@ -392,9 +397,7 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
         ]),
     };
     lines.push(String::new());
-    let pace =
-        if interval == 1 { "One pair per clock".to_owned() } else { format!("One pair every {interval} clocks") };
-    lines.push(format!("{pace}, verdict {latency} clocks after acceptance."));
+    lines.push(format!("{}, verdict {latency} clocks after acceptance.", pace(interval).replacen('o', "O", 1)));
     if let Some(clocks) = p.exact_clocks {
         lines.push(format!(
             "Of pairs that the first stage leaves open one every {clocks} clocks, and later; no pair passes another."

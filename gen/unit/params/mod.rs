@@ -110,16 +110,27 @@ impl Params {
         range("tag-width", self.tag_width, options::TAG_WIDTH, "")
     }
 
-    /// Checks the options that not every method has.
-    fn validate_method(&self) -> Result<(), ParamError> {
+    /// Checks that the method has all of some options, whatever their values are.
+    ///
+    /// # Errors
+    /// If it has not: the first such option.
+    pub fn has(&self, options: impl IntoIterator<Item = (&'static str, String)>) -> Result<(), ParamError> {
         let foreign = |(option, _): &(&'static str, String)| {
             let row = Self::OPTIONS.iter().find(|row| row.name == *option);
             row.is_some_and(|row| !row.of.contains(&self.method))
         };
-        if let Some((option, found)) = self.differences(&Self::of(self.method)).into_iter().find(foreign) {
-            let legal = format!("expected --method {}, which has this option", methods_with(option));
-            return Err(ParamError { option, found, legal });
+        match options.into_iter().find(foreign) {
+            Some((option, found)) => {
+                let legal = format!("expected --method {}, which has this option", methods_with(option));
+                Err(ParamError { option, found, legal })
+            }
+            None => Ok(()),
         }
+    }
+
+    /// Checks the options that not every method has.
+    fn validate_method(&self) -> Result<(), ParamError> {
+        self.has(self.differences(&Self::of(self.method)))?;
         if self.method == Method::Exact && self.transform == Transform::On {
             let legal = "expected off or translate with --method exact, which rounds nothing".to_owned();
             return Err(ParamError { option: "transform", found: "on".to_owned(), legal });

@@ -48,6 +48,16 @@ impl Fault {
 ///
 /// [`Object::findings`]: super::Object::findings
 pub fn load(path: &Path) -> Result<Scene, SceneError> {
+    let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+    let hint = match extension.as_str() {
+        "csv" | "f64" => "pairs, which are read without --scene or with --pairs",
+        "stl" | "obj" | "ply" => "a mesh, which a scene file names",
+        _ => "",
+    };
+    if !hint.is_empty() {
+        let message = format!("found {hint}: expected a scene in TOML");
+        return Err(SceneError { file: path.to_owned(), line: None, message });
+    }
     let text = std::fs::read_to_string(path).map_err(|e| SceneError {
         file: path.to_owned(),
         line: None,
