@@ -230,7 +230,7 @@ options! {
         [value_name = "POLICY", value_parser = choice::<Projections>()];
     /// Bits of the projections that are compared: +N (N more than width, up to 31), full (all), or rounded (to width, as in the paper)
     "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Plus(4); paper ProjectionWidth::Rounded, Verdicts, [Axes],
-        [value_name = "WIDTH", value_parser = projection_width];
+        [value_name = "+N|full|rounded", value_parser = projection_width];
     /// Places by which an axis is shifted left at most before it is rounded, 0 to 30; 0 as in the paper
     "axis-shift" axis_shift: u32 = 7; paper 0, Verdicts, [Axes],
         [value_name = "N", value_parser = whole(AXIS_SHIFT), allow_negative_numbers = true];
@@ -302,7 +302,9 @@ impl Params {
 /// The flag that changes the defaults of other options.
 #[cfg(feature = "clap")]
 fn like_paper() -> clap::Arg {
-    let help = "The paper's values where another is the default";
+    let values = Params::paper().differences(&Params::default()).into_iter();
+    let values: String = values.map(|(name, value)| format!(" --{name} {value}")).collect();
+    let help = format!("As in the paper:{values}, where these are not given");
     clap::Arg::new("like_paper").long("like-paper").action(clap::ArgAction::SetTrue).help(help)
 }
 
