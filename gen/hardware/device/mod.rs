@@ -50,6 +50,8 @@ pub struct Device {
     carry: f64,
     /// One bit of carry.
     carry_bit: f64,
+    /// By how much nets to multipliers take longer than others in large designs, ns, where reports say so.
+    far_multipliers: Option<f64>,
     /// A product's bit k: base + k * step.
     product: (f64, f64),
     /// How much of that is behind the multiplier's own register. Where no report tells it, the middle of what serves: the
@@ -202,6 +204,12 @@ impl Device {
     /// Delay of a hardware multiplier to its register, for the top bit of a product of that many bits.
     pub fn product(&self, bits: u32) -> f64 {
         self.net + self.product.0 + self.product.1 * f64::from(bits - 1) - self.product_behind_register
+    }
+
+    /// Whether the operands of a product get registers of their own, because the nets to multipliers would not fit in a
+    /// period (less the set-up of a register).
+    pub fn registers_operands(&self, bits: u32, period: f64) -> bool {
+        self.far_multipliers.is_some_and(|net| self.launch() + net + self.product(bits) > period)
     }
 }
 

@@ -31,6 +31,7 @@ pub(super) const XC7A200T: Device = Device {
     // Table, start of the chain, sum at its end.
     carry: 0.124 + 0.533 + 0.337,
     carry_bit: 0.117 / 4.0,
+    far_multipliers: None,
     product: (4.036, 0.0),
     product_behind_register: 1.5,
 };

@@ -25,6 +25,7 @@ pub(super) const XC6SLX150: Device = Device {
     wide_net: 1.3,
     carry: 0.70,
     carry_bit: 0.025,
+    far_multipliers: None,
     product: (3.2, 0.03),
     product_behind_register: 1.5,
 };

@@ -95,6 +95,7 @@ pub(super) const XC2V6000: Device = Device {
     // Table, start of the chain, exclusive disjunction at its end.
     carry: delay::LUT + delay::CARRY_START + delay::SUM,
     carry_bit: delay::CARRY,
+    far_multipliers: None,
     product: delay::PRODUCT,
     product_behind_register: 3.0,
 };

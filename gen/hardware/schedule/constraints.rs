@@ -322,7 +322,8 @@ impl<'a> Constraints<'a> {
                 before = before.max(self.base(i));
             }
             let ns = before + self.delay(i);
-            if before > self.pass.launch() + 1e-9 && !self.pass.fits(ns) {
+            let too_long = before > self.pass.launch() + 1e-9 && !self.pass.fits(ns);
+            if too_long || self.pass.registers_operands(i) {
                 self.order(from.later(1), Event { variable, offset: 0 });
             } else if self.earliest[i].from == self.earliest[i].start {
                 arrivals[i] = ns;

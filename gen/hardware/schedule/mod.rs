@@ -2,8 +2,10 @@
 //!
 //! As soon as possible, on times (clock, nanoseconds): a node starts when its last operand has arrived; where it would
 //! end after the period it starts a clock later from registers, and what is too long even then misses the clock. A product
-//! stands between registers, the one behind it being the multiplier's own. A multiplexer of more than four operands that is too long takes two clocks: among the operands of each group,
-//! then among the groups, with registers between; what is too long even so stays so. Units are scheduled by themselves,
+//! stands between registers, the one behind it being the multiplier's own; where the nets to multipliers would take too much
+//! of the period, there is one more register in front of each operand. A multiplexer of more than four operands that is too
+//! long takes two clocks: among the operands of each group, then among the groups, with registers between; what is too long
+//! even so stays so. Units are scheduled by themselves,
 //! their inputs arriving from registers in clock 0, and all outputs leave at one latency; an instance then is one
 //! operation of its parent. That fixes the latency; within it nodes then start where they take the fewest register bits
 //! (see [`linear_program`]).
@@ -194,6 +196,13 @@ impl Pass<'_> {
         ns + self.device.setup() <= self.period + 1e-9
     }
 
+    /// Whether a node is a product whose operands each have a register of their own.
+    fn registers_operands(&self, i: usize) -> bool {
+        let node = &self.unit.nodes[i];
+        matches!(node.op, Op::Comb(Comb::Multiply(_)))
+            && self.device.registers_operands(node.ty.bits, self.period - self.device.setup() + 1e-9)
+    }
+
     fn interval(&self) -> i32 {
         self.unit.interval as i32
     }
@@ -330,7 +339,9 @@ impl Pass<'_> {
             Some(child) if slots[i].start == 0 && child.latency > 0 => self.arrival(i, &slots, 0).ns + child.input_path,
             _ if slots[i].from == 0 => slots[i].ns,
             // With registers behind it an operation leaves nothing of the period to what comes before.
-            None if slots[i].start == 0 && !matches!(unit.nodes[i].op, Op::Capture { .. } | Op::Output(_)) => {
+            None if (slots[i].start == 0 || self.registers_operands(i))
+                && !matches!(unit.nodes[i].op, Op::Capture { .. } | Op::Output(_)) =>
+            {
                 self.period
             }
             _ => self.launch(),
@@ -410,7 +421,8 @@ impl Pass<'_> {
                 }
                 if matches!(op, Op::Comb(Comb::Multiply(_))) {
                     // Operands straight from registers, and the register behind the product is the multiplier's own.
-                    let start = arrival.clock + i32::from(arrival.ns > self.launch());
+                    let more = i32::from(arrival.ns > self.launch()) + i32::from(self.registers_operands(i));
+                    let start = arrival.clock + more;
                     let ns = self.device.product_launch();
                     return Slot { start, from: start + 1, until: i32::MAX, ns, registered: true };
                 }

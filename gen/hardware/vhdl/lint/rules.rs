@@ -16,7 +16,11 @@ pub(super) const RULES: [Rule; 13] = [
     ("direct-entity", "label : entity work.name", direct_entity),
     ("named-association", "port => actual", named_association),
     ("clocked-process", "process (clk) begin if rising_edge(clk) then ... end if; end process", clocked_process),
-    ("product", "p <= a * b alone in a clocked process, alone in its entity", product),
+    (
+        "product",
+        "p <= a * b alone in a clocked process, with nothing else in its entity but registers of its factors",
+        product,
+    ),
     ("reset", "a synchronous reset of flags and counters alone, not of data", reset),
     ("dimensions", "at most two array dimensions, three within an architecture", dimensions),
     ("record-fields", "a range", record_fields),
@@ -95,9 +99,12 @@ fn is_clocked(file: &File, at: usize, end: usize) -> bool {
     false
 }
 
-/// XST infers MULT18X18S from nothing else in every release (Xilinx AR 13182).
+/// XST infers MULT18X18S from nothing else in every release (Xilinx AR 13182). In front of the factors may be registers, which
+/// devices get whose multipliers are far away.
 fn product(file: &File) -> Vec<Breach> {
-    let alone = file.find("<=").count() == 1;
+    let others = || file.find("<=").filter(|at| !file.reads(*at, -1, "NAME <= NAME * NAME ;"));
+    let clocked = |at| file.regions("process").any(|(from, to)| from < at && at < to);
+    let alone = others().all(|at| clocked(at) && file.reads(at, -1, "NAME <= NAME ;"));
     let form = "rising_edge ( NAME ) then NAME <= NAME * NAME ; end if ; end process";
     file.breaches("*", |at| alone && file.reads(at, -8, form))
 }
