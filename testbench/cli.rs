@@ -236,6 +236,30 @@ fn classify_takes_scenes_and_random_pairs() {
 
 /// Nothing is left open by the exact unit and its host, whatever the numbers are.
 #[test]
+fn snapped_geometry_has_answers_of_its_own() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let scene = "name = \"s\"\n[a]\nmesh = \"builtin:headlight\"\n[b]\nmesh = \"builtin:headlight\"\n\
+                 [tumble]\nsteps = 4\ndistances = [1.6, 1.45]\n";
+    fs::write(dir.join("s.toml"), scene).unwrap();
+    let given = object(&succeeds(dir, "classify s.toml --method exact --exact --json"));
+    let mut differ = vec![];
+    // Coarse grids tell more pairs otherwise. Without room for the differences the host decides, for the same points.
+    for (options, by_host) in [("--width 8 --transform-width 9", false), ("", false), ("--transform-width 32", true)] {
+        let command = format!("classify s.toml --method exact --truth snapped --exact --json {options}");
+        let counts = object(&succeeds(dir, &command));
+        assert_eq!((&counts["pairs"], &counts["wrong"]), (&given["pairs"], &0.into()));
+        assert_eq!(counts["verdicts"]["possibly_incorrect"], 0);
+        assert_eq!(counts["host_decided"].as_u64().unwrap() > 0, by_host, "{options}");
+        differ.push(counts["truths_differ"].as_u64().unwrap());
+    }
+    assert!(differ[0] > differ[1] && differ[2] == 0, "{differ:?}");
+    assert!(given.get("truths_differ").is_none());
+    fails(dir, "compare --scene s.toml --method exact --truth snapped", 2, "--truth snapped: expected given");
+    fails(dir, "classify s.toml --method exact --truth snapped --transform off", 2, "expected on with --truth snapped");
+}
+
+#[test]
 fn classify_by_the_exact_method_answers_every_pair() {
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();

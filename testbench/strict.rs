@@ -63,6 +63,7 @@ fn settings() -> Vec<(&'static str, Params)> {
                 ..Params::of(Method::Exact)
             },
         ),
+        ("exact, snapped", Params { clocks_per_pair: 2, ..Params::snapped() }),
         ("cascade", Params { width: 32, exact_clocks: Some(16), ..Params::of(Method::Exact) }),
         ("wide", Params { width: 32, transform_width: 48, tag_width: 64, ..default() }),
     ]

@@ -9,7 +9,7 @@ use crate::Points;
 use crate::exact::{self, Exact, Relation};
 use crate::golden::{Golden, Pose, Verdict};
 use crate::host::{Host, Stage, loose_pair};
-use crate::params::{Method, Params};
+use crate::params::{Method, Params, Truth};
 use crate::sample::random_points;
 use crate::scene::{Meeting, Scene};
 use indicatif::ProgressBar;
@@ -34,7 +34,8 @@ pub(super) struct Arguments {
     file: Option<String>,
     #[command(flatten)]
     source: SourceArguments,
-    /// Adds the exact rational answer (separate, touch or intersect) and fails if a definite verdict is wrong
+    /// Adds the exact rational answer (separate, touch or intersect) and fails if a definite verdict is wrong; of a scene
+    /// with --truth snapped that of the snapped geometry, and counts the pairs in which the other truth differs
     #[arg(long)]
     exact: bool,
     /// Tests pairs that are possibly-incorrect again, exactly, so that every answer is final: separate or intersect, which
@@ -59,6 +60,8 @@ struct Answer {
     open: bool,
     retested: bool,
     exact: Option<Relation>,
+    /// Of a scene that is snapped: whether the exact answer for what is given is the other one.
+    truths_differ: Option<bool>,
 }
 
 /// Exact answers as counts; coplanar pairs are counted once more.
@@ -84,6 +87,9 @@ struct Counts {
     exact: Option<ExactCounts>,
     #[serde(skip_serializing_if = "Option::is_none")]
     wrong: Option<u64>,
+    /// Pairs of which the exact answer for the geometry as it is given is not that for the snapped one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    truths_differ: Option<u64>,
     #[serde(skip)]
     first_wrong: Option<u64>,
     /// Why the host decides pairs.
@@ -131,6 +137,9 @@ impl Counts {
                 self.first_wrong.get_or_insert(self.pairs);
             }
         }
+        if let Some(differ) = answer.truths_differ {
+            *self.truths_differ.get_or_insert(0) += u64::from(differ);
+        }
         self.pairs += 1;
     }
 
@@ -150,6 +159,10 @@ impl Counts {
                 "exact: {} separate, {} touch, {} intersect; {} coplanar; {wrong} wrong definite verdicts\n",
                 exact.separate, exact.touch, exact.intersect, exact.coplanar
             ));
+        }
+        if let Some(differ) = self.truths_differ {
+            let share = 100.0 * differ as f64 / self.pairs as f64;
+            text.push_str(&format!("{differ} of them ({share:.3} %) are answered otherwise as they are given\n"));
         }
         text
     }
@@ -208,7 +221,7 @@ impl Classifier {
             Some(_) if retested => Verdict::Intersect,
             _ => verdict,
         };
-        Answer { verdict, host_decided, open, retested, exact: exact.filter(|_| self.exact) }
+        Answer { verdict, host_decided, open, retested, exact: exact.filter(|_| self.exact), truths_differ: None }
     }
 
     fn loose(&self, points: &[Points]) -> Vec<Answer> {
@@ -246,7 +259,11 @@ impl Classifier {
             let host = posed.host();
             let answer = |&pair: &(u32, u32)| {
                 let [a, b] = posed.faces(pair);
-                self.answer(&host.pose, &host.pair(a, b), || posed.relation(pair))
+                let answer = self.answer(&host.pose, &host.pair(a, b), || posed.relation(pair));
+                let differs =
+                    |exact: Relation| (exact.class == Exact::Separate) != (posed.given(pair) == Exact::Separate);
+                let snapped = answer.exact.filter(|_| self.params.truth == Truth::Snapped);
+                Answer { truths_differ: snapped.map(differs), ..answer }
             };
             pairs.par_iter().map(answer).collect()
         };

@@ -12,7 +12,7 @@ use crate::exact::{self, Exact};
 use crate::golden::{Golden, Pose};
 use crate::host::{Host, Stage, loose_pair};
 use crate::mesh;
-use crate::params::Params;
+use crate::params::{Params, Truth};
 use crate::sample::random_points;
 use crate::scene::{Frame, Scene};
 use crate::software::Test;
@@ -229,6 +229,10 @@ fn tally<P: Sync>(pairs: &[P], first: u64, answer: impl Fn(&P) -> Answer + Sync)
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
+    if params.truth == Truth::Snapped {
+        let why = "the tests in software answer for the geometry as it is given";
+        return Err(Failure::Usage(format!("--truth snapped: expected given, as {why}")));
+    }
     let (source, pairs) = arguments.pairs()?;
     let comparison = Comparison { golden: Golden::new(&params), identity: Pose::identity(&params), params };
     let bar = |steps: u64, what| progress::bar(steps, what, false);

@@ -34,7 +34,8 @@ architecture rtl of pair_pipeline is
   signal difference_w0_h1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 4294967295
   signal difference_w1_h1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 4294967295
   signal difference_w2_h1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 4294967295
-  signal outside_word_h1 : unsigned(14 downto 0) := (others => '0');
+  signal outside_flags : unsigned(14 downto 0);
+  signal outside_flags_h1 : unsigned(14 downto 0) := (others => '0');
   signal outside_i : std_logic;  -- a difference of coordinates does not fit
   signal fitted_d1 : signed_18_vector_x5_t := zero_signed_18_vector_x5;  -- |.| <= 131071
   signal moment_component_lane : signed_36_x12_t;  -- |.| <= 34359214082
@@ -224,6 +225,8 @@ begin
       difference_w2_h1 <= difference_w2;
     end if;
   end process clock_1;
+  outside_flags <= unsigned(fit_outside(4)) & unsigned(fit_outside(3)) & unsigned(fit_outside(2)) &
+      unsigned(fit_outside(1)) & unsigned(fit_outside(0));
   fitted_unit_x(0) <= difference_v1_h1;
   fitted_unit_x(1) <= difference_v2_h1;
   fitted_unit_x(2) <= difference_w0_h1;
@@ -240,12 +243,11 @@ begin
   clock_2 : process (clk)
   begin
     if rising_edge(clk) then
-      outside_word_h1 <= unsigned(fit_outside(4)) & unsigned(fit_outside(3)) & unsigned(fit_outside(2)) &
-          unsigned(fit_outside(1)) & unsigned(fit_outside(0));
+      outside_flags_h1 <= outside_flags;
       fitted_d1 <= fitted;
     end if;
   end process clock_2;
-  outside_i <= or_reduce(outside_word_h1);
+  outside_i <= or_reduce(outside_flags_h1);
   moment_component_lane_unit_plus_0_each : for m in 0 to 1 generate
     moment_component_lane_unit_plus(0)(m) <= fitted_d1(m + 2)(m + 1);
     moment_component_lane_unit_plus(1)(m) <= fitted_d1(m + 2)((m + 2) mod 3);

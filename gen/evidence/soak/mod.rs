@@ -188,7 +188,7 @@ impl Read {
 
 /// Designs of which this is equal read the same numbers: a format, or for the exact unit a width.
 fn reading(params: &Params) -> (i32, Option<u32>) {
-    (params.input().fraction, (params.method == Method::Exact).then_some(params.width))
+    (params.input().fraction, (params.method == Method::Exact).then_some(params.grid_bits()))
 }
 
 impl Soak {

@@ -97,6 +97,11 @@ impl<'l, 'p> Guards<'l, 'p> {
         guarded.map(|g| g.0)
     }
 
+    /// More flags that say once per pair that it is outside.
+    pub fn found(&self, flags: &[Sig<'l>]) {
+        self.of_pair.borrow_mut().extend(flags);
+    }
+
     /// Whether some number of the pair or its pose is outside, held for the pair; none in a unit without guards.
     pub fn outside(&self) -> Option<Sig<'l>> {
         let mut all = self.of_pair.borrow().clone();

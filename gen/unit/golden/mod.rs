@@ -88,7 +88,16 @@ impl Golden {
     pub fn is_open(&self, pose: &Pose, pair: &Pair) -> bool {
         match &self.test {
             Test::Axes(_) | Test::Determinants(_) => false,
-            Test::Exact(test) => test.is_open(pose, pair),
+            Test::Exact(test) => self.guard.inside(pose, pair) && test.is_open(pose, pair),
+        }
+    }
+
+    /// The points of a pair inside the declared ranges as the exact unit sees them, behind the pose: relative to V0, in ulps of
+    /// the input format; and whether the unit decides the pair. Of another unit none.
+    pub fn snapped(&self, pose: &Pose, pair: &Pair) -> Option<([[i64; 3]; 6], bool)> {
+        match &self.test {
+            Test::Axes(_) | Test::Determinants(_) => None,
+            Test::Exact(test) => Some(test.snapped(pose, pair)),
         }
     }
 

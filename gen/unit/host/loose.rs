@@ -67,9 +67,9 @@ pub fn loose_pair(points: &[[f64; 3]; 6], params: &Params) -> Host {
     let short = top - grid <= 120;
     if params.method == Method::Exact {
         let pair = if short {
-            grid::pair(&points_at::<i128>(&numbers, grid), params.width)
+            grid::pair(&points_at::<i128>(&numbers, grid), params.grid_bits())
         } else {
-            grid::pair(&points_at::<BigInt>(&numbers, grid), params.width)
+            grid::pair(&points_at::<BigInt>(&numbers, grid), params.grid_bits())
         };
         return pair.map_or_else(|| Host::exactly(exact::pair(points)), Host::Unit);
     }

@@ -11,7 +11,7 @@ use rand::RngExt;
 use rand::rngs::ChaCha8Rng;
 
 use crate::golden::{Input, Pair, Pose};
-use crate::params::{Method, Params, Transform, Upper};
+use crate::params::{Method, Params, Transform, Truth, Upper};
 
 /// A pair of random triangles of mixed sizes, many of them near contact, in one frame (for a bypassed pose).
 pub fn random_pair(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
@@ -23,7 +23,7 @@ pub fn random_pair(rng: &mut ChaCha8Rng, params: &Params) -> Pair {
 /// As [`random_pair`], with the relation between the triangles (near contact and so on) holding after the pose, as far
 /// as B~ then fits the declared range.
 pub fn random_pair_under(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose) -> Pair {
-    if params.method == Method::Exact {
+    if params.method == Method::Exact && (params.truth == Truth::Given || pose.bypass) {
         return grid_pair(rng, params, pose);
     }
     if pose.bypass {
@@ -46,7 +46,7 @@ pub fn random_pair_under(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose) -> 
 /// directions, so that vertices are on edges and planes of the other triangle and many pairs are in one plane or on two
 /// lines; some points are off by one.
 fn grid_pair(rng: &mut ChaCha8Rng, params: &Params, pose: &Pose) -> Pair {
-    let size = 1 << rng.random_range(0..=params.width - 5);
+    let size = 1 << rng.random_range(0..=params.grid_bits() - 5);
     let directions = rng.random_range(1..=3);
     let [x, y, z] = [(); 3].map(|()| [(); 3].map(|()| rng.random_range(-size..=size)));
     let lines = rng.random_range(0..8) == 0;

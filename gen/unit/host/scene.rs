@@ -5,8 +5,8 @@ use std::borrow::Cow;
 use super::boxes::Boxes;
 use super::{Host, grid};
 use crate::dyadic::Dyadic;
-use crate::golden::{Input, Numbers, Pair, Pose};
-use crate::params::{Method, Params, Transform};
+use crate::golden::{Golden, Input, Numbers, Pair, Pose};
+use crate::params::{Method, Params, Transform, Truth};
 use efsat_geometry::exact;
 use efsat_hardware::number::Interval;
 
@@ -30,6 +30,8 @@ pub struct ScenePose<'a> {
     a: &'a [[Input; 3]],
     b: Cow<'a, [[Input; 3]]>,
     outside: Outside<'a>,
+    /// Of the exact unit with the frame transform.
+    snapping: Option<Golden>,
 }
 
 /// Which pairs are outside the declared ranges.
@@ -40,11 +42,13 @@ enum Outside<'a> {
     Vertices(Vec<bool>, Boxes),
     /// All, because the pose itself is.
     All(Boxes),
+    /// All, of the exact unit with the frame transform: they are decided as they are given.
+    AsGiven(OffGrid<'a>),
     /// Those that do not fit the exact unit, each moved to its own V0 and put on its own grid.
     OffGrid(OffGrid<'a>),
 }
 
-/// A scene in one pose for the exact unit, which reads neither the pose nor the normalised meshes.
+/// A scene in one pose for the exact unit without the frame transform, which reads neither the pose nor the normalised meshes.
 #[derive(Clone, Debug)]
 struct OffGrid<'a> {
     host: &'a SceneHost,
@@ -56,12 +60,16 @@ struct OffGrid<'a> {
 
 impl OffGrid<'_> {
     fn pair(&self, a: [usize; 3], b: [usize; 3]) -> Host {
-        let [of_a, of_b] = &self.host.vertices;
-        let [v, w] = [a.map(|i| of_a[i]), b.map(|i| of_b[i])];
-        let [v0, v1, v2] = v.map(|vertex| vertex.map(Dyadic::from));
+        let [v0, v1, v2] = a.map(|i| self.host.vertices[0][i].map(Dyadic::from));
         let [w0, w1, w2] = b.map(|i| self.images[i].clone());
-        let pair = grid::pair(&Dyadic::together([v0, v1, v2, w0, w1, w2]), self.host.params.width);
-        pair.map_or_else(|| Host::exactly(exact::posed_pair(&v, &w, &self.m, &self.t)), Host::Unit)
+        let pair = grid::pair(&Dyadic::together([v0, v1, v2, w0, w1, w2]), self.host.params.grid_bits());
+        pair.map_or_else(|| self.decided(a, b), Host::Unit)
+    }
+
+    /// The answer of the host.
+    fn decided(&self, a: [usize; 3], b: [usize; 3]) -> Host {
+        let [of_a, of_b] = &self.host.vertices;
+        Host::exactly(exact::posed_pair(&a.map(|i| of_a[i]), &b.map(|i| of_b[i]), &self.m, &self.t))
     }
 }
 
@@ -93,7 +101,8 @@ impl SceneHost {
     ///
     /// In normalised coordinates the translation becomes t' = s (M c_B + t - c_A), exactly. A unit that cannot do the
     /// pose (no transform, or a translation only) gets vertices of B to which it has been applied, exactly, before
-    /// quantisation. The exact unit gets every pair as [`loose_pair`](super::loose_pair) makes it, after the pose.
+    /// quantisation. The exact unit gets every pair as [`loose_pair`](super::loose_pair) makes it, after the pose, unless
+    /// it has a transform that rounds: then it gets what the other units get.
     pub fn pose(&self, m: &[[f64; 3]; 3], t: &[f64; 3]) -> ScenePose<'_> {
         let motion = Motion { m: m.map(|row| row.map(Dyadic::from)), t: t.map(Dyadic::from) };
         let (way, shift) = self.way(m, &motion);
@@ -102,20 +111,32 @@ impl SceneHost {
             a: &self.inputs[0],
             b: Cow::Borrowed(&self.inputs[1]),
             outside: Outside::None,
+            snapping: None,
         };
-        if self.params.method == Method::Exact {
-            scene.outside = Outside::OffGrid(OffGrid { host: self, m: *m, t: *t, images: self.images(&motion) });
-            return scene;
+        let as_given = || OffGrid { host: self, m: *m, t: *t, images: self.images(&motion) };
+        match (self.params.method, self.params.truth) {
+            (Method::Exact, Truth::Given) => {
+                scene.outside = Outside::OffGrid(as_given());
+                return scene;
+            }
+            (Method::Exact, Truth::Snapped) => scene.snapping = Some(Golden::new(&self.params)),
+            (Method::Axes | Method::Determinants, _) => {}
         }
         match way {
             Way::Host => return self.moved(&motion),
             Way::None => {}
             Way::Unit => match self.quantised(&motion.m, &shift) {
                 Some(pose) => scene.pose = pose,
+                None if scene.snapping.take().is_some() => scene.outside = Outside::AsGiven(as_given()),
                 None => scene.outside = Outside::All(self.boxes(&self.images(&motion))),
             },
         }
         scene
+    }
+
+    /// Whether the unit answers for geometry that is snapped to a grid.
+    pub fn snaps(&self) -> bool {
+        self.params.truth == Truth::Snapped
     }
 
     /// How B gets into the frame of A, and t'.
@@ -190,6 +211,7 @@ impl SceneHost {
             a: &self.inputs[0],
             b: inputs.into_iter().map(Option::unwrap_or_default).collect(),
             outside,
+            snapping: None,
         }
     }
 
@@ -220,10 +242,34 @@ impl ScenePose<'_> {
         let (a, b) = (a.map(|i| i as usize), b.map(|i| i as usize));
         match &self.outside {
             Outside::OffGrid(scene) => scene.pair(a, b),
+            Outside::AsGiven(scene) => scene.decided(a, b),
             Outside::All(boxes) => Host::Decided(boxes.verdict(a, b)),
             Outside::Vertices(marked, boxes) if b.iter().any(|&i| marked[i]) => Host::Decided(boxes.verdict(a, b)),
-            _ => Host::Unit(Pair { a: a.map(|i| self.a[i]), b: b.map(|i| self.b[i]) }),
+            _ => match self.snap(a, b) {
+                Some((points, false)) => Host::exactly(exact::pair(&points)),
+                _ => Host::Unit(self.read(a, b)),
+            },
         }
+    }
+
+    /// The points for which the unit answers, if they are not those of the meshes: snapped to the grid behind the frame
+    /// transform, relative to V0, in ulps of the input format.
+    ///
+    /// # Panics
+    /// If an index is outside its mesh.
+    pub fn snapped(&self, a: [u32; 3], b: [u32; 3]) -> Option<[[f64; 3]; 6]> {
+        self.snap(a.map(|i| i as usize), b.map(|i| i as usize)).map(|(points, _)| points)
+    }
+
+    /// Those points, and whether they fit the unit.
+    fn snap(&self, a: [usize; 3], b: [usize; 3]) -> Option<([[f64; 3]; 6], bool)> {
+        let (points, fits) = self.snapping.as_ref()?.snapped(&self.pose, &self.read(a, b))?;
+        // At most 50 bits.
+        Some((points.map(|point| point.map(|x| x as f64)), fits))
+    }
+
+    fn read(&self, a: [usize; 3], b: [usize; 3]) -> Pair {
+        Pair { a: a.map(|i| self.a[i]), b: b.map(|i| self.b[i]) }
     }
 }
 

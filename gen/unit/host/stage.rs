@@ -83,14 +83,29 @@ impl Posed<'_> {
         [a.map(|vertex| of_a[vertex as usize]), b.map(|vertex| of_b[vertex as usize])]
     }
 
-    /// The exact answer for a pair of triangles.
+    /// The exact answer for a pair of triangles: of the geometry that the unit answers for, which is the one given or, with
+    /// `--truth snapped`, [another](ScenePose::snapped).
     pub fn relation(&self, pair: (u32, u32)) -> Relation {
+        if let Some(points) = self.snapped(pair) {
+            return exact::relation(&points);
+        }
         let [a, b] = self.corners(pair);
         exact::posed_relation(&a, &b, &self.m, &self.t)
     }
 
     /// The class of [`relation`](Self::relation), sooner where both triangles are in one frame.
     pub fn class(&self, pair: (u32, u32)) -> Exact {
+        self.snapped(pair).map_or_else(|| self.given(pair), |points| retest(&points))
+    }
+
+    /// The points of a pair if the unit answers for others than those given.
+    fn snapped(&self, pair: (u32, u32)) -> Option<[[f64; 3]; 6]> {
+        let [a, b] = self.faces(pair);
+        self.host.snaps().then(|| self.host().snapped(a, b)).flatten()
+    }
+
+    /// The exact class of a pair of triangles as they are given.
+    pub fn given(&self, pair: (u32, u32)) -> Exact {
         let [[a0, a1, a2], [b0, b1, b2]] = self.corners(pair);
         if self.m == IDENTITY && self.t == [0.0; 3] {
             return retest(&[a0, a1, a2, b0, b1, b2]);

@@ -350,3 +350,45 @@ fn the_exact_unit_gets_scenes_after_their_pose() {
     // Rotations by other angles leave no grid.
     assert!(fit[0] > 20 && fit[1] > 20 && fit[2] == 0, "{fit:?}");
 }
+
+/// A point of each mesh is snapped to one point, whatever the pair, and to one close by; what does not fit is decided by the
+/// host for the same points.
+#[test]
+fn a_mesh_is_snapped_as_a_whole() {
+    let mut rng = ChaCha8Rng::seed_from_u64(8);
+    let angle = [[0.6, -0.8, 0.0], [0.8, 0.6, 0.0], [0.0, 0.0, 1.0]];
+    let mut by_host = 0;
+    for (width, transform_width) in [(18, 19), (18, 24), (32, 32), (9, 12)] {
+        let p = Params { width, transform_width, ..Params::snapped() };
+        let mut mesh = || (0..8).map(|_| [(); 3].map(|()| rng.random_range(-1.0..1.0))).collect();
+        let [a, b]: [Vec<[f64; 3]>; 2] = [mesh(), mesh()];
+        let reach = [&a, &b].iter().flat_map(|mesh| bounds(mesh)).map(|x| half(&x)).max().unwrap();
+        let to_ulps = scale(&reach) * two_to(i64::from(transform_width) - i64::from(p.int_bits));
+        let (host, golden) = (SceneHost::new(&a, &b, &p), Golden::new(&p));
+        for (m, t) in [(IDENTITY, [0.0; 3]), (angle, [0.0; 3]), (angle, [0.25, -0.5, 0.125]), (ODD, [0.1, 0.0, 0.2])] {
+            let scene = host.pose(&m, &t);
+            let at = |i: usize, l: usize| scene.snapped([0, i as u32, 1], [l as u32, 2, 3]).unwrap();
+            for (i, l) in (0..8).flat_map(|i| (0..8).map(move |l| (i, l))) {
+                assert_eq!([at(i, l)[1], at(i, l)[3]], [at(i, 0)[1], at(0, l)[3]]);
+                // V_i - V_0 and W_l - V_0 in ulps.
+                let image = |j: usize| (0..3).fold(real(t[j]), |sum, k| sum + real(m[j][k]) * real(b[l][k]));
+                for j in 0..3 {
+                    let far = |x: Real, snapped: f64| ((x - real(a[0][j])) * &to_ulps - real(snapped)).abs();
+                    assert!(far(real(a[i][j]), at(i, l)[1][j]) < Real::one());
+                    assert!(far(image(j), at(i, l)[3][j]) < Real::from_integer(5.into()));
+                }
+                let (a, b) = ([0, i as u32, 1], [l as u32, 2, 3]);
+                let truth = exact::pair(&scene.snapped(a, b).unwrap());
+                let expected = if truth == Exact::Separate { Verdict::Separate } else { Verdict::Intersect };
+                match scene.pair(a, b) {
+                    Host::Unit(pair) => assert_eq!(golden.verdict(&scene.pose, &pair), expected),
+                    Host::Decided(verdict) => {
+                        by_host += 1;
+                        assert_eq!(verdict, expected);
+                    }
+                }
+            }
+        }
+    }
+    assert!(by_host > 100, "{by_host}");
+}

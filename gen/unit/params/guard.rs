@@ -1,7 +1,7 @@
 //! The guard against words outside the declared ranges, and what a unit assumes of its input (docs/guard.md).
 
 use super::options::Choice;
-use super::{Method, Params, Transform};
+use super::{Method, Params, Transform, Truth};
 
 /// Which units carry the guard (section 10 of the contract).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -29,16 +29,20 @@ impl Params {
         self.has_guards() || self.method == Method::Exact
     }
 
-    /// Whether a guard checks each number. The exact unit has none: it checks the differences of numbers instead.
+    /// Whether a guard checks each number. The exact unit has one with the frame transform alone: else it checks the
+    /// differences of numbers instead.
     pub fn has_guards(&self) -> bool {
         let complete = self.transform == Transform::On && self.renormalise;
-        self.method != Method::Exact && (self.guard == Guard::Always || !complete)
+        match self.method {
+            Method::Exact => self.truth == Truth::Snapped,
+            Method::Axes | Method::Determinants => self.guard == Guard::Always || !complete,
+        }
     }
 
     /// What the unit assumes of its input, each line with the stage that makes it so; bounds are mantissas of
     /// [`Params::input`]. Other stages assume nothing: docs/guard.md says why.
     pub fn assumptions(&self) -> Vec<String> {
-        if self.method == Method::Exact {
+        if self.method == Method::Exact && self.truth == Truth::Given {
             let n = self.width;
             return vec![format!("input: any words; differences of coordinates beyond {n} bits are flagged")];
         }
@@ -53,6 +57,9 @@ impl Params {
             }
             Transform::Off => "transform off: both triangles are in one frame".to_owned(),
         });
+        if self.truth == Truth::Snapped {
+            lines.push(format!("differences of coordinates beyond {} bits are flagged", self.width));
+        }
         if !self.renormalise && self.transform == Transform::Off {
             lines.push("renormalise off: coordinates keep two ulps of the working format off its end".to_owned());
         }

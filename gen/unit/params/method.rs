@@ -27,6 +27,26 @@ impl Choice for Method {
     }
 }
 
+/// Which geometry the exact unit answers for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Truth {
+    /// That which is given; pairs are put on a grid by the host.
+    Given,
+    /// Meshes rounded to the grid of the input format, and B rounded to it again behind the frame transform.
+    Snapped,
+}
+
+impl Choice for Truth {
+    const ALL: &'static [Self] = &[Self::Given, Self::Snapped];
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Given => "given",
+            Self::Snapped => "snapped",
+        }
+    }
+}
+
 /// What the error bounds of the determinants are made of, from coarse to fine.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Bound {

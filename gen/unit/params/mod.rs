@@ -12,7 +12,7 @@ pub mod stream;
 pub use efsat_hardware::number::Upper;
 pub use formats::{AxisKind, Clamp, Formats, Row};
 pub use guard::Guard;
-pub use method::{BELOW_GRID, Bound, CLOCKS_PER_PAIR, EXACT_CLOCKS, ExactClocks, LEVELS, Method, SPAN};
+pub use method::{BELOW_GRID, Bound, CLOCKS_PER_PAIR, EXACT_CLOCKS, ExactClocks, LEVELS, Method, SPAN, Truth};
 pub use options::Params;
 
 use std::ops::RangeInclusive;
@@ -131,9 +131,16 @@ impl Params {
     /// Checks the options that not every method has.
     fn validate_method(&self) -> Result<(), ParamError> {
         self.has(self.differences(&Self::of(self.method)))?;
-        if self.method == Method::Exact && self.transform == Transform::On {
-            let legal = "expected off or translate with --method exact, which rounds nothing".to_owned();
-            return Err(ParamError { option: "transform", found: "on".to_owned(), legal });
+        let wrong = match (self.truth, self.transform) {
+            (Truth::Given, Transform::On) if self.method == Method::Exact => {
+                Some("off or translate with --method exact, which rounds nothing, unless with --truth snapped")
+            }
+            (Truth::Snapped, Transform::Off | Transform::Translate) => Some("on with --truth snapped"),
+            _ => None,
+        };
+        if let Some(expected) = wrong {
+            let (found, legal) = (options::Choice::name(self.transform).to_owned(), format!("expected {expected}"));
+            return Err(ParamError { option: "transform", found, legal });
         }
         if let Some(clocks) = self.exact_clocks
             && !EXACT_CLOCKS.contains(&clocks)
@@ -200,6 +207,15 @@ impl Params {
         (self.interval() - 1) * self.transform_rows() >= 9
     }
 
+    /// Bits, with the sign, of the coordinates of a pair that the exact unit gets on a grid of its own: differences that fit,
+    /// and coordinates inside the declared range.
+    pub fn grid_bits(&self) -> u32 {
+        match self.truth {
+            Truth::Given => self.width,
+            Truth::Snapped => self.width.min(self.transform_width - self.int_bits + 1),
+        }
+    }
+
     /// Format of input coordinates, matrix entries and translation: s{K}.{T-K}.
     pub fn input(&self) -> efsat_hardware::number::Format {
         efsat_hardware::number::Format::signed(self.transform_width, self.int_bits as i32)
@@ -209,9 +225,9 @@ impl Params {
     /// transform 2^(K-1) - 2 ulp. That ulp is the input's, but without re-normalisation the working format's, because
     /// then the coordinate is rounded outward to sK.(N-K) and must still fit.
     ///
-    /// The exact unit takes any word; the bound is where it may end on both sides.
+    /// The exact unit takes any word, unless it has the frame transform; the bound is where a word may end on both sides.
     pub fn coordinate_bound(&self) -> i128 {
-        if self.method == Method::Exact {
+        if self.method == Method::Exact && self.truth == Truth::Given {
             return (1 << (self.transform_width - 1)) - 1;
         }
         let ulp = if self.renormalise { 1 } else { 1 << (self.transform_width - self.width) };
@@ -224,7 +240,7 @@ impl Params {
     /// Declared bound on the true magnitude of a translation entry, in mantissas of [`Params::input`]:
     /// 2^(K-1) - 4 - 2^(K-T+3).
     pub fn translation_bound(&self) -> i128 {
-        if self.method == Method::Exact {
+        if self.method == Method::Exact && self.truth == Truth::Given {
             return self.coordinate_bound();
         }
         (1 << (self.transform_width - 1)) - 4 * self.one() - 8
@@ -273,7 +289,7 @@ mod tests {
     #[test]
     fn every_option_outside_its_range_is_named() {
         type Change = fn(&mut Params);
-        let cases: [(Change, &str); 18] = [
+        let cases: [(Change, &str); 20] = [
             (|p| p.width = 5, "--width 5: expected 6 to 32"),
             (|p| p.width = 33, "--width 33: expected 6 to 32"),
             (|p| p.int_bits = 3, "--int-bits 3: expected 4 to 8 (4 to 8, at most width - 2 = 16)"),
@@ -298,14 +314,20 @@ mod tests {
                 |p| (*p, p.guard) = (Params::of(Method::Exact), Guard::Always),
                 "--guard always: expected --method axes or determinants, which has this option",
             ),
+            (
+                |p| (*p, p.transform) = (Params::of(Method::Exact), Transform::On),
+                "--transform on: expected off or translate with --method exact, which rounds nothing, unless with --truth \
+                 snapped",
+            ),
+            (
+                |p| (*p, p.transform) = (Params::snapped(), Transform::Translate),
+                "--transform translate: expected on with --truth snapped",
+            ),
+            (|p| p.truth = Truth::Snapped, "--truth snapped: expected --method exact, which has this option"),
             (|p| p.exact_clocks = Some(16), "--exact-clocks 16: expected --method exact, which has this option"),
             (
                 |p| (*p, p.exact_clocks) = (Params::of(Method::Exact), Some(10)),
                 "--exact-clocks 10: expected 11 to 32, or off",
-            ),
-            (
-                |p| p.method = Method::Exact,
-                "--transform on: expected off or translate with --method exact, which rounds nothing",
             ),
         ];
         for (change, message) in cases {

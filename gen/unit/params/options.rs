@@ -3,7 +3,7 @@
 //! The command line reads them by [clap](https://docs.rs/clap), which whoever only generates VHDL does not compile: the
 //! feature `clap` makes [`Params`] a group of its arguments.
 
-use super::{Axes, Bound, ExactClocks, Guard, Method, ProjectionWidth, Projections, Transform, Upper};
+use super::{Axes, Bound, ExactClocks, Guard, Method, ProjectionWidth, Projections, Transform, Truth, Upper};
 #[cfg(feature = "clap")]
 use super::{CLOCKS_PER_PAIR, EXACT_CLOCKS, LEVELS, SPAN};
 #[cfg(feature = "clap")]
@@ -186,6 +186,12 @@ macro_rules! options {
                 Self { method, transform, ..Self::default() }
             }
 
+            /// The default design of the exact unit for geometry that is snapped to the grid of the frame transform.
+            pub fn snapped() -> Self {
+                let exact = Self::of(Method::Exact);
+                Self { truth: Truth::Snapped, transform: Transform::On, transform_width: SNAPPED_WIDTH, ..exact }
+            }
+
             /// The paper's design.
             pub fn paper() -> Self {
                 let mut paper = Self::default();
@@ -205,6 +211,10 @@ macro_rules! options {
     };
 }
 
+/// Bits of the inputs where the exact unit has the frame transform: the greatest with which a factor of a row fits a
+/// multiplier.
+const SNAPPED_WIDTH: u32 = 19;
+
 options! {
     /// How pairs are decided: by separating axes as in the paper, by determinants, which need fewer multipliers, or exactly on a grid
     "method" method: Method = Method::Axes, Verdicts, [Determinants Exact],
@@ -217,7 +227,8 @@ options! {
         [value_name = "K", value_parser = whole(INT_BITS), allow_negative_numbers = true];
     /// Width of inputs and frame transform in bits, at least width, up to 48
     "transform-width" transform_width: u32 = 32, Verdicts, [Axes Determinants Exact],
-        [value_name = "N", value_parser = whole(*WIDTH.start()..=TRANSFORM_WIDTH), allow_negative_numbers = true];
+        [value_name = "N", value_parser = whole(*WIDTH.start()..=TRANSFORM_WIDTH), allow_negative_numbers = true,
+            default_value_if("truth", "snapped", SNAPPED_WIDTH.spelled())];
     /// Axis set: the paper's 11, or 17 with the six in-plane edge normals
     "axes" axes: Axes = Axes::Eleven, Verdicts, [Axes],
         [value_name = "SET", value_parser = choice::<Axes>(), allow_negative_numbers = true];
@@ -249,6 +260,9 @@ options! {
     /// Exact: off, or a cascade: rounded determinants first, and the exact unit for what they leave open, 11 to 32 clocks per pair
     "exact-clocks" exact_clocks: ExactClocks = None, Verdicts, [Exact],
         [value_name = "N", value_parser = off_or(EXACT_CLOCKS), allow_negative_numbers = true];
+    /// Exact: the geometry that is answered for: as given, or snapped to the grid of the frame transform
+    "truth" truth: Truth = Truth::Given, Verdicts, [Exact],
+        [value_name = "GEOMETRY", value_parser = choice::<Truth>()];
     /// Determinants: how far the rounding of the first products follows the pair, in bits
     "span" span: u32 = 1, Verdicts, [Determinants],
         [value_name = "BITS", value_parser = one_of(SPAN), allow_negative_numbers = true];
@@ -263,7 +277,8 @@ options! {
         [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
     /// Frame transform: B = M B~ + t, translation only, or none
     "transform" transform: Transform = Transform::On, Verdicts, [Axes Determinants Exact],
-        [value_name = "KIND", value_parser = choice::<Transform>(), default_value_if("method", "exact", "off")];
+        [value_name = "KIND", value_parser = choice::<Transform>(),
+            default_value_ifs([("truth", "snapped", "on"), ("method", "exact", "off")])];
     /// Guard: units generated without a stage, or all, answer a pair outside the declared ranges possibly-incorrect
     "guard" guard: Guard = Guard::LeftOut, Outside, [Axes Determinants],
         [value_name = "UNITS", value_parser = choice::<Guard>()];

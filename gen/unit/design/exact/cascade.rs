@@ -28,8 +28,9 @@ pub fn first(p: &Params, first: &Params) -> Rc<Unit> {
     ];
     Library::default().unit("pair_pipeline", &doc, p.interval(), |u| {
         let inputs = Inputs::new(u, p);
-        let differences = differences::points(u, p, &Guards::new(u, p), &inputs);
-        let (points, outside) = fitted(p, &differences);
+        let guards = Guards::new(u, p);
+        let differences = differences::points(u, p, &guards, &inputs);
+        let (points, outside) = fitted(p, &differences, &guards);
         let scaled = points.all().map(|point| point.map(|x| x.floor(-(BELOW_GRID as i32)))).named("scaled");
         let ((verdict, _), flags) = determinants::decided(u, first, &Points::of(scaled), Some(outside), true);
         let open = (verdict.floor(1) & !outside).named("left_open").comment("the second stage decides");

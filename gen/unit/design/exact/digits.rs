@@ -16,14 +16,19 @@ fn count(bits: u32) -> u32 {
     bits.div_ceil(MULTIPLIER_BITS)
 }
 
-/// A number with 2^17 added to each digit but the highest: the digits can then be cut out of it, each less 2^17.
-pub fn offset(x: Sig<'_>) -> Sig<'_> {
+/// The greatest magnitude of a difference that fits.
+pub fn most(difference: Sig<'_>) -> i128 {
+    (1 << (difference.ty().bits - 1)) - 1
+}
+
+/// A number of at most that magnitude, with 2^17 added to each digit but the highest: the digits can then be cut out of it,
+/// each less 2^17.
+pub fn offset(x: Sig<'_>, most: i128) -> Sig<'_> {
     let of_digits = |digits: u32| {
-        let added = (0..digits - 1).map(|i| 1 << (BELOW + MULTIPLIER_BITS * i)).sum();
+        let added: i128 = (0..digits - 1).map(|i| 1 << (BELOW + MULTIPLIER_BITS * i)).sum();
         let sum =
             x + x.unit().constant(added, Type { bits: x.ty().bits.max(MULTIPLIER_BITS * (digits - 1) + 1), ..x.ty() });
-        let (least, most) = sum.range();
-        sum.bits(129 - most.max(-1 - least).leading_zeros())
+        sum.bits(129 - (most + added).leading_zeros())
     };
     match count(x.ty().bits) {
         1 => x,
@@ -78,7 +83,7 @@ fn dot_product<'l>(x: Vec3<Sig<'l>>, m: Vec3<Sig<'l>>) -> Sig<'l> {
         "factor with a sign of its own. Three multipliers for each digit, whose products are added at their places.",
     ];
     entity!("dot_product", &doc, (x, m) => {
-        let (x, m) = (x.map(|x| digits(offset(x))), m.map(digits));
+        let (x, m) = (x.map(|x| digits(offset(x, most(x)))), m.map(digits));
         // One digit is the port itself, which has its name.
         let m = if m[0].len() > 1 { m.named("digit") } else { m };
         at_places([x[0].len(), m[0].len()], |i, j| {
@@ -96,7 +101,7 @@ fn wide_product<'l>(x: Sig<'l>, m: Sig<'l>) -> Sig<'l> {
         "its own. A multiplier for each two digits, whose products are added at their places.",
     ];
     entity!("wide_product", &doc, (x, m) => {
-        let (x, m) = (digits(offset(x)), digits(m).named("digit"));
+        let (x, m) = (digits(offset(x, most(x))), digits(m).named("digit"));
         at_places([x.len(), m.len()], |i, j| product(x[i], m[j]).named(&format!("product_{i}{j}"))).named("p")
     })
 }

@@ -12,7 +12,7 @@ mod verdict;
 
 use super::determinants::fifteen::{self, Fifteen};
 use super::determinants::{Points, differences, shared, traced};
-use super::guard::{Guards, any};
+use super::guard::Guards;
 use super::pipeline::Inputs;
 use super::product::product;
 use crate::params::Params;
@@ -31,8 +31,9 @@ pub fn unit(p: &Params) -> Rc<Unit> {
     ];
     Library::default().unit("pair_pipeline", &doc, p.interval(), |u| {
         let inputs = Inputs::new(u, p);
-        let differences = differences::points(u, p, &Guards::new(u, p), &inputs);
-        let (points, outside) = fitted(p, &differences);
+        let guards = Guards::new(u, p);
+        let differences = differences::points(u, p, &guards, &inputs);
+        let (points, outside) = fitted(p, &differences, &guards);
         decided(u, &points, Some(outside))
     })
 }
@@ -40,7 +41,9 @@ pub fn unit(p: &Params) -> Rc<Unit> {
 /// What the differences that fit decide: sections 3 to 6.
 fn decided<'l>(u: Top<'l>, points: &Points<'l>, outside: Option<Sig<'l>>) -> Outcome<'l> {
     let moments = moments(u, points);
-    let offset = moments.map(|m| m.map(digits::offset));
+    // Two products of differences, whatever A's may be behind a frame transform.
+    let most = 2 * digits::most(points.v[0][0]).pow(2);
+    let offset = moments.map(|m| m.map(|x| digits::offset(x, most)));
     (0..4).filter(|l| offset[*l] != moments[*l]).for_each(|l| {
         offset[l].named(&format!("offset_{}", MOMENTS[l]));
     });
@@ -50,8 +53,9 @@ fn decided<'l>(u: Top<'l>, points: &Points<'l>, outside: Option<Sig<'l>>) -> Out
     verdict::verdict(&signs, &plane, outside)
 }
 
-/// The differences in N bits each, and whether some did not fit. In place of those that do not are zeros.
-fn fitted<'l>(p: &Params, differences: &Points<'l>) -> (Points<'l>, Sig<'l>) {
+/// The differences in N bits each, and whether some did not fit or a guard found something. In place of those that do
+/// not fit are zeros.
+fn fitted<'l>(p: &Params, differences: &Points<'l>, guards: &Guards<'l, '_>) -> (Points<'l>, Sig<'l>) {
     let most = (1 << (p.width - 1)) - 1;
     let doc = [format!("A difference in {} bits. One beyond +-{most} is flagged, and 0 goes on.", p.width)];
     let fit = |x: Sig<'l>| {
@@ -63,8 +67,15 @@ fn fitted<'l>(p: &Params, differences: &Points<'l>) -> (Points<'l>, Sig<'l>) {
     let all = differences.all().map(|point| point.map(fit));
     let points = Points::of(all.map(|point| point.map(|(x, _)| x)).named("fitted"));
     let outside = all.map(|point| point.map(|(_, outside)| outside)).named("fit_outside").signals();
-    let comment = "a difference of coordinates does not fit";
-    (points, any(&outside).named("outside").comment(comment))
+    guards.found(&outside);
+    (
+        points,
+        guards.outside().expect("there are flags").comment(if p.has_guards() {
+            "a number is outside its declared range, or a difference of coordinates does not fit"
+        } else {
+            "a difference of coordinates does not fit"
+        }),
+    )
 }
 
 /// The moments of the edges of B, then the normal of A, exact.

@@ -71,6 +71,13 @@ impl ExactTest {
         self.fits(&points) && self.first.is_some_and(|first| first.outcome(&points).is_none())
     }
 
+    /// The points relative to V0 in units of the grid, and whether the unit decides them.
+    pub fn snapped(&self, pose: &Pose, pair: &Pair) -> ([[i64; 3]; 6], bool) {
+        let points = self.points(pose, pair);
+        let Points { v: [v1, v2], w: [w0, w1, w2] } = points;
+        ([[0; 3], v1, v2, w0, w1, w2], self.fits(&points))
+    }
+
     /// Section 2: the five points relative to V0.
     fn points(&self, pose: &Pose, pair: &Pair) -> Points {
         self.differences.points(&self.differences.frame(pose), pair)

@@ -2,7 +2,7 @@
 
 use super::{Answer, Driver, DriverError, Transfer};
 use crate::golden::{Outcome, Pose, Verdict};
-use crate::host::{Host, SceneHost};
+use crate::host::{Host, SceneHost, ScenePose};
 use crate::params::Method;
 use crate::params::stream::Report;
 use efsat_geometry::exact::{self, Exact};
@@ -32,13 +32,14 @@ impl<'a> Meshes<'a> {
     pub fn pose(&'a self, m: &'a [[f64; 3]; 3], t: &'a [f64; 3], pairs: &'a [([u32; 3], [u32; 3])]) -> Job<'a> {
         let posed = self.host.pose(m, t);
         let normalised = pairs.iter().map(|&(a, b)| posed.pair(a, b));
-        let geometry = Geometry::Posed { a: self.a, b: self.b, m, t, pairs };
+        let (a, b) = (self.a, self.b);
+        let geometry = Geometry::Posed { a, b, m, t, pairs, posed: Box::new(posed.clone()) };
         Job::new(self.driver, &posed.pose, normalised, geometry)
     }
 }
 
 /// The pairs as the user gave them, for the retest.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Geometry<'a> {
     Loose(&'a [[[f64; 3]; 6]]),
     Posed {
@@ -47,20 +48,25 @@ pub(super) enum Geometry<'a> {
         m: &'a [[f64; 3]; 3],
         t: &'a [f64; 3],
         pairs: &'a [([u32; 3], [u32; 3])],
+        /// Where the unit answers for other points.
+        posed: Box<ScenePose<'a>>,
     },
 }
 
 impl Geometry<'_> {
     /// The exact answers of some pairs.
     fn retest(&self, open: &[usize]) -> Vec<Exact> {
-        match *self {
+        match self {
             Self::Loose(pairs) => {
                 let points: Vec<[[f64; 3]; 6]> = open.iter().map(|&i| pairs[i]).collect();
                 retest::retest_parallel(&points)
             }
-            Self::Posed { a, b, m, t, pairs } => {
+            Self::Posed { a, b, m, t, pairs, posed } => {
                 let corners = |mesh: &[[f64; 3]], triangle: [u32; 3]| triangle.map(|i| mesh[i as usize]);
-                let exact = |&i: &usize| exact::posed_pair(&corners(a, pairs[i].0), &corners(b, pairs[i].1), m, t);
+                let exact = |&i: &usize| match posed.snapped(pairs[i].0, pairs[i].1) {
+                    Some(points) => exact::pair(&points),
+                    None => exact::posed_pair(&corners(a, pairs[i].0), &corners(b, pairs[i].1), m, t),
+                };
                 open.par_iter().map(exact).collect()
             }
         }
