@@ -12,7 +12,7 @@ fn generate(c: &mut Criterion) {
     c.bench_function("generate default design", |b| {
         b.iter(|| {
             let design = Design::new(black_box(&Params::default()), false).expect("the default is valid");
-            artefact::vhdl_files(&design, "bench").expect("legal names")
+            artefact::vhdl_files(&design, &Default::default(), "bench").expect("legal names")
         });
     });
 }

@@ -2,25 +2,25 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Testbench of efsat. Reads poses, pairs and expected answers from a vector file and drives all of them at full speed,
+-- Testbench of {{ prefix }}efsat. Reads poses, pairs and expected answers from a vector file and drives all of them at full speed,
 -- then the first {{ paced }} again: until the unit is full, then with random gaps and back-pressure. It compares verdict,
--- flags, tag and order of every answer and stops by itself. The last line it prints begins with "efsat_tb:".
+-- flags, tag and order of every answer and stops by itself. The last line it prints begins with "{{ prefix }}efsat_tb:".
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 use std.textio.all;
 
-entity efsat_tb is
+entity {{ prefix }}efsat_tb is
   generic (
-    vectors : string := "efsat_tb.vec"
+    vectors : string := "{{ prefix }}efsat_tb.vec"
   );
   port (
     finished : out boolean
   );
-end entity efsat_tb;
+end entity {{ prefix }}efsat_tb;
 
-architecture simulation of efsat_tb is
+architecture simulation of {{ prefix }}efsat_tb is
   constant formats : string := "{{ formats }}";
   constant paced : natural := {{ paced }};  -- pairs of the second pass
   constant patience : natural := {{ patience }};  -- clocks without an answer before giving up
@@ -72,7 +72,7 @@ architecture simulation of efsat_tb is
         when 'a' to 'f' => nibble := character'pos(c) - character'pos('a') + 10;
         when others =>
           nibble := 0;
-          assert false report "efsat_tb: no hexadecimal digit: " & c severity failure;
+          assert false report "{{ prefix }}efsat_tb: no hexadecimal digit: " & c severity failure;
       end case;
       bits(4 * i + 3 downto 4 * i) := std_logic_vector(to_unsigned(nibble, 4));
     end loop;
@@ -110,7 +110,7 @@ begin
   clk <= not clk after {{ half_period }} when not done else '0';
   finished <= done;
 
-  unit : entity work.efsat
+  unit : entity work.{{ prefix }}efsat
     port map (
       clk => clk,
       reset => reset,
@@ -145,7 +145,7 @@ begin
   main : process
     file source : text;
 {%- if probes.len() > 0 %}
-    file probe_log : text open write_mode is "efsat_tb.probe";
+    file probe_log : text open write_mode is "{{ prefix }}efsat_tb.probe";
 {%- endif %}
     variable l : line;
     variable message : line;
@@ -194,7 +194,7 @@ begin
       file_open(source, vectors, read_mode);
       readline(source, l);
       assert l.all = formats
-        report "efsat_tb: " & vectors & " is for another design: " & l.all & " instead of " & formats severity failure;
+        report "{{ prefix }}efsat_tb: " & vectors & " is for another design: " & l.all & " instead of " & formats severity failure;
       next_record;
     end procedure rewind;
   begin
@@ -230,7 +230,7 @@ begin
           if answer /= answers(taken mod in_flight) or not tag_fits then
             mismatches := mismatches + 1;
             if mismatches <= 10 then
-              write(message, string'("efsat_tb: mismatch at vector "));
+              write(message, string'("{{ prefix }}efsat_tb: mismatch at vector "));
               write(message, taken);
               write(message, string'(" pass "));
               write(message, pass);
@@ -313,7 +313,7 @@ begin
               pose_valid <= '1';
 {%- endif %}
             when others =>
-              assert false report "efsat_tb: no record: " & kind severity failure;
+              assert false report "{{ prefix }}efsat_tb: no record: " & kind severity failure;
           end case;
           next_record;
         elsif taken = offered and (kind = '.' or (pass = 2 and offered = paced)) then
@@ -321,7 +321,7 @@ begin
         end if;
         clock := clock + 1;
         if quiet > patience then
-          assert false report "efsat_tb: no answer any more" severity failure;
+          assert false report "{{ prefix }}efsat_tb: no answer any more" severity failure;
         end if;
       end loop;
       clock := clock + 1;
@@ -331,7 +331,7 @@ begin
       end if;
       file_close(source);
     end loop;
-    write(message, string'("efsat_tb: vectors "));
+    write(message, string'("{{ prefix }}efsat_tb: vectors "));
     write(message, vectors_seen);
     write(message, string'(" mismatches "));
     write(message, mismatches);
@@ -346,9 +346,9 @@ begin
     write(message, string'(" total "));
     write(message, clock);
     writeline(output, message);
-    assert mismatches = 0 report "efsat_tb: the unit and the reference model differ" severity error;
-    assert interval = 0 or interval = {{ interval }} report "efsat_tb: initiation interval is not {{ interval }}" severity error;
-    assert latency {% if two_stages %}>{% endif %}= {{ latency }} report "efsat_tb: latency is not {{ latency }}" severity error;
+    assert mismatches = 0 report "{{ prefix }}efsat_tb: the unit and the reference model differ" severity error;
+    assert interval = 0 or interval = {{ interval }} report "{{ prefix }}efsat_tb: initiation interval is not {{ interval }}" severity error;
+    assert latency {% if two_stages %}>{% endif %}= {{ latency }} report "{{ prefix }}efsat_tb: latency is not {{ latency }}" severity error;
     done <= true;
     wait;
   end process main;

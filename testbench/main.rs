@@ -9,6 +9,7 @@ mod cascade;
 mod cli;
 mod compare;
 mod diagrams;
+mod drop_in;
 mod effects;
 mod extent;
 mod files;

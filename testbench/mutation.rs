@@ -32,7 +32,7 @@ fn every_mutant_of_the_default_design_changes_its_file_and_has_a_name_of_its_own
     let params = Params::default();
     let all = campaign::mutants(&params).unwrap();
     let design = efsat::design::Design::new(&params, false).unwrap();
-    let files = efsat::artefact::vhdl_files(&design, &params.command_line()).unwrap();
+    let files = efsat::artefact::vhdl_files(&design, &Default::default(), &params.command_line()).unwrap();
     let names: HashSet<String> = all.iter().map(Mutant::name).collect();
     assert!(all.len() > 2000 && names.len() == all.len(), "{} names of {} mutants", names.len(), all.len());
     for (name, text) in &files {

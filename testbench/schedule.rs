@@ -133,7 +133,7 @@ fn long_delays_are_lines_and_short_ones_are_not() {
         |line: &DelayLine| -> Vec<String> { line.registers.iter().map(|id| module.signal(*id).name()).collect() };
     let lines: Vec<Vec<String>> = module.delay_lines().iter().map(names).collect();
     assert_eq!(lines, [["value_d1", "value_d2", "value_d3"], ["value_d6", "value_d7", "value_d8"]]);
-    let text = efsat::vhdl::print(&module, "delay_types", &[]).unwrap().remove(1).1;
+    let text = efsat::vhdl::print(&module, "", "delay_types", &[]).unwrap().remove(1).1;
     for line in [
         "type value_line_t is array (1 to 3) of signed(4 downto 0);",
         "value_line <= signed(value) & value_line(1 to 2);",

@@ -1,7 +1,7 @@
 //! The stream wrapper, the example and the driver in GHDL, against the reference model and the exact oracle.
 
 use crate::extent::share;
-use efsat::artefact::{FileSet, design_files_with, stream, stream_vectors};
+use efsat::artefact::{FileSet, Packaging, design_files_with, stream, stream_vectors};
 use efsat::design::{Design, Probes};
 use efsat::exact::{self, Exact};
 use efsat::host::driver::{Driver, StandIn, Statistics, Transfer};
@@ -34,6 +34,10 @@ fn determinants() -> Params {
     Params { method: Method::Determinants, ..small() }
 }
 
+fn packaging(stream_width: StreamWidth) -> Packaging {
+    Packaging { stream_width, ..Packaging::default() }
+}
+
 /// A generated design in a folder of its own.
 struct Bench {
     ghdl: &'static str,
@@ -46,7 +50,7 @@ struct Bench {
 impl Bench {
     fn new(ghdl: &'static str, params: &Params, width: StreamWidth) -> Self {
         let design = Design::new(params, Probes::None).unwrap();
-        let files = design_files_with(&design, width, &params.command_line()).unwrap();
+        let files = design_files_with(&design, &packaging(width), &params.command_line()).unwrap();
         let dir = tempfile::tempdir().unwrap();
         std::fs::create_dir(dir.path().join("example")).unwrap();
         let format = StreamFormat::new(params, width);
@@ -415,7 +419,7 @@ fn the_instances_to_copy_fit_their_entities() {
 #[test]
 fn every_file_that_a_project_names_is_there() {
     let params = small();
-    let set = design_files_with(&Design::new(&params, Probes::None).unwrap(), StreamWidth::Bits64, "efsat").unwrap();
+    let set = design_files_with(&Design::new(&params, Probes::None).unwrap(), &Packaging::default(), "efsat").unwrap();
     let core = set.get("efsat.core").unwrap();
     let named = core.lines().filter_map(|line| line.trim().strip_prefix("- "));
     let named: Vec<&str> = named.map(|rest| rest.split(':').next().unwrap()).collect();

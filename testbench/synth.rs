@@ -269,7 +269,7 @@ fn a_missing_tool_is_named() {
 /// What the VHDL of the default design becomes has the signed products that it was written with.
 #[test]
 fn products_stay_signed() {
-    let files = vhdl_files(&Design::new(&small(), Probes::None).unwrap(), "").unwrap();
+    let files = vhdl_files(&Design::new(&small(), Probes::None).unwrap(), &Default::default(), "").unwrap();
     let dir = TempDir::new().unwrap();
     match verilog::from_vhdl(&files, "efsat", dir.path()) {
         Ok(text) => assert!(text.matches("$signed(").count() >= 2 && !text.contains("// smul")),

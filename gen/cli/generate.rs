@@ -4,7 +4,10 @@ use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::{print, print_json, warn};
 use super::params::{ParamArguments, choice};
-use crate::artefact::{FileSet, ReadyDesign, design_files_with, programme_files, ready_designs, ready_files};
+use crate::artefact::{
+    DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, programme_files, ready_designs,
+    ready_files,
+};
 use crate::design::Design;
 use crate::design::top::pace;
 use crate::estimate;
@@ -37,6 +40,9 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "BITS", default_value = StreamWidth::default().name())]
     #[arg(value_parser = choice::<StreamWidth>(), allow_negative_numbers = true)]
     stream_width: StreamWidth,
+    /// Put NAME_ before the name of every entity, package and file, so that two designs can live in one library
+    #[arg(long, value_name = "NAME", value_parser = Prefix::new, conflicts_with_all = ["lp", "ready"])]
+    name: Option<Prefix>,
     /// Print one JSON object about the design
     #[arg(long, conflicts_with_all = ["lp", "check", "ready", "unit"])]
     json: bool,
@@ -44,6 +50,12 @@ pub(super) struct Arguments {
     diagram: DiagramArguments,
     #[command(flatten)]
     params: ParamArguments,
+}
+
+impl Arguments {
+    fn packaging(&self) -> Packaging {
+        Packaging { stream_width: self.stream_width, prefix: self.name.clone().unwrap_or_default() }
+    }
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -61,9 +73,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return arguments.diagram.run(&design);
     }
     let out = &folder(arguments, &params)?;
-    let command_line = command_line(&params, arguments.stream_width);
-    let set =
-        design_files_with(&design, arguments.stream_width, &command_line).map_err(|e| Failure::Check(e.to_string()))?;
+    let packaging = arguments.packaging();
+    let set = design_files_with(&design, &packaging, &command_line(&params, &packaging));
+    let set = set.map_err(|e| match (e, packaging.prefix.name()) {
+        (DesignFilesError::Name(clash), Some(name)) => {
+            Failure::Usage(format!("--name {name}: {clash}; expected another name"))
+        }
+        (e, _) => Failure::Check(e.to_string()),
+    })?;
     if arguments.check {
         return check(&set, out);
     }
@@ -87,6 +104,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn folder(arguments: &Arguments, params: &Params) -> Result<PathBuf, Failure> {
     if let Some(out) = &arguments.out {
         return Ok(out.clone());
+    }
+    if let Some(name) = arguments.name.as_ref().and_then(Prefix::name) {
+        return Err(Failure::Usage(format!("no --out: expected --out DIR with --name {name}")));
     }
     let is_ready = |ready: &ReadyDesign| ready.params == *params && ready.stream_width == arguments.stream_width;
     match ready_designs().into_iter().find(is_ready) {
@@ -168,8 +188,9 @@ fn ready(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
 }
 
 /// The command line that stands in the files of a design.
-pub(super) fn command_line(params: &Params, width: StreamWidth) -> String {
-    format!("{} --stream-width {}", params.command_line(), width.name())
+pub(super) fn command_line(params: &Params, packaging: &Packaging) -> String {
+    let name = packaging.prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
+    format!("{} --stream-width {}{name}", params.command_line(), packaging.stream_width.name())
 }
 
 fn check(set: &FileSet, dir: &Path) -> Result<(), Failure> {

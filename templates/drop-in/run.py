@@ -43,7 +43,7 @@ end architecture simulation;
 def main():
     project = VUnit.from_argv(compile_builtins=False)
     project.add_vhdl_builtins()
-    library = project.add_library("efsat")
+    library = project.add_library("{{ prefix }}efsat")
     for name in (RTL / "files.txt").read_text().split():
         library.add_source_file(RTL / name)
     around = Path(project._output_path) / "around"

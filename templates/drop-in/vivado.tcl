@@ -6,15 +6,15 @@
 #   vivado -mode batch -source project.tcl [-tclargs PART]
 set part [expr {$argc > 0 ? [lindex $argv 0] : "{{ vivado_part }}"}]
 set here [file dirname [file normalize [info script]]]
-create_project -force -part $part efsat [file join $here efsat]
+create_project -force -part $part {{ prefix }}efsat [file join $here {{ prefix }}efsat]
 add_files -norecurse [list \
 {%- for file in sources %}
   [file join $here .. {{ file }}] \
 {%- endfor %}
 ]
 set_property file_type VHDL [get_files *.vhd]
-add_files -fileset constrs_1 -norecurse [file join $here efsat.xdc]
-set_property top efsat_stream [current_fileset]
+add_files -fileset constrs_1 -norecurse [file join $here {{ prefix }}efsat.xdc]
+set_property top {{ prefix }}efsat_stream [current_fileset]
 set_property -name {STEPS.SYNTH_DESIGN.ARGS.MORE OPTIONS} -value {-mode out_of_context} -objects [get_runs synth_1]
 launch_runs synth_1
 wait_on_run synth_1

@@ -3,20 +3,20 @@
 {% endfor -%}
 --
 -- Testbench of the UART example: {{ story }}, a byte at a time; then three stray
--- bytes. Every byte of every answer is compared. It stops by itself; the last line begins with "efsat_uart_tb:".
+-- bytes. Every byte of every answer is compared. It stops by itself; the last line begins with "{{ prefix }}efsat_uart_tb:".
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 use std.textio.all;
 
-entity efsat_uart_tb is
+entity {{ prefix }}efsat_uart_tb is
   port (
     finished : out boolean
   );
-end entity efsat_uart_tb;
+end entity {{ prefix }}efsat_uart_tb;
 
-architecture simulation of efsat_uart_tb is
+architecture simulation of {{ prefix }}efsat_uart_tb is
   constant clocks_per_bit : positive := 4;
   constant silence_bits : positive := 24;
   constant patience : positive := 4096;  -- bit times without an answer before giving up
@@ -40,7 +40,7 @@ begin
   clk <= not clk after 5 ns when not done else '0';
   finished <= done;
 
-  example : entity work.efsat_uart_top
+  example : entity work.{{ prefix }}efsat_uart_top
     generic map (
       clock_frequency => clocks_per_bit,
       baud_rate => 1,
@@ -88,7 +88,7 @@ begin
         while tx /= '0' loop
           wait until rising_edge(clk);
           waited := waited + 1;
-          assert waited < clocks_per_bit * patience report "efsat_uart_tb: no answer" severity failure;
+          assert waited < clocks_per_bit * patience report "{{ prefix }}efsat_uart_tb: no answer" severity failure;
         end loop;
         -- To the middle of the start bit, then bit by bit to the middle of the stop bit.
         for j in 1 to clocks_per_bit / 2 loop
@@ -112,12 +112,12 @@ begin
 {%- for step in steps %}
     {{ step }}
 {%- endfor %}
-    write(message, string'("efsat_uart_tb: bytes compared "));
+    write(message, string'("{{ prefix }}efsat_uart_tb: bytes compared "));
     write(message, compared);
     write(message, string'(" mismatches "));
     write(message, mismatches);
     writeline(output, message);
-    assert mismatches = 0 report "efsat_uart_tb: the unit and the reference model differ" severity error;
+    assert mismatches = 0 report "{{ prefix }}efsat_uart_tb: the unit and the reference model differ" severity error;
     done <= true;
     wait;
   end process main;

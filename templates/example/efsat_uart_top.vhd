@@ -2,7 +2,7 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Example: the unit behind a UART, a whole design with four pins. Bytes in are the words of efsat_stream, low byte
+-- Example: the unit behind a UART, a whole design with four pins. Bytes in are the words of {{ prefix }}efsat_stream, low byte
 -- first; a packet ends when the line has been silent for silence_bits bit times. Bytes out are the words of answers, low
 -- byte first. A packet that is no whole words is answered as malformed. A record takes far longer to arrive than its
 -- answer to leave, so nothing waits here and no handshake is needed.
@@ -11,7 +11,7 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
-entity efsat_uart_top is
+entity {{ prefix }}efsat_uart_top is
   generic (
     clock_frequency : positive := {{ frequency }}000000;  -- Hz
     baud_rate : positive := 115200;
@@ -23,9 +23,9 @@ entity efsat_uart_top is
     rx : in std_logic;
     tx : out std_logic
   );
-end entity efsat_uart_top;
+end entity {{ prefix }}efsat_uart_top;
 
-architecture rtl of efsat_uart_top is
+architecture rtl of {{ prefix }}efsat_uart_top is
   constant clocks_per_bit : positive := clock_frequency / baud_rate;
   constant word_bytes : positive := {{ word_bytes }};
   constant answer_bytes : positive := {{ answer_bytes }};
@@ -70,7 +70,7 @@ begin
 
   aresetn <= not reset_in;
 
-  receiver : entity work.uart_receiver
+  receiver : entity work.{{ prefix }}uart_receiver
     generic map (
       clocks_per_bit => clocks_per_bit
     )
@@ -137,7 +137,7 @@ begin
     end if;
   end process collect;
 
-  wrapper : entity work.efsat_stream
+  wrapper : entity work.{{ prefix }}efsat_stream
     port map (
       aclk => clk,
       aresetn => aresetn,
@@ -174,7 +174,7 @@ begin
     end if;
   end process give;
 
-  transmitter : entity work.uart_transmitter
+  transmitter : entity work.{{ prefix }}uart_transmitter
     generic map (
       clocks_per_bit => clocks_per_bit
     )

@@ -8,7 +8,7 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
-entity uart_receiver is
+entity {{ prefix }}uart_receiver is
   generic (
     clocks_per_bit : positive  -- at least 4
   );
@@ -20,9 +20,9 @@ entity uart_receiver is
     data_valid : out std_logic;  -- one clock per byte
     silent_bit : out std_logic  -- one clock per bit while no byte is coming in
   );
-end entity uart_receiver;
+end entity {{ prefix }}uart_receiver;
 
-architecture rtl of uart_receiver is
+architecture rtl of {{ prefix }}uart_receiver is
   signal early : std_logic := '1';
   signal line_in : std_logic := '1';
   signal busy : std_logic := '0';

@@ -8,7 +8,7 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
-entity uart_transmitter is
+entity {{ prefix }}uart_transmitter is
   generic (
     clocks_per_bit : positive
   );
@@ -20,9 +20,9 @@ entity uart_transmitter is
     data_ready : out std_logic;
     tx : out std_logic
   );
-end entity uart_transmitter;
+end entity {{ prefix }}uart_transmitter;
 
-architecture rtl of uart_transmitter is
+architecture rtl of {{ prefix }}uart_transmitter is
   signal busy : std_logic := '0';
   signal count : natural range 0 to clocks_per_bit - 1 := 0;
   signal bits : natural range 0 to 9 := 0;  -- bits sent, the start bit included

@@ -14,8 +14,8 @@ project set speed {{ speed }}
 {%- for file in files %}
 xfile add ../../{{ file }}
 {%- endfor %}
-xfile add efsat.ucf
-project set top "rtl" "efsat"
+xfile add {{ prefix }}efsat.ucf
+project set top "rtl" "{{ prefix }}efsat"
 project set "Optimization Goal" Speed -process "Synthesize - XST"
 project set "Register Balancing" Yes -process "Synthesize - XST"
 project set "Add I/O Buffers" false -process "Synthesize - XST"

@@ -6,7 +6,7 @@ library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 
-entity efsat_stream is
+entity {{ prefix }}efsat_stream is
   port (
     aclk : in std_logic;
     aresetn : in std_logic;  -- synchronous, active low
@@ -21,9 +21,9 @@ entity efsat_stream is
     m_axis_tlast : out std_logic;  -- last answer to a packet
     m_axis_tready : in std_logic
   );
-end entity efsat_stream;
+end entity {{ prefix }}efsat_stream;
 
-architecture rtl of efsat_stream is
+architecture rtl of {{ prefix }}efsat_stream is
   constant pairs_header : std_logic_vector(31 downto 0) := x"{{ pairs_header }}";
 {%- if has_pose %}
   constant pose_header : std_logic_vector(31 downto 0) := x"{{ pose_header }}";
@@ -270,7 +270,7 @@ begin
   end process keep_order;
 
   -- ===== The unit =====
-  unit : entity work.efsat
+  unit : entity work.{{ prefix }}efsat
     port map (
       clk => aclk,
       reset => reset,

@@ -2,31 +2,31 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Testbench of efsat_stream. Reads words and expected answers from a file: I <word> <last> <whole> and O <word> <last>,
+-- Testbench of {{ prefix }}efsat_stream. Reads words and expected answers from a file: I <word> <last> <whole> and O <word> <last>,
 -- in hexadecimal; a word that is not whole lacks bytes. Drives all words at full speed. Then it resets in the middle of
 -- a packet and drives all again: without TREADY for an answer until the unit is full and offers one, then with random
 -- stalls on both sides. It compares every answer and its TLAST, expects one packet of answers for every packet of
 -- words, and that an answer offered stays as it is until it is taken. A file without answers is not compared; the
 -- answers of the first pass are written to the file that the generic answers names. It stops by itself; the last line
--- it prints begins with "efsat_stream_tb:".
+-- it prints begins with "{{ prefix }}efsat_stream_tb:".
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
 use std.textio.all;
 
-entity efsat_stream_tb is
+entity {{ prefix }}efsat_stream_tb is
   generic (
-    vectors : string := "efsat_stream_tb.vec";
+    vectors : string := "{{ prefix }}efsat_stream_tb.vec";
     answers : string := "";
     passes : positive := 2
   );
   port (
     finished : out boolean
   );
-end entity efsat_stream_tb;
+end entity {{ prefix }}efsat_stream_tb;
 
-architecture simulation of efsat_stream_tb is
+architecture simulation of {{ prefix }}efsat_stream_tb is
   constant formats : string := "{{ formats }}";
   constant patience : natural := {{ patience }};  -- clocks without a transfer before giving up
   constant full_after : natural := {{ full_after }};  -- clocks of refusal after which the unit is full
@@ -61,7 +61,7 @@ architecture simulation of efsat_stream_tb is
         when 'a' to 'f' => nibble := character'pos(c) - character'pos('a') + 10;
         when others =>
           nibble := 0;
-          assert false report "efsat_stream_tb: no hexadecimal digit: " & c severity failure;
+          assert false report "{{ prefix }}efsat_stream_tb: no hexadecimal digit: " & c severity failure;
       end case;
       bits(4 * i + 3 downto 4 * i) := std_logic_vector(to_unsigned(nibble, 4));
     end loop;
@@ -110,7 +110,7 @@ begin
   clk <= not clk after {{ half_period }} when not done else '0';
   finished <= done;
 
-  wrapper : entity work.efsat_stream
+  wrapper : entity work.{{ prefix }}efsat_stream
     port map (
       aclk => clk,
       aresetn => aresetn,
@@ -183,7 +183,7 @@ begin
       file_open(wanted, vectors, read_mode);
       readline(source, l);
       assert l.all = formats
-        report "efsat_stream_tb: " & vectors & " is for another design: " & l.all & " instead of " & formats
+        report "{{ prefix }}efsat_stream_tb: " & vectors & " is for another design: " & l.all & " instead of " & formats
         severity failure;
       find_line(source, 'I', word_line, more_words);
       find_line(wanted, 'O', answer_line, more_answers);
@@ -219,7 +219,7 @@ begin
         wait until rising_edge(clk);
         if (s_tready or m_tvalid) /= '0' then
           mismatches := mismatches + 1;
-          assert false report "efsat_stream_tb: a handshake in reset" severity error;
+          assert false report "{{ prefix }}efsat_stream_tb: a handshake in reset" severity error;
         end if;
       end loop;
       aresetn <= '1';
@@ -249,7 +249,7 @@ begin
         -- An answer is offered, and perhaps taken.
         if holding and (m_tvalid /= '1' or m_tdata /= held or m_tlast /= held_last) then
           mismatches := mismatches + 1;
-          assert false report "efsat_stream_tb: an answer changed before it was taken" severity error;
+          assert false report "{{ prefix }}efsat_stream_tb: an answer changed before it was taken" severity error;
         end if;
         holding := m_tvalid = '1' and m_tready = '0';
         held := m_tdata;
@@ -268,7 +268,7 @@ begin
             if m_tdata /= expected or m_tlast /= expected_last then
               mismatches := mismatches + 1;
               if mismatches <= 10 then
-                write(message, string'("efsat_stream_tb: mismatch at answer "));
+                write(message, string'("{{ prefix }}efsat_stream_tb: mismatch at answer "));
                 write(message, taken);
                 write(message, string'(" pass "));
                 write(message, pass);
@@ -281,7 +281,7 @@ begin
             end if;
           elsif comparing then
             mismatches := mismatches + 1;
-            assert false report "efsat_stream_tb: an answer too many" severity error;
+            assert false report "{{ prefix }}efsat_stream_tb: an answer too many" severity error;
           end if;
           taken := taken + 1;
           if m_tlast = '1' then
@@ -327,13 +327,13 @@ begin
         end if;
         clock := clock + 1;
         if quiet > patience then
-          assert false report "efsat_stream_tb: no transfer any more" severity failure;
+          assert false report "{{ prefix }}efsat_stream_tb: no transfer any more" severity failure;
         end if;
       end loop;
       clock := clock + 1;
       if more_answers or packets_out /= packets_in then
         mismatches := mismatches + 1;
-        assert false report "efsat_stream_tb: an answer is missing, or a packet too many" severity error;
+        assert false report "{{ prefix }}efsat_stream_tb: an answer is missing, or a packet too many" severity error;
       end if;
       if pass = 1 then
         taken_first := taken;
@@ -344,7 +344,7 @@ begin
     if answers /= "" then
       file_close(log);
     end if;
-    write(message, string'("efsat_stream_tb: packets "));
+    write(message, string'("{{ prefix }}efsat_stream_tb: packets "));
     write(message, packets_in);
     write(message, string'(" answers "));
     write(message, taken_first);
@@ -357,7 +357,7 @@ begin
     write(message, string'(" total "));
     write(message, clock);
     writeline(output, message);
-    assert mismatches = 0 report "efsat_stream_tb: the wrapper and the reference model differ" severity error;
+    assert mismatches = 0 report "{{ prefix }}efsat_stream_tb: the wrapper and the reference model differ" severity error;
     done <= true;
     wait;
   end process main;

@@ -63,7 +63,7 @@ impl Subject {
         let modules = top.hierarchy();
         let module = modules.iter().find(|m| m.name == name).unwrap_or_else(|| panic!("no entity {name}"));
         let needed: Vec<String> = module.hierarchy().iter().map(|m| m.name.clone()).collect();
-        let mut files = vhdl::print(top, PACKAGE, &[]).expect("legal names");
+        let mut files = vhdl::print(top, "", PACKAGE, &[]).expect("legal names");
         files.retain(|(file, _)| file == PACKAGE || needed.contains(file));
         let text = &files.last().expect("an entity has a file").1;
         let mut inner = vec![];

@@ -3,7 +3,7 @@
 mod report;
 
 use super::given::GivenArguments;
-use crate::artefact::{FileSet, design_files};
+use crate::artefact::{FileSet, Packaging, design_files};
 use crate::cli::error::Failure;
 use crate::cli::file::{self, Output};
 use crate::cli::generate::command_line;
@@ -17,7 +17,6 @@ use crate::effects::picture::Picture;
 use crate::effects::{self, Contact, Cosimulation, Front, Options, Place, Plan, Row, Sampling, Total, Viewer};
 use crate::golden::Verdict;
 use crate::params::options::Choice;
-use crate::params::stream::StreamWidth;
 use crate::scene::Scene;
 use report::Report;
 use std::path::{Path, PathBuf};
@@ -261,7 +260,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     // The reference model alone answers where nothing is written or simulated.
     let design = || Design::new(&plan.params, false);
     if let Some(dir) = &arguments.out {
-        let set = design_files(&design()?, &command_line(&plan.params, StreamWidth::default()))
+        let set = design_files(&design()?, &command_line(&plan.params, &Packaging::default()))
             .map_err(|e| Failure::Check(e.to_string()))?;
         arguments.write_design(dir, &set)?;
         outputs.begin(arguments, true)?;

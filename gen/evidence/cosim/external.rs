@@ -2,7 +2,7 @@
 
 use super::{CosimError, Options, Run, Simulator, wave};
 use crate::process;
-use efsat_unit::artefact::{self, Stimulus, testbench};
+use efsat_unit::artefact::{self, Prefix, Stimulus, testbench};
 use efsat_unit::design::Design;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -67,9 +67,9 @@ pub(super) fn command(simulator: Simulator, short: bool) -> Result<&'static str,
 
 /// Name and text of every source in dependency order, the testbench last.
 pub(super) fn sources(design: &Design, command_line: &str) -> Result<Vec<(String, String)>, CosimError> {
-    let mut sources = artefact::vhdl_files(design, command_line)?;
+    let mut sources = artefact::vhdl_files(design, &Prefix::default(), command_line)?;
     let origin = artefact::origin();
-    sources.push((format!("{}.vhd", testbench::NAME), testbench::text(design, &origin)));
+    sources.push((format!("{}.vhd", testbench::NAME), testbench::text(design, &Prefix::default(), &origin)));
     Ok(sources)
 }
 

@@ -11,7 +11,7 @@ use crate::synth::{ToolError, verilog, yosys};
 use askama::Template;
 use efsat_unit::artefact::testbench::{self, PACED, RESET_CLOCKS};
 use efsat_unit::artefact::vectors::{Word, formats_line};
-use efsat_unit::artefact::{self, Scratch, Stimulus};
+use efsat_unit::artefact::{self, Prefix, Scratch, Stimulus};
 use efsat_unit::design::Design;
 use efsat_unit::params::options::Choice;
 use std::path::Path;
@@ -116,7 +116,7 @@ pub(super) fn run(
         let path = dir.join(name);
         std::fs::write(&path, text).map_err(file_error(&path))
     };
-    let text = verilog::from_vhdl(&artefact::vhdl_files(design, command_line)?, TOP, dir)?;
+    let text = verilog::from_vhdl(&artefact::vhdl_files(design, &Prefix::default(), command_line)?, TOP, dir)?;
     match netlist {
         Netlist::Rtl => write(NETLIST, &text)?,
         Netlist::Mapped => {

@@ -3,7 +3,7 @@
 use super::{Fate, Mutant, vectors, vhdl};
 use crate::cosim::{Bench, CosimError, Simulator, Trial};
 use efsat_unit::artefact::testbench::PACED;
-use efsat_unit::artefact::{self, testbench};
+use efsat_unit::artefact::{self, Prefix, testbench};
 use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
 use rayon::prelude::*;
@@ -30,7 +30,7 @@ pub struct Options {
 /// # Errors
 /// As [`Bench::new`].
 pub fn mutants(params: &Params) -> Result<Vec<Mutant>, CosimError> {
-    let files = artefact::vhdl_files(&Design::new(params, Probes::None)?, &params.command_line())?;
+    let files = artefact::vhdl_files(&Design::new(params, Probes::None)?, &Prefix::default(), &params.command_line())?;
     Ok(enumerate(&files, params))
 }
 

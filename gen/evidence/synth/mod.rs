@@ -30,7 +30,7 @@ pub use static_timing::Timing;
 pub use units::Unit;
 
 use efsat_hardware::device::{Device, Family, Resources};
-use efsat_unit::artefact::{self, Scratch};
+use efsat_unit::artefact::{self, Prefix, Scratch};
 use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
 use netlist::Netlist;
@@ -149,7 +149,7 @@ pub fn run(
         }
     };
     step("GHDL reads the VHDL");
-    let sources = artefact::vhdl_files(&design, command_line)?;
+    let sources = artefact::vhdl_files(&design, &Prefix::default(), command_line)?;
     let text = verilog::from_vhdl(&sources, TOP, dir)?;
     let path = dir.join(VERILOG);
     std::fs::write(&path, text).map_err(ToolError::file(&path))?;

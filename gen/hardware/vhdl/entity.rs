@@ -55,7 +55,7 @@ impl Entity {
         &self.functions
     }
 
-    pub(super) fn new(view: &View, types: &Types, package: &str, origin: &[String]) -> Self {
+    pub(super) fn new(view: &View, types: &Types, [prefix, package]: [&str; 2], origin: &[String]) -> Self {
         let module = view.module;
         let mut header = origin.to_vec();
         header.extend(module.doc.iter().cloned());
@@ -65,10 +65,10 @@ impl Entity {
             Some(1) => header.push("Latency: 1 clock.".to_owned()),
             Some(n) => header.push(format!("Latency: {n} clocks.")),
         }
-        let printer = Printer { view, types };
+        let printer = Printer { view, types, prefix };
         let (blocks, functions) = printer.blocks();
         let mut entity = Self {
-            name: module.name.clone(),
+            name: format!("{prefix}{}", module.name),
             header,
             package: None,
             ports: printer.ports(),
@@ -88,6 +88,8 @@ impl Entity {
 struct Printer<'a, 'b> {
     view: &'a View<'b>,
     types: &'a Types,
+    /// Stands before the names of entities.
+    prefix: &'a str,
 }
 
 impl Printer<'_, '_> {
@@ -439,7 +441,7 @@ impl Printer<'_, '_> {
             }
             Statement::Instance { label, entity, connections } => {
                 let label = if depth > 0 { "unit" } else { label };
-                lines.push(format!("{pad}{label} : entity work.{entity}"));
+                lines.push(format!("{pad}{label} : entity work.{}{entity}", self.prefix));
                 let ports: Vec<String> = connections.iter().map(|(f, a)| format!("{f} => {a}")).collect();
                 lines.extend(wrapped(&format!("port map ({});", ports.join(", ")), 2 * depth + 2));
             }

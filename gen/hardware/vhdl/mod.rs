@@ -12,7 +12,7 @@ mod shape;
 mod view;
 
 pub use entity::generated_instance;
-pub use names::Clash;
+pub use names::{Clash, fault};
 
 use crate::netlist::Module;
 use entity::Entity;
@@ -20,11 +20,12 @@ use std::collections::{BTreeSet, HashSet};
 use std::rc::Rc;
 
 /// Prints a hierarchy: file names without their ending and texts, in the order of compilation, the package first. `package`
-/// is its name; `origin` stands above the header of the top.
+/// is its name; `prefix` stands before it and before the names of all entities; `origin` stands above the header of the top.
 ///
 /// # Errors
 /// A name that some tool would refuse.
-pub fn print(top: &Rc<Module>, package: &str, origin: &[String]) -> Result<Vec<(String, String)>, Clash> {
+pub fn print(top: &Rc<Module>, prefix: &str, package: &str, origin: &[String]) -> Result<Vec<(String, String)>, Clash> {
+    let package = &format!("{prefix}{package}");
     let modules = top.hierarchy();
     let records = shape::Records::of(&modules);
     let is_top = |module: &Rc<Module>| Rc::ptr_eq(module, top);
@@ -32,15 +33,17 @@ pub fn print(top: &Rc<Module>, package: &str, origin: &[String]) -> Result<Vec<(
     let mut types = shape::Types::default();
     views.iter().for_each(|view| view.shapes().for_each(|shape| types.include(shape)));
     types.sort();
-    let mut in_use: HashSet<String> = modules.iter().map(|m| m.name.clone()).collect();
+    let name = |module: &Module| format!("{prefix}{}", module.name);
+    let mut in_use: HashSet<String> = modules.iter().map(|m| name(m)).collect();
     in_use.extend(package::names(&types));
     let mut functions = BTreeSet::new();
     let mut files = vec![];
     for (module, view) in modules.iter().zip(&views) {
-        names::check(&module.name, view.declared().iter().map(String::as_str), &in_use)?;
-        let entity = Entity::new(view, &types, package, if is_top(module) { origin } else { &[] });
+        let name = name(module);
+        names::check(&name, view.declared().iter().map(String::as_str), &in_use)?;
+        let entity = Entity::new(view, &types, [prefix, package], if is_top(module) { origin } else { &[] });
         functions.extend(entity.functions());
-        files.push((module.name.clone(), entity.text()));
+        files.push((name, entity.text()));
     }
     files.insert(0, (package.to_owned(), package::text(package, &types, &functions)));
     Ok(files)

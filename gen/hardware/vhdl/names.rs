@@ -24,7 +24,7 @@ pub struct Clash {
 }
 
 /// What is wrong with a name, if anything. Languages differ in whether case counts; here it never does.
-pub(super) fn fault(name: &str) -> Option<&'static str> {
+pub fn fault(name: &str) -> Option<&'static str> {
     let listed = |words: &str| words.split_ascii_whitespace().any(|word| word.eq_ignore_ascii_case(name));
     if let Some((why, _)) = LANGUAGES.iter().find(|(_, words)| listed(words)) {
         return Some(why);

@@ -2,7 +2,7 @@
 
 use super::file_lists::FileLists;
 use super::units::{UnitRow, first_sentence, units};
-use super::{FileSet, Stimulus, origin, vhdl_files};
+use super::{FileSet, Prefix, Stimulus, origin, vhdl_files};
 use super::{drop_in, example, ise, manifest, stream, stream_vectors, testbench, vectors};
 use crate::design::Design;
 use crate::design::top::pace;
@@ -14,7 +14,17 @@ use efsat_hardware::vhdl::lint::{Finding, lint};
 /// Pairs in the vector file: some seconds of simulation.
 const PAIRS: usize = 256;
 
-/// Why a design cannot be printed: a defect of the generator, never of the parameters.
+/// What is chosen for the files of a design and does not change the unit.
+#[derive(Clone, Debug, Default)]
+pub struct Packaging {
+    /// Words into the stream wrapper.
+    pub stream_width: StreamWidth,
+    /// What stands before all names.
+    pub prefix: Prefix,
+}
+
+/// Why a design cannot be printed: a defect of the generator, never of the parameters; or a name that a prefix makes equal
+/// to another.
 #[derive(Debug, thiserror::Error)]
 pub enum DesignFilesError {
     /// A name that is not legal VHDL.
@@ -35,6 +45,7 @@ struct Described {
 #[template(path = "rtl-readme.md", escape = "none")]
 struct Readme<'a> {
     version: &'static str,
+    prefix: &'a Prefix,
     command_line: &'a str,
     interval: usize,
     latency: usize,
@@ -44,18 +55,18 @@ struct Readme<'a> {
     frequency: u32,
     device: &'static str,
     delays: &'static str,
-    testbench: &'static str,
+    testbench: String,
     units: Vec<UnitRow>,
     files: Vec<Described>,
     projects: Vec<ise::Project>,
 }
 
-/// As [`design_files_with`], with the default width of the stream.
+/// As [`design_files_with`], packaged by default.
 ///
 /// # Errors
 /// A name in the design that is not legal VHDL, or a breach of the [rules](efsat_hardware::vhdl::lint) of the target.
 pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, DesignFilesError> {
-    design_files_with(design, StreamWidth::default(), command_line)
+    design_files_with(design, &Packaging::default(), command_line)
 }
 
 /// Sources, stream wrapper, example, testbenches, vectors, projects, a README and the manifest. Equal designs and command
@@ -63,7 +74,12 @@ pub fn design_files(design: &Design, command_line: &str) -> Result<FileSet, Desi
 ///
 /// # Errors
 /// As [`design_files`].
-pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str) -> Result<FileSet, DesignFilesError> {
+pub fn design_files_with(
+    design: &Design,
+    packaging: &Packaging,
+    command_line: &str,
+) -> Result<FileSet, DesignFilesError> {
+    let Packaging { stream_width: width, prefix } = packaging;
     let mut set = FileSet::default();
     let mut described = vec![];
     let mut core = vec![];
@@ -71,18 +87,18 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
     let modules = design.top.hierarchy();
     let entities = modules.iter().map(|module| first_sentence(&module.doc));
     let what = std::iter::once("Types and functions of the entities.".to_owned()).chain(entities);
-    for ((name, text), what) in vhdl_files(design, command_line)?.into_iter().zip(what) {
+    for ((name, text), what) in vhdl_files(design, prefix, command_line)?.into_iter().zip(what) {
         described.push(Described { name: name.clone(), what });
         set.insert(name.clone(), text);
         core.push(name);
     }
-    let lists = FileLists::new(core);
-    let format = StreamFormat::new(params, width);
+    let lists = FileLists::new(core, prefix);
+    let format = StreamFormat::new(params, *width);
     let mut describe =
         |name: &str, what: &str| described.push(Described { name: name.to_owned(), what: what.to_owned() });
-    set.insert(lists.wrapper, stream::wrapper(design, &format, &origin));
-    describe(lists.wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
-    example::add(&mut set, design, &format, &lists);
+    set.insert(&lists.wrapper, stream::wrapper(design, &format, prefix, &origin));
+    describe(&lists.wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
+    example::add(&mut set, design, &format, prefix, &lists);
     describe("example", "The wrapped unit behind a UART, a whole design, and its testbench.");
 
     let synthesised = lists.synthesised();
@@ -93,12 +109,12 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
     }
 
     let [unit_bench, stream_bench, _] = &lists.benches;
-    set.insert(&unit_bench.file, testbench::text(design, &origin));
+    set.insert(&unit_bench.file, testbench::text(design, prefix, &origin));
     let stimulus = Stimulus::random(params, PAIRS, 1).followed_by(Stimulus::outside(params));
-    set.insert(unit_bench.vectors, vectors::text(params, &stimulus));
+    set.insert(&unit_bench.vectors, vectors::text(params, &stimulus));
     describe(&unit_bench.file, "Testbench of the unit, for simulation only.");
     describe(
-        unit_bench.vectors,
+        &unit_bench.vectors,
         &match stimulus.pairs() - PAIRS {
             0 => format!("{PAIRS} random pairs under random poses, with the reference model's answers."),
             more => format!(
@@ -106,33 +122,34 @@ pub fn design_files_with(design: &Design, width: StreamWidth, command_line: &str
             ),
         },
     );
-    set.insert(&stream_bench.file, stream::bench(design, &format, &origin));
+    set.insert(&stream_bench.file, stream::bench(design, &format, prefix, &origin));
     let mixed = stream_vectors::mixed(params, &format, stream_vectors::FILLING);
-    set.insert(stream_bench.vectors, stream_vectors::text(params, &format, &mixed));
+    set.insert(&stream_bench.vectors, stream_vectors::text(params, &format, &mixed));
     describe(&stream_bench.file, "Testbench of the wrapper, for simulation only.");
-    describe(stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the answers due.");
+    describe(&stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the answers due.");
     set.insert("files.txt", lists.all().join("\n"));
     describe("files.txt", "All VHDL files in dependency order, the testbenches last.");
     describe(
         manifest::NAME,
         "Parameters, ports, number formats, latency, the words of the stream, and a SHA-256 per file, for programs.",
     );
-    for (name, what) in drop_in::add(&mut set, design, &format, &lists) {
-        describe(name, what);
+    for (name, what) in drop_in::add(&mut set, design, &format, prefix, &lists) {
+        describe(&name, what);
     }
-    ise::add(&mut set, design, &lists.synthesised());
+    ise::add(&mut set, design, prefix, &lists.synthesised());
     for project in ise::projects() {
         describe(&project.folder, &format!("Project for {} ({}).", project.part, project.releases));
     }
-    set.insert("README.md", readme(design, command_line, described));
+    set.insert("README.md", readme(design, prefix, command_line, described));
     let manifest = manifest::text(design, Some(&format), command_line, &set);
     set.insert(manifest::NAME, manifest);
     Ok(set)
 }
 
-fn readme(design: &Design, command_line: &str, files: Vec<Described>) -> String {
+fn readme(design: &Design, prefix: &Prefix, command_line: &str, files: Vec<Described>) -> String {
     let readme = Readme {
         version: env!("CARGO_PKG_VERSION"),
+        prefix,
         command_line,
         interval: design.interval,
         latency: design.latency,
@@ -142,8 +159,8 @@ fn readme(design: &Design, command_line: &str, files: Vec<Described>) -> String 
         frequency: design.params.frequency,
         device: design.device.name,
         delays: design.device.source,
-        testbench: testbench::NAME,
-        units: units(design),
+        testbench: prefix.of(testbench::NAME),
+        units: units(design, prefix),
         files,
         projects: ise::projects(),
     };

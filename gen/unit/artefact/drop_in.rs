@@ -1,7 +1,7 @@
 //! Projects for the tools that are not ISE, and instances to copy.
 
 use super::file_lists::{Bench, FileLists};
-use super::{FileSet, origin};
+use super::{FileSet, Prefix, origin};
 use crate::design::Design;
 use crate::params::stream::StreamFormat;
 use askama::Template;
@@ -16,10 +16,11 @@ const QUARTUS: [&str; 2] = ["Cyclone V", "5CSEMA5F31C6"];
 #[template(path = "drop-in/efsat.core", escape = "none")]
 struct Core<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
     version: &'static str,
     core: &'a [String],
     wrapper: &'a str,
-    example: &'a [&'static str],
+    example: &'a [String],
     benches: &'a [Bench],
 }
 
@@ -27,6 +28,7 @@ struct Core<'a> {
 #[template(path = "drop-in/vivado.tcl", escape = "none")]
 struct Vivado<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
     vivado_part: &'static str,
     sources: &'a [String],
 }
@@ -42,12 +44,14 @@ struct VivadoConstraints<'a> {
 #[template(path = "drop-in/efsat.qpf", escape = "none")]
 struct QuartusProject<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
 }
 
 #[derive(Template)]
 #[template(path = "drop-in/efsat.qsf", escape = "none")]
 struct QuartusSettings<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
     quartus_family: &'static str,
     quartus_device: &'static str,
     sources: &'a [String],
@@ -64,6 +68,7 @@ struct QuartusConstraints<'a> {
 #[template(path = "drop-in/run.py", escape = "none")]
 struct VUnit<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
     benches: &'a [Bench],
 }
 
@@ -71,11 +76,12 @@ struct VUnit<'a> {
 #[template(path = "drop-in/efsat_instance.vhd.txt", escape = "none")]
 struct Instances<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
     instances: [Instance; 2],
 }
 
 struct Instance {
-    entity: &'static str,
+    entity: String,
     ports: Vec<Port>,
 }
 
@@ -93,12 +99,12 @@ fn vector(bits: u32) -> String {
 }
 
 /// Ports with a signal of the same name for each.
-fn instance(entity: &'static str, ports: Vec<(String, u32)>) -> Instance {
+fn instance(entity: String, ports: Vec<(String, u32)>) -> Instance {
     let port = |(name, bits): (String, u32)| Port { signal: name.clone(), ty: vector(bits), name };
     Instance { entity, ports: ports.into_iter().map(port).collect() }
 }
 
-fn instances(design: &Design, format: &StreamFormat) -> [Instance; 2] {
+fn instances(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [Instance; 2] {
     let top = &design.top;
     let bits = |ty: Type| ty.bits;
     let inputs = top.inputs.iter().map(|id| (top.signal(*id).name(), bits(top.signal(*id).ty)));
@@ -111,7 +117,7 @@ fn instances(design: &Design, format: &StreamFormat) -> [Instance; 2] {
     let control = ["aclk", "aresetn"].map(|name| (name.to_owned(), 1));
     let wrapper =
         control.into_iter().chain(side("s_axis", format.width.bits())).chain(side("m_axis", format.answer_width()));
-    [instance("efsat_stream", wrapper.collect()), instance("efsat", unit)]
+    [instance(prefix.of("efsat_stream"), wrapper.collect()), instance(prefix.of("efsat"), unit)]
 }
 
 /// Adds all projects; returns name (or folder) and description of each.
@@ -119,34 +125,41 @@ pub(super) fn add(
     set: &mut FileSet,
     design: &Design,
     format: &StreamFormat,
+    prefix: &Prefix,
     lists: &FileLists,
-) -> [(&'static str, &'static str); 5] {
+) -> [(String, &'static str); 5] {
     let header = &origin()[..];
     let sources = &lists.synthesised()[..];
     let picoseconds = 1_000_000 / design.params.frequency;
     let period = &format!("{}.{:03}", picoseconds / 1000, picoseconds % 1000)[..];
-    let (benches, example, wrapper) = (&lists.benches[..], &lists.example[..], lists.wrapper);
+    let (benches, example, wrapper) = (&lists.benches[..], &lists.example[..], &lists.wrapper[..]);
     let version = env!("CARGO_PKG_VERSION");
     let [quartus_family, quartus_device] = QUARTUS;
-    let settings = QuartusSettings { header, quartus_family, quartus_device, sources };
+    let settings = QuartusSettings { header, prefix, quartus_family, quartus_device, sources };
     let texts = [
-        ("efsat.core", Core { header, version, core: &lists.core, wrapper, example, benches }.render()),
-        ("vivado/project.tcl", Vivado { header, vivado_part: VIVADO_PART, sources }.render()),
-        ("vivado/efsat.xdc", VivadoConstraints { header, period }.render()),
-        ("quartus/efsat.qpf", QuartusProject { header }.render()),
-        ("quartus/efsat.qsf", settings.render()),
-        ("quartus/efsat.sdc", QuartusConstraints { header, period }.render()),
-        ("vunit/run.py", VUnit { header, benches }.render()),
-        ("efsat_instance.vhd.txt", Instances { header, instances: instances(design, format) }.render()),
+        (
+            prefix.of("efsat.core"),
+            Core { header, prefix, version, core: &lists.core, wrapper, example, benches }.render(),
+        ),
+        ("vivado/project.tcl".to_owned(), Vivado { header, prefix, vivado_part: VIVADO_PART, sources }.render()),
+        (format!("vivado/{prefix}efsat.xdc"), VivadoConstraints { header, period }.render()),
+        (format!("quartus/{prefix}efsat.qpf"), QuartusProject { header, prefix }.render()),
+        (format!("quartus/{prefix}efsat.qsf"), settings.render()),
+        (format!("quartus/{prefix}efsat.sdc"), QuartusConstraints { header, period }.render()),
+        ("vunit/run.py".to_owned(), VUnit { header, prefix, benches }.render()),
+        (
+            prefix.of("efsat_instance.vhd.txt"),
+            Instances { header, prefix, instances: instances(design, format, prefix) }.render(),
+        ),
     ];
     for (name, text) in texts {
         set.insert(name, text.expect("the template renders"));
     }
     [
-        ("efsat_instance.vhd.txt", "Instances of the unit and of the wrapper, to copy into a design."),
-        ("efsat.core", "Core for FuseSoC, with a target a testbench."),
-        ("vunit", "VUnit run script for all testbenches."),
-        ("vivado", "Vivado project script and clock constraint."),
-        ("quartus", "Quartus project and clock constraint."),
+        (prefix.of("efsat_instance.vhd.txt"), "Instances of the unit and of the wrapper, to copy into a design."),
+        (prefix.of("efsat.core"), "Core for FuseSoC, with a target a testbench."),
+        ("vunit".to_owned(), "VUnit run script for all testbenches."),
+        ("vivado".to_owned(), "Vivado project script and clock constraint."),
+        ("quartus".to_owned(), "Quartus project and clock constraint."),
     ]
 }

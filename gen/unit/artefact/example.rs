@@ -1,7 +1,7 @@
 //! The example design: the wrapped unit behind a UART, and its testbench.
 
 use super::file_lists::FileLists;
-use super::{FileSet, origin};
+use super::{FileSet, Prefix, origin};
 use crate::design::Design;
 use crate::golden::{Golden, Input, Pose};
 use crate::host::{Host, loose_pair};
@@ -12,18 +12,21 @@ use askama::Template;
 #[template(path = "example/uart_receiver.vhd", escape = "none")]
 struct Receiver<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
 }
 
 #[derive(Template)]
 #[template(path = "example/uart_transmitter.vhd", escape = "none")]
 struct Transmitter<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
 }
 
 #[derive(Template)]
 #[template(path = "example/efsat_uart_top.vhd", escape = "none")]
 struct Top<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
     frequency: u32,
     width: u32,
     word_bytes: u32,
@@ -35,6 +38,7 @@ struct Top<'a> {
 #[template(path = "example/efsat_uart_tb.vhd", escape = "none")]
 struct Bench<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
     story: &'static str,
     packets: Vec<Packet>,
     steps: Vec<String>,
@@ -64,7 +68,7 @@ fn packet(name: &str, what: &'static str, words: &[StreamWord], bits: u32) -> Pa
     Packet { name: name.to_owned(), what, high: bytes.len() - 1, rows }
 }
 
-fn bench(design: &Design, format: &StreamFormat, header: &[String]) -> String {
+fn bench(design: &Design, format: &StreamFormat, prefix: &Prefix, header: &[String]) -> String {
     let p = &design.params;
     let Host::Unit(pair) = loose_pair(&POINTS, p) else { unreachable!("a loose pair is inside the declared ranges") };
     let pose = Pose::identity(p);
@@ -112,24 +116,25 @@ fn bench(design: &Design, format: &StreamFormat, header: &[String]) -> String {
         answer("stray_answer", "Malformed: unknown header.", &unknown),
     );
     let story = if format.has_pose() { "sends a pose and a pair" } else { "sends a pair" };
-    Bench { header, story, packets, steps }.render().expect("the template renders")
+    Bench { header, prefix, story, packets, steps }.render().expect("the template renders")
 }
 
-/// Adds the example; returns its texts' description.
-pub(super) fn add(set: &mut FileSet, design: &Design, format: &StreamFormat, lists: &FileLists) {
+/// Adds the example.
+pub(super) fn add(set: &mut FileSet, design: &Design, format: &StreamFormat, prefix: &Prefix, lists: &FileLists) {
     let header = &origin()[..];
     let (width, answer_width) = (format.width.bits(), format.answer_width());
     let top = Top {
         header,
+        prefix,
         frequency: design.params.frequency,
         width,
         word_bytes: width / 8,
         answer_width,
         answer_bytes: answer_width / 8,
     };
-    let texts = [Receiver { header }.render(), Transmitter { header }.render(), top.render()];
+    let texts = [Receiver { header, prefix }.render(), Transmitter { header, prefix }.render(), top.render()];
     for (name, text) in lists.example.iter().zip(texts) {
-        set.insert(*name, text.expect("the template renders"));
+        set.insert(name, text.expect("the template renders"));
     }
-    set.insert(&lists.benches[2].file, bench(design, format, header));
+    set.insert(&lists.benches[2].file, bench(design, format, prefix, header));
 }

@@ -1,14 +1,16 @@
 //! The VHDL files of a design by what they are for: every list of files in every project comes from here.
 
+use super::Prefix;
+
 /// A testbench.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Bench {
     /// Its entity.
-    pub entity: &'static str,
+    pub entity: String,
     /// Its file.
     pub file: String,
     /// Its vector file, empty if it has none.
-    pub vectors: &'static str,
+    pub vectors: String,
     /// What it shows.
     pub what: &'static str,
     /// Its name as a target of a build tool.
@@ -18,43 +20,44 @@ pub struct Bench {
 /// File names below the design's folder, each list in dependency order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileLists {
-    /// The unit; `efsat.vhd` is the last.
+    /// The unit; its top is the last.
     pub core: Vec<String>,
     /// The stream wrapper.
-    pub wrapper: &'static str,
+    pub wrapper: String,
     /// The example design around the wrapper.
-    pub example: [&'static str; 3],
+    pub example: [String; 3],
     /// Testbenches of the unit, the wrapper and the example.
     pub benches: [Bench; 3],
 }
 
 impl FileLists {
     /// The lists of a design whose entities have these files.
-    pub fn new(core: Vec<String>) -> Self {
-        let bench = |entity, folder: &str, vectors, what, target| {
-            let file = format!("{folder}{entity}.vhd");
-            Bench { entity, file, vectors, what, target }
+    pub fn new(core: Vec<String>, prefix: &Prefix) -> Self {
+        let file = |folder: &str, entity: &str| format!("{folder}{prefix}{entity}.vhd");
+        let bench = |entity, folder: &str, has_vectors, what, target| {
+            let vectors = if has_vectors { format!("{prefix}{entity}.vec") } else { String::new() };
+            Bench { entity: prefix.of(entity), file: file(folder, entity), vectors, what, target }
         };
         Self {
             core,
-            wrapper: "efsat_stream.vhd",
-            example: ["example/uart_receiver.vhd", "example/uart_transmitter.vhd", "example/efsat_uart_top.vhd"],
+            wrapper: file("", "efsat_stream"),
+            example: ["uart_receiver", "uart_transmitter", "efsat_uart_top"].map(|entity| file("example/", entity)),
             benches: [
-                bench("efsat_tb", "", "efsat_tb.vec", "Testbench of the unit", "sim"),
-                bench("efsat_stream_tb", "", "efsat_stream_tb.vec", "Testbench of the stream wrapper", "sim_stream"),
-                bench("efsat_uart_tb", "example/", "", "Testbench of the UART example", "sim_uart"),
+                bench("efsat_tb", "", true, "Testbench of the unit", "sim"),
+                bench("efsat_stream_tb", "", true, "Testbench of the stream wrapper", "sim_stream"),
+                bench("efsat_uart_tb", "example/", false, "Testbench of the UART example", "sim_uart"),
             ],
         }
     }
 
     /// What is synthesised: the unit and its wrapper.
     pub fn synthesised(&self) -> Vec<String> {
-        self.core.iter().cloned().chain([self.wrapper.to_owned()]).collect()
+        self.core.iter().cloned().chain([self.wrapper.clone()]).collect()
     }
 
     /// All files, testbenches last.
     pub fn all(&self) -> Vec<String> {
-        let example = self.example.iter().map(|&name| name.to_owned());
+        let example = self.example.iter().cloned();
         let benches = self.benches.iter().map(|bench| bench.file.clone());
         self.synthesised().into_iter().chain(example).chain(benches).collect()
     }

@@ -1,7 +1,7 @@
 //! Project files for ISE, one folder a device that ISE knows: the last release with Virtex-II is 10.1, Spartan-6 ends
 //! with 14.7. Other families have other tools and no project here.
 
-use super::{FileSet, origin};
+use super::{FileSet, Prefix, origin};
 use crate::design::Design;
 use askama::Template;
 use efsat_hardware::device::{self, Device, Family};
@@ -14,7 +14,8 @@ struct SourceList<'a> {
 
 #[derive(Template)]
 #[template(path = "ise/efsat.xst", escape = "none")]
-struct Script {
+struct Script<'a> {
+    prefix: &'a Prefix,
     part: String,
     options: &'static [&'static str],
 }
@@ -30,7 +31,8 @@ struct Constraints<'a> {
 #[template(path = "ise/project.tcl", escape = "none")]
 struct ProjectScript<'a> {
     header: &'a [String],
-    project: &'static str,
+    prefix: &'a Prefix,
+    project: String,
     releases: &'static str,
     family: &'static str,
     device: &'static str,
@@ -47,8 +49,8 @@ pub(super) struct Project {
     pub folder: String,
     /// The releases.
     pub releases: &'static str,
-    /// File name of the project.
-    project: &'static str,
+    /// What the name of the project ends in.
+    ending: &'static str,
     /// Options of XST that others do not know.
     options: &'static [&'static str],
     device: &'static Device,
@@ -58,15 +60,15 @@ impl Project {
     /// The project of a device, if ISE knows its family.
     fn new(device: &'static Device) -> Option<Self> {
         let part = device.part;
-        let (releases, project, options): (_, _, &[&str]) = match device.family {
+        let (releases, ending, options): (_, _, &[&str]) = match device.family {
             Family::Virtex2 => (
                 "ISE 8.1 to 10.1",
-                "efsat.ise",
+                "ise",
                 &["-glob_opt AllClockNets", "-mult_style auto", "-max_fanout 500", "-slice_utilization_ratio 100"],
             ),
             Family::Spartan6 => (
                 "ISE 14.7",
-                "efsat.xise",
+                "xise",
                 &["-glob_opt AllClockNets", "-use_dsp48 Auto", "-max_fanout 100000", "-shreg_min_size 2"],
             ),
             Family::Series7 | Family::Ecp5 => return None,
@@ -75,7 +77,7 @@ impl Project {
             part: format!("{}{}-{}", part.device, part.speed, part.package),
             folder: format!("ise/{}", part.family.to_lowercase()),
             releases,
-            project,
+            ending,
             options,
             device,
         })
@@ -88,13 +90,14 @@ pub(super) fn projects() -> Vec<Project> {
 }
 
 /// Adds all projects; `sources` are the synthesizable files in dependency order.
-pub(super) fn add(set: &mut FileSet, design: &Design, sources: &[String]) {
+pub(super) fn add(set: &mut FileSet, design: &Design, prefix: &Prefix, sources: &[String]) {
     let header = origin();
     for project in projects() {
         let part = project.device.part;
         let script = ProjectScript {
             header: &header,
-            project: project.project,
+            prefix,
+            project: format!("{prefix}efsat.{}", project.ending),
             releases: project.releases,
             family: part.family,
             device: part.device,
@@ -103,15 +106,13 @@ pub(super) fn add(set: &mut FileSet, design: &Design, sources: &[String]) {
             files: sources,
         };
         let constraints = Constraints { header: &header, frequency: design.params.frequency };
-        let options = Script { part: project.part, options: project.options };
-        let texts = [
-            ("efsat.prj", SourceList { files: sources }.render()),
-            ("efsat.xst", options.render()),
-            ("efsat.ucf", constraints.render()),
-            ("project.tcl", script.render()),
-        ];
-        for (name, text) in texts {
-            set.insert(format!("{}/{name}", project.folder), text.expect("the template renders"));
+        let options = Script { prefix, part: project.part, options: project.options };
+        let texts =
+            [("prj", SourceList { files: sources }.render()), ("xst", options.render()), ("ucf", constraints.render())];
+        for (ending, text) in texts {
+            let name = format!("{}/{prefix}efsat.{ending}", project.folder);
+            set.insert(name, text.expect("the template renders"));
         }
+        set.insert(format!("{}/project.tcl", project.folder), script.render().expect("the template renders"));
     }
 }

@@ -10,6 +10,7 @@ pub mod file_lists;
 mod file_set;
 mod ise;
 mod manifest;
+mod prefix;
 mod programmes;
 mod ready;
 mod scratch;
@@ -21,8 +22,9 @@ pub mod testbench;
 mod units;
 pub mod vectors;
 
-pub use design_files::{DesignFilesError, design_files, design_files_with};
+pub use design_files::{DesignFilesError, Packaging, design_files, design_files_with};
 pub use file_set::{Difference, FileSet, FileSetError};
+pub use prefix::{Prefix, PrefixError};
 pub use programmes::programme_files;
 pub use ready::{ReadyDesign, ReadyError, ready_designs, ready_files};
 pub use scratch::{Scratch, interrupted};

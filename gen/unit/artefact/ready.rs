@@ -1,6 +1,6 @@
 //! The ready designs: those that lie in the repository, each in a folder of its own.
 
-use super::design_files::{DesignFilesError, design_files_with};
+use super::design_files::{DesignFilesError, Packaging, design_files_with};
 use super::{FileSet, manifest};
 use crate::design::Design;
 use crate::design::top::DesignError;
@@ -98,16 +98,17 @@ pub fn ready_designs() -> [ReadyDesign; 5] {
     ]
 }
 
-/// All ready designs, a folder each, with an index and a manifest of the whole. `command_line` says how a design with a
-/// stream wrapper of that width is generated.
+/// All ready designs, a folder each, with an index and a manifest of the whole. `command_line` says how a design that is
+/// packaged so is generated.
 ///
 /// # Errors
 /// A defect of the generator; see [`ReadyError`].
-pub fn ready_files(command_line: impl Fn(&Params, StreamWidth) -> String) -> Result<FileSet, ReadyError> {
+pub fn ready_files(command_line: impl Fn(&Params, &Packaging) -> String) -> Result<FileSet, ReadyError> {
     let (mut set, mut rows) = (FileSet::default(), vec![]);
     for ready in ready_designs() {
         let design = Design::new(&ready.params, false)?;
-        let files = design_files_with(&design, ready.stream_width, &command_line(&ready.params, ready.stream_width))?;
+        let packaging = Packaging { stream_width: ready.stream_width, ..Packaging::default() };
+        let files = design_files_with(&design, &packaging, &command_line(&ready.params, &packaging))?;
         files.iter().for_each(|(name, text)| set.insert(format!("{}/{name}", ready.name), text));
         let cells = estimate::whole(&design.top, design.device);
         rows.push(Row {
@@ -137,7 +138,7 @@ mod tests {
 
     #[test]
     fn every_ready_design_is_complete() {
-        let set = ready_files(|params, width| format!("{} {width:?}", params.command_line())).unwrap();
+        let set = ready_files(|params, packaging| format!("{} {packaging:?}", params.command_line())).unwrap();
         for ready in ready_designs() {
             for file in
                 ["README.md", "efsat.vhd", "efsat_stream.vhd", "efsat_tb.vec", "manifest.json", "vivado/project.tcl"]

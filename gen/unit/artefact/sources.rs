@@ -1,5 +1,6 @@
 //! The VHDL sources of a design.
 
+use super::Prefix;
 use crate::design::Design;
 use efsat_hardware::vhdl::{self, Clash};
 
@@ -11,13 +12,14 @@ pub fn origin() -> Vec<String> {
 /// Name of the design's package of types.
 pub const PACKAGE: &str = "efsat_types";
 
-/// Name and text of each source file, in dependency order: the package, then an entity a file.
+/// Name and text of each source file, in dependency order: the package, then an entity a file. All names begin with the
+/// prefix.
 ///
 /// # Errors
 /// A name in the design that is not legal VHDL.
-pub fn vhdl_files(design: &Design, command_line: &str) -> Result<Vec<(String, String)>, Clash> {
+pub fn vhdl_files(design: &Design, prefix: &Prefix, command_line: &str) -> Result<Vec<(String, String)>, Clash> {
     let mut header = origin();
     header.push(command_line.to_owned());
-    let files = vhdl::print(&design.top, PACKAGE, &header)?;
+    let files = vhdl::print(&design.top, &prefix.of(""), PACKAGE, &header)?;
     Ok(files.into_iter().map(|(name, text)| (format!("{name}.vhd"), text)).collect())
 }

@@ -1,15 +1,15 @@
 //! The AXI4-Stream wrapper of a design and its testbench: strict VHDL-93 from the layout in [`StreamFormat`].
 
-use super::{stream_vectors, testbench};
+use super::{Prefix, stream_vectors, testbench};
 use crate::design::Design;
 use crate::design::top::{pair_ports, pose_ports};
 use crate::params::stream::{BYPASS_AT, Kind, StreamFormat, TAG_AT};
 use crate::params::{Method, Params, Upper};
 use askama::Template;
 
-/// Name of the wrapper's entity.
+/// Name of the wrapper's entity, without a prefix.
 pub const NAME: &str = "efsat_stream";
-/// Name of the testbench entity.
+/// Name of the testbench entity, without a prefix.
 pub const TESTBENCH: &str = "efsat_stream_tb";
 
 /// Bits of a word that must all be the sign of a number, in the words of a record for which `when` holds.
@@ -27,8 +27,9 @@ struct Field {
 
 #[derive(Template)]
 #[template(path = "stream/efsat_stream.vhd", escape = "none")]
-struct Wrapper {
+struct Wrapper<'a> {
     header: Vec<String>,
+    prefix: &'a Prefix,
     width: u32,
     width_bytes: u32,
     answer_width: u32,
@@ -57,6 +58,7 @@ struct Wrapper {
 #[template(path = "stream/efsat_stream_tb.vhd", escape = "none")]
 struct Testbench<'a> {
     header: &'a [String],
+    prefix: &'a Prefix,
     formats: String,
     width: u32,
     width_bytes: u32,
@@ -212,7 +214,7 @@ pub fn pair_period(p: &Params, format: &StreamFormat) -> usize {
 }
 
 /// The text of the wrapper, `origin` on top.
-pub fn wrapper(design: &Design, format: &StreamFormat, origin: &[String]) -> String {
+pub fn wrapper(design: &Design, format: &StreamFormat, prefix: &Prefix, origin: &[String]) -> String {
     let p = &design.params;
     let mut header = origin.to_vec();
     header.push(String::new());
@@ -224,6 +226,7 @@ pub fn wrapper(design: &Design, format: &StreamFormat, origin: &[String]) -> Str
     let unused = format.answer_width() - format.answer_bits();
     let wrapper = Wrapper {
         header,
+        prefix,
         width: format.width.bits(),
         width_bytes: format.width.bits() / 8,
         answer_width: format.answer_width(),
@@ -251,10 +254,11 @@ pub fn wrapper(design: &Design, format: &StreamFormat, origin: &[String]) -> Str
 }
 
 /// The text of the testbench, `origin` on top.
-pub fn bench(design: &Design, format: &StreamFormat, origin: &[String]) -> String {
+pub fn bench(design: &Design, format: &StreamFormat, prefix: &Prefix, origin: &[String]) -> String {
     let p = &design.params;
     let bench = Testbench {
         header: origin,
+        prefix,
         formats: stream_vectors::formats_line(p, format),
         width: format.width.bits(),
         width_bytes: format.width.bits() / 8,

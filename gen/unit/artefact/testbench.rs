@@ -4,6 +4,7 @@
 //! random gaps and back-pressure. Both passes
 //! are one clocked process, so that the built-in simulator can do the same, clock for clock.
 
+use super::Prefix;
 use super::vectors::{Word, answer_word, formats_line, pair_word, pose_word};
 use crate::design::top::{Channel, Design};
 use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
@@ -31,7 +32,7 @@ pub fn half_period(p: &Params) -> u32 {
     500_000 / p.frequency
 }
 
-/// Name of the testbench entity.
+/// Name of the testbench entity, without a prefix.
 pub const NAME: &str = "efsat_tb";
 
 /// A port of the top and the part of a word behind it.
@@ -44,8 +45,9 @@ struct Field {
 
 #[derive(Template)]
 #[template(path = "efsat_tb.vhd", escape = "none")]
-struct Testbench {
+struct Testbench<'a> {
     header: Vec<String>,
+    prefix: &'a Prefix,
     formats: String,
     paced: usize,
     reset_clocks: usize,
@@ -93,14 +95,15 @@ pub fn probe_word(design: &Design) -> Word {
     Word { fields: ports.filter(|(name, ..)| Design::channel(name) == Channel::Probe).collect() }
 }
 
-/// The text of the testbench, `origin` on top.
-pub fn text(design: &Design, origin: &[String]) -> String {
+/// The text of the testbench of a design with a prefix, `origin` on top.
+pub fn text(design: &Design, prefix: &Prefix, origin: &[String]) -> String {
     let p = &design.params;
     let [pair, pose, answer] = blank(p);
     let probes = probe_word(design);
     let last = |word: &Word| word.bits().saturating_sub(1);
     let testbench = Testbench {
         header: origin.to_vec(),
+        prefix,
         formats: formats_line(p),
         paced: PACED,
         reset_clocks: RESET_CLOCKS,

@@ -1,5 +1,6 @@
 //! The units of a design as a table for its README: what each does, how often it is there, latency and multipliers.
 
+use super::Prefix;
 use crate::design::Design;
 use efsat_hardware::netlist::Module;
 use std::collections::HashMap;
@@ -20,7 +21,7 @@ pub(super) struct UnitRow {
 }
 
 /// One row per unit: the top first, every unit before those inside it, and otherwise in the order of the data.
-pub(super) fn units(design: &Design) -> Vec<UnitRow> {
+pub(super) fn units(design: &Design, prefix: &Prefix) -> Vec<UnitRow> {
     fn visit(module: &Rc<Module>, found: &mut Vec<Rc<Module>>, instances: &mut HashMap<*const Module, usize>) {
         let count = instances.entry(Rc::as_ptr(module)).or_default();
         *count += 1;
@@ -36,7 +37,7 @@ pub(super) fn units(design: &Design) -> Vec<UnitRow> {
         clocks.map_or_else(|| "-".to_owned(), |clocks| clocks.to_string())
     };
     let row = |module: &Rc<Module>| UnitRow {
-        name: module.name.clone(),
+        name: prefix.of(&module.name),
         what: first_sentence(&module.doc),
         instances: instances[&Rc::as_ptr(module)],
         latency: latency(module),
@@ -68,7 +69,7 @@ mod tests {
     #[test]
     fn the_units_of_the_default_design_in_the_order_of_the_data() {
         let design = Design::new(&Params::default(), false).unwrap();
-        let rows = units(&design);
+        let rows = units(&design, &Prefix::default());
         let at = |name: &str| rows.iter().position(|row| row.name == name).unwrap_or_else(|| panic!("no row {name}"));
         assert_eq!((at("efsat"), rows.len()), (0, design.top.hierarchy().len()));
         let order = ["pair_pipeline", "transform_row", "renormalise_offset", "renormalise_shift", "renormalise_scale"];

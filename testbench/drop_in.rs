@@ -1,0 +1,106 @@
+//! The generated files in projects of others: names that do not meet those of other designs.
+
+use std::path::Path;
+use std::process::Command;
+
+/// The GHDL that compiles fastest, none where none is installed.
+fn ghdl() -> Option<&'static str> {
+    let found = |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
+    let command = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(found);
+    if command.is_none() {
+        eprintln!("skipped: GHDL is not installed");
+    }
+    command
+}
+
+/// Runs a program in a folder; what it says, if it succeeds.
+fn run(dir: &Path, program: &str, arguments: &[&str]) -> String {
+    let output = Command::new(program).args(arguments).current_dir(dir).output().unwrap();
+    let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{program} {arguments:?}: {text}");
+    text
+}
+
+fn efsat(dir: &Path, arguments: &str) -> String {
+    let arguments: Vec<&str> = arguments.split_whitespace().collect();
+    run(dir, env!("CARGO_BIN_EXE_efsat"), &arguments)
+}
+
+/// Small designs of two methods.
+const SMALL: [(&str, &str); 2] = [
+    ("near", "--width 8 --transform-width 10"),
+    ("far", "--method determinants --width 7 --transform-width 9 --clocks-per-pair 6"),
+];
+
+/// Entities that a user may have.
+const OF_THE_USER: &str = "\
+entity projection is end entity projection;
+architecture mine of projection is begin end architecture mine;
+entity cross_product is end entity cross_product;
+architecture mine of cross_product is begin end architecture mine;
+entity efsat is end entity efsat;
+architecture mine of efsat is begin
+  a : entity work.projection;
+  b : entity work.cross_product;
+end architecture mine;
+";
+
+#[test]
+fn two_named_designs_and_those_of_the_user_share_a_library() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    for (name, options) in SMALL {
+        efsat(dir, &format!("generate --name {name} --out {name} {options}"));
+        let list = std::fs::read_to_string(dir.join(name).join("files.txt")).unwrap();
+        for file in list.lines() {
+            let stem = file.rsplit('/').next().unwrap();
+            assert!(stem.starts_with(&format!("{name}_")), "{file}");
+        }
+        let said = std::fs::read_to_string(dir.join(name).join("README.md")).unwrap();
+        for expected in ["`NAME_efsat.vhd`", "`NAME_efsat_tb`", "efsat:core:NAME_efsat", "| `NAME_pair_pipeline` |"] {
+            let expected = expected.replace("NAME", name);
+            assert!(said.contains(&expected), "{name}: {expected}");
+        }
+        efsat(dir, &format!("generate --check --name {name} --out {name} {options}"));
+    }
+    let Some(ghdl) = ghdl() else { return };
+    for (name, _) in SMALL {
+        let list = std::fs::read_to_string(dir.join(name).join("files.txt")).unwrap();
+        let files: Vec<String> = list.lines().map(|file| format!("{name}/{file}")).collect();
+        let files: Vec<&str> = files.iter().map(String::as_str).collect();
+        run(dir, ghdl, &[&["-a", "--std=93", "--warn-error"][..], &files].concat());
+    }
+    std::fs::write(dir.join("user.vhd"), OF_THE_USER).unwrap();
+    run(dir, ghdl, &["-a", "--std=93", "--warn-error", "user.vhd"]);
+    run(dir, ghdl, &["-e", "--std=93", "efsat"]);
+    // All three are in the library now, and both designs still answer as they should.
+    for (name, _) in SMALL {
+        for bench in ["efsat_tb", "efsat_stream_tb"] {
+            let entity = format!("{name}_{bench}");
+            run(dir, ghdl, &["-e", "--std=93", &entity]);
+            let vectors = format!("-gvectors={name}/{entity}.vec");
+            let said = run(dir, ghdl, &["-r", "--std=93", &entity, "--ieee-asserts=disable-at-0", &vectors]);
+            assert!(said.contains(&format!("{entity}: ")) && said.contains(" mismatches 0 "), "{said}");
+        }
+    }
+}
+
+#[test]
+fn a_name_that_vhdl_does_not_take_is_refused() {
+    let home = tempfile::tempdir().unwrap();
+    for (name, why) in [
+        ("signal", "'signal' is a keyword of VHDL-87"),
+        ("1st", "'1st' does not begin with a lower-case letter"),
+        ("Left", "'Left' does not begin with a lower-case letter"),
+        ("a__b", "'a__b' has a trailing or double underscore"),
+    ] {
+        let arguments = ["generate", "--out", "x", "--name", name];
+        let output =
+            Command::new(env!("CARGO_BIN_EXE_efsat")).args(arguments).current_dir(home.path()).output().unwrap();
+        let said = String::from_utf8(output.stderr).unwrap();
+        assert_eq!((output.status.code(), said.lines().count()), (Some(2), 1), "{said}");
+        assert!(said.contains("'--name <NAME>'") && said.contains(why), "{said}");
+        assert!(said.contains("expected a VHDL identifier of at most 40 "), "{said}");
+    }
+    assert_eq!(std::fs::read_dir(home.path()).unwrap().count(), 0);
+}
