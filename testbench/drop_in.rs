@@ -85,6 +85,63 @@ fn two_named_designs_and_those_of_the_user_share_a_library() {
     }
 }
 
+/// What is around the wrapper, with constants of the package alone.
+const AROUND: &str = "\
+library ieee;
+use ieee.std_logic_1164.all;
+use work.efsat_constants.all;
+entity around is end entity around;
+architecture mine of around is
+  signal clk, valid, last, ready, out_valid, out_last, out_ready : std_logic := '0';
+  signal word : std_logic_vector(word_bits - 1 downto 0);
+  signal keep : std_logic_vector(word_bits / 8 - 1 downto 0);
+  signal answer : std_logic_vector(answer_word_bits - 1 downto 0);
+  signal answer_keep : std_logic_vector(answer_word_bits / 8 - 1 downto 0);
+  signal tag : std_logic_vector(tag_bits - 1 downto 0);
+  signal separated, overlapping : std_logic_vector(flag_bits - 1 downto 0);
+begin
+  unit : entity work.efsat_stream
+    port map (aclk => clk, aresetn => clk, s_axis_tdata => word, s_axis_tkeep => keep, s_axis_tvalid => valid,
+      s_axis_tlast => last, s_axis_tready => ready, m_axis_tdata => answer, m_axis_tkeep => answer_keep,
+      m_axis_tvalid => out_valid, m_axis_tlast => out_last, m_axis_tready => out_ready);
+  tag <= answer(answer_tag_low + tag_bits - 1 downto answer_tag_low);
+  separated <= answer(answer_separated_low + flag_bits - 1 downto answer_separated_low);
+  overlapping <= answer(answer_overlapping_low + flag_bits - 1 downto answer_overlapping_low);
+  assert record_number_low + pair_numbers * record_number_step <= pair_words * word_bits severity failure;
+  assert pairs_header(7 downto 0) = x\"01\" severity failure;
+end architecture mine;
+";
+
+#[test]
+fn what_is_around_the_wrapper_is_written_with_constants() {
+    let Some(ghdl) = ghdl() else { return };
+    for options in ["", "--method determinants --stream-width 32 --tag-width 40", "--transform off --upper sticky"] {
+        let home = tempfile::tempdir().unwrap();
+        let dir = home.path();
+        efsat(dir, &format!("generate --out rtl --width 8 --transform-width 10 {options}"));
+        let list = std::fs::read_to_string(dir.join("rtl/files-synthesis.txt")).unwrap();
+        let files: Vec<String> = list.lines().map(|file| format!("rtl/{file}")).collect();
+        assert!(files.iter().all(|file| !file.contains("_tb") && !file.contains("example")), "{list}");
+        std::fs::write(dir.join("around.vhd"), AROUND).unwrap();
+        let files: Vec<&str> = files.iter().map(String::as_str).chain(["around.vhd"]).collect();
+        run(dir, ghdl, &[&["-a", "--std=93", "--warn-error"][..], &files].concat());
+        run(dir, ghdl, &["-e", "--std=93", "around"]);
+        run(dir, ghdl, &["-r", "--std=93", "around", "--ieee-asserts=disable-at-0", "--stop-time=1ns"]);
+        // The same numbers as in the manifest.
+        let manifest = std::fs::read_to_string(dir.join("rtl/manifest.json")).unwrap();
+        let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
+        let package = std::fs::read_to_string(dir.join("rtl/efsat_constants.vhd")).unwrap();
+        for (name, value) in [
+            ("latency", &manifest["latency"]),
+            ("clocks_per_pair", &manifest["initiation_interval"]),
+            ("pair_words", &manifest["stream"]["pair_words"]),
+            ("stream_clocks_per_pair", &manifest["stream"]["clocks_per_pair"]),
+        ] {
+            assert!(package.contains(&format!("  constant {name} : natural := {value};")), "{name}: {package}");
+        }
+    }
+}
+
 #[test]
 fn a_name_that_vhdl_does_not_take_is_refused() {
     let home = tempfile::tempdir().unwrap();

@@ -3,7 +3,7 @@
 use super::file_lists::FileLists;
 use super::units::{UnitRow, first_sentence, units};
 use super::{FileSet, Prefix, Stimulus, origin, vhdl_files};
-use super::{drop_in, example, ise, manifest, stream, stream_vectors, testbench, vectors};
+use super::{drop_in, example, ise, layout, manifest, stream, stream_vectors, testbench, vectors};
 use crate::design::Design;
 use crate::design::top::pace;
 use crate::params::stream::{StreamFormat, StreamWidth};
@@ -46,6 +46,7 @@ struct Described {
 struct Readme<'a> {
     version: &'static str,
     prefix: &'a Prefix,
+    core: String,
     command_line: &'a str,
     interval: usize,
     latency: usize,
@@ -97,6 +98,8 @@ pub fn design_files_with(
     let mut describe =
         |name: &str, what: &str| described.push(Described { name: name.to_owned(), what: what.to_owned() });
     set.insert(&lists.wrapper, stream::wrapper(design, &format, prefix, &origin));
+    set.insert(&lists.constants, layout::package(design, &format, prefix));
+    describe(&lists.constants, "Widths, latency and places in the words of the stream, as VHDL constants for users.");
     describe(&lists.wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
     example::add(&mut set, design, &format, prefix, &lists);
     describe("example", "The wrapped unit behind a UART, a whole design, and its testbench.");
@@ -129,27 +132,31 @@ pub fn design_files_with(
     describe(&stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the answers due.");
     set.insert("files.txt", lists.all().join("\n"));
     describe("files.txt", "All VHDL files in dependency order, the testbenches last.");
+    set.insert("files-synthesis.txt", lists.synthesised().join("\n"));
+    describe("files-synthesis.txt", "Those of them that are synthesised: the unit, its wrapper and the constants.");
     describe(
         manifest::NAME,
         "Parameters, ports, number formats, latency, the words of the stream, and a SHA-256 per file, for programs.",
     );
-    for (name, what) in drop_in::add(&mut set, design, &format, prefix, &lists) {
+    for (name, what) in drop_in::add(&mut set, design, &format, packaging, &lists) {
         describe(&name, what);
     }
     ise::add(&mut set, design, prefix, &lists.synthesised());
     for project in ise::projects() {
         describe(&project.folder, &format!("Project for {} ({}).", project.part, project.releases));
     }
-    set.insert("README.md", readme(design, prefix, command_line, described));
+    set.insert("README.md", readme(design, packaging, command_line, described));
     let manifest = manifest::text(design, Some(&format), command_line, &set);
     set.insert(manifest::NAME, manifest);
     Ok(set)
 }
 
-fn readme(design: &Design, prefix: &Prefix, command_line: &str, files: Vec<Described>) -> String {
+fn readme(design: &Design, packaging: &Packaging, command_line: &str, files: Vec<Described>) -> String {
+    let prefix = &packaging.prefix;
     let readme = Readme {
         version: env!("CARGO_PKG_VERSION"),
         prefix,
+        core: drop_in::core_name(&design.params, packaging),
         command_line,
         interval: design.interval,
         latency: design.latency,

@@ -1,10 +1,13 @@
 //! Projects for the tools that are not ISE, and instances to copy.
 
 use super::file_lists::{Bench, FileLists};
-use super::{FileSet, Prefix, origin};
+use super::{FileSet, Packaging, Prefix, origin};
 use crate::design::Design;
-use crate::params::stream::StreamFormat;
+use crate::params::options::Choice;
+use crate::params::stream::{StreamFormat, StreamWidth};
+use crate::params::{Method, Params};
 use askama::Template;
+use efsat_hardware::device::{Device, Family, Part};
 use efsat_hardware::op::Type;
 
 /// A part with enough multipliers for the default design, for who has no other in mind.
@@ -17,11 +20,53 @@ const QUARTUS: [&str; 2] = ["Cyclone V", "5CSEMA5F31C6"];
 struct Core<'a> {
     header: &'a [String],
     prefix: &'a Prefix,
+    core: &'a str,
     version: &'static str,
-    core: &'a [String],
-    wrapper: &'a str,
+    device: &'static str,
+    synthesis: Synthesis,
+    sources: &'a [String],
     example: &'a [String],
     benches: &'a [Bench],
+}
+
+/// The tool that synthesises for a device, as FuseSoC calls it, and what it must know.
+struct Synthesis {
+    tool: &'static str,
+    options: Vec<(&'static str, String)>,
+}
+
+impl Synthesis {
+    fn new(device: &Device) -> Self {
+        let Part { family, device: die, package, speed } = device.part;
+        let (tool, options): (_, Vec<(_, String)>) = match device.family {
+            Family::Virtex2 | Family::Spartan6 => {
+                let options = [("family", family), ("device", die), ("package", package), ("speed", speed)];
+                ("ise", options.map(|(name, value)| (name, value.to_owned())).into())
+            }
+            Family::Series7 => ("vivado", vec![("part", format!("{die}{package}{speed}")), ("pnr", "none".to_owned())]),
+            // In the name of a part Lattice writes the package without its first letters and a C for commercial.
+            Family::Ecp5 => ("diamond", vec![("part", format!("{die}{speed}{}C", package.replace("CABGA", "BG")))]),
+        };
+        Self { tool, options }
+    }
+}
+
+/// The name of the FuseSoC core: by what it differs from the default design of its method, so that cores of all parameters
+/// can lie in one library; or by the prefix.
+pub(super) fn core_name(params: &Params, packaging: &Packaging) -> String {
+    let mut name = packaging.prefix.of("efsat");
+    if packaging.prefix.name().is_none() {
+        if params.method != Method::Axes {
+            name.push_str(&format!("-{}", params.method.name()));
+        }
+        let differences = params.differences(&Params::of(params.method)).into_iter();
+        let stream = (packaging.stream_width != StreamWidth::default())
+            .then(|| ("stream-width", packaging.stream_width.name().to_owned()));
+        for (option, value) in differences.chain(stream) {
+            name.push_str(&format!("-{option}-{}", value.replace('+', "plus-")));
+        }
+    }
+    format!("efsat:core:{name}")
 }
 
 #[derive(Template)]
@@ -125,21 +170,23 @@ pub(super) fn add(
     set: &mut FileSet,
     design: &Design,
     format: &StreamFormat,
-    prefix: &Prefix,
+    packaging: &Packaging,
     lists: &FileLists,
 ) -> [(String, &'static str); 5] {
-    let header = &origin()[..];
+    let (header, prefix) = (&origin()[..], &packaging.prefix);
     let sources = &lists.synthesised()[..];
     let picoseconds = 1_000_000 / design.params.frequency;
     let period = &format!("{}.{:03}", picoseconds / 1000, picoseconds % 1000)[..];
-    let (benches, example, wrapper) = (&lists.benches[..], &lists.example[..], &lists.wrapper[..]);
+    let (benches, example) = (&lists.benches[..], &lists.example[..]);
     let version = env!("CARGO_PKG_VERSION");
+    let (device, synthesis) = (design.device.name, Synthesis::new(design.device));
+    let core = &core_name(&design.params, packaging)[..];
     let [quartus_family, quartus_device] = QUARTUS;
     let settings = QuartusSettings { header, prefix, quartus_family, quartus_device, sources };
     let texts = [
         (
             prefix.of("efsat.core"),
-            Core { header, prefix, version, core: &lists.core, wrapper, example, benches }.render(),
+            Core { header, prefix, core, version, device, synthesis, sources, example, benches }.render(),
         ),
         ("vivado/project.tcl".to_owned(), Vivado { header, prefix, vivado_part: VIVADO_PART, sources }.render()),
         (format!("vivado/{prefix}efsat.xdc"), VivadoConstraints { header, period }.render()),
@@ -157,9 +204,29 @@ pub(super) fn add(
     }
     [
         (prefix.of("efsat_instance.vhd.txt"), "Instances of the unit and of the wrapper, to copy into a design."),
-        (prefix.of("efsat.core"), "Core for FuseSoC, with a target a testbench."),
+        (prefix.of("efsat.core"), "Core for FuseSoC: a target a testbench, lint, and synthesis for the device."),
         ("vunit".to_owned(), "VUnit run script for all testbenches."),
         ("vivado".to_owned(), "Vivado project script and clock constraint."),
         ("quartus".to_owned(), "Quartus project and clock constraint."),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::artefact::ready_designs;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_design_is_a_core_of_its_own() {
+        let name =
+            |params: &Params, stream_width| core_name(params, &Packaging { stream_width, ..Packaging::default() });
+        let names: BTreeSet<String> = ready_designs().iter().map(|r| name(&r.params, r.stream_width)).collect();
+        assert_eq!(names.len(), ready_designs().len());
+        assert!(names.contains("efsat:core:efsat") && names.contains("efsat:core:efsat-exact-stream-width-1024"));
+        let wide = Params { projection_width: crate::params::ProjectionWidth::Plus(6), ..Params::default() };
+        assert_eq!(name(&wide, StreamWidth::default()), "efsat:core:efsat-projection-width-plus-6");
+        let named = Packaging { prefix: Prefix::new("near").unwrap(), ..Packaging::default() };
+        assert_eq!(core_name(&wide, &named), "efsat:core:near_efsat");
+    }
 }

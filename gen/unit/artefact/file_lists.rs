@@ -20,6 +20,8 @@ pub struct Bench {
 /// File names below the design's folder, each list in dependency order.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FileLists {
+    /// The package of constants for users.
+    pub constants: String,
     /// The unit; its top is the last.
     pub core: Vec<String>,
     /// The stream wrapper.
@@ -39,6 +41,7 @@ impl FileLists {
             Bench { entity: prefix.of(entity), file: file(folder, entity), vectors, what, target }
         };
         Self {
+            constants: file("", "efsat_constants"),
             core,
             wrapper: file("", "efsat_stream"),
             example: ["uart_receiver", "uart_transmitter", "efsat_uart_top"].map(|entity| file("example/", entity)),
@@ -50,9 +53,10 @@ impl FileLists {
         }
     }
 
-    /// What is synthesised: the unit and its wrapper.
+    /// What is synthesised: the unit and its wrapper, and the constants for what is around them.
     pub fn synthesised(&self) -> Vec<String> {
-        self.core.iter().cloned().chain([self.wrapper.clone()]).collect()
+        let constants = std::iter::once(&self.constants);
+        constants.chain(&self.core).chain([&self.wrapper]).cloned().collect()
     }
 
     /// All files, testbenches last.

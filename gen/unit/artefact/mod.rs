@@ -9,6 +9,7 @@ mod example;
 pub mod file_lists;
 mod file_set;
 mod ise;
+mod layout;
 mod manifest;
 mod prefix;
 mod programmes;

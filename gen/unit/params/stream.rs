@@ -164,6 +164,8 @@ impl Report {
 
 /// Status bits 1..0 of a report, where a verdict has its code.
 pub const REPORT: u8 = 0b11;
+/// Place of the reason in the status of a report.
+pub const REASON_AT: u32 = 2;
 /// Status bit of a packet that was malformed: none of its verdicts counts.
 pub const MALFORMED: u8 = 1 << 7;
 /// Status bit of a pair outside the declared ranges; only units with a guard set it.
@@ -203,12 +205,12 @@ impl AnswerFields {
     /// The word of a report.
     pub fn report(report: Report) -> Self {
         let malformed = if report == Report::PoseTaken { 0 } else { MALFORMED };
-        Self { status: REPORT | (report as u8) << 2 | malformed, tag: 0, separated: 0, overlapping: 0 }
+        Self { status: REPORT | (report as u8) << REASON_AT | malformed, tag: 0, separated: 0, overlapping: 0 }
     }
 
     /// What the word reports, none if it is a verdict.
     pub fn reported(&self) -> Option<Report> {
-        (self.status & 0b11 == REPORT).then(|| Report::ALL[usize::from(self.status >> 2 & 0b11)])
+        (self.status & 0b11 == REPORT).then(|| Report::ALL[usize::from(self.status >> REASON_AT & 0b11)])
     }
 }
 

@@ -2,7 +2,7 @@
 """Runs the testbenches of efsat in VUnit: python3 run.py [--help]
 
 VUnit takes testbenches with its own generic, and the ones here are plain VHDL-93. So each gets a small one around it,
-written to the output folder.
+written to the output folder. All is compiled as VHDL-93: GHDL does not mix standards.
 """
 
 from pathlib import Path
@@ -16,7 +16,8 @@ BENCHES = {
     "efsat_uart_tb": "",
 }
 AROUND = """library vunit_lib;
-context vunit_lib.vunit_context;
+use vunit_lib.run_types_pkg.all;
+use vunit_lib.run_pkg.all;
 
 entity tb_{name} is
   generic (runner_cfg : string);
@@ -39,7 +40,7 @@ end architecture simulation;
 
 
 def main():
-    project = VUnit.from_argv(compile_builtins=False)
+    project = VUnit.from_argv(vhdl_standard="93", compile_builtins=False)
     project.add_vhdl_builtins()
     library = project.add_library("efsat")
     for name in (RTL / "files.txt").read_text().split():

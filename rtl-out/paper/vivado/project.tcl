@@ -6,6 +6,7 @@ set part [expr {$argc > 0 ? [lindex $argv 0] : "xc7a200tfbg676-1"}]
 set here [file dirname [file normalize [info script]]]
 create_project -force -part $part efsat [file join $here efsat]
 add_files -norecurse [list \
+  [file join $here .. efsat_constants.vhd] \
   [file join $here .. efsat_types.vhd] \
   [file join $here .. sequencer.vhd] \
   [file join $here .. multiply_18_18.vhd] \

@@ -9,6 +9,7 @@ project set family Spartan6
 project set device xc6slx150
 project set package fgg676
 project set speed -3
+xfile add ../../efsat_constants.vhd
 xfile add ../../efsat_types.vhd
 xfile add ../../sequencer.vhd
 xfile add ../../multiply_18_18.vhd

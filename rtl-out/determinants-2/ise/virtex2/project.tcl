@@ -9,6 +9,7 @@ project set family Virtex2
 project set device xc2v6000
 project set package bf957
 project set speed -4
+xfile add ../../efsat_constants.vhd
 xfile add ../../efsat_types.vhd
 xfile add ../../sequencer.vhd
 xfile add ../../multiply_18_18.vhd

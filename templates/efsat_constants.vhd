@@ -1,0 +1,19 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- Constants of the design, for those who instantiate {{ prefix }}efsat or {{ prefix }}efsat_stream. The unit does not use them.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+
+package {{ prefix }}efsat_constants is
+{%- for group in groups %}
+{%- if !loop.first %}
+{% endif %}
+  -- {{ group.what }}
+{%- for constant in group.constants %}
+  constant {{ constant.name }} : {{ constant.vhdl() }};  -- {{ constant.what }}
+{%- endfor %}
+{%- endfor %}
+end package {{ prefix }}efsat_constants;
