@@ -427,7 +427,7 @@ fn every_file_that_a_project_names_is_there() {
     for name in named {
         assert!(set.get(name).is_some(), "{name}");
     }
-    for (folder, file) in [("vivado", "efsat.xdc"), ("quartus", "efsat.sdc"), ("vunit", "run.py")] {
+    for (folder, file) in [("ise", "efsat.ucf"), ("vunit", "run.py")] {
         assert!(set.get(&Path::new(folder).join(file).to_string_lossy()).is_some(), "{folder}");
     }
 }

@@ -12,7 +12,7 @@ project set device {{ device }}
 project set package {{ package }}
 project set speed {{ speed }}
 {%- for file in files %}
-xfile add ../../{{ file }}
+xfile add ../{{ file }}
 {%- endfor %}
 xfile add {{ prefix }}efsat.ucf
 project set top "rtl" "{{ prefix }}efsat"

@@ -1,9 +1,10 @@
 //! All files of a generated design, as one value.
 
 use super::file_lists::FileLists;
+use super::project::Project;
 use super::units::{UnitRow, first_sentence, units};
 use super::{FileSet, Prefix, Stimulus, origin, vhdl_files};
-use super::{drop_in, example, ise, layout, manifest, stream, stream_vectors, testbench, vectors};
+use super::{drop_in, example, ise, layout, manifest, stream, stream_vectors, testbench, vectors, vivado};
 use crate::design::Design;
 use crate::design::top::pace;
 use crate::params::stream::{StreamFormat, StreamWidth};
@@ -59,7 +60,7 @@ struct Readme<'a> {
     testbench: String,
     units: Vec<UnitRow>,
     files: Vec<Described>,
-    projects: Vec<ise::Project>,
+    projects: Vec<Project>,
 }
 
 /// As [`design_files_with`], packaged by default.
@@ -141,17 +142,27 @@ pub fn design_files_with(
     for (name, what) in drop_in::add(&mut set, design, &format, packaging, &lists) {
         describe(&name, what);
     }
-    ise::add(&mut set, design, prefix, &lists.synthesised());
-    for project in ise::projects() {
-        describe(&project.folder, &format!("Project for {} ({}).", project.part, project.releases));
+    let projects = [
+        ise::add(&mut set, design, prefix, &synthesised),
+        vivado::add(&mut set, design, packaging, command_line, &synthesised),
+    ];
+    let projects: Vec<Project> = projects.into_iter().flatten().collect();
+    for project in &projects {
+        describe(&project.folder, &format!("Project for {}, part {}.", project.tool, project.part));
     }
-    set.insert("README.md", readme(design, packaging, command_line, described));
+    set.insert("README.md", readme(design, packaging, command_line, described, projects));
     let manifest = manifest::text(design, Some(&format), command_line, &set);
     set.insert(manifest::NAME, manifest);
     Ok(set)
 }
 
-fn readme(design: &Design, packaging: &Packaging, command_line: &str, files: Vec<Described>) -> String {
+fn readme(
+    design: &Design,
+    packaging: &Packaging,
+    command_line: &str,
+    files: Vec<Described>,
+    projects: Vec<Project>,
+) -> String {
     let prefix = &packaging.prefix;
     let readme = Readme {
         version: env!("CARGO_PKG_VERSION"),
@@ -169,7 +180,7 @@ fn readme(design: &Design, packaging: &Packaging, command_line: &str, files: Vec
         testbench: prefix.of(testbench::NAME),
         units: units(design, prefix),
         files,
-        projects: ise::projects(),
+        projects,
     };
     readme.render().expect("the template renders")
 }
@@ -221,9 +232,8 @@ mod tests {
         let end = order.iter().position(|name| *name == "efsat_stream.vhd").unwrap();
         assert_eq!(order[end - 1], "efsat.vhd");
         for (list, line) in [
-            ("ise/virtex2/efsat.prj", "vhdl work \"../../NAME\""),
-            ("vivado/project.tcl", "  [file join $here .. NAME] \\"),
-            ("quartus/efsat.qsf", "set_global_assignment -name VHDL_FILE ../NAME"),
+            ("ise/efsat.prj", "vhdl work \"../NAME\""),
+            ("ise/project.tcl", "xfile add ../NAME"),
             ("efsat.core", "      - NAME"),
         ] {
             let lines: Vec<&str> =
@@ -237,12 +247,33 @@ mod tests {
     }
 
     #[test]
-    fn projects_name_part_and_clock() {
-        let set = default_files();
-        assert!(set.get("ise/virtex2/efsat.xst").unwrap().contains("-p xc2v6000-4-bf957\n"));
-        assert!(set.get("ise/spartan6/efsat.xst").unwrap().contains("-p xc6slx150-3-fgg676\n"));
-        assert!(set.get("ise/virtex2/efsat.ucf").unwrap().contains("PERIOD \"clk\" 100 MHz HIGH 50 %;"));
-        assert!(set.get("ise/virtex2/project.tcl").unwrap().contains("project new efsat.ise\n"));
-        assert!(set.get("ise/spartan6/project.tcl").unwrap().contains("project new efsat.xise\n"));
+    fn a_tool_that_knows_the_device_gets_a_project() {
+        let files = |device: &str| {
+            let params = Params { device: device.to_owned(), ..Params::default() };
+            design_files(&Design::new(&params, false).unwrap(), &params.command_line()).unwrap()
+        };
+        let expected = [
+            ("xc2v6000-4", "ise", "efsat.xst", "-p xc2v6000-4-bf957\n"),
+            ("xc2v6000-4", "ise", "project.tcl", "project new efsat.ise\n"),
+            ("xc2v6000-4", "ise", "efsat.ucf", "PERIOD \"clk\" 100 MHz HIGH 50 %;"),
+            ("xc6slx150-3", "ise", "efsat.xst", "-p xc6slx150-3-fgg676\n"),
+            ("xc6slx150-3", "ise", "project.tcl", "project new efsat.xise\n"),
+            ("xc7a200t-1", "vivado", "project.tcl", "\"xc7a200tfbg676-1\""),
+            ("xc7a200t-1", "vivado", "efsat.xdc", "-period 10.000 "),
+            ("xc7a200t-1", "vivado", "package_ip.tcl", "  [file join $here .. efsat_stream.vhd] \\\n]"),
+        ];
+        for (device, folder, name, part) in expected {
+            let set = files(device);
+            let text = set.get(&format!("{folder}/{name}")).unwrap_or_else(|| panic!("{device}: {folder}/{name}"));
+            assert!(text.contains(part), "{device}: {folder}/{name}: {text}");
+            let readme = set.get("README.md").unwrap();
+            let other = if folder == "ise" { "vivado" } else { "ise" };
+            assert!(set.iter().all(|(name, _)| !name.starts_with(&format!("{other}/"))), "{device}");
+            assert!(
+                readme.contains(&format!("| `{folder}` |")) && !readme.contains(&format!("| `{other}` |")),
+                "{device}"
+            );
+        }
+        assert!(files("lfe5u-85-6").iter().all(|(name, _)| !name.ends_with(".tcl")));
     }
 }

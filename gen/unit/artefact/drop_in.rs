@@ -1,4 +1,4 @@
-//! Projects for the tools that are not ISE, and instances to copy.
+//! Projects for build tools, and instances to copy.
 
 use super::file_lists::{Bench, FileLists};
 use super::{FileSet, Packaging, Prefix, origin};
@@ -9,11 +9,6 @@ use crate::params::{Method, Params};
 use askama::Template;
 use efsat_hardware::device::{Device, Family, Part};
 use efsat_hardware::op::Type;
-
-/// A part with enough multipliers for the default design, for who has no other in mind.
-const VIVADO_PART: &str = "xc7a200tfbg676-1";
-/// Family and device likewise.
-const QUARTUS: [&str; 2] = ["Cyclone V", "5CSEMA5F31C6"];
 
 #[derive(Template)]
 #[template(path = "drop-in/efsat.core", escape = "none")]
@@ -67,46 +62,6 @@ pub(super) fn core_name(params: &Params, packaging: &Packaging) -> String {
         }
     }
     format!("efsat:core:{name}")
-}
-
-#[derive(Template)]
-#[template(path = "drop-in/vivado.tcl", escape = "none")]
-struct Vivado<'a> {
-    header: &'a [String],
-    prefix: &'a Prefix,
-    vivado_part: &'static str,
-    sources: &'a [String],
-}
-
-#[derive(Template)]
-#[template(path = "drop-in/efsat.xdc", escape = "none")]
-struct VivadoConstraints<'a> {
-    header: &'a [String],
-    period: &'a str,
-}
-
-#[derive(Template)]
-#[template(path = "drop-in/efsat.qpf", escape = "none")]
-struct QuartusProject<'a> {
-    header: &'a [String],
-    prefix: &'a Prefix,
-}
-
-#[derive(Template)]
-#[template(path = "drop-in/efsat.qsf", escape = "none")]
-struct QuartusSettings<'a> {
-    header: &'a [String],
-    prefix: &'a Prefix,
-    quartus_family: &'static str,
-    quartus_device: &'static str,
-    sources: &'a [String],
-}
-
-#[derive(Template)]
-#[template(path = "drop-in/efsat.sdc", escape = "none")]
-struct QuartusConstraints<'a> {
-    header: &'a [String],
-    period: &'a str,
 }
 
 #[derive(Template)]
@@ -172,27 +127,18 @@ pub(super) fn add(
     format: &StreamFormat,
     packaging: &Packaging,
     lists: &FileLists,
-) -> [(String, &'static str); 5] {
+) -> [(String, &'static str); 3] {
     let (header, prefix) = (&origin()[..], &packaging.prefix);
     let sources = &lists.synthesised()[..];
-    let picoseconds = 1_000_000 / design.params.frequency;
-    let period = &format!("{}.{:03}", picoseconds / 1000, picoseconds % 1000)[..];
     let (benches, example) = (&lists.benches[..], &lists.example[..]);
     let version = env!("CARGO_PKG_VERSION");
     let (device, synthesis) = (design.device.name, Synthesis::new(design.device));
     let core = &core_name(&design.params, packaging)[..];
-    let [quartus_family, quartus_device] = QUARTUS;
-    let settings = QuartusSettings { header, prefix, quartus_family, quartus_device, sources };
     let texts = [
         (
             prefix.of("efsat.core"),
             Core { header, prefix, core, version, device, synthesis, sources, example, benches }.render(),
         ),
-        ("vivado/project.tcl".to_owned(), Vivado { header, prefix, vivado_part: VIVADO_PART, sources }.render()),
-        (format!("vivado/{prefix}efsat.xdc"), VivadoConstraints { header, period }.render()),
-        (format!("quartus/{prefix}efsat.qpf"), QuartusProject { header, prefix }.render()),
-        (format!("quartus/{prefix}efsat.qsf"), settings.render()),
-        (format!("quartus/{prefix}efsat.sdc"), QuartusConstraints { header, period }.render()),
         ("vunit/run.py".to_owned(), VUnit { header, prefix, benches }.render()),
         (
             prefix.of("efsat_instance.vhd.txt"),
@@ -206,8 +152,6 @@ pub(super) fn add(
         (prefix.of("efsat_instance.vhd.txt"), "Instances of the unit and of the wrapper, to copy into a design."),
         (prefix.of("efsat.core"), "Core for FuseSoC: a target a testbench, lint, and synthesis for the device."),
         ("vunit".to_owned(), "VUnit run script for all testbenches."),
-        ("vivado".to_owned(), "Vivado project script and clock constraint."),
-        ("quartus".to_owned(), "Quartus project and clock constraint."),
     ]
 }
 

@@ -13,6 +13,7 @@ mod layout;
 mod manifest;
 mod prefix;
 mod programmes;
+mod project;
 mod ready;
 mod scratch;
 pub mod sources;
@@ -22,6 +23,7 @@ pub mod stream_vectors;
 pub mod testbench;
 mod units;
 pub mod vectors;
+mod vivado;
 
 pub use design_files::{DesignFilesError, Packaging, design_files, design_files_with};
 pub use file_set::{Difference, FileSet, FileSetError};

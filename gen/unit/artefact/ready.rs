@@ -141,7 +141,7 @@ mod tests {
         let set = ready_files(|params, packaging| format!("{} {packaging:?}", params.command_line())).unwrap();
         for ready in ready_designs() {
             for file in
-                ["README.md", "efsat.vhd", "efsat_stream.vhd", "efsat_tb.vec", "manifest.json", "vivado/project.tcl"]
+                ["README.md", "efsat.vhd", "efsat_stream.vhd", "efsat_tb.vec", "manifest.json", "ise/project.tcl"]
             {
                 assert!(set.get(&format!("{}/{file}", ready.name)).is_some(), "{}/{file}", ready.name);
             }

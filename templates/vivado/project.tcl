@@ -4,7 +4,7 @@
 #
 # Makes a Vivado project of the unit in its stream wrapper and synthesises it out of context:
 #   vivado -mode batch -source project.tcl [-tclargs PART]
-set part [expr {$argc > 0 ? [lindex $argv 0] : "{{ vivado_part }}"}]
+set part [expr {$argc > 0 ? [lindex $argv 0] : "{{ part }}"}]
 set here [file dirname [file normalize [info script]]]
 create_project -force -part $part {{ prefix }}efsat [file join $here {{ prefix }}efsat]
 add_files -norecurse [list \

@@ -1,5 +1,0 @@
-{% for line in header -%}
-# {{ line }}
-{% endfor -%}
-create_clock -name aclk -period {{ period }} [get_ports aclk]
-derive_clock_uncertainty
