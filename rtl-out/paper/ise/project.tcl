@@ -9,25 +9,23 @@ project set family Virtex2
 project set device xc2v6000
 project set package bf957
 project set speed -4
-xfile add ../../efsat_constants.vhd
-xfile add ../../efsat_types.vhd
-xfile add ../../sequencer.vhd
-xfile add ../../multiply_18_18.vhd
-xfile add ../../multiply_32_32.vhd
-xfile add ../../transform_row.vhd
-xfile add ../../renormalise_offset.vhd
-xfile add ../../renormalise_shift.vhd
-xfile add ../../renormalise_scale.vhd
-xfile add ../../sign_case.vhd
-xfile add ../../interval_multiply.vhd
-xfile add ../../cross_product.vhd
-xfile add ../../axis_shift.vhd
-xfile add ../../projection.vhd
-xfile add ../../comparator_network.vhd
-xfile add ../../edge_test.vhd
-xfile add ../../pair_pipeline.vhd
-xfile add ../../efsat.vhd
-xfile add ../../efsat_stream.vhd
+xfile add ../efsat_constants.vhd
+xfile add ../efsat_types.vhd
+xfile add ../sequencer.vhd
+xfile add ../multiply_18_18.vhd
+xfile add ../multiply_32_32.vhd
+xfile add ../transform_row.vhd
+xfile add ../renormalise_offset.vhd
+xfile add ../renormalise_shift.vhd
+xfile add ../renormalise_scale.vhd
+xfile add ../sign_case.vhd
+xfile add ../interval_multiply.vhd
+xfile add ../cross_product.vhd
+xfile add ../projection.vhd
+xfile add ../comparator_network.vhd
+xfile add ../pair_pipeline.vhd
+xfile add ../efsat.vhd
+xfile add ../efsat_stream.vhd
 xfile add efsat.ucf
 project set top "rtl" "efsat"
 project set "Optimization Goal" Speed -process "Synthesize - XST"
