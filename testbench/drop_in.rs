@@ -1,5 +1,11 @@
 //! The generated files in projects of others: names that do not meet those of other designs.
 
+use efsat::params::options::Choice;
+use efsat::params::stream::{AnswerFields, Kind, StreamFormat, StreamWidth, StreamWord};
+use efsat::params::{Method, Params, Transform, Upper};
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
+use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
 
@@ -138,6 +144,160 @@ fn what_is_around_the_wrapper_is_written_with_constants() {
             ("stream_clocks_per_pair", &manifest["stream"]["clocks_per_pair"]),
         ] {
             assert!(package.contains(&format!("  constant {name} : natural := {value};")), "{name}: {package}");
+        }
+    }
+}
+
+/// Packs the pairs and poses that it reads, and unpacks the answers.
+const IN_C: &str = r#"
+#include <stdio.h>
+#include "efsat.h"
+
+static void print(const uint8_t *bytes, unsigned count)
+{
+  for (unsigned i = 0; i < count; i++)
+    printf("%02x", bytes[i]);
+  printf("\n");
+}
+
+int main(void)
+{
+  char kind;
+  long long tag, sticky, number;
+  while (scanf(" %c %lld %lld", &kind, &tag, &sticky) == 3) {
+    int64_t numbers[18] = {0};
+    uint8_t word[EFSAT_WORD_BYTES], pair[EFSAT_PAIR_BYTES], answer[EFSAT_ANSWER_BYTES];
+    (void)tag, (void)sticky;
+    for (unsigned i = 0; i < 18 && scanf("%lld", &number) == 1; i++)
+      numbers[i] = number;
+    switch (kind) {
+    case 'p':
+      efsat_put_header(word, EFSAT_PAIRS_HEADER);
+      efsat_put_pair(pair TAG STICKY, numbers);
+      print(word, sizeof word);
+      print(pair, sizeof pair);
+      break;
+#ifdef EFSAT_POSE_WORDS
+    case 'm': {
+      uint8_t pose[EFSAT_POSE_BYTES];
+      efsat_put_header(word, EFSAT_POSE_HEADER);
+      efsat_put_pose(pose, tag == 1 STICKY, numbers);
+      print(word, sizeof word);
+      print(pose, sizeof pose);
+      break;
+    }
+#endif
+    case 'a':
+      for (unsigned i = 0; i < sizeof answer; i++)
+        answer[i] = (uint8_t)numbers[i];
+      struct efsat_answer a = efsat_get_answer(answer);
+      printf("%u %u %u %u %llu %u %u\n", a.verdict, a.reason, a.outside, a.malformed, (unsigned long long)a.tag,
+          a.separated, a.overlapping);
+    }
+  }
+}
+"#;
+
+const IN_PYTHON: &str = r#"
+import sys
+import efsat as unit
+
+for line in sys.stdin:
+    kind, *numbers = line.split()
+    tag, sticky, *numbers = map(int, numbers)
+    more = {"sticky": sticky} if STICKY else {}
+    named = {"tag": tag % (1 << 64)} if TAG else {}
+    if kind == "p":
+        print(unit.pairs_packet([])[:].hex(), unit.pair(numbers, **named, **more).hex(), sep="\n")
+    elif kind == "m":
+        packet = unit.pose_packet(numbers[: unit.POSE_NUMBERS], tag == 1, **more)
+        word = unit.WORD_BITS // 8
+        print(packet[:word].hex(), packet[word:].hex(), sep="\n")
+    else:
+        [a] = unit.answers(bytes(numbers[: unit.ANSWER_WORD_BITS // 8]))
+        print(*map(int, a))
+"#;
+
+#[test]
+fn host_files_in_c_and_python_pack_as_the_driver_does() {
+    let mut rng = ChaCha8Rng::seed_from_u64(4);
+    let base = Params { width: 8, ..Params::default() };
+    let designs = [
+        (Params { transform_width: 10, ..base.clone() }, StreamWidth::Bits64),
+        (Params { transform_width: 40, tag_width: 64, upper: Upper::Sticky, ..base.clone() }, StreamWidth::Bits32),
+        (Params { transform: Transform::Translate, tag_width: 0, ..base.clone() }, StreamWidth::Bits128),
+        (Params::of(Method::Exact), StreamWidth::Bits1024),
+    ];
+    for (params, width) in designs {
+        let home = tempfile::tempdir().unwrap();
+        let (dir, format) = (home.path(), StreamFormat::new(&params, width));
+        let command = params.command_line();
+        let options = command.strip_prefix("efsat generate").unwrap();
+        efsat(dir, &format!("generate --out rtl --stream-width {} {options}", width.name()));
+        let (mut asked, mut expected) = (String::new(), String::new());
+        let hex = |words: &[StreamWord]| -> String {
+            let bytes = words.iter().flat_map(|word| word.bytes().take(width.bits() as usize / 8).collect::<Vec<_>>());
+            bytes.map(|byte| format!("{byte:02x}")).collect()
+        };
+        let mut ask = |kind: char, tag: u64, sticky: u32, numbers: &[i64]| {
+            let numbers: String = numbers.iter().map(|x| format!(" {x}")).collect();
+            writeln!(asked, "{kind} {} {sticky}{numbers}", tag as i64).unwrap();
+        };
+        for _ in 0..40 {
+            let end = 1i64 << (params.transform_width - 1);
+            let numbers = [(); 18].map(|()| rng.random_range(-end..end));
+            let sticky = if params.upper == Upper::Sticky { rng.random_range(0..1 << 18) } else { 0 };
+            let tag = rng.random::<u64>() & (((1u128 << params.tag_width) - 1) as u64);
+            let with_sticky = |i: usize| (numbers[i], sticky >> i & 1 == 1);
+            ask('p', tag, sticky, &numbers);
+            let header = |kind| hex(&[StreamWord::from(u128::from(format.header(kind)))]);
+            let record = format.pair_record(tag, (0..18).map(with_sticky));
+            writeln!(expected, "{}\n{}", header(Kind::Pairs), hex(&record)).unwrap();
+            if format.has_pose() {
+                let count = format.numbers(Kind::Pose) as usize;
+                let (bypass, sticky) = (rng.random(), sticky & ((1 << count) - 1));
+                ask('m', u64::from(bypass), sticky, &numbers);
+                let skipped = vec![(0, false); 12 - count].into_iter();
+                let record = format.pose_record(bypass, skipped.chain((0..count).map(with_sticky)));
+                writeln!(expected, "{}\n{}", header(Kind::Pose), hex(&record)).unwrap();
+            }
+            let flags = |rng: &mut ChaCha8Rng| rng.random_range(0..1 << format.flags);
+            let fields =
+                AnswerFields { status: rng.random(), tag, separated: flags(&mut rng), overlapping: flags(&mut rng) };
+            let bytes: Vec<i64> = format.answer(&fields).to_le_bytes().map(i64::from).to_vec();
+            ask('a', 0, 0, &[&bytes[..], &[0, 0]].concat());
+            let bit = |at: u32| fields.status >> at & 1;
+            let outside = if params.guarded() { bit(4) } else { 0 };
+            writeln!(
+                expected,
+                "{} {} {outside} {} {tag} {} {}",
+                fields.status & 3,
+                fields.status >> 2 & 3,
+                bit(7),
+                fields.separated,
+                fields.overlapping
+            )
+            .unwrap();
+        }
+        let (has_tag, is_sticky) = (params.tag_width > 0, params.upper == Upper::Sticky);
+        let host = dir.join("rtl/host");
+        let given = |there, text: &'static str| if there { text } else { "" };
+        let c = IN_C
+            .replace("TAG STICKY", &format!("{} STICKY", given(has_tag, ", (uint64_t)tag")))
+            .replace(" STICKY", given(is_sticky, ", (uint32_t)sticky"));
+        std::fs::write(host.join("test.c"), c).unwrap();
+        let said = |there| if there { "True" } else { "False" };
+        let python = IN_PYTHON.replace("if STICKY", &format!("if {}", said(is_sticky)));
+        std::fs::write(host.join("test.py"), python.replace("if TAG", &format!("if {}", said(has_tag)))).unwrap();
+        std::fs::write(host.join("asked"), asked).unwrap();
+        let warnings = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-o", "test", "test.c"];
+        run(&host, "cc", &warnings);
+        let python = Command::new("python3").arg("--version").output().is_ok();
+        if !python {
+            eprintln!("skipped in part: Python is not installed");
+        }
+        for command in ["./test < asked", "python3 -B test.py < asked"].iter().take(if python { 2 } else { 1 }) {
+            assert_eq!(run(&host, "sh", &["-c", command]), expected, "{command}: {params:?}");
         }
     }
 }

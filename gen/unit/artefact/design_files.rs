@@ -101,6 +101,10 @@ pub fn design_files_with(
     set.insert(&lists.wrapper, stream::wrapper(design, &format, prefix, &origin));
     set.insert(&lists.constants, layout::package(design, &format, prefix));
     describe(&lists.constants, "Widths, latency and places in the words of the stream, as VHDL constants for users.");
+    for (name, text) in layout::host(design, &format, prefix) {
+        set.insert(name, text);
+    }
+    describe("host", "The words of the stream in C and in Python: constants, packing, unpacking.");
     describe(&lists.wrapper, &format!("AXI4-Stream wrapper, words of {} bits in.", width.bits()));
     example::add(&mut set, design, &format, prefix, &lists);
     describe("example", "The wrapped unit behind a UART, a whole design, and its testbench.");

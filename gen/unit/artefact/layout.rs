@@ -7,7 +7,7 @@ use crate::golden::Verdict;
 use crate::params::stream::{
     BYPASS_AT, Kind, MALFORMED, OUTSIDE, REASON_AT, REPORT, STATUS_BITS, StreamFormat, TAG_AT,
 };
-use crate::params::{Method, Upper};
+use crate::params::{Method, Transform, Upper};
 use askama::Template;
 
 /// A constant.
@@ -133,6 +133,24 @@ struct Package<'a> {
 }
 
 impl Constant {
+    fn upper(&self) -> String {
+        self.name.to_uppercase()
+    }
+
+    fn c(&self) -> String {
+        match self.value {
+            Value::Number(number) => number.to_string(),
+            Value::Word(word) => format!("UINT32_C(0x{word:08x})"),
+        }
+    }
+
+    fn python(&self) -> String {
+        match self.value {
+            Value::Number(number) => number.to_string(),
+            Value::Word(word) => format!("0x{word:08x}"),
+        }
+    }
+
     /// The subtype and the value in VHDL.
     fn vhdl(&self) -> String {
         match self.value {
@@ -140,6 +158,60 @@ impl Constant {
             Value::Word(word) => format!("std_logic_vector(31 downto 0) := x\"{word:08x}\""),
         }
     }
+}
+
+/// The files of the host side, in C and in Python.
+#[derive(Template)]
+#[template(path = "host/efsat.h", escape = "none")]
+struct Header<'a> {
+    header: Vec<String>,
+    prefix: &'a Prefix,
+    /// Stands before the names of constants.
+    upper: String,
+    groups: Vec<Group>,
+    has_tag: bool,
+    is_sticky: bool,
+    has_pose: bool,
+    has_matrix: bool,
+    has_outside: bool,
+}
+
+#[derive(Template)]
+#[template(path = "host/efsat.py", escape = "none")]
+struct Module<'a> {
+    header: Vec<String>,
+    prefix: &'a Prefix,
+    groups: Vec<Group>,
+    has_tag: bool,
+    is_sticky: bool,
+    has_pose: bool,
+    has_matrix: bool,
+    has_outside: bool,
+}
+
+/// The host side in C and in Python: names and texts.
+pub(super) fn host(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [(String, String); 2] {
+    let p = &design.params;
+    let (header, groups) = (origin, || groups(design, format));
+    let (has_tag, is_sticky) = (p.tag_width > 0, p.upper == Upper::Sticky);
+    let (has_pose, has_matrix) = (format.has_pose(), p.transform == Transform::On);
+    let has_outside = p.guarded();
+    let upper = prefix.of("efsat").to_uppercase();
+    let c = Header {
+        header: header(),
+        prefix,
+        upper,
+        groups: groups(),
+        has_tag,
+        is_sticky,
+        has_pose,
+        has_matrix,
+        has_outside,
+    };
+    let python =
+        Module { header: header(), prefix, groups: groups(), has_tag, is_sticky, has_pose, has_matrix, has_outside };
+    let texts = [("efsat.h", c.render()), ("efsat.py", python.render())];
+    texts.map(|(name, text)| (format!("host/{}", prefix.of(name)), text.expect("the template renders")))
 }
 
 /// The package of constants in VHDL.
