@@ -13,6 +13,7 @@ mod itself;
 mod meetings;
 mod motion;
 mod pose;
+mod split;
 mod survivors;
 mod sweep;
 mod trajectory;

@@ -10,17 +10,8 @@
 
 use super::Pose;
 use super::enclosure::image;
+use super::split::{Node, nodes};
 use crate::mesh::{Bounds, Mesh};
-use nalgebra::Point3;
-
-/// A node of the tree; nodes are stored parent first, left subtree before right.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Node {
-    /// One triangle.
-    Leaf(u32),
-    /// Two subtrees: the left one follows its parent, the right one is at this index.
-    Inner(u32),
-}
 
 /// A binary tree of axis-aligned boxes over the triangles of a mesh, one triangle to a leaf.
 #[derive(Clone, Debug)]
@@ -31,8 +22,7 @@ pub struct Tree<'a> {
 }
 
 impl<'a> Tree<'a> {
-    /// Builds the tree: every node is split at the median of the triangles' centres along its longest edge, so that
-    /// the depth is the logarithm of the number of triangles.
+    /// Builds the tree, split by the surface area heuristic.
     pub fn new(mesh: &'a Mesh) -> Self {
         let mut tree = Self { mesh, nodes: nodes(mesh), boxes: Vec::new() };
         tree.boxes = tree.fit(&mesh.vertices.iter().map(|&v| Bounds { min: v, max: v }).collect::<Vec<_>>());
@@ -52,39 +42,6 @@ impl<'a> Tree<'a> {
         }
         boxes
     }
-}
-
-/// The nodes of a tree over the triangles of a mesh: every one is split at the median of the triangles' centres along
-/// its longest edge.
-pub(super) fn nodes(mesh: &Mesh) -> Vec<Node> {
-    let mut triangles: Vec<(u32, Point3<f64>)> = (0u32..)
-        .zip(&mesh.faces)
-        .map(|(index, face)| (index, Bounds::of(face.map(|v| &mesh.vertices[v as usize])).centre()))
-        .collect();
-    let mut nodes = Vec::with_capacity(2 * triangles.len());
-    if !triangles.is_empty() {
-        split(&mut triangles, &mut nodes);
-    }
-    nodes
-}
-
-/// Appends the subtree over `triangles`, of which there is at least one.
-fn split(triangles: &mut [(u32, Point3<f64>)], nodes: &mut Vec<Node>) {
-    if let [(triangle, _)] = *triangles {
-        nodes.push(Node::Leaf(triangle));
-        return;
-    }
-    let spread = Bounds::of(triangles.iter().map(|(_, centre)| centre));
-    let axis = (spread.max * 0.5 - spread.min * 0.5).imax();
-    let middle = triangles.len() / 2;
-    // The index breaks ties, so that the tree does not depend on the sorting algorithm.
-    triangles.select_nth_unstable_by(middle, |a, b| a.1[axis].total_cmp(&b.1[axis]).then(a.0.cmp(&b.0)));
-    let (left, right) = triangles.split_at_mut(middle);
-    let parent = nodes.len();
-    nodes.push(Node::Inner(0));
-    split(left, nodes);
-    nodes[parent] = Node::Inner(nodes.len() as u32);
-    split(right, nodes);
 }
 
 /// All pairs (triangle of A, triangle of B) whose boxes overlap in A's frame when B is in `pose` as seen from A, in

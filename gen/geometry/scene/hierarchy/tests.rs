@@ -6,7 +6,7 @@ use super::*;
 use crate::exact::{Exact, posed_pair};
 use crate::mesh::{Mesh, headlight};
 use crate::scene::pose::{Pose, axis_angle};
-use crate::scene::tree::Node;
+use crate::scene::split::Node;
 use nalgebra::{Matrix3, Point3, Vector3};
 use num_bigint::BigInt;
 use num_rational::Ratio;

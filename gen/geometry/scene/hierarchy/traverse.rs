@@ -3,7 +3,7 @@
 use super::realign::Realignment;
 use super::{DopTree, Statistics};
 use crate::scene::Pose;
-use crate::scene::tree::Node;
+use crate::scene::split::Node;
 use std::ops::ControlFlow;
 
 /// Memory that queries use one after the other.

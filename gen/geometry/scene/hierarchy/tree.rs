@@ -2,7 +2,7 @@
 
 use super::Directions;
 use crate::mesh::Mesh;
-use crate::scene::tree::{Node, nodes};
+use crate::scene::split::{Node, nodes};
 use nalgebra::{Point3, Vector3};
 
 /// The half-size of a mesh is at most 2^FRACTION steps of its grid.
