@@ -111,6 +111,10 @@ def shows(browser, what, expected):
               [bits, clocks, multipliers])
         alike(f"{what}: time", nanoseconds(row[5]), ns)
         alike(f"{what}: undecided", float(row[6].split()[0]) / 100, share)
+    if len(expected) > 1:
+        words = browser.text("#answer")
+        factor = float(words.split(" times as long")[0].split()[-1].replace(",", ""))
+        alike(f"{what}: factor in the conclusion", factor, expected[-1][3] / expected[0][3])
 
 
 def accuracy(chromium):

@@ -224,6 +224,16 @@
 
   const named = (p) => `${p.method} ${p.bits} bits · ${clocks(p.clocks)} · ${whole(p.multipliers)} mult.`;
 
+  // What accuracy costs, in a sentence.
+  function answer() {
+    const [fast, sure] = [front[0], front.at(-1)];
+    const what = (p) => `${time(p.ns)} per pair with ${percent(p.share)} undecided`;
+    const words = !fast ? "No unit fits these settings."
+      : fast === sure ? `The fastest unit is also the most accurate: ${what(fast)}.`
+        : `The most accurate unit takes ${significant(sure.ns / fast.ns)} times as long as the fastest: ${what(sure)} instead of ${what(fast)}.`;
+    $("answer").textContent = words;
+  }
+
   // Names beside the points of the front, or their numbers in the table where there is no room for names; names of tests
   // in software. A name that has no free place is left out: the table has it.
   function label(u, plot, narrow) {
@@ -235,7 +245,7 @@
       const [[x, y], [end]] = [place(front[i]), place(point)];
       taken.push([x, y - 2 * k, end, y + 2 * k]);
     });
-    const hits = (a) => taken.some((b) => a[0] < b[2] && b[0] < a[2] && a[1] < b[3] && b[1] < a[3]);
+    const hits = (a) => taken.some((b) => a[0] - 4 * k < b[2] && b[0] < a[2] + 4 * k && a[1] < b[3] && b[1] < a[3]);
     ctx.save();
     ctx.textBaseline = "middle";
     ctx.textAlign = "left";
@@ -252,7 +262,7 @@
       const fits = ([l, t]) => l >= left && t >= top && l + width <= left + wide && t + height <= top + high && !hits([l, t, l + width, t + height]);
       const corner = corners.find(fits);
       if (!corner) {
-        return;
+        return false;
       }
       const [l, t] = corner;
       taken.push([l, t, l + width, t + height]);
@@ -270,10 +280,15 @@
       ctx.strokeText(text, l, t + height / 2);
       ctx.fillStyle = paint;
       ctx.fillText(text, l, t + height / 2);
+      return true;
     };
     // The ends come first: they are what most readers look for.
     const order = [...front].sort((a, b) => (b === front[0] || b === front.at(-1)) - (a === front[0] || a === front.at(-1)));
-    order.forEach((point) => write(point, narrow ? String(front.indexOf(point) + 1) : named(point), 600, colour("--ink")));
+    order.forEach((point) => {
+      const number = String(front.indexOf(point) + 1);
+      const wrote = !narrow && write(point, `${number}: ${named(point)}`, 600, colour("--ink"));
+      return wrote || write(point, number, 600, colour("--ink"));
+    });
     if (!narrow) {
       plot.items.filter((item) => item.kind === SOFTWARE).forEach((test) => write(test, test.name, 400, colour("--soft")));
     }
@@ -419,7 +434,7 @@
     };
     const there = KINDS.filter((_, kind) => PLOTS[0].items.some((item) => item.kind === kind));
     $("legend").innerHTML = there.map((kind) => `<span>${svg(kind)}${kind.name}</span>`).join("") +
-      '<span><svg viewBox="0 0 14 14" aria-hidden="true"><path d="M0 7h14" stroke="currentColor" stroke-width="2.4"/></svg>frontier: no other unit is both faster and surer</span>';
+      '<span><svg viewBox="0 0 14 14" aria-hidden="true"><path d="M0 7h14" stroke="currentColor" stroke-width="2.4"/></svg>frontier: no unit is both faster and leaves fewer pairs undecided</span>';
   }
 
   // What is set, in the address, so that it can be passed on.
@@ -463,6 +478,7 @@
       pinned = null;
     }
     PLOTS.forEach((plot) => plot.u.setData(columns(plot)));
+    answer();
     tiles();
     table();
     legend();

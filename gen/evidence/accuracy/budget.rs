@@ -14,7 +14,7 @@ pub struct Folding {
     pub width: u32,
     /// The parameters, if a folding fits.
     pub params: Option<Params>,
-    /// Multipliers of the slowest folding that the generator has: one axis a clock.
+    /// Multipliers of the slowest folding that the generator has: one axis per clock.
     pub least: u64,
 }
 

@@ -55,7 +55,7 @@ fn about(results: &Results, row: &Row) -> String {
     let what: Vec<String> = row.point.options.iter().filter_map(differs).collect();
     let what = if what.is_empty() { point_name(results) } else { what.join(", ") };
     format!(
-        "{what}: {} p.i., {} ns a pair, {} multipliers",
+        "{what}: {} p.i., {} ns per pair, {} multipliers",
         percent(row.possibly_incorrect.share),
         significant(row.effective_ns),
         grouped(row.point.hardware.cells.multipliers)
@@ -156,7 +156,7 @@ fn time_by_width(results: &Results) -> Figure {
             y: costly(row),
             bounds: None,
             about: format!(
-                "{} bits: {} a pair, {} p.i.",
+                "{} bits: {} per pair, {} p.i.",
                 row.point.width(),
                 time(costly(row)),
                 percent(row.possibly_incorrect.share)
@@ -177,7 +177,7 @@ fn time_by_width(results: &Results) -> Figure {
     }
     let determinants = results.by_width(&DETERMINANTS);
     if determinants.len() > 1 {
-        line("determinants, a pair per clock".to_owned(), style(BLACK, Mark::Diamond, Line::Solid), &determinants, 0.0);
+        line("determinants, one pair per clock".to_owned(), style(BLACK, Mark::Diamond, Line::Solid), &determinants, 0.0);
     }
     if fastest.len() > 1 {
         line("fastest clock".to_owned(), style(SKY, Mark::Triangle, Line::Solid), &fastest, 0.0);
@@ -198,9 +198,9 @@ fn time_by_width(results: &Results) -> Figure {
     }
     let chart = Chart {
         title: "What a pair costs at each width".to_owned(),
-        about: "Effective time a pair over the working width".to_owned(),
+        about: "Effective time per pair over the working width".to_owned(),
         x: Axis::linear("working width, bits"),
-        y: Axis::logarithmic("effective time a pair, ns (log scale)"),
+        y: Axis::logarithmic("effective time per pair, ns (log scale)"),
         labels,
         series: all,
         none: String::new(),
@@ -260,7 +260,7 @@ fn frontier(results: &Results) -> Figure {
         y: 100.0 * step.open.share,
         bounds: None,
         about: format!(
-            "{} ({}): {} ns a pair, {} without a right answer",
+            "{} ({}): {} ns per pair, {} without a right answer",
             step.rung.name,
             step.rung.about,
             significant(step.ns),
@@ -301,8 +301,8 @@ fn frontier(results: &Results) -> Figure {
     labels.extend(named);
     let chart = Chart {
         title: format!("Accuracy against time: units that fit the {}, and software", base.option("device")),
-        about: "Share of pairs without a right definite answer over the effective time a pair".to_owned(),
-        x: Axis::logarithmic("effective time a pair, undecided pairs retested, ns (log scale)"),
+        about: "Share of pairs without a right definite answer over the effective time per pair".to_owned(),
+        x: Axis::logarithmic("effective time per pair, undecided pairs retested, ns (log scale)"),
         y: Axis::logarithmic("pairs without a right definite answer (log scale)").with_unit(" %"),
         series: all,
         labels,
@@ -360,9 +360,9 @@ fn time_by_budget(results: &Results) -> Option<Figure> {
     labels.extend(all.iter().filter_map(last));
     let chart = Chart {
         title: "The same multipliers, more bits: accuracy costs clocks".to_owned(),
-        about: "Effective time a pair over the width, with the fastest folding that fits".to_owned(),
+        about: "Effective time per pair over the width, with the fastest folding that fits".to_owned(),
         x: Axis::linear("working width, bits"),
-        y: Axis::logarithmic("effective time a pair, ns (log scale)"),
+        y: Axis::logarithmic("effective time per pair, ns (log scale)"),
         labels,
         series: all,
         none: String::new(),

@@ -66,12 +66,12 @@ fn bits(results: &Results) -> Option<String> {
         return None;
     }
     let times = match at_clock.ratio {
-        ratio if (0.47..0.53).contains(&ratio) => "halves the possibly incorrect answers".to_owned(),
-        ratio => format!("leaves {:.0} % of the possibly incorrect answers", 100.0 * ratio),
+        ratio if (0.47..0.53).contains(&ratio) => "halves the number of possibly incorrect answers".to_owned(),
+        ratio => format!("reduces the possibly incorrect answers to {:.0} %", 100.0 * ratio),
     };
     let widest = at_clock.steps.last().map_or(last, |step| step.to);
-    let end = if last == widest { "the widest tried" } else { "beyond which hardly any more are decided" };
-    Some(format!("From {first} bits on, one more bit of width {times}, up to {last} bits, {end}."))
+    let end = if last == widest { "the greatest width tried" } else { "beyond which hardly any more are decided" };
+    Some(format!("From {first} bits on, each additional bit of width {times}; this holds up to {last} bits, {end}."))
 }
 
 /// What the dearest bit costs in the budget where it is dearest.
@@ -85,13 +85,13 @@ fn dearest(results: &Results) -> Option<String> {
     let cost = step.cost_ns.map_or_else(String::new, |cost| {
         let (needed, paid) = (time(cost), time(before.cost_ns));
         if cost > before.cost_ns {
-            format!(", which pays only if a possibly incorrect pair costs more than {needed} instead of {paid}")
+            format!(", which pays only if a possibly incorrect pair costs more than {needed}; measured is {paid}")
         } else {
-            format!(", which pays all the same: a possibly incorrect pair costs {paid}, more than {needed}")
+            format!(", which still pays: a possibly incorrect pair costs {paid}, more than the {needed} that it takes")
         }
     });
     Some(format!(
-        "It costs no time while multipliers last; within {budget} of them bit {} makes every pair take {times} times as long{cost}.",
+        "As long as there are enough multipliers, a bit costs no time; with {budget} of them, going to {} bits makes every pair take {times} times as long{cost}.",
         step.to
     ))
 }
@@ -137,27 +137,27 @@ fn floor(results: &Results) -> String {
         return match floor.answers.possibly_incorrect {
             0 => "The widest unit decides every pair.".to_owned(),
             open => format!(
-                "The widest unit leaves {} pairs open, all of them by rounding: no pair needs a retest at every width.",
+                "The widest unit leaves {} pairs open, all of them because of rounding: no pair needs a retest at every width.",
                 grouped(open)
             ),
         };
     }
     let all = if floor.examined < floor.answers.possibly_incorrect { " examined" } else { "" };
     format!(
-        "No width decides {} of the pairs: of the {}{all} that the widest unit leaves open {}.",
+        "No width decides {} of the pairs. Of the {}{all} that the widest unit leaves open, {}.",
         percent(floor.share()),
         grouped(floor.examined),
         counts.join(", ")
     )
 }
 
-/// Where the effective time is least, at the clock given and at the fastest one.
+/// Where the effective time is shortest, at the clock given and at the fastest one.
 fn fastest(results: &Results) -> Option<String> {
     let at_clock = results.at_clock.as_ref()?;
     let rows = results.by_width(&[]);
     let row = rows.iter().find(|row| row.point.width() == at_clock.best_width)?;
     let mut text = format!(
-        "{} the effective time a pair is least {}: {}, {} of it for retests.",
+        "{}, the effective time per pair is shortest {}: {}, of which retests take {}.",
         capitalised(&at_clock.series),
         at_clock.best(),
         time(at_clock.best_ns),
@@ -167,11 +167,11 @@ fn fastest(results: &Results) -> Option<String> {
         let (best, least) = (fast.best(), time(fast.best_ns));
         if fast.span < 0.01 {
             text.push_str(&format!(
-                " The fastest clock of the schedule is the same at every width; with it that is {best}, {least}."
+                " The fastest clock that the schedule allows is the same at every width; with it the shortest time is {least}, {best}."
             ));
         } else {
             text.push_str(&format!(
-                " As fast as each width will clock it is least {best}, {least}: beyond, the clock costs more than the retest saves."
+                " With the fastest clock of each width it is shortest {best}, {least}: beyond that, the slower clock costs more than the fewer retests save."
             ));
         }
     }
@@ -183,8 +183,9 @@ fn software(results: &Results) -> String {
     let took = |name: &str| time(results.step(name).map_or(0.0, |step| step.ns));
     let open = |name: &str| results.step(name).map_or(0, |step| step.rung.open());
     format!(
-        "In software, one core of this machine: separating axes in binary64 take {} a pair and are wrong in {} pairs, \
-         with Moeller's published epsilon {} and {}; the exact retest takes {} ({} in batches), rational arithmetic {}.",
+        "In software, one core of this machine: separating axes in binary64 take {} per pair and are wrong for {} pairs; \
+         Moeller's test with its published epsilon takes {} and is wrong for {}; the exact retest takes {} ({} in batches), \
+         rational arithmetic {}.",
         took("f64"),
         grouped(open("f64")),
         took("f64, epsilon"),
@@ -208,9 +209,9 @@ fn determinants(results: &Results) -> Option<String> {
         1 => "one clock".to_owned(),
         n => format!("{n} clocks"),
     };
-    let fits = if row.point.hardware.fits { "" } else { ", which the device does not hold" };
+    let fits = if row.point.hardware.fits { "" } else { " (more than the device has)" };
     Some(format!(
-        "By {} in place of axes a pair takes {}: {clocks} per pair, {} multipliers{fits}, {} possibly incorrect.",
+        "With {} instead of axes, a pair takes {}: {clocks} per pair, {} multipliers{fits}, {} possibly incorrect.",
         row.point.method(),
         time(row.effective_ns),
         row.point.hardware.cells.multipliers,
@@ -225,17 +226,17 @@ fn budgets(results: &Results) -> Option<String> {
     let fitting: Vec<_> = of_budget.iter().filter_map(|fold| Some((fold.width, &results.rows[fold.row?]))).collect();
     let beyond = of_budget.iter().find(|fold| fold.row.is_none() && fitting.iter().all(|fit| fit.0 < fold.width));
     let Some((width, row)) = fitting.last() else {
-        return Some(format!("No width of the sweep fits in {budget} multipliers."));
+        return Some(format!("No width of the sweep fits into {budget} multipliers."));
     };
     let mut text = format!(
-        "In {budget} multipliers the most accurate unit has {width} bits: {} a pair, {} possibly incorrect",
+        "With {budget} multipliers the most accurate unit has {width} bits: {} per pair, {} possibly incorrect",
         time(row.effective_ns),
         percent(row.possibly_incorrect.share)
     );
     if let Some(fold) = beyond {
         let device = results.base().point.option("device");
         text.push_str(&format!(
-            "; {} bits take {} multipliers of an {device} even at one axis a clock",
+            "; {} bits need {} multipliers on an {device}, even at one axis per clock",
             fold.width, fold.least
         ));
     }

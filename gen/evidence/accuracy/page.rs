@@ -317,12 +317,12 @@ fn step(step: &Step) -> Line {
 
 /// What a series says, in words.
 fn break_even(found: &BreakEven) -> String {
-    let mut text = format!("{}: the effective time is least {}", capitalised(&found.series), found.best());
+    let mut text = format!("{}: the effective time is shortest {}", capitalised(&found.series), found.best());
     match found.dearest() {
-        None => text.push_str(", and no bit takes the hardware longer: one more pays as long as it decides anything."),
+        None => text.push_str(", and no bit makes the hardware slower: one more pays as long as it decides anything."),
         Some(step) => {
             text.push_str(&format!(
-                "; the dearest step is to {} bits, {} ns a pair more",
+                "; the most expensive step is the one to {} bits, {} ns more per pair",
                 step.to,
                 significant(step.hardware_ns)
             ));
@@ -334,7 +334,7 @@ fn break_even(found: &BreakEven) -> String {
                 None => {}
             }
             if let Some(cost) = step.cost_ns {
-                text.push_str(&format!("; at these shares it pays if such a pair costs more than {}", time(cost)));
+                text.push_str(&format!("; at the measured shares it pays if such a pair costs more than {}", time(cost)));
             }
             text.push('.');
         }
@@ -359,9 +359,9 @@ fn folds(results: &Results) -> Vec<Line> {
             Some((Some(row), _)) => {
                 let row = &results.rows[row];
                 let units = row.point.option("axes-per-clock");
-                format!("{} ns ({units} a clock)", significant(row.effective_ns))
+                format!("{} ns ({units} per clock)", significant(row.effective_ns))
             }
-            Some((None, least)) => format!("takes {least}"),
+            Some((None, least)) => format!("needs {least}"),
             None => String::new(),
         }
     };

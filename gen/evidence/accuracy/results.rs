@@ -30,7 +30,7 @@ pub struct Fold {
     pub budget: u64,
     /// Working width.
     pub width: u32,
-    /// Multipliers of one axis a clock, the slowest folding there is.
+    /// Multipliers of one axis per clock, the slowest folding there is.
     pub least: u64,
     /// The point, by its place among the rows; none if nothing fits.
     pub row: Option<usize>,

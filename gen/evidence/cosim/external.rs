@@ -258,7 +258,7 @@ pub(super) fn parse(text: &str, command: &str) -> Result<Run, CosimError> {
     Ok(run)
 }
 
-/// The log of the probe ports: one line a clock.
+/// The log of the probe ports: one line per clock.
 pub(super) fn probes(design: &Design, path: &Path) -> Result<Vec<(bool, Vec<i128>)>, CosimError> {
     let text = std::fs::read_to_string(path).map_err(file_error(path))?;
     let word = testbench::probe_word(design);

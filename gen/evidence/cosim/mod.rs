@@ -168,7 +168,7 @@ struct Run {
     simulator: String,
     simulation: Duration,
     first: Option<String>,
-    /// One line a clock of the first pass: whether a pair was accepted, and the probe ports.
+    /// One line per clock of the first pass: whether a pair was accepted, and the probe ports.
     probes: Vec<(bool, Vec<i128>)>,
 }
 

@@ -1,4 +1,4 @@
-//! A picture for Graphviz: one cluster a clock.
+//! A picture for Graphviz: one cluster per clock.
 
 use super::model::{Kind, Picture, Place};
 use crate::op;

@@ -1,6 +1,6 @@
 //! The schedule of a unit as a linear program: difference constraints between start clocks, and register bits.
 //!
-//! One integer start a node. A value that follows the phases is carried by one register a clock to its last use; a
+//! One integer per node: its start. A value that follows the phases is carried by one register per clock to its last use; a
 //! per-pair value is captured again once an interval after its window has closed. But for the whole number of captures the
 //! matrix is totally unimodular, and the best starts are found by cuts: from the earliest schedule, the group of nodes
 //! whose common move by one clock saves most is a minimum cut, and where no group saves anything the schedule is optimal

@@ -12,7 +12,7 @@
 //!
 //! A per-pair value is valid in a *window* of clocks, at most one interval long. Uses inside the window need no
 //! register at all; a use beyond it captures the value again (a *hold*), which costs one register an interval whatever
-//! the distance. A per-phase value moves by one register a clock.
+//! the distance. A per-phase value moves by one register per clock.
 
 mod constraints;
 mod cut;
