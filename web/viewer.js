@@ -160,14 +160,14 @@
     [...$("pairs").tBodies[0].rows].forEach((row, i) => row.classList.toggle("on", i === number));
     const box = $("pair");
     if (!contact) {
-      box.replaceChildren(element("p", { class: "soft" }, frame.contacts.length > 0 ? "Click a coloured triangle, or a row above, to see what was answered and why." : "No pair touches or is undecided in this pose."));
+      box.replaceChildren(element("p", { class: "soft" }, frame.contacts.length > 0 ? "Click a coloured triangle, or a row above, to see the answers and the reason." : "No pair touches or is undecided in this pose."));
     } else {
       $("pairs").tBodies[0].rows[number].scrollIntoView({ block: "nearest" });
       const facts = element("dl", {});
       const fact = (name, text) => facts.append(element("dt", {}, name), element("dd", {}, text));
       fact("triangles", `${data.objects[contact.a].name} ${contact.p}, ${data.objects[contact.b].name} ${contact.q}`);
-      fact("the unit", kind(contact).verdict);
-      fact("exactly", contact.exact);
+      fact("unit’s answer", kind(contact).verdict);
+      fact("exact answer", contact.exact);
       box.replaceChildren(element("h2", {}, kind(contact).words), facts, ...why(contact));
     }
     draw();

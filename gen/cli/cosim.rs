@@ -39,7 +39,7 @@ pub(super) struct Arguments {
     /// Take an evenly spread sample of N pairs of a file or scene [default: 2000 of a scene, all of a file]
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true, conflicts_with = "random")]
     limit: Option<u64>,
-    /// What runs the design
+    /// Simulator that runs the design
     #[arg(long, value_name = "NAME", default_value = "ghdl", value_parser = choice::<Simulator>())]
     simulator: Simulator,
     /// What Verilator runs: rtl, as GHDL infers it, or mapped by Yosys to cells of --device's family [default: rtl]
@@ -51,7 +51,7 @@ pub(super) struct Arguments {
     /// Write a waveform (.ghw or .vcd)
     #[arg(long, value_name = "FILE")]
     wave: Option<PathBuf>,
-    /// Compare inner nodes too
+    /// Compare internal signals too
     #[arg(long)]
     probe: bool,
     /// Print one JSON object

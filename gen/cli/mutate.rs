@@ -20,7 +20,7 @@ use std::time::Instant;
 
 /// Changes the generated VHDL or the reference model, one line at a time, and shows that the checks notice it
 ///
-/// Every mutant of the VHDL is run on 16 chosen pairs, then with inner nodes compared on 48 and on --vectors pairs,
+/// Every mutant of the VHDL is run on 16 chosen pairs, then with internal signals compared on 48 and on --vectors pairs,
 /// until an answer, a flag, a tag, the latency or a node differs: killed. Every mutant of the reference model
 /// (--target golden) is compiled with rustc and compared with the evaluated graph under several parameter sets. Mutants
 /// that no compiler takes are listed and do not count. Survivors are explained by a table of the program, most of them

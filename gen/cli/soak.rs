@@ -14,7 +14,7 @@ use std::path::PathBuf;
 
 /// Asks one or more designs about very many hard pairs, each pair once, and compares every answer with the exact one
 ///
-/// The pairs are those of `efsat stress`, each as its family makes it. Their truth is the exact software retest, checked by the
+/// The pairs are those of `efsat stress`, each as its family makes it. The exact answer is that of the software retest, checked by the
 /// oracle on every 1,024th case and on every contradiction. Finished blocks of 16,384 cases per family are appended to the log: a
 /// run that was interrupted goes on where it stopped, and logs of several shards can be concatenated. The exit status is 1
 /// if a definite answer is wrong.

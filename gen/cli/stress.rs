@@ -35,7 +35,7 @@ pub(super) struct Arguments {
     /// List the families and do nothing else
     #[arg(long, conflicts_with_all = ["pairs", "seed", "families", "first", "json"])]
     list: bool,
-    /// Write the pairs to DIR/FAMILY.f64 (18 little-endian binary64 numbers a pair) and do nothing else
+    /// Write the pairs to DIR/FAMILY.f64 (18 little-endian binary64 numbers per pair) and do nothing else
     #[arg(long, value_name = "DIR", conflicts_with_all = ["list", "json"])]
     emit: Option<PathBuf>,
     /// Print one JSON object instead of a table

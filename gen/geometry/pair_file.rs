@@ -36,7 +36,7 @@ pub enum PairFileError {
         file: String,
     },
     /// A `.f64` file that ends inside a pair.
-    #[error("{file}: found {found} bytes; expected a multiple of {RECORD} (18 binary64 numbers a pair)")]
+    #[error("{file}: found {found} bytes; expected a multiple of {RECORD} (18 binary64 numbers per pair)")]
     Length {
         /// The file as named by the user.
         file: String,
@@ -278,7 +278,7 @@ mod tests {
         assert_eq!(message(&[]), "p.f64: found no pair; expected at least one");
         assert_eq!(
             message(&bytes[..145]),
-            "p.f64: found 145 bytes; expected a multiple of 144 (18 binary64 numbers a pair)"
+            "p.f64: found 145 bytes; expected a multiple of 144 (18 binary64 numbers per pair)"
         );
         let mut infinite = bytes.clone();
         infinite[160..168].copy_from_slice(&f64::NEG_INFINITY.to_le_bytes());

@@ -26,11 +26,11 @@ const SAMPLE: u64 = 500;
 /// Possibly incorrect and close pairs, likewise.
 const CLOSE: u64 = 2000;
 
-/// Plans a scene, answers all its surviving pairs by the planned unit, retests what it leaves open exactly, and simulates
+/// Plans a scene, answers all its surviving pairs by the planned unit, retests exactly what it leaves open, and simulates
 /// the unit
 ///
 /// Prints CSV, a row for each pose: what `scene pairs` counts, then pairs that the unit separates, intersects, and leaves
-/// open; pairs answered in software; and pairs that touch in the end. The verdicts are compared with those of the full
+/// open; pairs answered in software; and pairs that touch, by the final answers. The verdicts are compared with those of the full
 /// unit. Simulated are a sample of every verdict in every pose, and every pair that is possibly incorrect or close (which
 /// a unit of two bits less would leave open).
 #[derive(Debug, clap::Args)]
@@ -65,7 +65,7 @@ pub(super) struct Arguments {
     /// Which pairs are simulated
     #[arg(long, value_name = "WHICH", default_value = "sample", value_parser = choice::<Which>())]
     cosim: Which,
-    /// What runs the design [default: ghdl]
+    /// Simulator that runs the design [default: ghdl]
     #[arg(long, value_name = "NAME", value_parser = choice::<Simulator>())]
     simulator: Option<Simulator>,
     /// Pairs of the sample [default: 500]

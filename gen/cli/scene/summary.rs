@@ -49,7 +49,7 @@ impl<const N: usize> Summary<N> {
         let mut text = line("distance", "frames", self.columns.map(str::to_owned));
         let mut total = Group::<N>::EMPTY;
         for (distance, group) in &self.groups {
-            let name = distance.map_or("none".to_owned(), |distance| distance.to_string());
+            let name = distance.map_or("all frames".to_owned(), |distance| distance.to_string());
             let mean = group.sum.map(|sum| format!("{:.1}", sum as f64 / group.frames as f64));
             text.push_str(&line(&format!("{name}, mean"), &group.frames.to_string(), mean));
             text.push_str(&line(&format!("{name}, greatest"), "", group.greatest.map(|count| count.to_string())));

@@ -136,8 +136,8 @@ impl<'a, 'b> Viewer<'a, 'b> {
             number: row.frame,
             label: row.label.clone(),
             summary: format!(
-                "{} pairs survive: {} separate, {} intersect, {} possibly incorrect, {} not asked because a triangle is \
-                 degenerate; {} touch, exactly.",
+                "{} candidate pairs: the unit answers {} separate, {} intersect and {} possibly incorrect; {} have a degenerate \
+                 triangle and were answered in software. By the exact answers {} pairs touch.",
                 c.statistics.pairs_tested, c.separate, c.intersect, c.possibly_incorrect, c.in_software, c.touching
             ),
             poses: poses.iter().map(numbers).collect(),
@@ -152,7 +152,7 @@ impl<'a, 'b> Viewer<'a, 'b> {
         if self.frames.is_empty() {
             let Frame { label, poses, .. } = scene.frame(0);
             let poses = poses.iter().map(numbers).collect();
-            let summary = "In no pose a pair touches or is undecided; this is the first one.".to_owned();
+            let summary = "In no pose does a pair touch or stay undecided; this is the first pose.".to_owned();
             self.frames.push(Shown { number: 0, label, summary, poses, contacts: vec![] });
         }
         let touching = |frame: &Shown| frame.contacts.len();
@@ -182,7 +182,7 @@ impl<'a, 'b> Viewer<'a, 'b> {
             witness,
             witnesses: &self.witnesses,
             words: words.iter().copied().collect(),
-            silent: "The unit was not asked, or its host decided the pair.",
+            silent: "The pair was decided in software, not by the unit.",
         };
         let data = serde_json::to_string(&data).expect("keys are strings and numbers are finite");
         let licence = include_str!("../../../web/three/LICENSE");

@@ -134,11 +134,11 @@ pub fn design_files_with(
     let mixed = stream_vectors::mixed(params, &format, stream_vectors::FILLING);
     set.insert(&stream_bench.vectors, stream_vectors::text(params, &format, &mixed));
     describe(&stream_bench.file, "Testbench of the wrapper, for simulation only.");
-    describe(&stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the answers due.");
+    describe(&stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the expected answers.");
     set.insert("files.txt", lists.all().join("\n"));
     describe("files.txt", "All VHDL files in dependency order, the testbenches last.");
     set.insert("files-synthesis.txt", lists.synthesised().join("\n"));
-    describe("files-synthesis.txt", "Those of them that are synthesised: the unit, its wrapper and the constants.");
+    describe("files-synthesis.txt", "The VHDL files to synthesise: the unit, its wrapper and the constants.");
     describe(
         manifest::NAME,
         "Parameters, ports, number formats, latency, the words of the stream, and a SHA-256 per file, for programs.",

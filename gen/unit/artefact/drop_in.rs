@@ -150,7 +150,7 @@ pub(super) fn add(
     }
     [
         (prefix.of("efsat_instance.vhd.txt"), "Instances of the unit and of the wrapper, to copy into a design."),
-        (prefix.of("efsat.core"), "Core for FuseSoC: a target a testbench, lint, and synthesis for the device."),
+        (prefix.of("efsat.core"), "Core for FuseSoC: one target per testbench, lint, and synthesis for the device."),
         ("vunit".to_owned(), "VUnit run script for all testbenches."),
     ]
 }

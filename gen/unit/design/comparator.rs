@@ -23,7 +23,7 @@ pub enum Owners<'l> {
 /// One axis decided from the projections of the points: separated, and surely overlapping.
 pub fn comparator<'l>(p: Vec<Interval<Sig<'l>>>, owners: Owners<'l>) -> (Sig<'l>, Sig<'l>) {
     let doc = [
-        "One axis decided: enclosures of the least and greatest projection of each triangle (equation 3), then",
+        "Decides one axis: enclosures of the least and greatest projection of each triangle (equation 3), then",
         "  separated   = b_min_lo > a_max_hi or a_min_lo > b_max_hi   (equation 6)",
         "  overlapping = a_min_hi < b_max_lo and b_min_hi < a_max_lo  (sound in place of 7 to 9; strict)",
     ];

@@ -98,7 +98,7 @@ pub mod sign {
 /// Which bounds a product takes of an interval.
 pub fn sign_case<'l>(x: Interval<Sig<'l>>) -> Sig<'l> {
     let doc = [
-        "The sign case of an interval, which tells a product what bounds to take.",
+        "The sign case of an interval, which tells a product which bounds to take.",
         "  00: 0 <= lo        01: lo < 0, hi <= 0",
         "  10: lo < 0 < hi, -lo <= hi        11: lo < 0 < hi, -lo > hi",
     ];

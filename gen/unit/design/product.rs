@@ -9,8 +9,8 @@ use efsat_hardware::op::Type;
 const PART: u32 = MULTIPLIER_BITS - 1;
 const FACTOR: Type = Type { signed: true, bits: MULTIPLIER_BITS, fraction: None };
 
-/// An exact product: one hardware multiplier, or where an operand is too wide for it, partial products of 17 unsigned bits
-/// each under a signed top.
+/// An exact product: one hardware multiplier, or where an operand is too wide for it, partial products of parts of 17
+/// unsigned bits and one signed top part.
 pub fn product<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
     // One entity serves all binary points.
     let fraction = x.ty().fraction.zip(y.ty().fraction).map(|(x, y)| x + y);
@@ -21,13 +21,13 @@ fn mantissas<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
     let name = format!("multiply_{}_{}", x.ty().bits, y.ty().bits);
     if x.ty().bits <= MULTIPLIER_BITS && y.ty().bits <= MULTIPLIER_BITS {
         let doc =
-            ["p = x * y, with the register of the multiplier: alone, so that synthesis takes it in (Xilinx AR 13182)."];
+            ["p = x * y with its register, in an entity of its own, so that synthesis merges the two (Xilinx AR 13182)."];
         return entity!(&name, &doc, (x, y) => (x * y).named("p"));
     }
     let doc = [
-        "p = x * y, exact, from parts of 17 unsigned bits under a signed top, a multiplier for each two of them but for",
-        "two short tops, which look-up tables multiply. Products of parts that are as far apart as they are wide stand",
-        "side by side without adding.",
+        "p = x * y, exact, from partial products. The operands are cut into parts of 17 unsigned bits and a signed top part;",
+        "each two parts have a multiplier, except two short top parts, which are multiplied in look-up tables. Partial",
+        "products that do not overlap are concatenated instead of added.",
     ];
     entity!(&name, &doc, (x, y) => wide(x, y).named("p"))
 }

@@ -61,8 +61,8 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     let Sequencer { name, interval, latency, places, pose, waits } = *sequencer;
     let address = places.trailing_zeros();
     let doc = [
-        "Phases of the slot, handshakes and queue pointers. A pair is accepted in the last phase of a slot if a place",
-        "in the result queue is free; the data path itself never stops.",
+        "Phases of the slot, handshakes and FIFO pointers. A pair is accepted in the last phase of a slot if a place",
+        "in the result FIFO is free; the data path itself never stops.",
     ];
     let m = Control::new(name, doc.map(str::to_owned).to_vec());
     let [reset, in_valid] = ["reset", "in_valid"].map(|name| m.input(name, Type::FLAG));

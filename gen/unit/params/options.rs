@@ -1,4 +1,4 @@
-//! The options of a design, each in one place: name, help, value, default, legal values, and what it affects.
+//! The options of a design, each in one place: name, help, value, default, permitted values, and what it affects.
 //!
 //! The command line reads them by [clap](https://docs.rs/clap), which whoever only generates VHDL does not compile: the
 //! feature `clap` makes [`Params`] a group of its arguments.
@@ -10,19 +10,19 @@ use super::{CLOCKS_PER_PAIR, EXACT_CLOCKS, LEVELS, SPAN};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use std::ops::RangeInclusive;
 
-/// Legal widths of the axis test.
+/// Permitted widths of the axis test.
 pub const WIDTH: RangeInclusive<u32> = 6..=32;
-/// Legal integral digits, the bound by the width aside.
+/// Permitted integral digits, the bound by the width aside.
 pub const INT_BITS: RangeInclusive<u32> = 4..=8;
 /// Greatest width of the frame transform; the least is the width of the axis test.
 pub const TRANSFORM_WIDTH: u32 = 48;
 /// Bits that projections may have more than the working width.
 pub const PROJECTION_PLUS: RangeInclusive<u32> = 0..=31;
-/// Legal shifts of an axis; the width of the axis test bounds them too.
+/// Permitted shifts of an axis; the width of the axis test bounds them too.
 pub const AXIS_SHIFT: RangeInclusive<u32> = 0..=30;
-/// Legal target clocks in MHz.
+/// Permitted target clocks in MHz.
 pub const FREQUENCY: RangeInclusive<u32> = 20..=250;
-/// Legal widths of the tag.
+/// Permitted widths of the tag.
 pub const TAG_WIDTH: RangeInclusive<u32> = 0..=64;
 
 /// A parameter with few values, each with a name on the command line.
@@ -222,7 +222,7 @@ options! {
     /// Working width in bits, 6 to 32
     "width" width: u32 = 18, Verdicts, [Axes Determinants Exact],
         [value_name = "N", value_parser = whole(WIDTH), allow_negative_numbers = true];
-    /// Integral digits of the input format with the sign, 4 to 8 and at most width - 2
+    /// Integral digits of the input format, sign included: 4 to 8, and at most width - 2
     "int-bits" int_bits: u32 = 4, Verdicts, [Axes Determinants Exact],
         [value_name = "K", value_parser = whole(INT_BITS), allow_negative_numbers = true];
     /// Width of inputs and frame transform in bits, at least width, up to 48
@@ -232,7 +232,7 @@ options! {
     /// Axis set: the paper's 11, or 17 with the six in-plane edge normals
     "axes" axes: Axes = Axes::Eleven, Verdicts, [Axes],
         [value_name = "SET", value_parser = choice::<Axes>(), allow_negative_numbers = true];
-    /// Axis units side by side, 1 to the number of axes; one pair every ceil(axes / N) clocks
+    /// Axis units in parallel, 1 to the number of axes; one pair every ceil(axes / N) clocks
     "axes-per-clock" axes_per_clock: usize = 1, Hardware, [Axes],
         [value_name = "N", value_parser = whole(1..=Axes::Seventeen.count() as u32).map(|n| n as usize),
             allow_negative_numbers = true];
@@ -242,10 +242,10 @@ options! {
     /// Bits of the projections that are compared: +N (N more than width, up to 31), full (all), or rounded (to width, as in the paper)
     "projection-width" projection_width: ProjectionWidth = ProjectionWidth::Plus(4); paper ProjectionWidth::Rounded, Verdicts, [Axes],
         [value_name = "+N|full|rounded", value_parser = projection_width];
-    /// Places by which an axis is shifted left at most before it is rounded, 0 to 30; 0 as in the paper
+    /// Greatest left shift of an axis before it is rounded, 0 to 30 bits; 0 as in the paper
     "axis-shift" axis_shift: u32 = 7; paper 0, Verdicts, [Axes],
         [value_name = "N", value_parser = whole(AXIS_SHIFT), allow_negative_numbers = true];
-    /// Whether an edge that certainly passes through the other triangle decides
+    /// Whether intersect is also answered where an edge certainly passes through the other triangle
     "edge-test" edge_test: bool = true; paper false, Verdicts, [Axes],
         [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
     /// Upper bound of an input: the next grid point, or the exact ceiling with a sticky bit
@@ -257,19 +257,19 @@ options! {
     /// Determinants, exact: clocks between pairs
     "clocks-per-pair" clocks_per_pair: u32 = 1, Hardware, [Determinants Exact],
         [value_name = "N", value_parser = one_of(CLOCKS_PER_PAIR), allow_negative_numbers = true];
-    /// Exact: off, or a cascade: rounded determinants first, and the exact unit for what they leave open, 11 to 32 clocks per pair
+    /// Exact: off, or a cascade: rounded determinants first, then the exact unit for what they leave open, with 11 to 32 clocks per pair
     "exact-clocks" exact_clocks: ExactClocks = None, Verdicts, [Exact],
         [value_name = "N", value_parser = off_or(EXACT_CLOCKS), allow_negative_numbers = true];
-    /// Exact: the geometry that is answered for: as given, or snapped to the grid of the frame transform
+    /// Exact: the geometry that the answer is for: as given, or snapped to the grid of the frame transform
     "truth" truth: Truth = Truth::Given, Verdicts, [Exact],
         [value_name = "GEOMETRY", value_parser = choice::<Truth>()];
     /// Determinants: how far the rounding of the first products follows the pair, in bits
     "span" span: u32 = 1, Verdicts, [Determinants],
         [value_name = "BITS", value_parser = one_of(SPAN), allow_negative_numbers = true];
-    /// Determinants: how many levels of input error are told apart, for triangles that are small in the input format
+    /// Determinants: how many levels of input error are distinguished, for triangles that are small in the input format
     "levels" levels: u32 = 6, Verdicts, [Determinants],
         [value_name = "N", value_parser = one_of(LEVELS), allow_negative_numbers = true];
-    /// Determinants: what error bounds are made of, from coarse to fine
+    /// Determinants: what the error bounds are computed from, from coarse to fine
     "bound" bound: Bound = Bound::Moments, Verdicts, [Determinants],
         [value_name = "KIND", value_parser = choice::<Bound>()];
     /// Determinants: whether the boxes of the triangles are compared as well
@@ -279,10 +279,10 @@ options! {
     "transform" transform: Transform = Transform::On, Verdicts, [Axes Determinants Exact],
         [value_name = "KIND", value_parser = choice::<Transform>(),
             default_value_ifs([("truth", "snapped", "on"), ("method", "exact", "off")])];
-    /// Guard: units generated without a stage, or all, answer a pair outside the declared ranges possibly-incorrect
+    /// Which units answer a pair outside the declared ranges possibly-incorrect: those generated without a stage, or all
     "guard" guard: Guard = Guard::LeftOut, Outside, [Axes Determinants],
         [value_name = "UNITS", value_parser = choice::<Guard>()];
-    /// Device model that pipelining and estimates use
+    /// Part whose delays decide the pipelining, and for which cells are predicted
     "device" device: String = "xc2v6000-4".to_owned(), Hardware, [Axes Determinants Exact],
         [value_name = "NAME", value_parser = PossibleValuesParser::new(efsat_hardware::device::names())];
     /// Target clock in MHz, 20 to 250

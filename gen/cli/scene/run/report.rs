@@ -176,9 +176,9 @@ fn words(
     if in_software > 0 {
         text.push_str(&format!("{in_software} pairs with a degenerate triangle were answered in software\n"));
     }
-    text.push_str(&format!("{touching} pairs touch, in the end\n"));
+    text.push_str(&format!("{touching} pairs touch, by the final answers\n"));
     text.push_str(&format!(
-        "beside the full unit: {} pairs less definite, {} contradictions\n",
+        "compared with the full unit: {} pairs less definite, {} contradictions\n",
         total.sums.less_definite, total.sums.contradictions
     ));
     if let Some(cosimulation) = cosimulation {
