@@ -177,7 +177,12 @@ fn time_by_width(results: &Results) -> Figure {
     }
     let determinants = results.by_width(&DETERMINANTS);
     if determinants.len() > 1 {
-        line("determinants, one pair per clock".to_owned(), style(BLACK, Mark::Diamond, Line::Solid), &determinants, 0.0);
+        line(
+            "determinants, one pair per clock".to_owned(),
+            style(BLACK, Mark::Diamond, Line::Solid),
+            &determinants,
+            0.0,
+        );
     }
     if fastest.len() > 1 {
         line("fastest clock".to_owned(), style(SKY, Mark::Triangle, Line::Solid), &fastest, 0.0);

@@ -334,7 +334,10 @@ fn break_even(found: &BreakEven) -> String {
                 None => {}
             }
             if let Some(cost) = step.cost_ns {
-                text.push_str(&format!("; at the measured shares it pays if such a pair costs more than {}", time(cost)));
+                text.push_str(&format!(
+                    "; at the measured shares it pays if such a pair costs more than {}",
+                    time(cost)
+                ));
             }
             text.push('.');
         }

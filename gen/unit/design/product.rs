@@ -20,8 +20,9 @@ pub fn product<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
 fn mantissas<'l>(x: Sig<'l>, y: Sig<'l>) -> Sig<'l> {
     let name = format!("multiply_{}_{}", x.ty().bits, y.ty().bits);
     if x.ty().bits <= MULTIPLIER_BITS && y.ty().bits <= MULTIPLIER_BITS {
-        let doc =
-            ["p = x * y with its register, in an entity of its own, so that synthesis merges the two (Xilinx AR 13182)."];
+        let doc = [
+            "p = x * y with its register, in an entity of its own, so that synthesis merges the two (Xilinx AR 13182).",
+        ];
         return entity!(&name, &doc, (x, y) => (x * y).named("p"));
     }
     let doc = [
