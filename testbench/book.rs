@@ -136,6 +136,23 @@ fn index_and_summary_name_every_page() {
     }
 }
 
+/// Pages, by their paths below the repository, to which a page has links.
+fn linked_pages(page: &str, text: &str) -> BTreeSet<String> {
+    let folder = Path::new(page).parent().unwrap();
+    let targets = targets(text).into_iter().map(|target| target.split('#').next().unwrap().to_owned());
+    let local = targets.filter(|target| target.ends_with(".md") && !target.contains("://"));
+    local.filter_map(|target| normal(&folder.join(target))).map(|path| path.to_str().unwrap().to_owned()).collect()
+}
+
+/// mdBook renders the pages of the summary alone, so a link from one of them to another page would lead nowhere.
+#[test]
+fn the_book_has_every_page_that_its_pages_link_to() {
+    let summary = linked_pages("docs/SUMMARY.md", &text("docs/SUMMARY.md"));
+    let linked = summary.iter().flat_map(|page| linked_pages(page, &text(page)));
+    let missing: BTreeSet<String> = linked.filter(|page| !summary.contains(page)).collect();
+    assert!(missing.is_empty(), "docs/SUMMARY.md: {missing:?}");
+}
+
 #[test]
 fn the_readme_is_short_and_names_both_commands() {
     let readme = text("README.md");
@@ -156,6 +173,9 @@ fn the_checks_can_fail() {
 
     let twice: Vec<String> = anchors("# A\n## A\n### B-c_d (e)\n#no\n").into_iter().collect();
     assert_eq!(twice, ["a", "a-1", "b-c_d-e"]);
+
+    let linked: Vec<String> = linked_pages("docs/faq.md", page).into_iter().collect();
+    assert_eq!(linked, ["docs/README.md", "docs/SUMMARY.md", "no.md"]);
 
     let pages = ["README.md", "docs/README.md", "docs/x.md", "docs/y.md"].map(str::to_owned);
     assert_eq!(not_named("[x](x.md#part)", &pages), ["y.md"]);
