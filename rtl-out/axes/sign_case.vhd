@@ -1,5 +1,5 @@
 --------------------------------------------------------------------------------
--- The sign case of an interval, which tells a product what bounds to take.
+-- The sign case of an interval, which tells a product which bounds to take.
 --   00: 0 <= lo        01: lo < 0, hi <= 0
 --   10: lo < 0 < hi, -lo <= hi        11: lo < 0 < hi, -lo > hi
 -- Combinational.

@@ -1,5 +1,5 @@
 --------------------------------------------------------------------------------
--- One axis decided: enclosures of the least and greatest projection of each triangle (equation 3), then
+-- Decides one axis: enclosures of the least and greatest projection of each triangle (equation 3), then
 --   separated   = b_min_lo > a_max_hi or a_min_lo > b_max_hi   (equation 6)
 --   overlapping = a_min_hi < b_max_lo and b_min_hi < a_max_lo  (sound in place of 7 to 9; strict)
 -- Latency: 2 clocks.

@@ -1,5 +1,5 @@
 --------------------------------------------------------------------------------
--- p = x * y, with the register of the multiplier: alone, so that synthesis takes it in (Xilinx AR 13182).
+-- p = x * y with its register, in an entity of its own, so that synthesis merges the two (Xilinx AR 13182).
 -- Latency: 1 clock.
 --------------------------------------------------------------------------------
 library ieee;

@@ -1,7 +1,7 @@
 --------------------------------------------------------------------------------
--- p = x * y, exact, from parts of 17 unsigned bits under a signed top, a multiplier for each two of them but for
--- two short tops, which look-up tables multiply. Products of parts that are as far apart as they are wide stand
--- side by side without adding.
+-- p = x * y, exact, from partial products. The operands are cut into parts of 17 unsigned bits and a signed top part;
+-- each two parts have a multiplier, except two short top parts, which are multiplied in look-up tables. Partial
+-- products that do not overlap are concatenated instead of added.
 -- Latency: 2 clocks.
 --------------------------------------------------------------------------------
 library ieee;

@@ -1,6 +1,6 @@
 --------------------------------------------------------------------------------
--- Phases of the slot, handshakes and queue pointers. A pair is accepted in the last phase of a slot if a place
--- in the result queue is free; the data path itself never stops.
+-- Phases of the slot, handshakes and FIFO pointers. A pair is accepted in the last phase of a slot if a place
+-- in the result FIFO is free; the data path itself never stops.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
