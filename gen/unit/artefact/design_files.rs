@@ -4,7 +4,7 @@ use super::file_lists::FileLists;
 use super::project::Project;
 use super::units::{UnitRow, first_sentence, units};
 use super::{FileSet, Prefix, Stimulus, origin, vhdl_files};
-use super::{drop_in, example, ise, layout, manifest, stream, stream_vectors, testbench, vectors, vivado};
+use super::{board, drop_in, example, ise, layout, manifest, stream, stream_vectors, testbench, vectors, vivado};
 use crate::design::Design;
 use crate::design::top::pace;
 use crate::params::stream::{StreamFormat, StreamWidth};
@@ -22,6 +22,8 @@ pub struct Packaging {
     pub stream_width: StreamWidth,
     /// What stands before all names.
     pub prefix: Prefix,
+    /// Whether there are [Verilog files](super::verilog_files), too: name and text of those that are made already.
+    pub verilog: Option<Vec<(String, String)>>,
 }
 
 /// Why a design cannot be printed: a defect of the generator, never of the parameters; or a name that a prefix makes equal
@@ -81,7 +83,7 @@ pub fn design_files_with(
     packaging: &Packaging,
     command_line: &str,
 ) -> Result<FileSet, DesignFilesError> {
-    let Packaging { stream_width: width, prefix } = packaging;
+    let Packaging { stream_width: width, prefix, verilog } = packaging;
     let mut set = FileSet::default();
     let mut described = vec![];
     let mut core = vec![];
@@ -137,8 +139,8 @@ pub fn design_files_with(
     describe(&stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the answers due.");
     set.insert("files.txt", lists.all().join("\n"));
     describe("files.txt", "All VHDL files in dependency order, the testbenches last.");
-    set.insert("files-synthesis.txt", lists.synthesised().join("\n"));
-    describe("files-synthesis.txt", "Those of them that are synthesised: the unit, its wrapper and the constants.");
+    set.insert(FileLists::SYNTHESISED, lists.synthesised().join("\n"));
+    describe(FileLists::SYNTHESISED, "Those of them that are synthesised: the unit, its wrapper and the constants.");
     describe(
         manifest::NAME,
         "Parameters, ports, number formats, latency, the words of the stream, and a SHA-256 per file, for programs.",
@@ -149,10 +151,15 @@ pub fn design_files_with(
     let projects = [
         ise::add(&mut set, design, prefix, &synthesised),
         vivado::add(&mut set, design, packaging, command_line, &synthesised),
+        board::add(&mut set, design, prefix, &lists),
     ];
     let projects: Vec<Project> = projects.into_iter().flatten().collect();
     for project in &projects {
         describe(&project.folder, &format!("Project for {}, part {}.", project.tool, project.part));
+    }
+    for (name, text) in verilog.iter().flatten() {
+        set.insert(name, text);
+        describe(name, "A copy in Verilog, made by GHDL.");
     }
     set.insert("README.md", readme(design, packaging, command_line, described, projects));
     let manifest = manifest::text(design, Some(&format), command_line, &set);
