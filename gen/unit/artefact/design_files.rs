@@ -287,4 +287,45 @@ mod tests {
         }
         assert!(files("lfe5u-85-6").iter().all(|(name, _)| !name.ends_with(".tcl")));
     }
+
+    #[test]
+    fn a_device_on_a_board_gets_the_files_of_the_board() {
+        let files = |device: &str| {
+            let params = Params { device: device.to_owned(), frequency: 60, ..Params::default() };
+            design_files(&Design::new(&params, false).unwrap(), &params.command_line()).unwrap()
+        };
+        let expected = [
+            ("lfe5u-85-6", "ulx3s", "efsat_ulx3s.vhd", "clock_frequency : positive := 60000000;"),
+            ("lfe5u-85-6", "ulx3s", "efsat_ulx3s_clock.v", ".CLKFB_DIV(12)"),
+            ("lfe5u-85-6", "ulx3s", "efsat_ulx3s_stand_in.vhd", "entity efsat_ulx3s_clock is"),
+            ("lfe5u-85-6", "ulx3s", "build.sh", "--freq 60 "),
+            ("xc7a100t-1", "arty_a7", "efsat_arty_a7.vhd", "clock_frequency : positive := 59701492;"),
+            ("xc7a100t-1", "arty_a7", "efsat_arty_a7_clock.vhd", "CLKOUT0_DIVIDE_F => 16.750"),
+            ("xc7a100t-1", "arty_a7", "project.tcl", "-part \"xc7a100tcsg324-1\""),
+        ];
+        for (device, folder, name, part) in expected {
+            let set = files(device);
+            let text = set.get(&format!("{folder}/{name}")).unwrap_or_else(|| panic!("{device}: {folder}/{name}"));
+            assert!(text.contains(part), "{device}: {folder}/{name}: {text}");
+            assert!(set.get("README.md").unwrap().contains(&format!("| `{folder}` |")), "{device}");
+            // Every port of the top has a pin, and no pin is of anything else.
+            let top = set.get(&format!("{folder}/efsat_{folder}.vhd")).unwrap();
+            let ports = top.split("  port (\n").nth(1).unwrap().split("  );").next().unwrap();
+            let ports: BTreeSet<&str> =
+                ports.lines().filter_map(|line| Some(line.split_once(" : ")?.0.trim())).collect();
+            let ending = if folder == "ulx3s" { "lpf" } else { "xdc" };
+            let constraints = set.get(&format!("{folder}/efsat_{folder}.{ending}")).unwrap();
+            let pin = |line: &str| match ending {
+                "lpf" => Some(line.strip_prefix("LOCATE COMP \"")?.split('"').next()?.to_owned()),
+                _ if line.contains("PACKAGE_PIN") => {
+                    Some(line.split("get_ports ").nth(1)?.trim_end_matches(']').to_owned())
+                }
+                _ => None,
+            };
+            let pins: Vec<String> = constraints.lines().filter_map(pin).collect();
+            assert_eq!(pins.len(), ports.len(), "{pins:?}");
+            assert_eq!(pins.iter().map(String::as_str).collect::<BTreeSet<_>>(), ports, "{device}");
+        }
+        assert!(files("xc7a200t-1").iter().all(|(name, _)| !name.starts_with("arty")));
+    }
 }

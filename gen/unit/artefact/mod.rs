@@ -1,4 +1,4 @@
-//! The set of generated files, as values: VHDL, testbenches, vectors, projects for tools and the manifest.
+//! The set of generated files, as values: VHDL, testbenches, vectors, projects for tools and boards, and the manifest.
 //!
 //! [`design_files`] makes the whole set of a design, [`FileSet`] writes or compares it as a whole. Texts are printed by
 //! templates from ready values; nothing here decides a number of the design.
