@@ -6,7 +6,7 @@ use super::output::{print, print_json, warn};
 use super::params::{ParamArguments, choice};
 use crate::artefact::{
     DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, programme_files, ready_designs,
-    ready_files,
+    ready_files, verilog_files,
 };
 use crate::design::Design;
 use crate::design::top::pace;
@@ -14,6 +14,7 @@ use crate::estimate;
 use crate::params::Params;
 use crate::params::options::Choice;
 use crate::params::stream::StreamWidth;
+use crate::synth::{SynthError, verilog};
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -43,6 +44,9 @@ pub(super) struct Arguments {
     /// Put NAME_ before the name of every entity, package and file, so that two designs can live in one library
     #[arg(long, value_name = "NAME", value_parser = Prefix::new, conflicts_with_all = ["lp", "ready"])]
     name: Option<Prefix>,
+    /// Also write efsat.v, the unit in its wrapper in Verilog, by GHDL; other versions of GHDL write other Verilog
+    #[arg(long, conflicts_with_all = ["lp", "ready", "unit"])]
+    verilog: bool,
     /// Print one JSON object about the design
     #[arg(long, conflicts_with_all = ["lp", "check", "ready", "unit"])]
     json: bool,
@@ -54,7 +58,11 @@ pub(super) struct Arguments {
 
 impl Arguments {
     fn packaging(&self) -> Packaging {
-        Packaging { stream_width: self.stream_width, prefix: self.name.clone().unwrap_or_default() }
+        Packaging {
+            stream_width: self.stream_width,
+            prefix: self.name.clone().unwrap_or_default(),
+            verilog: self.verilog.then(Vec::new),
+        }
     }
 }
 
@@ -73,14 +81,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return arguments.diagram.run(&design);
     }
     let out = &folder(arguments, &params)?;
-    let packaging = arguments.packaging();
-    let set = design_files_with(&design, &packaging, &command_line(&params, &packaging));
-    let set = set.map_err(|e| match (e, packaging.prefix.name()) {
-        (DesignFilesError::Name(clash), Some(name)) => {
-            Failure::Usage(format!("--name {name}: {clash}; expected another name"))
+    let mut packaging = arguments.packaging();
+    let mut set = files(&design, &packaging)?;
+    if arguments.verilog {
+        if !arguments.check {
+            // Before the time that GHDL takes.
+            set.check_target(out)?;
         }
-        (e, _) => Failure::Check(e.to_string()),
-    })?;
+        let verilog = verilog::of_set(&set, &verilog_files(&set, &design, &packaging.prefix));
+        packaging.verilog = Some(verilog.map_err(SynthError::Tool)?);
+        set = files(&design, &packaging)?;
+    }
     if arguments.check {
         return check(&set, out);
     }
@@ -100,6 +111,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
+fn files(design: &Design, packaging: &Packaging) -> Result<FileSet, Failure> {
+    let set = design_files_with(design, packaging, &command_line(&design.params, packaging));
+    set.map_err(|e| match (e, packaging.prefix.name()) {
+        (DesignFilesError::Name(clash), Some(name)) => {
+            Failure::Usage(format!("--name {name}: {clash}; expected another name"))
+        }
+        (e, _) => Failure::Check(e.to_string()),
+    })
+}
+
 /// Where the design goes. Without --out it is a ready one, which another one must not replace.
 fn folder(arguments: &Arguments, params: &Params) -> Result<PathBuf, Failure> {
     if let Some(out) = &arguments.out {
@@ -108,7 +129,9 @@ fn folder(arguments: &Arguments, params: &Params) -> Result<PathBuf, Failure> {
     if let Some(name) = arguments.name.as_ref().and_then(Prefix::name) {
         return Err(Failure::Usage(format!("no --out: expected --out DIR with --name {name}")));
     }
-    let is_ready = |ready: &ReadyDesign| ready.params == *params && ready.stream_width == arguments.stream_width;
+    let is_ready = |ready: &ReadyDesign| {
+        ready.params == *params && ready.stream_width == arguments.stream_width && !arguments.verilog
+    };
     match ready_designs().into_iter().find(is_ready) {
         Some(ready) => Ok(Path::new("rtl-out").join(ready.name)),
         None => {
@@ -190,7 +213,8 @@ fn ready(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
 /// The command line that stands in the files of a design.
 pub(super) fn command_line(params: &Params, packaging: &Packaging) -> String {
     let name = packaging.prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
-    format!("{} --stream-width {}{name}", params.command_line(), packaging.stream_width.name())
+    let verilog = if packaging.verilog.is_some() { " --verilog" } else { "" };
+    format!("{} --stream-width {}{name}{verilog}", params.command_line(), packaging.stream_width.name())
 }
 
 fn check(set: &FileSet, dir: &Path) -> Result<(), Failure> {
