@@ -96,6 +96,8 @@ fn faults(command: &str, objects: &[Value], table: &BTreeMap<String, String>) ->
         keys(object, "", table, &mut here);
         for (key, value) in here {
             match table.get(&key) {
+                // An object that is not there.
+                None if value.is_null() && table.keys().any(|below| below.starts_with(&format!("{key}."))) => {}
                 None => faults.push(format!("{command}: the page lacks {key}")),
                 Some(kind) if !is(&value, kind) => faults.push(format!("{command}: {key} is no {kind}: {value}")),
                 _ => {}
@@ -188,5 +190,6 @@ fn the_checks_can_fail() {
     let say = |object: Value| faults("x", &[object], table);
     assert!(say(serde_json::json!({"a": 1, "b": [{"c": 2}], "d": [{"anything": 1}]})).is_empty());
     assert_eq!(say(serde_json::json!({"a": -1, "b": [], "d": []})), ["x: a is no count: -1", "x: no run has b[].c"]);
+    assert_eq!(say(serde_json::json!({"a": 1, "b": null, "d": []})), ["x: the page lacks b", "x: no run has b[].c"]);
     assert_eq!(say(serde_json::json!({"a": 1, "b": [{"c": 2}], "d": [], "e": 1})), ["x: the page lacks e"]);
 }

@@ -336,14 +336,15 @@ fn manifest() -> Vec<u8> {
     value.to_string().into_bytes()
 }
 
-/// A log as the program writes it, of one block.
+/// A log as the program writes it: one block.
 fn log() -> Vec<u8> {
     let home = tempfile::tempdir().unwrap();
     let path = home.path().join("log");
     let arguments = "soak --family lattice-5 --seed 7 --width 12 --pairs 32768 --log";
     let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
     assert!(command.args(arguments.split(' ')).arg(&path).output().unwrap().status.success());
-    let mut line: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
+    let text = fs::read_to_string(path).unwrap();
+    let mut line: Value = serde_json::from_str(text.lines().next().unwrap()).unwrap();
     line["question"] = "q".into();
     format!("{line}\n").into_bytes()
 }

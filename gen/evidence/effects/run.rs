@@ -19,7 +19,7 @@ const SHARE: usize = 1024;
 const COARSER: u32 = 2;
 
 /// Pairs of one frame that are kept, each with what is known of it.
-const MOST: usize = 1 << 20;
+const MOST: usize = 1 << 18;
 
 /// A frame with too many pairs that touch, or are open, or are all to be simulated.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
