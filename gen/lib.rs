@@ -27,6 +27,9 @@
 //! # }
 //! ```
 //!
+//! Programs to start from are in `examples/`: `generate` (the above), `classify` (verdicts and exact answers of pairs) and
+//! `drive` (the stream of words to the unit and back). `cargo run --release --example NAME` runs one.
+//!
 //! Where to go on:
 //!
 //! * [`params`], [`design`], [`artefact`]: parameters, the units as dataflow graphs, the generated files;

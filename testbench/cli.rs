@@ -598,6 +598,8 @@ fn mistakes_about_self_intersections() {
     expect("builtin:gear --width 5", "6..=32");
     expect("builtin:gear --picture x.txt", "expected a name that ends in .svg or .png");
     expect("builtin:gear --csv x.csv --pairs x.csv", "x.csv");
+    fs::write(dir.path().join("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    expect("m.obj --csv ./m.obj", "found twice; expected two different files");
 }
 
 #[test]

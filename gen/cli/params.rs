@@ -2,8 +2,9 @@
 
 use super::error::Failure;
 use crate::design::top::DesignError;
-use crate::params::Params;
+use crate::params::options::Row;
 pub(super) use crate::params::options::{choice, whole};
+use crate::params::{Method, Params};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
 
@@ -44,11 +45,30 @@ impl Args for ParamArguments {
     }
 
     fn augment_args(command: Command) -> Command {
-        Params::augment_args(command)
+        grouped(Params::augment_args(command))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
-        Params::augment_args_for_update(command)
+        grouped(Params::augment_args_for_update(command))
+    }
+}
+
+/// Options that not all methods have stand apart in the help.
+fn grouped(command: Command) -> Command {
+    let of_methods = Params::OPTIONS.iter().filter_map(|row| Some((row.name.replace('-', "_"), heading(row)?)));
+    let command =
+        of_methods.fold(command, |command, (id, heading)| command.mut_arg(id, |arg| arg.help_heading(heading)));
+    command.mut_arg("like_paper", |arg| arg.help_heading(AXES))
+}
+
+const AXES: &str = "Parameters of --method axes";
+
+fn heading(row: &Row) -> Option<&'static str> {
+    match row.of {
+        [Method::Axes] => Some(AXES),
+        [Method::Determinants] => Some("Parameters of --method determinants"),
+        [Method::Exact] => Some("Parameters of --method exact"),
+        _ => None,
     }
 }
 

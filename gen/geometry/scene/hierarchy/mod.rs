@@ -13,7 +13,7 @@ mod tree;
 pub use directions::Directions;
 pub use forest::Forest;
 pub use statistics::Statistics;
-pub use traverse::{Scratch, first_hit, pairs};
+pub use traverse::{Scratch, first_hit, pairs, pieces};
 pub use tree::DopTree;
 
 #[cfg(test)]
