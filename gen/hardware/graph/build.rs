@@ -557,6 +557,22 @@ impl<'l> Sig<'l> {
         self.apply(Magnitude, &[])
     }
 
+    /// The greater of the number and zero in so many bits, without a sign.
+    pub fn positive(self, bits: u32) -> Self {
+        if self.range().1 >> bits > 0 {
+            self.refuse(&format!("values up to {} do not fit {bits} bits", self.range().1));
+        }
+        let magnitude = self.low(bits);
+        self.negative().choose(magnitude.like(0), magnitude)
+    }
+
+    /// The sum of two numbers and a flag in one carry chain.
+    pub fn plus(self, other: Self, carry: Self) -> Self {
+        let fraction = self.ty().fraction;
+        let below = |low: Self, x: Self| low.below(&[x.at_point(None)]);
+        (below(self.unit().constant(1, Type::FLAG), self) + below(carry, other)).floor(1).at_point(fraction)
+    }
+
     /// Flag: both are equal.
     pub fn equals(self, other: Self) -> Self {
         self.apply(Equal, &[other])
