@@ -99,8 +99,12 @@ pub fn stage(path: &Rc<Module>, latency: i32, clocks: u32, places: usize) -> Rc<
     let held = |(place, point): &(&Place, Wire<'_>)| {
         let waiting =
             m.memory(format!("open_{place}").as_str(), push, queue("push_address"), *point, queue("pop_address"));
-        let held = m.register(Place { base: "pair".to_owned(), ..(*place).clone() }, waiting.ty());
-        held.loads(waiting, Some(of("accept")), None);
+        let register = |base: &str| m.register(Place { base: base.to_owned(), ..(*place).clone() }, waiting.ty());
+        // A block memory takes half a clock period to give a word, so there is a register for its own output. It is in time:
+        // the pointers tell of a word two clocks after it is pushed, and the next one is not taken in the clock after a pop.
+        let [oldest, held] = ["oldest", "pair"].map(register);
+        oldest.loads(waiting, None, None);
+        held.loads(oldest, Some(of("accept")), None);
         ((*place).clone(), held)
     };
     let held: Vec<(Place, Wire)> = points.iter().map(held).collect();
