@@ -7,7 +7,7 @@ use super::progress;
 use super::source::seed;
 use crate::cosim::Simulator;
 use crate::mutation::campaign::{self, Campaign, Options};
-use crate::mutation::explained::{self, Explanation};
+use crate::mutation::explained::{self, Table};
 use crate::mutation::model::{self, ModelCampaign, ModelError};
 use crate::mutation::score::{Entry, Score, Standing, Tally};
 use crate::mutation::{Fate, Mutant, capped, spread};
@@ -202,7 +202,7 @@ fn choose(arguments: &Arguments, mut all: Vec<Mutant>) -> Result<Vec<Mutant>, Fa
 fn results(
     arguments: &Arguments,
     chosen: Vec<Mutant>,
-    table: &[&'static Explanation],
+    table: &Table,
     fate: impl Fn(&Mutant) -> Result<Fate, Failure> + Sync,
 ) -> Result<Vec<Entry>, Failure> {
     let bar = progress::bar("testing", chosen.len() as u64, "mutants", !arguments.json);
