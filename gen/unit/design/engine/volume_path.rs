@@ -1,13 +1,13 @@
 //! The data path of an expansion: two blocks, four tests of two volumes.
 
+use super::super::determinants::shared;
+use super::super::guard::any;
 use super::align::align;
 use super::direction_test::direction_test;
 use super::fitted;
 use super::origin_row::origin_row;
 use super::row_sum::{ceiling, row_sum};
 use super::select_code::select_code;
-use super::super::determinants::shared;
-use super::super::guard::any;
 use crate::params::EngineFormat;
 use crate::params::engine::{BlockLayout, Width};
 use efsat_hardware::graph::{Library, Phases, Sig, Signals, Top, Unit, Vec3};
@@ -150,7 +150,8 @@ fn apart<'l>(
         })
     };
     let groups = 2usize.div_ceil(clocks);
-    let codes: Vec<Vec<Sig<'l>>> = (0..groups).map(|group| jobs(group).map(|job| b.codes[job.child].clone()).mux()).collect();
+    let codes: Vec<Vec<Sig<'l>>> =
+        (0..groups).map(|group| jobs(group).map(|job| b.codes[job.child].clone()).mux()).collect();
     let codes = codes.named("b_chosen");
     let drop = format.factor_fraction();
     let grid = format.grid_fraction() as i32;
@@ -160,11 +161,12 @@ fn apart<'l>(
         let of_unit = |unit: usize| {
             let jobs = jobs(unit);
             let row = jobs.map(|job| query.rows[job.direction]).mux();
-            let term = |slot: usize| {
-                let all: Vec<Sig<'l>> = format.directions.slots()[slot].iter().map(|j| codes[usize::from(*j)]).collect();
-                select_code(&all, row.choice[slot])
+            let code = |slot: usize| {
+                let all: Vec<Sig<'l>> =
+                    format.directions.slots()[slot].iter().map(|j| codes[usize::from(*j)]).collect();
+                select_code(&all, row.choice[slot]).named_at(&format!("term{slot}"), unit)
             };
-            let s = row_sum([0, 1, 2].map(term).named_at("b", unit), row.factor, row.rest, ceiling).named_at("s", unit);
+            let s = row_sum([0, 1, 2].map(code), row.factor, row.rest, ceiling).named_at("s", unit);
             let u = align("sum", s, b.exponent, drop as i32, grid).named_at("u", unit);
             let v = |i: usize| {
                 let code = jobs.map(|job| a.codes[i][job.direction ^ 1]).mux();
@@ -172,9 +174,10 @@ fn apart<'l>(
             };
             let v = [0, 1].map(v).named_at("v", unit);
             let bound = jobs.map(|job| bounds[job.direction]).mux();
-            direction_test(bound, u, v).named_at("apart", unit)
+            direction_test(format.widths().gap.bits(), bound, u, v).named_at("apart", unit)
         };
-        let units: Vec<[Sig<'l>; 2]> = (0..2 * format.directions.count() / clocks).skip(group).step_by(groups).map(of_unit).collect();
+        let units: Vec<[Sig<'l>; 2]> =
+            (0..2 * format.directions.count() / clocks).skip(group).step_by(groups).map(of_unit).collect();
         let apart = [0, 1].map(|i| any(&units.iter().map(|apart| apart[i]).collect::<Vec<_>>()));
         let apart = apart.named_at("apart_in_phase", group);
         for (job, apart) in jobs(group).capture(&apart) {
