@@ -26,6 +26,7 @@ mod units;
 pub mod vectors;
 mod verilog;
 mod vivado;
+pub mod volume;
 
 pub use design_files::{DesignFilesError, Packaging, design_files, design_files_with};
 pub use file_set::{Difference, FileSet, FileSetError};
