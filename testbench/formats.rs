@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Commands, and runs that together have every key. The object of `efsat mutate` is checked by its own tests.
-const RUNS: [(&str, &[&str]); 14] = [
+const RUNS: [(&str, &[&str]); 16] = [
     (
         "efsat classify",
         &[
@@ -28,6 +28,8 @@ const RUNS: [(&str, &[&str]); 14] = [
     ("efsat scene run", &["scene run s.toml --simulator builtin", "scene run tumble.toml --cosim none"]),
     ("efsat self-intersections", &["self-intersections m.obj --exact"]),
     ("efsat accuracy", &["accuracy --pairs 50 --sweep width=12 --multipliers 72 --out c"]),
+    ("efsat tree inspect", &["tree inspect m.tree"]),
+    ("efsat tree count", &["tree count s.toml"]),
     ("efsat accuracy --shard", &["accuracy --pairs 50 --sweep width=12 --multipliers 72 --out d --shard 1/1"]),
 ];
 
@@ -135,6 +137,9 @@ fn objects_have_the_keys_of_the_page() {
         &format!("{objects}[[pose]]\naxis = [0, 0, 1]\nangle_degrees = 90\ntranslation = [0.25, 0.25, 0]\n"),
     );
     write("tumble.toml", &format!("{objects}[tumble]\nsteps = 3\ndistances = [0.1]\n"));
+    let build = ["tree", "build", "m.obj", "--out", "m.tree"];
+    let built = Command::new(env!("CARGO_BIN_EXE_efsat")).args(build).current_dir(dir).status().unwrap();
+    assert!(built.success());
 
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/formats.md");
     let tables = tables(&fs::read_to_string(page).unwrap());

@@ -4,12 +4,13 @@ use super::error::Failure;
 use super::file::{self, Output};
 use super::output::{print, print_json, warn};
 use super::progress;
+use super::source::load_mesh;
 use crate::effects::picture::Picture;
 use crate::effects::{Contact, Place};
 use crate::exact::Exact;
 use crate::golden::Verdict;
 use crate::host::self_intersections::{Checker, Defect, Effort, Kind};
-use crate::mesh::{self, BUILTIN, Findings, Mesh, Snapped};
+use crate::mesh::{Findings, Mesh, Snapped};
 use crate::params::{Method, Params};
 use crate::scene::{Object, Pose, Scene};
 use serde::Serialize;
@@ -74,16 +75,6 @@ struct Summary<'a> {
     duplicate: u64,
 }
 
-fn read(path: &Path) -> Result<(Mesh, Findings), Failure> {
-    let Some(name) = path.to_str().and_then(|name| name.strip_prefix("builtin:")) else {
-        return mesh::survey(path).map_err(|e| Failure::Usage(e.to_string()));
-    };
-    let found = mesh::builtin(name).ok_or_else(|| {
-        Failure::Usage(format!("builtin:{name}: no such mesh; expected builtin: and one of {}", BUILTIN.join(", ")))
-    })?;
-    Ok(((*found).clone(), Findings::of_mesh(&found)))
-}
-
 /// Self-intersections that a picture shows.
 const MOST_DRAWN: usize = 100_000;
 
@@ -125,7 +116,7 @@ impl Found {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outputs = [&arguments.csv, &arguments.pairs, &arguments.picture];
-    let (original, findings) = read(&arguments.mesh)?;
+    let (original, findings) = load_mesh(&arguments.mesh)?;
     // The mesh is not overwritten either.
     let mesh = Some(arguments.mesh.as_path()).filter(|mesh| mesh.exists());
     file::distinct(mesh.into_iter().chain(outputs.into_iter().flatten().map(PathBuf::as_path)))?;
