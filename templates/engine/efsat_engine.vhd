@@ -463,7 +463,7 @@ begin
       request => {{ cache.number }},
       line_valid => line_valid({{ loop.index0 }}),
       line_taken => {{ cache.taken }},
-      line => {{ cache.line }},
+      data => {{ cache.line }},
       ask_valid => ask_valid({{ loop.index0 }}),
       ask_ready => ask_ready({{ loop.index0 }}),
       ask_address => ask_address_{{ loop.index0 }},

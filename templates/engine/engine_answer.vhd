@@ -59,7 +59,7 @@ end entity {{ prefix }}engine_answer;
 
 architecture rtl of {{ prefix }}engine_answer is
   constant separate : std_logic_vector(1 downto 0) := "00";
-  constant intersect : std_logic_vector(1 downto 0) := "01";
+  constant certain : std_logic_vector(1 downto 0) := "01";
   signal offered : std_logic := '0';
   signal offered_word : std_logic_vector(63 downto 0) := (others => '0');
   signal offered_last : std_logic := '0';
@@ -99,7 +99,7 @@ begin
   taken <= decided_valid and (free or not speaks);
   decided_taken <= taken;
   counts <= taken and not ending;
-  contact <= counts and stop_at_contact when verdict = intersect else '0';
+  contact <= counts and stop_at_contact when verdict = certain else '0';
 
   -- ===== Report =====
   incomplete <= '0' when reason = "00000" or reason = "00001" else '1';
@@ -158,7 +158,7 @@ begin
   steps(tests_at) <= '0';
   steps(survivors_at) <= survived;
   steps(pairs_at) <= paired;
-  steps(intersect_at) <= counts when verdict = intersect else '0';
+  steps(intersect_at) <= counts when verdict = certain else '0';
   steps(incorrect_at) <= counts and verdict(1);
   steps(blocks_a_read_at) <= block_reads(0);
   steps(blocks_b_read_at) <= block_reads(1);

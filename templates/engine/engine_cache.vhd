@@ -24,7 +24,7 @@ entity {{ prefix }}{{ m.entity }} is
     request : in std_logic_vector({{ m.number_bits - 1 }} downto 0);
     line_valid : out std_logic;
     line_taken : in std_logic;
-    line : out std_logic_vector({{ m.line_bits - 1 }} downto 0);
+    data : out std_logic_vector({{ m.line_bits - 1 }} downto 0);
     ask_valid : out std_logic;
     ask_ready : in std_logic;
     ask_address : out std_logic_vector(25 downto 0);
@@ -94,7 +94,9 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal writes : std_logic;
   signal last_word : std_logic;
   type lines is array (0 to {{ m.lines - 1 }}) of std_logic_vector({{ m.word_bits - 1 }} downto 0);
-  signal whole : std_logic_vector({{ m.stored_bits - 1 }} downto 0);
+  type line_words is array (0 to {{ m.words_per_line - 1 }}) of std_logic_vector({{ m.word_bits - 1 }} downto 0);
+  signal line_word : line_words := (others => (others => '0'));
+  signal whole : std_logic_vector({{ m.padded_bits - 1 }} downto 0);
 begin
   -- ===== Requests =====
   ready <= not next_valid and not sweeping;
@@ -199,7 +201,8 @@ begin
   writes <= word_valid and order_there and order({{ m.line_address_bits }}) and not filled;
   last_word <= writes when word_place = {{ m.words_per_line - 1 }} else '0';
   line_valid <= found;
-  line <= whole({{ m.line_bits - 1 }} downto 0);
+  whole <= {% for i in m.word_places %}line_word({{ i }}){% if !loop.last %} & {% endif %}{% endfor %};
+  data <= whole({{ m.line_bits - 1 }} downto 0);
 
   serve : process (clk)
   begin
@@ -256,7 +259,7 @@ begin
           bank(to_integer(order_place)) <= word;
         end if;
         if serves = '1' then
-          whole({{ m.word_bits }} * i + {{ m.word_bits - 1 }} downto {{ m.word_bits }} * i) <= bank(to_integer(order_place));
+          line_word(i) <= bank(to_integer(order_place));
         end if;
       end if;
     end process store;

@@ -34,28 +34,30 @@ architecture rtl of {{ prefix }}engine_children is
   -- k in bits 7..0, bits of a code in 11..8, version in 15..12, then zeros
   constant tag : std_logic_vector({{ e.tag_bits - 1 }} downto 0) := "{{ e.block_tag }}";
   constant unusable : std_logic_vector({{ e.offset_bits - 1 }} downto 0) := "{{ e.unusable_code }}";  -- -2^{{ e.offset_bits - 1 }}
-  constant usable : std_logic_vector({{ e.codes }} downto 0) := (others => '0');
+  constant usable : std_logic_vector({{ e.code_count }} downto 0) := (others => '0');
   signal present : std_logic_vector(1 downto 0);
   -- Bit i: code i is unusable; the last: the tag differs.
-  signal found : std_logic_vector({{ e.codes }} downto 0);
-  signal found_before : std_logic_vector({{ e.codes }} downto 0) := (others => '0');
+  signal found : std_logic_vector({{ e.code_count }} downto 0);
+  signal found_before : std_logic_vector({{ e.code_count }} downto 0) := (others => '0');
   signal taken_before : std_logic := '0';
-  signal links : std_logic_vector(63 downto 0) := (others => '0');
+  type links is array (0 to 1) of std_logic_vector(31 downto 0);
+  signal link : links := (others => (others => '0'));
   signal number : std_logic_vector({{ e.node_bits - 1 }} downto 0) := (others => '0');
 begin
   present(0) <= '1' when data(31 downto 0) /= none else '0';
   present(1) <= '1' when data(63 downto 32) /= none else '0';
   take <= wanted and present;
 
-  codes : for i in 0 to {{ e.codes - 1 }} generate
-    found(i) <= '1' when data({{ e.offset_bits }} * i + {{ e.codes_at + e.offset_bits - 1 }} downto {{ e.offset_bits }} * i + {{ e.codes_at }}) = unusable else '0';
-  end generate codes;
-  found({{ e.codes }}) <= '1' when data({{ e.codes_at - 1 }} downto {{ e.tag_at }}) /= tag else '0';
+{%- for code in e.codes %}
+  found({{ loop.index0 }}) <= '1' when data({{ code.high }} downto {{ code.low }}) = unusable else '0';
+{%- endfor %}
+  found({{ e.code_count }}) <= '1' when data({{ e.codes_at - 1 }} downto {{ e.tag_at }}) /= tag else '0';
 
   hold : process (clk)
   begin
     if rising_edge(clk) then
-      links <= data(63 downto 0);
+      link(0) <= data(31 downto 0);
+      link(1) <= data(63 downto 32);
       number <= own;
       found_before <= found;
       taken_before <= taken and not reset;
@@ -67,17 +69,17 @@ begin
   end process hold;
 
   children : for i in 0 to 1 generate
-    signal link : unsigned(30 downto 0);
+    signal target : unsigned(30 downto 0);
     signal beyond : std_logic;  -- no triangle of the tree
     signal astray : std_logic;  -- no block behind this one
   begin
-    link <= unsigned(links(32 * i + 30 downto 32 * i));
-    leaf(i) <= links(32 * i + 31);
-    beyond <= '1' when link >= unsigned(triangle_count) else '0';
-    astray <= '1' when link >= unsigned(block_count) or link <= unsigned(number)
-      or link(30 downto {{ e.node_bits }}) /= 0 else '0';
-    fault(i) <= beyond when links(32 * i + 31) = '1' else astray;
+    target <= unsigned(link(i)(30 downto 0));
+    leaf(i) <= link(i)(31);
+    beyond <= '1' when target >= unsigned(triangle_count) else '0';
+    astray <= '1' when target >= unsigned(block_count) or target <= unsigned(number)
+      or target(30 downto {{ e.node_bits }}) /= 0 else '0';
+    fault(i) <= beyond when link(i)(31) = '1' else astray;
   end generate children;
-  left <= links(27 downto 0);
-  right <= links(59 downto 32);
+  left <= link(0)(27 downto 0);
+  right <= link(1)(27 downto 0);
 end architecture rtl;

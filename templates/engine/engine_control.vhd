@@ -86,7 +86,10 @@ architecture rtl of {{ prefix }}engine_control is
 {%- endif %}
   signal outside : std_logic_vector(3 downto 0) := "0000";  -- the memory ends before the range
   signal empty : std_logic := '0';  -- a tree without a root
-  signal matrix : std_logic_vector({{ e.pose_bits - 1 }} downto 0);
+  type words is array (0 to 8) of std_logic_vector({{ e.number_bits - 1 }} downto 0);
+  signal entry : words;
+  type matrix is array (0 to 8) of std_logic_vector({{ e.origin_bits - 1 }} downto 0);
+  signal saturated : matrix;
   signal options : std_logic_vector(63 downto 0) := (others => '0');
 begin
   pose_due <= job_valid and job_query when phase = waiting_state else '0';
@@ -106,19 +109,20 @@ begin
   reason <= reason_now;
   number <= number_now;
 
-  elements : for i in 0 to 8 generate
-    signal entry : std_logic_vector({{ e.number_bits - 1 }} downto 0);
+  -- Entries of the matrix: cut off and saturated.
+{%- for entry in e.matrix_entries %}
+  entry({{ loop.index0 }}) <= job_words({{ entry.from_high }} downto {{ entry.from_low }});
+{%- endfor %}
+  entries : for i in 0 to 8 generate
     signal cut : std_logic_vector({{ e.origin_bits - 1 }} downto 0);
     signal above : std_logic_vector({{ e.above_bits - 1 }} downto 0);  -- sign bits, if it fits
   begin
-    entry <= job_words({{ e.pose_lane }} * i + {{ e.pose_high }} downto {{ e.pose_lane }} * i + {{ e.pose_low }});
-    cut <= entry({{ e.cut_high }} downto {{ e.cut_low }});
-    above <= entry({{ e.number_bits - 1 }} downto {{ e.cut_high }});
-    matrix({{ e.origin_bits }} * i + {{ e.origin_bits - 1 }} downto {{ e.origin_bits }} * i) <=
-      "{{ e.greatest_entry }}" when entry({{ e.number_bits - 1 }}) = '0' and above /= "{{ e.above_zeros }}" else
-      "{{ e.least_entry }}" when entry({{ e.number_bits - 1 }}) = '1' and (above /= "{{ e.above_ones }}" or cut = "{{ e.below_least }}") else
+    cut <= entry(i)({{ e.cut_high }} downto {{ e.cut_low }});
+    above <= entry(i)({{ e.number_bits - 1 }} downto {{ e.cut_high }});
+    saturated(i) <= "{{ e.greatest_entry }}" when entry(i)({{ e.number_bits - 1 }}) = '0' and above /= "{{ e.above_zeros }}" else
+      "{{ e.least_entry }}" when entry(i)({{ e.number_bits - 1 }}) = '1' and (above /= "{{ e.above_ones }}" or cut = "{{ e.below_least }}") else
       cut;
-  end generate elements;
+  end generate entries;
 
   keep : process (clk)
   begin
@@ -137,7 +141,9 @@ begin
         counts(3) <= unsigned(job_words({{ e.word4 + 63 }} downto {{ e.word4 + 32 }}));
         options <= job_words({{ e.word5 + 63 }} downto {{ e.word5 }});
         query_errors <= job_words({{ e.word6 + 47 }} downto {{ e.word6 }});
-        query_pose <= matrix;
+{%- for entry in e.matrix_entries %}
+        query_pose({{ entry.high }} downto {{ entry.low }}) <= saturated({{ loop.index0 }});
+{%- endfor %}
 {%- for slice in e.shift_slices %}
         query_shift({{ slice.high }} downto {{ slice.low }}) <= job_words({{ slice.from_high }} downto {{ slice.from_low }});
 {%- endfor %}

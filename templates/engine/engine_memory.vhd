@@ -41,13 +41,18 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal moves : std_logic;  -- the lines asked for are read
   signal accepts : std_logic;
   signal place_a : unsigned({{ m.line_address_bits - 1 }} downto 0);
-  signal whole_a : std_logic_vector({{ m.stored_bits - 1 }} downto 0);
-  signal whole_b : std_logic_vector({{ m.stored_bits - 1 }} downto 0);
+  type line_words is array (0 to {{ m.words_per_line - 1 }}) of std_logic_vector({{ m.word_bits - 1 }} downto 0);
+  signal words_a : line_words := (others => (others => '0'));
+  signal words_b : line_words := (others => (others => '0'));
+  signal whole_a : std_logic_vector({{ m.padded_bits - 1 }} downto 0);
+  signal whole_b : std_logic_vector({{ m.padded_bits - 1 }} downto 0);
 begin
   moves <= asked and (lines_taken or not found);
   accepts <= moves or not asked;
   request_ready <= accepts;
   lines_valid <= found;
+  whole_a <= {% for i in m.word_places %}words_a({{ i }}){% if !loop.last %} & {% endif %}{% endfor %};
+  whole_b <= {% for i in m.word_places %}words_b({{ i }}){% if !loop.last %} & {% endif %}{% endfor %};
   line_a <= whole_a({{ m.line_bits - 1 }} downto 0);
   line_b <= whole_b({{ m.line_bits - 1 }} downto 0);
   place_a <= unsigned(write_line) when write_valid = '1' else asked_a;
@@ -86,8 +91,8 @@ begin
           bank(to_integer(place_a)) <= write_data;
         end if;
         if moves = '1' then
-          whole_a({{ m.word_bits }} * i + {{ m.word_bits - 1 }} downto {{ m.word_bits }} * i) <= bank(to_integer(place_a));
-          whole_b({{ m.word_bits }} * i + {{ m.word_bits - 1 }} downto {{ m.word_bits }} * i) <= bank(to_integer(asked_b));
+          words_a(i) <= bank(to_integer(place_a));
+          words_b(i) <= bank(to_integer(asked_b));
         end if;
       end if;
     end process store;

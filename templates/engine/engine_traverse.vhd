@@ -69,7 +69,7 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal may_pop : std_logic;
   signal top_entry : std_logic_vector({{ e.entry_bits - 1 }} downto 0);
   signal filled : std_logic;
-  signal room : signed({{ e.room_bits - 1 }} downto 0) := (others => '0');  -- {{ e.wide - 3 }} - used - 4 flying: not negative while a pair may be popped
+  signal room : unsigned({{ e.room_bits - 1 }} downto 0) := (others => '0');  -- {{ e.wide - 3 }} - used - 4 flying in two's complement: not negative while a pair may be popped
   signal flying : unsigned({{ e.flight_bits }} downto 0) := (others => '0');
   signal nothing_flies : std_logic;
   signal all_fly : std_logic;
@@ -187,12 +187,12 @@ begin
       end if;
       root_due <= start;
       if reset = '1' or start = '1' then
-        room <= to_signed({{ e.wide - 3 }}, {{ e.room_bits }});
+        room <= unsigned(to_signed({{ e.wide - 3 }}, {{ e.room_bits }}));
         flying <= (others => '0');
         popped_place <= (others => '0');
         root_due <= start and not reset;
       else
-        room <= room + change;
+        room <= unsigned(signed(room) + change);
         if pop = '1' and finished = '0' then
           flying <= flying + 1;
         elsif pop = '0' and finished = '1' then

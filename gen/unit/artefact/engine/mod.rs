@@ -221,3 +221,5 @@ mod tests {
         }
     }
 }
+/// Debug.
+pub fn debug_values(design: &EngineDesign) -> String { format!("{:?}", Values::new(design)) }

@@ -16,7 +16,15 @@ const WORD: u32 = 64;
 /// Kinds of packets that only the engine has.
 const KINDS: [u32; 3] = [3, 4, 5];
 
+/// Bits of a word.
+#[derive(Debug)]
+pub(super) struct Bits {
+    pub high: u32,
+    pub low: u32,
+}
+
 /// Bits to one place and where they come from.
+#[derive(Debug)]
 pub(super) struct Slice {
     pub high: u32,
     pub low: u32,
@@ -25,6 +33,7 @@ pub(super) struct Slice {
 }
 
 /// A choice in a row of the query that has fewer values than its bits.
+#[derive(Debug)]
 pub(super) struct Slot {
     pub high: u32,
     pub low: u32,
@@ -32,12 +41,14 @@ pub(super) struct Slot {
 }
 
 /// A port and what is connected to it.
+#[derive(Debug)]
 pub(super) struct Connection {
     pub port: String,
     pub value: String,
 }
 
 /// One of the four caches and what is connected to it.
+#[derive(Debug)]
 pub(super) struct Cache {
     pub label: &'static str,
     pub entity: &'static str,
@@ -49,6 +60,7 @@ pub(super) struct Cache {
 }
 
 /// A memory of lines, or a cache.
+#[derive(Debug)]
 pub(super) struct Lines {
     pub entity: &'static str,
     pub what: &'static str,
@@ -59,7 +71,8 @@ pub(super) struct Lines {
     pub used_number_bits: u32,
     pub word_bits: u32,
     pub words_per_line: u32,
-    pub stored_bits: u32,
+    pub word_places: Vec<u32>,
+    pub padded_bits: u32,
     pub tag_bits: u32,
     pub places: u32,
     pub place_bits: u32,
@@ -68,6 +81,7 @@ pub(super) struct Lines {
 }
 
 /// All of them.
+#[derive(Debug)]
 pub(super) struct Values {
     pub axi: bool,
     pub block_ram: bool,
@@ -95,14 +109,14 @@ pub(super) struct Values {
     pub open_bits: u32,
     // Blocks
     pub block_bits: u32,
-    pub codes: u32,
+    pub codes: Vec<Bits>,
     pub codes_at: u32,
+    pub code_count: usize,
     pub offset_bits: u32,
     pub tag_at: u32,
     pub tag_bits: u32,
     pub block_tag: String,
     pub unusable_code: String,
-    pub origin_at: u32,
     pub origin_bits: u32,
     // Triangles
     pub triangle_bits: u32,
@@ -130,9 +144,7 @@ pub(super) struct Values {
     pub word4: u32,
     pub word5: u32,
     pub word6: u32,
-    pub pose_lane: u32,
-    pub pose_high: u32,
-    pub pose_low: u32,
+    pub matrix_entries: Vec<Slice>,
     pub number_bits: u32,
     pub cut_high: u32,
     pub cut_low: u32,
@@ -179,6 +191,10 @@ fn places(count: u32) -> (u32, u32) {
     (places, places.trailing_zeros())
 }
 
+fn bits_at(low: u32, bits: u32) -> Bits {
+    Bits { high: low + bits - 1, low }
+}
+
 /// Place of the words of a job from word 1 on.
 fn word_at(word: u32) -> u32 {
     WORD * (word - 1)
@@ -209,7 +225,8 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         used_number_bits: number_bits.min(address_bits),
         word_bits,
         words_per_line,
-        stored_bits: word_bits * words_per_line,
+        word_places: (0..words_per_line).rev().collect(),
+        padded_bits: word_bits * words_per_line,
         tag_bits: LINE_ADDRESS_BITS - line_address_bits,
         places: PLACES,
         place_bits: PLACES.ilog2(),
@@ -317,14 +334,14 @@ impl Values {
             pair_bits: params.pair_queue.ilog2(),
             open_bits: 32 - open.leading_zeros(),
             block_bits: block_bits(format),
-            codes: 2 * k,
+            codes: (0..2 * k).map(|i| bits_at(BlockLayout::CODES_AT + format.offset_bits * i, format.offset_bits)).collect(),
             codes_at: BlockLayout::CODES_AT,
+            code_count: 2 * k as usize,
             offset_bits: format.offset_bits,
             tag_at: block.tag_at,
             tag_bits: BlockLayout::CODES_AT - block.tag_at,
             block_tag: binary(block.tag, BlockLayout::CODES_AT - block.tag_at),
             unusable_code: binary(1 << (format.offset_bits - 1), format.offset_bits),
-            origin_at: block.origin_at,
             origin_bits: format.origin_bits,
             triangle_bits: triangle.bits,
             triangle_number_bits: triangle.number_bits,
@@ -350,9 +367,13 @@ impl Values {
             word4: word_at(4),
             word5: word_at(5),
             word6: word_at(6),
-            pose_lane: stream.lane(),
-            pose_high: pose_low + format.transform_width - 1,
-            pose_low,
+            matrix_entries: (0..9)
+                .map(|i| {
+                    let (low, from_low) = (format.origin_bits * i, pose_low + stream.lane() * i);
+                    let (high, from_high) = (low + format.origin_bits - 1, from_low + format.transform_width - 1);
+                    Slice { high, low, from_high, from_low }
+                })
+                .collect(),
             number_bits: format.transform_width,
             cut_high,
             cut_low,
