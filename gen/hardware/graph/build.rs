@@ -168,6 +168,13 @@ impl<'l> Top<'l> {
         input
     }
 
+    /// An input that does not change while anything is in flight: it is there in every clock, and no register holds it.
+    pub fn steady(self, ty: Type, range: Range) -> Sig<'l> {
+        let input = self.port(ty, vec![range], Rate::Any);
+        self.library.with(self.unit, |draft| draft.unit.nodes[input.id.0].op = Op::Steady);
+        input
+    }
+
     /// An input with ranges of its own in every case, or the same in all.
     pub(super) fn port(self, ty: Type, ranges: Vec<Range>, rate: Rate) -> Sig<'l> {
         let sig = self.library.push(self.unit, Op::Input { early: 0 }, vec![], ty, rate, ranges);

@@ -24,6 +24,7 @@ pub mod testbench;
 mod units;
 pub mod vectors;
 mod vivado;
+pub mod volume;
 
 pub use design_files::{DesignFilesError, Packaging, design_files, design_files_with};
 pub use file_set::{Difference, FileSet, FileSetError};
