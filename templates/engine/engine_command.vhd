@@ -264,6 +264,8 @@ begin
               job_query <= '0';
               if expectation = query_state and found = fine then
                 job_query <= '1';
+              else
+                number <= (others => '0');
               end if;
             end if;
           end if;

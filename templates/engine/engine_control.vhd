@@ -83,6 +83,7 @@ architecture rtl of {{ prefix }}engine_control is
 {%- if e.axi %}
   signal known : std_logic := '0';  -- the caches are those of the bases
   signal moved : std_logic := '0';
+  signal flush_now : std_logic := '0';
 {%- endif %}
   signal outside : std_logic_vector(3 downto 0) := "0000";  -- the memory ends before the range
   signal empty : std_logic := '0';  -- a tree without a root
@@ -103,6 +104,7 @@ begin
   ending <= '1' when reason_now /= fine else '0';
 {%- if e.axi %}
   abort <= '1' when phase = abort_state else '0';
+  flush <= flush_now;
 {%- else %}
   abort <= '0';
 {%- endif %}
@@ -195,7 +197,7 @@ begin
     if rising_edge(clk) then
       started <= '0';
 {%- if e.axi %}
-      flush <= '0';
+      flush_now <= '0';
 {%- endif %}
       if reset = '1' then
         phase <= waiting_state;
@@ -230,7 +232,7 @@ begin
                 phase <= report_state;
 {%- if e.axi %}
               elsif moved = '1' then
-                flush <= '1';
+                flush_now <= '1';
                 phase <= flush_state;
 {%- endif %}
               else
@@ -243,7 +245,7 @@ begin
             known <= '1';
             -- The caches say that they are at it from the clock after flush on.
             checks <= "11";
-            if checks = "11" and flush = '0' and flushing = '0' then
+            if checks = "11" and flush_now = '0' and flushing = '0' then
               started <= '1';
               phase <= run_state;
             end if;

@@ -1,7 +1,11 @@
 //! The collision engine around a unit (docs/engine.md): hand-written entities, printed by templates from the numbers that
 //! [`values`] computes, the unit and the volume unit.
 
+mod files;
 mod values;
+pub mod vectors;
+#[cfg(feature = "scenes")]
+pub mod samples;
 
 use super::volume::volume_files;
 use super::{Prefix, origin, vhdl_files};
@@ -15,8 +19,16 @@ use efsat_hardware::vhdl::Clash;
 use std::collections::BTreeMap;
 use values::{Lines, Values};
 
+pub use files::engine_design_files;
+
 /// Name of the entity of the engine, without a prefix.
 pub const NAME: &str = "efsat_engine";
+
+/// Name of the testbench entity, without a prefix.
+pub const TESTBENCH: &str = "efsat_engine_tb";
+
+/// Address of the memory of triangles in block RAM, in units of 64 bytes; that of blocks is at 0.
+pub const TRIANGLES_AT: u32 = 1 << 25;
 
 /// Bits of the tag of the unit: the numbers of both triangles.
 const TAG_WIDTH: u32 = 56;
@@ -104,6 +116,7 @@ entities! {
     Control "engine/engine_control.vhd";
     ReadMaster "engine/engine_read_master.vhd";
     Engine "engine/efsat_engine.vhd";
+    Bench "engine/efsat_engine_tb.vhd";
 }
 
 #[derive(Template)]
@@ -155,6 +168,11 @@ pub fn engine_files(design: &EngineDesign, prefix: &Prefix, command_line: &str) 
     top.extend(description(design));
     add(NAME, Engine::text(&top, prefix, &values));
     Ok(once_each(files))
+}
+
+/// The testbench.
+pub fn bench(design: &EngineDesign, prefix: &Prefix) -> String {
+    Bench::text(&origin(), prefix, &Values::new(design))
 }
 
 /// Files of one name are one file: multipliers that the unit and the volume unit both have.

@@ -1,11 +1,13 @@
 //! The numbers that the templates of the engine print.
 
 use super::EngineDesign;
+use super::vectors::formats_line;
+use crate::artefact::testbench::half_period;
 use crate::design::top::{pair_ports, pose_ports};
 use crate::params::Params;
 use crate::params::Upper;
-use crate::params::engine::{BlockLayout, EngineFormat, LINK_NUMBER_BITS, Memory, QueryFlags};
-use crate::params::stream::{StreamFormat, StreamWidth};
+use crate::params::engine::{BlockLayout, Command, EngineFormat, LINK_NUMBER_BITS, Memory, QueryFlags};
+use crate::params::stream::StreamFormat;
 
 /// Bits of an address of 64 bytes on AXI.
 const LINE_ADDRESS_BITS: u32 = 26;
@@ -13,8 +15,6 @@ const LINE_ADDRESS_BITS: u32 = 26;
 const PLACES: u32 = 16;
 /// Words of a stream into the engine.
 const WORD: u32 = 64;
-/// Kinds of packets that only the engine has.
-const KINDS: [u32; 3] = [3, 4, 5];
 
 /// Bits of a word.
 #[derive(Debug)]
@@ -172,6 +172,12 @@ pub(super) struct Values {
     pub memory_size: String,
     pub block_words: u32,
     pub triangle_words: u32,
+    pub memory_bytes: u32,
+    pub memory_words: u32,
+    // Testbench
+    pub formats: String,
+    pub patience: usize,
+    pub half_period: String,
     pub memories: Vec<Lines>,
     pub caches: Vec<Cache>,
 }
@@ -279,7 +285,7 @@ impl Values {
     pub(super) fn new(design: &EngineDesign) -> Self {
         let (params, format, unit) = (&design.params, &design.format, &design.unit.params);
         let (block, triangle, k) = (format.block(), format.triangle(), format.k());
-        let stream = StreamFormat::new(&Params { tag_width: 0, ..unit.clone() }, StreamWidth::Bits64);
+        let stream = &format.stream;
         let node_bits = params.block_number_bits;
         let level_bits = 32 - params.tree_height.leading_zeros();
         let b_low = level_bits + 2;
@@ -308,7 +314,7 @@ impl Values {
             let bits = format.choice_bits();
             (directions.len() < 1 << bits).then(|| Slot { high: low + bits - 1, low, count: directions.len() })
         };
-        let [query, load, stop] = KINDS.map(|kind| format!("{:08x}", stream.header(crate::params::stream::Kind::Pairs) & !0xff | kind));
+        let header = |command| format!("{:08x}", format.header(command) as u32);
         Self {
             axi,
             block_ram: !axi,
@@ -346,15 +352,15 @@ impl Values {
             triangle_bits: triangle.bits,
             triangle_number_bits: triangle.number_bits,
             number_zeros: zeros(LINK_NUMBER_BITS - triangle.number_bits),
-            unit_inputs: unit_inputs(unit, format, &stream),
+            unit_inputs: unit_inputs(unit, format, stream),
             guarded: unit.guarded(),
             directions: k,
             query_words: format.query_words(),
             job_bits: WORD * (format.query_words() - 1),
-            query_header: query,
+            query_header: header(Command::Query),
             query_format: format!("{:08x}", format.header_high()),
-            load_header: load,
-            stop_header: stop,
+            load_header: header(Command::Load),
+            stop_header: header(Command::Stop),
             options_word: 5,
             pose_word: EngineFormat::POSE_AT,
             first_row: format.row_at(0),
@@ -411,6 +417,11 @@ impl Values {
             memory_size: binary((params.memory_width / 8).ilog2(), 3),
             block_words: memories[0].words_per_line,
             triangle_words: memories[1].words_per_line,
+            memory_bytes: params.memory_width / 8,
+            memory_words: params.memory_width.div_ceil(WORD),
+            formats: formats_line(design),
+            patience: 20000 + 4 * (design.unit.latency + design.volume.latency),
+            half_period: format!("{} ps", half_period(unit)),
             memories,
             caches: caches(),
         }
