@@ -30,7 +30,7 @@ entity {{ prefix }}engine_control is
     busy : out std_logic;  -- there is one, or its report
     running : out std_logic;  -- there is one
     start : out std_logic;
-    ending : out std_logic;
+    ending : out std_logic;  -- no query runs, or it has a reason to end
     abort : out std_logic;  -- one clock long: all is forgotten after a memory error
     block_base_a : out std_logic_vector(31 downto 0);  -- address / 64
     block_base_b : out std_logic_vector(31 downto 0);
@@ -101,7 +101,7 @@ begin
   busy <= '0' when phase = waiting_state and job_valid = '0' else '1';
   report_due <= '1' when phase = report_state else '0';
   start <= started;
-  ending <= '1' when reason_now /= fine else '0';
+  ending <= '0' when phase = run_state and reason_now = fine else '1';
 {%- if e.axi %}
   abort <= '1' when phase = abort_state else '0';
   flush <= flush_now;

@@ -139,12 +139,13 @@ begin
   -- ===== Issue =====
   nothing_flies <= '1' when flying = 0 else '0';
   all_fly <= '1' when flying = {{ e.in_flight }} else '0';
-  may_pop <= filled and not ending and not all_fly and not spent and (nothing_flies or not room(room'high));
+  -- What the last query has left on the stack goes with start.
+  may_pop <= filled and not start and not ending and not all_fly and not spent and (nothing_flies or not room(room'high));
   request_valid <= may_pop;
   pop <= may_pop and request_ready;
   request_a <= top_entry({{ e.a_high }} downto {{ e.a_low }});
   request_b <= top_entry({{ e.b_high }} downto {{ e.b_low }});
-  limit_reached <= filled and spent and not ending;
+  limit_reached <= filled and spent and not start and not ending;
   expanded <= pop;
   idle <= nothing_flies and (ending or not filled) and not start and not root_due;
   waiting <= not nothing_flies;
