@@ -10,7 +10,8 @@ mod tests;
 mod widths;
 
 pub use format::{
-    BlockLayout, EngineFormat, LEAF_BIT, LINK_NUMBER_BITS, NO_CHILD, ORIGIN_OVER_OFFSET, QueryFlags, TriangleLayout,
+    BlockLayout, Command, EngineFormat, LEAF_BIT, LINK_NUMBER_BITS, NO_CHILD, ORIGIN_OVER_OFFSET, QueryFlags,
+    TriangleLayout,
 };
 pub use report::{Answer, EngineReport, Reason};
 pub use widths::{Width, Widths};

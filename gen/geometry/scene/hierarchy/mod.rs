@@ -4,6 +4,8 @@
 //! is ever lost; the proof is in `docs/hierarchy.md`.
 
 mod forest;
+mod local;
+mod placement;
 mod realign;
 mod statistics;
 mod traverse;
@@ -11,6 +13,8 @@ mod tree;
 
 pub use crate::directions::Directions;
 pub use forest::Forest;
+pub use local::{LocalBlock, LocalChild, LocalFormat, LocalTree};
+pub use placement::Placement;
 pub use statistics::Statistics;
 pub use traverse::{Scratch, first_hit, pairs};
 pub use tree::DopTree;

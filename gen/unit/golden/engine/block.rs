@@ -67,6 +67,26 @@ pub enum BadBlock {
     },
 }
 
+impl BadBlock {
+    /// What was found, in words.
+    pub fn found(&self) -> String {
+        match self {
+            Self::Tag { found, .. } => format!("{found:#06x}"),
+            Self::NotZero { .. } => "not all zero".to_owned(),
+            Self::Code { found, .. } => found.to_string(),
+        }
+    }
+
+    /// What was expected, in words.
+    pub fn expected(&self) -> String {
+        match self {
+            Self::Tag { expected, .. } => format!("{expected:#06x}"),
+            Self::NotZero { .. } => "zeros".to_owned(),
+            Self::Code { least, .. } => format!("at least {least}"),
+        }
+    }
+}
+
 /// The volumes of the two children of a node: child c holds all x with n_i . (x - o) <= codes_i 2^e G.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Block {
@@ -133,10 +153,10 @@ impl Block {
             return Err(BadBlock::NotZero { from: layout.zeros_at, to: BlockLayout::CODES_AT - 1 });
         }
         let link = |child| Link::of(field(words, BlockLayout::link_at(child), BlockLayout::LINK_BITS) as u32);
-        let coordinate = |axis| signed(words, layout.origin_at + axis * layout.origin_bits, layout.origin_bits);
+        let coordinate = |axis| signed(words, layout.origin_at + axis * layout.origin_bits, layout.origin_bits) as i32;
         let codes = [0, 1].map(|child| {
             (0..layout.directions)
-                .map(|i| signed(words, layout.code_at(child, i), layout.code_bits))
+                .map(|i| signed(words, layout.code_at(child, i), layout.code_bits) as i32)
                 .collect::<Vec<i32>>()
         });
         let least = -format.most();
@@ -151,7 +171,7 @@ impl Block {
 }
 
 /// Puts the low bits of a value at a place where there are zeros.
-fn put(words: &mut [u64], at: u32, bits: u32, value: u64) {
+pub fn put(words: &mut [u64], at: u32, bits: u32, value: u64) {
     let (index, shift) = ((at / 64) as usize, at % 64);
     let value = u128::from(value & (u64::MAX >> (64 - bits))) << shift;
     words[index] |= value as u64;
@@ -161,15 +181,15 @@ fn put(words: &mut [u64], at: u32, bits: u32, value: u64) {
 }
 
 /// The bits at a place, at most 64; none are zero.
-fn field(words: &[u64], at: u32, bits: u32) -> u64 {
+pub fn field(words: &[u64], at: u32, bits: u32) -> u64 {
     let (index, shift) = ((at / 64) as usize, at % 64);
     let high = words.get(index + 1).copied().unwrap_or(0);
     let value = (u128::from(words[index]) | u128::from(high) << 64) >> shift;
     value as u64 & (u64::MAX >> (64 - bits.clamp(1, 64))) & if bits == 0 { 0 } else { u64::MAX }
 }
 
-/// The bits at a place in two's complement, at most 32.
-fn signed(words: &[u64], at: u32, bits: u32) -> i32 {
+/// The bits at a place in two's complement, at most 64.
+pub fn signed(words: &[u64], at: u32, bits: u32) -> i64 {
     let shift = 64 - bits;
-    ((field(words, at, bits) << shift) as i64 >> shift) as i32
+    (field(words, at, bits) << shift) as i64 >> shift
 }

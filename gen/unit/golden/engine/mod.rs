@@ -2,9 +2,15 @@
 //! volumes, the traversal and the report.
 
 mod block;
+mod model;
 mod overlap;
+mod query;
 #[cfg(test)]
 mod tests;
+mod triangle;
 
 pub use block::{BadBlock, Block, Link, Volume};
-pub use overlap::{Distance, Frame, Row, apart, distance, overlap};
+pub use model::{Model, Outcome};
+pub use overlap::{Distance, Frame, Row, apart, bounds, distance, overlap};
+pub use query::{Query, Side};
+pub use triangle::Triangle;

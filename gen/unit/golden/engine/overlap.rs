@@ -30,10 +30,15 @@ pub struct Frame {
 impl Frame {
     /// Of the pose words and the rest of the query.
     pub fn new(pose: &Pose, errors: [u32; 3], rows: Vec<Row>, format: &EngineFormat) -> Self {
+        let shift = |word: i64| floor_shift(word.into(), format.translation_shift()) as i64;
+        Self { matrix: Self::matrix(pose, format), shift: pose.t.map(|x| shift(x.lo)), errors, rows }
+    }
+
+    /// The matrix that meets origins.
+    pub fn matrix(pose: &Pose, format: &EngineFormat) -> [[i64; 3]; 3] {
         let most = i128::from(format.most_origin());
         let entry = |word: i64| floor_shift(word.into(), format.matrix_shift()).clamp(-most, most) as i64;
-        let shift = |word: i64| floor_shift(word.into(), format.translation_shift()) as i64;
-        Self { matrix: pose.m.map(|row| row.map(|x| entry(x.lo))), shift: pose.t.map(|x| shift(x.lo)), errors, rows }
+        pose.m.map(|row| row.map(|x| entry(x.lo)))
     }
 }
 
@@ -49,15 +54,16 @@ pub fn distance(frame: &Frame, a: &Block, b: &Block, format: &EngineFormat) -> D
     })
 }
 
-/// Whether direction h of A certainly separates the two volumes: B_h + U_h + V_h < 0.
-pub fn apart(
+/// What direction h of A says of two volumes, in steps of the grid: B_h, an upper bound of h . (M o_B + t - o_A); U_h, one of
+/// how far B's volume reaches beyond that along h; and V_h, one of how far A's reaches beyond o_A along -h.
+pub fn bounds(
     h: usize,
     distance: &Distance,
     frame: &Frame,
     a: &Volume<'_>,
     b: &Volume<'_>,
     format: &EngineFormat,
-) -> bool {
+) -> [i64; 3] {
     let normal = format.directions.vector(h).map(i64::from);
     let base: i64 = (0..3).map(|i| normal[i] * distance[i] + normal[i].abs() * i64::from(frame.errors[i])).sum();
     let row = &frame.rows[h];
@@ -68,7 +74,19 @@ pub fn apart(
     let sum = terms.sum::<i64>() + i64::from(row.rest);
     let upper = -((-(sum << b.exponent)) >> format.factor_fraction());
     let code = i64::from(a.codes[h ^ 1]) << a.exponent;
-    base + upper + code < 0
+    [base, upper, code]
+}
+
+/// Whether direction h of A certainly separates the two volumes: B_h + U_h + V_h < 0.
+pub fn apart(
+    h: usize,
+    distance: &Distance,
+    frame: &Frame,
+    a: &Volume<'_>,
+    b: &Volume<'_>,
+    format: &EngineFormat,
+) -> bool {
+    bounds(h, distance, frame, a, b, format).iter().sum::<i64>() < 0
 }
 
 /// Whether the volumes of child p of A's block and of child q of B's may overlap; volumes that touch do.

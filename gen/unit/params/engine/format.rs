@@ -123,6 +123,21 @@ pub struct EngineFormat {
     pub sticky: bool,
     /// Words of the pose.
     pub pose_words: u32,
+    /// The format of the unit's stream, whose headers and poses the engine takes over.
+    pub stream: StreamFormat,
+}
+
+/// What a packet to the engine asks for. The discriminant is the low byte of its header; 1 and 2 are pairs and poses for the
+/// unit alone.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Command {
+    /// Find the pairs of triangles that touch.
+    Query = 3,
+    /// Fill memory in block RAM.
+    Load = 4,
+    /// End the query that is running.
+    Stop = 5,
 }
 
 impl EngineFormat {
@@ -144,6 +159,7 @@ impl EngineFormat {
             int_bits: unit.int_bits,
             sticky: unit.upper == Upper::Sticky,
             pose_words: stream.record_words(Kind::Pose),
+            stream,
         }
     }
 
@@ -205,7 +221,7 @@ impl EngineFormat {
     /// Bits of a choice in a row of the query.
     pub fn choice_bits(&self) -> u32 {
         let most = self.directions.slots().map(<[u8]>::len).into_iter().max().unwrap_or(1);
-        (most.next_power_of_two().ilog2()).max(3)
+        most.next_power_of_two().ilog2()
     }
 
     /// Bits of the rest of a row.
@@ -235,6 +251,13 @@ impl EngineFormat {
         let entry = step(self.origin_fraction()).max(step(self.word_fraction()));
         // One more for a count that is rounded up.
         3 * entry + step(self.word_fraction()) + 2
+    }
+
+    /// The header word of a command.
+    pub fn header(&self, command: Command) -> u64 {
+        let high = if command == Command::Query { self.header_high() } else { 0 };
+        let low = self.stream.header(Kind::Pose) - Kind::Pose as u32 | command as u32;
+        u64::from(low) | u64::from(high) << 32
     }
 
     /// The upper half of a query's header word: directions in bits 7..0, bits of a code in 11..8, of a factor in 16..12, of an
