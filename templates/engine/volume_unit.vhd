@@ -3,9 +3,9 @@
 {% endfor -%}
 --
 -- The volume unit: two blocks, each with the volumes of two children, and the four tests whether a child of A and a child
--- of B may overlap. One expansion every {{ interval }} clock{% if interval > 1 %}s{% endif %}; the answer is there {{ latency }} clocks after its acceptance. There is no
--- back-pressure: who sends an expansion has a place for the answer. The query is held outside while expansions of it are
--- in flight. Words of the query and of blocks: docs/engine.md.
+-- of B may overlap. It takes an expansion every {% if interval > 1 %}{{ interval }} clocks{% else %}clock{% endif %} and answers {{ latency }} clocks after it has taken it. There is no
+-- back-pressure: whoever sends an expansion has a place for its answer. The query does not change while an expansion is
+-- in flight.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -15,15 +15,15 @@ entity {{ prefix }}volume_unit is
     clk : in std_logic;
     reset : in std_logic;  -- synchronous; what is in flight is forgotten
 {%- for word in words %}
-{%- if word.name.starts_with("query") %}
-    {{ word.name }} : in std_logic_vector({{ word.bits - 1 }} downto 0);
+{%- if word.query %}
+    {{ word.name }} : in std_logic_vector({{ word.high }} downto 0);
 {%- endif %}
 {%- endfor %}
     in_valid : in std_logic;
-    in_ready : out std_logic;  -- one clock of every {{ interval }}
+    in_ready : out std_logic;  -- set in {% if interval > 1 %}one clock of every {{ interval }}{% else %}every clock{% endif %}, whatever in_valid is
 {%- for word in words %}
-{%- if !word.name.starts_with("query") %}
-    {{ word.name }} : in std_logic_vector({{ word.bits - 1 }} downto 0);
+{%- if !word.query %}
+    {{ word.name }} : in std_logic_vector({{ word.high }} downto 0);
 {%- endif %}
 {%- endfor %}
     out_valid : out std_logic;
@@ -39,7 +39,7 @@ begin
       reset => reset,
 {%- for word in words %}
 {%- for number in word.numbers %}
-      {{ number.0 }} => {{ word.name }}({% if number.3 %}{{ number.1 }}{% else %}{{ number.2 }} downto {{ number.1 }}{% endif %}),
+      {{ number.port }} => {{ word.name }}({% if number.flag %}{{ number.low }}{% else %}{{ number.high }} downto {{ number.low }}{% endif %}),
 {%- endfor %}
 {%- endfor %}
       in_valid => in_valid,

@@ -1,22 +1,51 @@
-//! The VHDL sources of a volume unit.
+//! The files of a volume unit: VHDL sources, a testbench, and what it reads.
+
+mod stimulus;
+
+pub use stimulus::{Expansion, VolumeStimulus};
 
 use super::{Prefix, origin};
-use crate::design::engine::volume_unit::VolumeDesign;
+use crate::design::engine::volume_unit::{VolumeDesign, WordPort};
 use askama::Template;
 use efsat_hardware::vhdl::{self, Clash};
 
 /// Name of the entity, without a prefix.
 pub const NAME: &str = "volume_unit";
 
-/// Name of its package of types.
+/// Name of its testbench, without a prefix.
+pub const BENCH: &str = "volume_unit_tb";
+
+/// Name of its package of types, without a prefix.
 pub const PACKAGE: &str = "volume_types";
 
-/// A port and what is in it.
+/// A port and the numbers in it.
 struct Word {
     name: &'static str,
-    bits: u32,
-    /// Of each number: the port of the stage, the lowest and the highest bit, and whether that is one.
-    numbers: Vec<(String, u32, u32, bool)>,
+    high: u32,
+    query: bool,
+    numbers: Vec<Number>,
+}
+
+/// A port of the stage, and its bits in the word.
+struct Number {
+    port: String,
+    high: u32,
+    low: u32,
+    flag: bool,
+}
+
+impl Word {
+    fn new(word: WordPort) -> Self {
+        let query = word.of_query();
+        let number = |(port, low, bits): (String, u32, u32)| Number {
+            flag: port.contains("_take"),
+            high: low + bits - 1,
+            low,
+            port,
+        };
+        let numbers = word.numbers.into_iter().map(number).collect();
+        Self { name: word.name, high: word.bits - 1, query, numbers }
+    }
 }
 
 #[derive(Template)]
@@ -29,6 +58,19 @@ struct VolumeUnit<'a> {
     words: Vec<Word>,
 }
 
+#[derive(Template)]
+#[template(path = "engine/volume_unit_tb.vhd", escape = "none")]
+struct Bench<'a> {
+    header: Vec<String>,
+    prefix: &'a Prefix,
+    latency: usize,
+    words: Vec<Word>,
+}
+
+fn words(design: &VolumeDesign) -> Vec<Word> {
+    design.words().into_iter().map(Word::new).collect()
+}
+
 /// Name and text of each source file, in dependency order: the package, the entities of the data path, the unit. All names
 /// begin with the prefix.
 ///
@@ -36,23 +78,14 @@ struct VolumeUnit<'a> {
 /// A name that some tool would refuse.
 pub fn volume_files(design: &VolumeDesign, prefix: &Prefix) -> Result<Vec<(String, String)>, Clash> {
     let mut files = vhdl::print(&design.stage, &prefix.of(""), PACKAGE, &origin())?;
-    let flag = |port: &str| port.contains("_take");
-    let numbers = |(port, low, bits): (String, u32, u32)| {
-        let single = flag(&port);
-        (port, low, low + bits - 1, single)
-    };
-    let words = design.words().into_iter().map(|word| Word {
-        name: word.name,
-        bits: word.bits,
-        numbers: word.numbers.into_iter().map(numbers).collect(),
-    });
-    let unit = VolumeUnit {
-        header: origin(),
-        prefix,
-        interval: design.interval,
-        latency: design.latency,
-        words: words.collect(),
-    };
+    let VolumeDesign { interval, latency, .. } = *design;
+    let unit = VolumeUnit { header: origin(), prefix, interval, latency, words: words(design) };
     files.push((prefix.of(NAME), unit.render().expect("the template renders")));
     Ok(files.into_iter().map(|(name, text)| (format!("{name}.vhd"), text)).collect())
+}
+
+/// The text of the testbench, which reads the lines of a [`VolumeStimulus`] from a file `volume_unit_tb.vec`.
+pub fn volume_bench(design: &VolumeDesign, prefix: &Prefix) -> String {
+    let bench = Bench { header: origin(), prefix, latency: design.latency, words: words(design) };
+    bench.render().expect("the template renders")
 }

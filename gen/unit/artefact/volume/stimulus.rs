@@ -1,7 +1,7 @@
 //! Seeded expansions for a volume unit: common ones, ones at the ends of all ranges, and ones whose answer hangs on one step
 //! of the grid; with the answers of the reference model.
 
-use crate::design::engine::volume_unit::VolumeDesign;
+use crate::design::engine::volume_unit::{VolumeDesign, WordPort};
 use crate::golden::engine::{Block, Frame, Link, Row, apart, distance, overlap};
 use crate::params::engine::EngineFormat;
 use rand::rngs::ChaCha8Rng;
@@ -29,6 +29,8 @@ pub struct VolumeStimulus {
     pub expansions: Vec<Expansion>,
 }
 
+/// Thresholds to each query with common expansions; three expansions each.
+const THRESHOLDS: usize = 3;
 /// Common expansions of a query.
 const OF_A_QUERY: usize = 6;
 
@@ -44,8 +46,10 @@ impl VolumeStimulus {
             let frame = random.frame(true);
             let blocks = vec![random.extreme(), random.extreme()];
             all.query(&mut random, frame, blocks);
-            for (frame, blocks) in random.threshold() {
-                all.query(&mut random, frame, vec![blocks]);
+            for _ in 0..THRESHOLDS {
+                for (frame, blocks) in random.threshold() {
+                    all.query(&mut random, frame, vec![blocks]);
+                }
             }
         }
         all
@@ -63,9 +67,8 @@ impl VolumeStimulus {
     /// The answer of the reference model, as the unit gives it.
     pub fn answer(&self, expansion: &Expansion) -> u32 {
         let Expansion { frame, blocks: [a, b], take: [of_a, of_b] } = expansion;
-        let survives = |p: usize, q: usize| {
-            of_a[p] && of_b[q] && overlap(&self.frames[*frame], [a, b], [p, q], &self.format)
-        };
+        let survives =
+            |p: usize, q: usize| of_a[p] && of_b[q] && overlap(&self.frames[*frame], [a, b], [p, q], &self.format);
         (0..4).map(|pair| u32::from(survives(pair / 2, pair % 2)) << pair).sum()
     }
 
@@ -104,48 +107,29 @@ impl VolumeStimulus {
 
     /// The lines of a vector file: `Q` and the words of a query, or `E`, the words of an expansion and its answer.
     pub fn text(&self, design: &VolumeDesign) -> String {
-        let words = design.words();
-        let (query, given): (Vec<_>, Vec<_>) = words.iter().partition(|word| word.name.starts_with("query"));
+        let (query, given): (Vec<_>, Vec<_>) = design.words().into_iter().partition(WordPort::of_query);
         let mut text = String::new();
         let mut frame = None;
         for expansion in &self.expansions {
             let numbers = self.numbers(expansion);
-            let mut line = |kind: char, words: &[&super::WordPort]| {
-                text.push(kind);
-                for word in words {
-                    let digits = match word.name {
-                        "in_block_a" => of_memory(&expansion.blocks[0], &self.format),
-                        "in_block_b" => of_memory(&expansion.blocks[1], &self.format),
-                        _ => hexadecimal(word, &numbers),
-                    };
-                    let _ = write!(text, " {digits}");
-                }
+            let digits = |word: &WordPort| match word.name {
+                // As the host writes them, links and tag included.
+                "in_block_a" => of_memory(&expansion.blocks[0], &self.format),
+                "in_block_b" => of_memory(&expansion.blocks[1], &self.format),
+                _ => hexadecimal(word, &numbers),
             };
+            let line = |words: &[WordPort]| words.iter().map(digits).collect::<Vec<_>>().join(" ");
             if frame.replace(expansion.frame) != Some(expansion.frame) {
-                line('Q', &query);
-                text.push('\n');
+                let _ = writeln!(text, "Q {}", line(&query));
             }
-            let answer = self.answer(expansion);
-            let mut line = |kind: char, words: &[&super::WordPort]| {
-                text.push(kind);
-                for word in words {
-                    let digits = match word.name {
-                        "in_block_a" => of_memory(&expansion.blocks[0], &self.format),
-                        "in_block_b" => of_memory(&expansion.blocks[1], &self.format),
-                        _ => hexadecimal(word, &numbers),
-                    };
-                    let _ = write!(text, " {digits}");
-                }
-            };
-            line('E', &given);
-            let _ = writeln!(text, " {answer:x}");
+            let _ = writeln!(text, "E {} {:x}", line(&given), self.answer(expansion));
         }
         text
     }
 }
 
 /// A word of numbers in hexadecimal digits.
-fn hexadecimal(word: &super::WordPort, numbers: &HashMap<String, i128>) -> String {
+fn hexadecimal(word: &WordPort, numbers: &HashMap<String, i128>) -> String {
     let mut bits = vec![false; word.bits.next_multiple_of(4) as usize];
     for (port, low, width) in &word.numbers {
         (0..*width).for_each(|bit| bits[(low + bit) as usize] = numbers[port] >> bit & 1 == 1);
@@ -188,9 +172,10 @@ impl Random {
         let format = self.format;
         let widths = format.widths();
         let row = |random: &mut Self| Row {
-            terms: format.directions.slots().map(|slot| {
-                (random.rng.random_range(0..slot.len() as u32), random.count(format.factor_bits, ends))
-            }),
+            terms: format
+                .directions
+                .slots()
+                .map(|slot| (random.rng.random_range(0..slot.len() as u32), random.count(format.factor_bits, ends))),
             rest: random.count(format.rest_bits(), ends),
         };
         Frame {
@@ -256,9 +241,8 @@ impl Random {
         let axes: Vec<usize> = (0..3).filter(|i| format.directions.vector(h)[*i] != 0).collect();
         let axis = axes[self.rng.random_range(0..axes.len())];
         let sign = i64::from(format.directions.vector(h)[axis]);
-        let is_apart = |frame: &Frame| {
-            apart(h, &distance(frame, &a, &b, &format), frame, &a.volume(0), &b.volume(0), &format)
-        };
+        let is_apart =
+            |frame: &Frame| apart(h, &distance(frame, &a, &b, &format), frame, &a.volume(0), &b.volume(0), &format);
         // Apart at the lower end, not at the upper one.
         let bound = format.widths().translation.bound;
         let (mut low, mut high) = (-bound, bound);

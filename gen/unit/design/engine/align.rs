@@ -6,10 +6,13 @@ use efsat_hardware::graph::{Sig, Signals};
 
 /// `floor(x 2^e / 2^drop)`, as a number of `fraction` bits.
 pub fn align<'l>(name: &str, x: Sig<'l>, exponent: Sig<'l>, drop: i32, fraction: i32) -> Sig<'l> {
-    let doc = [format!("x 2^e{}: a barrel shifter, bit i of the exponent shifts by 2^i.", match drop {
-        0 => String::new(),
-        drop => format!(" / 2^{drop}, rounded down"),
-    })];
+    let doc = [format!(
+        "x 2^e{}: a barrel shifter, bit i of the exponent shifts by 2^i.",
+        match drop {
+            0 => String::new(),
+            drop => format!(" / 2^{drop}, rounded down"),
+        }
+    )];
     entity!(&format!("align_{name}"), &doc.each_ref().map(String::as_str), (x, exponent) => {
         let stages = exponent.ty().bits;
         let (mut x, mut dropped) = (x.at_point(None), 0);

@@ -1,13 +1,13 @@
 //! The data path of an expansion: two blocks, four tests of two volumes.
 
+use super::super::determinants::shared;
+use super::super::guard::any;
 use super::align::align;
 use super::direction_test::direction_test;
 use super::fitted;
 use super::origin_row::origin_row;
 use super::row_sum::{ceiling, row_sum};
 use super::select_code::select_code;
-use super::super::determinants::shared;
-use super::super::guard::any;
 use crate::params::EngineFormat;
 use crate::params::engine::{BlockLayout, Width};
 use efsat_hardware::graph::{Library, Phases, Sig, Signals, Top, Unit, Vec3};
@@ -76,8 +76,9 @@ impl<'l> Block<'l> {
     fn new(u: Top<'l>, format: &EngineFormat, name: &str) -> Self {
         let most = i128::from(format.most());
         let code = |_| u.input(Type { signed: true, bits: format.offset_bits, fraction: None }, (-most, most));
-        let origin = format.widths().origin;
-        let coordinate = |_| u.input(number(origin), (-i128::from(origin.bound), origin.bound.into()));
+        // No host writes the least origin there may be, but no check refuses it either.
+        let origin = number(format.widths().origin);
+        let coordinate = |_| u.input(origin, origin.limits());
         let exponent = Type::unsigned(BlockLayout::EXPONENT_BITS);
         Self {
             origin: Vec3::each(coordinate).named(&format!("{name}_origin")),
@@ -106,30 +107,22 @@ pub fn unit(format: &EngineFormat, clocks: usize) -> Rc<Unit> {
     Library::with_prefix(PREFIX).unit("path", &doc, clocks, |u| {
         let query = Query::new(u, format);
         let (a, b) = (Block::new(u, format, "a"), Block::new(u, format, "b"));
-        let bounds = bounds(u, format, &query, &a, &b);
-        let apart = apart(u, format, &query, &a, &b, &bounds);
+        let ends = ends(u, format, &query, &a, &b);
+        let apart = apart(u, format, &query, &a, &b, ends);
         let pairs = [(0, 0), (0, 1), (1, 0), (1, 1)];
         pairs.map(|(i, j)| (a.take[i] & b.take[j]) & !apart[i][j]).named("survive")
     })
 }
 
-/// B_h of every direction: an upper bound of h . D in reals.
-fn bounds<'l>(u: Top<'l>, format: &EngineFormat, query: &Query<'l>, a: &Block<'l>, b: &Block<'l>) -> Vec<Sig<'l>> {
+/// In the direction of each axis and in the opposite one, an upper bound of what D is in reals: D + error, error - D.
+fn ends<'l>(u: Top<'l>, format: &EngineFormat, query: &Query<'l>, a: &Block<'l>, b: &Block<'l>) -> Vec3<[Sig<'l>; 2]> {
     let rows: Vec<_> = (0..3).map(|i| ((query.pose[i], query.shift[i]), a.origin[i])).collect();
     let d = shared(u, "d", &rows, |k, ((m, t), o_a)| origin_row(m, t, b.origin, o_a).named_at("d_lane", k));
-    // In the direction of an axis and in the opposite one.
     let ends = |i: usize| {
         let error = query.error[i].resize(number(format.widths().translation));
         [error + d[i], error - d[i]].map(fitted)
     };
-    let ends = Vec3::each(ends).named("axis_bound");
-    let bits = format.widths().base.bits();
-    let bound = |i: usize| {
-        let axes = (0..3).zip(format.directions.vector(i)).filter(|(_, entry)| *entry != 0);
-        let sum = axes.map(|(axis, entry)| ends[axis][usize::from(entry < 0)]).reduce(|x, y| x + y);
-        sum.expect("a direction is not 0").bits(bits)
-    };
-    (0..format.directions.count()).map(bound).collect::<Vec<_>>().named("bound")
+    Vec3::each(ends).named("axis_bound")
 }
 
 /// Whether some direction has child q of B apart from child p of A, as \[p\]\[q\].
@@ -139,7 +132,7 @@ fn apart<'l>(
     query: &Query<'l>,
     a: &Block<'l>,
     b: &Block<'l>,
-    bounds: &[Sig<'l>],
+    ends: Vec3<[Sig<'l>; 2]>,
 ) -> [[Sig<'l>; 2]; 2] {
     let clocks = u.interval();
     // All units work on one child of B in a phase; with a single phase every other unit does.
@@ -150,31 +143,47 @@ fn apart<'l>(
         })
     };
     let groups = 2usize.div_ceil(clocks);
-    let codes: Vec<Vec<Sig<'l>>> = (0..groups).map(|group| jobs(group).map(|job| b.codes[job.child].clone()).mux()).collect();
+    let codes: Vec<Vec<Sig<'l>>> =
+        (0..groups).map(|group| jobs(group).map(|job| b.codes[job.child].clone()).mux()).collect();
     let codes = codes.named("b_chosen");
+    // A unit that works on two directions works on opposite ones: with the second the ends change places.
+    let of_unit = clocks.div_ceil(2);
+    let ends = match of_unit {
+        1 => ends,
+        _ => jobs(0).map(|job| ends.map(|[x, y]| if job.direction == 0 { [x, y] } else { [y, x] })).mux(),
+    };
+    // B_h, an upper bound of h . D in reals, of the directions that a unit begins with.
+    let bound = |first: usize| {
+        let axes = (0..3).zip(format.directions.vector(first)).filter(|(_, entry)| *entry != 0);
+        let sum = axes.map(|(axis, entry)| ends[axis][usize::from(entry < 0)]).reduce(|x, y| x + y);
+        sum.expect("a direction is not 0").bits(format.widths().base.bits())
+    };
+    let bounds = (0..format.directions.count()).step_by(of_unit).map(bound).collect::<Vec<_>>().named("bound");
     let drop = format.factor_fraction();
     let grid = format.grid_fraction() as i32;
     let ceiling = ceiling(b.exponent, drop).named("ceiling");
     let mut found: [[Vec<Sig<'l>>; 2]; 2] = Default::default();
     for (group, codes) in codes.iter().enumerate() {
-        let of_unit = |unit: usize| {
+        let test = |unit: usize| {
             let jobs = jobs(unit);
             let row = jobs.map(|job| query.rows[job.direction]).mux();
-            let term = |slot: usize| {
-                let all: Vec<Sig<'l>> = format.directions.slots()[slot].iter().map(|j| codes[usize::from(*j)]).collect();
-                select_code(&all, row.choice[slot])
+            let code = |slot: usize| {
+                let all: Vec<Sig<'l>> =
+                    format.directions.slots()[slot].iter().map(|j| codes[usize::from(*j)]).collect();
+                select_code(&all, row.choice[slot]).named_at(&format!("term{slot}"), unit)
             };
-            let s = row_sum([0, 1, 2].map(term).named_at("b", unit), row.factor, row.rest, ceiling).named_at("s", unit);
+            let s = row_sum([0, 1, 2].map(code), row.factor, row.rest, ceiling).named_at("s", unit);
             let u = align("sum", s, b.exponent, drop as i32, grid).named_at("u", unit);
             let v = |i: usize| {
                 let code = jobs.map(|job| a.codes[i][job.direction ^ 1]).mux();
                 align("code", code, a.exponent, 0, grid)
             };
             let v = [0, 1].map(v).named_at("v", unit);
-            let bound = jobs.map(|job| bounds[job.direction]).mux();
-            direction_test(bound, u, v).named_at("apart", unit)
+            let bound = bounds[unit * clocks / 2 / of_unit];
+            direction_test(format.widths().gap.bits(), bound, u, v).named_at("apart", unit)
         };
-        let units: Vec<[Sig<'l>; 2]> = (0..2 * format.directions.count() / clocks).skip(group).step_by(groups).map(of_unit).collect();
+        let units: Vec<[Sig<'l>; 2]> =
+            (0..2 * format.directions.count() / clocks).skip(group).step_by(groups).map(test).collect();
         let apart = [0, 1].map(|i| any(&units.iter().map(|apart| apart[i]).collect::<Vec<_>>()));
         let apart = apart.named_at("apart_in_phase", group);
         for (job, apart) in jobs(group).capture(&apart) {

@@ -3,8 +3,8 @@
 use super::super::sequencer::output;
 use super::super::top::{Design, DesignError};
 use super::volume_path::{self, PREFIX};
-use crate::params::engine::{BlockLayout, EngineFormat, EngineParams};
 use crate::params::Params;
+use crate::params::engine::{BlockLayout, EngineFormat, EngineParams};
 use efsat_hardware::device::Device;
 use efsat_hardware::graph::{Place, Step, Unit};
 use efsat_hardware::netlist::lower::Lowering;
@@ -41,6 +41,13 @@ pub struct WordPort {
     pub numbers: Vec<(String, u32, u32)>,
 }
 
+impl WordPort {
+    /// Whether it belongs to the query.
+    pub fn of_query(&self) -> bool {
+        self.name.starts_with("query")
+    }
+}
+
 impl VolumeDesign {
     /// Builds, proves, schedules and lowers the volume unit of an engine; `unit` is what stands behind it.
     ///
@@ -69,7 +76,8 @@ impl VolumeDesign {
             let port = |c: usize| Place::at(name, &[path, &[Step::Component(c)]].concat()).to_string();
             (0..3).map(|c| (port(c), at + bits * c as u32, bits)).collect()
         };
-        let pose = (0..3).flat_map(|i| vector("query_pose", &[Step::Index(i)], origin, 3 * origin * i as u32)).collect();
+        let pose =
+            (0..3).flat_map(|i| vector("query_pose", &[Step::Index(i)], origin, 3 * origin * i as u32)).collect();
         let row_bits = format.rest_at() + format.rest_bits();
         let row = |h: u32| {
             let at = row_bits * h;
@@ -98,15 +106,21 @@ impl VolumeDesign {
             }
             WordPort { name, bits: 8 * block.stride, numbers }
         };
-        let take = |name: &'static str, of: &str| {
-            WordPort { name, bits: 2, numbers: (0..2).map(|child| (format!("{of}_take{child}"), child, 1)).collect() }
+        let take = |name: &'static str, of: &str| WordPort {
+            name,
+            bits: 2,
+            numbers: (0..2).map(|child| (format!("{of}_take{child}"), child, 1)).collect(),
         };
         let errors = format.shift_error_bits();
         vec![
             WordPort { name: "query_pose", bits: 9 * origin, numbers: pose },
             WordPort { name: "query_shift", bits: 3 * shift, numbers: vector("query_shift", &[], shift, 0) },
             WordPort { name: "query_errors", bits: 3 * errors, numbers: vector("query_error", &[], errors, 0) },
-            WordPort { name: "query_rows", bits: format.k() * row_bits, numbers: (0..format.k()).flat_map(row).collect() },
+            WordPort {
+                name: "query_rows",
+                bits: format.k() * row_bits,
+                numbers: (0..format.k()).flat_map(row).collect(),
+            },
             block_of("in_block_a", "a"),
             block_of("in_block_b", "b"),
             take("in_take_a", "a"),
