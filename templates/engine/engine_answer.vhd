@@ -11,7 +11,7 @@
 --   4  blocks asked for, blocks read from memory
 --   5  triangles asked for, triangles read from memory
 --   6  words read from memory, clocks in which the volume unit waited for blocks
---   7  clocks in which survivors waited for the queue of pairs, 47..32 the most entries of the stack
+--   7  clocks in which survivors waited for the queue of pairs, 47..32 the most entries of the stack, at most {{ e.stack }}
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;

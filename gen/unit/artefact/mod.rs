@@ -5,6 +5,7 @@
 
 mod design_files;
 mod drop_in;
+pub mod engine;
 mod example;
 pub mod file_lists;
 mod file_set;

@@ -60,6 +60,13 @@ impl EngineDesign {
         let volume = VolumeDesign::new(params, &unit)?;
         Ok(Self { params: params.clone(), format, unit: Design::new(&unit, false)?, volume })
     }
+
+    /// The command line that generates the engine, all options spelled out.
+    pub fn command_line(&self) -> String {
+        let unit = self.unit.params.options().into_iter().filter(|(name, _)| *name != "tag-width");
+        let options = unit.chain(self.params.options()).map(|(name, value)| format!(" --{name} {value}"));
+        format!("efsat generate --engine{}", options.collect::<String>())
+    }
 }
 
 /// Whether the memories are made for a format.
@@ -117,6 +124,7 @@ entities! {
     ReadMaster "engine/engine_read_master.vhd";
     Engine "engine/efsat_engine.vhd";
     Bench "engine/efsat_engine_tb.vhd";
+    Program "engine/efsat_engine_tb.cpp";
 }
 
 #[derive(Template)]
@@ -175,6 +183,11 @@ pub fn bench(design: &EngineDesign, prefix: &Prefix) -> String {
     Bench::text(&origin(), prefix, &Values::new(design))
 }
 
+/// The testbench of a netlist, in C++.
+pub fn program(design: &EngineDesign) -> String {
+    Program::text(&origin(), &Prefix::default(), &Values::new(design))
+}
+
 /// Files of one name are one file: multipliers that the unit and the volume unit both have.
 fn once_each(files: Vec<(String, String)>) -> Vec<(String, String)> {
     let mut known = BTreeMap::new();
@@ -224,20 +237,9 @@ mod tests {
             let params = EngineParams { memory, ..EngineParams::default() };
             let design = EngineDesign::new(&params, &Params::default()).unwrap();
             let files = engine_files(&design, &Prefix::default(), "efsat generate --engine").unwrap();
-            if let Ok(dir) = std::env::var("DUMP") {
-                let dir = format!("{dir}/{}", if memory == Memory::Axi { "axi" } else { "bram" });
-                std::fs::create_dir_all(&dir).unwrap();
-                let names: Vec<&str> = files.iter().map(|f| f.0.as_str()).collect();
-                std::fs::write(format!("{dir}/files.txt"), names.join("\n")).unwrap();
-                for (name, text) in &files {
-                    std::fs::write(format!("{dir}/{name}"), text).unwrap();
-                }
-            }
             let texts: Vec<(&str, &str)> = files.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
             let findings: Vec<String> = lint(&texts).iter().map(ToString::to_string).collect();
             assert!(findings.is_empty(), "{}", findings.join("\n"));
         }
     }
 }
-/// Debug.
-pub fn debug_values(design: &EngineDesign) -> String { format!("{:?}", Values::new(design)) }

@@ -3,8 +3,9 @@
 use super::EngineDesign;
 use super::vectors::EngineVectors;
 use crate::golden::engine::Query;
-use crate::host::engine::{Image, Numbers};
-use crate::params::engine::{Command, Reason};
+use crate::host::engine::{Header, Image, Numbers};
+use crate::params::ParamError;
+use crate::params::engine::{Command, Memory, Reason};
 use efsat_geometry::mesh::Mesh;
 use nalgebra::Point3;
 
@@ -42,13 +43,26 @@ pub fn turn(axis: usize) -> [[f64; 3]; 3] {
 
 /// Queries of every kind over two meshes that cross each other, and packets that are none.
 ///
-/// # Panics
-/// If the meshes do not fit into block RAM.
-pub fn text(design: &EngineDesign) -> String {
+/// # Errors
+/// If the meshes are too large for the memory, or their trees for the stack.
+pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
     let numbers = Numbers::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
     let meshes = [hills(6), cuboid(3, 4, 2)];
     let images = Image::build(&[&meshes[0], &meshes[1]], &design.format).expect("small meshes");
     let images: Vec<&Image> = images.iter().collect();
+    let params = &design.params;
+    let sum = |of: fn(&Header) -> u32| images.iter().map(|image| of(image.header())).sum::<u32>();
+    let height = images.iter().map(|image| image.header().height).max().unwrap_or(0);
+    let block_ram = params.memory == Memory::BlockRam;
+    let needs = [
+        ("block-lines", params.block_lines, if block_ram { sum(|header| header.blocks) } else { 0 }),
+        ("triangle-lines", params.triangle_lines, if block_ram { sum(|header| header.triangles) } else { 0 }),
+        ("tree-height", params.tree_height, height),
+    ];
+    if let Some((option, found, least)) = needs.into_iter().find(|(_, found, least)| found < least) {
+        let legal = format!("expected at least {least}, which the meshes of the testbench take");
+        return Err(ParamError { option, found: found.to_string(), legal });
+    }
     let mut vectors = EngineVectors::new(design, &images);
     let sides = [0, 1].map(|i| vectors.side(i));
     let make = |a: usize, b: usize, axis: usize, t: [f64; 3]| {
@@ -109,5 +123,5 @@ pub fn text(design: &EngineDesign) -> String {
     vectors.wait();
     vectors.stop(40);
     vectors.query(&Query { number: 14, ..make(1, 0, 1, [1.0, 1.0, 1.0]) });
-    vectors.text().to_owned()
+    Ok(vectors.text().to_owned())
 }

@@ -97,9 +97,14 @@ impl<'a> EngineVectors<'a> {
         self.sides[i]
     }
 
-    /// A word of memory as the model and, behind AXI, the engine see it.
-    pub fn word(&mut self, address: usize) -> u64 {
-        self.memory[address]
+    /// Changes a word of memory; with AXI before the first packet alone, with block RAM not at all.
+    ///
+    /// # Panics
+    /// If the memory is block RAM, which is loaded already.
+    pub fn change(&mut self, address: usize, change: impl FnOnce(&mut u64)) {
+        assert_eq!(self.design.params.memory, Memory::Axi);
+        change(&mut self.memory[address]);
+        writeln!(self.text, "M {address:08x} {:016x}", self.memory[address]).expect("a string takes text");
     }
 
     /// A query and its answer.
