@@ -3,7 +3,8 @@
 use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::{print, print_json, warn};
-use super::params::{ParamArguments, choice};
+use super::params::{EngineArguments, ParamArguments, choice};
+use crate::artefact::engine::{EngineDesign, engine_design_files, samples};
 use crate::artefact::{
     DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, programme_files, ready_designs,
     ready_files, verilog_files,
@@ -50,10 +51,15 @@ pub(super) struct Arguments {
     /// Print one JSON object about the design
     #[arg(long, conflicts_with_all = ["lp", "check", "ready", "unit"])]
     json: bool,
+    /// Write the collision engine around the unit: two trees and a pose in, the pairs of triangles that touch out
+    #[arg(long, requires = "out", conflicts_with_all = ["lp", "ready", "stream_width", "unit", "svg", "dot"])]
+    engine: bool,
     #[command(flatten)]
     diagram: DiagramArguments,
     #[command(flatten)]
     params: ParamArguments,
+    #[command(flatten)]
+    engine_params: EngineArguments,
 }
 
 impl Arguments {
@@ -68,6 +74,12 @@ impl Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
+    if arguments.engine {
+        return engine(arguments, &params);
+    }
+    if let Some((option, value)) = arguments.engine_params.first() {
+        return Err(Failure::Usage(format!("--{option} {value}: expected --engine, which has this option")));
+    }
     if arguments.ready {
         return ready(arguments, &params);
     }
@@ -191,6 +203,64 @@ impl fmt::Display for Written {
         }
         writeln!(f)
     }
+}
+
+/// What is said of an engine that was written; also the JSON object.
+#[derive(Serialize)]
+struct EngineWritten {
+    out: String,
+    files: usize,
+    device: &'static str,
+    multipliers: usize,
+    frequency_mhz: u32,
+    clocks_per_expansion: usize,
+    clocks_per_pair: usize,
+}
+
+impl fmt::Display for EngineWritten {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { out, files, device, multipliers, frequency_mhz, .. } = self;
+        writeln!(f, "{out}: {files} files")?;
+        writeln!(f, "{multipliers} multipliers, units pipelined for {frequency_mhz} MHz on {device}")?;
+        writeln!(f, "one expansion every {} clocks, {}", self.clocks_per_expansion, pace(self.clocks_per_pair))
+    }
+}
+
+/// Writes or checks an engine.
+fn engine(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
+    if arguments.params.has("tag-width") {
+        let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
+        return Err(Failure::Usage(format!("--tag-width {}: {why}", params.tag_width)));
+    }
+    let Some(out) = &arguments.out else {
+        return Err(Failure::Usage("no --out: expected --out DIR with --engine".to_owned()));
+    };
+    let design = EngineDesign::new(arguments.engine_params.params(), params)?;
+    let prefix = arguments.name.clone().unwrap_or_default();
+    let name = prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
+    let command_line = format!("{}{name}", design.command_line());
+    let vectors = samples::text(&design).map_err(|e| Failure::Usage(e.to_string()))?;
+    let set = engine_design_files(&design, &prefix, &command_line, &vectors);
+    let set = set.map_err(|e| match (e, prefix.name()) {
+        (DesignFilesError::Name(clash), Some(name)) => {
+            Failure::Usage(format!("--name {name}: {clash}; expected another name"))
+        }
+        (e, _) => Failure::Check(e.to_string()),
+    })?;
+    if arguments.check {
+        return check(&set, out);
+    }
+    set.write(out)?;
+    let written = EngineWritten {
+        out: out.display().to_string(),
+        files: set.len(),
+        device: design.unit.device.name,
+        multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
+        frequency_mhz: design.unit.params.frequency,
+        clocks_per_expansion: design.volume.interval,
+        clocks_per_pair: design.unit.interval,
+    };
+    if arguments.json { print_json(&written) } else { print(&written.to_string()) }
 }
 
 /// Writes or checks the ready designs.

@@ -6,6 +6,7 @@
 mod board;
 mod design_files;
 mod drop_in;
+pub mod engine;
 mod example;
 pub mod file_lists;
 mod file_set;
