@@ -27,6 +27,9 @@
 //! # }
 //! ```
 //!
+//! Programs to start from are in `examples/`: `generate` (the above), `classify` (verdicts and exact answers of pairs) and
+//! `drive` (the stream of words to the unit and back). `cargo run --release --example NAME` runs one.
+//!
 //! Where to go on:
 //!
 //! * [`params`], [`design`], [`artefact`]: parameters, the units as dataflow graphs, the generated files;
@@ -44,6 +47,6 @@
 pub mod cli;
 
 pub use efsat_evidence::{accuracy, cosim, effects, mutation, process, soak, stress, synth, wall};
-pub use efsat_geometry::{Points, exact, mesh, pair_file, sample, scene, software};
+pub use efsat_geometry::{Points, directions, exact, mesh, pair_file, sample, scene, software};
 pub use efsat_hardware::{cells, device, diagram, estimate, graph, netlist, number, op, schedule, vhdl};
 pub use efsat_unit::{artefact, design, golden, host, params};

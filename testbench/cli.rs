@@ -103,7 +103,7 @@ fn every_wrong_value_is_one_line_and_status_2() {
         ("--renormalise yes", "expected one of on, off"),
         ("--transform rotate", "expected one of on, translate, off"),
         ("--guard sometimes", "expected one of left-out, always"),
-        ("--device xc7", "expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6"),
+        ("--device xc7", "expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1"),
         ("--frequency 19", "expected a whole number from 20 to 250"),
         ("--frequency 100.5", "expected a whole number from 20 to 250"),
         ("--tag-width 65", "expected a whole number from 0 to 64"),
@@ -598,6 +598,8 @@ fn mistakes_about_self_intersections() {
     expect("builtin:gear --width 5", "6..=32");
     expect("builtin:gear --picture x.txt", "expected a name that ends in .svg or .png");
     expect("builtin:gear --csv x.csv --pairs x.csv", "x.csv");
+    fs::write(dir.path().join("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    expect("m.obj --csv ./m.obj", "found twice; expected two different files");
 }
 
 #[test]

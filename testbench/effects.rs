@@ -1,6 +1,6 @@
 //! Effects: the planned unit of a scene says what the full one says, `efsat scene plan` and `efsat scene run`.
 
-use efsat::effects::{Front, Options, Plan, Request, Sampling, frame_contacts, plan, run};
+use efsat::effects::{Front, Options, Plan, Request, Sampling, TooMany, frame_contacts, plan, run};
 use efsat::exact::Exact;
 use efsat::golden::{Golden, Verdict};
 use efsat::host::settings::Settings;
@@ -133,7 +133,7 @@ fn contacts_are_those_of_the_exact_test_whatever_is_switched_off() {
         let plan = plan(&scene, &request).unwrap();
         let front = Front::new(&scene, plan.software, request.directions);
         let options = Options { sampling: Sampling::None, exact: true, seed: 1 };
-        let total = run(&front, &plan, options, |_, _, _| Ok::<(), ()>(())).unwrap();
+        let total = run(&front, &plan, options, |_, _, _| Ok::<(), TooMany>(())).unwrap();
         assert_eq!((total.sums.wrong, total.sums.contradictions), (0, 0), "without {switches:?}");
         assert!(switches != [2] || total.sums.counts.in_software == 0);
         assert!(!switches.is_empty() || total.sums.counts.in_software > 0);

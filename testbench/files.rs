@@ -162,6 +162,8 @@ fn outputs_of_a_scene_inside_and_beside_the_design() {
         assert!(fs::read_to_string(dir.join("d/x.csv")).unwrap().lines().count() == 2);
     }
     assert_eq!(names(dir), ["beside.svg", "d", "s.toml", "t.obj"]);
+    // The contact is one point, which an inset cannot show at any scale: coordinates that no integer holds.
+    assert!(!fs::read_to_string(dir.join("beside.svg")).unwrap().contains("922337203685"));
 }
 
 #[test]
@@ -206,4 +208,45 @@ fn a_picture_goes_into_a_pipe() {
     });
     succeeds(home.path(), "generate --unit projection --svg pipe.svg");
     assert!(reader.join().unwrap().starts_with("<svg"));
+}
+
+/// One face many times: the pairs of two such meshes are as many as the square of that.
+fn many_times(dir: &Path, times: usize) {
+    fs::write(dir.join("many.obj"), MESH.to_owned() + &"f 1 2 3\n".repeat(times - 1)).unwrap();
+    fs::write(dir.join("many.toml"), SCENE.replace("t.obj", "many.obj")).unwrap();
+}
+
+#[test]
+fn memory_does_not_grow_with_the_number_of_pairs() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    many_times(dir, 5000);
+    // 25 million pairs take 200 MB as such, and twice that as a list grows.
+    let limited = |arguments: &str, part: &str| {
+        let script = format!("ulimit -v 400000; exec \"$0\" {arguments}");
+        let mut command = Command::new("sh");
+        let command = command.args(["-c", &script, env!("CARGO_BIN_EXE_efsat")]).current_dir(dir);
+        let output = command.env("RAYON_NUM_THREADS", "2").output().unwrap();
+        let text = String::from_utf8_lossy(&output.stdout);
+        let errors = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && text.contains(part), "{arguments}: {text}{errors}");
+    };
+    limited("scene pairs many.toml --first-hit --json", "\"touching\":1");
+    limited("cosim --scene many.toml --limit 3 --simulator builtin --json", "\"vectors\":3");
+    limited("self-intersections many.obj", "12497500");
+    // So many that they come in pieces, in which none is lost.
+    many_times(dir, 300);
+    limited("classify many.toml --summary", "all                            90000");
+}
+
+#[test]
+fn a_pose_with_too_many_contacts_is_refused() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    many_times(dir, 515);
+    let output = efsat(dir, "scene run many.toml --cosim none --csv x.csv");
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(2), "{errors}");
+    assert!(errors.contains("more than 262144 pairs that touch"), "{errors}");
+    assert_eq!(names(dir), ["many.obj", "many.toml"], "nothing is left behind");
 }

@@ -32,11 +32,12 @@ fn files(folder: &str) -> Vec<PathBuf> {
     let mut found = vec![];
     while let Some(folder) = open.pop() {
         for entry in fs::read_dir(&folder).into_iter().flatten() {
-            let path = entry.unwrap().path();
-            if path.is_dir() {
-                open.push(path);
-            } else {
-                found.push(path);
+            let entry = entry.unwrap();
+            // What a link leads to, for the sake of `cargo package`, has a place of its own.
+            match entry.file_type().unwrap() {
+                kind if kind.is_dir() => open.push(entry.path()),
+                kind if kind.is_symlink() => {}
+                _ => found.push(entry.path()),
             }
         }
     }
@@ -160,6 +161,54 @@ fn whoever_generates_vhdl_compiles_nothing_else() {
     assert!(NOT_FOR_GENERATORS.iter().all(known));
 }
 
+/// The licences of deny.toml.
+fn allowed(deny: &str) -> Vec<&str> {
+    let (_, rest) = deny.split_once("allow = [").unwrap();
+    rest.split(']').next().unwrap().split('"').skip(1).step_by(2).collect()
+}
+
+/// Whether an expression such as `(MIT OR Apache-2.0) AND Unicode-3.0` can be met with some licences.
+fn is_met(expression: &str, allowed: &[&str]) -> bool {
+    // An old way to write it.
+    let expression = expression.replace('/', " OR ");
+    let parts = expression.split(" AND ").map(|part| part.trim_matches(['(', ')']));
+    parts
+        .into_iter()
+        .all(|part| part.split(" OR ").any(|licence| allowed.contains(&licence.trim_matches(['(', ')', ' ']))))
+}
+
+#[test]
+fn licences_of_dependencies_are_allowed() {
+    let deny = fs::read_to_string(root().join("deny.toml")).unwrap();
+    let allowed = allowed(&deny);
+    let mut cargo = Command::new(env!("CARGO"));
+    let arguments = ["tree", "--workspace", "--edges", "normal,build,dev", "--prefix", "none", "--format", "{p}|{l}"];
+    let output = cargo.args(arguments).args(["--offline", "--locked"]).current_dir(root()).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let tree = String::from_utf8(output.stdout).unwrap();
+    // A package that is there before has a star behind it.
+    let packages = tree.lines().map(|line| line.trim_end_matches(" (*)")).filter_map(|line| line.split_once('|'));
+    let packages: Vec<(&str, &str)> = packages.collect();
+    assert!(packages.len() > 100);
+    let refused: Vec<&(&str, &str)> = packages.iter().filter(|(_, licence)| !is_met(licence, &allowed)).collect();
+    assert!(refused.is_empty(), "{refused:?}");
+    let is_used = |licence: &&&str| packages.iter().any(|(_, expression)| expression.contains(**licence));
+    assert_eq!(allowed.iter().filter(is_used).count(), allowed.len(), "deny.toml allows what nothing needs");
+}
+
+/// The fields that the Citation File Format 1.2.0 requires, and the release.
+#[test]
+fn the_citation_is_complete() {
+    let text = fs::read_to_string(root().join("CITATION.cff")).unwrap();
+    let value = |key: &str| {
+        let line = text.lines().find_map(|line| line.strip_prefix(key)?.strip_prefix(':'));
+        line.unwrap_or_else(|| panic!("CITATION.cff lacks {key}")).trim()
+    };
+    assert_eq!((value("cff-version"), value("version")), ("1.2.0", env!("CARGO_PKG_VERSION")));
+    assert!(["message", "title"].into_iter().all(|key| !value(key).is_empty()) && value("authors").is_empty());
+    assert!(text.contains("\nauthors:\n  - "), "at least one author");
+}
+
 #[test]
 fn only_the_command_line_prints() {
     let printing = sources()
@@ -207,5 +256,8 @@ fn the_checks_can_fail() {
     assert_eq!(wrong("gen/unit/golden/mod.rs", &format!("{tested}use crate::host::sample;")), "host");
     assert!(prints("fn f() {\n    println!(\"x\");\n}") && !prints("// println!(\"x\");\nfn f() {}"));
     assert_eq!(unfinished(&["TO", "DO: later"].concat()), Some("TODO"));
+    assert_eq!(allowed("[licenses]\nallow = [\n \"MIT\",\n \"ISC\"]\n"), ["MIT", "ISC"]);
+    assert!(is_met("MIT/Apache-2.0", &["MIT"]) && is_met("(MIT OR X) AND Y", &["MIT", "Y"]));
+    assert!(!is_met("(MIT OR X) AND Y", &["MIT"]) && !is_met("GPL-3.0", &["MIT"]) && !is_met("", &["MIT"]));
     assert_eq!(computing("{{ a }} {{ bits - 1 }} {{ 2 * b }} a / b"), [" 2 * b "]);
 }

@@ -18,6 +18,7 @@ mod sums;
 mod table;
 mod tools;
 mod unit;
+mod volume;
 
 use crate::extent::{full, share};
 use claim::Claim;
@@ -214,4 +215,12 @@ fn exact_pairs() {
     ];
     claims.extend([Transform::Off, Transform::Translate].map(|transform| fits(&Setting::full(params(transform)))));
     prove("Exact pairs", claims);
+}
+
+#[test]
+fn volumes() {
+    use volume::*;
+    let claims = [origin_row, select_code, row_sum, align_sum, align_code, direction_test, no_point_in_both]
+        .map(|claim| claim());
+    prove("Volumes", claims.into());
 }

@@ -239,7 +239,7 @@ fn a_wrapper_that_loses_the_flag_of_the_guard_is_noticed() {
         ("next_pose_unfit and not assembly(479);", "next_pose_unfit;"),
         // All words of a record but the last are forgotten, or a record marks those behind it.
         ("begun_unfit <= record_unfit;", "begun_unfit <= word_unfit;"),
-        ("place <= \"000000\";\n                begun_unfit <= '0';", "place <= \"000000\";"),
+        ("place <= \"000000\";\n              begun_unfit <= '0';", "place <= \"000000\";"),
     ];
     let mut missed = vec![];
     for (old, new) in changes {

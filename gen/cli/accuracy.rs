@@ -181,7 +181,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
     let campaign = Campaign { request: &request, plan: &plan, scene: &scene, amount: arguments.pairs, shard };
     let mut store = output::claim(&arguments.out, &request)?;
-    let bar = progress::bar(campaign.len() as u64, "points", false);
+    let bar = progress::bar("measuring", campaign.len() as u64, "points", false);
     bar.tick();
     let progress = campaign.run(&mut store, &|| bar.inc(1)).map_err(output::ended)?;
     bar.finish_and_clear();

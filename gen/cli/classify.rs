@@ -247,11 +247,9 @@ impl Classifier {
         Ok(())
     }
 
-    /// Frame by frame, some frames at a time, so that memory does not grow with their number.
     fn scene(&self, scene: &Scene, sink: &mut Sink, bar: &ProgressBar) -> Result<(), Failure> {
         let stage = Stage::new(scene, &self.params);
-        let met = |meeting: &Meeting| -> Vec<Answer> {
-            let pairs = stage.broad_phase.pairs(meeting);
+        let answers = |meeting: &Meeting, pairs: &[(u32, u32)]| -> Vec<Answer> {
             if pairs.is_empty() {
                 return vec![];
             }
@@ -267,14 +265,10 @@ impl Classifier {
             };
             pairs.par_iter().map(answer).collect()
         };
-        let frames: Vec<usize> = (0..stage.frames()).collect();
-        for batch in frames.chunks(4 * rayon::current_num_threads()) {
-            let meetings = batch.par_iter().flat_map(|&frame| stage.broad_phase.meetings(frame));
-            let answers: Vec<Vec<Answer>> = meetings.map(|meeting| met(&meeting)).collect();
-            answers.iter().try_for_each(|answers| sink.take(answers))?;
-            bar.inc(batch.len() as u64);
-        }
-        Ok(())
+        stage.broad_phase.in_order(answers, |meeting, answers| {
+            bar.set_position(meeting.frame as u64);
+            sink.take(&answers)
+        })
     }
 }
 
@@ -297,7 +291,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (golden, identity) = (Golden::new(&params), Pose::identity(&params));
     let Arguments { exact, retest, .. } = *arguments;
     let classifier = Classifier { golden, identity, params, exact, retest };
-    let bar = |steps: u64, what| progress::bar(steps, what, arguments.rows());
+    let bar = |count: u64, steps| progress::bar("answering", count, steps, arguments.rows());
     match (&given, arguments.source.random) {
         (Some(Source::Pairs(pairs)), _) => classifier.pairs(pairs, &mut sink, &bar(pairs.len() as u64, "pairs"))?,
         (Some(Source::Scene(scene)), _) => {

@@ -235,7 +235,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let (source, pairs) = arguments.pairs()?;
     let comparison = Comparison { golden: Golden::new(&params), identity: Pose::identity(&params), params };
-    let bar = |steps: u64, what| progress::bar(steps, what, false);
+    let bar = |count: u64, steps| progress::bar("comparing", count, steps, false);
     let (tally, poses, units) = match &pairs {
         Pairs::Loose(pairs) => {
             let bar = bar(pairs.len() as u64, "pairs");

@@ -15,6 +15,7 @@ use crate::params::{Params, options::Choice};
 use crate::scene::Scene;
 use rayon::prelude::*;
 use serde::Serialize;
+use std::convert::Infallible;
 use std::path::PathBuf;
 
 /// Random pairs where nothing else is asked for.
@@ -113,13 +114,19 @@ impl Job {
     fn scene(params: &Params, scene: &Scene, limit: u64) -> Self {
         let stage = Stage::new(scene, params);
         let frames = stage.frames();
-        let bar = progress::bar(frames as u64, "poses", false);
+        let bar = progress::bar("counting pairs", frames as u64, "poses", false);
         let counts: Vec<u64> = (0..frames)
             .into_par_iter()
             .map(|frame| {
                 bar.inc(1);
-                let meetings = stage.broad_phase.meetings(frame);
-                meetings.iter().map(|meeting| stage.broad_phase.pairs(meeting).len() as u64).sum()
+                let mut count = 0;
+                for meeting in stage.broad_phase.meetings(frame) {
+                    let Ok(()) = stage.broad_phase.candidates(&meeting).pieces(|pairs| {
+                        count += pairs.len() as u64;
+                        Ok::<(), Infallible>(())
+                    });
+                }
+                count
             })
             .collect();
         let mut chosen = spread(counts.iter().sum(), limit).peekable();
@@ -131,16 +138,20 @@ impl Job {
                 continue;
             }
             for meeting in stage.broad_phase.meetings(frame) {
-                let pairs = stage.broad_phase.pairs(&meeting);
-                let end = start + pairs.len() as u64;
-                let here: Vec<u64> = std::iter::from_fn(|| chosen.next_if(|i| *i < end)).collect();
+                let mut here: Vec<(u32, u32)> = vec![];
+                let Ok(()) = stage.broad_phase.candidates(&meeting).pieces(|pairs| {
+                    let end = start + pairs.len() as u64;
+                    let numbers = std::iter::from_fn(|| chosen.next_if(|i| *i < end));
+                    here.extend(numbers.map(|i| pairs[(i - start) as usize]));
+                    start = end;
+                    Ok::<(), Infallible>(())
+                });
                 if !here.is_empty() {
                     let posed = stage.posed(&meeting);
                     let host = posed.host();
-                    let faces = here.into_iter().map(|i| posed.faces(pairs[(i - start) as usize]));
+                    let faces = here.into_iter().map(|pair| posed.faces(pair));
                     job.segment(host.pose, faces.map(|[a, b]| host.pair(a, b)));
                 }
-                start = end;
             }
         }
         job

@@ -3,6 +3,7 @@
 use crate::artefact::FileSetError;
 use crate::cosim::CosimError;
 use crate::design::top::DesignError;
+use crate::effects::TooMany;
 use crate::pair_file::PairFileError;
 use crate::scene::SceneError;
 use crate::synth::SynthError;
@@ -59,6 +60,12 @@ impl From<PairFileError> for Failure {
 
 impl From<SceneError> for Failure {
     fn from(e: SceneError) -> Self {
+        Self::Usage(e.to_string())
+    }
+}
+
+impl From<TooMany> for Failure {
+    fn from(e: TooMany) -> Self {
         Self::Usage(e.to_string())
     }
 }

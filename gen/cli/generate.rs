@@ -3,10 +3,11 @@
 use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::{print, print_json, warn};
-use super::params::{ParamArguments, choice};
+use super::params::{EngineArguments, ParamArguments, choice};
+use crate::artefact::engine::{EngineDesign, engine_design_files, samples};
 use crate::artefact::{
     DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, programme_files, ready_designs,
-    ready_files,
+    ready_files, verilog_files,
 };
 use crate::design::Design;
 use crate::design::top::pace;
@@ -14,6 +15,7 @@ use crate::estimate;
 use crate::params::Params;
 use crate::params::options::Choice;
 use crate::params::stream::StreamWidth;
+use crate::synth::{SynthError, verilog};
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -43,23 +45,41 @@ pub(super) struct Arguments {
     /// Put NAME_ before the name of every entity, package and file, so that two designs can live in one library
     #[arg(long, value_name = "NAME", value_parser = Prefix::new, conflicts_with_all = ["lp", "ready"])]
     name: Option<Prefix>,
+    /// Also write efsat.v, the unit in its wrapper in Verilog, by GHDL; other versions of GHDL write other Verilog
+    #[arg(long, conflicts_with_all = ["lp", "ready", "unit"])]
+    verilog: bool,
     /// Print one JSON object about the design
     #[arg(long, conflicts_with_all = ["lp", "check", "ready", "unit"])]
     json: bool,
+    /// Write the collision engine around the unit: two trees and a pose in, the pairs of triangles that touch out
+    #[arg(long, requires = "out", conflicts_with_all = ["lp", "ready", "stream_width", "unit", "svg", "dot"])]
+    engine: bool,
     #[command(flatten)]
     diagram: DiagramArguments,
     #[command(flatten)]
     params: ParamArguments,
+    #[command(flatten)]
+    engine_params: EngineArguments,
 }
 
 impl Arguments {
     fn packaging(&self) -> Packaging {
-        Packaging { stream_width: self.stream_width, prefix: self.name.clone().unwrap_or_default() }
+        Packaging {
+            stream_width: self.stream_width,
+            prefix: self.name.clone().unwrap_or_default(),
+            verilog: self.verilog.then(Vec::new),
+        }
     }
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
+    if arguments.engine {
+        return engine(arguments, &params);
+    }
+    if let Some((option, value)) = arguments.engine_params.first() {
+        return Err(Failure::Usage(format!("--{option} {value}: expected --engine, which has this option")));
+    }
     if arguments.ready {
         return ready(arguments, &params);
     }
@@ -73,14 +93,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return arguments.diagram.run(&design);
     }
     let out = &folder(arguments, &params)?;
-    let packaging = arguments.packaging();
-    let set = design_files_with(&design, &packaging, &command_line(&params, &packaging));
-    let set = set.map_err(|e| match (e, packaging.prefix.name()) {
-        (DesignFilesError::Name(clash), Some(name)) => {
-            Failure::Usage(format!("--name {name}: {clash}; expected another name"))
+    let mut packaging = arguments.packaging();
+    let mut set = files(&design, &packaging)?;
+    if arguments.verilog {
+        if !arguments.check {
+            // Before the time that GHDL takes.
+            set.check_target(out)?;
         }
-        (e, _) => Failure::Check(e.to_string()),
-    })?;
+        let verilog = verilog::of_set(&set, &verilog_files(&set, &design, &packaging.prefix));
+        packaging.verilog = Some(verilog.map_err(SynthError::Tool)?);
+        set = files(&design, &packaging)?;
+    }
     if arguments.check {
         return check(&set, out);
     }
@@ -100,6 +123,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
+fn files(design: &Design, packaging: &Packaging) -> Result<FileSet, Failure> {
+    let set = design_files_with(design, packaging, &command_line(&design.params, packaging));
+    set.map_err(|e| match (e, packaging.prefix.name()) {
+        (DesignFilesError::Name(clash), Some(name)) => {
+            Failure::Usage(format!("--name {name}: {clash}; expected another name"))
+        }
+        (e, _) => Failure::Check(e.to_string()),
+    })
+}
+
 /// Where the design goes. Without --out it is a ready one, which another one must not replace.
 fn folder(arguments: &Arguments, params: &Params) -> Result<PathBuf, Failure> {
     if let Some(out) = &arguments.out {
@@ -108,7 +141,9 @@ fn folder(arguments: &Arguments, params: &Params) -> Result<PathBuf, Failure> {
     if let Some(name) = arguments.name.as_ref().and_then(Prefix::name) {
         return Err(Failure::Usage(format!("no --out: expected --out DIR with --name {name}")));
     }
-    let is_ready = |ready: &ReadyDesign| ready.params == *params && ready.stream_width == arguments.stream_width;
+    let is_ready = |ready: &ReadyDesign| {
+        ready.params == *params && ready.stream_width == arguments.stream_width && !arguments.verilog
+    };
     match ready_designs().into_iter().find(is_ready) {
         Some(ready) => Ok(Path::new("rtl-out").join(ready.name)),
         None => {
@@ -170,6 +205,64 @@ impl fmt::Display for Written {
     }
 }
 
+/// What is said of an engine that was written; also the JSON object.
+#[derive(Serialize)]
+struct EngineWritten {
+    out: String,
+    files: usize,
+    device: &'static str,
+    multipliers: usize,
+    frequency_mhz: u32,
+    clocks_per_expansion: usize,
+    clocks_per_pair: usize,
+}
+
+impl fmt::Display for EngineWritten {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { out, files, device, multipliers, frequency_mhz, .. } = self;
+        writeln!(f, "{out}: {files} files")?;
+        writeln!(f, "{multipliers} multipliers, units pipelined for {frequency_mhz} MHz on {device}")?;
+        writeln!(f, "one expansion every {} clocks, {}", self.clocks_per_expansion, pace(self.clocks_per_pair))
+    }
+}
+
+/// Writes or checks an engine.
+fn engine(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
+    if arguments.params.has("tag-width") {
+        let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
+        return Err(Failure::Usage(format!("--tag-width {}: {why}", params.tag_width)));
+    }
+    let Some(out) = &arguments.out else {
+        return Err(Failure::Usage("no --out: expected --out DIR with --engine".to_owned()));
+    };
+    let design = EngineDesign::new(arguments.engine_params.params(), params)?;
+    let prefix = arguments.name.clone().unwrap_or_default();
+    let name = prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
+    let command_line = format!("{}{name}", design.command_line());
+    let vectors = samples::text(&design).map_err(|e| Failure::Usage(e.to_string()))?;
+    let set = engine_design_files(&design, &prefix, &command_line, &vectors);
+    let set = set.map_err(|e| match (e, prefix.name()) {
+        (DesignFilesError::Name(clash), Some(name)) => {
+            Failure::Usage(format!("--name {name}: {clash}; expected another name"))
+        }
+        (e, _) => Failure::Check(e.to_string()),
+    })?;
+    if arguments.check {
+        return check(&set, out);
+    }
+    set.write(out)?;
+    let written = EngineWritten {
+        out: out.display().to_string(),
+        files: set.len(),
+        device: design.unit.device.name,
+        multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
+        frequency_mhz: design.unit.params.frequency,
+        clocks_per_expansion: design.volume.interval,
+        clocks_per_pair: design.unit.interval,
+    };
+    if arguments.json { print_json(&written) } else { print(&written.to_string()) }
+}
+
 /// Writes or checks the ready designs.
 fn ready(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
     if let Some((name, value)) = params.differences(&Params::default()).into_iter().next() {
@@ -190,7 +283,8 @@ fn ready(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
 /// The command line that stands in the files of a design.
 pub(super) fn command_line(params: &Params, packaging: &Packaging) -> String {
     let name = packaging.prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
-    format!("{} --stream-width {}{name}", params.command_line(), packaging.stream_width.name())
+    let verilog = if packaging.verilog.is_some() { " --verilog" } else { "" };
+    format!("{} --stream-width {}{name}{verilog}", params.command_line(), packaging.stream_width.name())
 }
 
 fn check(set: &FileSet, dir: &Path) -> Result<(), Failure> {

@@ -7,7 +7,7 @@ use super::progress;
 use super::source::seed;
 use crate::cosim::Simulator;
 use crate::mutation::campaign::{self, Campaign, Options};
-use crate::mutation::explained::{self, Explanation};
+use crate::mutation::explained::{self, Table};
 use crate::mutation::model::{self, ModelCampaign, ModelError};
 use crate::mutation::score::{Entry, Score, Standing, Tally};
 use crate::mutation::{Fate, Mutant, capped, spread};
@@ -138,7 +138,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return print(&chosen.iter().map(|mutant| format!("{}\n", place(mutant))).collect::<String>());
     }
     let vectors = arguments.vectors as usize;
-    let spinner = progress::spinner("unchanged");
+    let spinner = progress::spinner("testing the unchanged text");
     let entries = match arguments.target {
         Target::Vhdl => {
             let options = Options { simulator: arguments.simulator, vectors, seed: arguments.seed };
@@ -202,10 +202,10 @@ fn choose(arguments: &Arguments, mut all: Vec<Mutant>) -> Result<Vec<Mutant>, Fa
 fn results(
     arguments: &Arguments,
     chosen: Vec<Mutant>,
-    table: &[&'static Explanation],
+    table: &Table,
     fate: impl Fn(&Mutant) -> Result<Fate, Failure> + Sync,
 ) -> Result<Vec<Entry>, Failure> {
-    let bar = progress::bar(chosen.len() as u64, "mutants", !arguments.json);
+    let bar = progress::bar("testing", chosen.len() as u64, "mutants", !arguments.json);
     let (sender, receiver) = mpsc::channel();
     let run = |sender: &mut mpsc::Sender<_>, (number, mutant): (usize, Mutant)| {
         let fate = fate(&mutant)?;

@@ -2,8 +2,9 @@
 
 use super::error::Failure;
 use crate::design::top::DesignError;
-use crate::params::Params;
+use crate::params::options::Row;
 pub(super) use crate::params::options::{choice, whole};
+use crate::params::{EngineParams, Method, Params};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
 
@@ -22,6 +23,60 @@ impl ParamArguments {
         let given = self.typed.every_option().into_iter().filter(|(option, _)| typed(option));
         self.typed.has(given).and_then(|()| self.typed.validate()).map_err(DesignError::from)?;
         Ok(self.typed.clone())
+    }
+
+    /// Whether an option was typed.
+    pub fn has(&self, option: &str) -> bool {
+        self.given.contains(&option)
+    }
+}
+
+/// Parameters of the engine, and which of them were typed.
+#[derive(Debug)]
+pub(super) struct EngineArguments {
+    typed: EngineParams,
+    given: Vec<(&'static str, String)>,
+}
+
+impl EngineArguments {
+    /// The parameters as they were typed.
+    pub fn params(&self) -> &EngineParams {
+        &self.typed
+    }
+
+    /// The first option that was typed, and its value.
+    pub fn first(&self) -> Option<&(&'static str, String)> {
+        self.given.first()
+    }
+}
+
+impl FromArgMatches for EngineArguments {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let typed = EngineParams::from_arg_matches(matches)?;
+        let is_given = |option: &(&str, String)| {
+            matches.value_source(&option.0.replace('-', "_")) == Some(ValueSource::CommandLine)
+        };
+        let given = typed.options().into_iter().filter(is_given).collect();
+        Ok(Self { typed, given })
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
+impl Args for EngineArguments {
+    fn group_id() -> Option<Id> {
+        EngineParams::group_id()
+    }
+
+    fn augment_args(command: Command) -> Command {
+        EngineParams::augment_args(command)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        EngineParams::augment_args_for_update(command)
     }
 }
 
@@ -44,11 +99,30 @@ impl Args for ParamArguments {
     }
 
     fn augment_args(command: Command) -> Command {
-        Params::augment_args(command)
+        grouped(Params::augment_args(command))
     }
 
     fn augment_args_for_update(command: Command) -> Command {
-        Params::augment_args_for_update(command)
+        grouped(Params::augment_args_for_update(command))
+    }
+}
+
+/// Options that not all methods have stand apart in the help.
+fn grouped(command: Command) -> Command {
+    let of_methods = Params::OPTIONS.iter().filter_map(|row| Some((row.name.replace('-', "_"), heading(row)?)));
+    let command =
+        of_methods.fold(command, |command, (id, heading)| command.mut_arg(id, |arg| arg.help_heading(heading)));
+    command.mut_arg("like_paper", |arg| arg.help_heading(AXES))
+}
+
+const AXES: &str = "Parameters of --method axes";
+
+fn heading(row: &Row) -> Option<&'static str> {
+    match row.of {
+        [Method::Axes] => Some(AXES),
+        [Method::Determinants] => Some("Parameters of --method determinants"),
+        [Method::Exact] => Some("Parameters of --method exact"),
+        _ => None,
     }
 }
 

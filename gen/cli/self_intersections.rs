@@ -2,14 +2,15 @@
 
 use super::error::Failure;
 use super::file::{self, Output};
-use super::output::{print, print_json};
+use super::output::{print, print_json, warn};
 use super::progress;
+use super::source::load_mesh;
 use crate::effects::picture::Picture;
 use crate::effects::{Contact, Place};
 use crate::exact::Exact;
 use crate::golden::Verdict;
 use crate::host::self_intersections::{Checker, Defect, Effort, Kind};
-use crate::mesh::{self, BUILTIN, Findings, Mesh, Snapped};
+use crate::mesh::{Findings, Mesh, Snapped};
 use crate::params::{Method, Params};
 use crate::scene::{Object, Pose, Scene};
 use serde::Serialize;
@@ -67,27 +68,58 @@ struct Summary<'a> {
     degenerate: usize,
     #[serde(flatten)]
     effort: &'a Effort,
-    defects: usize,
-    crossing: usize,
-    touching: usize,
-    neighbours_meet: usize,
-    duplicate: usize,
+    defects: u64,
+    crossing: u64,
+    touching: u64,
+    neighbours_meet: u64,
+    duplicate: u64,
 }
 
-fn read(path: &Path) -> Result<(Mesh, Findings), Failure> {
-    let Some(name) = path.to_str().and_then(|name| name.strip_prefix("builtin:")) else {
-        return mesh::survey(path).map_err(|e| Failure::Usage(e.to_string()));
-    };
-    let found = mesh::builtin(name).ok_or_else(|| {
-        Failure::Usage(format!("builtin:{name}: no such mesh; expected builtin: and one of {}", BUILTIN.join(", ")))
-    })?;
-    Ok(((*found).clone(), Findings::of_mesh(&found)))
+/// Self-intersections that a picture shows.
+const MOST_DRAWN: usize = 100_000;
+
+/// Takes candidate pairs piece by piece: what is found is counted and written, and what a picture shows is kept.
+struct Found {
+    csv: Option<Output>,
+    pairs: Option<Output>,
+    counts: [u64; Kind::ALL.len()],
+    effort: Effort,
+    drawn: Vec<Defect>,
+}
+
+impl Found {
+    fn begin(&mut self) -> Result<(), Failure> {
+        self.csv.as_mut().map_or(Ok(()), |csv| csv.write("first,second,kind\n"))
+    }
+
+    fn take(&mut self, checker: &Checker<'_>, pairs: &[(u32, u32)]) -> Result<(), Failure> {
+        let (defects, effort) = checker.check(pairs);
+        self.effort.add(&effort);
+        for defect @ Defect { pair: (p, q), kind } in &defects {
+            self.counts[*kind as usize] += 1;
+            if let Some(csv) = &mut self.csv {
+                csv.write(format!("{p},{q},{}\n", kind.name()))?;
+            }
+            if self.drawn.len() < MOST_DRAWN {
+                self.drawn.push(*defect);
+            }
+        }
+        if let Some(file) = &mut self.pairs {
+            for points in pairs.iter().flat_map(|pair| checker.asked(*pair)) {
+                let numbers: Vec<String> = points.as_flattened().iter().map(f64::to_string).collect();
+                file.write(numbers.join(",") + "\n")?;
+            }
+        }
+        Ok(())
+    }
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outputs = [&arguments.csv, &arguments.pairs, &arguments.picture];
-    file::distinct(outputs.into_iter().flatten().map(PathBuf::as_path))?;
-    let (original, findings) = read(&arguments.mesh)?;
+    let (original, findings) = load_mesh(&arguments.mesh)?;
+    // The mesh is not overwritten either.
+    let mesh = Some(arguments.mesh.as_path()).filter(|mesh| mesh.exists());
+    file::distinct(mesh.into_iter().chain(outputs.into_iter().flatten().map(PathBuf::as_path)))?;
     let most = f64::from((1u32 << (arguments.width - 1)) - 1);
     let grid = arguments.grid.unwrap_or_else(|| Snapped::finest(&original, most));
     if Snapped::most(&original) / grid >= 2f64.powi(53) {
@@ -99,29 +131,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (csv, pairs, picture) = (csv?, pairs?, picture?);
     let params = Params { width: arguments.width, ..Params::of(Method::Exact) };
     let checker = Checker::new(&mesh, &params, arguments.exact);
-    let spinner = progress::spinner("candidate pairs");
-    let candidates = checker.candidates();
-    spinner.finish_and_clear();
-    let bar = progress::bar(candidates.len() as u64, "pairs", false);
-    let (defects, effort) = checker.check(&candidates, |pairs| bar.inc(pairs as u64));
+    let bar = progress::bar("finding intersections", mesh.faces.len() as u64, "triangles", false);
+    let mut found = Found { csv, pairs, counts: [0; Kind::ALL.len()], effort: Effort::default(), drawn: vec![] };
+    found.begin()?;
+    checker.candidates(|pairs| {
+        bar.set_position(pairs.last().map_or(0, |(first, _)| u64::from(*first)));
+        found.take(&checker, pairs)
+    })?;
     bar.finish_and_clear();
-    if let Some(mut file) = csv {
-        file.write("first,second,kind\n")?;
-        for Defect { pair: (p, q), kind } in &defects {
-            file.write(format!("{p},{q},{}\n", kind.name()))?;
-        }
-        file.finish()?;
-    }
-    if let Some(mut file) = pairs {
-        for points in candidates.iter().flat_map(|pair| checker.asked(*pair)) {
-            let numbers: Vec<String> = points.as_flattened().iter().map(f64::to_string).collect();
-            file.write(numbers.join(",") + "\n")?;
-        }
-        file.finish()?;
-    }
+    let Found { csv, pairs, counts, effort, drawn } = found;
+    csv.into_iter().chain(pairs).try_for_each(Output::finish)?;
     if let Some(mut file) = picture {
         let png = arguments.picture.as_ref().is_some_and(|path| path.extension().is_some_and(|e| e == "png"));
-        let picture = drawn(&arguments.mesh, &mesh, &defects);
+        let picture = self::drawn(&arguments.mesh, &mesh, &drawn);
         if png {
             file.write(picture.png())?;
         } else {
@@ -129,7 +151,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         file.finish()?;
     }
-    let count = |kind: Kind| defects.iter().filter(|defect| defect.kind == kind).count();
+    let defects = counts.iter().sum();
+    if arguments.picture.is_some() && defects > MOST_DRAWN as u64 {
+        warn(&format!("the picture shows the first {MOST_DRAWN} of {defects} self-intersections"));
+    }
+    let count = |kind: Kind| counts[kind as usize];
     let summary = Summary {
         mesh: arguments.mesh.display().to_string(),
         triangles: mesh.faces.len(),
@@ -139,7 +165,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         width: arguments.width,
         degenerate: mesh.degenerate().len(),
         effort: &effort,
-        defects: defects.len(),
+        defects,
         crossing: count(Kind::Crossing),
         touching: count(Kind::Touching),
         neighbours_meet: count(Kind::Neighbours),
@@ -173,11 +199,11 @@ fn table(summary: &Summary<'_>, exact: bool) -> String {
     if exact {
         row("answers that are not the oracle's", effort.contradictions);
     }
-    row("self-intersections", summary.defects as u64);
-    row("  crossing", summary.crossing as u64);
-    row("  touching", summary.touching as u64);
-    row("  neighbours that meet elsewhere too", summary.neighbours_meet as u64);
-    row("  duplicate triangles", summary.duplicate as u64);
+    row("self-intersections", summary.defects);
+    row("  crossing", summary.crossing);
+    row("  touching", summary.touching);
+    row("  neighbours that meet elsewhere too", summary.neighbours_meet);
+    row("  duplicate triangles", summary.duplicate);
     text
 }
 

@@ -111,7 +111,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         )));
     }
     let soak = Soak::new(arguments.seed, families.clone(), &designs);
-    let mut log = arguments.log.as_ref().map(|path| Log::open(path, soak.question())).transpose()?;
+    let mut log =
+        arguments.log.as_ref().map(|path| Log::open(path, soak.question(), |block| soak.fits(block))).transpose()?;
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
     let bar = stress::bar(blocks.div_ceil(shard.count as u64) * whole);
     let mut sum = Block::default();

@@ -177,7 +177,7 @@ fn emit(plan: &Plan, dir: &Path) -> Result<(), Failure> {
 
 /// The bar of a campaign shows its rate too.
 pub(super) fn bar(pairs: u64) -> ProgressBar {
-    let bar = progress::bar(pairs, "pairs", false);
+    let bar = progress::bar("testing", pairs, "pairs", false);
     if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {per_sec} {eta}") {
         bar.set_style(style);
     }

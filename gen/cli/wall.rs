@@ -109,7 +109,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         arguments.contacts.is_empty() || arguments.contacts.iter().any(|name| name == contact.name)
     };
     let chosen: Vec<&'static Contact> = CONTACTS.iter().filter(chosen).collect();
-    let bar = progress::bar(chosen.len() as u64, "contacts", false);
+    let bar = progress::bar("mapping", chosen.len() as u64, "contacts", false);
     let mut maps = vec![];
     for contact in chosen {
         maps.push(Drawn::new(contact, arguments, &params)?);

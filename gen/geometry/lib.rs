@@ -1,6 +1,7 @@
 //! Triangles in binary64, taken as exact reals: the exact answer, published tests in software, files and seeded samples of
 //! pairs; with the feature `scenes` also meshes and what moves.
 
+pub mod directions;
 pub mod exact;
 #[cfg(feature = "scenes")]
 pub mod mesh;

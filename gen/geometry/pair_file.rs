@@ -2,11 +2,15 @@
 //! both a0 a1 a2 b0 b1 b2, each x y z.
 
 use crate::Points;
-use std::io::Read;
+use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
 /// Bytes of one pair in a `.f64` file.
 const RECORD: usize = 18 * 8;
+
+/// Bytes of the longest line. Eighteen numbers with all decimals of a binary64 take a quarter of it; what has no line feed at
+/// all does not fill the memory.
+const LINE: u64 = 1 << 16;
 
 /// Why a file of pairs cannot be read.
 #[derive(Debug, thiserror::Error)]
@@ -67,6 +71,14 @@ pub enum PairFileError {
         /// The number of fields.
         found: usize,
     },
+    /// A line that no pair needs.
+    #[error("{file}: line {line}: found more than {LINE} bytes; expected 18 numbers")]
+    Long {
+        /// The file as named by the user.
+        file: String,
+        /// Line, counted from 1.
+        line: usize,
+    },
     /// Fields between which semicolons stand.
     #[error(
         "{file}: line {line}: found semicolons between the numbers; expected commas, and a point in each decimal number"
@@ -123,19 +135,25 @@ pub fn read(name: &str) -> Result<Vec<Points>, PairFileError> {
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_csv(mut source: impl Read, name: &str) -> Result<Vec<Points>, PairFileError> {
+pub fn read_csv(source: impl Read, name: &str) -> Result<Vec<Points>, PairFileError> {
     let file = || name.to_owned();
-    let mut text = Vec::new();
-    source.read_to_end(&mut text).map_err(|source| PairFileError::Io { file: file(), source })?;
-    // A byte order mark would make a header of the first row.
-    let text = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(&text);
+    let mut source = BufReader::new(source);
     let mut pairs = Vec::new();
     let mut first = true;
-    for (index, row) in text.split(|&byte| byte == b'\n').enumerate() {
+    let mut text = Vec::new();
+    for line in 1.. {
+        text.clear();
+        let length = source.by_ref().take(LINE).read_until(b'\n', &mut text);
+        match length.map_err(|source| PairFileError::Io { file: file(), source })? {
+            0 => break,
+            length if length as u64 == LINE => return Err(PairFileError::Long { file: file(), line }),
+            _ => {}
+        }
+        // A byte order mark would make a header of the first row.
+        let row = text.strip_prefix(b"\xef\xbb\xbf").filter(|_| line == 1).unwrap_or(&text);
         if row.trim_ascii().is_empty() {
             continue;
         }
-        let line = index + 1;
         if row.iter().filter(|&&byte| byte == b';').count() >= 17 {
             return Err(PairFileError::Semicolons { file: file(), line });
         }
@@ -265,6 +283,14 @@ mod tests {
         let mut garbage = format!("{ROW}\n").into_bytes();
         garbage.extend(ROW.replacen("1e", "\u{7}", 1).bytes().map(|b| if b == 7 { 0xff } else { b }));
         assert!(message(&garbage).contains("line 2, column 18"));
+    }
+
+    #[test]
+    fn a_line_without_an_end_is_not_read_to_its_end() {
+        let message = read_csv(std::io::repeat(b'7'), "p.csv").unwrap_err().to_string();
+        assert_eq!(message, "p.csv: line 1: found more than 65536 bytes; expected 18 numbers");
+        let long = ROW.replacen("0,0,0", &format!("0.{},0,0", "0".repeat(4000)), 1);
+        assert_eq!(read_csv(long.as_bytes(), "").unwrap().len(), 1);
     }
 
     #[test]

@@ -180,48 +180,46 @@ begin
 {%- if signs.len() > 0 %}
           begun_unfit <= record_unfit;
 {%- endif %}
-          case expectation is
-            when header_state =>
+          -- Not a case: GHDL 2.0 forgets the last arm of one in its Verilog.
+          if expectation = header_state then
+            place <= "000000";
+{%- if signs.len() > 0 %}
+            begun_unfit <= '0';
+{%- endif %}
+            if whole = '0' then
+              expectation <= unknown_state;
+            elsif header_word = pairs_header then
+              expectation <= pair_state;
+{%- if has_pose %}
+            elsif header_word = pose_header then
+              expectation <= pose_state;
+{%- endif %}
+            else
+              expectation <= unknown_state;
+            end if;
+          elsif expectation = pair_state then
+            if at_pair_end = '1' then
+              pair_valid <= '1';
               place <= "000000";
 {%- if signs.len() > 0 %}
               begun_unfit <= '0';
 {%- endif %}
-              if whole = '0' then
-                expectation <= unknown_state;
-              elsif header_word = pairs_header then
-                expectation <= pair_state;
+            elsif whole = '0' then
+              expectation <= broken_state;
+            end if;
 {%- if has_pose %}
-              elsif header_word = pose_header then
-                expectation <= pose_state;
-{%- endif %}
-              else
-                expectation <= unknown_state;
-              end if;
-            when pair_state =>
-              if at_pair_end = '1' then
-                pair_valid <= '1';
-                place <= "000000";
+          elsif expectation = pose_state then
+            if at_pose_end = '1' then
+              pose_valid <= s_axis_tlast;
 {%- if signs.len() > 0 %}
-                begun_unfit <= '0';
+              next_pose_unfit <= record_unfit;
 {%- endif %}
-              elsif whole = '0' then
-                expectation <= broken_state;
-              end if;
-{%- if has_pose %}
-            when pose_state =>
-              if at_pose_end = '1' then
-                pose_valid <= s_axis_tlast;
-{%- if signs.len() > 0 %}
-                next_pose_unfit <= record_unfit;
+              expectation <= long_pose_state;
+            elsif whole = '0' then
+              expectation <= broken_state;
+            end if;
 {%- endif %}
-                expectation <= long_pose_state;
-              elsif whole = '0' then
-                expectation <= broken_state;
-              end if;
-{%- endif %}
-            when others =>
-              null;
-          end case;
+          end if;
           if s_axis_tlast = '1' then
             expectation <= header_state;
           end if;

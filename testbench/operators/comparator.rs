@@ -12,7 +12,7 @@ use std::collections::HashSet;
 fn unit<const N: usize>(owners: impl for<'l> FnOnce(Top<'l>) -> Owners<'l>) -> Bench {
     Bench::new(|top| {
         let p = inputs::<N>(top, "p", Type::signed(4, 0), 4).to_vec();
-        comparator(p, owners(top)).signals()
+        comparator(p, owners(top), false).signals()
     })
 }
 

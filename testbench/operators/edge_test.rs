@@ -1,7 +1,8 @@
 //! Edges that pass through the other triangle, against the definition.
 
 use super::Bench;
-use efsat::design::edge_test::{Seen, pierced, side};
+use efsat::design::comparator::{Owners, comparator};
+use efsat::design::edge_test::{Seen, pierced};
 use efsat::graph::Signals;
 use efsat::op::Type;
 use rand::rngs::ChaCha8Rng;
@@ -11,11 +12,13 @@ use rand::{RngExt, SeedableRng};
 fn a_side_is_certain_if_it_is_the_same_for_every_choice() {
     let mut unit = Bench::new(|top| {
         let [a, b] = super::inputs(top, "p", Type::signed(4, 0), 4);
-        side(a, b).to_vec()
+        let [above, below] = comparator(vec![a, a, a, b, b, b], Owners::Fixed, true).1.expect("edges are tested");
+        [above, below].concat()
     });
     super::tuples(&super::intervals(-4..=4), 2, |p| {
         let all = |test: fn(i128, i128) -> bool| super::values(p[0]).all(|a| super::values(p[1]).all(|b| test(a, b)));
-        assert_eq!(unit.run(p, &[]), [all(|a, b| b > a), all(|a, b| b < a)].map(i128::from), "{p:?}");
+        let certain = [all(|a, b| b > a), all(|a, b| b < a)].map(|side| [i128::from(side); 9]);
+        assert_eq!(unit.run(p, &[]), certain.concat(), "{p:?}");
     });
 }
 

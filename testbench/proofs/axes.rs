@@ -5,8 +5,7 @@ use super::rounding::claim_rounded;
 use super::settings::Setting;
 use super::sums::interval;
 use super::unit::Mistake::{
-    LastNotStrict, NoUlp, NotMissing, NotStrict, OtherBound, WrongArm, WrongComponent, WrongGate, WrongLastGate,
-    WrongSign, WrongSlice,
+    NoUlp, NotMissing, NotStrict, OtherBound, WrongArm, WrongComponent, WrongGate, WrongLastGate, WrongSign, WrongSlice,
 };
 use super::unit::Subject;
 use efsat::design::comparator::{DUPLICATES, Owners, comparator as network};
@@ -236,7 +235,7 @@ pub fn sound_comparator(bits: u32, policy: Projections) -> Claim {
             Projections::Skip => Owners::Shared([(); 2].map(|()| vec![flag(), flag()]).named("has")),
             Projections::Intersect => Owners::Intersected([(); 2].map(|()| u.input(DUPLICATES, (0, 4))).named("code")),
         };
-        let (separated, overlapping) = network(p.named("p"), owners);
+        let ((separated, overlapping), _) = network(p.named("p"), owners, false);
         (separated.named("separated"), overlapping.named("overlapping"))
     });
     flags(Subject::of_unit(&unit, "comparator_network"), policy, &format!("{bits} bits"), true)
@@ -257,6 +256,13 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
         }
         _ => value(3 * triangle + i),
     };
+    if policy == Projections::Skip {
+        // No projection belongs to both triangles.
+        let places = (1..3).flat_map(|a| (1..3).map(move |b| (a, b))).filter(|(a, b)| a + b > points - 2);
+        for (a, b) in places {
+            claim.given(format!("!(raw_has0_{} && raw_has1_{})", a - 1, b - 1));
+        }
+    }
     // Places that the code of duplicates makes equal.
     let groups = [(1, vec![0, 1]), (2, vec![1, 2]), (3, vec![2, 0]), (4, vec![0, 1, 2])];
     for (t, triangle) in ["a", "b"].into_iter().enumerate() {
@@ -305,11 +311,14 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
         claim.shown("!separated || a_max < b_min || b_max < a_min");
         claim.shown("!overlapping || (a_min < b_max && b_min < a_max)");
     }
-    let [separated, overlapping] = ["separated", "overlapping"].map(|flag| {
-        // Where the register is depends on the widths.
-        [format!("{flag}|{flag}_less_first_d1"), format!("{flag}|{flag}_less_second_d1")]
-    });
-    claim.mutant(NotStrict, &separated[0]).mutant(LastNotStrict, &separated[1]);
-    claim.mutant(NotStrict, &overlapping[0]).mutant(WrongGate, "overlapping").mutant(WrongArm, "a_max.hi");
+    let flag = |name: &str, i: usize| {
+        if policy == Projections::Intersect {
+            format!("joint_{name}({i})")
+        } else {
+            format!("{name}({i})|{name}_i({i})")
+        }
+    };
+    claim.mutant(NotStrict, flag("above", 0)).mutant(OtherBound, flag("below", 1));
+    claim.mutant(WrongGate, "separated").mutant(NotMissing, "separated").mutant(WrongGate, "overlapping|overlapping_i");
     claim
 }

@@ -80,7 +80,8 @@ pub fn transform_end(setting: &Setting, end: &str) -> Claim {
     }
     claim.shown(format!("{terms} == (term_x + term_y) + term_z"));
     claim.mutant(WrongGate, format!("{end}_takes_x(i)")).mutant(Inverted, format!("{end}_takes_m(i)"));
-    claim.mutant(WrongArm, format!("{end}_term_sum_d1(i)")).mutant(NoUlp, format!("{end}_term(i)"));
+    let sum = format!("{end}_term_floor_1_sum(i)");
+    claim.mutant(WrongArm, &sum).mutant(WrongGate, &sum);
     claim
 }
 
@@ -115,11 +116,12 @@ pub fn transform_row(setting: &Setting) -> Claim {
         let when = format!("{} && {terms} && {}", identity(params, c), COORDINATES.map(product).join(" && "));
         claim.shown(format!("!({when}) || (b_lo == x_{c}_lo && b_hi == x_{c}_lo + x_{c}_ulp)"));
     }
-    claim.mutant(NoUlp, "hi_exact_sum_d1").mutant(WrongSign, "lo_exact").mutant(WrongComponent, "product_result_unit");
+    claim.mutant(WrongSign, "lo_exact").mutant(WrongComponent, "product_result_unit");
     claim.mutant(NoUlp, "b.hi|b_hi_sum").mutant(WrongSlice, "b_floor_28_d1.lo|b_lo_floor_28_d1");
-    if params.upper == Upper::Implied {
-        claim.mutant(NotMissing, "b_hi_not_d1");
-    }
+    match params.upper {
+        Upper::Implied => claim.mutant(NotMissing, "b_hi_aligned_not_line"),
+        Upper::Sticky => claim.mutant(NoUlp, "hi_exact_sum_d1"),
+    };
     claim
 }
 
@@ -155,20 +157,14 @@ pub fn guard(setting: &Setting, what: &str, entity: &str, bound: i128) -> Claim 
     claim
 }
 
-/// Offsets from V0 are exact, and their magnitudes are true absolute values.
+/// Offsets from V0 are exact.
 pub fn offset(setting: &Setting) -> Claim {
     let subject = Subject::of_design(setting, "renormalise_offset");
-    let mut claim = Claim::new(subject, setting.label(), "exact offsets, OR of true magnitudes");
-    for c in COORDINATES {
-        for end in ["lo", "hi"] {
-            claim.shown(format!("offset_{c}_{end} == point_{c}_{end} - origin_{c}"));
-            let offset = format!("point_{c}_{end} - origin_{c}");
-            claim.value(&format!("size_{c}_{end}"), format!("{offset} < 0 ? -({offset}) : {offset}"));
-        }
-        claim.shown(format!("magnitude_{c} == (size_{c}_lo | size_{c}_hi)"));
+    let mut claim = Claim::new(subject, setting.label(), "exact");
+    for (c, end) in COORDINATES.into_iter().flat_map(|c| [(c, "lo"), (c, "hi")]) {
+        claim.shown(format!("offset_{c}_{end} == point_{c}_{end} - origin_{c}"));
     }
-    claim.mutant(Reversed, "offset_i(i).lo").mutant(OtherBound, "offset_i(i).hi");
-    claim.mutant(WrongGate, "magnitude(i)").mutant(OtherBound, "magnitude_first_magnitude(i)");
+    claim.mutant(Reversed, "offset(i).lo").mutant(OtherBound, "offset(i).hi");
     claim
 }
 

@@ -11,7 +11,7 @@ use crate::golden::{Golden, Verdict};
 use crate::host::{Host, Posed, ScenePose, Stage};
 use crate::mesh::Findings;
 use crate::params::Params;
-use crate::scene::hierarchy::{Directions, Forest, Scratch, Statistics, first_hit, pairs};
+use crate::scene::hierarchy::{Directions, Forest, Scratch, Statistics, first_hit, pieces};
 use crate::scene::{Frame, Meeting, Object, Scene};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -114,8 +114,10 @@ impl Search<'_> {
             let (hit, statistics) = first_hit(a, b, &meeting.pose, scratch, touch);
             (statistics, u64::from(hit.is_some()))
         } else {
-            let (pairs, statistics) = pairs(a, b, &meeting.pose, scratch);
-            (statistics, pairs.into_iter().filter(|&pair| touch(pair)).count() as u64)
+            let mut touching = 0;
+            let count = |pairs: &[(u32, u32)]| pairs.par_iter().filter(|pair| touch(**pair)).count() as u64;
+            let statistics = pieces(a, b, &meeting.pose, scratch, |pairs| touching += count(pairs));
+            (statistics, touching)
         };
         Counts { meetings: 1, statistics, touching }
     }
@@ -207,7 +209,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         first_hit: arguments.first_hit,
     };
     let frames = scene.frames();
-    let bar = progress::bar(frames as u64, "poses", !arguments.summary);
+    let bar = progress::bar("finding pairs", frames as u64, "poses", !arguments.summary);
     let mut sink = Sink::new(arguments, &scene)?;
     let mut total = Counts::default();
     // Some frames at a time, so that memory does not grow with their number.

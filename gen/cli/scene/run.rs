@@ -284,7 +284,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let report = Report::new(arguments.json, arguments.summary, &plan)?;
     let viewer = view.is_some().then(|| Viewer::new(&front, &plan));
     let mut sinks = Sinks { scene: &scene, report, csv, pairs, viewer };
-    let bar = progress::bar(scene.frames() as u64, "poses", !arguments.summary);
+    let bar = progress::bar("answering", scene.frames() as u64, "poses", !arguments.summary);
     let mut waiting: Vec<Place> = vec![];
     let total = effects::run(&front, &plan, options, |row, contacts, all| {
         bar.inc(1);
@@ -320,6 +320,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let Sinks { report, csv, pairs, viewer, .. } = sinks;
     if let (Some(viewer), Some(mut file)) = (viewer, view) {
+        if viewer.left_out() > 0 {
+            warn(&format!("the page is full: {} more pairs are not on it", viewer.left_out()));
+        }
         file.write(viewer.page(&plan))?;
         file.finish()?;
     }

@@ -139,13 +139,13 @@ pub fn files(results: &Results) -> Vec<(String, String)> {
 pub fn page(campaigns: &[Results]) -> String {
     let data = Data { scenes: campaigns.iter().map(shown).collect() };
     let data = serde_json::to_string(&data).expect("keys are strings and numbers are finite");
-    let licence = include_str!("../../../web/uplot/LICENSE");
+    let licence = include_str!("../web/uplot/LICENSE");
     let page = Page {
         scenes: campaigns.iter().map(scene).collect(),
-        library_style: include_str!("../../../web/uplot/uPlot.min.css"),
-        library: format!("/*\n{licence}*/\n{}", include_str!("../../../web/uplot/uPlot.iife.min.js")),
-        style: include_str!("../../../web/accuracy.css"),
-        script: include_str!("../../../web/accuracy.js"),
+        library_style: include_str!("../web/uplot/uPlot.min.css"),
+        library: format!("/*\n{licence}*/\n{}", include_str!("../web/uplot/uPlot.iife.min.js")),
+        style: include_str!("../web/accuracy.css"),
+        script: include_str!("../web/accuracy.js"),
         // No text in it ends the element.
         data: data.replace('<', "\\u003c"),
         version: env!("CARGO_PKG_VERSION"),

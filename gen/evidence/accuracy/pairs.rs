@@ -79,9 +79,11 @@ impl<'a> Pairs<'a> {
         let mut reservoir = Reservoir::new(amount, seed);
         let mut meetings = vec![];
         broad_phase.try_for_each(|meeting, pairs| {
-            pairs.iter().try_for_each(|&pair| reservoir.offer(meetings.len() as u32, pair))?;
-            meetings.push(meeting.clone());
-            Ok(())
+            // Very many pairs come in pieces.
+            if meetings.last() != Some(meeting) {
+                meetings.push(meeting.clone());
+            }
+            pairs.iter().try_for_each(|&pair| reservoir.offer(meetings.len() as u32 - 1, pair))
         })?;
         let candidates = reservoir.seen;
         let drawn = reservoir.sorted();

@@ -6,7 +6,7 @@
 use super::Run;
 use efsat_hardware::netlist::simulate::Simulation;
 use efsat_unit::artefact::Stimulus;
-use efsat_unit::artefact::testbench::{self, PACED, RESET_CLOCKS};
+use efsat_unit::artefact::testbench::{self, RESET_CLOCKS};
 use efsat_unit::artefact::vectors::{Word, answer_word, pair_word, pose_word};
 use efsat_unit::design::top::{Channel, Design};
 use efsat_unit::golden::Golden;
@@ -165,6 +165,7 @@ impl<'a> Builtin<'a> {
         now.reset = false;
         let mut random: u16 = 0xace1;
         let full_after = testbench::full_after(self.design);
+        let paced = testbench::paced(self.design);
         let (mut waited, mut filled) = (0, false);
         let (mut clock, mut first, mut previous) = (0u64, None, None);
         for pass in 1..=2u8 {
@@ -207,7 +208,7 @@ impl<'a> Builtin<'a> {
                 random = (random << 1) | (bit(15) ^ bit(13) ^ bit(12) ^ bit(10));
                 let bit = |i: u16| (random >> i) & 1 == 1;
                 waited = if seen.in_valid && !accepted { waited + 1 } else { 0 };
-                let left = next < records.len() && (pass == 1 || offered < PACED);
+                let left = next < records.len() && (pass == 1 || offered < paced);
                 let mut go = true;
                 now.out_ready = pass == 1;
                 if pass == 2 && !filled {
@@ -216,7 +217,7 @@ impl<'a> Builtin<'a> {
                     go = random & 15 == 0 || (bit(0) && (clock / 256) % 2 == 1);
                     now.out_ready = bit(4);
                 }
-                let done = taken == offered && (next == records.len() || (pass == 2 && offered == PACED));
+                let done = taken == offered && (next == records.len() || (pass == 2 && offered == paced));
                 if go && !now.in_valid && !now.pose_valid && left {
                     match &records[next] {
                         Record::Pose(_) => {

@@ -9,7 +9,7 @@ use super::{CosimError, Netlist, Options, Run};
 use crate::synth::tools::{self, Tool};
 use crate::synth::{ToolError, verilog, yosys};
 use askama::Template;
-use efsat_unit::artefact::testbench::{self, PACED, RESET_CLOCKS};
+use efsat_unit::artefact::testbench::{self, RESET_CLOCKS};
 use efsat_unit::artefact::vectors::{Word, formats_line};
 use efsat_unit::artefact::{self, Prefix, Scratch, Stimulus};
 use efsat_unit::design::Design;
@@ -70,7 +70,7 @@ fn bench(design: &Design) -> String {
     let bench = Bench {
         header: artefact::origin(),
         formats: formats_line(p),
-        paced: PACED,
+        paced: testbench::paced(design),
         patience: testbench::patience(design),
         full_after: testbench::full_after(design),
         reset_clocks: RESET_CLOCKS,
@@ -87,7 +87,7 @@ fn bench(design: &Design) -> String {
     bench.render().expect("the template renders")
 }
 
-fn find() -> Result<Tool, ToolError> {
+pub(super) fn find() -> Result<Tool, ToolError> {
     let install = "apt-get install verilator g++ make";
     tools::find(&["verilator"], "--version").ok_or(ToolError::Missing { tool: "Verilator", install })
 }

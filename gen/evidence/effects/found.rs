@@ -25,6 +25,11 @@ impl Found {
         self.all.append(&mut other.all);
     }
 
+    /// Pairs that nothing shrinks.
+    pub fn kept(&self) -> usize {
+        self.contacts.len().max(self.all.len())
+    }
+
     /// Keeps no more than can matter in the end.
     pub fn shrink(&mut self, stratified: usize, close: usize) {
         for stratum in &mut self.strata {

@@ -33,7 +33,7 @@ pub use measure::Tally;
 pub use outcome::{Contact, Counts, Options, Row, Sampling, Sums, Total};
 pub use plan::{Answers, Finding, Other, Plan, plan};
 pub use request::{Request, Wish};
-pub use run::{frame_contacts, run};
+pub use run::{TooMany, frame_contacts, run};
 pub use sample::Place;
 pub use stages::Stages;
 pub use viewer::Viewer;

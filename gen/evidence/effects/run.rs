@@ -18,6 +18,19 @@ const SHARE: usize = 1024;
 /// Bits by which the unit is narrower that tells which pairs are close.
 const COARSER: u32 = 2;
 
+/// Pairs of one frame that are kept, each with what is known of it.
+const MOST: usize = 1 << 18;
+
+/// A frame with too many pairs that touch, or are open, or are all to be simulated.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error(
+    "{label}: more than {MOST} pairs that touch, are undecided or are to be simulated; expected fewer in one pose \
+     (classify and scene pairs take any number)"
+)]
+pub struct TooMany {
+    label: String,
+}
+
 /// Units that answer.
 struct Answering<'a, 'b> {
     front: &'b Front<'a>,
@@ -35,8 +48,8 @@ struct Answering<'a, 'b> {
 /// fails.
 ///
 /// # Errors
-/// The first error of `visit`.
-pub fn run<E>(
+/// The first error of `visit`, and a frame with [`TooMany`] pairs.
+pub fn run<E: From<TooMany>>(
     front: &Front<'_>,
     plan: &Plan,
     options: Options,
@@ -53,13 +66,16 @@ pub fn run<E>(
     front.survivors.in_order(
         |frame, scratch| answering.frame(frame, scratch),
         |frame, found: Found| {
+            let Frame { label, distance, .. } = front.scene().frame(frame);
+            if found.kept() > MOST {
+                return Err(TooMany { label }.into());
+            }
             // The best of every frame come before the second best of any.
             for (least, stratum) in strata.iter_mut().zip(&found.strata) {
                 stratum.iter().enumerate().for_each(|(rank, (lot, place))| least.add((rank, *lot), *place));
             }
             found.near.iter().for_each(|(key, place)| near.add(*key, *place));
             total.add(frame, &found.sums);
-            let Frame { label, distance, .. } = front.scene().frame(frame);
             visit(Row { frame, label, distance, counts: found.sums.counts }, &found.contacts, &found.all)
         },
     )?;
@@ -101,7 +117,7 @@ impl<'a, 'b> Answering<'a, 'b> {
         for meeting in self.front.survivors.meetings(frame) {
             let mut at = None;
             let statistics = self.front.survivors.pairs(&meeting, scratch, |pairs| {
-                if pairs.is_empty() {
+                if pairs.is_empty() || found.kept() > MOST {
                     return;
                 }
                 let posed = at.get_or_insert_with(|| self.units.posed(&meeting));
@@ -109,14 +125,19 @@ impl<'a, 'b> Answering<'a, 'b> {
                 let shares = pairs.par_chunks(SHARE).map(|pairs| self.share(&meeting, &met, &posed[0], pairs));
                 let shares: Vec<Found> = shares.collect();
                 shares.into_iter().for_each(|share| found.append(share));
+                self.shrink(&mut found);
             });
             found.sums.counts.meetings += 1;
             found.sums.counts.statistics = found.sums.counts.statistics + statistics;
         }
+        found
+    }
+
+    /// Keeps no more of what is sampled than can matter in the end.
+    fn shrink(&self, found: &mut Found) {
         if let Sampling::Some { stratified, close } = self.options.sampling {
             found.shrink(stratified, close);
         }
-        found
     }
 
     fn share(&self, meeting: &Meeting, met: &Met<'_, '_>, posed: &Posed<'_>, pairs: &[(u32, u32)]) -> Found {
@@ -153,9 +174,7 @@ impl<'a, 'b> Answering<'a, 'b> {
             }
             self.remember(met, place, verdict, &mut found);
         }
-        if let Sampling::Some { stratified, close } = self.options.sampling {
-            found.shrink(stratified, close);
-        }
+        self.shrink(&mut found);
         found
     }
 

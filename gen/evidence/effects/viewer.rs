@@ -77,6 +77,9 @@ struct Shown {
 #[derive(Serialize)]
 struct Pair(usize, usize, usize, u32, u32, String, Option<String>, Option<[f32; 6]>);
 
+/// Pairs that a page holds; with more of them browsers do not open it.
+const MOST: usize = 200_000;
+
 /// Collects what the page shows.
 pub struct Viewer<'a, 'b> {
     front: &'b Front<'a>,
@@ -85,6 +88,9 @@ pub struct Viewer<'a, 'b> {
     params: Params,
     frames: Vec<Shown>,
     witnesses: Vec<String>,
+    /// Pairs on the page, and those for which there was no more room.
+    shown: usize,
+    left_out: usize,
 }
 
 impl<'a, 'b> Viewer<'a, 'b> {
@@ -93,11 +99,19 @@ impl<'a, 'b> Viewer<'a, 'b> {
         let params = plan.params.clone();
         let stage = Stage::new(front.scene(), &params);
         let witnesses = if params.method == Method::Axes { axes(params.axes.count()) } else { vec![] };
-        Self { front, stage, golden: Golden::new(&params), params, frames: vec![], witnesses }
+        Self { front, stage, golden: Golden::new(&params), params, frames: vec![], witnesses, shown: 0, left_out: 0 }
+    }
+
+    /// Pairs that the page does not hold because it is full.
+    pub fn left_out(&self) -> usize {
+        self.left_out
     }
 
     /// Takes the contacts of a frame, each with its exact answer; a frame without contacts is left out.
     pub fn take(&mut self, row: &Row, contacts: &[Contact]) {
+        let (contacts, others) = contacts.split_at(contacts.len().min(MOST - self.shown));
+        self.shown += contacts.len();
+        self.left_out += others.len();
         if contacts.is_empty() {
             return;
         }
@@ -185,15 +199,15 @@ impl<'a, 'b> Viewer<'a, 'b> {
             silent: "The pair was decided in software, not by the unit.",
         };
         let data = serde_json::to_string(&data).expect("keys are strings and numbers are finite");
-        let licence = include_str!("../../../web/three/LICENSE");
+        let licence = include_str!("../web/three/LICENSE");
         let page = Page {
             scene: &scene.name,
             command: &plan.command_line,
             shown,
             poses: scene.frames(),
-            style: include_str!("../../../web/viewer.css"),
-            library: format!("/*\n{licence}*/\n{}", include_str!("../../../web/three/three.min.js")),
-            script: include_str!("../../../web/viewer.js"),
+            style: include_str!("../web/viewer.css"),
+            library: format!("/*\n{licence}*/\n{}", include_str!("../web/three/three.min.js")),
+            script: include_str!("../web/viewer.js"),
             // No text in it ends the element.
             data: data.replace('<', "\\u003c"),
             version: env!("CARGO_PKG_VERSION"),

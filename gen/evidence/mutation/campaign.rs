@@ -2,7 +2,6 @@
 
 use super::{Fate, Mutant, vectors, vhdl};
 use crate::cosim::{Bench, CosimError, Simulator, Trial};
-use efsat_unit::artefact::testbench::PACED;
 use efsat_unit::artefact::{self, Prefix, testbench};
 use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
@@ -57,11 +56,12 @@ impl Campaign {
             |count, seed, probed| Bench::new(params, vectors::stimulus(params, count, seed), options.simulator, probed);
         let few = bench(FEW, options.seed, false)?;
         let probed = bench(PROBED, options.seed.wrapping_add(1), true)?;
-        // A testbench runs no more pairs than these with gaps and back-pressure.
-        let runs: Vec<usize> = (0..options.vectors).step_by(PACED).collect();
+        // A testbench runs no more pairs than these with gaps and back-pressure, and needs them to fill the unit.
+        let most = testbench::paced(&Design::new(params, Probes::None)?);
+        let runs: Vec<usize> = (0..options.vectors).step_by(most).collect();
         let many = runs.into_par_iter().map(|from| {
             let seed = options.seed.wrapping_add(2 + from as u64);
-            bench((options.vectors - from).min(PACED), seed, true)
+            bench((options.vectors - from).min(most), seed, true)
         });
         let many = many.collect::<Result<_, _>>()?;
         let twins = enumerate(probed.files(), params).into_iter().map(|mutant| (mutant.name(), mutant)).collect();

@@ -1,5 +1,6 @@
 //! Survivors and why they survive: most are equivalent, some differ where no vector of reasonable number looks.
 
+use efsat_unit::design::exact::cascade::SECOND_STAGE;
 use efsat_unit::params::Params;
 
 /// A survivor and its explanation.
@@ -189,20 +190,39 @@ const MODEL: &[Explanation] = &[
     same("params/formats.rs:Formats:constant:0 -> 1", "takes another name for a row, and names are for messages"),
 ];
 
+/// Explanations that are true of a design or of the model.
+#[derive(Clone, Debug, Default)]
+pub struct Table {
+    /// By the names of mutants.
+    pub all: Vec<&'static Explanation>,
+    /// Of a second stage, by names without the prefix of its units.
+    pub second: Vec<&'static Explanation>,
+}
+
+impl Table {
+    /// The explanation of a mutant.
+    pub fn find(&self, name: &str) -> Option<&'static Explanation> {
+        let of = |table: &[&'static Explanation], name: &str| {
+            table.iter().find(|explanation| matches(explanation.pattern, name)).copied()
+        };
+        let second = name.strip_prefix(SECOND_STAGE).and_then(|name| of(&self.second, name));
+        second.or_else(|| of(&self.all, name))
+    }
+}
+
 /// The explanations that are true of a design's VHDL.
-pub fn vhdl(params: &Params) -> Vec<&'static Explanation> {
-    let rate = if params.interval() == 1 { Rate::One } else { Rate::Several };
-    VHDL.iter().filter(|explanation| [Rate::Any, rate].contains(&explanation.rate)).collect()
+pub fn vhdl(params: &Params) -> Table {
+    let at = |clocks: usize| {
+        let rate = if clocks == 1 { Rate::One } else { Rate::Several };
+        VHDL.iter().filter(|explanation| [Rate::Any, rate].contains(&explanation.rate)).collect()
+    };
+    let second = params.exact_clocks.map(|clocks| at(clocks as usize));
+    Table { all: at(params.interval()), second: second.unwrap_or_default() }
 }
 
 /// Those of the reference model.
-pub fn model() -> Vec<&'static Explanation> {
-    MODEL.iter().collect()
-}
-
-/// The explanation of a mutant.
-pub fn find(table: &[&'static Explanation], name: &str) -> Option<&'static Explanation> {
-    table.iter().find(|explanation| matches(explanation.pattern, name)).copied()
+pub fn model() -> Table {
+    Table { all: MODEL.iter().collect(), second: vec![] }
 }
 
 /// Whether a name has the form of a pattern in which `*` stands for any text.
@@ -219,10 +239,23 @@ fn matches(pattern: &str, name: &str) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use efsat_unit::params::Method;
 
     #[test]
     fn a_star_stands_for_any_text() {
         assert!(matches("a:*_lo:case", "a:x_lo:case") && matches("*", "") && matches("a*b*c", "a-b-c"));
         assert!(!matches("a:*_lo", "a:x_lo:case") && !matches("a", "b") && !matches("a*b", "a"));
+    }
+
+    #[test]
+    fn units_of_a_second_stage_have_the_explanations_of_their_rate() {
+        let single = Params::of(Method::Exact);
+        let cascade = Params { exact_clocks: Some(16), ..single.clone() };
+        let found = |params: &Params, name: &str| vhdl(params).find(name).is_some();
+        let any = "left_out_coordinate:seen:operand:not flag(x) exchanged";
+        let several = "sequencer:full:case:full_if_moved -> full_if_still, the next arm";
+        assert!(found(&single, any) && found(&cascade, any) && found(&cascade, &format!("exact_{any}")));
+        assert!(!found(&single, &format!("exact_{any}")));
+        assert!(!found(&cascade, several) && found(&cascade, &format!("exact_{several}")));
     }
 }

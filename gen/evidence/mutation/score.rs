@@ -1,6 +1,6 @@
 //! The score of a campaign: killed mutants among those that are not equivalent.
 
-use super::explained::{self, Claim, Explanation};
+use super::explained::{Claim, Explanation, Table};
 use super::{Fate, Kind, Mutant};
 use std::collections::BTreeMap;
 
@@ -34,8 +34,8 @@ pub enum Standing {
 
 impl Entry {
     /// Looks the mutant up in a table of explanations.
-    pub fn new(mutant: Mutant, fate: Fate, table: &[&'static Explanation]) -> Self {
-        let explanation = explained::find(table, &mutant.name());
+    pub fn new(mutant: Mutant, fate: Fate, table: &Table) -> Self {
+        let explanation = table.find(&mutant.name());
         Self { mutant, fate, explanation }
     }
 
@@ -177,7 +177,8 @@ mod tests {
         ];
         let mut score = Score::default();
         let standings = cases.map(|(fate, table)| {
-            let entry = Entry::new(mutant.clone(), fate, table);
+            let table = Table { all: table.to_vec(), second: vec![] };
+            let entry = Entry::new(mutant.clone(), fate, &table);
             score.add(&entry);
             entry.standing()
         });

@@ -54,21 +54,28 @@ pub fn stimulus(params: &Params, count: usize, seed: u64) -> Stimulus {
         .map(in_plane)
         .collect();
     let (golden, bound) = (Golden::new(params), params.coordinate_bound() as i64);
+    let second = second_stage(params);
     let near = |x: Input, by: i64| within(bound, x.lo + by, x.sticky);
     let at_edge = |(i, (pose, pair)): (usize, &(Pose, Pair))| {
         let mut pair = *pair;
         if params.method == Method::Exact {
-            // Such pairs are at the edge as they come, and elsewhere they might not fit.
-            return (*pose, pair);
+            // Such pairs are at the edge of the exact unit as they come. The first stage of a cascade has bounds.
+            let moved =
+                second.as_ref().map(|_| moved_to_edge(&golden, bound, 1 << (params.width - 1), pose, pair, i / 2));
+            return (*pose, moved.filter(|pair| !golden.outcome(pose, pair).outside).unwrap_or(pair));
         }
         // Vertices next to each other: enclosures overlap, and which of them is taken matters.
         let (one, other, by) = (i % 3, (i / 3) % 3, (i / 9) as i64 % 5 - 2);
         let triangle = if i % 2 == 0 { &mut pair.a } else { &mut pair.b };
         triangle[one] = triangle[other].map(|x| near(x, by));
-        (*pose, moved_to_edge(&golden, bound, pose, pair, i / 2))
+        (*pose, moved_to_edge(&golden, bound, bound, pose, pair, i / 2))
     };
     let all: Vec<(Pose, Pair)> = random.par_iter().enumerate().map(at_edge).chain(random.par_iter().copied()).collect();
-    let edges: Vec<Vec<Edge>> = all.par_iter().map(|(pose, pair)| edges(&golden, pose, pair)).collect();
+    let cases = |(pose, pair): &(Pose, Pair)| match &second {
+        Some(second) => edges_in_stages(&golden, second, pose, pair),
+        None => edges(&golden, pose, pair),
+    };
+    let edges: Vec<Vec<Edge>> = all.par_iter().map(cases).collect();
     let share = if params.method == Method::Exact { 3 * count / 4 } else { count / 2 };
     let chosen = cover(&edges, share.min(MOST_CHOSEN));
     let mut chosen = chosen.into_iter().map(|i| all[i]);
@@ -301,8 +308,8 @@ fn cover(entries: &[Vec<Edge>], count: usize) -> Vec<usize> {
 }
 
 /// The pair with B moved along one coordinate until one ulp decides the comparison that `number` stands for, if some
-/// such place is found by halving.
-fn moved_to_edge(golden: &Golden, bound: i64, pose: &Pose, pair: Pair, number: usize) -> Pair {
+/// such place is found by halving, at most `reach` from where B is.
+fn moved_to_edge(golden: &Golden, bound: i64, reach: i64, pose: &Pose, pair: Pair, number: usize) -> Pair {
     let moved = |by: i64| {
         let mut pair = pair;
         let coordinate = (number / 4) % 3;
@@ -316,7 +323,7 @@ fn moved_to_edge(golden: &Golden, bound: i64, pose: &Pose, pair: Pair, number: u
         let axis = (number / 12) % axes.names().len();
         axes.lacking(axis)[number % 4]
     };
-    let (mut from, mut to) = (-bound, bound);
+    let (mut from, mut to) = (-reach, reach);
     let rising = lacking(from) <= 0;
     if rising == (lacking(to) <= 0) {
         return pair;
@@ -382,13 +389,35 @@ fn compared(name: &str) -> Option<&str> {
 /// A bound of an interval.
 type Bound = fn(&Interval) -> i128;
 
-/// The comparisons of a pair that one ulp decides, where no other comparison hides it.
+/// The exact unit that decides what the first stage of a cascade leaves open.
+fn second_stage(params: &Params) -> Option<Golden> {
+    params.exact_clocks.map(|_| Golden::new(&Params { exact_clocks: None, ..params.clone() }))
+}
+
+/// Of a cascade: the comparisons of the first stage, and of a pair that it leaves open what decides in the second.
+fn edges_in_stages(first: &Golden, second: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
+    let mut found = comparisons(&Axes::new(first, pose, pair));
+    if first.is_open(pose, pair) {
+        // Behind the determinants of the first stage.
+        let behind = |edge: Edge| {
+            if edge.0 < in_plane::FIRST { (edge.0 + in_plane::FIRST / 2, edge.1, edge.2, edge.3, edge.4) } else { edge }
+        };
+        found.extend(edges(second, pose, pair).into_iter().map(behind));
+    }
+    found
+}
+
+/// The comparisons of a pair that one ulp decides, and behind them the cases of pairs in one plane.
 fn edges(golden: &Golden, pose: &Pose, pair: &Pair) -> Vec<Edge> {
     let axes = Axes::new(golden, pose, pair);
-    let (lo, hi): (Bound, Bound) = (|x| x.lo, |x| x.hi);
-    // Behind the determinants come the cases of pairs in one plane.
     let in_plane = in_plane::cases(&axes.0).into_iter().map(|(rule, part, how)| (rule, part, how, (3, 0), (3, 0)));
-    let mut found: Vec<Edge> = in_plane.collect();
+    in_plane.chain(comparisons(&axes)).collect()
+}
+
+/// The comparisons of a pair that one ulp decides, where no other comparison hides it.
+fn comparisons(axes: &Axes) -> Vec<Edge> {
+    let (lo, hi): (Bound, Bound) = (|x| x.lo, |x| x.hi);
+    let mut found: Vec<Edge> = vec![];
     for (number, axis) in axes.names().into_iter().enumerate() {
         let lacking = axes.lacking(number);
         if axes.0.contains_key(&format!("determinant.{axis}")) {
@@ -458,6 +487,22 @@ mod tests {
             pairs.flat_map(|(pose, pair)| edges(&golden, pose, pair)).filter(|edge| edge.0 >= in_plane::FIRST);
         let rules: std::collections::BTreeSet<usize> = of_plane.map(|edge| edge.0 - in_plane::FIRST).collect();
         assert_eq!(rules, (0..26).collect());
+    }
+
+    #[test]
+    fn pairs_of_a_cascade_are_at_the_edge_of_both_stages() {
+        let params = Params { exact_clocks: Some(16), ..Params::of(Method::Exact) };
+        let (golden, second) = (Golden::new(&params), second_stage(&params).unwrap());
+        let stimulus = stimulus(&params, 160, 1);
+        let pairs: Vec<(&Pose, &Pair)> =
+            stimulus.segments.iter().flat_map(|(pose, pairs)| pairs.iter().map(move |pair| (pose, pair))).collect();
+        let edges = pairs.iter().flat_map(|(pose, pair)| edges_in_stages(&golden, &second, pose, pair));
+        let found: HashSet<usize> = edges.map(|edge| edge.0).collect();
+        let of = |from: usize, to: usize| found.iter().filter(|number| (from..to).contains(*number)).count();
+        assert_eq!([of(0, 50), of(50, 100)], [15, 15], "determinants");
+        assert_eq!(of(in_plane::FIRST, 1000), 26, "cases of pairs in one plane");
+        let open = pairs.iter().filter(|(pose, pair)| golden.is_open(pose, pair)).count();
+        assert!((60..150).contains(&open), "{open} open");
     }
 
     #[test]

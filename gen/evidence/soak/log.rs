@@ -65,11 +65,11 @@ pub struct Log {
 }
 
 impl Log {
-    /// Opens a log, or begins one.
+    /// Opens a log, or begins one; `fits` knows counts that no block has.
     ///
     /// # Errors
     /// A file that cannot be read or written, that another run writes to, or that holds something else.
-    pub fn open(path: &Path, question: String) -> Result<Self, LogError> {
+    pub fn open(path: &Path, question: String, fits: impl Fn(&Block) -> bool) -> Result<Self, LogError> {
         let at = |source| LogError::Io { path: path.to_owned(), source };
         let mut file = OpenOptions::new().create(true).truncate(false).read(true).write(true).open(path).map_err(at)?;
         file.try_lock().map_err(|e| match e {
@@ -89,6 +89,10 @@ impl Log {
             })?;
             if line.question != question {
                 return Err(LogError::Other { path, line: line_number, found: line.question, expected: question });
+            }
+            if !fits(&line.result) {
+                let found = "counts that no block of this test has".to_owned();
+                return Err(LogError::Line { path, line: line_number, found });
             }
             blocks.insert(line.block, line.result);
         }
@@ -135,7 +139,7 @@ mod tests {
     fn what_is_finished_stays() {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("log");
-        let open = || Log::open(&path, "q".to_owned());
+        let open = || Log::open(&path, "q".to_owned(), |_| true);
         let mut log = open().unwrap();
         assert!(matches!(open(), Err(LogError::Busy(_))));
         log.add(7, block(1)).unwrap();
@@ -154,18 +158,22 @@ mod tests {
     fn what_does_not_belong_is_refused() {
         let dir = tempfile::tempdir().unwrap();
         let path = dir.path().join("log");
-        let open = |question: &str| Log::open(&path, question.to_owned()).map(drop).map_err(|e| e.to_string());
+        let fits = |block: &Block| block.total().separate < 5;
+        let open = |question: &str| Log::open(&path, question.to_owned(), fits).map(drop).map_err(|e| e.to_string());
         open("q").unwrap();
-        Log::open(&path, "q".to_owned()).unwrap().add(0, block(1)).unwrap();
+        Log::open(&path, "q".to_owned(), fits).unwrap().add(0, block(1)).unwrap();
         let message = open("other").unwrap_err();
         assert!(message.ends_with("line 1: found a block of another test (q); expected other"), "{message}");
+        Log::open(&path, "q".to_owned(), fits).unwrap().add(1, block(5)).unwrap();
+        let message = open("q").unwrap_err();
+        assert!(message.contains("line 2: found counts that no block of this test has"), "{message}");
         std::fs::write(&path, "{}\n").unwrap();
         let message = open("q").unwrap_err();
         assert!(message.contains("line 1: found missing field `question`"), "{message}");
         std::fs::write(&path, "mine").unwrap();
         assert!(open("q").unwrap_err().contains("line 1: found something else"));
         assert_eq!(std::fs::read_to_string(&path).unwrap(), "mine");
-        let message = Log::open(dir.path(), "q".to_owned()).map(drop).unwrap_err().to_string();
+        let message = Log::open(dir.path(), "q".to_owned(), fits).map(drop).unwrap_err().to_string();
         assert!(message.contains("irectory"), "{message}");
     }
 }

@@ -205,6 +205,21 @@ impl Soak {
         format!("efsat {}, seed {}, {}: {designs}", env!("CARGO_PKG_VERSION"), self.seed, families.join(" "))
     }
 
+    /// Whether counts can be those of a block of this test.
+    pub fn fits(&self, block: &Block) -> bool {
+        let sum = |counts: [u64; 3]| counts.into_iter().try_fold(0, u64::checked_add);
+        let design =
+            |a: &Answers| sum([a.separate, a.intersect, a.possibly_incorrect]) == Some(BLOCK) && a.wrong <= BLOCK;
+        let family = |tally: &Tally| {
+            sum([tally.separate, tally.touch, tally.intersect]) == Some(BLOCK)
+                && tally.disagreements <= tally.checked
+                && tally.checked <= BLOCK
+                && tally.designs.len() == self.designs.len()
+                && tally.designs.iter().all(design)
+        };
+        block.families.len() == self.families.len() && block.families.iter().all(family)
+    }
+
     /// Asks block number `number`; all threads of the pool take part.
     pub fn block(&self, number: u64) -> Block {
         let first = number * BLOCK;

@@ -30,6 +30,7 @@ pub use static_timing::Timing;
 pub use units::Unit;
 
 use efsat_hardware::device::{Device, Family, Resources};
+use efsat_hardware::netlist::Module;
 use efsat_unit::artefact::{self, Prefix, Scratch};
 use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
@@ -154,7 +155,7 @@ pub fn run(
     let path = dir.join(VERILOG);
     std::fs::write(&path, text).map_err(ToolError::file(&path))?;
     step("Yosys, unit by unit");
-    let netlist = units::netlist(&yosys, flow, dir)?;
+    let netlist = units::netlist(&yosys, flow, TOP, dir)?;
     let counts = modelled(&design, flow, Some(&netlist));
     let timing = if flow.family() == Family::Virtex2 { Some(units::timing(&netlist)?) } else { None };
     let mut tools = vec![yosys.version.clone()];
@@ -169,6 +170,21 @@ pub fn run(
         None => None,
     };
     Ok(Report { tools, timing, routed, ..counts })
+}
+
+/// Counts the cells of a hierarchy that is no design of its own, from its VHDL (name and text of each file, in dependency
+/// order), beside what is predicted for a device. No placement.
+///
+/// # Errors
+/// See [`SynthError`].
+pub fn count(sources: &[(String, String)], top: &Module, device: &'static Device) -> Result<Unit, SynthError> {
+    let (flow, yosys) = (Flow::of(device), yosys::find()?);
+    let dir = Scratch::new().map_err(ToolError::file(&std::env::temp_dir()))?;
+    let text = verilog::from_vhdl(sources, &top.name, dir.path())?;
+    let path = dir.path().join(VERILOG);
+    std::fs::write(&path, text).map_err(ToolError::file(&path))?;
+    let netlist = units::netlist(&yosys, flow, &top.name, dir.path())?;
+    Ok(units::tree(top, device, Some((&netlist, flow))))
 }
 
 /// What the device model says of a design, for a flow that does not run.
@@ -187,7 +203,7 @@ fn modelled(design: &Design, flow: Flow, netlist: Option<&Netlist>) -> Report {
         flow,
         counted_for,
         tools: vec![],
-        top: units::tree(design, counted_for, netlist.map(|netlist| (netlist, flow))),
+        top: units::tree(&design.top, counted_for, netlist.map(|netlist| (netlist, flow))),
         interval: design.interval,
         latency: design.latency,
         scheduled: (megahertz, end.to_owned()),

@@ -8,7 +8,6 @@ use crate::synth::tools::Tool;
 use crate::synth::{ToolError, yosys};
 use efsat_hardware::device::{Device, Resources};
 use efsat_hardware::{estimate, netlist::Module};
-use efsat_unit::design::Design;
 use std::ops::Add;
 use std::path::Path;
 
@@ -34,8 +33,8 @@ pub struct Unit {
 ///
 /// # Errors
 /// What Yosys says.
-pub(super) fn netlist(yosys: &Tool, flow: Flow, dir: &Path) -> Result<Netlist, ToolError> {
-    let commands = format!("read_verilog {VERILOG}\n{}write_json {NETLIST}\n", yosys::units(flow.family(), TOP));
+pub(super) fn netlist(yosys: &Tool, flow: Flow, top: &str, dir: &Path) -> Result<Netlist, ToolError> {
+    let commands = format!("read_verilog {VERILOG}\n{}write_json {NETLIST}\n", yosys::units(flow.family(), top));
     yosys::run(yosys, "units", &commands, dir)?;
     Netlist::read(&dir.join(NETLIST))
 }
@@ -48,9 +47,9 @@ pub(super) fn timing(netlist: &Netlist) -> Result<Timing, ToolError> {
     static_timing::estimate(netlist, TOP).map_err(|e| ToolError::failed("static timing", e.to_string()))
 }
 
-/// The units of a design, the top first, predicted for a device, and counted where there is a netlist of a flow.
-pub(super) fn tree(design: &Design, device: &Device, netlist: Option<(&Netlist, Flow)>) -> Unit {
-    unit(&design.top, 1, device, netlist)
+/// The units of a hierarchy, the top first, predicted for a device, and counted where there is a netlist of a flow.
+pub(super) fn tree(top: &Module, device: &Device, netlist: Option<(&Netlist, Flow)>) -> Unit {
+    unit(top, 1, device, netlist)
 }
 
 fn unit(module: &Module, instances: u64, device: &Device, netlist: Option<(&Netlist, Flow)>) -> Unit {

@@ -83,7 +83,7 @@ pub fn mapped(family: Family, source: &str, top: &str, netlist: &str, dir: &Path
             let path = dir.join(MAPPED);
             product_registers::pack_file(&path, &path)?;
             let path = dir.join(MULT18X18D);
-            std::fs::write(&path, include_str!("../../../templates/mult18x18d.v")).map_err(ToolError::file(&path))?;
+            std::fs::write(&path, include_str!("../templates/mult18x18d.v")).map_err(ToolError::file(&path))?;
             format!("read_verilog +/ecp5/cells_sim.v\nread_verilog {MULT18X18D}\n")
         }
         _ => "read_verilog +/xilinx/cells_sim.v\n".to_owned(),

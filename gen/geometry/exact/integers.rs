@@ -19,7 +19,7 @@ impl From<f64> for Scaled {
 }
 
 /// A finite number as an odd integer (or zero) times a power of two.
-fn split(x: f64) -> (i64, i64) {
+pub(super) fn split(x: f64) -> (i64, i64) {
     debug_assert!(x.is_finite(), "{x} is no real number");
     let bits = x.to_bits();
     let biased = (bits >> 52 & 0x7ff) as i64;

@@ -8,9 +8,12 @@
 mod integers;
 pub mod linear_programme;
 mod minkowski;
+mod round;
 mod tableau;
 #[cfg(test)]
 mod tests;
+
+pub use round::ceiling;
 
 use std::fmt;
 

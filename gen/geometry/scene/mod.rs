@@ -12,6 +12,7 @@ pub mod hierarchy;
 mod itself;
 mod meetings;
 mod motion;
+mod pieces;
 mod pose;
 mod split;
 mod survivors;
@@ -24,7 +25,7 @@ pub use file::{SceneError, load};
 pub use pose::Pose;
 pub use survivors::Survivors;
 pub use toml::Value;
-pub use tree::{Tree, candidates};
+pub use tree::{Candidates, Tree};
 
 use crate::mesh::{Findings, Mesh};
 use motion::Motion;
@@ -85,7 +86,7 @@ impl Scene {
     /// The paper's benchmark as far as it is known: two identical headlights, one tumbling in front of the other at
     /// several distances. It is defined by `scenes/headlight.toml`.
     pub fn default_scene() -> Self {
-        file::parse(include_str!("../../../scenes/headlight.toml"), "scenes/headlight.toml".as_ref())
+        file::parse(include_str!("../scenes/headlight.toml"), "scenes/headlight.toml".as_ref())
             .expect("the built-in scene is valid")
     }
 

@@ -1,12 +1,10 @@
 //! The pairs of triangles that the stages before the unit leave.
 
-use super::hierarchy::{Directions, Forest, Scratch, Statistics, pairs};
+use super::hierarchy::{Directions, Forest, Scratch, Statistics, pieces};
 use super::meetings::Meetings;
+use super::pieces::MOST;
 use super::{Meeting, Scene};
 use rayon::prelude::*;
-
-/// Pairs that are handed on at a time where no tree finds them; whole rows of them.
-const BLOCK: usize = 1 << 16;
 
 /// Finds the surviving pairs of a scene, with or without the broad phase and the hierarchy. Nothing that touches is
 /// lost either way.
@@ -51,12 +49,10 @@ impl<'a> Survivors<'a> {
     pub fn pairs(&self, meeting: &Meeting, scratch: &mut Scratch, mut visit: impl FnMut(&[(u32, u32)])) -> Statistics {
         if let Some(forest) = &self.forest {
             let [a, b] = forest.trees(meeting);
-            let (pairs, statistics) = pairs(a, b, &meeting.pose, scratch);
-            visit(&pairs);
-            return statistics;
+            return pieces(a, b, &meeting.pose, scratch, visit);
         }
         let [a, b] = [meeting.a, meeting.b].map(|object| self.scene.objects[object].mesh.faces.len() as u32);
-        let rows = BLOCK.div_ceil(b.max(1) as usize) as u32;
+        let rows = MOST.div_ceil(b.max(1) as usize) as u32;
         for start in (0..a).step_by(rows as usize) {
             let block: Vec<(u32, u32)> =
                 (start..a.min(start + rows)).flat_map(|a| (0..b).map(move |b| (a, b))).collect();

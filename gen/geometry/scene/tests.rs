@@ -10,7 +10,7 @@ use rand::{RngExt, SeedableRng};
 use std::path::Path;
 
 fn scene_folder() -> std::path::PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
 }
 
 /// A scene of the headlight with the given further lines.
@@ -339,7 +339,7 @@ fn every_fault_of_a_scene_file_is_one_clear_line() {
 /// Random bytes in a valid file never panic.
 #[test]
 fn damaged_scene_files_never_panic() {
-    let seed = include_str!("../../../scenes/bolt_nut.toml").as_bytes();
+    let seed = include_str!("../scenes/bolt_nut.toml").as_bytes();
     let mut rng = ChaCha8Rng::seed_from_u64(2);
     for _ in 0..300 {
         let mut bytes = seed[seed.len() - rng.random_range(1..seed.len())..].to_vec();
@@ -396,7 +396,8 @@ fn no_pair_of_exact_boxes_is_missed() {
         };
         let t = Vector3::from([0; 3].map(|_| f64::from(rng.random_range(-9..=9)) * scale));
         let pose = Pose { rotation: m, translation: t };
-        let found = candidates(&Tree::new(&a), &Tree::new(&b), &pose);
+        let (a_tree, b_tree) = (Tree::new(&a), Tree::new(&b));
+        let found = Candidates::new(&a_tree, &b_tree, &pose).few().unwrap();
         let boxes = (exact_boxes(&a, &Pose::identity()), exact_boxes(&b, &pose));
         for (p, x) in (0..).zip(&boxes.0) {
             for (q, y) in (0..).zip(&boxes.1) {
@@ -470,6 +471,31 @@ fn pairs_come_in_order_whatever_the_number_of_threads() {
 #[test]
 fn a_mesh_without_triangles_has_no_pairs() {
     let (empty, one) = (Mesh::default(), mesh::headlight());
-    let pairs = candidates(&Tree::new(&empty), &Tree::new(&one), &Pose::identity());
-    assert!(pairs.is_empty());
+    let (empty, one) = (Tree::new(&empty), Tree::new(&one));
+    assert_eq!(Candidates::new(&empty, &one, &Pose::identity()).few(), Some(vec![]));
+}
+
+#[test]
+fn pairs_that_are_too_many_come_in_pieces() {
+    use std::convert::Infallible;
+    // Triangles at one place, and some beside them: the former all meet, and the boxes of the latter meet some.
+    let mut mesh = random_mesh(&mut ChaCha8Rng::seed_from_u64(9), 40, 1.0);
+    mesh.faces.extend(vec![[0, 1, 2]; 260]);
+    let tree = Tree::new(&mesh);
+    let pose = Pose { rotation: Matrix3::identity(), translation: Vector3::repeat(0.5) };
+    let all = Candidates::new(&tree, &tree, &pose);
+    assert!(all.few().is_none());
+    let (mut found, mut calls) = (vec![], 0);
+    let Ok(()) = all.pieces(|pairs| {
+        assert!(pairs.len() < pieces::MOST + mesh.faces.len());
+        found.extend_from_slice(pairs);
+        calls += 1;
+        Ok::<(), Infallible>(())
+    });
+    assert!(calls > 1 && found.len() > 260 * 260 && found.windows(2).all(|two| two[0] < two[1]));
+    let boxes = [&Pose::identity(), &pose].map(|pose| exact_boxes(&mesh, pose));
+    let meets = |p: usize, q: usize| boxes[0][p].iter().zip(&boxes[1][q]).all(|(x, y)| x.0 <= y.1 && y.0 <= x.1);
+    let triangles = mesh.faces.len();
+    let meeting = (0..triangles).flat_map(|p| (0..triangles).map(move |q| (p, q))).filter(|(p, q)| meets(*p, *q));
+    assert_eq!(meeting.map(|(p, q)| (p as u32, q as u32)).collect::<Vec<_>>(), found, "each once, and no others");
 }

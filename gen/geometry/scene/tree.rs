@@ -10,6 +10,7 @@
 
 use super::Pose;
 use super::enclosure::image;
+use super::pieces::{MOST, rows};
 use super::split::{Node, nodes};
 use crate::mesh::{Bounds, Mesh};
 
@@ -44,29 +45,80 @@ impl<'a> Tree<'a> {
     }
 }
 
-/// All pairs (triangle of A, triangle of B) whose boxes overlap in A's frame when B is in `pose` as seen from A, in
-/// ascending order. No pair with a common point is missing, whatever the doubles are.
-pub fn candidates(a: &Tree<'_>, b: &Tree<'_>, pose: &Pose) -> Vec<(u32, u32)> {
-    let boxes = b.fit(&b.mesh.vertices.iter().map(|v| image(v, pose)).collect::<Vec<_>>());
-    let mut pairs = Vec::new();
-    let mut stack = Vec::new();
-    if !a.nodes.is_empty() && !b.nodes.is_empty() {
-        stack.push((0, 0));
+/// The pairs (triangle of A, triangle of B) whose boxes overlap in A's frame when B is in a pose as seen from A. No pair
+/// with a common point is missing, whatever the doubles are.
+#[derive(Debug)]
+pub struct Candidates<'a> {
+    a: &'a Tree<'a>,
+    b: &'a Tree<'a>,
+    /// The boxes of B in A's frame.
+    boxes: Vec<Bounds>,
+}
+
+impl<'a> Candidates<'a> {
+    /// Brings the boxes of B to A's frame.
+    pub fn new(a: &'a Tree<'a>, b: &'a Tree<'a>, pose: &Pose) -> Self {
+        let boxes = b.fit(&b.mesh.vertices.iter().map(|v| image(v, pose)).collect::<Vec<_>>());
+        Self { a, b, boxes }
     }
-    while let Some((i, j)) = stack.pop() {
-        if !a.boxes[i].overlaps(&boxes[j]) {
-            continue;
+
+    /// All of them in ascending order, unless they are [too many](MOST).
+    pub(super) fn few(&self) -> Option<Vec<(u32, u32)>> {
+        let mut pairs = vec![];
+        self.below(0, |pair| {
+            pairs.push(pair);
+            pairs.len() <= MOST
+        });
+        pairs.sort_unstable();
+        (pairs.len() <= MOST).then_some(pairs)
+    }
+
+    /// Calls `visit` with all of them in ascending order, in one piece or several, until it fails.
+    ///
+    /// # Errors
+    /// The first error of `visit`.
+    pub fn pieces<E>(&self, mut visit: impl FnMut(&[(u32, u32)]) -> Result<(), E>) -> Result<(), E> {
+        match self.few() {
+            Some(pairs) => visit(&pairs),
+            None => self.rows(visit),
         }
-        match (a.nodes[i], b.nodes[j]) {
-            (Node::Leaf(p), Node::Leaf(q)) => pairs.push((p, q)),
-            (Node::Leaf(_), Node::Inner(right)) => stack.extend([(i, j + 1), (i, right as usize)]),
-            (Node::Inner(right), Node::Leaf(_)) => stack.extend([(i + 1, j), (right as usize, j)]),
-            (Node::Inner(right), Node::Inner(other)) => {
-                let (right, other) = (right as usize, other as usize);
-                stack.extend([(i + 1, j + 1), (i + 1, other), (right, j + 1), (right, other)]);
+    }
+
+    /// The same for pairs that are too many.
+    pub(super) fn rows<E>(&self, visit: impl FnMut(&[(u32, u32)]) -> Result<(), E>) -> Result<(), E> {
+        let row = |leaf: usize, pairs: &mut Vec<(u32, u32)>| {
+            self.below(leaf, |pair| {
+                pairs.push(pair);
+                true
+            });
+        };
+        rows(&self.a.nodes, row, visit)
+    }
+
+    /// Finds the pairs of the triangles below a node of A, in any order, as long as `more` says yes.
+    fn below(&self, root: usize, mut more: impl FnMut((u32, u32)) -> bool) {
+        let Self { a, b, boxes } = self;
+        let mut stack = Vec::new();
+        if !a.nodes.is_empty() && !b.nodes.is_empty() {
+            stack.push((root, 0));
+        }
+        while let Some((i, j)) = stack.pop() {
+            if !a.boxes[i].overlaps(&boxes[j]) {
+                continue;
+            }
+            match (a.nodes[i], b.nodes[j]) {
+                (Node::Leaf(p), Node::Leaf(q)) => {
+                    if !more((p, q)) {
+                        return;
+                    }
+                }
+                (Node::Leaf(_), Node::Inner(right)) => stack.extend([(i, j + 1), (i, right as usize)]),
+                (Node::Inner(right), Node::Leaf(_)) => stack.extend([(i + 1, j), (right as usize, j)]),
+                (Node::Inner(right), Node::Inner(other)) => {
+                    let (right, other) = (right as usize, other as usize);
+                    stack.extend([(i + 1, j + 1), (i + 1, other), (right, j + 1), (right, other)]);
+                }
             }
         }
     }
-    pairs.sort_unstable();
-    pairs
 }

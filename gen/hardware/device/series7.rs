@@ -1,11 +1,12 @@
-//! 7-series, an Artix-7 of speed grade 1.
+//! 7-series, two parts of Artix-7 of speed grade 1.
 //!
 //! Cell delays are read from a Vivado timing report in a public student project (GitHub: constant619/EESM6000C-Lab3, a
 //! Zynq xc7z020-1, whose logic is that of Artix-7): flip-flop 0.478 ns clock to output and less than nothing of set-up
 //! (-0.076), LUT 0.124, CARRY4 from a table to its carry 0.533, 0.117 for every four bits more, 0.337 to the sum at the
 //! end, DSP48E1 from operand to the cascade output 4.036. Nets are 0.8 ns before placement there; after routing they
 //! are longer, so this model takes 1.0. What is on the part is from the family overview (DS180): 134,600 look-up
-//! tables, 269,200 flip-flops, 740 multipliers (DSP48E1), 33,650 slices.
+//! tables, 269,200 flip-flops, 740 multipliers (DSP48E1), 33,650 slices; on the smaller part 63,400, 126,800, 240 and
+//! 15,850.
 //!
 //! Not known: DSP48E1 from operand to its own output (the cascade output is taken for it), and how its registers divide
 //! the delay.
@@ -34,4 +35,13 @@ pub(super) const XC7A200T: Device = Device {
     far_multipliers: None,
     product: (4.036, 0.0),
     product_behind_register: 1.5,
+};
+
+/// That of the board Arty A7-100T.
+pub(super) const XC7A100T: Device = Device {
+    name: "xc7a100t-1",
+    part: Part { device: "xc7a100t", package: "csg324", ..XC7A200T.part },
+    capacity: Resources { multipliers: 240, luts: 63_400, memory_luts: 19_000, flip_flops: 126_800, carry: 63_400 },
+    multipliers: 240,
+    ..XC7A200T
 };

@@ -168,6 +168,13 @@ impl<'l> Top<'l> {
         input
     }
 
+    /// An input that does not change while anything is in flight: it is there in every clock, and no register holds it.
+    pub fn steady(self, ty: Type, range: Range) -> Sig<'l> {
+        let input = self.port(ty, vec![range], Rate::Any);
+        self.library.with(self.unit, |draft| draft.unit.nodes[input.id.0].op = Op::Steady);
+        input
+    }
+
     /// An input with ranges of its own in every case, or the same in all.
     pub(super) fn port(self, ty: Type, ranges: Vec<Range>, rate: Rate) -> Sig<'l> {
         let sig = self.library.push(self.unit, Op::Input { early: 0 }, vec![], ty, rate, ranges);
@@ -555,6 +562,22 @@ impl<'l> Sig<'l> {
     /// Absolute value.
     pub fn magnitude(self) -> Self {
         self.apply(Magnitude, &[])
+    }
+
+    /// The greater of the number and zero in so many bits, without a sign.
+    pub fn positive(self, bits: u32) -> Self {
+        if self.range().1 >> bits > 0 {
+            self.refuse(&format!("values up to {} do not fit {bits} bits", self.range().1));
+        }
+        let magnitude = self.low(bits);
+        self.negative().choose(magnitude.like(0), magnitude)
+    }
+
+    /// The sum of two numbers and a flag in one carry chain.
+    pub fn plus(self, other: Self, carry: Self) -> Self {
+        let fraction = self.ty().fraction;
+        let below = |low: Self, x: Self| low.below(&[x.at_point(None)]);
+        (below(self.unit().constant(1, Type::FLAG), self) + below(carry, other)).floor(1).at_point(fraction)
     }
 
     /// Flag: both are equal.

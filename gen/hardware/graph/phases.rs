@@ -2,6 +2,7 @@
 
 use super::build::{Sig, Top};
 use super::bundle::Signals;
+use super::unit::Rate;
 use crate::op::Type;
 
 /// What a shared unit works on in each phase; nothing in idle ones. *Late* phases belong to the pair whose slot began a
@@ -95,6 +96,10 @@ impl<'l, B: Signals<'l>> Phases<B> {
         let taken: Vec<Option<usize>> = self.of.iter().map(take).collect();
         let any = self.busy().next().expect("expected a phase that is not idle").1;
         let Some(first) = any.signals().first().copied() else { return any.clone() };
+        // What never changes and is the same in all phases stays what it is.
+        if operands.len() == 1 && operands[0].0.iter().all(|signal| signal.rate() == Rate::Any) {
+            return any.clone();
+        }
         let unit = first.unit();
         let select = unit.pattern(taken.iter().map(|t| t.map(|t| t as i128)).collect(), Type::index(operands.len()));
         let mut signals = 0..;

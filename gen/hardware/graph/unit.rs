@@ -12,7 +12,7 @@ pub struct NodeId(pub usize);
 /// How often a value changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rate {
-    /// Follows its operands: the unit does not care (its inputs, constants).
+    /// Follows its operands: the unit does not care (its inputs, constants, what is steady).
     Any,
     /// Once per pair: the value is held for the whole slot of `interval` clocks.
     Pair,
@@ -28,6 +28,8 @@ pub enum Op {
         /// A per-pair value changes this many clocks before the slot ends.
         early: usize,
     },
+    /// An input port of the unit at the top that does not change while anything is in flight.
+    Steady,
     /// A combinational operation.
     Comb(Comb),
     /// A constant per phase; none where it does not matter.

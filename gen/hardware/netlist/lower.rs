@@ -192,7 +192,7 @@ impl Lowered<'_> {
         let node = &unit.nodes[i];
         let slot = self.schedule.slots[i];
         match &node.op {
-            Op::Input { .. } | Op::Phase(..) | Op::Earlier(_) => {}
+            Op::Input { .. } | Op::Steady | Op::Phase(..) | Op::Earlier(_) => {}
             _ if unit.renames(i) => self.rename(i),
             Op::Capture { phase, late } => {
                 let arg = node.args[0].0;
@@ -212,16 +212,12 @@ impl Lowered<'_> {
                 }
             }
             Op::ScanOr => {
-                let args: Vec<SignalId> = node.args.iter().map(|a| self.fetch(a.0, slot.start)).collect();
-                let so_far = self.register(node.place.suffixed("before"), node.ty, args[0], None);
-                let zero = Driver::Combinational { op: Constant(0, node.ty).into(), args: vec![] };
-                let zero = self.push(Place::new("zero"), node.ty, zero);
-                let kept = Driver::Combinational { op: Select::default().into(), args: vec![args[1], so_far, zero] };
-                let kept = self.push(node.place.suffixed("kept"), node.ty, kept);
-                self.out.signals[kept.0].named = false;
-                let id = self.of_node(i, Driver::Combinational { op: Or.into(), args: vec![args[0], kept] });
-                self.out.signals[so_far.0].driver =
-                    Driver::Register { op: None, args: vec![id], enable: None, reset: None };
+                let value = self.fetch(node.args[0].0, slot.start);
+                // What it held is gone in the clock in which it starts anew.
+                let reset = Some((self.fetch(node.args[1].0, slot.start - 1), 0));
+                let so_far = self.register(node.place.suffixed("before"), node.ty, value, None);
+                let id = self.of_node(i, Driver::Combinational { op: Or.into(), args: vec![value, so_far] });
+                self.out.signals[so_far.0].driver = Driver::Register { op: None, args: vec![id], enable: None, reset };
             }
             Op::Instance(_) => {
                 let inputs = node.args.iter().map(|a| self.operand(a.0, slot.start, slot.registered)).collect();

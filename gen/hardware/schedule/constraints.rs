@@ -132,7 +132,7 @@ impl<'a> Constraints<'a> {
         match &node.op {
             Op::Input { .. } if slot.until == i32::MAX => Valid::Stream(PORTS),
             Op::Input { .. } => Valid::Pair(vec![Window { from: PORTS, until: PORTS.later(slot.until) }]),
-            Op::Comb(Comb::Constant(_)) | Op::Phase(..) => Valid::Always,
+            Op::Comb(Comb::Constant(_)) | Op::Phase(..) | Op::Steady => Valid::Always,
             // What no output depends on is no hardware and follows the others.
             _ if !self.live[i] => Valid::Always,
             _ if unit.renames(i) => self.valid[node.args[0].0].clone(),

@@ -386,6 +386,7 @@ impl Pass<'_> {
                 Slot { start: 0, from: 0, until, ns: self.launch(), registered: false }
             }
             Op::Comb(Comb::Constant(_)) => Slot::ALWAYS,
+            Op::Steady => Slot { ns: self.launch(), ..Slot::ALWAYS },
             _ if self.unit.renames(i) => slots[node.args[0].0],
             Op::Phase(..) => Slot { ns: self.launch(), ..Slot::ALWAYS },
             Op::Capture { phase, late } => {

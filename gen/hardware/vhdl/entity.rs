@@ -1,6 +1,6 @@
 //! An entity as text: declarations, then what happens clock by clock.
 
-use super::fold::{Statement, merged};
+use super::fold::{Shapes, Statement, merged};
 use super::package::FUNCTIONS;
 use super::shape::{Object, Shape, Types};
 use super::view::View;
@@ -322,7 +322,7 @@ impl Printer<'_, '_> {
                 Some(source) => format!("{name} <= {source} & {name}(1 to {before});"),
                 None => format!("{name}(2 to {length}) <= {name}(1 to {before});"),
             };
-            line.parts.iter().for_each(|part| sequential(part, 2, functions, lines));
+            line.parts.iter().for_each(|part| sequential(self.view, part, 2, functions, lines));
             lines.extend(wrapped(&text, 4));
         }
         lines.push("  end if;".to_owned());
@@ -395,7 +395,7 @@ impl Printer<'_, '_> {
         lines.push(format!("{label} : process (clk)"));
         lines.push("begin".to_owned());
         lines.push("  if rising_edge(clk) then".to_owned());
-        statements.iter().for_each(|s| sequential(s, 2, functions, lines));
+        statements.iter().for_each(|s| sequential(self.view, s, 2, functions, lines));
         lines.push("  end if;".to_owned());
         lines.push(format!("end process {label};"));
     }
@@ -492,10 +492,18 @@ fn loop_label(body: &[Statement]) -> String {
     }
 }
 
-fn sequential(statement: &Statement, depth: usize, functions: &mut BTreeSet<&'static str>, lines: &mut Vec<String>) {
+fn sequential(
+    shapes: &dyn Shapes,
+    statement: &Statement,
+    depth: usize,
+    functions: &mut BTreeSet<&'static str>,
+    lines: &mut Vec<String>,
+) {
     let pad = "  ".repeat(depth);
     match statement {
-        Statement::Assign(target, Expression::Select(index, legs)) if !(index.ty.is_flag() && simple(target, legs)) => {
+        Statement::Assign(target, Expression::Select(index, legs))
+            if !(index.ty.is_flag() && simple(shapes, target, legs)) =>
+        {
             note(&Expression::Select(index.clone(), legs.clone()), functions);
             let flag = index.ty.is_flag() && legs.len() == 2;
             let order: Vec<(usize, &Expression)> =
@@ -519,23 +527,23 @@ fn sequential(statement: &Statement, depth: usize, functions: &mut BTreeSet<&'st
         Statement::If(flag, then, otherwise) => {
             note(flag, functions);
             lines.extend(wrapped(&format!("if {} then", condition(flag)), 2 * depth));
-            then.iter().for_each(|s| sequential(s, depth + 1, functions, lines));
+            then.iter().for_each(|s| sequential(shapes, s, depth + 1, functions, lines));
             match &otherwise[..] {
                 [] => {}
                 [Statement::If(other, then, rest)] if rest.is_empty() => {
                     lines.extend(wrapped(&format!("elsif {} then", condition(other)), 2 * depth));
-                    then.iter().for_each(|s| sequential(s, depth + 1, functions, lines));
+                    then.iter().for_each(|s| sequential(shapes, s, depth + 1, functions, lines));
                 }
                 _ => {
                     lines.push(format!("{pad}else"));
-                    otherwise.iter().for_each(|s| sequential(s, depth + 1, functions, lines));
+                    otherwise.iter().for_each(|s| sequential(shapes, s, depth + 1, functions, lines));
                 }
             }
             lines.push(format!("{pad}end if;"));
         }
         Statement::Loop { depth: variable, size, body } => {
             lines.push(format!("{pad}for {} in 0 to {} loop", loop_variable(*variable), size - 1));
-            body.iter().for_each(|s| sequential(s, depth + 1, functions, lines));
+            body.iter().for_each(|s| sequential(shapes, s, depth + 1, functions, lines));
             lines.push(format!("{pad}end loop;"));
         }
         Statement::Instance { .. } => panic!("an instance is no sequential statement"),
@@ -543,10 +551,11 @@ fn sequential(statement: &Statement, depth: usize, functions: &mut BTreeSet<&'st
 }
 
 /// Whether a choice between two can be written as a function of numbers.
-fn simple(target: &Name, legs: &[Expression]) -> bool {
+fn simple(shapes: &dyn Shapes, target: &Name, legs: &[Expression]) -> bool {
     // Whole records and arrays have no such function.
     let whole = |leg: &Expression| matches!(leg, Expression::Name(name) if name.subs.len() < target.subs.len());
-    legs.len() == 2 && !target.subs.is_empty() && !legs.iter().any(whole)
+    let number = matches!(shapes.part(target), Some(Shape::Flag | Shape::Number(..)));
+    legs.len() == 2 && number && !target.subs.is_empty() && !legs.iter().any(whole)
 }
 
 /// `index = i`, as a condition.

@@ -4,7 +4,7 @@ use super::file_lists::FileLists;
 use super::project::Project;
 use super::units::{UnitRow, first_sentence, units};
 use super::{FileSet, Prefix, Stimulus, origin, vhdl_files};
-use super::{drop_in, example, ise, layout, manifest, stream, stream_vectors, testbench, vectors, vivado};
+use super::{board, drop_in, example, ise, layout, manifest, stream, stream_vectors, testbench, vectors, vivado};
 use crate::design::Design;
 use crate::design::top::pace;
 use crate::params::stream::{StreamFormat, StreamWidth};
@@ -22,6 +22,8 @@ pub struct Packaging {
     pub stream_width: StreamWidth,
     /// What stands before all names.
     pub prefix: Prefix,
+    /// Whether there are [Verilog files](super::verilog_files), too: name and text of those that are made already.
+    pub verilog: Option<Vec<(String, String)>>,
 }
 
 /// Why a design cannot be printed: a defect of the generator, never of the parameters; or a name that a prefix makes equal
@@ -81,7 +83,7 @@ pub fn design_files_with(
     packaging: &Packaging,
     command_line: &str,
 ) -> Result<FileSet, DesignFilesError> {
-    let Packaging { stream_width: width, prefix } = packaging;
+    let Packaging { stream_width: width, prefix, verilog } = packaging;
     let mut set = FileSet::default();
     let mut described = vec![];
     let mut core = vec![];
@@ -137,8 +139,8 @@ pub fn design_files_with(
     describe(&stream_bench.vectors, "Packets of pairs and poses, good and malformed, with the expected answers.");
     set.insert("files.txt", lists.all().join("\n"));
     describe("files.txt", "All VHDL files in dependency order, the testbenches last.");
-    set.insert("files-synthesis.txt", lists.synthesised().join("\n"));
-    describe("files-synthesis.txt", "The VHDL files to synthesise: the unit, its wrapper and the constants.");
+    set.insert(FileLists::SYNTHESISED, lists.synthesised().join("\n"));
+    describe(FileLists::SYNTHESISED, "The VHDL files to synthesise: the unit, its wrapper and the constants.");
     describe(
         manifest::NAME,
         "Parameters, ports, number formats, latency, the words of the stream, and a SHA-256 per file, for programs.",
@@ -149,10 +151,15 @@ pub fn design_files_with(
     let projects = [
         ise::add(&mut set, design, prefix, &synthesised),
         vivado::add(&mut set, design, packaging, command_line, &synthesised),
+        board::add(&mut set, design, prefix, &lists),
     ];
     let projects: Vec<Project> = projects.into_iter().flatten().collect();
     for project in &projects {
         describe(&project.folder, &format!("Project for {}, part {}.", project.tool, project.part));
+    }
+    for (name, text) in verilog.iter().flatten() {
+        set.insert(name, text);
+        describe(name, "A copy in Verilog, made by GHDL.");
     }
     set.insert("README.md", readme(design, packaging, command_line, described, projects));
     let manifest = manifest::text(design, Some(&format), command_line, &set);
@@ -279,5 +286,46 @@ mod tests {
             );
         }
         assert!(files("lfe5u-85-6").iter().all(|(name, _)| !name.ends_with(".tcl")));
+    }
+
+    #[test]
+    fn a_device_on_a_board_gets_the_files_of_the_board() {
+        let files = |device: &str| {
+            let params = Params { device: device.to_owned(), frequency: 60, ..Params::default() };
+            design_files(&Design::new(&params, false).unwrap(), &params.command_line()).unwrap()
+        };
+        let expected = [
+            ("lfe5u-85-6", "ulx3s", "efsat_ulx3s.vhd", "clock_frequency : positive := 60000000;"),
+            ("lfe5u-85-6", "ulx3s", "efsat_ulx3s_clock.v", ".CLKFB_DIV(12)"),
+            ("lfe5u-85-6", "ulx3s", "efsat_ulx3s_stand_in.vhd", "entity efsat_ulx3s_clock is"),
+            ("lfe5u-85-6", "ulx3s", "build.sh", "--freq 60 "),
+            ("xc7a100t-1", "arty_a7", "efsat_arty_a7.vhd", "clock_frequency : positive := 59701492;"),
+            ("xc7a100t-1", "arty_a7", "efsat_arty_a7_clock.vhd", "CLKOUT0_DIVIDE_F => 16.750"),
+            ("xc7a100t-1", "arty_a7", "project.tcl", "-part \"xc7a100tcsg324-1\""),
+        ];
+        for (device, folder, name, part) in expected {
+            let set = files(device);
+            let text = set.get(&format!("{folder}/{name}")).unwrap_or_else(|| panic!("{device}: {folder}/{name}"));
+            assert!(text.contains(part), "{device}: {folder}/{name}: {text}");
+            assert!(set.get("README.md").unwrap().contains(&format!("| `{folder}` |")), "{device}");
+            // Every port of the top has a pin, and no pin is of anything else.
+            let top = set.get(&format!("{folder}/efsat_{folder}.vhd")).unwrap();
+            let ports = top.split("  port (\n").nth(1).unwrap().split("  );").next().unwrap();
+            let ports: BTreeSet<&str> =
+                ports.lines().filter_map(|line| Some(line.split_once(" : ")?.0.trim())).collect();
+            let ending = if folder == "ulx3s" { "lpf" } else { "xdc" };
+            let constraints = set.get(&format!("{folder}/efsat_{folder}.{ending}")).unwrap();
+            let pin = |line: &str| match ending {
+                "lpf" => Some(line.strip_prefix("LOCATE COMP \"")?.split('"').next()?.to_owned()),
+                _ if line.contains("PACKAGE_PIN") => {
+                    Some(line.split("get_ports ").nth(1)?.trim_end_matches(']').to_owned())
+                }
+                _ => None,
+            };
+            let pins: Vec<String> = constraints.lines().filter_map(pin).collect();
+            assert_eq!(pins.len(), ports.len(), "{pins:?}");
+            assert_eq!(pins.iter().map(String::as_str).collect::<BTreeSet<_>>(), ports, "{device}");
+        }
+        assert!(files("xc7a200t-1").iter().all(|(name, _)| !name.starts_with("arty")));
     }
 }

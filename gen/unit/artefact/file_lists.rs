@@ -33,6 +33,14 @@ pub struct FileLists {
 }
 
 impl FileLists {
+    /// The file that lists what is synthesised.
+    pub(super) const SYNTHESISED: &str = "files-synthesis.txt";
+
+    /// The files of the example.
+    pub(super) fn example(prefix: &Prefix) -> [String; 3] {
+        ["uart_receiver", "uart_transmitter", "efsat_uart_top"].map(|entity| format!("example/{prefix}{entity}.vhd"))
+    }
+
     /// The lists of a design whose entities have these files.
     pub fn new(core: Vec<String>, prefix: &Prefix) -> Self {
         let file = |folder: &str, entity: &str| format!("{folder}{prefix}{entity}.vhd");
@@ -44,7 +52,7 @@ impl FileLists {
             constants: file("", "efsat_constants"),
             core,
             wrapper: file("", "efsat_stream"),
-            example: ["uart_receiver", "uart_transmitter", "efsat_uart_top"].map(|entity| file("example/", entity)),
+            example: Self::example(prefix),
             benches: [
                 bench("efsat_tb", "", true, "Testbench of the unit", "sim"),
                 bench("efsat_stream_tb", "", true, "Testbench of the stream wrapper", "sim_stream"),

@@ -3,6 +3,7 @@
 use super::manifest;
 use super::scratch::{Scratch, uninterrupted};
 use std::collections::{BTreeMap, BTreeSet};
+use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -108,19 +109,17 @@ impl FileSet {
     /// manifest names go, and what efsat did not write stays. Files and directories that stay keep their permissions.
     ///
     /// Everything is written to a directory beside it, which then takes its place; an error or an interruption leaves
-    /// the old state. Where the system cannot exchange two directories, files take their places one by one.
+    /// the old state. Where the system cannot exchange two directories, files take their places one by one. Runs that write
+    /// beside each other take turns.
     ///
     /// # Errors
     /// A target that holds something else, and what the operating system says.
     pub fn write(&self, dir: &Path) -> Result<(), FileSetError> {
-        let found = self.replaceable(dir)?;
-        let target = match found {
-            Some(_) => std::fs::canonicalize(dir),
-            None => std::path::absolute(dir),
-        }
-        .map_err(at(dir))?;
+        let target = std::fs::canonicalize(dir).or_else(|_| std::path::absolute(dir)).map_err(at(dir))?;
         let parent = target.parent().ok_or_else(|| FileSetError::Current(dir.to_owned()))?;
         std::fs::create_dir_all(parent).map_err(at(parent))?;
+        let _turn = turn(parent);
+        let found = self.replaceable(dir)?;
         let scratch = Scratch::inside(parent).map_err(at(parent))?;
         let new = scratch.path().join("new");
         uninterrupted(|| {
@@ -288,6 +287,14 @@ fn make_parents(path: &Path) -> io::Result<()> {
     path.parent().map_or(Ok(()), std::fs::create_dir_all)
 }
 
+/// Waits until no other run writes in a directory; as long as the result is there, this one does. Not every file system
+/// has locks.
+fn turn(dir: &Path) -> Option<File> {
+    let dir = File::open(dir).ok()?;
+    dir.lock().ok()?;
+    Some(dir)
+}
+
 /// Copies permissions where both are there.
 fn copy_permissions(from: &Path, to: &Path) -> io::Result<()> {
     match std::fs::symlink_metadata(from) {
@@ -399,6 +406,23 @@ mod tests {
             }
             writer.join().unwrap().unwrap();
         });
+    }
+
+    #[test]
+    fn of_two_runs_at_a_time_one_is_there() {
+        let home = tempfile::tempdir().unwrap();
+        let dir = home.path().join("out");
+        let sets = [set(&[("x.vhd", "x"), ("a/b", "b")]), set(&[("x.vhd", "y"), ("c/d", "d")])];
+        sets[0].write(&dir).unwrap();
+        fs::write(dir.join("notes.txt"), "mine").unwrap();
+        for _ in 0..50 {
+            std::thread::scope(|scope| {
+                let writers = sets.each_ref().map(|set| scope.spawn(|| set.write(&dir)));
+                writers.into_iter().for_each(|writer| writer.join().unwrap().unwrap());
+            });
+            let notes = [Difference::Extra("notes.txt".to_owned())];
+            assert!(sets.iter().any(|set| set.check(&dir).unwrap() == notes), "{:?}", sets[0].check(&dir));
+        }
     }
 
     #[test]

@@ -164,7 +164,7 @@ pub(super) fn of_ready(files: &FileSet) -> String {
     serde_json::to_string_pretty(&manifest).expect("keys are strings")
 }
 
-fn digest(text: &str) -> String {
+pub(super) fn digest(text: &str) -> String {
     Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

@@ -1,10 +1,12 @@
-//! The set of generated files, as values: VHDL, testbenches, vectors, projects for tools and the manifest.
+//! The set of generated files, as values: VHDL, testbenches, vectors, projects for tools and boards, and the manifest.
 //!
 //! [`design_files`] makes the whole set of a design, [`FileSet`] writes or compares it as a whole. Texts are printed by
 //! templates from ready values; nothing here decides a number of the design.
 
+mod board;
 mod design_files;
 mod drop_in;
+pub mod engine;
 mod example;
 pub mod file_lists;
 mod file_set;
@@ -23,7 +25,9 @@ pub mod stream_vectors;
 pub mod testbench;
 mod units;
 pub mod vectors;
+mod verilog;
 mod vivado;
+pub mod volume;
 
 pub use design_files::{DesignFilesError, Packaging, design_files, design_files_with};
 pub use file_set::{Difference, FileSet, FileSetError};
@@ -33,3 +37,4 @@ pub use ready::{ReadyDesign, ReadyError, ready_designs, ready_files};
 pub use scratch::{Scratch, interrupted};
 pub use sources::{origin, vhdl_files};
 pub use vectors::Stimulus;
+pub use verilog::{VerilogFile, verilog_files};

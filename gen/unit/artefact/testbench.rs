@@ -1,6 +1,6 @@
 //! The generated testbench: strict VHDL-93, driven by a [vector file](super::vectors).
 //!
-//! It runs all vectors at full speed, then the first [`PACED`] again: until the unit is full, then with
+//! It runs all vectors at full speed, then the first [`paced`] again: until the unit is full, then with
 //! random gaps and back-pressure. Both passes
 //! are one clocked process, so that the built-in simulator can do the same, clock for clock.
 
@@ -11,8 +11,10 @@ use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
 use crate::params::Params;
 use askama::Template;
 
-/// Pairs of the second pass.
-pub const PACED: usize = 96;
+/// Pairs of the second pass: enough to fill the unit, and some more.
+pub fn paced(design: &Design) -> usize {
+    96.max(design.places + 32)
+}
 
 /// Clocks of refusal after which the unit is full, and all answers in it wait in the queue.
 pub fn full_after(design: &Design) -> usize {
@@ -105,7 +107,7 @@ pub fn text(design: &Design, prefix: &Prefix, origin: &[String]) -> String {
         header: origin.to_vec(),
         prefix,
         formats: formats_line(p),
-        paced: PACED,
+        paced: paced(design),
         reset_clocks: RESET_CLOCKS,
         pair_high: last(&pair),
         pose_high: last(&pose),

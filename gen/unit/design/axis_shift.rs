@@ -20,7 +20,9 @@ pub fn axis_shift<'l>(p: &Params, exact: Vector<'l>) -> Vector<'l> {
     entity!("axis_shift", &doc, (exact) => {
         let rounded = |x: &Interval<Sig<'l>>| Interval { lo: x.lo.floor(n as i32), hi: round_up(x.hi, n, p.upper) };
         let rounded = exact.map(|x| rounded(&x)).named("rounded");
-        let magnitudes = rounded.map(|x| x.each(|_, end| end.magnitude().bits(n - 1))).named("magnitudes");
+        // A negative upper bound is nearer to zero than the lower one.
+        let magnitudes = rounded.map(|x| Interval { lo: x.lo.magnitude().bits(n - 1), hi: x.hi.positive(n - 1) });
+        let magnitudes = magnitudes.named("magnitudes");
         let word = magnitudes.signals().into_iter().reduce(|a, b| a | b).expect("an axis has bounds");
         let mut word = word.named("magnitude");
         // The bits that some shift keeps, and whether an upper bound has lost others.

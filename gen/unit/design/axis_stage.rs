@@ -2,9 +2,9 @@
 
 use super::axes::{Axis, Duplicates, Factor as Of};
 use super::axis_shift::axis_shift;
-use super::comparator::{DUPLICATES, Owners, comparator};
+use super::comparator::{DUPLICATES, Owners, Sides, comparator, pairs};
 use super::cross_product::cross_product;
-use super::edge_test::{Seen, Side, pierced, seen, side};
+use super::edge_test::{Seen, Side, pierced, seen};
 use super::interval::{Factor, Factors, Interval};
 use super::pipeline::{Edges, Path};
 use super::projection::projection;
@@ -70,10 +70,8 @@ pub(super) fn axes<'l>(
     let mut sides: Vec<(Seen, Side<'l>)> = vec![];
     for (u, (jobs, _)) in jobs.iter().enumerate() {
         let image = stage.projected(u, jobs, points, l[u].expect("every unit has axes"));
-        if p.edge_test {
-            sides.extend(stage.sides(u, jobs, &image));
-        }
-        let said = stage.decide(u, jobs, image);
+        let (said, seen) = stage.decide(u, jobs, image);
+        sides.extend(seen.iter().flat_map(|seen| stage.sides(jobs, seen)));
         let said = match outside {
             None => said,
             // Section 7 then makes the pair possibly incorrect.
@@ -170,31 +168,33 @@ impl<'l> Stage<'l, '_, '_> {
         image
     }
 
-    /// Where the vertices and edges certainly are that the axes of unit `u` tell of.
-    fn sides(&self, u: usize, jobs: &Phases<Axis>, image: &[Interval<Sig<'l>>]) -> Vec<(Seen, Side<'l>)> {
+    /// Where the vertices and edges certainly are that the axes of a unit tell of.
+    fn sides(&self, jobs: &Phases<Axis>, [above, below]: &Sides<'l>) -> Vec<(Seen, Side<'l>)> {
         let (p, slots) = (self.path.p, self.slots());
         let slot = |axis: &Axis, point: usize| {
             (0..slots)
                 .find(|slot| projected(axis, p.projections, *slot, slots) == Some(point))
                 .expect("it is projected")
         };
-        let seen_in = |axis: &Axis, [a, b]: [usize; 2]| {
+        let seen_in = |axis: &Axis, pair: [usize; 2]| {
             let mut seen = seen(axis).into_iter();
-            seen.find(|(_, [i, j])| [slot(axis, *i), slot(axis, 3 + j)] == [a, b]).map(|(seen, _)| seen)
+            seen.find(|(_, [i, j])| [slot(axis, *i), slot(axis, 3 + j)] == pair).map(|(seen, _)| seen)
         };
         let mut sides = vec![];
-        for (a, b) in (0..slots).flat_map(|a| (0..slots).map(move |b| (a, b))) {
-            let jobs = jobs.filter_map(|axis| seen_in(axis, [a, b]));
-            if !jobs.idle() {
-                let side = side(image[a], image[b]).named(&format!("axis{u}_side_{a}{b}"));
-                sides.extend(jobs.capture(&side).map(|(seen, side)| (*seen, side)));
-            }
+        for (pair, (above, below)) in pairs(slots).zip(above.iter().zip(below)) {
+            let jobs = jobs.filter_map(|axis| seen_in(axis, pair));
+            sides.extend(jobs.capture(&[*above, *below]).map(|(seen, side)| (*seen, side)));
         }
         sides
     }
 
     /// Comparators of unit `u`.
-    fn decide(&self, u: usize, jobs: &Phases<Axis>, image: Vec<Interval<Sig<'l>>>) -> (Sig<'l>, Sig<'l>) {
+    fn decide(
+        &self,
+        u: usize,
+        jobs: &Phases<Axis>,
+        image: Vec<Interval<Sig<'l>>>,
+    ) -> ((Sig<'l>, Sig<'l>), Option<Sides<'l>>) {
         let (p, unit) = (self.path.p, self.path.u);
         let flag = |triangle: usize, i: usize| {
             let has = jobs.map(|axis| i128::from(i < axis.projected(triangle, p.projections).len()));
@@ -213,9 +213,12 @@ impl<'l> Stage<'l, '_, '_> {
             Projections::Skip => Owners::Shared([0, 1].map(|t| vec![flag(t, 1), flag(t, 2)])),
             Projections::Intersect => Owners::Intersected([code(0), code(1)]),
         };
-        let (separated, overlapping) = comparator(image, owners);
+        let ((separated, overlapping), sides) = comparator(image, owners, p.edge_test);
         let separated = separated.named_at("axis_separated", u).probe(&jobs.meaning());
-        (separated, overlapping.named_at("axis_overlapping", u).probe(&jobs.meaning()))
+        let overlapping = overlapping.named_at("axis_overlapping", u).probe(&jobs.meaning());
+        let sides = sides
+            .map(|[above, below]| [above.named(&format!("axis{u}_above")), below.named(&format!("axis{u}_below"))]);
+        ((separated, overlapping), sides)
     }
 }
 

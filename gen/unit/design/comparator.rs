@@ -1,10 +1,11 @@
 //! The comparator network of one axis: from projections to *separated* and *surely overlapping* (equations 3 and 6, and
 //! the contract's section 6 in place of 7 to 9).
 
+use super::guard::any;
 use super::interval::Interval;
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals};
-use efsat_hardware::op::{Select, Type};
+use efsat_hardware::op::{And, Select, Type};
 
 /// Which projections of a triangle are equal in exact arithmetic: none, edge 0, 1, 2, all three.
 pub const DUPLICATES: Type = Type::index(5);
@@ -12,7 +13,7 @@ pub const DUPLICATES: Type = Type::index(5);
 /// How the projections belong to the triangles.
 #[derive(Clone)]
 pub enum Owners<'l> {
-    /// The first three are A's, the others B's.
+    /// The first three are A's, the others B's from the last one down.
     Fixed,
     /// As with `Fixed`; those that are equal in exact arithmetic are intersected, by a code for each triangle.
     Intersected([Sig<'l>; 2]),
@@ -20,58 +21,70 @@ pub enum Owners<'l> {
     Shared([Vec<Sig<'l>>; 2]),
 }
 
-/// One axis decided from the projections of the points: separated, and surely overlapping.
-pub fn comparator<'l>(p: Vec<Interval<Sig<'l>>>, owners: Owners<'l>) -> (Sig<'l>, Sig<'l>) {
+/// Whether points of B certainly are above points of A, and whether they are below: a flag for each of the [`pairs`].
+pub type Sides<'l> = [Vec<Sig<'l>>; 2];
+
+/// One point of A with one of B, by their places among `count` projections: A's from the first on, B's from the last one
+/// down, at most three of each.
+pub fn pairs(count: usize) -> impl Iterator<Item = [usize; 2]> {
+    (0..3).flat_map(move |a| (1..=3).map(move |b| [a, count - b])).filter(|[a, b]| a < b)
+}
+
+/// One axis decided from the projections of the points: separated, and surely overlapping; with `edges` also where the
+/// points are as they are projected.
+pub fn comparator<'l>(
+    p: Vec<Interval<Sig<'l>>>,
+    owners: Owners<'l>,
+    edges: bool,
+) -> ((Sig<'l>, Sig<'l>), Option<Sides<'l>>) {
     let doc = [
-        "Decides one axis: enclosures of the least and greatest projection of each triangle (equation 3), then",
-        "  separated   = b_min_lo > a_max_hi or a_min_lo > b_max_hi   (equation 6)",
-        "  overlapping = a_min_hi < b_max_lo and b_min_hi < a_max_lo  (sound in place of 7 to 9; strict)",
+        "Decides one axis by comparing every point of A with every point of B (equations 3 and 6):",
+        "  above: b_lo > a_hi; below: a_lo > b_hi",
+        "  separated   = all above or all below, so b_min_lo > a_max_hi or a_min_lo > b_max_hi",
+        "  overlapping = some above and some below, so a_min_hi < b_max_lo and b_min_hi < a_max_lo (sound in place of",
+        "                equations 7 to 9; strict)",
     ];
-    let last = p.len() - 1;
     match owners {
-        Owners::Fixed => entity!("comparator_network", &doc, (p) => decide(&p[..3], &p[3..])),
+        Owners::Fixed => entity!("comparator_network", &doc, (p) => {
+            let sides = sides(&p, "");
+            (decide(&sides, &[]), edges.then_some(sides))
+        }),
         Owners::Intersected(duplicates) => entity!("comparator_network", &doc, (p, duplicates) => {
-            let [a, b] = duplicates;
-            decide(&intersected(&p[..3], a, "a"), &intersected(&p[3..], b, "b"))
+            let joint = [intersected(&p[..3], duplicates[0], "a"), intersected(&p[3..], duplicates[1], "b")].concat();
+            (decide(&sides(&joint, "joint_"), &[]), edges.then(|| sides(&p, "")))
         }),
         Owners::Shared(has) => entity!("comparator_network", &doc, (p, has) => {
-            let own = |i: usize, first: usize, has: Sig<'l>| has.choose(p[i], p[first]);
-            let others = |triangle: usize, [second, third]: [usize; 2], first: usize, name: &str| {
-                let has = &has[triangle];
-                let [second, third] = [own(second, first, has[0]), own(third, first, has[1])].named(name);
-                [p[first], second, third]
+            let sides = sides(&p, "");
+            let has = |triangle: usize, place: usize| (place > 0).then(|| has[triangle][place - 1]);
+            let counts = |[a, b]: [usize; 2]| {
+                let both = [has(0, a), has(1, p.len() - 1 - b)].into_iter().flatten();
+                both.reduce(|a, b| a.apply(And, &[b]))
             };
-            decide(&others(0, [1, 2], 0, "a"), &others(1, [last - 1, last - 2], last, "b"))
+            (decide(&sides, &pairs(p.len()).map(counts).collect::<Vec<_>>()), edges.then_some(sides))
         }),
     }
 }
 
-/// Equation 6, and the test that two projections surely overlap.
-fn decide<'l>(a: &[Interval<Sig<'l>>], b: &[Interval<Sig<'l>>]) -> (Sig<'l>, Sig<'l>) {
-    let (a_min, a_max) = extremes(a, "a");
-    let (b_min, b_max) = extremes(b, "b");
-    let separated = a_max.hi.less(b_min.lo) | b_max.hi.less(a_min.lo);
-    let overlapping = a_min.hi.less(b_max.lo) & b_min.hi.less(a_max.lo);
-    (separated.named("separated"), overlapping.named("overlapping"))
+/// Where points of B certainly are.
+fn sides<'l>(p: &[Interval<Sig<'l>>], name: &str) -> Sides<'l> {
+    let above = pairs(p.len()).map(|[a, b]| p[a].hi.less(p[b].lo)).collect::<Vec<_>>();
+    let below = pairs(p.len()).map(|[a, b]| p[b].hi.less(p[a].lo)).collect::<Vec<_>>();
+    [above.named(&format!("{name}above")), below.named(&format!("{name}below"))]
 }
 
-/// Enclosures of the least and the greatest of three projections (equation 3): bound by bound, the order of the first two
-/// found once for both.
-fn extremes<'l>(p: &[Interval<Sig<'l>>], name: &str) -> (Interval<Sig<'l>>, Interval<Sig<'l>>) {
-    let of = |end: &str, bound: fn(&Interval<Sig<'l>>) -> Sig<'l>| {
-        let [first, second, third] = [bound(&p[0]), bound(&p[1]), bound(&p[2])];
-        let order = first.less(second).named(&format!("{name}_ordered_{end}"));
-        let lesser = order.choose(first, second).named(&format!("{name}_lesser_{end}"));
-        let greater = order.choose(second, first).named(&format!("{name}_greater_{end}"));
-        let least = lesser.less(third).choose(lesser, third);
-        let greatest = greater.less(third).choose(third, greater);
-        (least, greatest)
+/// Equation 6, and the test that two projections surely overlap. A pair with a flag counts where that is set.
+fn decide<'l>([above, below]: &Sides<'l>, counts: &[Option<Sig<'l>>]) -> (Sig<'l>, Sig<'l>) {
+    let some = |flags: Vec<Sig<'l>>| {
+        let counted = flags.iter().enumerate().map(|(i, flag)| match counts.get(i).copied().flatten() {
+            Some(counts) => flag.apply(And, &[counts]),
+            None => *flag,
+        });
+        any(&counted.collect::<Vec<_>>())
     };
-    let (min_lo, max_lo) = of("lo", |x| x.lo);
-    let (min_hi, max_hi) = of("hi", |x| x.hi);
-    let min = Interval { lo: min_lo, hi: min_hi }.named(&format!("{name}_min"));
-    let max = Interval { lo: max_lo, hi: max_hi }.named(&format!("{name}_max"));
-    (min, max)
+    let not_all = |flags: &Vec<Sig<'l>>| some(flags.each(|_, flag| !flag));
+    let separated = !(not_all(above).named("not_all_above") & not_all(below).named("not_all_below"));
+    let overlapping = some(above.clone()).named("some_above") & some(below.clone()).named("some_below");
+    (separated.named("separated"), overlapping.named("overlapping"))
 }
 
 /// Projections with the duplicates replaced by their intersection.

@@ -2,18 +2,12 @@
 
 use super::axes::{Axis, Factor};
 use super::guard::any;
-use super::interval::Interval;
 use crate::params::AxisKind;
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals};
 
 /// Where a number certainly is: above another, or below it.
 pub type Side<'l> = [Sig<'l>; 2];
-
-/// Where the projection `b` certainly is relative to `a`.
-pub fn side<'l>(a: Interval<Sig<'l>>, b: Interval<Sig<'l>>) -> Side<'l> {
-    [a.hi.less(b.lo), b.hi.less(a.lo)]
-}
 
 /// What an axis tells of vertices and edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]

@@ -298,9 +298,9 @@ impl<'l> Path<'l, '_> {
         }
         let lo = jobs.map(|i| sources[*i].lower()).mux().named_at("lane_lower", j);
         let sticky = inputs.map(|point| point.map(|x| x.sticky)).mux();
-        let implied = lo.zip(sticky, |lo, sticky| Number { lo, sticky }.interval().hi);
         let upper = transformed.map(|point| point.map(|x| x.hi)).mux();
-        let hi = implied.zip(upper, |implied, upper| from_input.choose(implied, upper));
+        let ulp = lo.zip(sticky, |lo, sticky| from_input & Number { lo, sticky }.inexact());
+        let hi = lo.zip(upper, |lo, upper| from_input.choose(lo, upper)).zip(ulp, |hi, ulp| (hi + ulp).resize(hi.ty()));
         lo.zip(hi, |lo, hi| Interval { lo, hi })
     }
 

@@ -20,21 +20,20 @@ fn stages(p: &Params) -> u32 {
     32 - (magnitude_bits(p) - 1).leading_zeros()
 }
 
-/// `d = x - V0_lo`, exact, and the OR of the magnitudes of both bounds.
+/// `d = x - V0_lo`, exact, and for each coordinate a word with as many leading zeros as the greater magnitude of its bounds.
 pub fn offset<'l>(p: &Params, point: Vector<'l>, origin: Vec3<Sig<'l>>) -> (Vector<'l>, Vec3<Sig<'l>>) {
     let doc = [
         "Re-normalisation, first step: the point relative to the lower bound of V0, exact (subtracting a constant, not an",
-        "interval, widens nothing), and the OR of the magnitudes of its bounds, coordinate by coordinate.",
+        "interval, widens nothing).",
     ];
     let bits = magnitude_bits(p);
-    entity!("renormalise_offset", &doc, (point, origin) => {
+    let offset = entity!("renormalise_offset", &doc, (point, origin) => {
         let signed = Type { bits: bits + 1, ..input_type(p) };
         let relative = |x: Sig<'l>, origin: Sig<'l>| (x - origin).resize(signed);
-        let offset = point.zip(origin, |x, o| Interval { lo: relative(x.lo, o), hi: relative(x.hi, o) }).named("offset");
-        let magnitude = |x: Sig<'l>| x.magnitude().bits(bits);
-        let magnitudes = offset.map(|d| magnitude(d.lo) | magnitude(d.hi)).named("magnitude");
-        (offset, magnitudes)
-    })
+        point.zip(origin, |x, o| Interval { lo: relative(x.lo, o), hi: relative(x.hi, o) }).named("offset")
+    });
+    // A negative upper bound is nearer to zero than the lower one.
+    (offset, offset.map(|d| d.lo.magnitude().bits(bits) | d.hi.positive(bits)))
 }
 
 /// The number of leading zeros of the OR word, a flag per stage: flag i says to shift by 2^i.

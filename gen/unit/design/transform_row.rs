@@ -25,7 +25,7 @@ pub fn transform_row<'l>(
         "",
         "A bound is a lower bound plus none or one unit in the last place (m_ulp, x_ulp), so one product serves both ends:",
         "  lo = sum of m x + (m if m < 0 and x_ulp) + (x if x < 0 and m_ulp) + (1 if both)",
-        "  hi = sum of m x + (m if m >= 0 and x_ulp) + (x if x >= 0 and m_ulp) + (1 if both)",
+        "  hi = sum of m x + (m if m >= 0 and x_ulp) + (x if x >= 0 and m_ulp) + (1 if both), and what t is above its bound",
     ];
     let fraction = p.input().fraction;
     entity!("transform_row", &doc, (m, x, t, bypass) => {
@@ -40,20 +40,21 @@ pub fn transform_row<'l>(
             let takes_x = m.zip(x, |m, x| takes(x.lo.negative()) & inexact(m)).named(&format!("{name}_takes_x"));
             let term = |j: usize| {
                 let of = |takes: Sig<'l>, n: Number<Sig<'l>>| takes.choose(n.lo, n.lo.like(0));
-                (of(takes_m[j], m[j]) + of(takes_x[j], x[j])) + (takes_m[j] & takes_x[j])
+                of(takes_m[j], m[j]).plus(of(takes_x[j], x[j]), takes_m[j] & takes_x[j])
             };
             let terms = Vec3::each(term).named(&format!("{name}_term"));
             ((terms[0] + terms[1]) + terms[2]).at_point(point).named(&format!("{name}_terms"))
         };
         let lo = (sum + end("lo", &|negative| negative)).named("lo_exact");
-        let t_ulp = inexact(t).floor(-fraction);
-        let hi = ((sum + t_ulp) + end("hi", &|negative| !negative)).named("hi_exact");
+        let terms = end("hi", &|negative| !negative);
         let ty = t.lo.ty();
-        let floor = hi.floor(fraction);
         let hi = match p.upper {
-            // With bypass nothing is rounded, and no ulp may be added.
-            Upper::Implied => floor + !bypass,
-            Upper::Sticky => floor + hi.low(fraction as u32).any(),
+            // Two units: one above t, one of rounding up. With bypass t is exact and nothing is rounded.
+            Upper::Implied => (sum + terms).named("hi_exact").floor(fraction) + (!bypass).floor(-1),
+            Upper::Sticky => {
+                let hi = ((sum + inexact(t).floor(-fraction)) + terms).named("hi_exact");
+                hi.floor(fraction) + hi.low(fraction as u32).any()
+            }
         };
         bounded(p, Interval { lo: lo.floor(fraction), hi }).each(|_, end| end.resize(ty)).named("b")
     })

@@ -5,6 +5,7 @@
 
 mod boxes;
 pub mod driver;
+pub mod engine;
 mod grid;
 mod loose;
 pub mod sample;

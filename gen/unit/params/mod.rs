@@ -3,6 +3,7 @@
 //! Everything downstream (golden model, graph builders, host side) reads the same [`Params`] and the same
 //! [`Formats`]; nothing else decides a width.
 
+pub mod engine;
 mod formats;
 mod guard;
 mod method;
@@ -10,6 +11,7 @@ pub mod options;
 pub mod stream;
 
 pub use efsat_hardware::number::Upper;
+pub use engine::{EngineFormat, EngineParams};
 pub use formats::{AxisKind, Clamp, Formats, Row};
 pub use guard::Guard;
 pub use method::{BELOW_GRID, Bound, CLOCKS_PER_PAIR, EXACT_CLOCKS, ExactClocks, LEVELS, Method, SPAN, Truth};

@@ -73,7 +73,8 @@ impl Scale {
             |x: f64, digits: usize| Tick { at: self.at(x), text: format!("{}{}", grouped(x, digits), self.unit) };
         let [low, high] = self.range;
         if !self.logarithmic {
-            let step = nice((high - low) / count);
+            // Where all numbers are one there is nothing to divide.
+            let step = Some(nice((high - low) / count)).filter(|step| step.is_normal()).unwrap_or(1.0);
             let digits = (-step.log10().floor()).max(0.0) as usize;
             let first = (low / step).ceil() as i64;
             let last = (high / step).floor() as i64;

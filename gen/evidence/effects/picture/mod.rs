@@ -36,6 +36,8 @@ const CONTACT: f64 = 0.8;
 const ALL: view::Frame = view::Frame { low: [0.0; 2], high: [WIDTH as f64, HEIGHT as f64] };
 /// Where the objects with contacts are; the legend stands above.
 const MAIN: view::Frame = view::Frame { low: [30.0, 190.0], high: [WIDTH as f64 - 30.0, HEIGHT as f64 - 30.0] };
+/// The least part of the scene that an inset shows.
+const LEAST: f64 = 1e-3;
 /// Width and height of the inset, and how far it is from the edges.
 const INSET: (f64, f64) = (350.0, 15.0);
 /// Contacts are small where they take less than this part of the scene's width and height.
@@ -111,7 +113,8 @@ impl Picture {
         let view = View::new(&whole, &MAIN);
         let main = content.pane(&view, ALL);
         let small = !marks.is_empty() && (0..2).all(|axis| part.size()[axis] < SMALL * whole.size()[axis]);
-        let close = part.square(1.4);
+        // The contact may be one point.
+        let close = part.square(1.4, LEAST * whole.size()[0].max(whole.size()[1]));
         let window = emptiest(&main);
         let inset = small.then(|| content.pane(&View::new(&close, &window), window));
         let counts = Mark::ALL.map(|mark| contacts.iter().filter(|contact| Mark::of(contact) == mark).count());

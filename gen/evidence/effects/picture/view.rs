@@ -31,9 +31,9 @@ impl Frame {
         [0, 1].map(|axis| self.high[axis] - self.low[axis])
     }
 
-    /// A square around its middle, so many times as wide as its longer side.
-    pub fn square(&self, times: f64) -> Self {
-        let half = 0.5 * times * self.size()[0].max(self.size()[1]);
+    /// A square around its middle, so many times as wide as its longer side, and not narrower than `least`.
+    pub fn square(&self, times: f64, least: f64) -> Self {
+        let half = 0.5 * (times * self.size()[0].max(self.size()[1])).max(least);
         let middle = [0, 1].map(|axis| self.low[axis] * 0.5 + self.high[axis] * 0.5);
         Self { low: middle.map(|x| x - half), high: middle.map(|x| x + half) }
     }

@@ -9,6 +9,8 @@ pub mod fixes;
 use super::ToolError;
 use super::tools::{self, Tool};
 use crate::process;
+use efsat_unit::artefact::{FileSet, Scratch, VerilogFile, origin};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -54,6 +56,41 @@ pub fn from_vhdl(files: &[(String, String)], top: &str, dir: &Path) -> Result<St
     }
     fixes::all(&String::from_utf8_lossy(&output.stdout))
         .map_err(|reason| refused(format!("Verilog of {top}: {reason}")))
+}
+
+/// Verilog files of a set of VHDL files: name and text of each. The same version of GHDL makes the same bytes.
+///
+/// # Errors
+/// See [`ToolError`].
+pub fn of_set(set: &FileSet, files: &[VerilogFile]) -> Result<Vec<(String, String)>, ToolError> {
+    let version = ghdl()?.version;
+    let scratch = Scratch::new().map_err(ToolError::file(&std::env::temp_dir()))?;
+    // Nets are numbered through all modules of a run, so a module that was written before is known by its name. Modules of
+    // other generics have other names.
+    let mut written: BTreeSet<String> = files.iter().filter_map(|file| file.without.clone()).collect();
+    let mut texts = vec![];
+    for file in files {
+        let source = |name: &String| {
+            let flat = name.rsplit('/').next().unwrap_or_default();
+            (flat.to_owned(), set.get(name).unwrap_or_default().to_owned())
+        };
+        let sources: Vec<_> = file.sources.iter().map(source).collect();
+        let mut text: String = origin().iter().map(|line| format!("// {line}\n")).collect();
+        text.push_str(&format!("// {} as Verilog, by {version}.\n", file.top));
+        for module in from_vhdl(&sources, &file.top, scratch.path())?.split_inclusive("endmodule\n") {
+            if module_name(module).is_some_and(|name| written.insert(name.to_owned())) {
+                text.push('\n');
+                text.push_str(module.trim_start());
+            }
+        }
+        texts.push((file.name.clone(), text));
+    }
+    Ok(texts)
+}
+
+/// The name of the module that a text begins with.
+fn module_name(text: &str) -> Option<&str> {
+    text.trim_start().strip_prefix("module ")?.split(|c: char| !c.is_alphanumeric() && c != '_').next()
 }
 
 #[cfg(test)]

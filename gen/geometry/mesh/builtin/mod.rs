@@ -10,7 +10,7 @@ use super::{Mesh, stl};
 use std::sync::{Arc, OnceLock};
 
 /// The headlight as it stands in the repository.
-const HEADLIGHT: &[u8] = include_bytes!("../../../../scenes/cad_headlight.stl");
+const HEADLIGHT: &[u8] = include_bytes!("../../scenes/cad_headlight.stl");
 
 /// The names of the built-in meshes.
 pub const BUILTIN: [&str; 6] = ["headlight", "gear", "globe", "fine_globe", "plate", "sheet"];

@@ -3,17 +3,20 @@
 //! All numbers of a tree and of a test are integers of a fixed number of bits. No pair of triangles with a common point
 //! is ever lost; the proof is in `docs/hierarchy.md`.
 
-mod directions;
 mod forest;
+mod local;
+mod placement;
 mod realign;
 mod statistics;
 mod traverse;
 mod tree;
 
-pub use directions::Directions;
+pub use crate::directions::Directions;
 pub use forest::Forest;
+pub use local::{LocalBlock, LocalChild, LocalFormat, LocalTree};
+pub use placement::Placement;
 pub use statistics::Statistics;
-pub use traverse::{Scratch, first_hit, pairs};
+pub use traverse::{Scratch, first_hit, pairs, pieces};
 pub use tree::DopTree;
 
 #[cfg(test)]

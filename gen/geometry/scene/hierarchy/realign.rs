@@ -1,7 +1,7 @@
 //! The DOPs of one tree in the frame of another: weak duality in fixed point.
 
-use super::directions::Term;
 use super::tree::{DopTree, ceil_log2, scaled};
+use crate::directions::Term;
 use crate::scene::Pose;
 use nalgebra::Vector3;
 

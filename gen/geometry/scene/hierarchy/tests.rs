@@ -52,39 +52,6 @@ fn random_pose(rng: &mut ChaCha8Rng, round: usize, scale: f64) -> Pose {
     Pose { rotation, translation }
 }
 
-#[test]
-fn directions_come_with_their_opposites() {
-    for set in Directions::ALL {
-        let vectors: Vec<[i8; 3]> = (0..set.count()).map(|index| set.vector(index)).collect();
-        for (index, vector) in vectors.iter().enumerate() {
-            assert_eq!(vectors[index ^ 1], vector.map(|x| -x));
-            assert_eq!(vectors.iter().filter(|other| *other == vector).count(), 1);
-        }
-        assert_eq!(Directions::of(set.count()), Some(set));
-    }
-    assert_eq!(Directions::of(8), None);
-    // 14 = 6 + 8 and 18 = 6 + 12.
-    let length = |set: Directions| set.vector(set.count() - 1).iter().map(|x| x.abs()).sum::<i8>();
-    assert_eq!(Directions::ALL.map(length), [1, 3, 2, 3]);
-}
-
-#[test]
-fn every_vector_is_a_sum_of_three_directions_with_factors_that_are_not_negative() {
-    let mut rng = ChaCha8Rng::seed_from_u64(1);
-    for round in 0..4000 {
-        // Multiples of four, so that halves are whole; ties and zeros are frequent.
-        let w = Vector3::from([0; 3].map(|_| 4.0 * f64::from(rng.random_range(-5 - round % 50..=5))));
-        for set in Directions::ALL {
-            let mut sum = Vector3::zeros();
-            for (index, factor) in set.combination(&w) {
-                assert!(factor >= 0.0, "{set:?} {w:?}");
-                sum += Vector3::from(set.vector(index).map(f64::from)) * factor;
-            }
-            assert_eq!(sum, w, "{set:?}");
-        }
-    }
-}
-
 /// The triangles under each node.
 fn triangles_of(tree: &DopTree) -> Vec<Vec<u32>> {
     let mut sets: Vec<Vec<u32>> = vec![vec![]; tree.len()];

@@ -16,6 +16,9 @@ use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::op::Type;
 use std::rc::Rc;
 
+/// What the names of the units of the second data path begin with.
+pub const SECOND_STAGE: &str = "exact_";
+
 /// Base of the names of the differences that are handed over.
 pub const HANDED_OVER: &str = "fitted";
 
@@ -45,7 +48,7 @@ pub fn second(p: &Params, clocks: u32) -> Rc<Unit> {
         "nothing is rounded. Units are shared over the phases of the slot. A value captured for the pair is named after what it",
         "is; later copies end in _h<clocks>.",
     ];
-    Library::with_prefix("exact_").unit("pipeline", &doc, clocks as usize, |u| {
+    Library::with_prefix(SECOND_STAGE).unit("pipeline", &doc, clocks as usize, |u| {
         let most = (1i128 << (p.width - 1)) - 1;
         let ty = Type { signed: true, bits: p.width, fraction: None };
         let points: [Vec3<Sig>; 5] = std::array::from_fn(|_| Vec3::each(|_| u.input(ty, (-most, most))));
@@ -96,8 +99,12 @@ pub fn stage(path: &Rc<Module>, latency: i32, clocks: u32, places: usize) -> Rc<
     let held = |(place, point): &(&Place, Wire<'_>)| {
         let waiting =
             m.memory(format!("open_{place}").as_str(), push, queue("push_address"), *point, queue("pop_address"));
-        let held = m.register(Place { base: "pair".to_owned(), ..(*place).clone() }, waiting.ty());
-        held.loads(waiting, Some(of("accept")), None);
+        let register = |base: &str| m.register(Place { base: base.to_owned(), ..(*place).clone() }, waiting.ty());
+        // A block memory takes half a clock period to give a word, so there is a register for its own output. It is in time:
+        // the pointers tell of a word two clocks after it is pushed, and the next one is not taken in the clock after a pop.
+        let [oldest, held] = ["oldest", "pair"].map(register);
+        oldest.loads(waiting, None, None);
+        held.loads(oldest, Some(of("accept")), None);
         ((*place).clone(), held)
     };
     let held: Vec<(Place, Wire)> = points.iter().map(held).collect();

@@ -10,7 +10,7 @@ use crate::params::Params;
 use adjacent::Question;
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::mesh::Mesh;
-use efsat_geometry::scene::{Pose as ScenePose, Tree, candidates};
+use efsat_geometry::scene::{Candidates, Pose as ScenePose, Tree};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -68,7 +68,8 @@ pub struct Effort {
 }
 
 impl Effort {
-    fn add(&mut self, other: &Self) {
+    /// Adds what other pairs took.
+    pub fn add(&mut self, other: &Self) {
         self.candidates += other.candidates;
         self.neighbours += other.neighbours;
         self.asked += other.asked;
@@ -95,23 +96,26 @@ impl<'a> Checker<'a> {
         Self { mesh, params, golden: Golden::new(params), oracle }
     }
 
-    /// The pairs whose boxes overlap.
-    pub fn candidates(&self) -> Vec<(u32, u32)> {
+    /// Calls `visit` with the pairs whose boxes overlap, in ascending order, in one piece or several, until it fails.
+    ///
+    /// # Errors
+    /// The first error of `visit`.
+    pub fn candidates<E>(&self, mut visit: impl FnMut(&[(u32, u32)]) -> Result<(), E>) -> Result<(), E> {
         let tree = Tree::new(self.mesh);
-        let mut pairs = candidates(&tree, &tree, &ScenePose::identity());
-        pairs.retain(|(p, q)| p < q);
-        pairs
+        Candidates::new(&tree, &tree, &ScenePose::identity()).pieces(|pairs| {
+            let each_once: Vec<(u32, u32)> = pairs.iter().copied().filter(|(p, q)| p < q).collect();
+            visit(&each_once)
+        })
     }
 
-    /// The defects among some pairs, ascending as the pairs are, and what they took; `done` is told of finished pairs.
-    pub fn check(&self, pairs: &[(u32, u32)], done: impl Fn(usize) + Sync) -> (Vec<Defect>, Effort) {
+    /// The defects among some pairs, ascending as the pairs are, and what they took.
+    pub fn check(&self, pairs: &[(u32, u32)]) -> (Vec<Defect>, Effort) {
         let batches: Vec<(Vec<Defect>, Effort)> = pairs
             .par_chunks(BATCH)
             .map(|pairs| {
                 let mut effort = Effort::default();
                 let kinds = pairs.iter().map(|pair| (*pair, self.kind(*pair, &mut effort)));
                 let defects = kinds.filter_map(|(pair, kind)| Some(Defect { pair, kind: kind? })).collect();
-                done(pairs.len());
                 (defects, effort)
             })
             .collect();

@@ -16,7 +16,7 @@ pub enum Directions {
 }
 
 /// A direction by its number, and its factor.
-pub(super) type Term = (usize, f64);
+pub type Term = (usize, f64);
 
 const AXES: usize = 6;
 const EDGES: usize = 12;
@@ -82,6 +82,39 @@ impl Directions {
         }
     }
 
+    /// The directions among which each term of a [`combination`](Self::combination) is found: no vector has two terms of
+    /// one slot, so that hardware chooses each term among a third of the directions.
+    ///
+    /// | k | slot 0 | slot 1 | slot 2 |
+    /// | --- | --- | --- | --- |
+    /// | 6 | x | y | z |
+    /// | 14 | axes | corners | corners |
+    /// | 18 | x, edges in the plane of y and z | y, edges of x and z | z, edges of x and y |
+    /// | 26 | axes | edges | corners |
+    pub fn slots(self) -> [&'static [u8]; 3] {
+        match self {
+            Self::Six => [&[0, 1], &[2, 3], &[4, 5]],
+            Self::Fourteen => [&[0, 1, 2, 3, 4, 5], &[6, 7, 8, 9, 10, 11, 12, 13], &[6, 7, 8, 9, 10, 11, 12, 13]],
+            Self::Eighteen => [&[0, 1, 14, 15, 16, 17], &[2, 3, 10, 11, 12, 13], &[4, 5, 6, 7, 8, 9]],
+            Self::TwentySix => {
+                [&[0, 1, 2, 3, 4, 5], &[6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17], &[18, 19, 20, 21, 22, 23, 24, 25]]
+            }
+        }
+    }
+
+    /// The terms of a [`combination`](Self::combination) in the order of their slots, each by its place in its slot.
+    pub fn in_slots(self, terms: [Term; 3]) -> [Term; 3] {
+        let mut placed = [None; 3];
+        for (index, factor) in terms {
+            let place = |slot: usize| self.slots()[slot].iter().position(|&entry| usize::from(entry) == index);
+            let free = (0..3).filter(|&slot| placed[slot].is_none());
+            let (slot, choice) =
+                free.filter_map(|slot| Some((slot, place(slot)?))).next().expect("each term has a slot of its own");
+            placed[slot] = Some((choice, factor));
+        }
+        placed.map(|term| term.expect("three terms fill three slots"))
+    }
+
     /// The number of a direction of the set.
     fn index(self, vector: [i8; 3]) -> usize {
         let found = (0..self.count()).find(|&index| self.vector(index) == vector);
@@ -100,7 +133,7 @@ impl Directions {
     /// | 18, w1 >= w2 + w3 | (w1 - w2 - w3) (1,0,0) + w2 (1,1,0) + w3 (1,0,1) |
     /// | 18, else | (w1 + w2 - w3)/2 (1,1,0) + (w1 + w3 - w2)/2 (1,0,1) + (w2 + w3 - w1)/2 (0,1,1) |
     /// | 26 | (w1 - w2) (1,0,0) + (w2 - w3) (1,1,0) + w3 (1,1,1) |
-    pub(super) fn combination(self, w: &Vector3<f64>) -> [Term; 3] {
+    pub fn combination(self, w: &Vector3<f64>) -> [Term; 3] {
         let mut order = [0, 1, 2];
         order.sort_by(|&i, &j| w[j].abs().total_cmp(&w[i].abs()));
         let [x, y, z] = order.map(|axis| w[axis].abs());
@@ -120,5 +153,45 @@ impl Directions {
             }
             (self.index(vector), factor)
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use rand::rngs::ChaCha8Rng;
+    use rand::{RngExt, SeedableRng};
+
+    #[test]
+    fn directions_come_with_their_opposites() {
+        for set in Directions::ALL {
+            let vectors: Vec<[i8; 3]> = (0..set.count()).map(|index| set.vector(index)).collect();
+            for (index, vector) in vectors.iter().enumerate() {
+                assert_eq!(vectors[index ^ 1], vector.map(|x| -x));
+                assert_eq!(vectors.iter().filter(|other| *other == vector).count(), 1);
+            }
+            assert_eq!(Directions::of(set.count()), Some(set));
+        }
+        assert_eq!(Directions::of(8), None);
+        // 14 = 6 + 8 and 18 = 6 + 12.
+        let length = |set: Directions| set.vector(set.count() - 1).iter().map(|x| x.abs()).sum::<i8>();
+        assert_eq!(Directions::ALL.map(length), [1, 3, 2, 3]);
+    }
+
+    #[test]
+    fn every_vector_is_a_sum_of_three_directions_with_factors_that_are_not_negative() {
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        for round in 0..4000 {
+            // Multiples of four, so that halves are whole; ties and zeros are frequent.
+            let w = Vector3::from([0; 3].map(|_| 4.0 * f64::from(rng.random_range(-5 - round % 50..=5))));
+            for set in Directions::ALL {
+                let mut sum = Vector3::zeros();
+                for (index, factor) in set.combination(&w) {
+                    assert!(factor >= 0.0, "{set:?} {w:?}");
+                    sum += Vector3::from(set.vector(index).map(f64::from)) * factor;
+                }
+                assert_eq!(sum, w, "{set:?}");
+            }
+        }
     }
 }

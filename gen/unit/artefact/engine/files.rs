@@ -1,0 +1,180 @@
+//! All files of a generated engine, as one value.
+
+use super::{EngineDesign, NAME, TESTBENCH, bench, engine_files};
+use crate::artefact::design_files::DesignFilesError;
+use crate::artefact::manifest::digest;
+use crate::artefact::{FileSet, Prefix};
+use crate::design::top::pace;
+use crate::params::engine::{Command, Memory};
+use askama::Template;
+use efsat_hardware::vhdl::lint::lint;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// A row of a table.
+struct Row {
+    name: String,
+    what: String,
+}
+
+#[derive(Template)]
+#[template(path = "engine/engine-readme.md", escape = "none")]
+struct Readme<'a> {
+    version: &'static str,
+    prefix: &'a Prefix,
+    command_line: &'a str,
+    stack: u32,
+    in_flight: u32,
+    pace: String,
+    memory: String,
+    axi: bool,
+    multipliers: usize,
+    unit_multipliers: usize,
+    volume_multipliers: usize,
+    frequency: u32,
+    device: &'static str,
+    entities: Vec<Row>,
+    files: Vec<Row>,
+    testbench: String,
+}
+
+/// The manifest of an engine. It has no date: equal parameters give equal bytes.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    generator: String,
+    command_line: &'a str,
+    unit: BTreeMap<String, String>,
+    engine: BTreeMap<String, String>,
+    clocks_per_pair: usize,
+    clocks_per_expansion: usize,
+    volume_latency: usize,
+    unit_latency: usize,
+    multipliers: usize,
+    query_words: u32,
+    query_header: String,
+    load_header: Option<String>,
+    stop_header: String,
+    files: BTreeMap<&'a str, String>,
+}
+
+/// What the entities of the engine are for, in the order of the data.
+const ENTITIES: [(&str, &str); 9] = [
+    ("engine_command", "Packets in: queries, loads and stops; what is none of them is reported."),
+    ("engine_control", "The query that runs: its registers, its phases, and why it ends."),
+    ("engine_traverse", "The traversal of both trees: issue, pairs in flight, survivors."),
+    ("engine_stack", "The stack of pairs that are still to be opened."),
+    ("engine_children", "The links of a block, and whether block and links are good."),
+    ("volume_unit", "The test of two volumes by directions."),
+    ("engine_pairs", "Pairs of leaves between the traversal and their answers."),
+    ("efsat", "The triangle unit."),
+    ("engine_answer", "Answers out, counters and the report."),
+];
+
+/// Sources, testbench, its vectors, lists, a README and the manifest. Equal designs, vectors and command lines give equal
+/// bytes.
+///
+/// # Errors
+/// A name in the design that is not legal VHDL, or a breach of the [rules](efsat_hardware::vhdl::lint) of the target.
+pub fn engine_design_files(
+    design: &EngineDesign,
+    prefix: &Prefix,
+    command_line: &str,
+    vectors: &str,
+) -> Result<FileSet, DesignFilesError> {
+    let sources = engine_files(design, prefix, command_line)?;
+    let texts: Vec<(&str, &str)> = sources.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
+    if let Some(finding) = lint(&texts).into_iter().next() {
+        return Err(DesignFilesError::Lint(finding));
+    }
+    let (bench_file, vector_file) = (format!("{prefix}{TESTBENCH}.vhd"), format!("{prefix}{TESTBENCH}.vec"));
+    let names: Vec<String> = sources.iter().map(|(name, _)| name.clone()).collect();
+    let mut set = FileSet::default();
+    let row = |name: &str, what: &str| Row { name: name.to_owned(), what: what.to_owned() };
+    let files = vec![
+        row(&format!("{prefix}{NAME}.vhd"), "The engine; the other `.vhd` files are its entities and those of the units."),
+        row(&bench_file, "Testbench, for simulation only."),
+        row(&vector_file, "Meshes, queries of every kind, packets that are none, and the answers of the reference model."),
+        row("files.txt", "All VHDL files in dependency order, the testbench last."),
+        row("files-synthesis.txt", "Those of them that are synthesised."),
+        row("manifest.json", "Parameters, headers of the stream, latencies, and a SHA-256 per file, for programs."),
+    ];
+    sources.into_iter().for_each(|(name, text)| set.insert(name, text));
+    set.insert(&bench_file, bench(design, prefix));
+    set.insert(vector_file, vectors.to_owned());
+    set.insert("files-synthesis.txt", format!("{}\n", names.join("\n")));
+    set.insert("files.txt", format!("{}\n{bench_file}\n", names.join("\n")));
+    set.insert("README.md", readme(design, prefix, command_line, files));
+    let manifest = manifest(design, command_line, &set);
+    set.insert("manifest.json", manifest);
+    Ok(set)
+}
+
+fn readme(design: &EngineDesign, prefix: &Prefix, command_line: &str, files: Vec<Row>) -> String {
+    let params = &design.params;
+    let (unit, volume) = (design.unit.top.multipliers(), design.volume.stage.multipliers());
+    let memory = match params.memory {
+        Memory::BlockRam => format!(
+            "Trees are in block RAM, which holds {} blocks and {} triangles.",
+            params.block_lines, params.triangle_lines
+        ),
+        Memory::Axi => format!(
+            "Trees are in memory behind an AXI4 read master of {} bits, with caches of {} blocks and {} triangles.",
+            params.memory_width, params.block_lines, params.triangle_lines
+        ),
+    };
+    let mut entities: Vec<Row> =
+        ENTITIES.iter().map(|(name, what)| Row { name: prefix.of(name), what: (*what).to_owned() }).collect();
+    let stores: &[(&str, &str)] = match params.memory {
+        Memory::BlockRam => &[("engine_block_memory", "Blocks."), ("engine_triangle_memory", "Triangles.")],
+        Memory::Axi => &[
+            ("engine_block_cache", "Blocks of one tree behind a direct-mapped cache."),
+            ("engine_triangle_cache", "Triangles of one object behind a direct-mapped cache."),
+            ("engine_read_master", "AXI4 reads for the caches."),
+        ],
+    };
+    entities.extend(stores.iter().map(|(name, what)| Row { name: prefix.of(name), what: (*what).to_owned() }));
+
+    let readme = Readme {
+        version: env!("CARGO_PKG_VERSION"),
+        prefix,
+        command_line,
+        stack: params.stack,
+        in_flight: params.in_flight,
+        pace: pace(design.unit.interval),
+        memory,
+        axi: params.memory == Memory::Axi,
+        multipliers: unit + volume,
+        unit_multipliers: unit,
+        volume_multipliers: volume,
+        frequency: design.unit.params.frequency,
+        device: design.unit.device.name,
+        entities,
+        files,
+        testbench: prefix.of(TESTBENCH),
+    };
+    readme.render().expect("the template renders")
+}
+
+fn manifest(design: &EngineDesign, command_line: &str, files: &FileSet) -> String {
+    let options = |list: Vec<(&'static str, String)>| list.into_iter().map(|(k, v)| (k.replace('-', "_"), v)).collect();
+    let header = |command| format!("{:016x}", design.format.header(command));
+    let load = (design.params.memory == Memory::BlockRam).then(|| header(Command::Load));
+    let manifest = Manifest {
+        generator: format!("efsat {}", env!("CARGO_PKG_VERSION")),
+        command_line,
+        unit: options(design.unit.params.options()),
+        engine: options(design.params.options()),
+        clocks_per_pair: design.unit.interval,
+        clocks_per_expansion: design.volume.interval,
+        volume_latency: design.volume.latency,
+        unit_latency: design.unit.latency,
+        multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
+        query_words: design.format.query_words(),
+        query_header: header(Command::Query),
+        load_header: load,
+        stop_header: header(Command::Stop),
+        files: files.iter().map(|(name, text)| (name, digest(text))).collect(),
+    };
+    let text = serde_json::to_string_pretty(&manifest).expect("texts and numbers");
+    text + "\n"
+}

@@ -1,0 +1,245 @@
+//! The collision engine around a unit (docs/engine.md): hand-written entities, printed by templates from the numbers that
+//! [`values`] computes, the unit and the volume unit.
+
+mod files;
+mod values;
+pub mod vectors;
+#[cfg(feature = "scenes")]
+pub mod samples;
+
+use super::volume::volume_files;
+use super::{Prefix, origin, vhdl_files};
+use crate::design::Design;
+use crate::design::engine::volume_unit::VolumeDesign;
+use crate::design::top::DesignError;
+use crate::params::engine::{EngineFormat, EngineParams, Memory};
+use crate::params::{ParamError, Params};
+use askama::Template;
+use efsat_hardware::vhdl::Clash;
+use std::collections::BTreeMap;
+use values::{Lines, Values};
+
+pub use files::engine_design_files;
+
+/// Name of the entity of the engine, without a prefix.
+pub const NAME: &str = "efsat_engine";
+
+/// Name of the testbench entity, without a prefix.
+pub const TESTBENCH: &str = "efsat_engine_tb";
+
+/// Address of the memory of triangles in block RAM, in units of 64 bytes; that of blocks is at 0.
+pub const TRIANGLES_AT: u32 = 1 << 25;
+
+/// Bits of the tag of the unit: the numbers of both triangles.
+const TAG_WIDTH: u32 = 56;
+
+/// Bytes from a block to the next, and from a triangle to the next, that the memories are made for.
+const STRIDE: u32 = 64;
+
+/// An engine: its parameters, the unit and the volume unit in it.
+pub struct EngineDesign {
+    /// Parameters of the engine.
+    pub params: EngineParams,
+    /// Its formats.
+    pub format: EngineFormat,
+    /// The unit. Its tag are the numbers of a pair.
+    pub unit: Design,
+    /// The volume unit.
+    pub volume: VolumeDesign,
+}
+
+impl EngineDesign {
+    /// Builds the unit and the volume unit. The width of the tag in `unit` is not used.
+    ///
+    /// # Errors
+    /// Parameters out of range, an unknown device, or a format that the memories of the engine are not made for.
+    pub fn new(params: &EngineParams, unit: &Params) -> Result<Self, DesignError> {
+        let unit = Params { tag_width: TAG_WIDTH, ..unit.clone() };
+        let format = params.format(&unit)?;
+        supported(&format)?;
+        let volume = VolumeDesign::new(params, &unit)?;
+        Ok(Self { params: params.clone(), format, unit: Design::new(&unit, false)?, volume })
+    }
+
+    /// The command line that generates the engine, all options spelled out.
+    pub fn command_line(&self) -> String {
+        let unit = self.unit.params.options().into_iter().filter(|(name, _)| *name != "tag-width");
+        let options = unit.chain(self.params.options()).map(|(name, value)| format!(" --{name} {value}"));
+        format!("efsat generate --engine{}", options.collect::<String>())
+    }
+}
+
+/// Whether the memories are made for a format.
+fn supported(format: &EngineFormat) -> Result<(), ParamError> {
+    let wrong = |option, found: String, legal: String| Err(ParamError { option, found, legal });
+    let block = format.block();
+    if block.stride != STRIDE {
+        let bits = 8 * STRIDE;
+        let legal = format!(
+            "expected blocks of {} to {bits} bits in the engine; with {} directions they have {}",
+            bits / 2 + 1,
+            format.k(),
+            block.bits
+        );
+        return wrong("offset-bits", format.offset_bits.to_string(), legal);
+    }
+    if format.triangle().stride != STRIDE {
+        let legal = "expected at most 32 in the engine".to_owned();
+        return wrong("transform-width", format.transform_width.to_string(), legal);
+    }
+    if format.matrix_shift() < 0 || format.translation_shift() < 0 {
+        let least = format.int_bits + format.grid_fraction().max(format.origin_fraction());
+        let legal = format!("expected at least {least}: poses as fine as the grid of the volumes");
+        return wrong("transform-width", format.transform_width.to_string(), legal);
+    }
+    Ok(())
+}
+
+macro_rules! entities {
+    ($($name:ident $path:literal;)+) => {$(
+        #[derive(Template)]
+        #[template(path = $path, escape = "none")]
+        struct $name<'a> {
+            header: &'a [String],
+            prefix: &'a Prefix,
+            e: &'a Values,
+        }
+
+        impl<'a> $name<'a> {
+            fn text(header: &'a [String], prefix: &'a Prefix, e: &'a Values) -> String {
+                Self { header, prefix, e }.render().expect("the template renders")
+            }
+        }
+    )+};
+}
+
+entities! {
+    Stack "engine/engine_stack.vhd";
+    Children "engine/engine_children.vhd";
+    Traverse "engine/engine_traverse.vhd";
+    Pairs "engine/engine_pairs.vhd";
+    Answer "engine/engine_answer.vhd";
+    Command "engine/engine_command.vhd";
+    Control "engine/engine_control.vhd";
+    ReadMaster "engine/engine_read_master.vhd";
+    Engine "engine/efsat_engine.vhd";
+    Bench "engine/efsat_engine_tb.vhd";
+    Program "engine/efsat_engine_tb.cpp";
+}
+
+#[derive(Template)]
+#[template(path = "engine/engine_memory.vhd", escape = "none")]
+struct MemoryText<'a> {
+    header: &'a [String],
+    prefix: &'a Prefix,
+    m: &'a Lines,
+}
+
+#[derive(Template)]
+#[template(path = "engine/engine_cache.vhd", escape = "none")]
+struct CacheText<'a> {
+    header: &'a [String],
+    prefix: &'a Prefix,
+    m: &'a Lines,
+}
+
+/// Name and text of each VHDL source that is synthesised, in dependency order: the unit, the volume unit, the entities of the
+/// engine, the engine. All names begin with the prefix.
+///
+/// # Errors
+/// A name that some tool would refuse.
+pub fn engine_files(design: &EngineDesign, prefix: &Prefix, command_line: &str) -> Result<Vec<(String, String)>, Clash> {
+    let values = Values::new(design);
+    let header = origin();
+    let mut files = vhdl_files(&design.unit, prefix, command_line)?;
+    files.extend(volume_files(&design.volume, prefix)?);
+    let mut add = |name: &str, text: String| files.push((format!("{}.vhd", prefix.of(name)), text));
+    for lines in &values.memories {
+        let text = match design.params.memory {
+            Memory::BlockRam => MemoryText { header: &header, prefix, m: lines }.render(),
+            Memory::Axi => CacheText { header: &header, prefix, m: lines }.render(),
+        };
+        add(lines.entity, text.expect("the template renders"));
+    }
+    if design.params.memory == Memory::Axi {
+        add("engine_read_master", ReadMaster::text(&header, prefix, &values));
+    }
+    add("engine_stack", Stack::text(&header, prefix, &values));
+    add("engine_children", Children::text(&header, prefix, &values));
+    add("engine_traverse", Traverse::text(&header, prefix, &values));
+    add("engine_pairs", Pairs::text(&header, prefix, &values));
+    add("engine_answer", Answer::text(&header, prefix, &values));
+    add("engine_command", Command::text(&header, prefix, &values));
+    add("engine_control", Control::text(&header, prefix, &values));
+    let mut top = header.clone();
+    top.push(command_line.to_owned());
+    top.extend(description(design));
+    add(NAME, Engine::text(&top, prefix, &values));
+    Ok(once_each(files))
+}
+
+/// The testbench.
+pub fn bench(design: &EngineDesign, prefix: &Prefix) -> String {
+    Bench::text(&origin(), prefix, &Values::new(design))
+}
+
+/// The testbench of a netlist, in C++.
+pub fn program(design: &EngineDesign) -> String {
+    Program::text(&origin(), &Prefix::default(), &Values::new(design))
+}
+
+/// Files of one name are one file: multipliers that the unit and the volume unit both have.
+fn once_each(files: Vec<(String, String)>) -> Vec<(String, String)> {
+    let mut known = BTreeMap::new();
+    files.into_iter().filter(|(name, text)| known.insert(name.clone(), text.clone()).is_none()).collect()
+}
+
+/// What the header of the engine says.
+fn description(design: &EngineDesign) -> Vec<String> {
+    let (params, format) = (&design.params, &design.format);
+    let memory = match params.memory {
+        Memory::BlockRam => format!(
+            "Trees are in block RAM, {} blocks and {} triangles, filled through the stream.",
+            params.block_lines, params.triangle_lines
+        ),
+        Memory::Axi => format!("Trees are in memory behind an AXI4 read master, words of {} bits.", params.memory_width),
+    };
+    let lines = [
+        "The collision engine: two trees and a pose in, the pairs of triangles that touch out.".to_owned(),
+        String::new(),
+        format!(
+            "An expansion every {} clocks, up to {} in flight; the volume unit answers {} clocks after it has taken one.",
+            params.expansion_clocks, params.in_flight, design.volume.latency
+        ),
+        memory,
+        String::new(),
+        format!("In: packets of 64-bit words, the last with TLAST. A query has {} words:", format.query_words()),
+        "  0      header 31..0, format 63..32".to_owned(),
+        "  1, 2   blocks of A and B, triangles of A and B: addresses / 64".to_owned(),
+        "  3, 4   number of blocks of A and B, of triangles of A and B".to_owned(),
+        "  5      most expansions 31..0 (0: no limit); 32 stop at the first certain contact; 33 answer separate pairs too;".to_owned(),
+        "         34 leaf pairs only, no triangle test; 35 empty the caches; 63..40 number that the report returns".to_owned(),
+        "  6      errors of the shift 15..0, 31..16, 47..32".to_owned(),
+        "  7 ...  pose, as in packets of the stream wrapper; then a row for each direction".to_owned(),
+        "Out: for each query one packet: pairs that are not separate, then a report of eight words.".to_owned(),
+    ];
+    lines.to_vec()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use efsat_hardware::vhdl::lint::lint;
+
+    #[test]
+    fn the_texts_keep_to_the_rules_of_the_target() {
+        for memory in [Memory::BlockRam, Memory::Axi] {
+            let params = EngineParams { memory, ..EngineParams::default() };
+            let design = EngineDesign::new(&params, &Params::default()).unwrap();
+            let files = engine_files(&design, &Prefix::default(), "efsat generate --engine").unwrap();
+            let texts: Vec<(&str, &str)> = files.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
+            let findings: Vec<String> = lint(&texts).iter().map(ToString::to_string).collect();
+            assert!(findings.is_empty(), "{}", findings.join("\n"));
+        }
+    }
+}

@@ -1,0 +1,192 @@
+//! Words for the engine and what it must answer, from the reference model.
+//!
+//! The file begins with the line of formats, which the testbench compares with its own; the testbench says what the other
+//! lines are.
+
+use super::{EngineDesign, STRIDE, TRIANGLES_AT};
+use crate::artefact::vectors;
+use crate::golden::engine::{Model, Query, Side};
+use crate::host::engine::{Image, memory};
+use crate::params::engine::{Answer, Command, EngineReport, Memory, Reason};
+use std::fmt::Write;
+
+/// Words of 64 bits in a line of memory.
+const LINE_WORDS: usize = STRIDE as usize / 8;
+
+/// How a report is compared.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Compared {
+    /// Reason and number of the query alone.
+    Reason = 0,
+    /// These, and that no pair is answered that is not expected.
+    NoOther = 1,
+    /// Everything that does not depend on time.
+    All = 2,
+}
+
+/// The first line of a file, also a constant of the testbench.
+pub(super) fn formats_line(design: &EngineDesign) -> String {
+    let format = &design.format;
+    let memory = match design.params.memory {
+        Memory::Axi => "axi".to_owned(),
+        Memory::BlockRam => format!("block-ram {} {}", design.params.block_lines, design.params.triangle_lines),
+    };
+    format!(
+        "{} query {:016x} words {} memory {memory}",
+        vectors::formats_line(&design.unit.params),
+        format.header(Command::Query),
+        format.query_words()
+    )
+}
+
+/// A vector file in the making: what is in memory, then packets in the order of their answers.
+pub struct EngineVectors<'a> {
+    design: &'a EngineDesign,
+    model: Model,
+    /// The images as the model sees them.
+    memory: Vec<u64>,
+    sides: Vec<Side>,
+    /// Where the engine has them.
+    placed: Vec<Side>,
+    text: String,
+}
+
+impl<'a> EngineVectors<'a> {
+    /// Puts images into memory, one after the other: through the stream, if the memory is block RAM.
+    ///
+    /// # Panics
+    /// If they do not fit into block RAM.
+    pub fn new(design: &'a EngineDesign, images: &[&Image]) -> Self {
+        let (memory, sides) = memory(images);
+        let model = Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
+        let mut vectors =
+            Self { design, model, memory, placed: sides.clone(), sides, text: format!("{}\n", formats_line(design)) };
+        match design.params.memory {
+            Memory::Axi => {
+                for (address, word) in vectors.memory.iter().enumerate() {
+                    writeln!(vectors.text, "M {address:08x} {word:016x}").expect("a string takes text");
+                }
+            }
+            Memory::BlockRam => vectors.load_all(),
+        }
+        vectors
+    }
+
+    /// Loads blocks and triangles of all images, each part behind that of the image before.
+    fn load_all(&mut self) {
+        let (mut block, mut triangle) = (0, TRIANGLES_AT);
+        for i in 0..self.sides.len() {
+            let side = self.sides[i];
+            self.placed[i] = Side { blocks_at: block, triangles_at: triangle, ..side };
+            for (from, to, count) in [(side.blocks_at, block, side.blocks), (side.triangles_at, triangle, side.triangles)] {
+                let words = &self.memory[from as usize * LINE_WORDS..][..count as usize * LINE_WORDS];
+                let words = [self.design.format.header(Command::Load), u64::from(to) * u64::from(STRIDE)].into_iter().chain(words.iter().copied());
+                let words: Vec<u64> = words.collect();
+                self.packet(&words);
+                self.expect(&[], &EngineReport::default(), Compared::All);
+            }
+            block += side.blocks;
+            triangle += side.triangles;
+        }
+        assert!(block <= self.design.params.block_lines, "{block} blocks");
+        assert!(triangle - TRIANGLES_AT <= self.design.params.triangle_lines, "{} triangles", triangle - TRIANGLES_AT);
+    }
+
+    /// Where image i is for the model: what a query for [`EngineVectors::query`] says.
+    pub fn side(&self, i: usize) -> Side {
+        self.sides[i]
+    }
+
+    /// Changes a word of memory; with AXI before the first packet alone, with block RAM not at all.
+    ///
+    /// # Panics
+    /// If the memory is block RAM, which is loaded already.
+    pub fn change(&mut self, address: usize, change: impl FnOnce(&mut u64)) {
+        assert_eq!(self.design.params.memory, Memory::Axi);
+        change(&mut self.memory[address]);
+        writeln!(self.text, "M {address:08x} {:016x}", self.memory[address]).expect("a string takes text");
+    }
+
+    /// A query and its answer.
+    pub fn query(&mut self, query: &Query) {
+        let mut placed = query.clone();
+        for side in &mut placed.sides {
+            let i = self.sides.iter().position(|known| (known.blocks_at, known.triangles_at) == (side.blocks_at, side.triangles_at));
+            let there = self.placed[i.expect("a side of an image")];
+            (side.blocks_at, side.triangles_at) = (there.blocks_at, there.triangles_at);
+        }
+        self.packet(&placed.words(&self.design.format));
+        let run = |query: &Query| self.model.run(&self.memory, &query.words(&self.design.format));
+        let outcome = run(query);
+        match outcome.report.reason {
+            Reason::Complete => self.expect(&outcome.answers, &outcome.report, Compared::All),
+            Reason::Contact | Reason::Limit => {
+                let all = run(&Query { first_contact: false, limit: 0, ..query.clone() });
+                self.expect(&all.answers, &outcome.report, Compared::NoOther);
+            }
+            _ => self.expect(&[], &outcome.report, Compared::Reason),
+        }
+    }
+
+    /// A query that ends for a reason that the model does not know.
+    pub fn query_that_ends(&mut self, query: &Query, reason: Reason) {
+        let before = self.text.len();
+        self.query(query);
+        let report = EngineReport { reason, number: query.number, ..EngineReport::default() };
+        let end = self.text[before..].find("\nA ").or(self.text[before..].find("\nR ")).map(|at| before + at + 1);
+        self.text.truncate(end.expect("an answer"));
+        self.expect(&[], &report, Compared::Reason);
+    }
+
+    /// A packet that is no query, and the reason that its report gives.
+    pub fn malformed(&mut self, words: &[(u64, bool)], reason: Reason) {
+        let end = words.len() - 1;
+        for (i, (word, whole)) in words.iter().enumerate() {
+            self.word_in(*word, i == end, *whole);
+        }
+        self.expect(&[], &EngineReport { reason, ..EngineReport::default() }, Compared::All);
+    }
+
+    /// Stops what runs then, so many clocks after the words before.
+    pub fn stop(&mut self, clocks: u32) {
+        writeln!(self.text, "D {clocks:08x}").expect("a string takes text");
+        self.word_in(self.design.format.header(Command::Stop), true, true);
+    }
+
+    /// The next words come when all packets are answered.
+    pub fn wait(&mut self) {
+        self.text.push_str("W\n");
+    }
+
+    /// A fault of memory, once in a run: 1 error response, 2 last word too early, 3 too late. Address in units of 64 bytes.
+    pub fn fault(&mut self, address: u32, kind: u8) {
+        writeln!(self.text, "X {address:08x} {kind:x}").expect("a string takes text");
+    }
+
+    fn packet(&mut self, words: &[u64]) {
+        let end = words.len() - 1;
+        for (i, word) in words.iter().enumerate() {
+            self.word_in(*word, i == end, true);
+        }
+    }
+
+    fn word_in(&mut self, word: u64, last: bool, whole: bool) {
+        writeln!(self.text, "I {word:016x} {} {}", u8::from(last), u8::from(whole)).expect("a string takes text");
+    }
+
+    fn expect(&mut self, answers: &[Answer], report: &EngineReport, compared: Compared) {
+        let mut words: Vec<u64> = answers.iter().map(Answer::word).collect();
+        words.sort_unstable();
+        for word in words {
+            writeln!(self.text, "A {word:016x}").expect("a string takes text");
+        }
+        let [low, one, two, three, ..] = report.words();
+        let (low, mode) = (low as u32, compared as u8);
+        writeln!(self.text, "R {low:08x} {mode} {one:016x} {two:016x} {three:016x}").expect("a string takes text");
+    }
+
+    /// The file.
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+}

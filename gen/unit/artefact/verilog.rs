@@ -1,0 +1,31 @@
+//! The design in Verilog, for tools that read no VHDL: which file is made of which. Who has GHDL makes them.
+
+use super::file_lists::FileLists;
+use super::{FileSet, Prefix, board};
+use crate::design::Design;
+
+/// A Verilog file that is made of VHDL files.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct VerilogFile {
+    /// Its name.
+    pub name: String,
+    /// Its top, an entity.
+    pub top: String,
+    /// VHDL files of the set, in dependency order.
+    pub sources: Vec<String>,
+    /// An entity of them that is written in Verilog already.
+    pub without: Option<String>,
+}
+
+/// The Verilog files of a set of VHDL files: the unit in its wrapper, and what is around it on a board whose tools read no
+/// VHDL. A later file has no module that an earlier one has.
+pub fn verilog_files(set: &FileSet, design: &Design, prefix: &Prefix) -> Vec<VerilogFile> {
+    let list = set.get(FileLists::SYNTHESISED).unwrap_or_default();
+    let sources: Vec<String> = list.lines().map(str::to_owned).collect();
+    let around = board::verilog_file(design, prefix).map(|around| {
+        let sources = sources.iter().cloned().chain(around.sources).collect();
+        VerilogFile { sources, ..around }
+    });
+    let unit = VerilogFile { name: prefix.of("efsat.v"), top: prefix.of("efsat_stream"), sources, without: None };
+    [Some(unit), around].into_iter().flatten().collect()
+}

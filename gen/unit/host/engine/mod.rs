@@ -1,0 +1,35 @@
+//! The host's side of the collision engine (docs/engine.md): images of trees, and the words of a query.
+//!
+//! ```
+//! # #[cfg(feature = "scenes")] {
+//! use efsat_geometry::mesh::headlight;
+//! use efsat_unit::golden::engine::Model;
+//! use efsat_unit::host::engine::{Image, Numbers, memory};
+//! use efsat_unit::params::{EngineParams, Params};
+//!
+//! let (engine, unit) = (EngineParams::default(), Params::default());
+//! let numbers = Numbers::new(&engine, &unit)?;
+//! let image = Image::build(&[&headlight()], numbers.format())?.remove(0);
+//!
+//! // The mesh against itself, 60 units higher.
+//! let (memory, sides) = memory(&[&image]);
+//! let turned = [[0.8, 0.0, 0.6], [0.0, 1.0, 0.0], [-0.6, 0.0, 0.8]];
+//! let query = numbers.query([(&image, sides[0]); 2], &turned, &[0.0, 0.0, 60.0])?;
+//! let outcome = Model::new(&engine, &unit)?.run(&memory, &query.words(numbers.format()));
+//! assert!(outcome.report.intersect > 0 && !outcome.report.reason.is_incomplete());
+//! # }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod check;
+mod image;
+mod numbers;
+#[cfg(test)]
+mod tests;
+
+#[cfg(feature = "scenes")]
+mod build;
+#[cfg(feature = "scenes")]
+pub use build::BuildError;
+pub use image::{Header, Image, ImageError, memory};
+pub use numbers::{Numbers, Refusal};

@@ -1,0 +1,514 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity {{ prefix }}efsat_engine is
+  port (
+    aclk : in std_logic;
+    aresetn : in std_logic;  -- synchronous, active low
+    s_axis_tdata : in std_logic_vector(63 downto 0);
+    s_axis_tkeep : in std_logic_vector(7 downto 0);  -- ones where the source has none
+    s_axis_tvalid : in std_logic;
+    s_axis_tlast : in std_logic;  -- last word of a packet
+    s_axis_tready : out std_logic;
+{%- if e.axi %}
+    m_axi_araddr : out std_logic_vector(31 downto 0);
+    m_axi_arlen : out std_logic_vector(7 downto 0);  -- beats of the burst less one
+    m_axi_arsize : out std_logic_vector(2 downto 0);  -- always whole words
+    m_axi_arburst : out std_logic_vector(1 downto 0);  -- always INCR
+    m_axi_arvalid : out std_logic;
+    m_axi_arready : in std_logic;
+    m_axi_rdata : in std_logic_vector({{ e.memory_width - 1 }} downto 0);
+    m_axi_rresp : in std_logic_vector(1 downto 0);
+    m_axi_rlast : in std_logic;
+    m_axi_rvalid : in std_logic;
+    m_axi_rready : out std_logic;  -- always set
+{%- endif %}
+    m_axis_tdata : out std_logic_vector(63 downto 0);
+    m_axis_tkeep : out std_logic_vector(7 downto 0);  -- always ones
+    m_axis_tvalid : out std_logic;
+    m_axis_tlast : out std_logic;  -- last word of an answer
+    m_axis_tready : in std_logic
+  );
+end entity {{ prefix }}efsat_engine;
+
+architecture rtl of {{ prefix }}efsat_engine is
+  signal reset : std_logic;
+  signal restart : std_logic;  -- all that works on a query forgets it
+
+  -- Jobs and the running query
+  signal job_valid : std_logic;
+  signal job_taken : std_logic;
+  signal job_query : std_logic;
+  signal job_reason : std_logic_vector(4 downto 0);
+  signal job_number : std_logic_vector(23 downto 0);
+  signal job_words : std_logic_vector({{ e.job_bits - 1 }} downto 0);
+  signal stop : std_logic;
+  signal pose_valid : std_logic;
+  signal pose_ready : std_logic;
+  signal busy : std_logic;
+  signal running : std_logic;
+  signal start : std_logic;
+  signal ending : std_logic;
+  signal abort : std_logic;
+  signal block_base_a : std_logic_vector(31 downto 0);
+  signal block_base_b : std_logic_vector(31 downto 0);
+  signal triangle_base_a : std_logic_vector(31 downto 0);
+  signal triangle_base_b : std_logic_vector(31 downto 0);
+  signal block_count_a : std_logic_vector(31 downto 0);
+  signal block_count_b : std_logic_vector(31 downto 0);
+  signal triangle_count_a : std_logic_vector(31 downto 0);
+  signal triangle_count_b : std_logic_vector(31 downto 0);
+  signal most_expansions : std_logic_vector(31 downto 0);
+  signal stop_at_contact : std_logic;
+  signal separate_too : std_logic;
+  signal leaves_only : std_logic;
+  signal query_pose : std_logic_vector({{ e.pose_bits - 1 }} downto 0);
+  signal query_shift : std_logic_vector({{ e.shift_bits - 1 }} downto 0);
+  signal query_errors : std_logic_vector(47 downto 0);
+  signal query_rows : std_logic_vector({{ e.rows_bits - 1 }} downto 0);
+  signal reason : std_logic_vector(4 downto 0);
+  signal number : std_logic_vector(23 downto 0);
+  signal report_due : std_logic;
+  signal report_done : std_logic;
+  signal idle : std_logic;
+  signal traverse_idle : std_logic;
+  signal pairs_idle : std_logic;
+  signal bad_tree : std_logic;
+  signal limit_reached : std_logic;
+  signal contact : std_logic;
+
+  -- Blocks and volumes
+  signal block_request : std_logic;
+  signal block_accepted : std_logic;
+  signal request_a : std_logic_vector({{ e.node_bits - 1 }} downto 0);
+  signal request_b : std_logic_vector({{ e.node_bits - 1 }} downto 0);
+  signal blocks_valid : std_logic;
+  signal blocks_taken : std_logic;
+  signal block_a : std_logic_vector({{ e.block_bits - 1 }} downto 0);
+  signal block_b : std_logic_vector({{ e.block_bits - 1 }} downto 0);
+  signal volume_ready : std_logic;
+  signal take_a : std_logic_vector(1 downto 0);
+  signal take_b : std_logic_vector(1 downto 0);
+  signal survive_valid : std_logic;
+  signal survive : std_logic_vector(3 downto 0);
+
+  -- Pairs of leaves and their triangles
+  signal pair_valid : std_logic;
+  signal pair_ready : std_logic;
+  signal pair_a : std_logic_vector(27 downto 0);
+  signal pair_b : std_logic_vector(27 downto 0);
+  signal triangle_request : std_logic;
+  signal triangle_accepted : std_logic;
+  signal leaf_a : std_logic_vector(27 downto 0);
+  signal leaf_b : std_logic_vector(27 downto 0);
+  signal triangles_valid : std_logic;
+  signal triangles_ready : std_logic;
+  signal triangles_taken : std_logic;
+  signal triangle_a : std_logic_vector({{ e.triangle_bits - 1 }} downto 0);
+  signal triangle_b : std_logic_vector({{ e.triangle_bits - 1 }} downto 0);
+  signal numbers : std_logic_vector(55 downto 0);
+  signal unit_valid : std_logic;
+  signal unit_ready : std_logic;
+  signal tested_valid : std_logic;
+  signal tested_verdict : std_logic_vector(1 downto 0);
+  signal tested_numbers : std_logic_vector(55 downto 0);
+  signal tested_taken : std_logic;
+  signal decided_valid : std_logic;
+  signal decided_taken : std_logic;
+  signal verdict : std_logic_vector(1 downto 0);
+  signal decided_numbers : std_logic_vector(55 downto 0);
+  signal bypass_valid : std_logic;
+  signal pair_answered : std_logic;
+
+  -- Events
+  signal expanded : std_logic;
+  signal tests : std_logic_vector(2 downto 0);
+  signal survived : std_logic;
+  signal paired : std_logic;
+  signal waiting : std_logic;
+  signal starved : std_logic;
+  signal stalled : std_logic;
+  signal triangles_asked : std_logic;
+  signal block_reads : std_logic_vector(1 downto 0);
+  signal triangle_reads : std_logic_vector(1 downto 0);
+  signal words_read : std_logic;
+  signal clear : std_logic;
+  signal greatest_stack : unsigned(15 downto 0);
+{%- if e.block_ram %}
+
+  -- Words to be stored
+  signal block_write : std_logic;
+  signal triangle_write : std_logic;
+  signal write_line : std_logic_vector({{ e.load_bits - 1 }} downto 0);
+  signal write_place : std_logic_vector(2 downto 0);
+  signal write_data : std_logic_vector(63 downto 0);
+{%- else %}
+
+  -- Memory: blocks of A, blocks of B, triangles of A, triangles of B
+  signal memory_error : std_logic;
+  signal memory_quiet : std_logic;
+  signal flush : std_logic;
+  signal flushing : std_logic;
+  signal busy_caches : std_logic_vector(3 downto 0);
+  signal ask_valid : std_logic_vector(3 downto 0);
+  signal ask_ready : std_logic_vector(3 downto 0);
+  signal ask_address_0 : std_logic_vector(25 downto 0);
+  signal ask_address_1 : std_logic_vector(25 downto 0);
+  signal ask_address_2 : std_logic_vector(25 downto 0);
+  signal ask_address_3 : std_logic_vector(25 downto 0);
+  signal fill_valid : std_logic_vector(3 downto 0);
+  signal fill_data : std_logic_vector({{ e.memory_width - 1 }} downto 0);
+  signal line_ready : std_logic_vector(3 downto 0);
+  signal line_valid : std_logic_vector(3 downto 0);
+  signal missed : std_logic_vector(3 downto 0);
+  signal both_blocks_ask : std_logic;
+  signal both_triangles_ask : std_logic;
+{%- endif %}
+begin
+  reset <= not aresetn;
+  restart <= reset or abort;
+  idle <= traverse_idle and pairs_idle;
+
+  -- ===== Queries =====
+  command : entity work.{{ prefix }}engine_command
+    port map (
+      clk => aclk,
+      reset => reset,
+      s_axis_tdata => s_axis_tdata,
+      s_axis_tkeep => s_axis_tkeep,
+      s_axis_tvalid => s_axis_tvalid,
+      s_axis_tlast => s_axis_tlast,
+      s_axis_tready => s_axis_tready,
+      job_valid => job_valid,
+      job_taken => job_taken,
+      job_query => job_query,
+      job_reason => job_reason,
+      job_number => job_number,
+      job_words => job_words,
+{%- if e.block_ram %}
+      busy => busy,
+      block_write => block_write,
+      triangle_write => triangle_write,
+      write_line => write_line,
+      write_place => write_place,
+      write_data => write_data,
+{%- endif %}
+      stop => stop
+    );
+
+  control : entity work.{{ prefix }}engine_control
+    port map (
+      clk => aclk,
+      reset => reset,
+      job_valid => job_valid,
+      job_taken => job_taken,
+      job_query => job_query,
+      job_reason => job_reason,
+      job_number => job_number,
+      job_words => job_words,
+      stop => stop,
+      pose_valid => pose_valid,
+      pose_ready => pose_ready,
+      busy => busy,
+      running => running,
+      start => start,
+      ending => ending,
+      abort => abort,
+      block_base_a => block_base_a,
+      block_base_b => block_base_b,
+      triangle_base_a => triangle_base_a,
+      triangle_base_b => triangle_base_b,
+      block_count_a => block_count_a,
+      block_count_b => block_count_b,
+      triangle_count_a => triangle_count_a,
+      triangle_count_b => triangle_count_b,
+      most_expansions => most_expansions,
+      stop_at_contact => stop_at_contact,
+      separate_too => separate_too,
+      leaves_only => leaves_only,
+      query_pose => query_pose,
+      query_shift => query_shift,
+      query_errors => query_errors,
+      query_rows => query_rows,
+      idle => idle,
+      contact => contact,
+      limit_reached => limit_reached,
+      bad_tree => bad_tree,
+{%- if e.axi %}
+      memory_error => memory_error,
+      memory_quiet => memory_quiet,
+      flush => flush,
+      flushing => flushing,
+{%- endif %}
+      report_due => report_due,
+      report_done => report_done,
+      reason => reason,
+      number => number
+    );
+
+  -- ===== Volumes =====
+  traverse : entity work.{{ prefix }}engine_traverse
+    port map (
+      clk => aclk,
+      reset => restart,
+      start => start,
+      ending => ending,
+      most_expansions => most_expansions,
+      block_count_a => block_count_a,
+      block_count_b => block_count_b,
+      triangle_count_a => triangle_count_a,
+      triangle_count_b => triangle_count_b,
+      request_valid => block_request,
+      request_ready => block_accepted,
+      request_a => request_a,
+      request_b => request_b,
+      blocks_taken => blocks_taken,
+      block_a => block_a,
+      block_b => block_b,
+      take_a => take_a,
+      take_b => take_b,
+      survive_valid => survive_valid,
+      survive => survive,
+      pair_valid => pair_valid,
+      pair_ready => pair_ready,
+      pair_a => pair_a,
+      pair_b => pair_b,
+      idle => traverse_idle,
+      waiting => waiting,
+      bad_tree => bad_tree,
+      limit_reached => limit_reached,
+      expanded => expanded,
+      tested => tests,
+      survived => survived,
+      greatest_stack => greatest_stack
+    );
+  blocks_taken <= blocks_valid and volume_ready;
+
+  volume : entity work.{{ prefix }}volume_unit
+    port map (
+      clk => aclk,
+      reset => restart,
+      query_pose => query_pose,
+      query_shift => query_shift,
+      query_errors => query_errors,
+      query_rows => query_rows,
+      in_valid => blocks_valid,
+      in_ready => volume_ready,
+      in_block_a => block_a,
+      in_block_b => block_b,
+      in_take_a => take_a,
+      in_take_b => take_b,
+      out_valid => survive_valid,
+      out_survive => survive
+    );
+
+  -- ===== Triangles =====
+  pairs : entity work.{{ prefix }}engine_pairs
+    port map (
+      clk => aclk,
+      reset => restart,
+      ending => ending,
+      pair_valid => pair_valid,
+      pair_ready => pair_ready,
+      pair_a => pair_a,
+      pair_b => pair_b,
+      request_valid => triangle_request,
+      request_ready => triangle_accepted,
+      request_a => leaf_a,
+      request_b => leaf_b,
+      triangles_valid => triangles_valid,
+      triangles_ready => triangles_ready,
+      triangles_taken => triangles_taken,
+      answered => pair_answered,
+      idle => pairs_idle
+    );
+  pair_answered <= decided_taken;
+  triangles_asked <= triangle_request and triangle_accepted;
+
+  -- With leaves_only pairs pass by the unit, which is empty then.
+  numbers <= "{{ e.number_zeros }}" & triangle_b({{ e.triangle_number_bits - 1 }} downto 0) & "{{ e.number_zeros }}" & triangle_a({{ e.triangle_number_bits - 1 }} downto 0);
+  unit_valid <= triangles_valid and not leaves_only and not ending;
+  bypass_valid <= triangles_valid and leaves_only and not ending;
+  triangles_ready <= decided_taken when leaves_only = '1' else unit_ready;
+
+  unit : entity work.{{ prefix }}efsat
+    port map (
+      clk => aclk,
+      reset => restart,
+      in_valid => unit_valid,
+      in_ready => unit_ready,
+      in_tag => numbers,
+{%- for field in e.unit_inputs %}
+      {{ field.port }} => {{ field.value }},
+{%- endfor %}
+      pose_valid => pose_valid,
+      pose_ready => pose_ready,
+      pose_bypass => '0',
+      out_valid => tested_valid,
+      out_ready => tested_taken,
+      out_verdict => tested_verdict,
+      out_separated => open,
+      out_overlapping => open,
+{%- if e.guarded %}
+      out_outside => open,
+{%- endif %}
+      out_tag => tested_numbers
+    );
+  tested_taken <= decided_taken and not leaves_only;
+  decided_valid <= bypass_valid when leaves_only = '1' else tested_valid;
+  verdict <= "10" when leaves_only = '1' else tested_verdict;
+  decided_numbers <= numbers when leaves_only = '1' else tested_numbers;
+
+  -- ===== Answers =====
+  answer : entity work.{{ prefix }}engine_answer
+    port map (
+      clk => aclk,
+      reset => reset,
+      decided_valid => decided_valid,
+      decided_taken => decided_taken,
+      verdict => verdict,
+      numbers => decided_numbers,
+      ending => ending,
+      separate_too => separate_too,
+      stop_at_contact => stop_at_contact,
+      contact => contact,
+      report_due => report_due,
+      report_done => report_done,
+      reason => reason,
+      number => number,
+      clear => clear,
+      running => running,
+      expanded => expanded,
+      tested => tests,
+      survived => survived,
+      paired => paired,
+      block_reads => block_reads,
+      triangles_asked => triangles_asked,
+      triangle_reads => triangle_reads,
+      words_read => words_read,
+      starved => starved,
+      stalled => stalled,
+      greatest_stack => greatest_stack,
+      m_axis_tdata => m_axis_tdata,
+      m_axis_tkeep => m_axis_tkeep,
+      m_axis_tvalid => m_axis_tvalid,
+      m_axis_tlast => m_axis_tlast,
+      m_axis_tready => m_axis_tready
+    );
+  clear <= reset or not (running or report_due);
+  paired <= pair_valid and pair_ready;
+  starved <= volume_ready and waiting and not blocks_valid;
+  stalled <= pair_valid and not pair_ready;
+
+  -- ===== Memory =====
+{%- if e.block_ram %}
+  block_memory : entity work.{{ prefix }}engine_block_memory
+    port map (
+      clk => aclk,
+      reset => restart,
+      write_valid => block_write,
+      write_line => write_line({{ e.block_line_bits - 1 }} downto 0),
+      write_place => write_place,
+      write_data => write_data,
+      base_a => block_base_a({{ e.block_line_bits - 1 }} downto 0),
+      base_b => block_base_b({{ e.block_line_bits - 1 }} downto 0),
+      request_valid => block_request,
+      request_ready => block_accepted,
+      request_a => request_a,
+      request_b => request_b,
+      lines_valid => blocks_valid,
+      lines_taken => blocks_taken,
+      line_a => block_a,
+      line_b => block_b
+    );
+
+  triangle_memory : entity work.{{ prefix }}engine_triangle_memory
+    port map (
+      clk => aclk,
+      reset => restart,
+      write_valid => triangle_write,
+      write_line => write_line({{ e.triangle_line_bits - 1 }} downto 0),
+      write_place => write_place,
+      write_data => write_data,
+      base_a => triangle_base_a({{ e.triangle_line_bits - 1 }} downto 0),
+      base_b => triangle_base_b({{ e.triangle_line_bits - 1 }} downto 0),
+      request_valid => triangle_request,
+      request_ready => triangle_accepted,
+      request_a => leaf_a,
+      request_b => leaf_b,
+      lines_valid => triangles_valid,
+      lines_taken => triangles_taken,
+      line_a => triangle_a,
+      line_b => triangle_b
+    );
+  block_reads <= "00";
+  triangle_reads <= "00";
+  words_read <= '0';
+{%- else %}
+{%- for cache in e.caches %}
+  {{ cache.label }} : entity work.{{ prefix }}{{ cache.entity }}
+    port map (
+      clk => aclk,
+      reset => restart,
+      flush => flush,
+      flushing => busy_caches({{ loop.index0 }}),
+      base => {{ cache.base }}(25 downto 0),
+      request_valid => {{ cache.request }},
+      request_ready => line_ready({{ loop.index0 }}),
+      request => {{ cache.number }},
+      line_valid => line_valid({{ loop.index0 }}),
+      line_taken => {{ cache.taken }},
+      data => {{ cache.line }},
+      ask_valid => ask_valid({{ loop.index0 }}),
+      ask_ready => ask_ready({{ loop.index0 }}),
+      ask_address => ask_address_{{ loop.index0 }},
+      fill_valid => fill_valid({{ loop.index0 }}),
+      fill_data => fill_data,
+      missed => missed({{ loop.index0 }})
+    );
+{% endfor %}
+  -- Both sides take a request, or none; so do both give their lines.
+  block_accepted <= line_ready(0) and line_ready(1);
+  both_blocks_ask <= block_request and block_accepted;
+  triangle_accepted <= line_ready(2) and line_ready(3);
+  both_triangles_ask <= triangle_request and triangle_accepted;
+  blocks_valid <= line_valid(0) and line_valid(1);
+  triangles_valid <= line_valid(2) and line_valid(3);
+  flushing <= '0' when busy_caches = "0000" else '1';
+  block_reads <= missed(1 downto 0);
+  triangle_reads <= missed(3 downto 2);
+
+  read_master : entity work.{{ prefix }}engine_read_master
+    port map (
+      clk => aclk,
+      reset => restart,
+      ask_valid => ask_valid,
+      ask_ready => ask_ready,
+      ask_address_0 => ask_address_0,
+      ask_address_1 => ask_address_1,
+      ask_address_2 => ask_address_2,
+      ask_address_3 => ask_address_3,
+      fill_valid => fill_valid,
+      fill_data => fill_data,
+      failed => memory_error,
+      quiet => memory_quiet,
+      word_read => words_read,
+      m_axi_araddr => m_axi_araddr,
+      m_axi_arlen => m_axi_arlen,
+      m_axi_arsize => m_axi_arsize,
+      m_axi_arburst => m_axi_arburst,
+      m_axi_arvalid => m_axi_arvalid,
+      m_axi_arready => m_axi_arready,
+      m_axi_rdata => m_axi_rdata,
+      m_axi_rresp => m_axi_rresp,
+      m_axi_rlast => m_axi_rlast,
+      m_axi_rvalid => m_axi_rvalid,
+      m_axi_rready => m_axi_rready
+    );
+{%- endif %}
+end architecture rtl;

@@ -1,0 +1,667 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- Testbench of {{ prefix }}efsat_engine. It reads a file of lines, each a letter and hexadecimal fields:
+--   I <word> <last> <whole>  a word for the engine; one that is not whole lacks a byte by its TKEEP
+--   D <clocks>               so many clocks before the next word
+--   W                        the next word only when all packets so far are answered
+{%- if e.axi %}
+--   M <address> <word>       64 bits of memory, the address in words of 64 bits; nothing else is to be read
+--   X <address> <kind>       a fault of the memory at a burst with that address, in units of 64 bytes: 1 error response, 2 last
+--                            word too early, 3 too late; once
+{%- endif %}
+--   A <word>                 a pair that the next packet is to answer, in ascending order of the words
+--   R <low> <mode> <word 1> <word 2> <word 3>  its report: the low half of word 0, and what is compared: 2 all, 1 the low half
+--                            and that no other pair is answered, 0 the low half alone
+-- The order of pairs is not compared. In the first pass words go at full speed{% if e.axi %} and memory answers after latency_least to
+-- latency_most clocks{% endif %}; in the others there are random stalls on all sides. The bounds of the stack, the rules of the streams{% if e.axi %}
+-- and of AXI (steady addresses, bursts within 64 bytes, reads of nothing but the memory){% endif %} are checked. It stops by itself;
+-- the last line it prints begins with "{{ prefix }}efsat_engine_tb:".
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use std.textio.all;
+
+entity {{ prefix }}efsat_engine_tb is
+  generic (
+    vectors : string := "{{ prefix }}efsat_engine_tb.vec";
+    answers : string := "";  -- a file for all words that come out
+{%- if e.axi %}
+    latency_least : positive := 30;
+    latency_most : positive := 30;
+{%- endif %}
+    seed : positive := 1;
+    passes : positive := 2
+  );
+  port (
+    finished : out boolean
+  );
+end entity {{ prefix }}efsat_engine_tb;
+
+architecture simulation of {{ prefix }}efsat_engine_tb is
+  constant formats : string := "{{ e.formats }}";
+  constant patience : natural := {{ e.patience }};  -- clocks without a transfer before giving up
+  constant most_pairs : natural := 65536;  -- of a packet
+  subtype word_64 is std_logic_vector(63 downto 0);
+  type words_64 is array (natural range <>) of word_64;
+
+  signal clk : std_logic := '0';
+  signal done : boolean := false;
+  signal aresetn : std_logic := '0';
+  signal s_tdata : word_64 := (others => '0');
+  signal s_tkeep : std_logic_vector(7 downto 0) := (others => '1');
+  signal s_tvalid : std_logic := '0';
+  signal s_tlast : std_logic := '0';
+  signal s_tready : std_logic;
+  signal m_tdata : word_64;
+  signal m_tkeep : std_logic_vector(7 downto 0);
+  signal m_tvalid : std_logic;
+  signal m_tlast : std_logic;
+  signal m_tready : std_logic := '0';
+  signal pass : positive := 1;
+{%- if e.axi %}
+  signal araddr : std_logic_vector(31 downto 0);
+  signal arlen : std_logic_vector(7 downto 0);
+  signal arsize : std_logic_vector(2 downto 0);
+  signal arburst : std_logic_vector(1 downto 0);
+  signal arvalid : std_logic;
+  signal arready : std_logic := '0';
+  signal rdata : std_logic_vector({{ e.memory_width - 1 }} downto 0) := (others => '0');
+  signal rresp : std_logic_vector(1 downto 0) := "00";
+  signal rlast : std_logic := '0';
+  signal rvalid : std_logic := '0';
+  signal rready : std_logic;
+  signal broken : natural := 0;  -- rules of AXI
+{%- endif %}
+
+  -- A number of 16 bits that looks random.
+  function following(x : unsigned(15 downto 0)) return unsigned is
+  begin
+    return x(14 downto 0) & (x(15) xor x(13) xor x(12) xor x(10));
+  end function following;
+
+  -- The hexadecimal digits of a word, after a space.
+  procedure read_word(l : inout line; word : out std_logic_vector) is
+    constant digits : natural := word'length / 4;
+    variable bits : std_logic_vector(word'length - 1 downto 0);
+    variable c : character;
+    variable nibble : natural;
+  begin
+    read(l, c);
+    for i in digits - 1 downto 0 loop
+      read(l, c);
+      case c is
+        when '0' to '9' => nibble := character'pos(c) - character'pos('0');
+        when 'a' to 'f' => nibble := character'pos(c) - character'pos('a') + 10;
+        when others =>
+          nibble := 0;
+          assert false report "{{ prefix }}efsat_engine_tb: no hexadecimal digit: " & c severity failure;
+      end case;
+      bits(4 * i + 3 downto 4 * i) := std_logic_vector(to_unsigned(nibble, 4));
+    end loop;
+    word := bits;
+  end procedure read_word;
+
+  procedure write_word(l : inout line; word : in std_logic_vector) is
+    constant hex : string(1 to 16) := "0123456789abcdef";
+    constant digits : natural := word'length / 4;
+    variable bits : std_logic_vector(word'length - 1 downto 0);
+    variable nibble : std_logic_vector(3 downto 0);
+  begin
+    bits := word;
+    for i in digits - 1 downto 0 loop
+      nibble := bits(4 * i + 3 downto 4 * i);
+      if is_x(nibble) then
+        write(l, '?');
+      else
+        write(l, hex(to_integer(unsigned(nibble)) + 1));
+      end if;
+    end loop;
+  end procedure write_word;
+
+  -- Ascending order, by insertion with shrinking steps.
+  procedure sort(words : inout words_64; count : in natural) is
+    variable step : natural;
+    variable place : natural;
+    variable moved : word_64;
+  begin
+    step := 1;
+    while step < count / 3 loop
+      step := 3 * step + 1;
+    end loop;
+    while step > 0 loop
+      for i in step to count - 1 loop
+        moved := words(i);
+        place := i;
+        while place >= step loop
+          exit when unsigned(words(place - step)) <= unsigned(moved);
+          words(place) := words(place - step);
+          place := place - step;
+        end loop;
+        words(place) := moved;
+      end loop;
+      step := step / 3;
+    end loop;
+  end procedure sort;
+begin
+  clk <= not clk after {{ e.half_period }} when not done else '0';
+  finished <= done;
+
+  engine : entity work.{{ prefix }}efsat_engine
+    port map (
+      aclk => clk,
+      aresetn => aresetn,
+      s_axis_tdata => s_tdata,
+      s_axis_tkeep => s_tkeep,
+      s_axis_tvalid => s_tvalid,
+      s_axis_tlast => s_tlast,
+      s_axis_tready => s_tready,
+{%- if e.axi %}
+      m_axi_araddr => araddr,
+      m_axi_arlen => arlen,
+      m_axi_arsize => arsize,
+      m_axi_arburst => arburst,
+      m_axi_arvalid => arvalid,
+      m_axi_arready => arready,
+      m_axi_rdata => rdata,
+      m_axi_rresp => rresp,
+      m_axi_rlast => rlast,
+      m_axi_rvalid => rvalid,
+      m_axi_rready => rready,
+{%- endif %}
+      m_axis_tdata => m_tdata,
+      m_axis_tkeep => m_tkeep,
+      m_axis_tvalid => m_tvalid,
+      m_axis_tlast => m_tlast,
+      m_axis_tready => m_tready
+    );
+{%- if e.axi %}
+
+  -- Memory: bursts are answered in order, each not before its latency is over.
+  memory : process
+    constant most_bursts : natural := 64;
+    constant most_faults : natural := 64;
+    type memory_words is array (natural range <>) of word_64;
+    type memory_pointer is access memory_words;
+    type flags is array (natural range <>) of boolean;
+    type flags_pointer is access flags;
+    type numbers is array (natural range <>) of natural;
+    file source : text;
+    variable l : line;
+    variable c : character;
+    variable address : std_logic_vector(31 downto 0);
+    variable word : word_64;
+    variable kind : std_logic_vector(3 downto 0);
+    variable words : memory_pointer;
+    variable known : flags_pointer;
+    variable size : natural := 0;
+    variable fault_address : numbers(0 to most_faults - 1);
+    variable fault_kind : numbers(0 to most_faults - 1);
+    variable fault_pass : numbers(0 to most_faults - 1) := (others => 0);  -- the last in which it has happened
+    variable faults : natural := 0;
+    variable burst_address : numbers(0 to most_bursts - 1);  -- in words of 64 bits
+    variable burst_beats : numbers(0 to most_bursts - 1);
+    variable burst_due : numbers(0 to most_bursts - 1);
+    variable burst_fault : numbers(0 to most_bursts - 1);
+    variable first : natural := 0;
+    variable waiting : natural := 0;
+    variable beat : natural := 0;
+    variable beats : natural;
+    variable clock : natural := 0;
+    variable random : unsigned(15 downto 0);
+    variable held_address : std_logic_vector(31 downto 0);
+    variable holding : boolean := false;
+    variable place : natural;
+    variable errors : natural := 0;
+
+    procedure complain(what : in string) is
+    begin
+      errors := errors + 1;
+      broken <= errors;
+      assert false report "{{ prefix }}efsat_engine_tb: " & what severity error;
+    end procedure complain;
+
+    -- Half of a word of 64 bits in 32-bit memories, else whole ones.
+    procedure read_beat(from : in natural; number : in natural) is
+    begin
+{%- if e.memory_width == 32 %}
+      place := from + number / 2;
+      if place < size then
+        word := words(place);
+        if number mod 2 = 0 then
+          rdata <= word(31 downto 0);
+        else
+          rdata <= word(63 downto 32);
+        end if;
+      end if;
+{%- else %}
+      for i in 0 to {{ e.memory_words - 1 }} loop
+        place := from + {{ e.memory_words }} * number + i;
+        if place < size then
+          rdata(64 * i + 63 downto 64 * i) <= words(place);
+        end if;
+      end loop;
+{%- endif %}
+    end procedure read_beat;
+  begin
+    -- The size, then the words.
+    file_open(source, vectors, read_mode);
+    while not endfile(source) loop
+      readline(source, l);
+      if l'length > 0 then
+        read(l, c);
+        if c = 'M' then
+          read_word(l, address);
+          if to_integer(unsigned(address(30 downto 0))) >= size then
+            size := to_integer(unsigned(address(30 downto 0))) + 1;
+          end if;
+        end if;
+      end if;
+    end loop;
+    file_close(source);
+    words := new memory_words(0 to size);
+    known := new flags(0 to size);
+    for i in 0 to size loop
+      known(i) := false;
+      words(i) := (others => '0');
+    end loop;
+    file_open(source, vectors, read_mode);
+    while not endfile(source) loop
+      readline(source, l);
+      if l'length > 0 then
+        read(l, c);
+        if c = 'M' then
+          read_word(l, address);
+          read_word(l, word);
+          words(to_integer(unsigned(address(30 downto 0)))) := word;
+          known(to_integer(unsigned(address(30 downto 0)))) := true;
+        elsif c = 'X' then
+          read_word(l, address);
+          read_word(l, kind);
+          fault_address(faults) := to_integer(unsigned(address(30 downto 0)));
+          fault_kind(faults) := to_integer(unsigned(kind));
+          faults := faults + 1;
+        end if;
+      end if;
+    end loop;
+    file_close(source);
+    random := to_unsigned(seed, 16) xor x"5a17";
+    loop
+      wait until rising_edge(clk);
+      clock := clock + 1;
+      random := following(random);
+      exit when done;
+      if aresetn = '0' then
+        waiting := 0;
+        beat := 0;
+        holding := false;
+        rvalid <= '0';
+        arready <= '0';
+      else
+        -- Addresses
+        if holding and (arvalid /= '1' or araddr /= held_address) then
+          complain("an address changed before it was taken");
+        end if;
+        holding := arvalid = '1' and arready = '0';
+        held_address := araddr;
+        if (arvalid and arready) = '1' then
+          beats := to_integer(unsigned(arlen)) + 1;
+          place := to_integer(unsigned(araddr(30 downto 3)));
+          if arburst /= "01" or arsize /= "{{ e.memory_size }}" or araddr(5 downto 0) /= "000000" or {{ e.memory_bytes }} * beats > 64 then
+            complain("a burst that is not within 64 bytes");
+          end if;
+          for i in 0 to ({{ e.memory_bytes }} * beats + 7) / 8 - 1 loop
+            if araddr(31) = '1' or place + i >= size then
+              complain("a read outside the memory");
+              exit;
+            elsif not known(place + i) then
+              complain("a read outside the images");
+              exit;
+            end if;
+          end loop;
+          if waiting = most_bursts then
+            complain("too many bursts");
+          else
+            burst_address((first + waiting) mod most_bursts) := place;
+            burst_beats((first + waiting) mod most_bursts) := beats;
+            burst_due((first + waiting) mod most_bursts) :=
+              clock + latency_least - 1 + to_integer(random(9 downto 0)) mod (latency_most - latency_least + 1);
+            burst_fault((first + waiting) mod most_bursts) := 0;
+            for i in 0 to faults - 1 loop
+              if fault_address(i) = place / 8 and fault_pass(i) < pass then
+                fault_pass(i) := pass;
+                burst_fault((first + waiting) mod most_bursts) := fault_kind(i);
+              end if;
+            end loop;
+            waiting := waiting + 1;
+          end if;
+        end if;
+        arready <= '1';
+        if pass > 1 then
+          arready <= random(3) or random(7);
+        end if;
+        -- Words
+        if (rvalid and not rready) = '1' then
+          complain("RREADY is not set");
+        end if;
+        rvalid <= '0';
+        rlast <= '0';
+        rresp <= "00";
+        if waiting > 0 and burst_due(first) <= clock and (pass = 1 or random(5) = '1' or random(11) = '1') then
+          read_beat(burst_address(first), beat);
+          rvalid <= '1';
+          if burst_fault(first) = 1 and beat = 1 mod burst_beats(first) then
+            rresp <= "10";
+          end if;
+          beat := beat + 1;
+          -- A word less or more than asked for.
+          if (burst_fault(first) = 2 and beat + 1 >= burst_beats(first)) or (burst_fault(first) = 3 and beat > burst_beats(first))
+            or (burst_fault(first) < 2 and beat = burst_beats(first)) then
+            rlast <= '1';
+            beat := 0;
+            first := (first + 1) mod most_bursts;
+            waiting := waiting - 1;
+          end if;
+        end if;
+      end if;
+    end loop;
+    wait;
+  end process memory;
+{%- endif %}
+
+  main : process
+    file source : text;
+    file wanted : text;
+    file log : text;
+    variable l : line;
+    variable word_line : line;
+    variable answer_line : line;
+    variable message : line;
+    variable kind : character;
+    variable more_words : boolean;
+    variable more_answers : boolean;
+    variable word : word_64;
+    variable flag : std_logic_vector(3 downto 0);
+    variable pause : natural := 0;
+    variable waits : boolean := false;
+    variable found : words_64(0 to most_pairs - 1);
+    variable found_count : natural := 0;
+    variable expected : words_64(0 to most_pairs - 1);
+    variable expected_count : natural := 0;
+    variable low : std_logic_vector(31 downto 0);
+    variable mode : natural;
+    variable tail : words_64(0 to 7);
+    variable held : word_64;
+    variable held_last : std_logic := '0';
+    variable holding : boolean := false;
+    variable packets_in : natural := 0;
+    variable packets_out : natural := 0;
+    variable packets_wanted : natural := 0;
+    variable pairs : natural := 0;
+    variable mismatches : natural := 0;
+    variable greatest : natural := 0;
+    variable busy : natural := 0;  -- clocks of all reports of the first pass
+    variable clock : natural := 0;
+    variable quiet : natural := 0;
+    variable random : unsigned(15 downto 0);
+    variable place : natural;
+    variable stop_header : boolean;
+
+    -- The next line of one of the kinds, its rest into found; more says whether there is one.
+    procedure find_line(file f : text; kinds : in string; which : out character; rest : inout line; more : out boolean) is
+      variable c : character;
+    begin
+      more := false;
+      which := ' ';
+      while not endfile(f) loop
+        readline(f, rest);
+        if rest'length > 0 then
+          read(rest, c);
+          for i in kinds'range loop
+            if kinds(i) = c then
+              more := true;
+              which := c;
+              return;
+            end if;
+          end loop;
+        end if;
+      end loop;
+    end procedure find_line;
+
+    procedure complain(what : in string) is
+    begin
+      mismatches := mismatches + 1;
+      if mismatches <= 10 then
+        write(message, string'("{{ prefix }}efsat_engine_tb: packet "));
+        write(message, packets_out);
+        write(message, string'(" pass "));
+        write(message, pass);
+        write(message, string'(": "));
+        write(message, what);
+        writeline(output, message);
+      end if;
+    end procedure complain;
+
+    procedure compare_word(what : in string; actual : in std_logic_vector; due : in std_logic_vector) is
+    begin
+      if actual /= due then
+        mismatches := mismatches + 1;
+        if mismatches <= 10 then
+          write(message, string'("{{ prefix }}efsat_engine_tb: packet "));
+          write(message, packets_out);
+          write(message, string'(" pass "));
+          write(message, pass);
+          write(message, string'(": "));
+          write(message, what);
+          write(message, string'(" expected "));
+          write_word(message, due);
+          write(message, string'(" actual "));
+          write_word(message, actual);
+          writeline(output, message);
+        end if;
+      end if;
+    end procedure compare_word;
+
+    -- Pairs and report of the packet that has just ended, against the file.
+    procedure compare is
+      variable which : character;
+      variable due : word_64;
+    begin
+      expected_count := 0;
+      loop
+        find_line(wanted, "AR", which, answer_line, more_answers);
+        if not more_answers then
+          complain("a packet too many");
+          return;
+        end if;
+        exit when which = 'R';
+        read_word(answer_line, expected(expected_count));
+        expected_count := expected_count + 1;
+      end loop;
+      read_word(answer_line, low);
+      read_word(answer_line, flag);
+      mode := to_integer(unsigned(flag));
+      compare_word("word 0", tail(0)(31 downto 0), low);
+      for i in 1 to 3 loop
+        read_word(answer_line, due);
+        if mode = 2 then
+          compare_word("word " & integer'image(i), tail(i), due);
+        end if;
+      end loop;
+      place := 0;
+      if mode > 0 then
+        sort(found, found_count);
+        for i in 0 to found_count - 1 loop
+          while place < expected_count and unsigned(expected(place)) < unsigned(found(i)) loop
+            if mode = 2 then
+              compare_word("a pair is missing", found(i), expected(place));
+            end if;
+            place := place + 1;
+          end loop;
+          if place < expected_count and expected(place) = found(i) then
+            place := place + 1;
+          else
+            compare_word("a pair too many", found(i), (word_64'range => '0'));
+          end if;
+        end loop;
+        if mode = 2 and place < expected_count then
+          complain("a pair is missing");
+        end if;
+      end if;
+      pairs := pairs + found_count;
+      if to_integer(unsigned(tail(7)(47 downto 32))) > greatest then
+        greatest := to_integer(unsigned(tail(7)(47 downto 32)));
+      end if;
+      if greatest > {{ e.stack }} then
+        complain("the stack is too full");
+      end if;
+      if pass = 1 then
+        busy := busy + to_integer(unsigned(tail(0)(62 downto 32)));
+      end if;
+    end procedure compare;
+  begin
+    random := to_unsigned(seed, 16) xor x"ace1";
+    for i in 1 to 4 loop
+      wait until rising_edge(clk);
+    end loop;
+    if answers /= "" then
+      file_open(log, answers, write_mode);
+    end if;
+    for run in 1 to passes loop
+      pass <= run;
+      aresetn <= '0';
+      s_tvalid <= '0';
+      for i in 1 to 4 loop
+        wait until rising_edge(clk);
+      end loop;
+      if (s_tready or m_tvalid) /= '0' then
+        complain("a handshake in reset");
+      end if;
+      aresetn <= '1';
+      holding := false;
+      file_open(source, vectors, read_mode);
+      file_open(wanted, vectors, read_mode);
+      readline(source, l);
+      assert l.all = formats
+        report "{{ prefix }}efsat_engine_tb: " & vectors & " is for another design: " & l.all & " instead of " & formats
+        severity failure;
+      find_line(source, "IDW", kind, word_line, more_words);
+      packets_in := 0;
+      packets_out := 0;
+      found_count := 0;
+      quiet := 0;
+      pause := 0;
+      loop
+        wait until rising_edge(clk);
+        clock := clock + 1;
+        quiet := quiet + 1;
+        random := following(random);
+        -- An answer is offered, and perhaps taken.
+        if holding and (m_tvalid /= '1' or m_tdata /= held or m_tlast /= held_last) then
+          complain("an answer changed before it was taken");
+        end if;
+        holding := m_tvalid = '1' and m_tready = '0';
+        held := m_tdata;
+        held_last := m_tlast;
+        if (m_tvalid and m_tready) = '1' then
+          quiet := 0;
+          if answers /= "" then
+            write_word(message, m_tdata);
+            write(message, ' ');
+            write(message, to_bit(m_tlast));
+            writeline(log, message);
+          end if;
+          found(found_count) := m_tdata;
+          found_count := found_count + 1;
+          if m_tlast = '1' then
+            if found_count < 8 then
+              complain("a packet without a report");
+            else
+              found_count := found_count - 8;
+              tail := found(found_count to found_count + 7);
+              compare;
+            end if;
+            packets_out := packets_out + 1;
+            found_count := 0;
+          end if;
+        end if;
+        -- A word is taken. A stop has no answer.
+        if (s_tvalid and s_tready) = '1' then
+          quiet := 0;
+          s_tvalid <= '0';
+          if s_tlast = '1' and not stop_header then
+            packets_in := packets_in + 1;
+          end if;
+          stop_header := s_tlast = '1' and stop_header;
+        end if;
+        -- The next word, once the one before is taken.
+        if s_tvalid = '0' or s_tready = '1' then
+          if pause > 0 then
+            pause := pause - 1;
+          elsif more_words then
+            if kind = 'D' then
+              read_word(word_line, low);
+              pause := to_integer(unsigned(low(30 downto 0)));
+              find_line(source, "IDW", kind, word_line, more_words);
+            elsif kind = 'W' then
+              if packets_out = packets_in then
+                find_line(source, "IDW", kind, word_line, more_words);
+              end if;
+            elsif run = 1 or random(1) = '1' or random(6) = '1' then
+              read_word(word_line, word);
+              read_word(word_line, flag);
+              s_tdata <= word;
+              s_tlast <= flag(0);
+              stop_header := flag(0) = '1' and word(31 downto 0) = x"{{ e.stop_header }}";
+              read_word(word_line, flag);
+              stop_header := stop_header and flag(0) = '1';
+              s_tkeep <= (others => '1');
+              s_tkeep(7) <= flag(0);
+              s_tvalid <= '1';
+              find_line(source, "IDW", kind, word_line, more_words);
+            end if;
+          elsif packets_out = packets_in then
+            exit;
+          end if;
+        end if;
+        m_tready <= '1';
+        if run > 1 then
+          m_tready <= random(4) or random(9);
+        end if;
+        if quiet > patience + pause then
+          assert false report "{{ prefix }}efsat_engine_tb: no transfer any more" severity failure;
+        end if;
+      end loop;
+      find_line(wanted, "AR", kind, answer_line, more_answers);
+      if more_answers then
+        complain("a packet is missing");
+      end if;
+      file_close(source);
+      file_close(wanted);
+    end loop;
+    if answers /= "" then
+      file_close(log);
+    end if;
+{%- if e.axi %}
+    mismatches := mismatches + broken;
+{%- endif %}
+    write(message, string'("{{ prefix }}efsat_engine_tb: packets "));
+    write(message, packets_out);
+    write(message, string'(" pairs "));
+    write(message, pairs);
+    write(message, string'(" mismatches "));
+    write(message, mismatches);
+    write(message, string'(" stack "));
+    write(message, greatest);
+    write(message, string'(" clocks "));
+    write(message, busy);
+    write(message, string'(" total "));
+    write(message, clock);
+    writeline(output, message);
+    assert mismatches = 0 report "{{ prefix }}efsat_engine_tb: the engine and the reference model differ" severity error;
+    done <= true;
+    wait;
+  end process main;
+end architecture simulation;

@@ -1,0 +1,189 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- Answers out. A pair is a word: verdict in bits 1..0, number of A's triangle in 35..8, of B's in 63..36. The report that
+-- closes the packet is eight words, the last with TLAST:
+--   0  11 in bits 1..0, reason 6..2, incomplete 7, number of the query 31..8, clocks 63..32
+--   1  expansions 31..0, tests 63..32
+--   2  survivors, leaf pairs
+--   3  pairs that intersect, pairs that are possibly incorrect
+--   4  blocks asked for, blocks read from memory
+--   5  triangles asked for, triangles read from memory
+--   6  words read from memory, clocks in which the volume unit waited for blocks
+--   7  clocks in which survivors waited for the queue of pairs, 47..32 the most entries of the stack, at most {{ e.stack }}
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity {{ prefix }}engine_answer is
+  port (
+    clk : in std_logic;
+    reset : in std_logic;
+    -- Pairs with their verdicts.
+    decided_valid : in std_logic;
+    decided_taken : out std_logic;
+    verdict : in std_logic_vector(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
+    numbers : in std_logic_vector(55 downto 0);  -- of A's triangle in the low half, of B's in the high one
+    ending : in std_logic;  -- pairs are dropped
+    separate_too : in std_logic;  -- pairs that are separate are answered, too
+    stop_at_contact : in std_logic;
+    contact : out std_logic;  -- the pair taken intersects, and the query is to end with it
+    -- The report.
+    report_due : in std_logic;  -- until the report is done; then no pair comes
+    report_done : out std_logic;  -- its last word is on its way
+    reason : in std_logic_vector(4 downto 0);
+    number : in std_logic_vector(23 downto 0);
+    -- Counters: cleared before a query, then one more in each clock in which the event is set.
+    clear : in std_logic;
+    running : in std_logic;
+    expanded : in std_logic;
+    tested : in std_logic_vector(2 downto 0);  -- so many more
+    survived : in std_logic;
+    paired : in std_logic;
+    block_reads : in std_logic_vector(1 downto 0);  -- of A, of B
+    triangles_asked : in std_logic;  -- one of A and one of B
+    triangle_reads : in std_logic_vector(1 downto 0);
+    words_read : in std_logic;
+    starved : in std_logic;
+    stalled : in std_logic;
+    greatest_stack : in unsigned(15 downto 0);
+    m_axis_tdata : out std_logic_vector(63 downto 0);
+    m_axis_tkeep : out std_logic_vector(7 downto 0);  -- always ones
+    m_axis_tvalid : out std_logic;
+    m_axis_tlast : out std_logic;
+    m_axis_tready : in std_logic
+  );
+end entity {{ prefix }}engine_answer;
+
+architecture rtl of {{ prefix }}engine_answer is
+  constant separate : std_logic_vector(1 downto 0) := "00";
+  constant certain : std_logic_vector(1 downto 0) := "01";
+  signal offered : std_logic := '0';
+  signal offered_word : std_logic_vector(63 downto 0) := (others => '0');
+  signal offered_last : std_logic := '0';
+  signal free : std_logic;
+  signal speaks : std_logic;  -- the pair becomes a word
+  signal taken : std_logic;
+  signal counts : std_logic;
+  signal place : unsigned(2 downto 0) := "000";  -- of the next word of the report
+  signal sent : std_logic := '0';
+  signal report_word : std_logic_vector(63 downto 0);
+  signal incomplete : std_logic;
+
+  type counter_values is array (0 to 14) of unsigned(31 downto 0);
+  signal counter : counter_values := (others => (others => '0'));
+  signal steps : std_logic_vector(14 downto 0);
+  constant clocks_at : natural := 0;
+  constant expansions_at : natural := 1;
+  constant tests_at : natural := 2;
+  constant survivors_at : natural := 3;
+  constant pairs_at : natural := 4;
+  constant intersect_at : natural := 5;
+  constant incorrect_at : natural := 6;
+  constant blocks_a_read_at : natural := 7;
+  constant blocks_b_read_at : natural := 8;
+  constant triangles_asked_at : natural := 9;
+  constant triangles_a_read_at : natural := 10;
+  constant triangles_b_read_at : natural := 11;
+  constant words_at : natural := 12;
+  constant starved_at : natural := 13;
+  constant stalled_at : natural := 14;
+  signal blocks_read : unsigned(31 downto 0) := (others => '0');
+  signal triangles_read : unsigned(31 downto 0) := (others => '0');
+begin
+  -- ===== Pairs =====
+  free <= m_axis_tready or not offered;
+  speaks <= decided_valid and not ending when verdict /= separate else decided_valid and separate_too and not ending;
+  taken <= decided_valid and (free or not speaks);
+  decided_taken <= taken;
+  counts <= taken and not ending;
+  contact <= counts and stop_at_contact when verdict = certain else '0';
+
+  -- ===== Report =====
+  incomplete <= '0' when reason = "00000" or reason = "00001" else '1';
+  report_word <=
+    std_logic_vector(counter(clocks_at)) & number & incomplete & reason & "11" when place = 0 else
+    std_logic_vector(counter(tests_at)) & std_logic_vector(counter(expansions_at)) when place = 1 else
+    std_logic_vector(counter(pairs_at)) & std_logic_vector(counter(survivors_at)) when place = 2 else
+    std_logic_vector(counter(incorrect_at)) & std_logic_vector(counter(intersect_at)) when place = 3 else
+    std_logic_vector(blocks_read) & std_logic_vector(counter(expansions_at)(30 downto 0)) & '0' when place = 4 else
+    std_logic_vector(triangles_read) & std_logic_vector(counter(triangles_asked_at)(30 downto 0)) & '0' when place = 5 else
+    std_logic_vector(counter(starved_at)) & std_logic_vector(counter(words_at)) when place = 6 else
+    x"0000" & std_logic_vector(greatest_stack) & std_logic_vector(counter(stalled_at));
+  report_done <= report_due and free and not sent when place = 7 else '0';
+
+  offer : process (clk)
+  begin
+    if rising_edge(clk) then
+      if free = '1' then
+        if report_due = '1' then
+          offered_word <= report_word;
+        else
+          offered_word <= numbers(55 downto 28) & numbers(27 downto 0) & "000000" & verdict;
+        end if;
+        offered_last <= '0';
+        if report_due = '1' and place = 7 then
+          offered_last <= '1';
+        end if;
+      end if;
+      if reset = '1' then
+        offered <= '0';
+        place <= "000";
+        sent <= '0';
+      else
+        if free = '1' then
+          offered <= (report_due and not sent) or speaks;
+          if report_due = '1' and sent = '0' then
+            place <= place + 1;
+          end if;
+        end if;
+        if report_due = '0' then
+          sent <= '0';
+        elsif free = '1' and place = 7 then
+          sent <= '1';
+        end if;
+      end if;
+    end if;
+  end process offer;
+  m_axis_tdata <= offered_word;
+  m_axis_tkeep <= (others => '1');
+  m_axis_tvalid <= offered;
+  m_axis_tlast <= offered_last;
+
+  -- ===== Counters =====
+  steps(clocks_at) <= running;
+  steps(expansions_at) <= expanded;
+  steps(tests_at) <= '0';
+  steps(survivors_at) <= survived;
+  steps(pairs_at) <= paired;
+  steps(intersect_at) <= counts when verdict = certain else '0';
+  steps(incorrect_at) <= counts and verdict(1);
+  steps(blocks_a_read_at) <= block_reads(0);
+  steps(blocks_b_read_at) <= block_reads(1);
+  steps(triangles_asked_at) <= triangles_asked;
+  steps(triangles_a_read_at) <= triangle_reads(0);
+  steps(triangles_b_read_at) <= triangle_reads(1);
+  steps(words_at) <= words_read;
+  steps(starved_at) <= starved;
+  steps(stalled_at) <= stalled;
+
+  count : process (clk)
+  begin
+    if rising_edge(clk) then
+      for i in 0 to 14 loop
+        if clear = '1' then
+          counter(i) <= (others => '0');
+        elsif steps(i) = '1' then
+          counter(i) <= counter(i) + 1;
+        end if;
+      end loop;
+      if clear = '0' then
+        counter(tests_at) <= counter(tests_at) + unsigned(tested);
+      end if;
+      blocks_read <= counter(blocks_a_read_at) + counter(blocks_b_read_at);
+      triangles_read <= counter(triangles_a_read_at) + counter(triangles_b_read_at);
+    end if;
+  end process count;
+end architecture rtl;

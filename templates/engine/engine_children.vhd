@@ -1,0 +1,85 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- What the traversal needs to know of a block: which children take part in the test, where their links go, and whether
+-- block and links are good. Combinational: take. One clock after the block was taken: children_valid, the children and
+-- the number of tests. Two clocks after: bad, one clock long.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity {{ prefix }}engine_children is
+  port (
+    clk : in std_logic;
+    reset : in std_logic;
+    taken : in std_logic;  -- the block is taken in this clock
+    data : in std_logic_vector({{ e.block_bits - 1 }} downto 0);
+    own : in std_logic_vector({{ e.node_bits - 1 }} downto 0);  -- number of the block
+    wanted : in std_logic_vector(1 downto 0);  -- bit 0 left, bit 1 right child
+    block_count : in std_logic_vector(31 downto 0);
+    triangle_count : in std_logic_vector(31 downto 0);
+    take : out std_logic_vector(1 downto 0);  -- children that take part: wanted, and not none
+    leaf : out std_logic_vector(1 downto 0);  -- the link goes to a triangle
+    fault : out std_logic_vector(1 downto 0);  -- it goes to no block or triangle of the tree, or to a block that is not behind this one
+    left : out std_logic_vector(27 downto 0);  -- number of the block or triangle
+    right : out std_logic_vector(27 downto 0);
+    bad : out std_logic  -- the block has another format, or a code that the volume unit does not take
+  );
+end entity {{ prefix }}engine_children;
+
+architecture rtl of {{ prefix }}engine_children is
+  constant none : std_logic_vector(31 downto 0) := (others => '1');
+  -- k in bits 7..0, bits of a code in 11..8, version in 15..12, then zeros
+  constant tag : std_logic_vector({{ e.tag_bits - 1 }} downto 0) := "{{ e.block_tag }}";
+  constant unusable : std_logic_vector({{ e.offset_bits - 1 }} downto 0) := "{{ e.unusable_code }}";  -- -2^{{ e.offset_bits - 1 }}
+  constant usable : std_logic_vector({{ e.code_count }} downto 0) := (others => '0');
+  signal present : std_logic_vector(1 downto 0);
+  -- Bit i: code i is unusable; the last: the tag differs.
+  signal found : std_logic_vector({{ e.code_count }} downto 0);
+  signal found_before : std_logic_vector({{ e.code_count }} downto 0) := (others => '0');
+  signal taken_before : std_logic := '0';
+  type links is array (0 to 1) of std_logic_vector(31 downto 0);
+  signal link : links := (others => (others => '0'));
+  signal number : std_logic_vector({{ e.node_bits - 1 }} downto 0) := (others => '0');
+begin
+  present(0) <= '1' when data(31 downto 0) /= none else '0';
+  present(1) <= '1' when data(63 downto 32) /= none else '0';
+  take <= wanted and present;
+
+{%- for code in e.codes %}
+  found({{ loop.index0 }}) <= '1' when data({{ code.high }} downto {{ code.low }}) = unusable else '0';
+{%- endfor %}
+  found({{ e.code_count }}) <= '1' when data({{ e.codes_at - 1 }} downto {{ e.tag_at }}) /= tag else '0';
+
+  hold : process (clk)
+  begin
+    if rising_edge(clk) then
+      link(0) <= data(31 downto 0);
+      link(1) <= data(63 downto 32);
+      number <= own;
+      found_before <= found;
+      taken_before <= taken and not reset;
+      bad <= '0';
+      if found_before /= usable then
+        bad <= taken_before and not reset;
+      end if;
+    end if;
+  end process hold;
+
+  children : for i in 0 to 1 generate
+    signal target : unsigned(30 downto 0);
+    signal beyond : std_logic;  -- no triangle of the tree
+    signal astray : std_logic;  -- no block behind this one
+  begin
+    target <= unsigned(link(i)(30 downto 0));
+    leaf(i) <= link(i)(31);
+    beyond <= '1' when target >= unsigned(triangle_count) else '0';
+    astray <= '1' when target >= unsigned(block_count) or target <= unsigned(number)
+      or target(30 downto {{ e.node_bits }}) /= 0 else '0';
+    fault(i) <= beyond when link(i)(31) = '1' else astray;
+  end generate children;
+  left <= link(0)(27 downto 0);
+  right <= link(1)(27 downto 0);
+end architecture rtl;

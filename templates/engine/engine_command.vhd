@@ -1,0 +1,279 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- Packets in, words of 64 bits. The header is in the low 32 bits of the first word; its low byte is the kind of the packet:
+--   3  query: {{ e.query_words }} words with the header; bits 39..32 of the first are {{ e.directions }}, bits 43..40 {{ e.offset_bits }}, the others above zero
+{%- if e.block_ram %}
+--   4  load: a byte address, a multiple of 64, and words for the memory from there on: below 2^31 blocks, from 2^31 on triangles
+{%- endif %}
+--   5  stop: the header alone. Ends the query that runs and has no answer of its own
+-- Every other packet becomes a job: a query to run, or a report to give. One job waits here while another one runs; then words
+-- stay in the stream, but for a stop.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity {{ prefix }}engine_command is
+  port (
+    clk : in std_logic;
+    reset : in std_logic;
+    s_axis_tdata : in std_logic_vector(63 downto 0);
+    s_axis_tkeep : in std_logic_vector(7 downto 0);
+    s_axis_tvalid : in std_logic;
+    s_axis_tlast : in std_logic;
+    s_axis_tready : out std_logic;
+    job_valid : out std_logic;
+    job_taken : in std_logic;
+    job_query : out std_logic;  -- a query, else a report
+    job_reason : out std_logic_vector(4 downto 0);  -- of the report: 0 loaded, 6 unknown header, 7 too short, 8 too long
+    job_number : out std_logic_vector(23 downto 0);
+    job_words : out std_logic_vector({{ e.job_bits - 1 }} downto 0);  -- of the query without its header, the first in the low bits
+{%- if e.block_ram %}
+    busy : in std_logic;  -- a query runs: its memory is not written
+    block_write : out std_logic;
+    triangle_write : out std_logic;
+    write_line : out std_logic_vector({{ e.load_bits - 1 }} downto 0);
+    write_place : out std_logic_vector(2 downto 0);
+    write_data : out std_logic_vector(63 downto 0);
+{%- endif %}
+    stop : out std_logic
+  );
+end entity {{ prefix }}engine_command;
+
+architecture rtl of {{ prefix }}engine_command is
+  constant query_header : std_logic_vector(31 downto 0) := x"{{ e.query_header }}";
+  constant query_format : std_logic_vector(31 downto 0) := x"{{ e.query_format }}";
+{%- if e.block_ram %}
+  constant load_header : std_logic_vector(31 downto 0) := x"{{ e.load_header }}";
+{%- endif %}
+  constant stop_header : std_logic_vector(31 downto 0) := x"{{ e.stop_header }}";
+  constant all_bytes : std_logic_vector(7 downto 0) := (others => '1');
+  constant fine : std_logic_vector(4 downto 0) := "00000";
+  constant unknown : std_logic_vector(4 downto 0) := "00110";
+  constant too_short : std_logic_vector(4 downto 0) := "00111";
+  constant too_long : std_logic_vector(4 downto 0) := "01000";
+
+  -- Two words are held, so that TREADY depends on registers alone.
+  signal running : std_logic := '0';
+  signal head_valid : std_logic := '0';
+  signal head : std_logic_vector(63 downto 0) := (others => '0');
+  signal head_last : std_logic := '0';
+  signal head_whole : std_logic := '0';
+  signal next_valid : std_logic := '0';
+  signal next_word : std_logic_vector(63 downto 0) := (others => '0');
+  signal next_last : std_logic := '0';
+  signal next_whole : std_logic := '0';
+  signal ready : std_logic;
+  signal arrives : std_logic;
+  signal whole : std_logic;
+  signal taken : std_logic;
+
+  type expectation_state is (header_state, query_state, {% if e.block_ram %}address_state, load_state, {% endif %}skip_state);
+  signal expectation : expectation_state := header_state;
+  signal place : unsigned(5 downto 0) := "000000";  -- of the word in its packet
+  signal at_end : std_logic;  -- the last word of a query
+  signal behind : std_logic := '0';  -- words come after it
+  signal fault : std_logic_vector(4 downto 0) := fine;
+  signal is_stop : std_logic;
+  signal waits : std_logic;
+  signal unfit : std_logic;  -- the word of a query has a value that there is not
+  signal pending : std_logic := '0';
+  signal words : std_logic_vector({{ e.job_bits - 1 }} downto 0) := (others => '0');
+  signal number : std_logic_vector(23 downto 0) := (others => '0');
+{%- if e.block_ram %}
+  signal load_line : unsigned({{ e.load_bits }} downto 0) := (others => '0');
+  signal load_place : unsigned(2 downto 0) := "000";
+  signal load_triangles : std_logic := '0';
+  signal beyond : std_logic;  -- the line is outside the memory
+  signal address_unfit : std_logic;
+{%- endif %}
+begin
+  ready <= running and not next_valid;
+  s_axis_tready <= ready;
+  arrives <= ready and s_axis_tvalid;
+  whole <= '1' when s_axis_tkeep = all_bytes else '0';
+
+  hold : process (clk)
+  begin
+    if rising_edge(clk) then
+      if taken = '1' or head_valid = '0' then
+        if next_valid = '1' then
+          head <= next_word;
+          head_last <= next_last;
+          head_whole <= next_whole;
+        else
+          head <= s_axis_tdata;
+          head_last <= s_axis_tlast;
+          head_whole <= whole;
+        end if;
+      end if;
+      if next_valid = '0' then
+        next_word <= s_axis_tdata;
+        next_last <= s_axis_tlast;
+        next_whole <= whole;
+      end if;
+      if reset = '1' then
+        running <= '0';
+        head_valid <= '0';
+        next_valid <= '0';
+      else
+        running <= '1';
+        if taken = '1' or head_valid = '0' then
+          head_valid <= next_valid or arrives;
+          next_valid <= '0';
+        else
+          next_valid <= next_valid or arrives;
+        end if;
+      end if;
+    end if;
+  end process hold;
+
+  -- ===== Packets =====
+  is_stop <= head_whole and head_last when head(31 downto 0) = stop_header else '0';
+  -- A packet begins when its job has a place to go.
+{%- if e.block_ram %}
+  waits <= busy or pending when head(31 downto 0) = load_header else pending;
+{%- else %}
+  waits <= pending;
+{%- endif %}
+  taken <= head_valid and (is_stop or not waits) when expectation = header_state else head_valid;
+  at_end <= '1' when place = {{ e.query_words - 1 }} else '0';
+  unfit <= '1' when
+    (place = {{ e.options_word }} and head(39 downto 36) /= "0000") or
+    (place = {{ e.pose_word }} and head(31) = '1') or
+    (place >= {{ e.first_row }} and ({% for slot in e.checked_slots %}unsigned(head({{ slot.high }} downto {{ slot.low }})) >= {{ slot.count }} or {% endfor %}head(63 downto {{ e.row_bits }}) /= "{{ e.row_zeros }}"))
+    else '0';
+{%- if e.block_ram %}
+  beyond <= '1' when (load_triangles = '0' and load_line >= {{ e.blocks }}) or (load_triangles = '1' and load_line >= {{ e.triangles }}) else '0';
+  address_unfit <= '1' when head(63 downto 32) /= x"00000000" or head(5 downto 0) /= "000000" else '0';
+{%- endif %}
+
+  receive : process (clk)
+    variable found : std_logic_vector(4 downto 0);
+  begin
+    if rising_edge(clk) then
+      if taken = '1' and expectation = query_state and behind = '0' then
+        words <= head & words({{ e.job_bits - 1 }} downto 64);
+      end if;
+      stop <= '0';
+{%- if e.block_ram %}
+      block_write <= '0';
+      triangle_write <= '0';
+      write_line <= std_logic_vector(load_line({{ e.load_bits - 1 }} downto 0));
+      write_place <= std_logic_vector(load_place);
+      write_data <= head;
+{%- endif %}
+      if reset = '1' then
+        expectation <= header_state;
+        pending <= '0';
+        job_query <= '0';
+        fault <= fine;
+      else
+        if job_taken = '1' then
+          pending <= '0';
+        end if;
+        if taken = '1' then
+          found := fault;
+          place <= place + 1;
+          if at_end = '1' then
+            behind <= '1';
+          end if;
+          case expectation is
+            when header_state =>
+              place <= "000001";
+              behind <= '0';
+              number <= (others => '0');
+              if head_whole = '0' then
+                found := unknown;
+              elsif head(31 downto 0) = query_header and head(63 downto 32) = query_format then
+                expectation <= query_state;
+                if head_last = '1' then
+                  found := too_short;
+                end if;
+{%- if e.block_ram %}
+              elsif head(31 downto 0) = load_header then
+                expectation <= address_state;
+                if head_last = '1' then
+                  found := too_short;
+                end if;
+{%- endif %}
+              elsif is_stop = '1' then
+                stop <= '1';
+              elsif head(31 downto 0) = stop_header then
+                found := too_long;
+              else
+                found := unknown;
+              end if;
+              if found /= fine then
+                expectation <= skip_state;
+              end if;
+            when query_state =>
+              if place = {{ e.options_word }} and behind = '0' then
+                number <= head(63 downto 40);
+              end if;
+              if fault = fine then
+                if head_whole = '0' then
+                  found := too_short;
+                elsif behind = '1' then
+                  found := too_long;
+                elsif unfit = '1' then
+                  found := unknown;
+                elsif head_last = '1' and at_end = '0' then
+                  found := too_short;
+                end if;
+              end if;
+{%- if e.block_ram %}
+            when address_state =>
+              expectation <= load_state;
+              load_line <= '0' & unsigned(head({{ e.load_bits + 5 }} downto 6));
+              load_place <= "000";
+              load_triangles <= head(31);
+              if head_whole = '0' or head_last = '1' then
+                found := too_short;
+              elsif address_unfit = '1' or head(30 downto {{ e.load_bits + 6 }}) /= "{{ e.load_zeros }}" then
+                found := unknown;
+              end if;
+            when load_state =>
+              load_place <= load_place + 1;
+              if load_place = 7 then
+                load_line <= load_line + 1;
+              end if;
+              if fault = fine then
+                if head_whole = '0' then
+                  found := too_short;
+                elsif beyond = '1' then
+                  found := too_long;
+                else
+                  block_write <= not load_triangles;
+                  triangle_write <= load_triangles;
+                end if;
+              end if;
+{%- endif %}
+            when others =>
+              null;
+          end case;
+          fault <= found;
+          if head_last = '1' then
+            expectation <= header_state;
+            fault <= fine;
+            if is_stop = '0' or expectation /= header_state then
+              pending <= '1';
+              job_reason <= found;
+              job_query <= '0';
+              if expectation = query_state and found = fine then
+                job_query <= '1';
+              else
+                number <= (others => '0');
+              end if;
+            end if;
+          end if;
+        end if;
+      end if;
+    end if;
+  end process receive;
+  job_valid <= pending;
+  job_words <= words;
+  job_number <= number;
+end architecture rtl;

@@ -1,0 +1,294 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- The query that runs, from its job to its report: hands its pose to the triangle unit, keeps the rest in registers, starts
+-- the traversal and finds out why it ends. Reasons: 0 complete, 1 stopped at a certain contact, 2 limit of expansions,
+-- 3 bad tree, 4 memory error, 5 stopped by the host; those of packets that are no query come with the job.
+--
+-- The matrix for the origins of blocks is s1.17, cut off and saturated to +-(2^17 - 1); the shift is s4.22, cut off.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity {{ prefix }}engine_control is
+  port (
+    clk : in std_logic;
+    reset : in std_logic;
+    job_valid : in std_logic;
+    job_taken : out std_logic;
+    job_query : in std_logic;
+    job_reason : in std_logic_vector(4 downto 0);
+    job_number : in std_logic_vector(23 downto 0);
+    job_words : in std_logic_vector({{ e.job_bits - 1 }} downto 0);
+    stop : in std_logic;
+    -- The pose is taken from the words of the job.
+    pose_valid : out std_logic;
+    pose_ready : in std_logic;
+    -- The running query.
+    busy : out std_logic;  -- there is one, or its report
+    running : out std_logic;  -- there is one
+    start : out std_logic;
+    ending : out std_logic;  -- no query runs, or it has a reason to end
+    abort : out std_logic;  -- one clock long: all is forgotten after a memory error
+    block_base_a : out std_logic_vector(31 downto 0);  -- address / 64
+    block_base_b : out std_logic_vector(31 downto 0);
+    triangle_base_a : out std_logic_vector(31 downto 0);
+    triangle_base_b : out std_logic_vector(31 downto 0);
+    block_count_a : out std_logic_vector(31 downto 0);
+    block_count_b : out std_logic_vector(31 downto 0);
+    triangle_count_a : out std_logic_vector(31 downto 0);
+    triangle_count_b : out std_logic_vector(31 downto 0);
+    most_expansions : out std_logic_vector(31 downto 0);
+    stop_at_contact : out std_logic;
+    separate_too : out std_logic;
+    leaves_only : out std_logic;  -- no triangle test
+    query_pose : out std_logic_vector({{ e.pose_bits - 1 }} downto 0);
+    query_shift : out std_logic_vector({{ e.shift_bits - 1 }} downto 0);
+    query_errors : out std_logic_vector(47 downto 0);
+    query_rows : out std_logic_vector({{ e.rows_bits - 1 }} downto 0);
+    -- How it goes.
+    idle : in std_logic;  -- nothing is to be done any more
+    contact : in std_logic;
+    limit_reached : in std_logic;
+    bad_tree : in std_logic;
+{%- if e.axi %}
+    memory_error : in std_logic;  -- until abort
+    memory_quiet : in std_logic;  -- no burst is under way
+    flush : out std_logic;  -- one clock long: the caches are emptied
+    flushing : in std_logic;
+{%- endif %}
+    report_due : out std_logic;
+    report_done : in std_logic;
+    reason : out std_logic_vector(4 downto 0);
+    number : out std_logic_vector(23 downto 0)
+  );
+end entity {{ prefix }}engine_control;
+
+architecture rtl of {{ prefix }}engine_control is
+  constant fine : std_logic_vector(4 downto 0) := "00000";
+  type phase_state is (waiting_state, check_state, {% if e.axi %}flush_state, {% endif %}run_state, {% if e.axi %}abort_state, {% endif %}report_state);
+  signal phase : phase_state := waiting_state;
+  signal taken : std_logic;
+  signal pose_due : std_logic;
+  signal checks : unsigned(1 downto 0) := "00";
+  signal stopped : std_logic := '0';
+  signal reason_now : std_logic_vector(4 downto 0) := fine;
+  signal number_now : std_logic_vector(23 downto 0) := (others => '0');
+  signal started : std_logic := '0';
+  type places is array (0 to 3) of unsigned(31 downto 0);  -- blocks of A and B, triangles of A and B
+  signal bases : places := (others => (others => '0'));
+  signal counts : places := (others => (others => '0'));
+{%- if e.axi %}
+  signal known : std_logic := '0';  -- the caches are those of the bases
+  signal moved : std_logic := '0';
+  signal flush_now : std_logic := '0';
+{%- endif %}
+  signal outside : std_logic_vector(3 downto 0) := "0000";  -- the memory ends before the range
+  signal empty : std_logic := '0';  -- a tree without a root
+  type words is array (0 to 8) of std_logic_vector({{ e.number_bits - 1 }} downto 0);
+  signal entry : words;
+  type matrix is array (0 to 8) of std_logic_vector({{ e.origin_bits - 1 }} downto 0);
+  signal saturated : matrix;
+  signal options : std_logic_vector(63 downto 0) := (others => '0');
+begin
+  pose_due <= job_valid and job_query when phase = waiting_state else '0';
+  pose_valid <= pose_due;
+  taken <= job_valid and (pose_ready or not job_query) when phase = waiting_state else '0';
+  job_taken <= taken;
+  running <= '0' when phase = waiting_state or phase = report_state else '1';
+  busy <= '0' when phase = waiting_state and job_valid = '0' else '1';
+  report_due <= '1' when phase = report_state else '0';
+  start <= started;
+  ending <= '0' when phase = run_state and reason_now = fine else '1';
+{%- if e.axi %}
+  abort <= '1' when phase = abort_state else '0';
+  flush <= flush_now;
+{%- else %}
+  abort <= '0';
+{%- endif %}
+  reason <= reason_now;
+  number <= number_now;
+
+  -- Entries of the matrix: cut off and saturated.
+{%- for entry in e.matrix_entries %}
+  entry({{ loop.index0 }}) <= job_words({{ entry.from_high }} downto {{ entry.from_low }});
+{%- endfor %}
+  entries : for i in 0 to 8 generate
+    signal cut : std_logic_vector({{ e.origin_bits - 1 }} downto 0);
+    signal above : std_logic_vector({{ e.above_bits - 1 }} downto 0);  -- sign bits, if it fits
+  begin
+    cut <= entry(i)({{ e.cut_high }} downto {{ e.cut_low }});
+    above <= entry(i)({{ e.number_bits - 1 }} downto {{ e.cut_high }});
+    saturated(i) <= "{{ e.greatest_entry }}" when entry(i)({{ e.number_bits - 1 }}) = '0' and above /= "{{ e.above_zeros }}" else
+      "{{ e.least_entry }}" when entry(i)({{ e.number_bits - 1 }}) = '1' and (above /= "{{ e.above_ones }}" or cut = "{{ e.below_least }}") else
+      cut;
+  end generate entries;
+
+  keep : process (clk)
+  begin
+    if rising_edge(clk) then
+      if taken = '1' then
+        number_now <= job_number;
+      end if;
+      if taken = '1' and job_query = '1' then
+        bases(0) <= unsigned(job_words({{ e.word1 + 31 }} downto {{ e.word1 }}));
+        bases(1) <= unsigned(job_words({{ e.word1 + 63 }} downto {{ e.word1 + 32 }}));
+        bases(2) <= unsigned(job_words({{ e.word2 + 31 }} downto {{ e.word2 }})){% if e.block_ram %} xor x"02000000"{% endif %};
+        bases(3) <= unsigned(job_words({{ e.word2 + 63 }} downto {{ e.word2 + 32 }})){% if e.block_ram %} xor x"02000000"{% endif %};
+        counts(0) <= unsigned(job_words({{ e.word3 + 31 }} downto {{ e.word3 }}));
+        counts(1) <= unsigned(job_words({{ e.word3 + 63 }} downto {{ e.word3 + 32 }}));
+        counts(2) <= unsigned(job_words({{ e.word4 + 31 }} downto {{ e.word4 }}));
+        counts(3) <= unsigned(job_words({{ e.word4 + 63 }} downto {{ e.word4 + 32 }}));
+        options <= job_words({{ e.word5 + 63 }} downto {{ e.word5 }});
+        query_errors <= job_words({{ e.word6 + 47 }} downto {{ e.word6 }});
+{%- for entry in e.matrix_entries %}
+        query_pose({{ entry.high }} downto {{ entry.low }}) <= saturated({{ loop.index0 }});
+{%- endfor %}
+{%- for slice in e.shift_slices %}
+        query_shift({{ slice.high }} downto {{ slice.low }}) <= job_words({{ slice.from_high }} downto {{ slice.from_low }});
+{%- endfor %}
+{%- for slice in e.row_slices %}
+        query_rows({{ slice.high }} downto {{ slice.low }}) <= job_words({{ slice.from_high }} downto {{ slice.from_low }});
+{%- endfor %}
+{%- if e.axi %}
+        moved <= '0';
+        if known = '0' or bases(0) /= unsigned(job_words({{ e.word1 + 31 }} downto {{ e.word1 }}))
+          or bases(1) /= unsigned(job_words({{ e.word1 + 63 }} downto {{ e.word1 + 32 }}))
+          or bases(2) /= unsigned(job_words({{ e.word2 + 31 }} downto {{ e.word2 }}))
+          or bases(3) /= unsigned(job_words({{ e.word2 + 63 }} downto {{ e.word2 + 32 }}))
+          or job_words({{ e.word5 + 35 }}) = '1' then
+          moved <= '1';
+        end if;
+{%- endif %}
+      end if;
+      for i in 0 to 1 loop
+        outside(i) <= '0';
+        if resize(bases(i), 33) + resize(counts(i), 33) > {{ e.block_lines }} then
+          outside(i) <= '1';
+        end if;
+        outside(i + 2) <= '0';
+        if resize(bases(i + 2), 33) + resize(counts(i + 2), 33) > {{ e.triangle_lines }} then
+          outside(i + 2) <= '1';
+        end if;
+      end loop;
+      empty <= '0';
+      if counts(0) = 0 or counts(1) = 0 then
+        empty <= '1';
+      end if;
+    end if;
+  end process keep;
+  block_base_a <= std_logic_vector(bases(0));
+  block_base_b <= std_logic_vector(bases(1));
+  triangle_base_a <= std_logic_vector(bases(2));
+  triangle_base_b <= std_logic_vector(bases(3));
+  block_count_a <= std_logic_vector(counts(0));
+  block_count_b <= std_logic_vector(counts(1));
+  triangle_count_a <= std_logic_vector(counts(2));
+  triangle_count_b <= std_logic_vector(counts(3));
+  most_expansions <= options(31 downto 0);
+  stop_at_contact <= options(32);
+  separate_too <= options(33);
+  leaves_only <= options(34);
+
+  proceed : process (clk)
+  begin
+    if rising_edge(clk) then
+      started <= '0';
+{%- if e.axi %}
+      flush_now <= '0';
+{%- endif %}
+      if reset = '1' then
+        phase <= waiting_state;
+        stopped <= '0';
+        reason_now <= fine;
+{%- if e.axi %}
+        known <= '0';
+{%- endif %}
+      else
+        stopped <= stopped or stop;
+        case phase is
+          when waiting_state =>
+            checks <= "00";
+            if job_valid = '0' then
+              stopped <= '0';  -- there is nothing to stop
+            end if;
+            if taken = '1' then
+              reason_now <= job_reason;
+              phase <= report_state;
+              if job_query = '1' then
+                phase <= check_state;
+              end if;
+            end if;
+          when check_state =>
+            checks <= checks + 1;
+            if checks = "10" then
+              if outside /= "0000" then
+                reason_now <= "00100";
+                phase <= report_state;
+              elsif empty = '1' then
+                reason_now <= "00011";
+                phase <= report_state;
+{%- if e.axi %}
+              elsif moved = '1' then
+                flush_now <= '1';
+                phase <= flush_state;
+{%- endif %}
+              else
+                started <= '1';
+                phase <= run_state;
+              end if;
+            end if;
+{%- if e.axi %}
+          when flush_state =>
+            known <= '1';
+            -- The caches say that they are at it from the clock after flush on.
+            checks <= "11";
+            if checks = "11" and flush_now = '0' and flushing = '0' then
+              started <= '1';
+              phase <= run_state;
+            end if;
+{%- endif %}
+          when run_state =>
+            if reason_now = fine then
+              if {% if e.axi %}memory_error = '1' then
+                reason_now <= "00100";
+              elsif {% endif %}bad_tree = '1' then
+                reason_now <= "00011";
+              elsif contact = '1' then
+                reason_now <= "00001";
+              elsif limit_reached = '1' then
+                reason_now <= "00010";
+              elsif stopped = '1' then
+                reason_now <= "00101";
+                stopped <= '0';
+              end if;
+            end if;
+{%- if e.axi %}
+            if memory_error = '1' then
+              if memory_quiet = '1' then
+                phase <= abort_state;
+              end if;
+            elsif idle = '1' then
+              phase <= report_state;
+            end if;
+          when abort_state =>
+            known <= '0';
+            phase <= report_state;
+{%- else %}
+            if idle = '1' then
+              phase <= report_state;
+            end if;
+{%- endif %}
+          when others =>
+            stopped <= '0';
+            if report_done = '1' then
+              reason_now <= fine;
+              phase <= waiting_state;
+            end if;
+        end case;
+      end if;
+    end if;
+  end process proceed;
+end architecture rtl;

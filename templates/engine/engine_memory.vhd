@@ -1,0 +1,100 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- {{ m.what }} of both trees in block RAM: {{ m.lines }} lines of {{ m.line_bits }} bits, written in words of {{ m.word_bits }} bits. Line i of
+-- a tree is at its base + i. A request names a line of A and one of B; both come together two clocks later, in order, and
+-- stay until they are taken.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity {{ prefix }}{{ m.entity }} is
+  port (
+    clk : in std_logic;
+    reset : in std_logic;
+    -- Words to be stored, while nothing is asked for.
+    write_valid : in std_logic;
+    write_line : in std_logic_vector({{ m.line_address_bits - 1 }} downto 0);
+    write_place : in std_logic_vector(2 downto 0);  -- of the word in its line
+    write_data : in std_logic_vector({{ m.word_bits - 1 }} downto 0);
+    base_a : in std_logic_vector({{ m.line_address_bits - 1 }} downto 0);
+    base_b : in std_logic_vector({{ m.line_address_bits - 1 }} downto 0);
+    request_valid : in std_logic;
+    request_ready : out std_logic;
+    request_a : in std_logic_vector({{ m.number_bits - 1 }} downto 0);
+    request_b : in std_logic_vector({{ m.number_bits - 1 }} downto 0);
+    lines_valid : out std_logic;
+    lines_taken : in std_logic;
+    line_a : out std_logic_vector({{ m.line_bits - 1 }} downto 0);
+    line_b : out std_logic_vector({{ m.line_bits - 1 }} downto 0)
+  );
+end entity {{ prefix }}{{ m.entity }};
+
+architecture rtl of {{ prefix }}{{ m.entity }} is
+  type words is array (0 to {{ m.lines - 1 }}) of std_logic_vector({{ m.word_bits - 1 }} downto 0);
+  signal asked : std_logic := '0';
+  signal asked_a : unsigned({{ m.line_address_bits - 1 }} downto 0) := (others => '0');
+  signal asked_b : unsigned({{ m.line_address_bits - 1 }} downto 0) := (others => '0');
+  signal found : std_logic := '0';
+  signal moves : std_logic;  -- the lines asked for are read
+  signal accepts : std_logic;
+  signal place_a : unsigned({{ m.line_address_bits - 1 }} downto 0);
+  type line_words is array (0 to {{ m.words_per_line - 1 }}) of std_logic_vector({{ m.word_bits - 1 }} downto 0);
+  signal words_a : line_words := (others => (others => '0'));
+  signal words_b : line_words := (others => (others => '0'));
+  signal whole_a : std_logic_vector({{ m.padded_bits - 1 }} downto 0);
+  signal whole_b : std_logic_vector({{ m.padded_bits - 1 }} downto 0);
+begin
+  moves <= asked and (lines_taken or not found);
+  accepts <= moves or not asked;
+  request_ready <= accepts;
+  lines_valid <= found;
+  whole_a <= {% for i in m.word_places %}words_a({{ i }}){% if !loop.last %} & {% endif %}{% endfor %};
+  whole_b <= {% for i in m.word_places %}words_b({{ i }}){% if !loop.last %} & {% endif %}{% endfor %};
+  line_a <= whole_a({{ m.line_bits - 1 }} downto 0);
+  line_b <= whole_b({{ m.line_bits - 1 }} downto 0);
+  place_a <= unsigned(write_line) when write_valid = '1' else asked_a;
+
+  ask : process (clk)
+  begin
+    if rising_edge(clk) then
+      if accepts = '1' then
+        asked_a <= unsigned(base_a) + unsigned(request_a({{ m.used_number_bits - 1 }} downto 0));
+        asked_b <= unsigned(base_b) + unsigned(request_b({{ m.used_number_bits - 1 }} downto 0));
+      end if;
+      if reset = '1' then
+        asked <= '0';
+        found <= '0';
+      else
+        if accepts = '1' then
+          asked <= request_valid;
+        end if;
+        if lines_taken = '1' or found = '0' then
+          found <= asked;
+        end if;
+      end if;
+    end if;
+  end process ask;
+
+  banks : for i in 0 to {{ m.words_per_line - 1 }} generate
+    signal bank : words := (others => (others => '0'));
+    signal written : std_logic;
+  begin
+    written <= write_valid when unsigned(write_place) = i else '0';
+
+    store : process (clk)
+    begin
+      if rising_edge(clk) then
+        if written = '1' then
+          bank(to_integer(place_a)) <= write_data;
+        end if;
+        if moves = '1' then
+          words_a(i) <= bank(to_integer(place_a));
+          words_b(i) <= bank(to_integer(asked_b));
+        end if;
+      end if;
+    end process store;
+  end generate banks;
+end architecture rtl;

@@ -1,0 +1,167 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- AXI4 reads for four caches in turn: blocks of A, blocks of B ({{ e.block_words }} words each), triangles of A, triangles of B
+-- ({{ e.triangle_words }} words). A burst begins at a multiple of 64 bytes and ends within 64 bytes, so it never crosses 4 KB. There
+-- is one ID: answers come in order, and a queue notes for whom. The caches ask only for what they have places for, so
+-- RREADY is always set. An error in the response, and a last word too early or too late, end the work: nothing is asked any
+-- more, and bursts under way are taken and forgotten.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity {{ prefix }}engine_read_master is
+  port (
+    clk : in std_logic;
+    reset : in std_logic;
+    ask_valid : in std_logic_vector(3 downto 0);
+    ask_ready : out std_logic_vector(3 downto 0);
+    ask_address_0 : in std_logic_vector(25 downto 0);
+    ask_address_1 : in std_logic_vector(25 downto 0);
+    ask_address_2 : in std_logic_vector(25 downto 0);
+    ask_address_3 : in std_logic_vector(25 downto 0);
+    fill_valid : out std_logic_vector(3 downto 0);
+    fill_data : out std_logic_vector({{ e.memory_width - 1 }} downto 0);
+    failed : out std_logic;  -- until reset
+    quiet : out std_logic;  -- no burst is under way
+    word_read : out std_logic;
+    m_axi_araddr : out std_logic_vector(31 downto 0);
+    m_axi_arlen : out std_logic_vector(7 downto 0);
+    m_axi_arsize : out std_logic_vector(2 downto 0);
+    m_axi_arburst : out std_logic_vector(1 downto 0);
+    m_axi_arvalid : out std_logic;
+    m_axi_arready : in std_logic;
+    m_axi_rdata : in std_logic_vector({{ e.memory_width - 1 }} downto 0);
+    m_axi_rresp : in std_logic_vector(1 downto 0);
+    m_axi_rlast : in std_logic;
+    m_axi_rvalid : in std_logic;
+    m_axi_rready : out std_logic
+  );
+end entity {{ prefix }}engine_read_master;
+
+architecture rtl of {{ prefix }}engine_read_master is
+  constant nobody : std_logic_vector(3 downto 0) := "0000";
+  constant last_of_block : unsigned(3 downto 0) := to_unsigned({{ e.block_words - 1 }}, 4);
+  constant last_of_triangle : unsigned(3 downto 0) := to_unsigned({{ e.triangle_words - 1 }}, 4);
+  signal turn : unsigned(1 downto 0) := "00";  -- who was served last
+  signal ahead : std_logic_vector(3 downto 0);  -- who asks and comes after him
+  signal asks : std_logic_vector(3 downto 0);
+  signal chosen : unsigned(1 downto 0);
+  signal free : std_logic;
+  signal accepts : std_logic;
+  signal address : std_logic_vector(25 downto 0);
+  signal offered : std_logic := '0';
+  signal offered_address : std_logic_vector(25 downto 0) := (others => '0');
+  signal offered_triangle : std_logic := '0';
+
+  type owners is array (0 to 31) of std_logic_vector(1 downto 0);
+  signal owner_memory : owners := (others => "00");
+  signal owner : std_logic_vector(1 downto 0);
+  signal asked : unsigned(4 downto 0) := "00000";
+  signal answered : unsigned(4 downto 0) := "00000";
+  signal under_way : unsigned(5 downto 0) := "000000";
+  signal nothing_under_way : std_logic;
+  signal place : unsigned(3 downto 0) := "0000";  -- of the next word in its burst
+  signal due : std_logic;  -- it is the last of its burst
+  signal finished : std_logic;
+  signal fault : std_logic;
+  signal failed_now : std_logic := '0';
+begin
+  -- ===== Addresses =====
+  -- Whoever is above the one served last comes first.
+  ahead <= ask_valid and "1110" when turn = 0 else
+    ask_valid and "1100" when turn = 1 else
+    ask_valid and "1000" when turn = 2 else
+    nobody;
+  asks <= ahead when ahead /= nobody else ask_valid;
+  chosen <= "00" when asks(0) = '1' else
+    "01" when asks(1) = '1' else
+    "10" when asks(2) = '1' else
+    "11";
+  address <= ask_address_0 when chosen = 0 else
+    ask_address_1 when chosen = 1 else
+    ask_address_2 when chosen = 2 else
+    ask_address_3;
+  free <= (m_axi_arready or not offered) and not under_way(5) and not failed_now;
+  accepts <= free when ask_valid /= nobody else '0';
+  ready : for i in 0 to 3 generate
+    ask_ready(i) <= accepts when chosen = i else '0';
+  end generate ready;
+
+  ask : process (clk)
+  begin
+    if rising_edge(clk) then
+      if accepts = '1' then
+        offered_address <= address;
+        offered_triangle <= chosen(1);
+        owner_memory(to_integer(asked)) <= std_logic_vector(chosen);
+      end if;
+      if reset = '1' then
+        turn <= "00";
+        asked <= "00000";
+        offered <= '0';
+      else
+        if accepts = '1' then
+          turn <= chosen;
+          asked <= asked + 1;
+          offered <= '1';
+        elsif m_axi_arready = '1' then
+          offered <= '0';
+        end if;
+      end if;
+    end if;
+  end process ask;
+  m_axi_araddr <= offered_address & "000000";
+  m_axi_arlen <= "0000" & std_logic_vector(last_of_triangle) when offered_triangle = '1' else "0000" & std_logic_vector(last_of_block);
+  m_axi_arsize <= "{{ e.memory_size }}";
+  m_axi_arburst <= "01";
+  m_axi_arvalid <= offered;
+
+  -- ===== Words =====
+  owner <= owner_memory(to_integer(answered));
+  nothing_under_way <= '1' when under_way = 0 else '0';
+  due <= '1' when (owner(1) = '1' and place = last_of_triangle) or (owner(1) = '0' and place = last_of_block) else '0';
+  finished <= m_axi_rvalid and m_axi_rlast and not nothing_under_way;
+  fault <= m_axi_rvalid and (m_axi_rresp(1) or (m_axi_rlast xor due) or nothing_under_way);
+  m_axi_rready <= '1';
+  failed <= failed_now;
+  quiet <= nothing_under_way;
+
+  answer : process (clk)
+  begin
+    if rising_edge(clk) then
+      fill_data <= m_axi_rdata;
+      fill_valid <= nobody;
+      word_read <= m_axi_rvalid and not reset;
+      if reset = '1' then
+        answered <= "00000";
+        under_way <= "000000";
+        place <= "0000";
+        failed_now <= '0';
+      else
+        if m_axi_rvalid = '1' then
+          place <= place + 1;
+          if m_axi_rlast = '1' then
+            place <= "0000";
+          end if;
+          if fault = '1' then
+            failed_now <= '1';
+          elsif failed_now = '0' then
+            fill_valid(to_integer(unsigned(owner))) <= '1';
+          end if;
+        end if;
+        if finished = '1' then
+          answered <= answered + 1;
+        end if;
+        -- Under way is what is offered, too.
+        if accepts = '1' and finished = '0' then
+          under_way <= under_way + 1;
+        elsif accepts = '0' and finished = '1' then
+          under_way <= under_way - 1;
+        end if;
+      end if;
+    end if;
+  end process answer;
+end architecture rtl;

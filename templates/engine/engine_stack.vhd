@@ -1,0 +1,100 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- The stack of pairs that are still to be opened. The uppermost entry is in a register, the one below it at the output
+-- of the memory or, after a push, in a register; so a push and a pop are possible in every clock, also both in one.
+-- An entry {{ e.stack }} deep is never reached: the traversal proves it (rule of issue), the report tells the greatest
+-- number of entries, and the counter here has a bit more than it needs.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+
+entity {{ prefix }}engine_stack is
+  port (
+    clk : in std_logic;
+    clear : in std_logic;  -- empties it
+    push : in std_logic;
+    push_entry : in std_logic_vector({{ e.entry_bits - 1 }} downto 0);
+    pop : in std_logic;  -- only while filled
+    top_entry : out std_logic_vector({{ e.entry_bits - 1 }} downto 0);
+    filled : out std_logic;  -- there is an entry
+    greatest : out unsigned(15 downto 0)  -- number of entries, the most since it was emptied
+  );
+end entity {{ prefix }}engine_stack;
+
+architecture rtl of {{ prefix }}engine_stack is
+  type entries is array (0 to {{ e.stack_places - 1 }}) of std_logic_vector({{ e.entry_bits - 1 }} downto 0);
+  signal memory : entries := (others => (others => '0'));  -- all entries but the uppermost
+  signal used : unsigned({{ e.stack_bits }} downto 0) := (others => '0');  -- entries
+  signal push_place : unsigned({{ e.stack_bits - 1 }} downto 0) := (others => '0');  -- used - 1: where the uppermost goes
+  signal pop_place : unsigned({{ e.stack_bits - 1 }} downto 0) := (others => '0');  -- used - 3: the one below after a pop
+  signal place : unsigned({{ e.stack_bits - 1 }} downto 0);
+  signal top : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');
+  signal pushed_over : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');  -- uppermost before the last push
+  signal remembered : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');  -- output of the memory
+  signal below : std_logic_vector({{ e.entry_bits - 1 }} downto 0);
+  signal last_was_push : std_logic := '0';
+  signal grows : std_logic;
+  signal shrinks : std_logic;
+  signal filled_now : std_logic;
+  signal most : unsigned({{ e.stack_bits }} downto 0) := (others => '0');
+begin
+  filled_now <= '1' when used /= 0 else '0';
+  filled <= filled_now;
+  top_entry <= top;
+  greatest <= resize(most, 16);
+  grows <= push and not pop;
+  shrinks <= pop and not push;
+  place <= push_place when grows = '1' else pop_place;
+  below <= pushed_over when last_was_push = '1' else remembered;
+
+  remember : process (clk)
+  begin
+    if rising_edge(clk) then
+      if grows = '1' and filled_now = '1' then
+        memory(to_integer(place)) <= top;
+      end if;
+      if shrinks = '1' then
+        remembered <= memory(to_integer(place));
+      end if;
+    end if;
+  end process remember;
+
+  move : process (clk)
+  begin
+    if rising_edge(clk) then
+      if push = '1' then
+        top <= push_entry;
+      elsif pop = '1' then
+        top <= below;
+      end if;
+      if grows = '1' then
+        pushed_over <= top;
+      end if;
+      if clear = '1' then
+        used <= (others => '0');
+        push_place <= to_unsigned({{ e.stack_places - 1 }}, {{ e.stack_bits }});
+        pop_place <= to_unsigned({{ e.stack_places - 3 }}, {{ e.stack_bits }});
+        most <= (others => '0');
+        last_was_push <= '0';
+      else
+        if grows = '1' then
+          used <= used + 1;
+          push_place <= push_place + 1;
+          pop_place <= pop_place + 1;
+          last_was_push <= '1';
+        elsif shrinks = '1' then
+          used <= used - 1;
+          push_place <= push_place - 1;
+          pop_place <= pop_place - 1;
+          last_was_push <= '0';
+        end if;
+        if used > most then
+          most <= used;
+        end if;
+      end if;
+    end if;
+  end process move;
+end architecture rtl;

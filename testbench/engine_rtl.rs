@@ -1,0 +1,304 @@
+//! The collision engine in GHDL against its reference model: answers as sets, reports, every end of a query, memory with
+//! latencies and gaps.
+
+use crate::extent::share;
+use efsat::artefact::engine::samples::{cuboid, hills, turn};
+use efsat::artefact::engine::vectors::EngineVectors;
+use efsat::artefact::engine::{EngineDesign, engine_design_files, samples};
+use efsat::artefact::{FileSet, Prefix};
+use efsat::cosim;
+use efsat::directions::Directions;
+use efsat::golden::engine::Query;
+use efsat::host::engine::{Image, Numbers};
+use efsat::params::engine::{EngineParams, Memory, Reason};
+use efsat::params::{Method, Params, Upper};
+use efsat::scene::Scene;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
+use rayon::prelude::*;
+use std::process::Command;
+
+/// The GHDL that compiles fastest, none where none is installed.
+fn ghdl() -> Option<&'static str> {
+    let found = |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
+    let command = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(found);
+    if command.is_none() {
+        eprintln!("skipped: GHDL is not installed");
+    }
+    command
+}
+
+/// A unit that simulates fast.
+fn small() -> Params {
+    Params { width: 10, transform_width: 26, ..Params::default() }
+}
+
+fn block_ram() -> EngineParams {
+    EngineParams { memory: Memory::BlockRam, block_lines: 256, triangle_lines: 256, ..EngineParams::default() }
+}
+
+/// Caches that are too small for the meshes.
+fn axi() -> EngineParams {
+    EngineParams { block_lines: 32, triangle_lines: 16, ..EngineParams::default() }
+}
+
+/// A generated engine in a folder of its own.
+struct Bench {
+    ghdl: &'static str,
+    design: EngineDesign,
+    files: FileSet,
+    dir: tempfile::TempDir,
+}
+
+impl Bench {
+    fn new(ghdl: &'static str, engine: &EngineParams, unit: &Params) -> Self {
+        let design = EngineDesign::new(engine, unit).unwrap();
+        let vectors = samples::text(&design).unwrap();
+        let files = engine_design_files(&design, &Prefix::default(), &design.command_line(), &vectors).unwrap();
+        let bench = Self { ghdl, design, files, dir: tempfile::tempdir().unwrap() };
+        for (name, text) in bench.files.iter() {
+            bench.write(name, text);
+        }
+        bench.analyse(&bench.files.get("files.txt").unwrap().lines().collect::<Vec<_>>());
+        bench
+    }
+
+    fn write(&self, name: &str, text: &str) {
+        std::fs::write(self.dir.path().join(name), text).unwrap();
+    }
+
+    fn call(&self, args: &[&str]) -> (bool, String) {
+        let output = Command::new(self.ghdl).args(args).current_dir(self.dir.path()).output().unwrap();
+        let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        (output.status.success(), text)
+    }
+
+    fn analyse(&self, names: &[&str]) {
+        let (fine, text) = self.call(&[&["-a", "--std=93", "--warn-error"], names].concat());
+        assert!(fine, "{text}");
+    }
+
+    /// Runs the testbench; what it says.
+    fn run(&self, options: &[&str]) -> String {
+        let (fine, text) = self.call(&["-e", "--std=93", "efsat_engine_tb"]);
+        assert!(fine, "{text}");
+        self.call(&[&["-r", "--std=93", "efsat_engine_tb", "--ieee-asserts=disable-at-0"], options].concat()).1
+    }
+
+    /// Runs it on other vectors.
+    fn run_vectors(&self, vectors: &str, options: &[&str]) -> String {
+        self.write("other.vec", vectors);
+        self.run(&[&["-gvectors=other.vec"], options].concat())
+    }
+}
+
+/// The number that follows a word of the last line.
+fn number(report: &str, name: &str) -> Option<usize> {
+    let last = report.lines().find(|line| line.contains("efsat_engine_tb: packets ") && line.contains(" total "))?;
+    last.split_whitespace().skip_while(|word| *word != name).nth(1)?.parse().ok()
+}
+
+fn fine(report: &str) -> bool {
+    number(report, "mismatches") == Some(0) && number(report, "packets").is_some_and(|packets| packets > 0)
+}
+
+/// Two meshes that cross each other, and a query.
+fn crossing(design: &EngineDesign) -> (Vec<Image>, impl Fn(&EngineVectors<'_>, &[Image]) -> Query) {
+    let numbers = Numbers::new(&design.params, &design.unit.params).unwrap();
+    let meshes = [hills(6), cuboid(3, 4, 2)];
+    let images = Image::build(&[&meshes[0], &meshes[1]], &design.format).unwrap();
+    let query = move |vectors: &EngineVectors<'_>, images: &[Image]| {
+        let side = |i: usize| (&images[i], vectors.side(i));
+        numbers.query([side(0), side(1)], &turn(2), &[2.5, 1.0, -1.0]).unwrap()
+    };
+    (images, query)
+}
+
+#[test]
+fn answers_and_reports_equal_the_reference_models() {
+    let Some(ghdl) = ghdl() else { return };
+    let determinants = Params { method: Method::Determinants, ..small() };
+    let narrow = EngineParams { stack: 3 * 10 + 2, tree_height: 10, ..block_ram() };
+    let memory = |memory_width| EngineParams { memory_width, ..axi() };
+    let least = "-glatency_least=1";
+    let cases: [(EngineParams, Params, &[&str]); 10] = [
+        (block_ram(), Params::default(), &[]),
+        (axi(), small(), &[least, "-glatency_most=1"]),
+        (axi(), small(), &["-glatency_least=5", "-glatency_most=200", "-gseed=7"]),
+        (narrow, small(), &["-gpasses=1"]),
+        (EngineParams { expansion_clocks: 1, ..block_ram() }, determinants.clone(), &["-gseed=3"]),
+        (EngineParams { expansion_clocks: 2, in_flight: 5, ..memory(128) }, Params { upper: Upper::Sticky, ..small() }, &[]),
+        (EngineParams { in_flight: 1, ..memory(32) }, small(), &["-glatency_least=3", "-glatency_most=9"]),
+        (EngineParams { expansion_clocks: 1, in_flight: 64, pair_queue: 16, ..memory(512) }, determinants, &[least]),
+        (EngineParams { directions: Directions::Fourteen, offset_bits: 9, ..axi() }, small(), &["-gpasses=3"]),
+        (EngineParams { directions: Directions::Six, factor_bits: 10, ..block_ram() }, small(), &[]),
+    ];
+    let wrong: Vec<String> = cases
+        .par_iter()
+        .filter_map(|(engine, unit, options)| {
+            let bench = Bench::new(ghdl, engine, unit);
+            let report = bench.run(options);
+            (!fine(&report)).then(|| format!("{} {options:?}:\n{report}", bench.design.command_line()))
+        })
+        .collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+}
+
+/// A mesh against itself, so that the query is long when the stop comes.
+#[test]
+fn a_stop_ends_the_query_that_runs() {
+    let Some(ghdl) = ghdl() else { return };
+    for engine in [block_ram(), axi()] {
+        let bench = Bench::new(ghdl, &engine, &small());
+        let numbers = Numbers::new(&engine, &small()).unwrap();
+        let mesh = hills(8);
+        let images = Image::build(&[&mesh], &bench.design.format).unwrap();
+        let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
+        let pair = (&images[0], vectors.side(0));
+        let query = numbers.query([pair; 2], &turn(2), &[0.0, 0.0, 0.0]).unwrap();
+        vectors.wait();
+        vectors.query_that_ends(&Query { number: 5, ..query.clone() }, Reason::Stopped);
+        vectors.stop(300);
+        vectors.wait();
+        vectors.query(&Query { number: 6, ..query });
+        let report = bench.run_vectors(vectors.text(), &["-gpasses=1"]);
+        assert!(fine(&report), "{report}");
+    }
+}
+
+#[test]
+fn a_fault_of_memory_ends_the_query_and_the_next_is_right() {
+    let Some(ghdl) = ghdl() else { return };
+    let bench = Bench::new(ghdl, &axi(), &small());
+    let (images, query) = crossing(&bench.design);
+    for kind in 1..=3 {
+        let mut vectors = EngineVectors::new(&bench.design, &images.iter().collect::<Vec<_>>());
+        let query = query(&vectors, &images);
+        // The root's block of A, which every query reads, and a triangle of B.
+        vectors.fault(query.sides[0].blocks_at, kind);
+        vectors.query_that_ends(&Query { number: 1, ..query.clone() }, Reason::Memory);
+        vectors.query(&Query { number: 2, ..query.clone() });
+        vectors.query(&Query { number: 3, empty_caches: true, ..query.clone() });
+        let report = bench.run_vectors(vectors.text(), &["-glatency_least=2", "-glatency_most=40"]);
+        assert!(fine(&report), "kind {kind}: {report}");
+    }
+}
+
+/// Blocks damaged bit by bit: the report comes with the model's reason, nothing outside is read, the next query is right.
+#[test]
+fn damaged_trees_do_no_harm() {
+    let Some(ghdl) = ghdl() else { return };
+    let bench = Bench::new(ghdl, &axi(), &small());
+    let (images, query) = crossing(&bench.design);
+    let mut rng = ChaCha8Rng::seed_from_u64(5);
+    for _ in share(4, 0..16) {
+        let mut vectors = EngineVectors::new(&bench.design, &images.iter().collect::<Vec<_>>());
+        let query = query(&vectors, &images);
+        let first = 8 * query.sides[0].blocks_at as usize;
+        // Links, origins, tags: the low three words of some of the blocks; others are codes, which may be anything.
+        for _ in 0..3 {
+            let (number, place, bit) = (rng.random_range(0..16), rng.random_range(0..3), rng.random_range(0..64));
+            vectors.change(first + 8 * number + place, |word| *word ^= 1u64 << bit);
+        }
+        vectors.query(&Query { number: 1, ..query.clone() });
+        // B against itself is whole.
+        let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
+        let whole = numbers.query([(&images[1], query.sides[1]); 2], &turn(0), &[0.5, 0.0, 0.0]).unwrap();
+        vectors.query(&Query { number: 2, ..whole });
+        let report = bench.run_vectors(vectors.text(), &["-gpasses=1", "-glatency_least=5", "-glatency_most=20"]);
+        assert!(fine(&report), "{report}");
+    }
+}
+
+/// Mistakes in the text, each with options that show it.
+#[test]
+fn a_wrong_engine_is_noticed() {
+    let Some(ghdl) = ghdl() else { return };
+    let quick: &[&str] = &["-gpasses=1"];
+    let slow: &[&str] = &["-gpasses=2", "-glatency_least=5", "-glatency_most=60"];
+    let changes: [(&str, &str, &str, &[&str]); 11] = [
+        // Flying pairs are not counted; the last survivor is not; the push order loses one.
+        ("engine_traverse.vhd", "finished <= candidate_leaves and is_last;", "finished <= candidate_leaves;", quick),
+        ("engine_traverse.vhd", "\"0100\" when left_over(2) = '1' else", "\"0110\" when left_over(2) = '1' else", quick),
+        // A leaf beside an inner node becomes an inner node; its side is the other.
+        ("engine_traverse.vhd", "side_a & not side_a;", "not side_a & side_a;", quick),
+        // Links that go back are taken.
+        ("engine_children.vhd", "target >= unsigned(block_count) or target <= unsigned(number)", "target <= unsigned(number)", quick),
+        ("engine_children.vhd", "beyond <= '1' when target >=", "beyond <= '0' when target >=", quick),
+        // Contact does not end the query; separate pairs are answered; a query's options stay from the last.
+        ("engine_answer.vhd", "contact <= counts and stop_at_contact", "contact <= '0' and stop_at_contact", quick),
+        ("engine_answer.vhd", "decided_valid and separate_too and not ending;", "decided_valid and not ending;", quick),
+        ("engine_answer.vhd", "free <= m_axis_tready or not offered;", "free <= '1';", slow),
+        // The caches: a line that is replaced is thought to be there; both sides do not wait for each other.
+        ("engine_block_cache.vhd", "if tag_write = '1' and tag_place = head", "if tag_write = '0' and tag_place = head", slow),
+        ("engine_triangle_cache.vhd", "(filled or not order(", "('1' or not order(", slow),
+        ("engine_read_master.vhd", "m_axi_arvalid <= offered;", "m_axi_arvalid <= offered and m_axi_arready;", slow),
+    ];
+    let bench = Bench::new(ghdl, &axi(), &small());
+    let report = bench.run(quick);
+    assert!(fine(&report), "{report}");
+    let unnoticed: Vec<&str> = changes
+        .iter()
+        .filter_map(|(file, from, to, options)| {
+            let text = bench.files.get(file).unwrap();
+            assert_eq!(text.matches(from).count(), 1, "{file}: {from}");
+            bench.write(file, &text.replace(from, to));
+            bench.analyse(&bench.files.get("files.txt").unwrap().lines().collect::<Vec<_>>());
+            let report = bench.run(options);
+            bench.write(file, text);
+            fine(&report).then_some(*from)
+        })
+        .collect();
+    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
+}
+
+/// Levels beyond the greatest are refused: a tree that is higher than the engine is made for.
+#[test]
+fn a_tree_that_is_too_high_is_refused() {
+    let Some(ghdl) = ghdl() else { return };
+    let large = EngineParams { block_lines: 1024, triangle_lines: 1024, ..block_ram() };
+    let tall = EngineDesign::new(&large, &small()).unwrap();
+    let (images, _) = crossing(&tall);
+    let bench = Bench::new(ghdl, &EngineParams { tree_height: images[0].header().height, ..large }, &small());
+    let images = Image::build(&[&hills(22)], &tall.format).unwrap();
+    let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
+    let numbers = Numbers::new(&tall.params, &tall.unit.params).unwrap();
+    let pair = (&images[0], vectors.side(0));
+    let query = numbers.query([pair; 2], &turn(2), &[0.0, 0.0, 0.0]).unwrap();
+    vectors.query(&Query { number: 5, ..query });
+    assert!(vectors.text().contains("R 0000058f 0 "), "reason 3");
+    let report = bench.run_vectors(vectors.text(), &["-gpasses=1"]);
+    assert!(fine(&report), "{report}");
+}
+
+/// The headlights against each other, query by query in one packet each, through the engine's netlist in Verilator. Prints the
+/// mean number of clocks per query.
+#[test]
+fn the_default_scene_in_verilator() {
+    let scene = Scene::default_scene();
+    let broad = scene.broad_phase();
+    let block_ram = EngineParams { memory: Memory::BlockRam, block_lines: 8192, triangle_lines: 8192, ..EngineParams::default() };
+    for engine in [EngineParams::default(), block_ram] {
+        let design = EngineDesign::new(&engine, &Params::default()).unwrap();
+        let numbers = Numbers::new(&engine, &design.unit.params).unwrap();
+        let images = Image::build(&[&scene.objects[0].mesh], &design.format).unwrap();
+        let mut vectors = EngineVectors::new(&design, &[&images[0]]);
+        let side = vectors.side(0);
+        let frames = share(16, 0..scene.frames());
+        let mut queries = 0;
+        for meeting in frames.into_iter().flat_map(|frame| broad.meetings(frame)) {
+            let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)]));
+            let query = numbers.query([(&images[0], side); 2], &m, &meeting.pose.translation.into()).unwrap();
+            queries += 1;
+            vectors.query(&Query { number: queries, ..query });
+        }
+        let runs = match cosim::engine::run(&design, &[vectors.text()], 32..=32) {
+            Ok(runs) => runs,
+            Err(e) if e.to_string().contains("not installed") => return eprintln!("skipped: {e}"),
+            Err(e) => panic!("{e}"),
+        };
+        let run = &runs[0];
+        eprintln!("{queries} queries, {:.0} clocks per query: {}", run.number("total") as f64 / f64::from(queries), run.summary);
+        assert!(queries > 0 && run.number("mismatches") == 0, "{}", run.summary);
+    }
+}

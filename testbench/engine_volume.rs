@@ -1,0 +1,321 @@
+//! The volume unit: graph, built-in simulation and GHDL give the answers of the reference model.
+
+use crate::extent::share;
+use efsat::artefact::volume::{BENCH, Expansion, NAME, VolumeStimulus, volume_bench, volume_files};
+use efsat::artefact::{Prefix, Scratch};
+use efsat::design::engine::volume_path;
+use efsat::design::engine::volume_unit::VolumeDesign;
+use efsat::device::Resources;
+use efsat::directions::Directions;
+use efsat::graph::evaluate::Evaluator;
+use efsat::graph::{Op, Unit};
+use efsat::netlist::simulate::Simulation;
+use efsat::op::Comb;
+use efsat::params::engine::EngineFormat;
+use efsat::params::{EngineParams, Params};
+use efsat::synth;
+use efsat::vhdl::lint::lint;
+use std::collections::HashMap;
+use std::fmt::Write;
+use std::process::Command;
+use std::rc::Rc;
+
+/// An engine of other directions, widths (of origins, codes and factors) and pace.
+fn engine(directions: usize, [origin_bits, offset_bits, factor_bits]: [u32; 3], expansion_clocks: u32) -> EngineParams {
+    let directions = Directions::of(directions).expect("a set of directions");
+    EngineParams { directions, origin_bits, offset_bits, factor_bits, expansion_clocks, ..EngineParams::default() }
+}
+
+const WIDTHS: [u32; 3] = [18, 10, 12];
+
+/// All sets of directions at every pace, and widths that change every shift.
+fn engines() -> Vec<EngineParams> {
+    let sets = [18, 6, 14, 26].into_iter().flat_map(|k| [4, 2, 1].map(|clocks| engine(k, WIDTHS, clocks)));
+    let widths = [[12, 6, 6], [4, 4, 4], [22, 10, 12], [8, 8, 13]].map(|widths| engine(18, widths, 4));
+    sets.chain(widths).collect()
+}
+
+fn name(engine: &EngineParams) -> String {
+    let options = engine.options().into_iter().take(5).map(|(name, value)| format!("{name} {value}"));
+    options.collect::<Vec<_>>().join(", ")
+}
+
+fn format(engine: &EngineParams) -> EngineFormat {
+    engine.format(&Params::default()).unwrap_or_else(|e| panic!("{}: {e}", name(engine)))
+}
+
+/// How often each answer comes: every pair of children survives often and is apart often, or nothing would be shown.
+fn census(stimulus: &VolumeStimulus) {
+    let all = &stimulus.expansions;
+    for pair in 0..4 {
+        let takes = |e: &&Expansion| e.take[0][pair / 2] && e.take[1][pair % 2];
+        let taken = all.iter().filter(takes).count();
+        let survives = all.iter().filter(|e| stimulus.answer(e) >> pair & 1 == 1).count();
+        assert!(10 * survives > taken && 10 * survives < 9 * taken, "pair {pair}: {survives} of {taken}");
+    }
+}
+
+/// A unit evaluated on expansions; every value is compared with the range that the graph claims.
+struct Bench {
+    evaluator: Evaluator,
+    inputs: Vec<String>,
+}
+
+impl Bench {
+    fn new(unit: &Rc<Unit>) -> Self {
+        let inputs = unit.inputs.iter().map(|id| unit.node(*id).name()).collect();
+        Self { evaluator: Evaluator::new(unit), inputs }
+    }
+
+    fn answer(&mut self, numbers: &HashMap<String, i128>) -> u32 {
+        let inputs: Vec<i128> = self.inputs.iter().map(|port| numbers[port]).collect();
+        self.evaluator.run(&inputs);
+        let flat = self.evaluator.flat();
+        for step in &flat.steps {
+            let node = &flat.nodes[step.node];
+            if !matches!(node.op, Op::Comb(Comb::ShiftLeft(_))) {
+                let (value, (least, most)) =
+                    (self.evaluator.at(step.node, step.phase), flat.units[node.origin.0].range(node.origin.1));
+                assert!(least <= value && value <= most, "{}: {value}", node.path);
+            }
+        }
+        self.evaluator.output("survive") as u32
+    }
+}
+
+#[test]
+fn the_graph_answers_as_the_reference_model() {
+    for engine in engines() {
+        let format = format(&engine);
+        let unit = volume_path::unit(&format, engine.expansion_clocks as usize);
+        let stimulus = VolumeStimulus::random(&format, 400, 1);
+        census(&stimulus);
+        let mut bench = Bench::new(&unit);
+        for expansion in &stimulus.expansions {
+            let found = bench.answer(&stimulus.numbers(expansion));
+            assert_eq!(found, stimulus.answer(expansion), "{}: {expansion:?}", name(&engine));
+        }
+    }
+}
+
+/// The thresholds are there: a step of the grid changes the answer.
+#[test]
+fn some_answers_hang_on_one_step() {
+    let format = format(&EngineParams::default());
+    let stimulus = VolumeStimulus::random(&format, 300, 3);
+    let apart = |expansion: &Expansion| {
+        let all = Expansion { take: [[true; 2]; 2], ..expansion.clone() };
+        stimulus.answer(&all) & 1 == 0
+    };
+    let flips = stimulus.expansions.windows(2).filter(|pair| {
+        let [x, y] = pair else { return false };
+        let one_step = |i: usize| (stimulus.frames[x.frame].shift[i] - stimulus.frames[y.frame].shift[i]).abs() == 1;
+        x.blocks == y.blocks && (0..3).any(one_step) && apart(x) != apart(y)
+    });
+    assert!(flips.count() >= 20);
+}
+
+/// The table of docs/engine-volume.md: the proven ranges give the formats.
+#[test]
+fn ranges_give_the_formats_of_the_table() {
+    for engine in engines() {
+        let format = format(&engine);
+        let unit = volume_path::unit(&format, engine.expansion_clocks as usize);
+        let widths = format.widths();
+        let bits =
+            |signal: &str| unit.nodes.iter().find(|n| n.name() == signal).unwrap_or_else(|| panic!("{signal}")).ty.bits;
+        let expected = [("d0", widths.distance), ("bound6", widths.base), ("u0", widths.upper), ("v0_0", widths.code)];
+        for (signal, width) in expected.into_iter().filter(|(signal, _)| *signal != "bound6" || format.k() > 6) {
+            assert_eq!(bits(signal), width.bits(), "{}: {signal}", name(&engine));
+        }
+        // The sum has room for what makes a ceiling of a floor.
+        assert!((widths.sum.bits()..=widths.sum.bits() + 1).contains(&bits("s0")), "{}", name(&engine));
+    }
+    let format = format(&EngineParams::default());
+    let unit = volume_path::unit(&format, 4);
+    let bits =
+        |signal: &str| unit.nodes.iter().find(|n| n.name() == signal).unwrap_or_else(|| panic!("{signal}")).ty.bits;
+    assert_eq!(["d0", "bound6", "s0", "u0", "v0_0"].map(bits), [26, 28, 24, 28, 25]);
+}
+
+/// Clock by clock: with gaps and without, every answer is there after the latency and no other is. For the default device
+/// and for a faster clock of another one, by which registers move.
+#[test]
+fn the_hardware_answers_as_the_reference_model() {
+    let mut cases: Vec<(EngineParams, Params)> =
+        share(4, engines()).into_iter().map(|engine| (engine, Params::default())).collect();
+    let faster = Params { device: "lfe5u-85-6".to_owned(), frequency: 150, ..Params::default() };
+    cases.extend([4, 1].map(|clocks| (engine(18, WIDTHS, clocks), faster.clone())));
+    for (engine, params) in cases {
+        let design = VolumeDesign::new(&engine, &params).unwrap();
+        let stimulus = VolumeStimulus::random(&design.format, 200, 2);
+        let names: Vec<String> = design.stage.inputs.iter().map(|id| design.stage.signal(*id).name()).collect();
+        let port = |name: &str| names.iter().position(|n| n == name).unwrap_or_else(|| panic!("{name}"));
+        let outputs: Vec<String> = design.stage.outputs.iter().map(|(place, _)| place.to_string()).collect();
+        let output = |name: &str| outputs.iter().position(|n| n == name).unwrap_or_else(|| panic!("{name}"));
+        let [ready, valid, survive] = ["in_ready", "out_valid", "out_survive"].map(output);
+        let mut unit = Simulation::new(&design.stage, 1);
+        unit.set(port("reset"), 0, 1);
+        unit.set(port("in_valid"), 0, 0);
+        (0..4).for_each(|_| unit.run());
+        unit.set(port("reset"), 0, 0);
+        let mut due: Vec<(usize, u32)> = vec![];
+        let (mut next, mut clock, mut accepted, mut offered) = (0, 0, None, false);
+        let (mut random, mut fastest) = (0xace1u16, usize::MAX);
+        while next < stimulus.expansions.len() || !due.is_empty() {
+            random = random << 1 | (random >> 15 ^ random >> 13 ^ random >> 12 ^ random >> 10) & 1;
+            let full_speed = next < stimulus.expansions.len() / 2;
+            if let Some(expansion) = stimulus.expansions.get(next) {
+                let same = next == 0 || stimulus.expansions[next - 1].frame == expansion.frame;
+                if !offered && (same || due.is_empty()) && (full_speed || random & 3 == 0) {
+                    for (name, value) in stimulus.numbers(expansion) {
+                        unit.set(port(&name), 0, value);
+                    }
+                    offered = true;
+                }
+            }
+            unit.set(port("in_valid"), 0, offered.into());
+            unit.run();
+            let answer = (unit.output(valid, 0) == 1).then(|| unit.output(survive, 0) as u32);
+            let expected = due.first().filter(|(at, _)| *at == clock).map(|due| due.1);
+            assert_eq!(answer, expected, "{}: clock {clock}", name(&engine));
+            due.retain(|(at, _)| *at > clock);
+            if offered && unit.output(ready, 0) == 1 {
+                due.push((clock + design.latency, stimulus.answer(&stimulus.expansions[next])));
+                if let Some(before) = accepted.replace(clock) {
+                    fastest = fastest.min(clock - before);
+                }
+                (next, offered) = (next + 1, false);
+            }
+            clock += 1;
+        }
+        assert_eq!(fastest, design.interval, "{}", name(&engine));
+        // After a reset there is no answer to what was in flight.
+        unit.set(port("in_valid"), 0, 1);
+        (0..2 * design.interval).for_each(|_| unit.run());
+        unit.set(port("in_valid"), 0, 0);
+        unit.set(port("reset"), 0, 1);
+        unit.run();
+        unit.set(port("reset"), 0, 0);
+        for _ in 0..2 * design.latency {
+            unit.run();
+            assert_eq!(unit.output(valid, 0), 0, "{}", name(&engine));
+        }
+    }
+}
+
+/// Runs the printed VHDL under its testbench; the last line that it prints.
+fn ghdl(design: &VolumeDesign, stimulus: &VolumeStimulus, change: impl Fn(&str, String) -> String) -> Option<String> {
+    let runs = |command: &&str| Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success());
+    let Some(command) = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(runs) else {
+        eprintln!("skipped: GHDL is not installed");
+        return None;
+    };
+    let folder = Scratch::new().unwrap();
+    let prefix = Prefix::default();
+    let mut files = volume_files(design, &prefix).unwrap();
+    files.push((format!("{BENCH}.vhd"), volume_bench(design, &prefix)));
+    let names: Vec<String> = files.iter().map(|(name, _)| name.clone()).collect();
+    let texts: Vec<(&str, &str)> = files[..files.len() - 1].iter().map(|(name, text)| (&name[..], &text[..])).collect();
+    assert_eq!(lint(&texts), []);
+    for (name, text) in files {
+        let text = change(&name, text);
+        std::fs::write(folder.path().join(name), text).unwrap();
+    }
+    std::fs::write(folder.path().join(format!("{BENCH}.vec")), stimulus.text(design)).unwrap();
+    let call = |arguments: &[String]| {
+        let output = Command::new(command).args(arguments).current_dir(folder.path()).output().unwrap();
+        let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{arguments:?}: {text}");
+        text
+    };
+    let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
+    let flags = ["--std=93", "--warn-error", "--warn-unused"];
+    call(&[words(&["-a"]), words(&flags), names].concat());
+    call(&[words(&["-e"]), words(&flags[..1]), words(&[BENCH])].concat());
+    let half = format!("-gfull_speed={}", stimulus.expansions.len() / 2);
+    let text = call(&[words(&["-r"]), words(&flags[..1]), words(&[BENCH, &half])].concat());
+    text.lines().last().map(str::to_owned)
+}
+
+#[test]
+fn the_printed_vhdl_answers_as_the_reference_model() {
+    for engine in share(4, engines()) {
+        let design = VolumeDesign::new(&engine, &Params::default()).unwrap();
+        let stimulus = VolumeStimulus::random(&design.format, 150, 4);
+        let Some(line) = ghdl(&design, &stimulus, |_, text| text) else { return };
+        let expected = format!("{BENCH}: {} expansions, 0 mismatches", stimulus.expansions.len());
+        assert_eq!(line, expected, "{}", name(&engine));
+    }
+}
+
+/// The test notices mistakes in the text.
+#[test]
+fn mistakes_in_the_text_are_noticed() {
+    let design = VolumeDesign::new(&EngineParams::default(), &Params::default()).unwrap();
+    let stimulus = VolumeStimulus::random(&design.format, 150, 5);
+    let mistakes = [
+        // A floor in place of the ceiling of U.
+        ("volume_path.vhd", "(2047, 1023, 511, 255, 127, 63, 31,", "(0, 0, 0, 0, 0, 0, 0,"),
+        // The code of a direction in place of that of the opposite one.
+        ("volume_path.vhd", "a_code_h4(m)(1)", "a_code_h4(m)(0)"),
+        // No rest.
+        ("volume_row_sum.vhd", "resize(rest, 14) + ", ""),
+        // The errors of the shift left out.
+        ("volume_path.vhd", "resize(query_error_resized(1), 27) + ", ""),
+        // Apart where the volumes touch.
+        ("volume_direction_test.vhd", "reach + resize(v(k), 29)", "reach + resize(v(k), 29) - 1"),
+        // The right child of B in place of the left one.
+        (&format!("{NAME}.vhd"), "b_take0 => in_take_b(0)", "b_take0 => in_take_b(1)"),
+        // A code one bit too low in the block.
+        (
+            &format!("{NAME}.vhd"),
+            "b_code1_17 => in_block_b(511 downto 502)",
+            "b_code1_17 => in_block_b(510 downto 501)",
+        ),
+    ];
+    for (file, right, wrong) in mistakes {
+        let change = |name: &str, text: String| {
+            if name != file {
+                return text;
+            }
+            assert!(text.contains(right), "{file}: no {right}");
+            text.replacen(right, wrong, 1)
+        };
+        let Some(line) = ghdl(&design, &stimulus, change) else { return };
+        assert!(line.starts_with(BENCH) && !line.ends_with(" 0 mismatches"), "{file}: {wrong}: {line}");
+    }
+}
+
+/// The table of docs/engine-volume.md: cells by Yosys, beside what the device model predicts.
+#[test]
+#[ignore = "minutes: scripts/test full"]
+fn resources() {
+    let mut table = String::new();
+    for name in ["xc2v6000-4", "lfe5u-85-6"] {
+        for clocks in [4, 2, 1] {
+            let params = Params { device: name.to_owned(), ..Params::default() };
+            let design = VolumeDesign::new(&engine(18, WIDTHS, clocks), &params).unwrap();
+            let mut files = volume_files(&design, &Prefix::default()).unwrap();
+            files.pop();
+            let unit = match synth::count(&files, &design.stage, design.device) {
+                Ok(unit) => unit,
+                Err(e) if e.to_string().contains("is not installed") => return eprintln!("skipped: {e}"),
+                Err(e) => panic!("{e}"),
+            };
+            let actual = unit.actual.expect("a tool ran");
+            let [found, model] = [actual.resources, unit.predicted];
+            assert_eq!(found.multipliers, model.multipliers, "{name}, E = {clocks}");
+            let latency = design.latency;
+            let counts = |x: &Resources| format!("{} | {} | {} | {}", x.luts, x.memory_luts, x.flip_flops, x.carry);
+            let _ = writeln!(
+                table,
+                "| {name} | {clocks} | {latency} | {} | {} | {} |",
+                found.multipliers,
+                counts(&found),
+                counts(&model)
+            );
+        }
+    }
+    println!("{table}");
+}

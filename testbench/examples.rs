@@ -1,0 +1,56 @@
+//! The programs in `examples/`, each run once.
+
+use efsat::exact::Exact;
+use efsat::golden::Verdict;
+use std::path::Path;
+use std::process::Command;
+
+#[path = "../examples/classify.rs"]
+#[allow(dead_code, reason = "the test calls what main calls")]
+mod classify;
+#[path = "../examples/drive.rs"]
+#[allow(dead_code, reason = "the test calls what main calls")]
+mod drive;
+#[path = "../examples/generate.rs"]
+#[allow(dead_code, reason = "the test calls what main calls")]
+mod generate;
+
+const PAIRS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/three_pairs.csv");
+
+#[test]
+fn vhdl_is_generated() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path().join("rtl");
+    let said = generate::write(&dir).unwrap();
+    assert!(said.contains(" multipliers, initiation interval 4, latency "), "{said}");
+    assert!(dir.join("efsat.vhd").exists() && dir.join("manifest.json").exists());
+}
+
+#[test]
+fn pairs_are_classified() {
+    let answers = classify::answers(PAIRS).unwrap();
+    let expected = [
+        (Verdict::Intersect, Exact::Intersect),
+        (Verdict::Separate, Exact::Separate),
+        (Verdict::PossiblyIncorrect, Exact::Touch),
+    ];
+    assert_eq!(answers, expected);
+    let wrong = Path::new(env!("CARGO_MANIFEST_DIR")).join("Cargo.toml");
+    assert!(classify::answers(wrong.to_str().unwrap()).is_err());
+}
+
+/// The same file as the command line reads it.
+#[test]
+fn the_command_line_says_the_same() {
+    let output = Command::new(env!("CARGO_BIN_EXE_efsat")).args(["classify", PAIRS, "--exact"]).output().unwrap();
+    let rows = String::from_utf8(output.stdout).unwrap();
+    let expected = "pair,verdict,exact\n0,intersect,intersect\n1,separate,separate\n2,possibly-incorrect,touch\n";
+    assert_eq!((output.status.code(), rows.as_str()), (Some(0), expected));
+}
+
+#[test]
+fn a_stream_is_driven() {
+    let (answers, sent) = drive::drive().unwrap();
+    assert_eq!(answers, [Exact::Intersect, Exact::Touch, Exact::Separate]);
+    assert!(sent > 0 && sent % 8 == 0);
+}

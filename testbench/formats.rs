@@ -1,0 +1,200 @@
+//! The JSON objects of all commands have the keys that docs/formats.md lists, of the types that it says, and no others.
+
+use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
+use std::fs;
+use std::path::Path;
+use std::process::Command;
+
+/// Commands, and runs that together have every key. The object of `efsat mutate` is checked by its own tests.
+const RUNS: [(&str, &[&str]); 16] = [
+    (
+        "efsat classify",
+        &[
+            "classify pairs.csv --exact --retest",
+            "classify pairs.csv --method exact --exact-clocks 16",
+            "classify s.toml --exact --method exact --truth snapped",
+        ],
+    ),
+    ("efsat generate", &["generate --out a", "generate --out b --method exact --width 32 --exact-clocks 16"]),
+    ("efsat cosim", &["cosim --random 20 --simulator builtin"]),
+    ("efsat compare", &["compare pairs.csv", "compare s.toml"]),
+    ("efsat stress", &["stress --pairs 100"]),
+    ("efsat soak", &["soak --pairs 32768 --family lattice-5 --width 12"]),
+    ("efsat wall", &["wall edge-on-face --step 2^-11 --software moeller --out w"]),
+    ("efsat synth", &["synth --predict"]),
+    ("efsat scene pairs", &["scene pairs s.toml", "scene pairs tumble.toml"]),
+    ("efsat scene plan", &["scene plan s.toml", "scene plan tumble.toml"]),
+    ("efsat scene run", &["scene run s.toml --simulator builtin", "scene run tumble.toml --cosim none"]),
+    ("efsat self-intersections", &["self-intersections m.obj --exact"]),
+    ("efsat accuracy", &["accuracy --pairs 50 --sweep width=12 --multipliers 72 --out c"]),
+    ("efsat tree inspect", &["tree inspect m.tree"]),
+    ("efsat tree count", &["tree count s.toml"]),
+    ("efsat accuracy --shard", &["accuracy --pairs 50 --sweep width=12 --multipliers 72 --out d --shard 1/1"]),
+];
+
+/// Commands that are on the page, and whose objects are not looked at here.
+const OTHERS: [&str; 1] = ["efsat mutate"];
+
+const TYPES: [&str; 6] = ["text", "count", "number", "flag", "list", "object"];
+
+/// The tables of the page: key and type of each row, by heading.
+fn tables(page: &str) -> BTreeMap<String, BTreeMap<String, String>> {
+    let mut tables: BTreeMap<String, BTreeMap<String, String>> = BTreeMap::new();
+    let mut heading = String::new();
+    for line in page.lines() {
+        if let Some(text) = line.strip_prefix("### ") {
+            heading = text.trim_matches('`').to_owned();
+        }
+        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
+        if let (true, [keys, kind, ..]) = (line.starts_with("| `"), &cells[..])
+            && heading.starts_with("efsat ")
+        {
+            assert!(TYPES.contains(kind), "{heading}: {line}");
+            // Several keys of one type may be in a row.
+            for key in keys.split(',').map(|key| key.trim().trim_matches('`')) {
+                let before = tables.entry(heading.clone()).or_default().insert(key.to_owned(), (*kind).to_owned());
+                assert!(before.is_none(), "{heading}: {key} is there twice");
+            }
+        }
+    }
+    tables
+}
+
+/// All keys of an object with what they lead to, one for all elements of a list: `a.b`, `list[].c`. What is below a key
+/// that the page calls an object or a list is not looked at.
+fn keys(value: &Value, path: &str, table: &BTreeMap<String, String>, found: &mut BTreeMap<String, Value>) {
+    let whole = table.get(path).is_some_and(|kind| kind == "list" || kind == "object");
+    match value {
+        Value::Object(map) if !whole => {
+            for (key, value) in map {
+                let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+                keys(value, &path, table, found);
+            }
+        }
+        Value::Array(list) if !whole => list.iter().for_each(|value| keys(value, &format!("{path}[]"), table, found)),
+        value => drop(found.insert(path.to_owned(), value.clone())),
+    }
+}
+
+fn is(value: &Value, kind: &str) -> bool {
+    match kind {
+        "text" => value.is_string(),
+        "count" => value.is_u64(),
+        // There may be none.
+        "number" => value.is_number() || value.is_null(),
+        "flag" => value.is_boolean(),
+        "list" => value.is_array(),
+        _ => value.is_object() || value.is_null(),
+    }
+}
+
+/// What is wrong with objects, if the page has this table.
+fn faults(command: &str, objects: &[Value], table: &BTreeMap<String, String>) -> Vec<String> {
+    let mut found = BTreeSet::new();
+    let mut faults = vec![];
+    for object in objects {
+        let mut here = BTreeMap::new();
+        keys(object, "", table, &mut here);
+        for (key, value) in here {
+            match table.get(&key) {
+                // An object that is not there.
+                None if value.is_null() && table.keys().any(|below| below.starts_with(&format!("{key}."))) => {}
+                None => faults.push(format!("{command}: the page lacks {key}")),
+                Some(kind) if !is(&value, kind) => faults.push(format!("{command}: {key} is no {kind}: {value}")),
+                _ => {}
+            }
+            found.insert(key);
+        }
+    }
+    let gone = table.keys().filter(|key| !found.contains(*key));
+    faults.extend(gone.map(|key| format!("{command}: no run has {key}")));
+    faults.sort();
+    faults.dedup();
+    faults
+}
+
+fn object(dir: &Path, arguments: &str) -> Value {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
+    let output = command.args(arguments.split(' ')).arg("--json").current_dir(dir).output().unwrap();
+    let (text, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
+    assert!(output.status.success(), "{arguments}: {errors}");
+    serde_json::from_str(&text).unwrap_or_else(|e| panic!("{arguments}: {e}: {text}"))
+}
+
+#[test]
+fn objects_have_the_keys_of_the_page() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let write = |name: &str, text: &str| fs::write(dir.join(name), text).unwrap();
+    write("pairs.csv", include_str!("../examples/three_pairs.csv"));
+    // Two triangles that cross, and a face that cannot be used; a mesh of two triangles that cross.
+    write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\nf 1 2 9\n");
+    write("m.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 -1\nv 1 1 1\nv 2 1 1\nf 1 2 3\nf 4 5 6\n");
+    let objects = "name = \"s\"\n[a]\nmesh = \"t.obj\"\n[b]\nmesh = \"t.obj\"\n";
+    write(
+        "s.toml",
+        &format!("{objects}[[pose]]\naxis = [0, 0, 1]\nangle_degrees = 90\ntranslation = [0.25, 0.25, 0]\n"),
+    );
+    write("tumble.toml", &format!("{objects}[tumble]\nsteps = 3\ndistances = [0.1]\n"));
+    let build = ["tree", "build", "m.obj", "--out", "m.tree"];
+    let built = Command::new(env!("CARGO_BIN_EXE_efsat")).args(build).current_dir(dir).status().unwrap();
+    assert!(built.success());
+
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/formats.md");
+    let tables = tables(&fs::read_to_string(page).unwrap());
+    let on_page: BTreeSet<&str> = tables.keys().map(String::as_str).collect();
+    let expected: BTreeSet<&str> = RUNS.map(|run| run.0).into_iter().chain(OTHERS).collect();
+    assert_eq!(on_page, expected, "the page has a table for each command");
+    let all = RUNS.iter().flat_map(|(command, runs)| {
+        let objects: Vec<Value> = runs.iter().map(|arguments| object(dir, arguments)).collect();
+        faults(command, &objects, &tables[*command])
+    });
+    let all: Vec<String> = all.collect();
+    assert!(all.is_empty(), "{}", all.join("\n"));
+}
+
+#[test]
+fn every_command_with_json_is_on_the_page() {
+    let help = |arguments: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_efsat")).args(arguments).arg("--help").output().unwrap();
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let below = |text: &str| -> Vec<String> {
+        let listed = text.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
+        listed
+            .filter_map(|line| Some(line.split_whitespace().next()?.to_owned()))
+            .filter(|name| name != "help")
+            .collect()
+    };
+    let mut with_json = vec![];
+    for name in below(&help(&[])) {
+        let text = help(&[&name]);
+        if text.contains("--json") {
+            with_json.push(format!("efsat {name}"));
+        }
+        // `accuracy merge` prints what `accuracy` does.
+        for inner in below(&text).iter().filter(|inner| *inner != "merge") {
+            if help(&[&name, inner]).contains("--json") {
+                with_json.push(format!("efsat {name} {inner}"));
+            }
+        }
+    }
+    let listed: BTreeSet<&str> = RUNS.map(|run| run.0).into_iter().chain(OTHERS).collect();
+    let absent: Vec<&String> = with_json.iter().filter(|command| !listed.contains(command.as_str())).collect();
+    assert!(with_json.len() >= 13 && absent.is_empty(), "{with_json:?}");
+}
+
+/// The checks are shown something that they have to complain of.
+#[test]
+fn the_checks_can_fail() {
+    let tables = tables(
+        "### `efsat x`\n\n| key | type | |\n| --- | --- | --- |\n| `a`, `b[].c` | count | |\n| `d` | list | |\n",
+    );
+    let table = &tables["efsat x"];
+    let say = |object: Value| faults("x", &[object], table);
+    assert!(say(serde_json::json!({"a": 1, "b": [{"c": 2}], "d": [{"anything": 1}]})).is_empty());
+    assert_eq!(say(serde_json::json!({"a": -1, "b": [], "d": []})), ["x: a is no count: -1", "x: no run has b[].c"]);
+    assert_eq!(say(serde_json::json!({"a": 1, "b": null, "d": []})), ["x: the page lacks b", "x: no run has b[].c"]);
+    assert_eq!(say(serde_json::json!({"a": 1, "b": [{"c": 2}], "d": [], "e": 1})), ["x: the page lacks e"]);
+}
