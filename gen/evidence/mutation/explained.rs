@@ -56,7 +56,6 @@ const fn hidden(pattern: &'static str, reason: &'static str) -> Explanation {
     Explanation { pattern, claim: Claim::Hidden, reason, rate: Rate::Any }
 }
 
-const EQUAL: &str = "of two equal numbers either is the least and the greatest";
 const AT_BOUND: &str = "the two differ where the number is the bound itself, and both arms give the bound";
 const BELOW: &str = "a lower bound is never above, and an upper bound never below, what the true value can be";
 const LATER: &str = "all of triangle A, and B from its second vertex on, is first read some clocks after it is taken";
@@ -95,20 +94,9 @@ const VHDL: &[Explanation] = &[
     ),
     same("transform_row:*:delay:bypass_*", IDLE),
     same("transform_row:bypass_*:delay:a register too many", IDLE),
-    same("transform_row:b*.hi:delay:b_hi_not_d* -> *", IDLE),
-    same("transform_row:b_hi_not_d*:delay:a register too many", IDLE),
+    same("transform_row:b*.hi:delay:b_hi_aligned_not_line* -> *", IDLE),
+    same("transform_row:b_hi_aligned_not_line:delay:a register too many", IDLE),
     same("renormalise_shift:*:delay:*_d1 -> *", STEADY),
-    same("comparator_network:*_ordered_*:comparison:* -> <=", EQUAL),
-    hidden(
-        "comparator_network:*_*er_*:bound:*_ordered_* -> *_ordered_*",
-        "the lower bounds of two projections are nearly always in the order of their upper bounds",
-    ),
-    hidden(
-        "comparator_network:*_ordered_*:bound:*",
-        "seldom do the enclosures of the two least or greatest projections overlap so that this order decides a flag",
-    ),
-    same("comparator_network:*_min.*:comparison:* -> <=", EQUAL),
-    same("comparator_network:*_max.*:comparison:* -> <=", EQUAL),
     same("cross_product:l_*saturated*:comparison:* -> <=", AT_BOUND),
     same("cross_product:l_saturated.lo:case:to_signed(* -> *, the next arm", BELOW),
     same("cross_product:l_saturated.lo:constant:exact_lo_floor_6(i) -> (0)", BELOW),

@@ -1,6 +1,7 @@
 //! A picture for Graphviz: one cluster per clock.
 
-use super::model::{Kind, Picture, Place};
+use super::label::Kind;
+use super::model::{Picture, Place};
 use crate::op;
 use std::collections::BTreeMap;
 use std::fmt::Write;

@@ -1,8 +1,20 @@
 //! What a node computes, in a few characters.
 
-use super::model::Kind;
 use crate::graph::{Op, Unit};
-use crate::op::Comb;
+use crate::op::{self, Comb};
+
+/// What a box stands for; it sets the colour.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// An input or output of the unit.
+    Port,
+    /// A combinational operation.
+    Operation(op::Kind),
+    /// What time sharing takes: multiplexers by phase, captures.
+    Sharing,
+    /// An instance of another unit.
+    Instance,
+}
 
 /// Operands are written out where the whole is no longer than this many characters.
 const LONGEST: usize = 30;

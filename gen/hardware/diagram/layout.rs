@@ -3,7 +3,8 @@
 //! A box takes one height through all layers it spans. So does a *trunk*: a value on its way to uses further on. Heights
 //! are found greedily near the neighbours' and improved by sweeps; nothing is random.
 
-use super::model::{Kind, Picture};
+use super::label::Kind;
+use super::model::Picture;
 use std::collections::BTreeMap;
 
 /// Sweeps over all heights.

@@ -13,7 +13,8 @@ mod svg;
 #[cfg(test)]
 mod tests;
 
-pub use model::{Edge, Kind, Picture, Place};
+pub use label::Kind;
+pub use model::{Edge, Picture, Place};
 
 use crate::graph::{Op, Unit};
 use std::collections::HashSet;

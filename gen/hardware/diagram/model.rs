@@ -1,23 +1,11 @@
 //! What is to be seen of a schedule: boxes in clocks, and the values between them.
 
-use super::{critical, label};
+use super::critical;
+use super::label::{self, Kind};
 use crate::graph::{Op, Rate};
-use crate::op::{self, Comb, Type};
+use crate::op::{Comb, Type};
 use crate::schedule::{Schedule, Slot};
 use std::collections::HashSet;
-
-/// What a box stands for; it sets the colour.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// An input or output of the unit.
-    Port,
-    /// A combinational operation.
-    Operation(op::Kind),
-    /// What time sharing takes: multiplexers by phase, captures.
-    Sharing,
-    /// An instance of another unit.
-    Instance,
-}
 
 /// A box.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,8 @@
 //! A picture as SVG, self-contained: clocks as columns, registers on their borders.
 
+use super::label::Kind;
 use super::layout::{Layout, Net};
-use super::model::{Kind, Picture};
+use super::model::Picture;
 use std::fmt::Write;
 
 const CHARACTER: f64 = 6.3;

@@ -6,12 +6,19 @@ use super::comparator::{DUPLICATES, Owners, Sides, comparator, pairs};
 use super::cross_product::cross_product;
 use super::edge_test::{Seen, Side, pierced, seen};
 use super::interval::{Factor, Factors, Interval};
-use super::pipeline::{Edges, Path};
 use super::projection::projection;
 use super::rounding::{Rounding, Roundings, working};
-use crate::params::{AxisKind, Formats, Projections, Row};
-use efsat_hardware::graph::{Phases, Sig, Signals, Vec3};
+use crate::params::{AxisKind, Formats, Params, Projections, Row};
+use efsat_hardware::graph::{Phases, Sig, Signals, Top, Vec3};
 use efsat_hardware::op::Type;
+
+/// The edges of both triangles.
+pub(super) struct Edges<'l> {
+    /// Whether lanes have made them, one after the other.
+    pub from_lanes: bool,
+    pub a: [Factors<'l>; 3],
+    pub b: [Factors<'l>; 3],
+}
 
 /// What the axes say, held for the pair and clear for one `outside`.
 pub(super) struct Flags<'l> {
@@ -25,12 +32,13 @@ pub(super) struct Flags<'l> {
 
 /// All axes.
 pub(super) fn axes<'l>(
-    path: &Path<'l, '_>,
+    u: Top<'l>,
+    p: &Params,
     points: &[Factors<'l>; 6],
     edges: &Edges<'l>,
     outside: Option<Sig<'l>>,
 ) -> Flags<'l> {
-    let (p, formats) = (path.p, &path.formats);
+    let formats = &p.formats();
     let all = Axis::all(p.axes);
     let units = p.axes_per_clock;
     let jobs = |u: usize| {
@@ -40,14 +48,14 @@ pub(super) fn axes<'l>(
         (jobs.late(|axis| axis.in_plane() && !pure), pure)
     };
     let jobs: Vec<(Phases<Axis>, bool)> = (0..units).map(jobs).collect();
-    let stage = Stage { path, edges, cross: Table::crosses(formats, &all), project: Table::projections(formats, &all) };
+    let stage = Stage { u, p, edges, cross: Table::crosses(formats, &all), project: Table::projections(formats, &all) };
     // The normals as the in-plane axes take them: connected when they have been computed.
     let promised = [AxisKind::NormalA, AxisKind::NormalB].map(|kind| {
         let bound = formats.axis(kind).bound;
-        let number = || path.u.later(working(p), (-bound, bound));
+        let number = || u.later(working(p), (-bound, bound));
         let factor = || Factor {
             interval: Interval { lo: number(), hi: number() },
-            sign_case: path.u.later(Type::unsigned(2), (0, 3)),
+            sign_case: u.later(Type::unsigned(2), (0, 3)),
         };
         (p.axes.count() > 11).then(|| Vec3::each(|_| factor()))
     });
@@ -94,14 +102,15 @@ pub(super) fn axes<'l>(
 }
 
 /// What all axis units share.
-struct Stage<'l, 'a, 'p> {
-    path: &'a Path<'l, 'p>,
+struct Stage<'l, 'a> {
+    u: Top<'l>,
+    p: &'a Params,
     edges: &'a Edges<'l>,
     cross: Table,
     project: Table,
 }
 
-impl<'l> Stage<'l, '_, '_> {
+impl<'l> Stage<'l, '_> {
     fn factor(&self, of: Of, normals: [Option<Factors<'l>>; 2]) -> Factors<'l> {
         match of {
             Of::EdgeA(k) => self.edges.a[k],
@@ -114,7 +123,7 @@ impl<'l> Stage<'l, '_, '_> {
     /// The axes of unit `u`, with their sign cases.
     fn cross(&self, u: usize, jobs: &Phases<Axis>, normals: [Option<Factors<'l>>; 2]) -> Factors<'l> {
         // Sign cases of edges that no lane has made are made behind the choice where those are fewer.
-        let cases_behind = !self.edges.from_lanes && self.path.p.axes_per_clock < 3;
+        let cases_behind = !self.edges.from_lanes && self.p.axes_per_clock < 3;
         let chosen = |side: fn(&Axis) -> Of, name: &str| {
             let factor = |axis: &Axis| self.factor(side(axis), normals).map(Factor::mantissa);
             let chosen = jobs.map(factor).mux();
@@ -123,11 +132,11 @@ impl<'l> Stage<'l, '_, '_> {
             chosen.named_at(name, u)
         };
         let (e, f) = (chosen(|axis| axis.left, "axis_e"), chosen(|axis| axis.right, "axis_f"));
-        let l = if self.path.p.axis_shift > 0 {
+        let l = if self.p.axis_shift > 0 {
             let exact = cross_product(e, f, None, &self.cross.text).named_at("axis_exact", u);
-            axis_shift(self.path.p, exact)
+            axis_shift(self.p, exact)
         } else {
-            let roundings = self.cross.roundings(self.path, jobs, &format!("axis{u}_rounding"));
+            let roundings = self.cross.roundings(self.u, self.p, jobs, &format!("axis{u}_rounding"));
             cross_product(e, f, Some(&roundings), &self.cross.text)
         };
         let l = l.probe(&jobs.meaning());
@@ -136,7 +145,7 @@ impl<'l> Stage<'l, '_, '_> {
 
     /// How many points an axis unit projects at most.
     fn slots(&self) -> usize {
-        let p = self.path.p;
+        let p = self.p;
         let count = |axis: &Axis| axis.projected(0, p.projections).len() + axis.projected(1, p.projections).len();
         Axis::all(p.axes).iter().map(count).max().unwrap_or(6)
     }
@@ -149,8 +158,8 @@ impl<'l> Stage<'l, '_, '_> {
         points: &[Factors<'l>; 6],
         l: Factors<'l>,
     ) -> Vec<Interval<Sig<'l>>> {
-        let (p, slots) = (self.path.p, self.slots());
-        let roundings = self.project.roundings(self.path, jobs, &format!("projection{u}_rounding"));
+        let (p, slots) = (self.p, self.slots());
+        let roundings = self.project.roundings(self.u, self.p, jobs, &format!("projection{u}_rounding"));
         let roundings = roundings.of_projections(p, self.project.bits);
         let name = if p.axes_per_clock == 1 { "p".to_owned() } else { format!("axis{u}_p") };
         let mut image: Vec<Interval<Sig<'l>>> = vec![];
@@ -170,7 +179,7 @@ impl<'l> Stage<'l, '_, '_> {
 
     /// Where the vertices and edges certainly are that the axes of a unit tell of.
     fn sides(&self, jobs: &Phases<Axis>, [above, below]: &Sides<'l>) -> Vec<(Seen, Side<'l>)> {
-        let (p, slots) = (self.path.p, self.slots());
+        let (p, slots) = (self.p, self.slots());
         let slot = |axis: &Axis, point: usize| {
             (0..slots)
                 .find(|slot| projected(axis, p.projections, *slot, slots) == Some(point))
@@ -195,7 +204,7 @@ impl<'l> Stage<'l, '_, '_> {
         jobs: &Phases<Axis>,
         image: Vec<Interval<Sig<'l>>>,
     ) -> ((Sig<'l>, Sig<'l>), Option<Sides<'l>>) {
-        let (p, unit) = (self.path.p, self.path.u);
+        let (p, unit) = (self.p, self.u);
         let flag = |triangle: usize, i: usize| {
             let has = jobs.map(|axis| i128::from(i < axis.projected(triangle, p.projections).len()));
             has.constant(unit, Type::FLAG).named(&format!("axis{u}_has_{}{i}", ["a", "b"][triangle]))
@@ -289,9 +298,9 @@ impl Table {
         self.ways.iter().find(|w| w.0 == kind).expect("collected from all axes").1
     }
 
-    fn roundings<'l>(&self, path: &Path<'l, '_>, jobs: &Phases<Axis>, name: &str) -> Roundings<'l> {
+    fn roundings<'l>(&self, u: Top<'l>, p: &Params, jobs: &Phases<Axis>, name: &str) -> Roundings<'l> {
         let all: Vec<Rounding> = self.ways.iter().map(|w| w.1).collect();
-        Roundings::by_phase(path.p, &all, &jobs.map(|axis| self.way(axis.kind)), path.u, name)
+        Roundings::by_phase(p, &all, &jobs.map(|axis| self.way(axis.kind)), u, name)
     }
 }
 

@@ -56,11 +56,11 @@ pub fn comparator<'l>(
         Owners::Shared(has) => entity!("comparator_network", &doc, (p, has) => {
             let sides = sides(&p, "");
             let has = |triangle: usize, place: usize| (place > 0).then(|| has[triangle][place - 1]);
-            let counts = |[a, b]: [usize; 2]| {
+            let counts = |(i, [a, b]): (usize, [usize; 2])| {
                 let both = [has(0, a), has(1, p.len() - 1 - b)].into_iter().flatten();
-                both.reduce(|a, b| a.apply(And, &[b]))
+                both.reduce(|a, b| a.apply(And, &[b]).named_at("counts", i))
             };
-            (decide(&sides, &pairs(p.len()).map(counts).collect::<Vec<_>>()), edges.then_some(sides))
+            (decide(&sides, &pairs(p.len()).enumerate().map(counts).collect::<Vec<_>>()), edges.then_some(sides))
         }),
     }
 }

@@ -4,7 +4,7 @@
 //! row `s * rows + r` (vertex by vertex), a lane re-normalises one point, and axis unit u tests axis `s * units + u`. Where
 //! there is a [guard](super::guard), numbers pass it on their way to the first unit.
 
-use super::axis_stage::{self, Flags};
+use super::axis_stage::{self, Edges, Flags};
 use super::guard::{Guards, any};
 use super::interval::{Factor, Factors, Interval, Vector};
 use super::number::Number;
@@ -32,7 +32,7 @@ pub fn unit(p: &Params) -> Rc<Unit> {
         let b = pose.map(|pose| path.transformed(&w, &pose));
         let (points, edges) = path.working(&v, &w, b.as_ref());
         let outside = path.guards.outside();
-        let Flags { separated, overlapping, pierced } = axis_stage::axes(&path, &points, &edges, outside);
+        let Flags { separated, overlapping, pierced } = axis_stage::axes(u, p, &points, &edges, outside);
         // Section 7.
         let separate = any(&separated).named("separate");
         let surely = (!(!overlapping[0].below(&overlapping[1..11])).any()).named("all_overlap");
@@ -74,14 +74,6 @@ impl<'l> Inputs<'l> {
     }
 }
 
-/// The edges of both triangles.
-pub(super) struct Edges<'l> {
-    /// Whether lanes have made them, one after the other.
-    pub from_lanes: bool,
-    pub a: [Factors<'l>; 3],
-    pub b: [Factors<'l>; 3],
-}
-
 /// A point before re-normalisation: an input, or one of B after the transform.
 #[derive(Clone, Copy)]
 enum Source<'l> {
@@ -113,10 +105,10 @@ impl<'l> Source<'l> {
 }
 
 /// The data path in the making.
-pub(super) struct Path<'l, 'p> {
-    pub u: Top<'l>,
-    pub p: &'p Params,
-    pub formats: Formats,
+struct Path<'l, 'p> {
+    u: Top<'l>,
+    p: &'p Params,
+    formats: Formats,
     guards: Guards<'l, 'p>,
 }
 

@@ -18,6 +18,7 @@ pub mod settings;
 mod stage;
 #[cfg(test)]
 mod tests;
+mod whole;
 
 pub use loose::loose_pair;
 pub use scene::{SceneHost, ScenePose};
