@@ -4,7 +4,7 @@ use super::claim::{Claim, number};
 use super::determinants::cut_product;
 use super::unit::Mistake::{NoUlp, OtherElement, Reversed, WrongArm, WrongGate, WrongSign, WrongSlice};
 use super::unit::Subject;
-use efsat::design::engine::volume_path;
+use efsat::design::engine::volume_unit::VolumeDesign;
 use efsat::params::engine::EngineFormat;
 use efsat::params::{EngineParams, Params};
 
@@ -14,10 +14,11 @@ fn format() -> EngineFormat {
 }
 
 fn of(entity: &str, property: &'static str) -> Claim {
-    let path = volume_path::unit(&format(), 1);
-    let EngineParams { origin_bits, offset_bits, factor_bits, .. } = EngineParams::default();
+    let engine = EngineParams { expansion_clocks: 1, ..EngineParams::default() };
+    let design = VolumeDesign::new(&engine, &Params::default()).expect("the default engine");
+    let EngineParams { origin_bits, offset_bits, factor_bits, .. } = engine;
     let widths = format!("{origin_bits}/{offset_bits}/{factor_bits} bits");
-    Claim::new(Subject::of_unit(&path, &format!("volume_{entity}")), widths, property)
+    Claim::new(Subject::new(&design.stage, &format!("volume_{entity}")), widths, property)
 }
 
 /// A component of D.
