@@ -416,6 +416,20 @@ fn campaign(rounds: u64) -> Vec<String> {
     faults
 }
 
+/// Each of these made the page end in a panic, or in nonsense.
+#[test]
+fn results_that_cannot_be_are_refused() {
+    let refused = |change: &dyn Fn(&mut Value), expected: &str| {
+        let mut value: Value = serde_json::from_slice(&results()).unwrap();
+        change(&mut value);
+        assert_eq!(Results::read(&value.to_string()).unwrap_err().to_string(), expected);
+    };
+    refused(&|value| value["rows"] = Value::Array(vec![]), "rows: found none");
+    refused(&|value| value["foldings"][0]["row"] = 99.into(), "foldings[].row: found 99 where there are 24 rows");
+    let large = "rows.2.answers.separate: found 18446744073709552000";
+    refused(&|value| value["rows"][2]["answers"]["separate"] = u64::MAX.into(), large);
+}
+
 /// The campaign, in a process of its own that has little memory: see below.
 #[test]
 #[ignore = "the next test starts it"]
