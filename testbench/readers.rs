@@ -147,12 +147,13 @@ fn changed_json(example: &[u8], rng: &mut ChaCha8Rng) -> Vec<u8> {
         change_value(&mut value, rng);
         lines[at] = value.to_string();
     }
+    let whole = lines.join("\n") + "\n";
     if rng.random_range(0..8) == 0 {
-        let mut bytes = lines.join("\n").into_bytes();
+        let mut bytes = whole.into_bytes();
         change_bytes(&mut bytes, rng);
         return bytes;
     }
-    lines.join("\n").into_bytes()
+    whole.into_bytes()
 }
 
 /// Changes one value, found by going down at random.
@@ -327,6 +328,8 @@ fn results() -> Vec<u8> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/accuracy/headlight/accuracy.json");
     let mut value: Value = serde_json::from_str(&fs::read_to_string(path).unwrap()).unwrap();
     value["rows"].as_array_mut().unwrap().truncate(24);
+    // Foldings name rows by their places.
+    value["foldings"].as_array_mut().unwrap().retain(|fold| fold["row"].as_u64().is_none_or(|row| row < 24));
     value.to_string().into_bytes()
 }
 
@@ -411,6 +414,20 @@ fn campaign(rounds: u64) -> Vec<String> {
         assert!(accepted > 0 && refused > 0, "{}: {accepted} accepted, {refused} refused", reader.name);
     }
     faults
+}
+
+/// Each of these made the page end in a panic, or in nonsense.
+#[test]
+fn results_that_cannot_be_are_refused() {
+    let refused = |change: &dyn Fn(&mut Value), expected: &str| {
+        let mut value: Value = serde_json::from_slice(&results()).unwrap();
+        change(&mut value);
+        assert_eq!(Results::read(&value.to_string()).unwrap_err().to_string(), expected);
+    };
+    refused(&|value| value["rows"] = Value::Array(vec![]), "rows: found none");
+    refused(&|value| value["foldings"][0]["row"] = 99.into(), "foldings[].row: found 99 where there are 24 rows");
+    let large = "rows.2.answers.separate: found 18446744073709552000";
+    refused(&|value| value["rows"][2]["answers"]["separate"] = u64::MAX.into(), large);
 }
 
 /// The campaign, in a process of its own that has little memory: see below.

@@ -104,7 +104,10 @@ pub enum ResultsError {
 /// The first number beyond [`GREATEST`]; seeds may be.
 fn too_large(value: &serde_json::Value) -> Option<(String, f64)> {
     use serde_json::Value;
-    let below = |key: &str, value: &Value| too_large(value).map(|(path, number)| (format!("{key}.{path}"), number));
+    let below = |key: &str, value: &Value| {
+        let (path, number) = too_large(value)?;
+        Some((if path.is_empty() { key.to_owned() } else { format!("{key}.{path}") }, number))
+    };
     match value {
         Value::Object(map) => map.iter().filter(|(key, _)| *key != "seed").find_map(|(key, value)| below(key, value)),
         Value::Array(list) => list.iter().enumerate().find_map(|(i, value)| below(&i.to_string(), value)),
