@@ -12,6 +12,7 @@ mod determinants;
 mod exact;
 mod pair;
 mod products;
+mod queues;
 mod rounding;
 mod settings;
 mod sums;
@@ -31,10 +32,41 @@ fn prove(title: &str, claims: Vec<Claim>) {
     if let Some(missing) = tools::missing() {
         return table::print(&format!("{title}: skipped: {missing}\n"));
     }
-    let rows: Vec<claim::Row> = claims.par_iter().map(|claim| claim.run()).collect();
-    table::print(&table::text(title, &rows));
+    report(title, &claims.par_iter().map(|claim| claim.run()).collect::<Vec<_>>());
+}
+
+/// Prints a table, and fails if a row is not as it should be.
+fn report(title: &str, rows: &[claim::Row]) {
+    table::print(&table::text(title, rows));
     let failures: Vec<String> = rows.iter().flat_map(table::failures).collect();
     assert!(failures.is_empty(), "{}", failures.join("\n"));
+}
+
+/// Proves claims of the queues of a cascade, as [`prove`].
+fn prove_queues(title: &str, clocks_per_pair: &[u32], claim: fn(&queues::Cascade) -> queues::Claim) {
+    if let Some(missing) = tools::missing() {
+        return table::print(&format!("{title}: skipped: {missing}\n"));
+    }
+    let params = |clocks_per_pair: &u32| Params {
+        width: 8,
+        transform_width: 8,
+        frequency: 20,
+        clocks_per_pair: *clocks_per_pair,
+        exact_clocks: Some(11),
+        ..Params::of(Method::Exact)
+    };
+    let row = |clocks| claim(&queues::Cascade::new(&params(clocks))).run();
+    report(title, &clocks_per_pair.par_iter().map(row).collect::<Vec<_>>());
+}
+
+#[test]
+fn queues_of_the_second_stage() {
+    prove_queues("Queues of the second stage", &[1, 11], queues::Cascade::second_stage);
+}
+
+#[test]
+fn queues_of_the_unit() {
+    prove_queues("Queues of the unit", &[1], queues::Cascade::unit);
 }
 
 /// The rules for upper bounds, the other options as given.

@@ -61,6 +61,11 @@ pub(super) fn picture(text: &str) -> Result<PathBuf, String> {
     ending(text, &["svg", "png"])
 }
 
+/// The name of a file of rows.
+pub(super) fn rows(text: &str) -> Result<PathBuf, String> {
+    ending(text, &["csv"])
+}
+
 /// A name with one of some extensions.
 pub(super) fn ending(text: &str, legal: &[&str]) -> Result<PathBuf, String> {
     match Path::new(text).extension().and_then(|e| e.to_str()) {

@@ -3,6 +3,7 @@
 use super::error::Failure;
 use super::file::{self, Output};
 use super::output::{print, print_json, warn};
+use super::params::whole;
 use super::progress;
 use super::source::load_mesh;
 use crate::effects::picture::Picture;
@@ -29,7 +30,7 @@ pub(super) struct Arguments {
     #[arg(value_name = "MESH")]
     mesh: PathBuf,
     /// Bits of a difference of coordinates in the unit, 6 to 32
-    #[arg(long, value_name = "N", default_value_t = 18, value_parser = clap::value_parser!(u32).range(6..=32), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 18, value_parser = whole(6..=32), allow_negative_numbers = true)]
     width: u32,
     /// Distance of two points of the grid, in units of the mesh; by default the finest power of two on which the mesh fits N bits
     #[arg(long, value_name = "SIZE", value_parser = size, allow_negative_numbers = true)]
@@ -40,8 +41,8 @@ pub(super) struct Arguments {
     /// Write the defects, one row for each: numbers of the two triangles, kind
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Write all pairs that the unit is asked about, as `efsat cosim --method exact --pairs FILE` reads them
-    #[arg(long, value_name = "FILE")]
+    /// Write all pairs that the unit is asked about to a .csv file, as `efsat cosim --method exact --pairs FILE` reads them
+    #[arg(long, value_name = "FILE", value_parser = file::rows)]
     pairs: Option<PathBuf>,
     /// Draw the mesh with its defects, as .svg or .png
     #[arg(long, value_name = "FILE", value_parser = file::picture)]
@@ -123,7 +124,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let most = f64::from((1u32 << (arguments.width - 1)) - 1);
     let grid = arguments.grid.unwrap_or_else(|| Snapped::finest(&original, most));
     if Snapped::most(&original) / grid >= 2f64.powi(53) {
-        let message = format!("--grid {grid}: a coordinate has 2^53 units or more; expected a coarser grid");
+        let message = format!("--grid {grid:e}: a coordinate has 2^53 units or more; expected a coarser grid");
         return Err(Failure::Usage(message));
     }
     let Snapped { mesh, .. } = Snapped::new(&original, grid);
@@ -182,9 +183,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
+/// A number as it is read most easily.
+fn step(grid: f64) -> String {
+    if (1e-12..1e12).contains(&grid) { grid.to_string() } else { format!("{grid:e}") }
+}
+
 fn table(summary: &Summary<'_>, exact: bool) -> String {
     let Summary { mesh, triangles, vertices, left_out, grid, width, degenerate, effort, .. } = summary;
-    let mut text = format!("{mesh}: {triangles} triangles, {vertices} vertices on a grid of {grid}, {width} bits\n");
+    let mut text =
+        format!("{mesh}: {triangles} triangles, {vertices} vertices on a grid of {}, {width} bits\n", step(*grid));
     if *left_out > 0 {
         let _ = writeln!(text, "{left_out} faces of the file cannot be used and are left out");
     }

@@ -57,24 +57,71 @@ pub fn verilog(files: &[(String, String)], top: &str) -> String {
     verilog::from_vhdl(files, top, dir.path()).unwrap_or_else(|e| panic!("{top}: {e}"))
 }
 
+/// Runs Yosys on sources and a script; what it printed, and the seconds of processor time.
+fn yosys(sources: &[(&str, &str)], script: &str) -> (String, f64) {
+    let dir = TempDir::new().expect("a folder for Yosys");
+    for (name, text) in sources.iter().chain(&[("script.ys", script)]) {
+        fs::write(dir.path().join(name), text).expect("a source for Yosys");
+    }
+    let text = call(dir.path(), "yosys", &["-s", "script.ys"]);
+    let seconds = text.rsplit_once("CPU: user ").and_then(|(_, rest)| rest.split_once('s')?.0.parse().ok());
+    (text, seconds.unwrap_or(f64::NAN))
+}
+
+/// Asks whether the module `claim`, a claim about the clocked entity `top`, holds at the start, and after a clock if it held
+/// before it. `seen` are signals that the claim looks at, `words` those of memories, `cut` signals that it drives.
+///
+/// Refuted is a claim of which either is not so: a step may begin where the unit never is.
+pub fn induce(unit: &str, top: &str, claim: &str, [seen, words, cut]: [&[String]; 3]) -> (Outcome, f64) {
+    let wires = |names: &[String]| names.iter().map(|name| format!(" {top}/w:{name}")).collect::<String>();
+    let cut = if cut.is_empty() { String::new() } else { format!("expose -cut -sep __{}\n", wires(cut)) };
+    let script = format!(
+        "read_verilog unit.v
+hierarchy -top {top}
+proc
+flatten
+expose{}
+{cut}memory -nomap
+opt_clean -purge
+memory_map
+expose{}
+opt_clean -purge
+read_verilog -sv -formal claim.v
+hierarchy -top claim
+proc
+flatten
+opt_expr
+opt_clean
+select -assert-none t:$mem*
+select -assert-min 1 t:$assert
+sat -tempinduct -prove-asserts -set-assumes -show-inputs -maxsteps 1 -timeout {PATIENCE}
+",
+        wires(seen),
+        wires(words),
+    );
+    let (text, seconds) = yosys(&[("unit.v", unit), ("claim.v", claim)], &script);
+    let outcome = if text.contains("Induction step proven: SUCCESS!") {
+        Outcome::Proved
+    } else if text.contains("proof failed.") || text.contains("FAIL!") {
+        Outcome::Refuted("no induction".to_owned())
+    } else {
+        assert!(text.contains("TIMEOUT"), "yosys: {text}");
+        Outcome::Undecided
+    };
+    (outcome, seconds)
+}
+
 /// Asks whether the module `claim` holds of the unit `top`; `seen` are wires of the unit that the claim looks at, `cut`
 /// wires whose value it sets.
 ///
 /// Also returns the seconds of processor time that Yosys took, which other load does not change much.
 pub fn solve(unit: &str, top: &str, claim: &str, seen: &[String], cut: &[String]) -> (Outcome, f64) {
-    let dir = TempDir::new().expect("a folder for Yosys");
-    let write = |name: &str, text: &str| fs::write(dir.path().join(name), text).expect("a source for Yosys");
-    write("unit.v", unit);
-    write("claim.v", claim);
-    write("wires.v", WIRES);
     let wires = |names: &[String]| names.iter().map(|name| format!(" {top}/w:{name}")).collect::<String>();
     let expose = |option: &str, names: &[String]| {
         if names.is_empty() { String::new() } else { format!("expose {option}{}\n", wires(names)) }
     };
-    write(
-        "script.ys",
-        &format!(
-            "read_verilog unit.v
+    let script = format!(
+        "read_verilog unit.v
 hierarchy -top {top}
 proc
 flatten
@@ -93,12 +140,10 @@ opt -full
 select -assert-min 1 t:$assert
 sat -prove-asserts -set-assumes -show-inputs -timeout {PATIENCE}
 ",
-            expose("", seen),
-            expose("-cut -sep __", cut),
-        ),
+        expose("", seen),
+        expose("-cut -sep __", cut),
     );
-    let text = call(dir.path(), "yosys", &["-s", "script.ys"]);
-    let seconds = text.rsplit_once("CPU: user ").and_then(|(_, rest)| rest.split_once('s')?.0.parse().ok());
+    let (text, seconds) = yosys(&[("unit.v", unit), ("claim.v", claim), ("wires.v", WIRES)], &script);
     let outcome = if text.contains("no model found: SUCCESS!") {
         Outcome::Proved
     } else if let Some((_, found)) = text.split_once("model found: FAIL!") {
@@ -107,5 +152,5 @@ sat -prove-asserts -set-assumes -show-inputs -timeout {PATIENCE}
         assert!(text.contains("TIMEOUT"), "yosys: {text}");
         Outcome::Undecided
     };
-    (outcome, seconds.unwrap_or(f64::NAN))
+    (outcome, seconds)
 }

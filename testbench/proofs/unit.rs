@@ -164,10 +164,7 @@ impl Subject {
     /// The files with one mistake: in the unit, or if that has no such statement, in what it instantiates. `None` if
     /// nothing has.
     pub fn mutated(&self, mutant: &Mutant) -> Option<Vec<(String, String)>> {
-        let mut files = self.files.clone();
-        let (text, wrong) = files.iter_mut().rev().find_map(|(_, text)| Some((mutant.apply(text)?, text)))?;
-        *wrong = text;
-        Some(files)
+        mutant.applied(&self.files)
     }
 }
 
@@ -260,6 +257,14 @@ pub struct Mutant {
 }
 
 impl Mutant {
+    /// Files with the mistake in the last one that has such a statement; `None` if no file has.
+    pub fn applied(&self, files: &[(String, String)]) -> Option<Vec<(String, String)>> {
+        let mut files = files.to_vec();
+        let (text, wrong) = files.iter_mut().rev().find_map(|(_, text)| Some((self.apply(text)?, text)))?;
+        *wrong = text;
+        Some(files)
+    }
+
     /// The text with the mistake; `None` if no assignment of the signal allows it.
     fn apply(&self, text: &str) -> Option<String> {
         let heads = self

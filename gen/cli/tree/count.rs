@@ -147,7 +147,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let search =
         Search { broad_phase: scene.broad_phase(), model, numbers, images, sides, mesh_of, memory, first_contact };
     let frames = scene.frames();
-    let bar = progress::bar(frames as u64, "poses", false);
+    let bar = progress::bar("counting", frames as u64, "poses", false);
     let counted = (0..frames).into_par_iter().map(|frame| {
         let meetings = search.broad_phase.meetings(frame);
         let counts = meetings.iter().map(|meeting| search.meeting(meeting)).fold(Counts::default(), Add::add);

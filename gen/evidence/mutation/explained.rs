@@ -66,6 +66,8 @@ const STEADY: &str = "the input stands still for a slot, and the result is read 
 const FASTER: &str = "decides only in what type numbers are held, and the sums fit it in either case";
 const UNUSED: &str = "most designs do not call this function for values of this type";
 const LAST_PHASE: &str = "full counts in the last phase only, and the clock before it accepts nothing";
+const POPPED: &str = "valid counts in the last phase only, ten clocks or more after the last pop, and after reset";
+const ROOM: &str = "the next push writes the place again, and never do pairs wait in all places: one is popped in every slot";
 const RUNNING: &str = "pose_phase and last_phase are first set many clocks after reset, when running is long set";
 const NOT_MOVED: &str = "after reset nothing has been taken, and either flag says that the queue is empty";
 const PRODUCT: &str = "the factors of a product exchanged";
@@ -88,6 +90,13 @@ const VHDL: &[Explanation] = &[
     same("sequencer:pose_accept:operand:takes_pose -> pose_phase", RUNNING),
     same("sequencer:empty_if_moved:constant:'1' -> '0'", NOT_MOVED),
     same("sequencer:taken_moved:constant:'0' -> '1'", NOT_MOVED),
+    same("open_pointers:empty:*:empty_if_moved -> *", POPPED),
+    same("open_pointers:valid:operand:empty -> empty_if_still", POPPED),
+    same("open_pointers:empty_if_moved:*", POPPED),
+    same("open_pointers:empty_if_still:constant:*", POPPED),
+    same("open_pointers:popped_moved:constant:*", POPPED),
+    same("open_pointers:popped_moved:delay:*", POPPED),
+    same("exact_stage:open_*_words:case:without the condition push*", ROOM),
     hidden(
         "sequencer:full_if_still:delay:a register too many",
         "a place of the queue that becomes free in the clock before the last phase is seen a slot later; the answers stay",

@@ -6,6 +6,7 @@
 
 use super::Prefix;
 use super::vectors::{Word, answer_word, formats_line, pair_word, pose_word};
+use crate::design::sequencer;
 use crate::design::top::{Channel, Design};
 use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
 use crate::params::Params;
@@ -16,9 +17,13 @@ pub fn paced(design: &Design) -> usize {
     96.max(design.places + 32)
 }
 
-/// Clocks of refusal after which the unit is full, and all answers in it wait in the queue.
+/// Clocks of refusal after which the unit is full, and so are the queues of answers in it.
 pub fn full_after(design: &Design) -> usize {
-    design.latency + 2 * design.interval + 4
+    let second = design.second.as_ref().map_or(0, |second| {
+        let slot = second.pipeline.interval;
+        second.latency + slot * (sequencer::places(second.schedule.latency, slot) + 1)
+    });
+    second.max(design.latency + 2 * design.interval + 4)
 }
 
 /// Clocks without an answer after which there will be none.

@@ -1,0 +1,550 @@
+//! The queues of the cascade, for all time: in a design with the printed control and a stub in place of each data path, every
+//! pair is answered once, in order, and within a stated number of clocks.
+//!
+//! Control does not read what the data paths compute but for `left_open`. So a pair is given its own number as data, and the
+//! claims say where in the unit each number is. They hold at the start and after a clock if they held before it (induction
+//! with one step), so they hold for all time, whatever comes in. The unit and its second stage are proved apart: what one
+//! assumes of the other is what the other one's claim says.
+
+use super::claim::Row;
+use super::tools::{self, Outcome};
+use super::unit::Mistake::{Inverted, NotMissing, WrongArm, WrongGate};
+use super::unit::{Mistake, Mutant};
+use crate::extent::share;
+use efsat::design::{Design, Probes};
+use efsat::params::Params;
+use efsat::vhdl;
+use std::fmt::Write;
+
+/// Name of the package of types.
+const PACKAGE: &str = "efsat_types";
+
+/// A claim about a clocked entity, as a Verilog module.
+pub struct Claim {
+    entity: &'static str,
+    property: &'static str,
+    sizes: String,
+    /// VHDL, in dependency order.
+    files: Vec<(String, String)>,
+    inputs: Vec<&'static str>,
+    /// Signals of the entity, with their bits, and memories with theirs, that the claim looks at.
+    seen: Vec<(String, u32)>,
+    words: Vec<(&'static str, usize, u32)>,
+    /// Signals that the claim drives, each with what drives it.
+    cut: Vec<(&'static str, &'static str)>,
+    ports: Vec<String>,
+    body: String,
+    given: Vec<String>,
+    shown: Vec<String>,
+    mutants: Vec<Mutant>,
+}
+
+impl Claim {
+    fn see(&mut self, signals: &[(&str, u32)]) {
+        self.seen.extend(signals.iter().map(|(name, bits)| ((*name).to_owned(), *bits)));
+    }
+
+    fn shown<S: Into<String>>(&mut self, conditions: impl IntoIterator<Item = S>) {
+        self.shown.extend(conditions.into_iter().map(Into::into));
+    }
+
+    fn mutants(&mut self, mutants: &[(Mistake, &str)]) {
+        let mutant = |(mistake, signal): &(Mistake, &str)| Mutant { mistake: *mistake, signal: (*signal).to_owned() };
+        self.mutants.extend(mutants.iter().map(mutant));
+    }
+
+    fn verilog(&self) -> String {
+        let plain = |name: &str| name.replace('.', "_");
+        let mut wires = String::new();
+        let mut ports = self.ports.clone();
+        for (name, bits) in &self.seen {
+            let _ = writeln!(wires, "  wire [{}:0] {};", bits - 1, plain(name));
+            ports.push(format!(".\\{name} ({})", plain(name)));
+        }
+        for (name, count, bits) in &self.words {
+            for i in 0..*count {
+                let _ = writeln!(wires, "  wire [{}:0] {name}{i};", bits - 1);
+                ports.push(format!(".\\{name}[{i}] ({name}{i})"));
+            }
+        }
+        ports.extend(self.cut.iter().map(|(name, value)| format!(".\\{name}__i ({value})")));
+        let inputs: String = self.inputs.iter().map(|name| format!(", input {name}")).collect();
+        let lines = |word: &str, all: &[String]| all.iter().map(|c| format!("    {word}({c});\n")).collect::<String>();
+        format!(
+            "`default_nettype none\nmodule claim(input clk, input reset{inputs});\n{wires}{}  {} unit(.clk(clk), \
+             .reset(reset), {});\n  always @* begin\n{}{}  end\nendmodule\n",
+            self.body,
+            self.entity,
+            ports.join(", "),
+            lines("assume", &self.given),
+            lines("assert", &self.shown),
+        )
+    }
+
+    fn ask(&self, files: &[(String, String)]) -> (Outcome, f64) {
+        let seen: Vec<String> = self.seen.iter().map(|(name, _)| name.clone()).collect();
+        let words: Vec<String> = self.words.iter().map(|(name, ..)| format!("{name}*")).collect();
+        let cut: Vec<String> = self.cut.iter().map(|(name, _)| (*name).to_owned()).collect();
+        tools::induce(&tools::verilog(files, self.entity), self.entity, &self.verilog(), [&seen, &words, &cut])
+    }
+
+    /// Proves the claim, and sees that the proof of no wrong text goes through.
+    pub fn run(&self) -> Row {
+        let (outcome, seconds) = self.ask(&self.files);
+        let mut failures = vec![];
+        let verdict = match outcome {
+            Outcome::Proved => "proved",
+            outcome => {
+                failures.push(format!("{outcome:?}"));
+                "NOT PROVED"
+            }
+        };
+        let mutants = share(3, &self.mutants);
+        let alive = |mutant: &&Mutant| match mutant.applied(&self.files).map(|files| self.ask(&files).0) {
+            Some(Outcome::Refuted(_)) => None,
+            Some(outcome) => Some(format!("{outcome:?}: {mutant:?}")),
+            None => Some(format!("nothing to mutate: {mutant:?}")),
+        };
+        let alive: Vec<String> = mutants.iter().copied().filter_map(|mutant| alive(&mutant)).collect();
+        let refuted = [mutants.len() - alive.len(), mutants.len()];
+        failures.extend(alive);
+        Row {
+            claim: [self.entity.to_owned(), self.sizes.clone(), self.property.to_owned()],
+            seconds,
+            verdict: verdict.to_owned(),
+            refuted,
+            failures,
+        }
+    }
+}
+
+/// A cascade and what its claims need to know of it.
+pub struct Cascade {
+    files: Vec<(String, String)>,
+    params: Params,
+    places: usize,
+    /// Bits of a number of a pair: twice the places.
+    bits: u32,
+    /// Clocks of the data paths.
+    latency: usize,
+    second: usize,
+    /// Clocks of a slot of the second stage.
+    slot: usize,
+}
+
+/// Places of the result queue of the second stage.
+const PLACES: usize = 16;
+
+impl Cascade {
+    pub fn new(params: &Params) -> Self {
+        let design = Design::new(params, Probes::None).unwrap_or_else(|e| panic!("{params:?}: {e}"));
+        let stage = design.second.as_ref().expect("a cascade");
+        Self {
+            files: vhdl::print(&design.top, "", PACKAGE, &[]).expect("legal names"),
+            params: params.clone(),
+            places: design.places,
+            bits: design.places.trailing_zeros() + 1,
+            latency: design.schedule.latency as usize,
+            second: stage.schedule.latency as usize,
+            slot: stage.pipeline.interval,
+        }
+    }
+
+    fn text(&self, name: &str) -> &str {
+        &self.files.iter().find(|(file, _)| file == name).unwrap_or_else(|| panic!("no file {name}")).1
+    }
+
+    /// Printed files by their names, and entities with another architecture than the printed one.
+    fn sources(&self, printed: &[&str], stubs: &[(&str, String)], last: &str) -> Vec<(String, String)> {
+        let stub = |(name, architecture): &(&str, String)| {
+            let (entity, _) = self.text(name).split_once("architecture rtl").expect("an architecture");
+            (
+                format!("{name}.vhd"),
+                format!("{entity}architecture rtl of {name} is\n{architecture}end architecture rtl;\n"),
+            )
+        };
+        let whole = |name: &&str| (format!("{name}.vhd"), self.text(name).to_owned());
+        let printed = [PACKAGE].iter().chain(printed).map(whole);
+        printed.chain(stubs.iter().map(stub)).chain([whole(&last)]).collect()
+    }
+
+    fn claim(&self, entity: &'static str, property: &'static str, files: Vec<(String, String)>) -> Claim {
+        Claim {
+            entity,
+            property,
+            sizes: format!("{} places, {} clocks", self.places, self.slot),
+            files,
+            inputs: vec![],
+            seen: vec![],
+            words: vec![],
+            cut: vec![],
+            ports: vec![],
+            body: String::new(),
+            given: vec![],
+            shown: vec![],
+            mutants: vec![],
+        }
+    }
+
+    /// Clocks within which the second stage offers the answer of its oldest pair.
+    fn patience(&self) -> usize {
+        self.second + 2 * self.slot + 4
+    }
+
+    /// The second stage: the n-th answer is that of the n-th pair, if never more pairs are pushed than there are places.
+    pub fn second_stage(&self) -> Claim {
+        let Self { places, bits: w, second: latency, slot, .. } = *self;
+        let (top, width, ages) = (w - 1, self.params.width, latency / slot + 1);
+        // The data path answers in one clock only, with what it was given in phase 0.
+        let stub = format!(
+            "  type stages_t is array (1 to {latency}) of unsigned({top} downto 0);
+  signal stages : stages_t := (others => (others => '0'));
+  signal payload : unsigned({top} downto 0);
+begin
+  payload <= unsigned(fitted(0)(0)({top} downto 0));
+  delay : process (clk)
+  begin
+    if rising_edge(clk) then
+      if phase = 0 then
+        stages(1) <= payload;
+      else
+        stages(1) <= not payload;
+      end if;
+      stages(2 to {latency}) <= stages(1 to {last});
+    end if;
+  end process delay;
+  verdict <= '0';
+  separated <= std_logic_vector(resize(stages({latency}), 9));
+  overlapping <= std_logic_vector(resize(stages({latency}), 9));
+",
+            last = latency - 1
+        );
+        let files = self.sources(&["open_pointers", "exact_sequencer"], &[("exact_pipeline", stub)], "exact_stage");
+        let mut claim = self.claim("exact_stage", "answers in order, none lost, each in time", files);
+        claim.inputs = vec!["push", "take"];
+        let pointer = PLACES.trailing_zeros() + 1;
+        let phase = slot.next_power_of_two().trailing_zeros();
+        claim.see(&[("queue.pushed", w), ("queue.popped", w), ("queue.popped_ahead", w), ("queue_valid", 1)]);
+        claim.see(&[("queue.popped_moved", 1), ("oldest", 15 * width)]);
+        claim.see(&[("control.accepted", pointer), ("control.accepted_ahead", pointer), ("control.decided", pointer)]);
+        claim.see(&[("control.taken", pointer), ("control.taken_ahead", pointer)]);
+        claim.see(&[("control.running", 1), ("control.phase_i", phase), ("control.last_phase", 1)]);
+        claim.see(&[("control.decide_phase", 1), ("control.full", 1), ("control.empty", 1), ("control.offered", 1)]);
+        claim.see(&[("control.holds", ages as u32), ("path.stages", w * latency as u32), ("path.payload", w)]);
+        claim.words = vec![("open_fitted0_x_words", places, width), ("result_queue_words", PLACES, 19)];
+        claim.ports =
+            [".push(push)", ".take(take)", ".out_valid(out_valid)", ".out_word(out_word)"].map(str::to_owned).into();
+        claim.ports.push(format!(".fitted({{{}'b0, queue_pushed, {}'b0}})", width - w, 14 * width));
+        let _ = write!(
+            claim.body,
+            "  wire out_valid; wire [18:0] out_word;
+  reg [{top}:0] consumed = 0, pushed_prev = 0; reg [{p}:0] taken_prev = 0, decided_prev = 0; reg kept = 0; reg [9:0] waited = 0;
+  wire outstanding = consumed != queue_pushed;
+  always @(posedge clk)
+    if (reset) begin
+      consumed <= 0; pushed_prev <= 0; taken_prev <= 0; decided_prev <= 0; kept <= 0; waited <= 0;
+    end else begin
+      if (take) consumed <= consumed + 1;
+      pushed_prev <= queue_pushed; taken_prev <= control_taken; decided_prev <= control_decided;
+      kept <= out_valid && !take;
+      waited <= outstanding && !out_valid ? waited + 1 : 0;
+    end
+  wire [{top}:0] in_use = queue_pushed - consumed, begun = queue_popped - consumed, waiting = queue_pushed - queue_popped;
+  wire [{top}:0] ahead = queue_popped_ahead - queue_popped, pushed_lag = queue_pushed - pushed_prev;
+  wire [{top}:0] visible = pushed_prev - queue_popped, newest = queue_popped - 1;
+  wire [{p}:0] inside = control_accepted - control_taken, done = control_decided - control_taken;
+  wire [{p}:0] in_path = control_accepted - control_decided, full_at = taken_prev + {PLACES}, given = control_taken - control_offered;
+  wire [{p}:0] accepted_ahead = control_accepted_ahead - control_accepted, taken_ahead = control_taken_ahead - control_taken;
+  wire [{p}:0] taken_lag = control_taken - taken_prev, decided_lag = control_decided - decided_prev, seen = decided_prev - control_taken;
+  wire [{top}:0] read = oldest[{low} +: {w}];
+  wire in_last = control_holds[{old}] && control_phase_i <= {decides};
+",
+            p = pointer - 1,
+            old = ages - 1,
+            low = 14 * width,
+            decides = latency % slot,
+        );
+        claim.given = vec![format!("!push || in_use < {places}"), "!take || out_valid".to_owned()];
+        claim.shown(["ahead == 1", "accepted_ahead == 1", "taken_ahead == 1", "begun <= in_use", "pushed_lag <= 1"]);
+        claim.shown(["taken_lag <= 1", "decided_lag <= 1", "visible <= waiting", "seen <= done", "done <= inside"]);
+        claim.shown([
+            format!("in_use <= {places}"),
+            format!("inside <= {PLACES}"),
+            format!("inside + taken_lag <= {PLACES}"),
+        ]);
+        let low = pointer.min(w) - 1;
+        claim.shown([
+            format!("queue_popped[{low}:0] == control_accepted[{low}:0]"),
+            format!("consumed[{low}:0] == given[{low}:0]"),
+        ]);
+        claim.shown(["begun == inside + control_offered", "queue_valid == (queue_popped != pushed_prev)"]);
+        claim.shown([
+            "control_full == (control_accepted == full_at)",
+            "control_empty == (control_taken == decided_prev)",
+        ]);
+        claim.shown([
+            format!("control_phase_i < {slot}"),
+            format!("control_last_phase == (control_phase_i == {})", slot - 1),
+            format!("!control_decide_phase || control_phase_i == {}", latency % slot),
+            format!("control_decide_phase || control_phase_i != {} || control_holds == 0", latency % slot),
+            "control_running || control_phase_i == 0".to_owned(),
+        ]);
+        let holds: Vec<String> = (0..ages - 1).map(|age| format!("control_holds[{age}]")).collect();
+        let in_path = holds.iter().map(String::as_str).chain(["in_last"]).collect::<Vec<_>>();
+        claim.shown([format!("in_path == {}", in_path.join(" + "))]);
+        // What is read of the queue is its oldest pair by the time when it may be taken.
+        claim.shown(["!queue_popped_moved || control_phase_i == 0"]);
+        claim.shown(["!queue_valid || queue_popped_moved || read == queue_popped"]);
+        // What is offered stays until it is taken, and is the answer of the oldest pair.
+        claim.shown(["out_valid == control_offered", "!kept || out_valid", "!out_valid || outstanding"]);
+        claim.shown(["!out_valid || out_word[9:1] == consumed && out_word[18:10] == consumed"]);
+        // Where each pair is: in the data path, in the queue before it, or in the queue behind it.
+        for clock in 0..=latency {
+            let (age, phase) = (clock / slot, clock % slot);
+            let at = match clock {
+                0 => "path_payload".to_owned(),
+                _ => format!("path_stages[{} +: {w}]", w as usize * (latency - clock)),
+            };
+            let _ = writeln!(
+                claim.body,
+                "  wire [{top}:0] number{clock} = {};",
+                [&["newest".to_owned()], &holds[..age]].concat().join(" - ")
+            );
+            claim.shown([format!("control_phase_i != {phase} || !control_holds[{age}] || {at} == number{clock}")]);
+        }
+        place_numbers(&mut claim.body, places, w, "open", "queue_popped", "queue_popped");
+        claim.shown(
+            (0..places).map(|i| format!("open{i} >= waiting || open_fitted0_x_words{i}[{top}:0] == open_number{i}")),
+        );
+        let _ = writeln!(claim.body, "  wire [{top}:0] first = consumed + control_offered;");
+        place_numbers(&mut claim.body, PLACES, w, "result", "control_taken", "first");
+        claim.shown((0..PLACES).map(|i| {
+            let word = format!("result_queue_words{i}");
+            format!("result{i} >= done || {word}[9:1] == result_number{i} && {word}[18:10] == result_number{i}")
+        }));
+        // Clocks until the oldest answer is offered; they pass one by one.
+        let mut remaining = "out_valid || !outstanding ? 0 : done != 0 ? 1 + control_empty".to_owned();
+        let oldest = latency + 3;
+        for age in (0..ages).rev() {
+            let held = if age + 1 == ages { "in_last".to_owned() } else { holds[age].clone() };
+            let _ = write!(remaining, " : {held} ? {} - control_phase_i", oldest - slot * age);
+        }
+        let _ = write!(remaining, " : {} - control_phase_i", oldest + slot);
+        let _ = write!(remaining, " + (control_phase_i == {} && !queue_valid ? {slot} : 0)", slot - 1);
+        let _ = writeln!(claim.body, "  wire [9:0] remaining = {remaining};");
+        claim.shown([format!("waited + remaining <= {}", self.patience())]);
+        claim.mutants(&[
+            (WrongGate, "take_pair"),
+            (WrongGate, "accepts"),
+            (WrongArm, "empty"),
+            (WrongGate, "decide_pair"),
+            (Inverted, "valid"),
+            (NotMissing, "output_free"),
+            (WrongArm, "full"),
+        ]);
+        claim
+    }
+
+    /// The unit with any second stage that keeps to what the claim of [`Self::second_stage`] says.
+    pub fn unit(&self) -> Claim {
+        let Self { places, bits: w, latency, .. } = *self;
+        let (top, width) = (w - 1, self.params.transform_width);
+        let (state, stages) = (2 * w, latency as u32 * (2 * w + 1));
+        // A pair has its number, how many open pairs came before it, and whether it is open.
+        let path = format!(
+            "  type stages_t is array (1 to {latency}) of unsigned({state} downto 0);
+  signal stages : stages_t := (others => (others => '0'));
+  signal payload : unsigned({state} downto 0);
+begin
+  payload <= unsigned(in_v(0)(2)(0 downto 0)) & unsigned(in_v(0)(1)({top} downto 0)) & unsigned(in_v(0)(0)({top} downto 0));
+  delay : process (clk)
+  begin
+    if rising_edge(clk) then
+      stages <= payload & stages(1 to {last});
+    end if;
+  end process delay;
+  verdict <= \"00\";
+  outside <= '0';
+  separated <= std_logic_vector(resize(stages({latency})({high} downto {w}), 9));
+  overlapping <= std_logic_vector(resize(stages({latency})({top} downto 0), 9));
+  left_open <= stages({latency})({state});
+  fitted <= (others => (others => (others => '0')));
+",
+            last = latency - 1,
+            high = state - 1
+        );
+        let second = "begin
+  any : process (clk)
+  begin
+    if rising_edge(clk) then
+      out_valid <= push;
+      out_word <= (others => push);
+    end if;
+  end process any;
+";
+        let files =
+            self.sources(&["sequencer"], &[("pair_pipeline", path), ("exact_stage", second.to_owned())], "efsat");
+        let mut claim = self.claim("efsat", "answers in order, none lost, each in time", files);
+        claim.inputs = vec!["in_valid", "out_ready", "open", "exact_valid"];
+        claim.see(&[
+            ("control.accepted", w),
+            ("control.accepted_ahead", w),
+            ("control.taken", w),
+            ("control.taken_ahead", w),
+        ]);
+        claim.see(&[
+            ("control.decided", w),
+            ("control.full", 1),
+            ("control.empty", 1),
+            ("control.holds", latency as u32),
+        ]);
+        claim.see(&[
+            ("control.decide_pair", 1),
+            ("control.offered", 1),
+            ("control.output_free", 1),
+            ("control.running", 1),
+        ]);
+        claim.see(&[("control_accept", 1), ("control_take", 1), ("push_open", 1), ("take_exact", 1), ("head_open", 1)]);
+        claim.see(&[("path.stages", stages), ("path.payload", state + 1)]);
+        claim.words = vec![("result_queue_words", places, 22), ("tag_queue_words", places, 16)];
+        claim.cut = vec![("exact_out_valid", "exact_valid"), ("exact_out_word", "{number, number, 1'b0}")];
+        let own = ["in_valid", "out_ready", "in_ready", "out_valid", "out_separated", "out_overlapping", "out_tag"];
+        claim.ports = own.map(|name| format!(".{name}({name})")).into();
+        claim.ports.extend([
+            format!(".in_v0_x({{{}'b0, control_accepted}})", width - w),
+            format!(".in_v0_y({{{}'b0, next_open}})", width - w),
+            format!(".in_v0_z({{{}'b0, open}})", width - 1),
+            format!(".in_tag({{{}'b0, control_accepted}})", 16 - w),
+        ]);
+        let patience = self.patience();
+        let _ = write!(
+            claim.body,
+            "  wire in_ready, out_valid; wire [8:0] out_separated, out_overlapping; wire [15:0] out_tag;
+  reg [{top}:0] next_open = 0, pushed = 0, consumed = 0, taken_prev = 0, decided_prev = 0, given = 0;
+  reg was_open = 0, kept = 0; reg [9:0] exact_waited = 0, waited = 0;
+  wire [8:0] number = consumed;
+  wire outstanding = pushed != consumed;
+  always @(posedge clk)
+    if (reset) begin
+      next_open <= 0; pushed <= 0; consumed <= 0; taken_prev <= 0; decided_prev <= 0; kept <= 0; exact_waited <= 0; waited <= 0;
+    end else begin
+      if (control_accept && open) next_open <= next_open + 1;
+      if (push_open) pushed <= pushed + 1;
+      if (take_exact) consumed <= consumed + 1;
+      if (control_take) begin was_open <= head_open; given <= consumed; end
+      taken_prev <= control_taken; decided_prev <= control_decided;
+      kept <= exact_valid && !take_exact;
+      exact_waited <= outstanding && !exact_valid ? exact_waited + 1 : 0;
+      waited <= inside != 0 && control_output_free && !control_take ? waited + 1 : 0;
+    end
+  wire [{top}:0] inside = control_accepted - control_taken, done = control_decided - control_taken;
+  wire [{top}:0] in_path = control_accepted - control_decided, full_at = taken_prev + {places}, last_taken = control_taken - 1;
+  wire [{top}:0] accepted_ahead = control_accepted_ahead - control_accepted, taken_ahead = control_taken_ahead - control_taken;
+  wire [{top}:0] taken_lag = control_taken - taken_prev, decided_lag = control_decided - decided_prev;
+  wire [{top}:0] seen = decided_prev - control_taken, in_use = pushed - consumed;
+"
+        );
+        claim.given = vec![
+            "!exact_valid || outstanding".to_owned(),
+            "!kept || exact_valid".to_owned(),
+            format!("exact_waited <= {patience}"),
+        ];
+        claim.shown([
+            "accepted_ahead == 1",
+            "taken_ahead == 1",
+            "done <= inside",
+            "taken_lag <= 1",
+            "decided_lag <= 1",
+        ]);
+        claim.shown([format!("inside <= {places}"), format!("inside + taken_lag <= {places}")]);
+        claim.shown([
+            "seen <= done",
+            "in_use <= done",
+            "done != 0 || !outstanding",
+            "done == 0 || !head_open || outstanding",
+        ]);
+        claim.shown([
+            "control_full == (control_accepted == full_at)",
+            "control_empty == (control_taken == decided_prev)",
+        ]);
+        let flag = |clock: usize| match clock {
+            last if last == latency => "control_decide_pair".to_owned(),
+            clock => format!("control_holds[{clock}]"),
+        };
+        claim.shown([format!("in_path == {}", (0..=latency).map(flag).collect::<Vec<_>>().join(" + "))]);
+        // What the second stage assumes.
+        claim.shown([format!("!push_open || in_use < {places}"), "!take_exact || exact_valid".to_owned()]);
+        // An answer is that of the oldest pair, and from the second stage if it is open.
+        claim.shown(["in_ready == (control_running && !control_full)", "out_valid == control_offered"]);
+        claim.shown([
+            "!out_valid || out_tag == last_taken",
+            "!out_valid || was_open || out_overlapping == last_taken",
+            "!out_valid || !was_open || out_overlapping == given && out_separated == given",
+        ]);
+        let _ = writeln!(claim.body, "  wire [{top}:0] number0 = control_accepted - 1, open{latency} = pushed;");
+        for clock in 0..latency {
+            let _ = writeln!(claim.body, "  wire [{top}:0] number{} = number{clock} - {};", clock + 1, flag(clock));
+        }
+        for clock in (0..=latency).rev() {
+            let part = |low: u32, bits: u32| match clock {
+                0 => format!("path_payload[{low} +: {bits}]"),
+                _ => format!("path_stages[{} +: {bits}]", (2 * w + 1) as usize * (latency - clock) + low as usize),
+            };
+            let next = clock.checked_sub(1).map_or("after_path".to_owned(), |clock| format!("open{clock}"));
+            let held = flag(clock);
+            let _ = writeln!(claim.body, "  wire [{top}:0] {next} = open{clock} + ({held} && {});", part(state, 1));
+            claim.shown([format!("!{held} || {} == number{clock} && {} == open{clock}", part(0, w), part(w, w))]);
+        }
+        claim.shown(["after_path == next_open"]);
+        place_numbers(&mut claim.body, places, w, "result", "control_taken", "control_taken");
+        for i in 0..places {
+            let (word, next) = (format!("result_queue_words{i}"), (i + 1) % places);
+            let _ = writeln!(
+                claim.body,
+                "  wire [{top}:0] before{i} = {word}[{}:2], after{i} = before{i} + {word}[21], rest{i} = pushed - after{i}, left{i} = done - result{i};
+  wire in{i} = result{i} < done, last{i} = result{i} + {w}'d1 == done;",
+                w + 1
+            );
+            claim.shown([
+                format!("!in{i} || {word}[19:11] == result_number{i} && rest{i} < left{i}"),
+                format!("!in{i} || result{i} != 0 || before{i} == consumed"),
+                format!("!in{i} || after{i} == (last{i} ? pushed : before{next})"),
+                format!("result{i} >= inside || tag_queue_words{i} == result_number{i}"),
+            ]);
+        }
+        let mut remaining = format!(
+            "inside == 0 ? 0 : done != 0 ? control_empty + (head_open && !exact_valid ? {} - exact_waited : 0)",
+            patience + 1
+        );
+        for clock in (0..=latency).rev() {
+            let _ = write!(remaining, " : {} ? {}", flag(clock), latency - clock + patience + 3);
+        }
+        let _ = writeln!(claim.body, "  wire [9:0] remaining = {remaining} : 0;");
+        claim.shown([format!("waited + remaining <= {}", latency + patience + 4)]);
+        claim.mutants(&[
+            (WrongGate, "push_open"),
+            (WrongGate, "head_ready"),
+            (WrongGate, "take_exact"),
+            (WrongArm, "head_word"),
+            (NotMissing, "head_ready"),
+            (WrongArm, "full"),
+            (WrongGate, "take_pair"),
+            (WrongArm, "empty"),
+        ]);
+        claim
+    }
+}
+
+/// Of each place of a queue: how far it is from the oldest one, and the number of the pair that is there.
+fn place_numbers(body: &mut String, places: usize, bits: u32, name: &str, pointer: &str, first: &str) {
+    let address = places.trailing_zeros();
+    for i in 0..places {
+        let _ = writeln!(
+            body,
+            "  wire [{}:0] {name}{i} = {address}'d{i} - {pointer}[{}:0]; wire [{}:0] {name}_number{i} = {first} + {name}{i};",
+            address - 1,
+            address - 1,
+            bits - 1
+        );
+    }
+}
