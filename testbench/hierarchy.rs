@@ -27,7 +27,7 @@ fn meshes() -> Vec<PathBuf> {
 
 /// Pairs of triangles that touch, exactly, by boxes sorted along x and no tree: boxes of the rounded images, widened by
 /// far more than the rounding.
-fn brute_force(a: &Mesh, b: &Mesh, pose: &Pose) -> Vec<(u32, u32)> {
+pub fn brute_force(a: &Mesh, b: &Mesh, pose: &Pose) -> Vec<(u32, u32)> {
     let moved: Vec<_> = b.vertices.iter().map(|v| pose.image(v)).collect();
     let size = a.bounds().half_size() + Bounds::of(&moved).half_size();
     let near = nalgebra::Vector3::repeat(1e-9 * size);

@@ -11,6 +11,7 @@ mod compare;
 mod diagrams;
 mod drop_in;
 mod effects;
+mod engine;
 mod engine_rtl;
 mod engine_volume;
 mod extent;

@@ -23,6 +23,7 @@ mod soak;
 mod source;
 mod stress;
 mod synth;
+mod tree;
 mod wall;
 
 use clap::{CommandFactory, Parser, Subcommand};
@@ -56,6 +57,7 @@ enum Command {
     Mutate(mutate::Arguments),
     Synth(synth::Arguments),
     Scene(scene::Arguments),
+    Tree(tree::Arguments),
     SelfIntersections(self_intersections::Arguments),
     Accuracy(accuracy::Arguments),
     Completions(completions::Arguments),
@@ -76,6 +78,7 @@ pub fn main() -> ExitCode {
             Command::Mutate(arguments) => mutate::run(&arguments),
             Command::Synth(arguments) => synth::run(&arguments),
             Command::Scene(arguments) => scene::run(&arguments),
+            Command::Tree(arguments) => tree::run(&arguments),
             Command::SelfIntersections(arguments) => self_intersections::run(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
             Command::Completions(arguments) => completions::run(&arguments, &mut CommandLine::command()),

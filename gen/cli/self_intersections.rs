@@ -4,12 +4,13 @@ use super::error::Failure;
 use super::file::{self, Output};
 use super::output::{print, print_json};
 use super::progress;
+use super::source::load_mesh;
 use crate::effects::picture::Picture;
 use crate::effects::{Contact, Place};
 use crate::exact::Exact;
 use crate::golden::Verdict;
 use crate::host::self_intersections::{Checker, Defect, Effort, Kind};
-use crate::mesh::{self, BUILTIN, Findings, Mesh, Snapped};
+use crate::mesh::{Findings, Mesh, Snapped};
 use crate::params::{Method, Params};
 use crate::scene::{Object, Pose, Scene};
 use serde::Serialize;
@@ -74,20 +75,10 @@ struct Summary<'a> {
     duplicate: usize,
 }
 
-fn read(path: &Path) -> Result<(Mesh, Findings), Failure> {
-    let Some(name) = path.to_str().and_then(|name| name.strip_prefix("builtin:")) else {
-        return mesh::survey(path).map_err(|e| Failure::Usage(e.to_string()));
-    };
-    let found = mesh::builtin(name).ok_or_else(|| {
-        Failure::Usage(format!("builtin:{name}: no such mesh; expected builtin: and one of {}", BUILTIN.join(", ")))
-    })?;
-    Ok(((*found).clone(), Findings::of_mesh(&found)))
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outputs = [&arguments.csv, &arguments.pairs, &arguments.picture];
     file::distinct(outputs.into_iter().flatten().map(PathBuf::as_path))?;
-    let (original, findings) = read(&arguments.mesh)?;
+    let (original, findings) = load_mesh(&arguments.mesh)?;
     let most = f64::from((1u32 << (arguments.width - 1)) - 1);
     let grid = arguments.grid.unwrap_or_else(|| Snapped::finest(&original, most));
     if Snapped::most(&original) / grid >= 2f64.powi(53) {

@@ -3,6 +3,7 @@
 use super::error::Failure;
 use super::output::warn;
 use crate::host::settings::Settings;
+use crate::mesh::{self, BUILTIN, Findings, Mesh};
 use crate::scene::{self, Scene};
 use crate::{Points, pair_file};
 use std::path::Path;
@@ -47,6 +48,17 @@ impl Source {
     pub fn scene(name: &str) -> Result<Self, Failure> {
         Ok(Self::Scene(load_scene(name)?))
     }
+}
+
+/// Reads a mesh file, or takes one that is built in, and says what was found in it.
+pub(super) fn load_mesh(path: &Path) -> Result<(Mesh, Findings), Failure> {
+    let Some(name) = path.to_str().and_then(|name| name.strip_prefix("builtin:")) else {
+        return mesh::survey(path).map_err(|e| Failure::Usage(e.to_string()));
+    };
+    let found = mesh::builtin(name).ok_or_else(|| {
+        Failure::Usage(format!("builtin:{name}: no such mesh; expected builtin: and one of {}", BUILTIN.join(", ")))
+    })?;
+    Ok(((*found).clone(), Findings::of_mesh(&found)))
 }
 
 /// Reads a scene, or takes the built-in one, for a command that does not plan: what the file says of effects and

@@ -107,6 +107,8 @@ impl Query<'_> {
             self.scratch.known[j] = true;
             self.statistics.transforms += 1;
             self.realignment.realign(self.b.dop(j), there);
+            // Each beside what it is compared with, the offset of A on the opposite direction.
+            there.chunks_exact_mut(2).for_each(|pair| pair.swap(0, 1));
         }
         self.statistics.overlap_tests += 1;
         if overlap(self.a.dop(i), there) {
@@ -115,11 +117,22 @@ impl Query<'_> {
     }
 }
 
-/// Whether two DOPs in the same frame overlap in all their directions; touching counts. Apart in direction h means that
-/// the greatest projection of one on h is below the least of the other, which is minus its offset on the opposite of h.
+/// Whether two DOPs in the same frame overlap in all their directions; touching counts. `there` has its offsets at the places of
+/// the opposite directions. Apart in direction h means that the greatest projection of one on h is below the least of the
+/// other, which is minus its offset on the opposite of h.
 fn overlap(here: &[i32], there: &[i32]) -> bool {
-    let pairs = here.chunks_exact(2).zip(there.chunks_exact(2));
-    pairs.into_iter().all(|(a, b)| a[0] + b[1] >= 0 && a[1] + b[0] >= 0)
+    match here.len() {
+        6 => together::<6>(here, there),
+        14 => together::<14>(here, there),
+        18 => together::<18>(here, there),
+        _ => together::<26>(here, there),
+    }
+}
+
+/// Whether no sum is negative: all are made at once, without a branch between them, in the lanes of vector registers.
+fn together<const K: usize>(here: &[i32], there: &[i32]) -> bool {
+    let (here, there) = (&here[..K], &there[..K]);
+    (0..K).fold(0, |signs, h| signs | (here[h] + there[h])) >= 0
 }
 
 #[cfg(test)]
@@ -128,11 +141,12 @@ mod tests {
 
     #[test]
     fn dops_that_touch_overlap() {
-        // From -3 to 5 and from 0 to 2 on two axes; the other one begins where that ends, or ends where that begins.
-        let here = [5, 3, 2, 0];
-        assert!(overlap(&here, &[9, -5, 1, 1]) && overlap(&here, &[-3, 9, 1, 1]));
-        assert!(!overlap(&here, &[9, -6, 1, 1]) && !overlap(&here, &[-4, 9, 1, 1]));
-        assert!(overlap(&here, &[0, 0, 0, 7]) && !overlap(&here, &[0, 0, -1, 7]));
-        assert!(overlap(&here, &[0, 0, 7, -2]) && !overlap(&here, &[0, 0, 7, -3]));
+        // From -3 to 5, from 0 to 2 and at 0 on the three axes; the other one begins where that ends, or ends where that begins.
+        let here = [5, 3, 2, 0, 0, 0];
+        let overlap = |[a, b, c, d]: [i32; 4]| overlap(&here, &[b, a, d, c, 0, 0]);
+        assert!(overlap([9, -5, 1, 1]) && overlap([-3, 9, 1, 1]));
+        assert!(!overlap([9, -6, 1, 1]) && !overlap([-4, 9, 1, 1]));
+        assert!(overlap([0, 0, 0, 7]) && !overlap([0, 0, -1, 7]));
+        assert!(overlap([0, 0, 7, -2]) && !overlap([0, 0, 7, -3]));
     }
 }

@@ -36,6 +36,17 @@ impl Image {
         meshes.iter().zip(&placements).map(|(mesh, placement)| Self::of(mesh, placement, format)).collect()
     }
 
+    /// The first of the images of meshes that meet in queries.
+    ///
+    /// # Errors
+    /// If the mesh is too large.
+    ///
+    /// # Panics
+    /// If there is no mesh.
+    pub fn build_first(meshes: &[&Mesh], format: &EngineFormat) -> Result<Self, BuildError> {
+        Self::of(meshes[0], &Placement::common(meshes)[0], format)
+    }
+
     /// The image of a mesh inside its cube.
     fn of(mesh: &Mesh, placement: &Placement, format: &EngineFormat) -> Result<Self, BuildError> {
         let most = 1 << format.triangle().number_bits;

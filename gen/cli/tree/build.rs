@@ -1,0 +1,72 @@
+//! `efsat tree build`.
+
+use super::VolumeArguments;
+use crate::cli::error::Failure;
+use crate::cli::file::Output;
+use crate::cli::output::{print, warn};
+use crate::cli::params::{choice, whole};
+use crate::cli::source::load_mesh;
+use crate::design::top::DesignError;
+use crate::host::engine::Image;
+use crate::mesh::Mesh;
+use crate::number::Upper;
+use crate::params::Params;
+use crate::params::options::{INT_BITS, TRANSFORM_WIDTH, WIDTH};
+use std::path::{Path, PathBuf};
+
+/// Builds the image of a mesh: its tree of local blocks and its triangles, as the engine reads them
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// Mesh file (.stl, .obj or .ply), or builtin:NAME
+    #[arg(value_name = "MESH")]
+    mesh: PathBuf,
+    /// The image
+    #[arg(long, value_name = "FILE")]
+    out: PathBuf,
+    /// Another mesh that this one meets in queries: all get one scale. Give every image of a scene the same meshes
+    #[arg(long, value_name = "MESH")]
+    beside: Vec<PathBuf>,
+    #[command(flatten)]
+    volumes: VolumeArguments,
+    /// Integral digits of a number of a triangle, as in efsat generate
+    #[arg(long, value_name = "K", default_value_t = 4, value_parser = whole(INT_BITS), allow_negative_numbers = true)]
+    int_bits: u32,
+    /// Bits of a number of a triangle, as in efsat generate
+    #[arg(long, value_name = "N", default_value_t = 32, value_parser = whole(*WIDTH.start()..=TRANSFORM_WIDTH), allow_negative_numbers = true)]
+    transform_width: u32,
+    /// Upper bound of a number of a triangle, as in efsat generate
+    #[arg(long, value_name = "RULE", default_value = "implied", value_parser = choice::<Upper>())]
+    upper: Upper,
+}
+
+/// Reads a mesh and tells what was left out.
+fn mesh(path: &Path) -> Result<Mesh, Failure> {
+    let (mesh, findings) = load_mesh(path)?;
+    if findings.left_out() > 0 {
+        warn(&format!("{}: {findings}; triangles are numbered without them", path.display()));
+    }
+    Ok(mesh)
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let mut out = Output::new(&arguments.out)?;
+    let paths = std::iter::once(&arguments.mesh).chain(&arguments.beside);
+    let meshes = paths.map(|path| mesh(path)).collect::<Result<Vec<Mesh>, Failure>>()?;
+    let unit = Params {
+        // The width of the unit behind the engine is not in an image.
+        width: Params::default().width.min(arguments.transform_width),
+        int_bits: arguments.int_bits,
+        transform_width: arguments.transform_width,
+        upper: arguments.upper,
+        ..Params::default()
+    };
+    let format = arguments.volumes.engine().format(&unit).map_err(DesignError::from)?;
+    let image = Image::build_first(&meshes.iter().collect::<Vec<_>>(), &format)
+        .map_err(|e| Failure::Usage(format!("{}: {e}", arguments.mesh.display())))?;
+    let header = *image.header();
+    out.write(image.bytes())?;
+    out.finish()?;
+    let file = arguments.out.display();
+    let (triangles, size, height, power) = (header.triangles, header.size(), header.height, header.power);
+    print(&format!("{file}: {triangles} triangles, {size} bytes, height {height}, scale 2^{power}\n"))
+}

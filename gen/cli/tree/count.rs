@@ -1,0 +1,160 @@
+//! `efsat tree count`.
+
+use super::VolumeArguments;
+use crate::cli::error::Failure;
+use crate::cli::output::{print, print_json};
+use crate::cli::params::whole;
+use crate::cli::progress;
+use crate::cli::source::load_scene;
+use crate::design::top::DesignError;
+use crate::golden::engine::{Model, Query, Side};
+use crate::host::engine::{Image, Numbers, memory};
+use crate::params::engine::{EngineReport, FACTOR_BITS};
+use crate::params::{EngineParams, Params};
+use crate::scene::{BroadPhase, Meeting};
+use rayon::prelude::*;
+use serde::Serialize;
+use std::fmt::Write;
+use std::ops::Add;
+
+/// Counts what the engine would do in all frames of a scene, by its reference model: one query for each two objects whose boxes
+/// overlap
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// A scene: a TOML file, or `headlight` for the built-in one
+    #[arg(value_name = "FILE")]
+    file: String,
+    #[command(flatten)]
+    volumes: VolumeArguments,
+    /// Bits of a factor of the realignment, 4 to 16
+    #[arg(long, value_name = "N", default_value_t = 12, value_parser = whole(FACTOR_BITS), allow_negative_numbers = true)]
+    factor_bits: u32,
+    /// Stop each query at the first certain contact
+    #[arg(long)]
+    first_contact: bool,
+    /// Print one JSON object
+    #[arg(long)]
+    json: bool,
+}
+
+/// Sums over queries.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+struct Counts {
+    queries: u64,
+    /// Those that the engine cannot answer.
+    answered_in_software: u64,
+    expansions: u64,
+    tests: u64,
+    survivors: u64,
+    leaf_pairs: u64,
+    intersect: u64,
+    possibly_incorrect: u64,
+    /// The greatest of all queries.
+    greatest_stack: u64,
+}
+
+impl Counts {
+    fn of(report: &EngineReport) -> Self {
+        Self {
+            queries: 1,
+            answered_in_software: 0,
+            expansions: report.expansions.into(),
+            tests: report.tests.into(),
+            survivors: report.survivors.into(),
+            leaf_pairs: report.leaf_pairs.into(),
+            intersect: report.intersect.into(),
+            possibly_incorrect: report.possibly_incorrect.into(),
+            greatest_stack: report.stack.into(),
+        }
+    }
+
+    fn table(&self) -> String {
+        let rows = [
+            ("queries", self.queries),
+            ("answered in software", self.answered_in_software),
+            ("expansions", self.expansions),
+            ("tests", self.tests),
+            ("survivors", self.survivors),
+            ("leaf pairs", self.leaf_pairs),
+            ("intersect", self.intersect),
+            ("possibly incorrect", self.possibly_incorrect),
+            ("greatest stack", self.greatest_stack),
+        ];
+        let mut text = String::new();
+        for (name, count) in rows {
+            let _ = writeln!(text, "{name:<24}{count:>16}");
+        }
+        text
+    }
+}
+
+impl Add for Counts {
+    type Output = Self;
+
+    fn add(self, other: Self) -> Self {
+        Self {
+            queries: self.queries + other.queries,
+            answered_in_software: self.answered_in_software + other.answered_in_software,
+            expansions: self.expansions + other.expansions,
+            tests: self.tests + other.tests,
+            survivors: self.survivors + other.survivors,
+            leaf_pairs: self.leaf_pairs + other.leaf_pairs,
+            intersect: self.intersect + other.intersect,
+            possibly_incorrect: self.possibly_incorrect + other.possibly_incorrect,
+            greatest_stack: self.greatest_stack.max(other.greatest_stack),
+        }
+    }
+}
+
+/// A scene in the memory of an engine.
+struct Search<'a> {
+    broad_phase: BroadPhase<'a>,
+    model: Model,
+    numbers: Numbers,
+    images: Vec<Image>,
+    sides: Vec<Side>,
+    mesh_of: Vec<usize>,
+    memory: Vec<u64>,
+    first_contact: bool,
+}
+
+impl Search<'_> {
+    fn meeting(&self, meeting: &Meeting) -> Counts {
+        let objects = [meeting.a, meeting.b].map(|object| self.mesh_of[object]);
+        let images = objects.map(|mesh| (&self.images[mesh], self.sides[mesh]));
+        let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)]));
+        match self.numbers.query(images, &m, &meeting.pose.translation.into()) {
+            Err(_) => Counts { queries: 1, answered_in_software: 1, ..Counts::default() },
+            Ok(query) => {
+                let query = Query { first_contact: self.first_contact, ..query };
+                Counts::of(&self.model.run(&self.memory, &query.words(self.numbers.format())).report)
+            }
+        }
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let scene = load_scene(&arguments.file)?;
+    let engine = EngineParams { factor_bits: arguments.factor_bits, ..arguments.volumes.engine() };
+    let unit = Params::default();
+    let numbers = Numbers::new(&engine, &unit).map_err(DesignError::from)?;
+    let model = Model::new(&engine, &unit).map_err(DesignError::from)?;
+    let (meshes, mesh_of) = scene.meshes();
+    let images =
+        Image::build(&meshes, numbers.format()).map_err(|e| Failure::Usage(format!("{}: {e}", arguments.file)))?;
+    let (memory, sides) = memory(&images.iter().collect::<Vec<_>>());
+    let first_contact = arguments.first_contact;
+    let search =
+        Search { broad_phase: scene.broad_phase(), model, numbers, images, sides, mesh_of, memory, first_contact };
+    let frames = scene.frames();
+    let bar = progress::bar(frames as u64, "poses", false);
+    let counted = (0..frames).into_par_iter().map(|frame| {
+        let meetings = search.broad_phase.meetings(frame);
+        let counts = meetings.iter().map(|meeting| search.meeting(meeting)).fold(Counts::default(), Add::add);
+        bar.inc(1);
+        counts
+    });
+    let counts = counted.reduce(Counts::default, Add::add);
+    bar.finish_and_clear();
+    if arguments.json { print_json(&counts) } else { print(&counts.table()) }
+}

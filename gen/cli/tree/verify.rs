@@ -1,0 +1,32 @@
+//! `efsat tree verify`.
+
+use super::read;
+use crate::cli::error::Failure;
+use crate::cli::output::print;
+use crate::cli::source::load_mesh;
+use std::path::PathBuf;
+
+/// Checks an image: every field, that its blocks are one tree over all triangles, and that no code excludes a triangle
+///
+/// With the mesh it is exact: every triangle is there as it would be rounded, and every code holds the real triangles below it.
+/// Without, codes are compared with the triangles as they are stored, which are rounded.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// An image made by efsat tree build
+    #[arg(value_name = "FILE")]
+    file: PathBuf,
+    /// The mesh that it is of
+    #[arg(value_name = "MESH")]
+    mesh: Option<PathBuf>,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let file = arguments.file.display();
+    let wrong = |e| Failure::Check(format!("{file}: {e}"));
+    let image = read(&arguments.file)?.map_err(wrong)?;
+    if let Some(path) = &arguments.mesh {
+        image.verify(&load_mesh(path)?.0).map_err(wrong)?;
+    }
+    let header = image.header();
+    print(&format!("{file}: {} blocks and {} triangles are in order\n", header.blocks, header.triangles))
+}

@@ -1,0 +1,181 @@
+//! The collision engine's reference model on the meshes of the project, and `efsat tree`.
+
+use crate::extent::share;
+use crate::hierarchy::brute_force;
+use efsat::golden::Verdict;
+use efsat::golden::engine::{Model, Query};
+use efsat::host::engine::{Image, Numbers, memory};
+use efsat::mesh::{Mesh, read};
+use efsat::params::engine::Reason;
+use efsat::params::{EngineParams, Params};
+use efsat::scene::hierarchy::Directions;
+use efsat::scene::{Pose, Scene, load};
+use rayon::prelude::*;
+use serde_json::Value;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+fn scenes() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
+}
+
+/// The default, and the coarsest formats.
+fn engines() -> [EngineParams; 4] {
+    let make = |directions, origin_bits, offset_bits, factor_bits| EngineParams {
+        directions,
+        origin_bits,
+        offset_bits,
+        factor_bits,
+        ..EngineParams::default()
+    };
+    [
+        make(Directions::Eighteen, 18, 10, 12),
+        make(Directions::Six, 12, 6, 6),
+        make(Directions::Fourteen, 14, 8, 9),
+        make(Directions::TwentySix, 12, 6, 6),
+    ]
+}
+
+/// Pairs that touch and the engine loses, or its unit calls separate, in words; how many touch, and how many queries were
+/// answered.
+fn lost(name: &str, meshes: [&Mesh; 2], pose: &Pose) -> (usize, usize, Vec<String>) {
+    let expected = brute_force(meshes[0], meshes[1], pose);
+    let unit = Params::default();
+    let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)]));
+    let (mut queries, mut wrong) = (0, vec![]);
+    for engine in engines() {
+        let numbers = Numbers::new(&engine, &unit).unwrap();
+        let images = Image::build(&meshes, numbers.format()).unwrap();
+        let (memory, sides) = memory(&[&images[0], &images[1]]);
+        let Ok(query) = numbers.query([(&images[0], sides[0]), (&images[1], sides[1])], &m, &pose.translation.into())
+        else {
+            continue;
+        };
+        queries += 1;
+        let model = Model::new(&engine, &unit).unwrap();
+        let query = Query { all_pairs: true, ..query };
+        let outcome = model.run(&memory, &query.words(numbers.format()));
+        let mut found: Vec<_> = outcome.answers.iter().map(|a| ((a.triangles[0], a.triangles[1]), a.verdict)).collect();
+        found.sort_unstable();
+        let survives = |pair: &(u32, u32)| {
+            let place = found.binary_search_by_key(pair, |(pair, _)| *pair);
+            place.is_ok_and(|place| found[place].1 != Verdict::Separate as u8)
+        };
+        let lost = expected.iter().filter(|pair| !survives(pair)).count();
+        if lost > 0 || outcome.report.reason != Reason::Complete {
+            let reason = outcome.report.reason;
+            wrong.push(format!("{name}, {:?}: {lost} of {} lost, {reason:?}", engine.directions, expected.len()));
+        }
+        // What is called an intersection is one.
+        let intersect = found.iter().filter(|(_, verdict)| *verdict == Verdict::Intersect as u8);
+        let false_alarms = intersect.filter(|(pair, _)| expected.binary_search(pair).is_err()).count();
+        if false_alarms > 0 {
+            wrong.push(format!("{name}, {:?}: {false_alarms} pairs intersect that do not touch", engine.directions));
+        }
+    }
+    (expected.len(), queries, wrong)
+}
+
+#[test]
+fn no_touching_pair_of_any_mesh_is_lost() {
+    let mut cases: Vec<(String, Mesh, Mesh, Pose)> = vec![];
+    for name in ["cad_headlight.stl", "m8_bolt.stl", "m8_nut.stl"] {
+        let mesh = read(&scenes().join(name)).unwrap();
+        let scene = Scene::against_itself(name, mesh.clone(), 7, &[1.5, 0.4, 0.0]);
+        for frame in share(2, [0, 1, 4, 7, 9, 15, 17]) {
+            cases.push((format!("{name}, frame {frame}"), mesh.clone(), mesh.clone(), scene.frame(frame).poses[1]));
+        }
+    }
+    let scene = load(&scenes().join("bolt_nut.toml")).unwrap();
+    for frame in share(2, 0..scene.frames()) {
+        let [a, b] = [0, 1].map(|object: usize| (*scene.objects[object].mesh).clone());
+        let [of_a, of_b] = [0, 1].map(|object| scene.frame(frame).poses[object]);
+        assert_eq!(of_a, Pose::identity());
+        cases.push((format!("bolt and nut, frame {frame}"), a, b, of_b));
+    }
+    let all: Vec<_> = cases.par_iter().map(|(name, a, b, pose)| lost(name, [a, b], pose)).collect();
+    let wrong: Vec<&str> = all.iter().flat_map(|(_, _, wrong)| wrong).map(String::as_str).collect();
+    assert!(wrong.is_empty(), "{}", wrong.join("\n"));
+    let (touching, queries) = all.iter().fold((0, 0), |(t, q), (touching, queries, _)| (t + touching, q + queries));
+    assert!(touching > 5_000, "{touching} pairs touch");
+    assert!(queries > 3 * cases.len(), "{queries} queries of {} answered", 4 * cases.len());
+}
+
+fn efsat(dir: &Path, arguments: &str) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_efsat")).args(arguments.split_whitespace()).current_dir(dir).output().unwrap()
+}
+
+fn succeeds(dir: &Path, arguments: &str) -> String {
+    let output = efsat(dir, arguments);
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""), "efsat {arguments}");
+    String::from_utf8(output.stdout).unwrap()
+}
+
+fn fails(dir: &Path, arguments: &str, status: i32, part: &str) {
+    let output = efsat(dir, arguments);
+    let errors = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(status), "efsat {arguments}: {errors}");
+    assert!(errors.contains(part) && errors.lines().count() == 1, "efsat {arguments}: {errors}");
+    assert!(output.stdout.is_empty(), "efsat {arguments}");
+}
+
+#[test]
+fn images_are_built_inspected_and_verified() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    for name in ["m8_bolt.stl", "m8_nut.stl"] {
+        fs::copy(scenes().join(name), dir.join(name)).unwrap();
+    }
+    let told = succeeds(dir, "tree build m8_nut.stl --beside m8_bolt.stl --out nut.image");
+    let size = fs::metadata(dir.join("nut.image")).unwrap().len();
+    assert!(told.starts_with(&format!("nut.image: 4218 triangles, {size} bytes, height ")), "{told}");
+    assert_eq!(succeeds(dir, "tree verify nut.image"), "nut.image: 4217 blocks and 4218 triangles are in order\n");
+    assert_eq!(succeeds(dir, "tree verify nut.image m8_nut.stl"), succeeds(dir, "tree verify nut.image"));
+    let report: Value = serde_json::from_str(&succeeds(dir, "tree inspect nut.image --json")).unwrap();
+    assert_eq!((&report["bytes"], &report["blocks"]), (&Value::from(size), &Value::from(4217)));
+    let exponents = report["exponents"].as_array().unwrap().iter().map(|count| count.as_u64().unwrap());
+    assert_eq!((report["directions"].as_u64(), exponents.sum::<u64>()), (Some(18), 4217));
+    let table = succeeds(dir, "tree inspect nut.image");
+    assert!(table.contains("code                    10 bits, steps of 2^exponent 2^-22\n"), "{table}");
+    // The scale is that of both: alone, the nut is larger.
+    succeeds(dir, "tree build m8_nut.stl --out alone.image --directions 6 --offset-bits 8 --transform-width 48");
+    let alone: Value = serde_json::from_str(&succeeds(dir, "tree inspect alone.image --json")).unwrap();
+    assert!(alone["power"].as_i64() > report["power"].as_i64());
+    assert_eq!((alone["bytes_per_block"].as_u64(), alone["bytes_per_triangle"].as_u64()), (Some(32), Some(128)));
+    // Bad images: a code made smaller is seen with the mesh or without, and another mesh is another mesh.
+    fails(dir, "tree verify nut.image m8_bolt.stl", 1, "nut.image: byte 20: number of triangles: 4218; expected 9320");
+    let good = fs::read(dir.join("nut.image")).unwrap();
+    let mut bad = good.clone();
+    bad[64 + 19] ^= 0x80;
+    fs::write(dir.join("bad.image"), &bad).unwrap();
+    fails(dir, "tree verify bad.image m8_nut.stl", 1, "bad.image: byte 64: block 0: code ");
+    fails(dir, "tree inspect bad.image", 2, "bad.image: byte 64: block 0: code ");
+    fs::write(dir.join("short.image"), &good[..100]).unwrap();
+    fails(dir, "tree inspect short.image", 2, "short.image: byte 100: end of the file: 100 bytes; expected ");
+    fails(dir, "tree inspect none.image", 2, "none.image: cannot be read");
+    fails(dir, "tree build m8_nut.stl --out nowhere/x.image", 2, "expected a file in an existing folder");
+    fails(dir, "tree build none.stl --out x.image", 2, "none.stl: cannot be read");
+    fails(
+        dir,
+        "tree build m8_nut.stl --out x.image --origin-bits 20 --offset-bits 5",
+        2,
+        "--origin-bits 20: expected at most 18",
+    );
+    assert!(!dir.join("x.image").exists());
+    fails(dir, "tree", 2, "expected one of build, inspect, verify, count");
+}
+
+/// What docs/engine.md says of the default scene.
+#[test]
+fn the_counts_of_the_page_are_those_of_the_model() {
+    let counts: Value = serde_json::from_str(&succeeds(&scenes(), "tree count headlight --json")).unwrap();
+    let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/engine.md")).unwrap();
+    let row = page.lines().find(|line| line.starts_with("| headlight | 18 | 18 | 10 | 12 |")).unwrap();
+    let found: Vec<String> = row.split('|').skip(6).map(|cell| cell.trim().replace(',', "")).collect();
+    let names = ["queries", "expansions", "tests", "leaf_pairs", "intersect", "possibly_incorrect"];
+    let expected: Vec<String> = names.iter().map(|name| counts[name].to_string()).collect();
+    assert_eq!(found[..names.len()], expected);
+    assert_eq!(counts["answered_in_software"], 0);
+}
