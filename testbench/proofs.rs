@@ -220,7 +220,7 @@ fn exact_pairs() {
 #[test]
 fn volumes() {
     use volume::*;
-    let claims = [origin_row, select_code, row_sum, align_sum, align_code, direction_test, no_point_in_both]
+    let claims = [origin_row, select_code, row_sum, align_sum, align_code, direction_test, no_point_in_both, path]
         .map(|claim| claim());
     prove("Volumes", claims.into());
 }

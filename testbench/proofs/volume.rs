@@ -25,7 +25,7 @@ pub fn origin_row() -> Claim {
     let format = format();
     let mut claim = of("origin_row", "operands; floor of the sum of the products, and the origins");
     let products = ["x", "y", "z"]
-        .map(|c| cut_product(&mut claim, &format!("product_{c}"), &format!("m_{c}"), &format!("o_b_{c}")));
+        .map(|c| cut_product(&mut claim, &format!("product_{c}_result"), &format!("m_{c}"), &format!("o_b_{c}")));
     let [sum, shift] = [products.join(" + "), format.product_shift().to_string()];
     claim.value("rotated", sum);
     claim.shown(format!("d == (rotated >>> {shift}) + t - (o_a <<< {})", format.origin_shift()));
@@ -38,7 +38,7 @@ pub fn select_code() -> Claim {
     let mut claim = of("select_code_6", "the code of the choice");
     claim.compares_only();
     (0..6).for_each(|i| _ = claim.shown(format!("choice != {i} || code == codes{i}")));
-    claim.mutant(WrongSlice, "code").mutant(OtherElement, "code");
+    claim.mutant(WrongArm, "code").mutant(WrongArm, "chosen_0(k)|chosen_0(0)").mutant(WrongArm, "chosen_1(0)|chosen_1");
     claim
 }
 
@@ -155,7 +155,7 @@ pub fn path() -> Claim {
             .shown(format!("survive{pair} == (a_take{p} != 0 && b_take{q} != 0 && !({}) ? 1 : 0)", apart.join(" || ")));
     }
     claim.room_for(4);
-    claim.mutant(OtherElement, "term0_unit_codes(k)(0)").mutant(WrongSign, "axis_bound(0)(1)|axis_bound(0)(0)");
-    claim.mutant(Reversed, "axis_bound(i)(1)|axis_bound(2)(1)").mutant(WrongGate, "survive(0)|survive_i(0)");
+    claim.mutant(OtherElement, "term0_unit_codes(k)(0)").mutant(WrongSign, "axis_bound(i)(0)");
+    claim.mutant(Reversed, "axis_bound(i)(1)").mutant(WrongGate, "survive(0)");
     claim
 }

@@ -37,12 +37,8 @@ struct Number {
 impl Word {
     fn new(word: WordPort) -> Self {
         let query = word.of_query();
-        let number = |(port, low, bits): (String, u32, u32)| Number {
-            flag: port.contains("_take"),
-            high: low + bits - 1,
-            low,
-            port,
-        };
+        let number =
+            |(port, low, bits): (String, u32, u32)| Number { flag: bits == 1, high: low + bits - 1, low, port };
         let numbers = word.numbers.into_iter().map(number).collect();
         Self { name: word.name, high: word.bits - 1, query, numbers }
     }

@@ -15,7 +15,11 @@ pub fn select_code<'l>(codes: &[Sig<'l>], choice: Sig<'l>) -> Sig<'l> {
         let (mut open, mut stage) = (codes, 0);
         while open.len() > 1 {
             let bit = if stage == 0 { choice.low(1) } else { choice.floor(stage).low(1) };
-            let chosen = open.chunks(2).map(|two| if let [clear, set] = two { bit.choose(*set, *clear) } else { two[0] });
+            let name = format!("chosen_{stage}");
+            let chosen = open.chunks(2).enumerate().map(|(i, two)| match two {
+                [clear, set] => bit.choose(*set, *clear).named_at(&name, i),
+                _ => two[0],
+            });
             open = chosen.collect();
             stage += 1;
         }
