@@ -14,11 +14,6 @@ package efsat_types is
     hi : unsigned(16 downto 0);
   end record interval_u17_t;
   constant zero_interval_u17 : interval_u17_t := (lo => (others => '0'), hi => (others => '0'));
-  type interval_u19_t is record
-    lo : unsigned(18 downto 0);
-    hi : unsigned(19 downto 0);
-  end record interval_u19_t;
-  constant zero_interval_u19 : interval_u19_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_18_t is record
     lo : signed(17 downto 0);
     hi : signed(17 downto 0);
@@ -76,11 +71,13 @@ package efsat_types is
   constant zero_interval_38 : interval_38_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_39_t is record
     lo : signed(38 downto 0);
-    hi : signed(39 downto 0);
+    hi : signed(38 downto 0);
   end record interval_39_t;
   constant zero_interval_39 : interval_39_t := (lo => (others => '0'), hi => (others => '0'));
   type unsigned_2_vector_t is array (0 to 2) of unsigned(1 downto 0);
   constant zero_unsigned_2_vector : unsigned_2_vector_t := (others => (others => '0'));
+  type unsigned_19_vector_t is array (0 to 2) of unsigned(18 downto 0);
+  constant zero_unsigned_19_vector : unsigned_19_vector_t := (others => (others => '0'));
   type unsigned_32_vector_t is array (0 to 2) of unsigned(31 downto 0);
   constant zero_unsigned_32_vector : unsigned_32_vector_t := (others => (others => '0'));
   type unsigned_33_vector_t is array (0 to 2) of unsigned(32 downto 0);
@@ -97,8 +94,6 @@ package efsat_types is
   constant zero_signed_34_vector : signed_34_vector_t := (others => (others => '0'));
   type signed_64_vector_t is array (0 to 2) of signed(63 downto 0);
   constant zero_signed_64_vector : signed_64_vector_t := (others => (others => '0'));
-  type interval_22_x2_t is array (0 to 1) of interval_22_t;
-  constant zero_interval_22_x2 : interval_22_x2_t := (others => zero_interval_22);
   type flag_x2_x2_t is array (0 to 1) of std_logic_vector(1 downto 0);
   constant zero_flag_x2_x2 : flag_x2_x2_t := (others => (others => '0'));
   type flag_x3_x3_t is array (0 to 2) of std_logic_vector(2 downto 0);
@@ -113,8 +108,6 @@ package efsat_types is
   constant zero_unsigned_2_vector_x4 : unsigned_2_vector_x4_t := (others => zero_unsigned_2_vector);
   type interval_u17_vector_t is array (0 to 2) of interval_u17_t;
   constant zero_interval_u17_vector : interval_u17_vector_t := (others => zero_interval_u17);
-  type interval_u19_vector_t is array (0 to 2) of interval_u19_t;
-  constant zero_interval_u19_vector : interval_u19_vector_t := (others => zero_interval_u19);
   type interval_18_vector_t is array (0 to 2) of interval_18_t;
   constant zero_interval_18_vector : interval_18_vector_t := (others => zero_interval_18);
   type interval_19_19_vector_t is array (0 to 2) of interval_19_19_t;

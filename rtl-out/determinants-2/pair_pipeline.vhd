@@ -131,7 +131,7 @@ architecture rtl of pair_pipeline is
   signal moment_cut : signed_20_x12_t := zero_signed_20_x12;  -- |.| <= 524281
   signal too_great_0_found : std_logic;
   signal too_great_0_found_d1 : std_logic := '0';
-  signal too_great_0_so_far_select_at_1 : std_logic := '0';
+  signal too_great_0_so_far_select_at_0 : std_logic := '0';
   signal too_great_0_so_far_before : std_logic := '0';
   signal too_great_0_so_far : std_logic;
   signal places_captured : std_logic := '0';
@@ -530,11 +530,10 @@ begin
       strobe(0) <= flag(phase = '1');
       strobe(1) <= flag(phase = '0');
       if phase = '1' then
-        too_great_0_so_far_select_at_1 <= '0';
+        too_great_0_so_far_select_at_0 <= '1';
       else
-        too_great_0_so_far_select_at_1 <= '1';
+        too_great_0_so_far_select_at_0 <= '0';
       end if;
-      too_great_0_so_far_before <= too_great_0_so_far;
       if phase = '1' then
         row_m0_select_at_1 <= '1';
       else
@@ -823,7 +822,7 @@ begin
     end if;
   end process clock_19;
   level <= axis_level2_h5 when level_less_h4 = '1' else axis_level0_resized_less_choice_h5;
-  too_great_0_so_far <= too_great_0_found_d1 or choose(too_great_0_so_far_select_at_1, '0', too_great_0_so_far_before);
+  too_great_0_so_far <= too_great_0_found_d1 or too_great_0_so_far_before;
   rest_of_level <=
     to_unsigned(64, 15) when level = 0 else
     to_unsigned(64, 15) when level = 1 else
@@ -1601,6 +1600,18 @@ begin
       end if;
     end if;
   end process captures;
+
+  -- State
+  state : process (clk)
+  begin
+    if rising_edge(clk) then
+      if too_great_0_so_far_select_at_0 = '1' then
+        too_great_0_so_far_before <= '0';
+      else
+        too_great_0_so_far_before <= too_great_0_so_far;
+      end if;
+    end if;
+  end process state;
 
   -- Outputs
   separated(0) <= separated0_h9;

@@ -1,8 +1,10 @@
 --------------------------------------------------------------------------------
--- Decides one axis: enclosures of the least and greatest projection of each triangle (equation 3), then
---   separated   = b_min_lo > a_max_hi or a_min_lo > b_max_hi   (equation 6)
---   overlapping = a_min_hi < b_max_lo and b_min_hi < a_max_lo  (sound in place of 7 to 9; strict)
--- Latency: 2 clocks.
+-- One axis decided by comparing every point of A with every point of B (equations 3 and 6):
+--   above: b_lo > a_hi; below: a_lo > b_hi
+--   separated   = all above or all below, so b_min_lo > a_max_hi or a_min_lo > b_max_hi
+--   overlapping = some above and some below, so a_min_hi < b_max_lo and b_min_hi < a_max_lo (sound in place of
+--                 equations 7 to 9; strict)
+-- Latency: 1 clock.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -14,91 +16,54 @@ entity comparator_network is
     clk         : in  std_logic;
     p           : in  interval_18_x6_t;  -- |.| <= 98309
     separated   : out std_logic;
-    overlapping : out std_logic
+    overlapping : out std_logic := '0'
   );
 end entity comparator_network;
 
 architecture rtl of comparator_network is
-  signal a_ordered_lo : std_logic;
-  signal a_lesser_lo : signed(17 downto 0);  -- |.| <= 98309
-  signal a_greater_lo : signed(17 downto 0);  -- |.| <= 98309
-  signal a_lesser_lo_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 98309
-  signal p2_d1 : interval_18_t := zero_interval_18;  -- |.| <= 98309
-  signal p5_d1 : interval_18_t := zero_interval_18;  -- |.| <= 98309
-  signal a_min : interval_18_t;  -- |.| <= 98309
-  signal a_greater_lo_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 98309
-  signal a_max : interval_18_t;  -- |.| <= 98309
-  signal a_ordered_hi : std_logic;
-  signal a_lesser_hi : signed(17 downto 0);  -- |.| <= 98309
-  signal a_greater_hi : signed(17 downto 0);  -- |.| <= 98309
-  signal a_lesser_hi_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 98309
-  signal a_greater_hi_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 98309
-  signal b_ordered_lo : std_logic;
-  signal b_lesser_lo : signed(17 downto 0);  -- |.| <= 98309
-  signal b_greater_lo : signed(17 downto 0);  -- |.| <= 98309
-  signal b_lesser_lo_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 98309
-  signal b_min : interval_18_t;  -- |.| <= 98309
-  signal b_greater_lo_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 98309
-  signal b_max : interval_18_t;  -- |.| <= 98309
-  signal b_ordered_hi : std_logic;
-  signal b_lesser_hi : signed(17 downto 0);  -- |.| <= 98309
-  signal b_greater_hi : signed(17 downto 0);  -- |.| <= 98309
-  signal b_lesser_hi_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 98309
-  signal b_greater_hi_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 98309
-  signal a_max_d1 : interval_18_t := zero_interval_18;  -- |.| <= 98309
-  signal b_min_d1 : interval_18_t := zero_interval_18;  -- |.| <= 98309
-  signal b_max_d1 : interval_18_t := zero_interval_18;  -- |.| <= 98309
-  signal a_min_d1 : interval_18_t := zero_interval_18;  -- |.| <= 98309
+  signal above : std_logic_vector(8 downto 0);
+  signal below : std_logic_vector(8 downto 0);
+  signal not_all_above : std_logic;
+  signal not_all_below : std_logic;
+  signal separated_and_d1 : std_logic := '0';
+  signal some_above : std_logic;
+  signal some_below : std_logic;
+  signal overlapping_i : std_logic;
 begin
   -- Clock 0
-  a_ordered_lo <= less(p(0).lo, p(1).lo);
-  a_lesser_lo <= p(0).lo when a_ordered_lo = '1' else p(1).lo;
-  a_greater_lo <= p(1).lo when a_ordered_lo = '1' else p(0).lo;
-  a_ordered_hi <= less(p(0).hi, p(1).hi);
-  a_lesser_hi <= p(0).hi when a_ordered_hi = '1' else p(1).hi;
-  a_greater_hi <= p(1).hi when a_ordered_hi = '1' else p(0).hi;
-  b_ordered_lo <= less(p(3).lo, p(4).lo);
-  b_lesser_lo <= p(3).lo when b_ordered_lo = '1' else p(4).lo;
-  b_greater_lo <= p(4).lo when b_ordered_lo = '1' else p(3).lo;
-  b_ordered_hi <= less(p(3).hi, p(4).hi);
-  b_lesser_hi <= p(3).hi when b_ordered_hi = '1' else p(4).hi;
-  b_greater_hi <= p(4).hi when b_ordered_hi = '1' else p(3).hi;
+  above(0) <= less(p(0).hi, p(5).lo);
+  above(1) <= less(p(0).hi, p(4).lo);
+  above(2) <= less(p(0).hi, p(3).lo);
+  above(3) <= less(p(1).hi, p(5).lo);
+  above(4) <= less(p(1).hi, p(4).lo);
+  above(5) <= less(p(1).hi, p(3).lo);
+  above(6) <= less(p(2).hi, p(5).lo);
+  above(7) <= less(p(2).hi, p(4).lo);
+  above(8) <= less(p(2).hi, p(3).lo);
+  below(0) <= less(p(5).hi, p(0).lo);
+  below(1) <= less(p(4).hi, p(0).lo);
+  below(2) <= less(p(3).hi, p(0).lo);
+  below(3) <= less(p(5).hi, p(1).lo);
+  below(4) <= less(p(4).hi, p(1).lo);
+  below(5) <= less(p(3).hi, p(1).lo);
+  below(6) <= less(p(5).hi, p(2).lo);
+  below(7) <= less(p(4).hi, p(2).lo);
+  below(8) <= less(p(3).hi, p(2).lo);
+  not_all_above <= or_reduce(not above(8) & not above(7) & not above(6) & not above(5) & not above(4) & not above(3) &
+      not above(2) & not above(1) & not above(0));
+  not_all_below <= or_reduce(not below(8) & not below(7) & not below(6) & not below(5) & not below(4) & not below(3) &
+      not below(2) & not below(1) & not below(0));
+  some_above <= or_reduce(unsigned(above));
+  some_below <= or_reduce(unsigned(below));
+  overlapping_i <= some_above and some_below;
 
   -- Clock 1
   clock_1 : process (clk)
   begin
     if rising_edge(clk) then
-      a_lesser_lo_d1 <= a_lesser_lo;
-      p2_d1 <= p(2);
-      p5_d1 <= p(5);
-      a_greater_lo_d1 <= a_greater_lo;
-      a_lesser_hi_d1 <= a_lesser_hi;
-      a_greater_hi_d1 <= a_greater_hi;
-      b_lesser_lo_d1 <= b_lesser_lo;
-      b_greater_lo_d1 <= b_greater_lo;
-      b_lesser_hi_d1 <= b_lesser_hi;
-      b_greater_hi_d1 <= b_greater_hi;
+      separated_and_d1 <= not_all_above and not_all_below;
+      overlapping <= overlapping_i;
     end if;
   end process clock_1;
-  a_min.lo <= a_lesser_lo_d1 when less(a_lesser_lo_d1, p2_d1.lo) = '1' else p2_d1.lo;
-  a_min.hi <= a_lesser_hi_d1 when less(a_lesser_hi_d1, p2_d1.hi) = '1' else p2_d1.hi;
-  a_max.lo <= p2_d1.lo when less(a_greater_lo_d1, p2_d1.lo) = '1' else a_greater_lo_d1;
-  a_max.hi <= p2_d1.hi when less(a_greater_hi_d1, p2_d1.hi) = '1' else a_greater_hi_d1;
-  b_min.lo <= b_lesser_lo_d1 when less(b_lesser_lo_d1, p5_d1.lo) = '1' else p5_d1.lo;
-  b_min.hi <= b_lesser_hi_d1 when less(b_lesser_hi_d1, p5_d1.hi) = '1' else p5_d1.hi;
-  b_max.lo <= p5_d1.lo when less(b_greater_lo_d1, p5_d1.lo) = '1' else b_greater_lo_d1;
-  b_max.hi <= p5_d1.hi when less(b_greater_hi_d1, p5_d1.hi) = '1' else b_greater_hi_d1;
-
-  -- Clock 2
-  clock_2 : process (clk)
-  begin
-    if rising_edge(clk) then
-      a_max_d1 <= a_max;
-      b_min_d1 <= b_min;
-      b_max_d1 <= b_max;
-      a_min_d1 <= a_min;
-    end if;
-  end process clock_2;
-  separated <= less(a_max_d1.hi, b_min_d1.lo) or less(b_max_d1.hi, a_min_d1.lo);
-  overlapping <= less(a_min_d1.hi, b_max_d1.lo) and less(b_min_d1.hi, a_max_d1.lo);
+  separated <= not separated_and_d1;
 end architecture rtl;

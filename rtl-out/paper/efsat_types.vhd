@@ -51,7 +51,7 @@ package efsat_types is
   constant zero_interval_38 : interval_38_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_39_t is record
     lo : signed(38 downto 0);
-    hi : signed(39 downto 0);
+    hi : signed(38 downto 0);
   end record interval_39_t;
   constant zero_interval_39 : interval_39_t := (lo => (others => '0'), hi => (others => '0'));
   type unsigned_2_vector_t is array (0 to 2) of unsigned(1 downto 0);

@@ -1,7 +1,7 @@
 --------------------------------------------------------------------------------
 -- The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of
 -- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.
--- Latency: 57 clocks.
+-- Latency: 55 clocks.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -29,14 +29,15 @@ architecture rtl of pair_pipeline is
   constant row_diagonal_at_0_1_table : std_logic_vector(0 to 10) := "10010010000";
   constant row_diagonal_at_0_2_table : std_logic_vector(0 to 10) := "01001001000";
   constant row_x_select_at_0_table : numbers_t(0 to 10) := (0, 0, 1, 1, 1, 2, 2, 2, 0, 0, 0);
-  constant lane_select_at_0_table : numbers_t(0 to 10) := (1, 2, 0, 3, 4, 5, 3, 0, 0, 0, 0);
-  constant lane_operand_select_at_0_table : numbers_t(0 to 10) := (0, 0, 0, 0, 1, 2, 0, 0, 0, 0, 0);
-  constant lane_from_input_at_1_table : std_logic_vector(0 to 10) := "11110000111";
-  constant magnitude_so_far_select_at_2_table : std_logic_vector(0 to 10) := "01000000000";
-  constant lane_edge_rounding_at_4_table : std_logic_vector(0 to 10) := "00001010000";
-  constant axis_e_select_at_0_table : numbers_t(0 to 10) := (1, 2, 2, 2, 3, 3, 3, 0, 0, 0, 0);
-  constant axis_f_select_at_0_table : numbers_t(0 to 10) := (1, 1, 2, 3, 1, 2, 3, 1, 2, 3, 0);
-  constant axis0_rounding_at_1_table : std_logic_vector(0 to 10) := "01000000000";
+  constant lane_select_at_10_table : numbers_t(0 to 10) := (2, 0, 3, 4, 5, 3, 0, 0, 0, 0, 1);
+  constant lane_choice_operand_select_at_10_table : numbers_t(0 to 10) := (0, 0, 0, 1, 2, 0, 0, 0, 0, 0, 0);
+  constant lane_from_input_at_10_table : std_logic_vector(0 to 10) := "11000011111";
+  constant lane_from_input_at_0_table : std_logic_vector(0 to 10) := "11100001111";
+  constant magnitude_so_far_select_at_0_table : std_logic_vector(0 to 10) := "00000000001";
+  constant lane_edge_rounding_at_3_table : std_logic_vector(0 to 10) := "00010100000";
+  constant axis_e_select_at_10_table : numbers_t(0 to 10) := (2, 2, 2, 3, 3, 3, 0, 0, 0, 0, 1);
+  constant axis_f_select_at_10_table : numbers_t(0 to 10) := (1, 2, 3, 1, 2, 3, 1, 2, 3, 0, 1);
+  constant axis0_rounding_at_0_table : std_logic_vector(0 to 10) := "10000000000";
   signal row_t_pose : signed(31 downto 0);  -- s4.28; |.| <= 1073741816
   signal row_t_pose_select_at_0 : unsigned(1 downto 0) := (others => '0');
   signal row_t : signed(31 downto 0);  -- s4.28; |.| <= 1073741816
@@ -52,19 +53,21 @@ architecture rtl of pair_pipeline is
   signal row : interval_32_t;  -- s4.28; |.| <= 1879048192
   signal strobe : std_logic_vector(10 downto 0) := (others => '0');  -- one flag per phase
   signal b : interval_32_vector_x3_t := zero_interval_32_vector_x3;  -- s4.28; |.| <= 1879048192; B's vertices in A's frame
+  signal in_v0_h10 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 268435456
   signal in_v_h11 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28; |.| <= 268435456
   signal lane : interval_32_vector_t;  -- s4.28; |.| <= 1879048192
-  signal lane_select_at_0 : unsigned(2 downto 0) := (others => '0');
-  signal lane_hi_operand : signed_32_vector_t;  -- s4.28; |.| <= 1879048192
-  signal lane_operand_select_at_0 : unsigned(1 downto 0) := (others => '0');
-  signal lane_from_input_at_1 : std_logic := '0';
-  signal lane_hi_operand_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 1879048192
-  signal lane_hi_sum_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 1879048191
-  signal in_v0_h12 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 268435456
+  signal lane_select_at_10 : unsigned(2 downto 0) := (others => '0');
+  signal lane_hi_choice_operand : signed_32_vector_t;  -- s4.28; |.| <= 1879048192
+  signal lane_choice_operand_select_at_10 : unsigned(1 downto 0) := (others => '0');
+  signal lane_from_input_at_10 : std_logic := '0';
+  signal lane_hi_choice_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 1879048192
+  signal lane_from_input_at_0 : std_logic := '0';
   signal lane_lo_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 1879048190
   signal offset : interval_33_vector_t;  -- s5.28; |.| <= 2147483648
+  signal offset_d1 : interval_33_vector_t := zero_interval_33_vector;  -- s5.28; |.| <= 2147483648
+  signal magnitude_magnitude : unsigned_33_vector_t;
   signal magnitude : unsigned_32_vector_t;
-  signal magnitude_so_far_select_at_2 : std_logic := '0';
+  signal magnitude_so_far_select_at_0 : std_logic := '0';
   signal magnitude_so_far_before : unsigned_32_vector_t := zero_unsigned_32_vector;
   signal magnitude_so_far : unsigned_32_vector_t;
   signal magnitudes : unsigned_32_vector_t := zero_unsigned_32_vector;  -- OR of the magnitudes of the twelve bounds
@@ -87,7 +90,7 @@ architecture rtl of pair_pipeline is
   signal w_case : unsigned_2_vector_x3_t := zero_unsigned_2_vector_x3;
   signal lane_difference : interval_19_vector_t;  -- |.| <= 131072
   signal lane_difference_d1 : interval_19_vector_t := zero_interval_19_vector;  -- |.| <= 131072
-  signal lane_edge_rounding_at_4 : std_logic := '0';
+  signal lane_edge_rounding_at_3 : std_logic := '0';
   signal lane_edge : interval_18_vector_t;  -- |.| <= 65537
   signal lane_edge_hi_second_up_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 65537
   signal lane_edge_case : unsigned_2_vector_t;
@@ -98,18 +101,18 @@ architecture rtl of pair_pipeline is
   signal e_a2_h3 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
   signal e_a1_h9 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
   signal axis_e : interval_18_vector_t;  -- |.| <= 65537
-  signal axis_e_select_at_0 : unsigned(1 downto 0) := (others => '0');
+  signal axis_e_select_at_10 : unsigned(1 downto 0) := (others => '0');
   signal e_a2_case_h3 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal e_a1_case_h9 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal axis_e_case : unsigned_2_vector_t;
   signal axis_f : interval_18_vector_t;  -- |.| <= 65537
-  signal axis_f_select_at_0 : unsigned(1 downto 0) := (others => '0');
+  signal axis_f_select_at_10 : unsigned(1 downto 0) := (others => '0');
   signal axis_f_case : unsigned_2_vector_t;
   signal axis_e_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
   signal axis_e_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal axis_f_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
   signal axis_f_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal axis0_rounding_at_1 : std_logic := '0';
+  signal axis0_rounding_at_0 : std_logic := '0';
   signal axis_l : interval_18_vector_t;  -- |.| <= 65539
   signal axis_l_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65539
   signal axis_l_case : unsigned_2_vector_t;
@@ -154,15 +157,15 @@ begin
       for k in 0 to 10 loop
         strobe(k) <= flag(phase = (k + 10) mod 11);
       end loop;
-      lane_select_at_0 <= to_unsigned(lane_select_at_0_table(to_integer(phase)), 3);
-      lane_operand_select_at_0 <= to_unsigned(lane_operand_select_at_0_table(to_integer(phase)), 2);
-      lane_from_input_at_1 <= lane_from_input_at_1_table(to_integer(phase));
-      magnitude_so_far_select_at_2 <= magnitude_so_far_select_at_2_table(to_integer(phase));
-      magnitude_so_far_before <= magnitude_so_far;
-      lane_edge_rounding_at_4 <= lane_edge_rounding_at_4_table(to_integer(phase));
-      axis_e_select_at_0 <= to_unsigned(axis_e_select_at_0_table(to_integer(phase)), 2);
-      axis_f_select_at_0 <= to_unsigned(axis_f_select_at_0_table(to_integer(phase)), 2);
-      axis0_rounding_at_1 <= axis0_rounding_at_1_table(to_integer(phase));
+      lane_select_at_10 <= to_unsigned(lane_select_at_10_table(to_integer(phase)), 3);
+      lane_choice_operand_select_at_10 <= to_unsigned(lane_choice_operand_select_at_10_table(to_integer(phase)), 2);
+      lane_from_input_at_10 <= lane_from_input_at_10_table(to_integer(phase));
+      lane_from_input_at_0 <= lane_from_input_at_0_table(to_integer(phase));
+      magnitude_so_far_select_at_0 <= magnitude_so_far_select_at_0_table(to_integer(phase));
+      lane_edge_rounding_at_3 <= lane_edge_rounding_at_3_table(to_integer(phase));
+      axis_e_select_at_10 <= to_unsigned(axis_e_select_at_10_table(to_integer(phase)), 2);
+      axis_f_select_at_10 <= to_unsigned(axis_f_select_at_10_table(to_integer(phase)), 2);
+      axis0_rounding_at_0 <= axis0_rounding_at_0_table(to_integer(phase));
     end if;
   end process selectors;
   v0_lo_each : for i in 0 to 2 generate
@@ -202,76 +205,83 @@ begin
   row_unit : entity work.transform_row
     port map (clk => clk, m => row_m_d1, x => row_x_d1, t => row_t_d1, bypass => pose_bypass_d1, b => row);
 
-  -- Clock 11
+  -- Clock 10
   lane_lo_each : for i in 0 to 2 generate
     lane(i).lo <=
-      in_v_h11(0)(i) when lane_select_at_0 = 0 else
-      in_v_h11(1)(i) when lane_select_at_0 = 1 else
-      in_v_h11(2)(i) when lane_select_at_0 = 2 else
-      b(0)(i).lo when lane_select_at_0 = 3 else
-      b(1)(i).lo when lane_select_at_0 = 4 else
+      in_v0_h10(i) when lane_select_at_10 = 0 else
+      in_v_h11(1)(i) when lane_select_at_10 = 1 else
+      in_v_h11(2)(i) when lane_select_at_10 = 2 else
+      b(0)(i).lo when lane_select_at_10 = 3 else
+      b(1)(i).lo when lane_select_at_10 = 4 else
       b(2)(i).lo;
-    lane_hi_operand(i) <=
-      b(0)(i).hi when lane_operand_select_at_0 = 0 else
-      b(1)(i).hi when lane_operand_select_at_0 = 1 else
+    lane_hi_choice_operand(i) <=
+      b(0)(i).hi when lane_choice_operand_select_at_10 = 0 else
+      b(1)(i).hi when lane_choice_operand_select_at_10 = 1 else
       b(2)(i).hi;
   end generate lane_lo_each;
+
+  -- Clock 11
+  clock_11 : process (clk)
+  begin
+    if rising_edge(clk) then
+      for i in 0 to 2 loop
+        lane_hi_choice_d1(i) <= choose(lane_from_input_at_10, lane(i).lo, lane_hi_choice_operand(i));
+        lane_lo_d1(i) <= lane(i).lo;
+      end loop;
+    end if;
+  end process clock_11;
+  lane_hi_each : for i in 0 to 2 generate
+    lane(i).hi <= lane_hi_choice_d1(i) + to_signed(lane_from_input_at_0, 32);
+    offset_unit_point(i).lo <= lane_lo_d1(i);
+    offset_unit_point(i).hi <= lane(i).hi;
+  end generate lane_hi_each;
+  offset_unit : entity work.renormalise_offset
+    port map (point => offset_unit_point, origin => in_v_h11(0), offset => offset);
 
   -- Clock 12
   clock_12 : process (clk)
   begin
     if rising_edge(clk) then
-      lane_hi_operand_d1 <= lane_hi_operand;
-      for i in 0 to 2 loop
-        lane_hi_sum_d1(i) <= lane(i).lo + 1;
-        lane_lo_d1(i) <= lane(i).lo;
-      end loop;
+      offset_d1 <= offset;
     end if;
   end process clock_12;
-  lane_hi_each : for i in 0 to 2 generate
-    lane(i).hi <= lane_hi_sum_d1(i) when lane_from_input_at_1 = '1' else lane_hi_operand_d1(i);
-    offset_unit_point(i).lo <= lane_lo_d1(i);
-    offset_unit_point(i).hi <= lane(i).hi;
-  end generate lane_hi_each;
-  offset_unit : entity work.renormalise_offset
-    port map (clk => clk, point => offset_unit_point, origin => in_v0_h12, offset => offset, magnitude => magnitude);
+  magnitude_magnitude_each : for i in 0 to 2 generate
+    magnitude_magnitude(i) <= abs_of(offset_d1(i).lo);
+    magnitude(i) <= magnitude_magnitude(i)(31 downto 0) or
+        choose(offset_d1(i).hi(32), to_unsigned(0, 32), unsigned(offset_d1(i).hi(31 downto 0)));
+    magnitude_so_far(i) <= magnitude(i) or magnitude_so_far_before(i);
+  end generate magnitude_magnitude_each;
 
-  -- Clock 13
-  magnitude_so_far_each : for i in 0 to 2 generate
-    magnitude_so_far(i) <= magnitude(i) or choose(magnitude_so_far_select_at_2, to_unsigned(0, 32),
-        magnitude_so_far_before(i));
-  end generate magnitude_so_far_each;
-
-  -- Clock 20
+  -- Clock 19
   shift_unit : for i in 0 to 2 generate
     unit : entity work.renormalise_shift
       port map (clk => clk, magnitudes => magnitudes(i), shift => shift(i));
   end generate shift_unit;
 
-  -- Clock 23
-  clock_23 : process (clk)
+  -- Clock 22
+  clock_22 : process (clk)
   begin
     if rising_edge(clk) then
       shift_d1 <= shift;
     end if;
-  end process clock_23;
+  end process clock_22;
   scaled_unit : entity work.renormalise_scale
     port map (clk => clk, offset => offset_line(10), shift => shift_d1, scaled => scaled);
 
-  -- Clock 25
-  clock_25 : process (clk)
+  -- Clock 24
+  clock_24 : process (clk)
   begin
     if rising_edge(clk) then
       scaled_d1 <= scaled;
     end if;
-  end process clock_25;
+  end process clock_24;
   lane_difference_lo_each : for i in 0 to 2 generate
     lane_difference(i).lo <= resize(scaled_d1(i).lo, 19) - resize(scaled_d2(i).hi, 19);
     lane_difference(i).hi <= resize(scaled_d1(i).hi, 19) - resize(scaled_d2(i).lo, 19);
   end generate lane_difference_lo_each;
 
-  -- Clock 26
-  clock_26 : process (clk)
+  -- Clock 25
+  clock_25 : process (clk)
   begin
     if rising_edge(clk) then
       scaled_d2 <= scaled_d1;
@@ -280,11 +290,11 @@ begin
         lane_edge_hi_second_up_d1(i) <= resize(lane_difference(i).hi(18 downto 1), 19) + 1;
       end loop;
     end if;
-  end process clock_26;
+  end process clock_25;
   lane_edge_lo_each : for i in 0 to 2 generate
-    lane_edge(i).lo <= lane_difference_d1(i).lo(17 downto 0) when lane_edge_rounding_at_4 = '1' else
+    lane_edge(i).lo <= lane_difference_d1(i).lo(17 downto 0) when lane_edge_rounding_at_3 = '1' else
         lane_difference_d1(i).lo(18 downto 1);
-    lane_edge(i).hi <= lane_difference_d1(i).hi(17 downto 0) when lane_edge_rounding_at_4 = '1' else
+    lane_edge(i).hi <= lane_difference_d1(i).hi(17 downto 0) when lane_edge_rounding_at_3 = '1' else
         lane_edge_hi_second_up_d1(i)(17 downto 0);
   end generate lane_edge_lo_each;
   scaled_case_unit : for i in 0 to 2 generate
@@ -296,30 +306,30 @@ begin
       port map (x => lane_edge(i), number => lane_edge_case(i));
   end generate lane_edge_case_unit;
 
-  -- Clock 33
+  -- Clock 32
   axis_e <=
-    e_a2_h3 when axis_e_select_at_0 = 0 else
-    e_b(2) when axis_e_select_at_0 = 1 else
-    e_a(0) when axis_e_select_at_0 = 2 else
+    e_a2_h3 when axis_e_select_at_10 = 0 else
+    e_b(2) when axis_e_select_at_10 = 1 else
+    e_a(0) when axis_e_select_at_10 = 2 else
     e_a1_h9;
   axis_e_case <=
-    e_a2_case_h3 when axis_e_select_at_0 = 0 else
-    e_b_case(2) when axis_e_select_at_0 = 1 else
-    e_a_case(0) when axis_e_select_at_0 = 2 else
+    e_a2_case_h3 when axis_e_select_at_10 = 0 else
+    e_b_case(2) when axis_e_select_at_10 = 1 else
+    e_a_case(0) when axis_e_select_at_10 = 2 else
     e_a1_case_h9;
   axis_f <=
-    e_a(0) when axis_f_select_at_0 = 0 else
-    e_b(0) when axis_f_select_at_0 = 1 else
-    e_b(1) when axis_f_select_at_0 = 2 else
+    e_a(0) when axis_f_select_at_10 = 0 else
+    e_b(0) when axis_f_select_at_10 = 1 else
+    e_b(1) when axis_f_select_at_10 = 2 else
     e_b(2);
   axis_f_case <=
-    e_a_case(0) when axis_f_select_at_0 = 0 else
-    e_b_case(0) when axis_f_select_at_0 = 1 else
-    e_b_case(1) when axis_f_select_at_0 = 2 else
+    e_a_case(0) when axis_f_select_at_10 = 0 else
+    e_b_case(0) when axis_f_select_at_10 = 1 else
+    e_b_case(1) when axis_f_select_at_10 = 2 else
     e_b_case(2);
 
-  -- Clock 34
-  clock_34 : process (clk)
+  -- Clock 33
+  clock_33 : process (clk)
   begin
     if rising_edge(clk) then
       axis_e_d1 <= axis_e;
@@ -327,31 +337,31 @@ begin
       axis_f_d1 <= axis_f;
       axis_f_case_d1 <= axis_f_case;
     end if;
-  end process clock_34;
+  end process clock_33;
   axis_l_unit : entity work.cross_product
     port map (clk => clk, e => axis_e_d1, e_case => axis_e_case_d1, f => axis_f_d1, f_case => axis_f_case_d1,
-              rounding => axis0_rounding_at_1, l => axis_l);
+              rounding => axis0_rounding_at_0, l => axis_l);
 
-  -- Clock 39
-  clock_39 : process (clk)
+  -- Clock 38
+  clock_38 : process (clk)
   begin
     if rising_edge(clk) then
       axis_l_d1 <= axis_l;
     end if;
-  end process clock_39;
+  end process clock_38;
   axis_l_case_unit : for i in 0 to 2 generate
     unit : entity work.sign_case
       port map (x => axis_l_d1(i), number => axis_l_case(i));
   end generate axis_l_case_unit;
 
-  -- Clock 40
-  clock_40 : process (clk)
+  -- Clock 39
+  clock_39 : process (clk)
   begin
     if rising_edge(clk) then
       axis_l_d2 <= axis_l_d1;
       axis_l_case_d1 <= axis_l_case;
     end if;
-  end process clock_40;
+  end process clock_39;
   p_unit_v_0_lo_each : for i in 0 to 2 generate
     p_unit_v(0)(i).lo <= v0_lo(i);
     p_unit_v(0)(i).hi <= v0_hi_h15(i);
@@ -373,17 +383,17 @@ begin
                 p => p(k));
   end generate p_unit;
 
-  -- Clock 44
-  clock_44 : process (clk)
+  -- Clock 43
+  clock_43 : process (clk)
   begin
     if rising_edge(clk) then
       p_d1 <= p;
     end if;
-  end process clock_44;
+  end process clock_43;
   axis_separated_unit : entity work.comparator_network
     port map (clk => clk, p => p_d1, separated => axis_separated, overlapping => axis_overlapping);
 
-  -- Clock 57
+  -- Clock 55
   separate <= or_reduce(unsigned(separated_i));
   surely <= not or_reduce(not unsigned(overlapping_i));
   verdict <= (not separate and not surely) & (not separate and surely);
@@ -393,48 +403,48 @@ begin
   begin
     if rising_edge(clk) then
       for i in 0 to 2 loop
-        if strobe(i + 8) = '1' then
+        if strobe(i + 7) = '1' then
           b(0)(i) <= row;
         end if;
-        if strobe(i) = '1' then
+        if strobe((i + 10) mod 11) = '1' then
           b(1)(i) <= row;
         end if;
-        if strobe(i + 3) = '1' then
+        if strobe(i + 2) = '1' then
           b(2)(i) <= row;
         end if;
       end loop;
-      if strobe(10) = '1' then
-        in_v_h11 <= in_v;
+      if strobe(9) = '1' then
+        in_v0_h10 <= in_v(0);
         e_a2_h3 <= e_a(2);
         e_a2_case_h3 <= e_a_case(2);
       end if;
-      if strobe(0) = '1' then
-        in_v0_h12 <= in_v_h11(0);
+      if strobe(10) = '1' then
+        in_v_h11 <= in_v;
       end if;
-      if strobe(8) = '1' then
+      if strobe(7) = '1' then
         magnitudes <= magnitude_so_far;
       end if;
-      if strobe(2) = '1' then
+      if strobe(1) = '1' then
         for i in 0 to 2 loop
           v0_hi(i) <= scaled(i).hi;
         end loop;
         v0_hi_h11 <= v0_hi;
       end if;
-      if strobe(3) = '1' then
+      if strobe(2) = '1' then
         v1 <= scaled;
         v1_h11 <= v1;
       end if;
-      if strobe(4) = '1' then
+      if strobe(3) = '1' then
         v2 <= scaled;
         e_a1_h9 <= e_a(1);
         e_a1_case_h9 <= e_a_case(1);
         v2_h11 <= v2;
       end if;
-      if strobe(5) = '1' then
+      if strobe(4) = '1' then
         v1_case <= scaled_case;
         v1_case_h11 <= v1_case;
       end if;
-      if strobe(6) = '1' then
+      if strobe(5) = '1' then
         v2_case <= scaled_case;
         v0_hi_h15 <= v0_hi_h11;
         v1_h14 <= v1_h11;
@@ -449,23 +459,23 @@ begin
         w2_case_h7 <= w_case(2);
       end if;
       for k in 0 to 2 loop
-        if strobe(k + 6) = '1' then
+        if strobe(k + 5) = '1' then
           w(k) <= scaled;
         end if;
-        if strobe(k + 8) = '1' then
+        if strobe(k + 7) = '1' then
           w_case(k) <= scaled_case;
         end if;
-        if strobe(k + 5) = '1' then
+        if strobe(k + 4) = '1' then
           e_a(k) <= lane_edge;
           e_a_case(k) <= lane_edge_case;
         end if;
-        if strobe((k + 9) mod 11) = '1' then
+        if strobe(k + 8) = '1' then
           e_b(k) <= lane_edge;
           e_b_case(k) <= lane_edge_case;
         end if;
       end loop;
       for k in 0 to 10 loop
-        if strobe((k + 2) mod 11) = '1' then
+        if strobe(k) = '1' then
           separated_i(k) <= axis_separated;
           overlapping_i(k) <= axis_overlapping;
         end if;
@@ -477,9 +487,23 @@ begin
   delays : process (clk)
   begin
     if rising_edge(clk) then
-      offset_line <= offset & offset_line(1 to 9);
+      offset_line <= offset_d1 & offset_line(1 to 9);
     end if;
   end process delays;
+
+  -- State
+  state : process (clk)
+  begin
+    if rising_edge(clk) then
+      if magnitude_so_far_select_at_0 = '1' then
+        for i in 0 to 2 loop
+          magnitude_so_far_before(i) <= to_unsigned(0, 32);
+        end loop;
+      else
+        magnitude_so_far_before <= magnitude_so_far;
+      end if;
+    end if;
+  end process state;
 
   -- Outputs
   separated <= separated_i;
