@@ -595,7 +595,9 @@ fn mistakes_about_self_intersections() {
     expect("builtin:teapot", "one of headlight, gear");
     expect("builtin:gear --grid 0", "expected a positive number");
     expect("builtin:gear --grid 1e-30", "expected a coarser grid");
-    expect("builtin:gear --width 5", "6..=32");
+    expect("builtin:gear --width 5", "expected a whole number from 6 to 32");
+    expect("builtin:gear --grid 1e-300", "--grid 1e-300: a coordinate has 2^53 units or more");
+    expect("builtin:gear --pairs x.f64", "expected a name that ends in .csv");
     expect("builtin:gear --picture x.txt", "expected a name that ends in .svg or .png");
     expect("builtin:gear --csv x.csv --pairs x.csv", "x.csv");
     fs::write(dir.path().join("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();

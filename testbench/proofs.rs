@@ -42,31 +42,22 @@ fn report(title: &str, rows: &[claim::Row]) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// Proves claims of the queues of a cascade, as [`prove`].
-fn prove_queues(title: &str, clocks_per_pair: &[u32], claim: fn(&queues::Cascade) -> queues::Claim) {
+/// A cascade with few places: both stages take a pair every 11 clocks.
+#[test]
+fn queues() {
+    let title = "Queues";
     if let Some(missing) = tools::missing() {
         return table::print(&format!("{title}: skipped: {missing}\n"));
     }
-    let params = |clocks_per_pair: &u32| Params {
+    let params = Params {
         width: 8,
         transform_width: 8,
         frequency: 20,
-        clocks_per_pair: *clocks_per_pair,
+        clocks_per_pair: 11,
         exact_clocks: Some(11),
         ..Params::of(Method::Exact)
     };
-    let row = |clocks| claim(&queues::Cascade::new(&params(clocks))).run();
-    report(title, &clocks_per_pair.par_iter().map(row).collect::<Vec<_>>());
-}
-
-#[test]
-fn queues_of_the_second_stage() {
-    prove_queues("Queues of the second stage", &[1, 11], queues::Cascade::second_stage);
-}
-
-#[test]
-fn queues_of_the_unit() {
-    prove_queues("Queues of the unit", &[1], queues::Cascade::unit);
+    report(title, &[queues::Cascade::new(&params).second_stage().run()]);
 }
 
 /// The rules for upper bounds, the other options as given.

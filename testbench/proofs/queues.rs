@@ -1,10 +1,9 @@
-//! The queues of the cascade, for all time: in a design with the printed control and a stub in place of each data path, every
-//! pair is answered once, in order, and within a stated number of clocks.
+//! The queues of the second stage of a cascade, for all time: with the printed control and a stub in place of the data path,
+//! every pair is answered once, in order, and within a stated number of clocks.
 //!
-//! Control does not read what the data paths compute but for `left_open`. So a pair is given its own number as data, and the
-//! claims say where in the unit each number is. They hold at the start and after a clock if they held before it (induction
-//! with one step), so they hold for all time, whatever comes in. The unit and its second stage are proved apart: what one
-//! assumes of the other is what the other one's claim says.
+//! Control reads nothing of what the data path computes. So a pair is given its own number as data, and the claim says where
+//! in the stage each number is. It holds at the start and after a clock if it held before it (induction with one step), so it
+//! holds for all time, whatever comes in. What is assumed of the unit around the stage is what docs/cascade.md says of it.
 
 use super::claim::Row;
 use super::tools::{self, Outcome};
@@ -30,8 +29,6 @@ pub struct Claim {
     /// Signals of the entity, with their bits, and memories with theirs, that the claim looks at.
     seen: Vec<(String, u32)>,
     words: Vec<(&'static str, usize, u32)>,
-    /// Signals that the claim drives, each with what drives it.
-    cut: Vec<(&'static str, &'static str)>,
     ports: Vec<String>,
     body: String,
     given: Vec<String>,
@@ -67,7 +64,6 @@ impl Claim {
                 ports.push(format!(".\\{name}[{i}] ({name}{i})"));
             }
         }
-        ports.extend(self.cut.iter().map(|(name, value)| format!(".\\{name}__i ({value})")));
         let inputs: String = self.inputs.iter().map(|name| format!(", input {name}")).collect();
         let lines = |word: &str, all: &[String]| all.iter().map(|c| format!("    {word}({c});\n")).collect::<String>();
         format!(
@@ -84,8 +80,7 @@ impl Claim {
     fn ask(&self, files: &[(String, String)]) -> (Outcome, f64) {
         let seen: Vec<String> = self.seen.iter().map(|(name, _)| name.clone()).collect();
         let words: Vec<String> = self.words.iter().map(|(name, ..)| format!("{name}*")).collect();
-        let cut: Vec<String> = self.cut.iter().map(|(name, _)| (*name).to_owned()).collect();
-        tools::induce(&tools::verilog(files, self.entity), self.entity, &self.verilog(), [&seen, &words, &cut])
+        tools::induce(&tools::verilog(files, self.entity), self.entity, &self.verilog(), &seen, &words)
     }
 
     /// Proves the claim, and sees that the proof of no wrong text goes through.
@@ -125,9 +120,8 @@ pub struct Cascade {
     places: usize,
     /// Bits of a number of a pair: twice the places.
     bits: u32,
-    /// Clocks of the data paths.
+    /// Clocks of the second data path.
     latency: usize,
-    second: usize,
     /// Clocks of a slot of the second stage.
     slot: usize,
 }
@@ -144,8 +138,7 @@ impl Cascade {
             params: params.clone(),
             places: design.places,
             bits: design.places.trailing_zeros() + 1,
-            latency: design.schedule.latency as usize,
-            second: stage.schedule.latency as usize,
+            latency: stage.schedule.latency as usize,
             slot: stage.pipeline.interval,
         }
     }
@@ -177,7 +170,6 @@ impl Cascade {
             inputs: vec![],
             seen: vec![],
             words: vec![],
-            cut: vec![],
             ports: vec![],
             body: String::new(),
             given: vec![],
@@ -188,12 +180,12 @@ impl Cascade {
 
     /// Clocks within which the second stage offers the answer of its oldest pair.
     fn patience(&self) -> usize {
-        self.second + 2 * self.slot + 4
+        self.latency + 2 * self.slot + 4
     }
 
     /// The second stage: the n-th answer is that of the n-th pair, if never more pairs are pushed than there are places.
     pub fn second_stage(&self) -> Claim {
-        let Self { places, bits: w, second: latency, slot, .. } = *self;
+        let Self { places, bits: w, latency, slot, .. } = *self;
         let (top, width, ages) = (w - 1, self.params.width, latency / slot + 1);
         // The data path answers in one clock only, with what it was given in phase 0.
         let stub = format!(
@@ -341,195 +333,6 @@ begin
             (Inverted, "valid"),
             (NotMissing, "output_free"),
             (WrongArm, "full"),
-        ]);
-        claim
-    }
-
-    /// The unit with any second stage that keeps to what the claim of [`Self::second_stage`] says.
-    pub fn unit(&self) -> Claim {
-        let Self { places, bits: w, latency, .. } = *self;
-        let (top, width) = (w - 1, self.params.transform_width);
-        let (state, stages) = (2 * w, latency as u32 * (2 * w + 1));
-        // A pair has its number, how many open pairs came before it, and whether it is open.
-        let path = format!(
-            "  type stages_t is array (1 to {latency}) of unsigned({state} downto 0);
-  signal stages : stages_t := (others => (others => '0'));
-  signal payload : unsigned({state} downto 0);
-begin
-  payload <= unsigned(in_v(0)(2)(0 downto 0)) & unsigned(in_v(0)(1)({top} downto 0)) & unsigned(in_v(0)(0)({top} downto 0));
-  delay : process (clk)
-  begin
-    if rising_edge(clk) then
-      stages <= payload & stages(1 to {last});
-    end if;
-  end process delay;
-  verdict <= \"00\";
-  outside <= '0';
-  separated <= std_logic_vector(resize(stages({latency})({high} downto {w}), 9));
-  overlapping <= std_logic_vector(resize(stages({latency})({top} downto 0), 9));
-  left_open <= stages({latency})({state});
-  fitted <= (others => (others => (others => '0')));
-",
-            last = latency - 1,
-            high = state - 1
-        );
-        let second = "begin
-  any : process (clk)
-  begin
-    if rising_edge(clk) then
-      out_valid <= push;
-      out_word <= (others => push);
-    end if;
-  end process any;
-";
-        let files =
-            self.sources(&["sequencer"], &[("pair_pipeline", path), ("exact_stage", second.to_owned())], "efsat");
-        let mut claim = self.claim("efsat", "answers in order, none lost, each in time", files);
-        claim.inputs = vec!["in_valid", "out_ready", "open", "exact_valid"];
-        claim.see(&[
-            ("control.accepted", w),
-            ("control.accepted_ahead", w),
-            ("control.taken", w),
-            ("control.taken_ahead", w),
-        ]);
-        claim.see(&[
-            ("control.decided", w),
-            ("control.full", 1),
-            ("control.empty", 1),
-            ("control.holds", latency as u32),
-        ]);
-        claim.see(&[
-            ("control.decide_pair", 1),
-            ("control.offered", 1),
-            ("control.output_free", 1),
-            ("control.running", 1),
-        ]);
-        claim.see(&[("control_accept", 1), ("control_take", 1), ("push_open", 1), ("take_exact", 1), ("head_open", 1)]);
-        claim.see(&[("path.stages", stages), ("path.payload", state + 1)]);
-        claim.words = vec![("result_queue_words", places, 22), ("tag_queue_words", places, 16)];
-        claim.cut = vec![("exact_out_valid", "exact_valid"), ("exact_out_word", "{number, number, 1'b0}")];
-        let own = ["in_valid", "out_ready", "in_ready", "out_valid", "out_separated", "out_overlapping", "out_tag"];
-        claim.ports = own.map(|name| format!(".{name}({name})")).into();
-        claim.ports.extend([
-            format!(".in_v0_x({{{}'b0, control_accepted}})", width - w),
-            format!(".in_v0_y({{{}'b0, next_open}})", width - w),
-            format!(".in_v0_z({{{}'b0, open}})", width - 1),
-            format!(".in_tag({{{}'b0, control_accepted}})", 16 - w),
-        ]);
-        let patience = self.patience();
-        let _ = write!(
-            claim.body,
-            "  wire in_ready, out_valid; wire [8:0] out_separated, out_overlapping; wire [15:0] out_tag;
-  reg [{top}:0] next_open = 0, pushed = 0, consumed = 0, taken_prev = 0, decided_prev = 0, given = 0;
-  reg was_open = 0, kept = 0; reg [9:0] exact_waited = 0, waited = 0;
-  wire [8:0] number = consumed;
-  wire outstanding = pushed != consumed;
-  always @(posedge clk)
-    if (reset) begin
-      next_open <= 0; pushed <= 0; consumed <= 0; taken_prev <= 0; decided_prev <= 0; kept <= 0; exact_waited <= 0; waited <= 0;
-    end else begin
-      if (control_accept && open) next_open <= next_open + 1;
-      if (push_open) pushed <= pushed + 1;
-      if (take_exact) consumed <= consumed + 1;
-      if (control_take) begin was_open <= head_open; given <= consumed; end
-      taken_prev <= control_taken; decided_prev <= control_decided;
-      kept <= exact_valid && !take_exact;
-      exact_waited <= outstanding && !exact_valid ? exact_waited + 1 : 0;
-      waited <= inside != 0 && control_output_free && !control_take ? waited + 1 : 0;
-    end
-  wire [{top}:0] inside = control_accepted - control_taken, done = control_decided - control_taken;
-  wire [{top}:0] in_path = control_accepted - control_decided, full_at = taken_prev + {places}, last_taken = control_taken - 1;
-  wire [{top}:0] accepted_ahead = control_accepted_ahead - control_accepted, taken_ahead = control_taken_ahead - control_taken;
-  wire [{top}:0] taken_lag = control_taken - taken_prev, decided_lag = control_decided - decided_prev;
-  wire [{top}:0] seen = decided_prev - control_taken, in_use = pushed - consumed;
-"
-        );
-        claim.given = vec![
-            "!exact_valid || outstanding".to_owned(),
-            "!kept || exact_valid".to_owned(),
-            format!("exact_waited <= {patience}"),
-        ];
-        claim.shown([
-            "accepted_ahead == 1",
-            "taken_ahead == 1",
-            "done <= inside",
-            "taken_lag <= 1",
-            "decided_lag <= 1",
-        ]);
-        claim.shown([format!("inside <= {places}"), format!("inside + taken_lag <= {places}")]);
-        claim.shown([
-            "seen <= done",
-            "in_use <= done",
-            "done != 0 || !outstanding",
-            "done == 0 || !head_open || outstanding",
-        ]);
-        claim.shown([
-            "control_full == (control_accepted == full_at)",
-            "control_empty == (control_taken == decided_prev)",
-        ]);
-        let flag = |clock: usize| match clock {
-            last if last == latency => "control_decide_pair".to_owned(),
-            clock => format!("control_holds[{clock}]"),
-        };
-        claim.shown([format!("in_path == {}", (0..=latency).map(flag).collect::<Vec<_>>().join(" + "))]);
-        // What the second stage assumes.
-        claim.shown([format!("!push_open || in_use < {places}"), "!take_exact || exact_valid".to_owned()]);
-        // An answer is that of the oldest pair, and from the second stage if it is open.
-        claim.shown(["in_ready == (control_running && !control_full)", "out_valid == control_offered"]);
-        claim.shown([
-            "!out_valid || out_tag == last_taken",
-            "!out_valid || was_open || out_overlapping == last_taken",
-            "!out_valid || !was_open || out_overlapping == given && out_separated == given",
-        ]);
-        let _ = writeln!(claim.body, "  wire [{top}:0] number0 = control_accepted - 1, open{latency} = pushed;");
-        for clock in 0..latency {
-            let _ = writeln!(claim.body, "  wire [{top}:0] number{} = number{clock} - {};", clock + 1, flag(clock));
-        }
-        for clock in (0..=latency).rev() {
-            let part = |low: u32, bits: u32| match clock {
-                0 => format!("path_payload[{low} +: {bits}]"),
-                _ => format!("path_stages[{} +: {bits}]", (2 * w + 1) as usize * (latency - clock) + low as usize),
-            };
-            let next = clock.checked_sub(1).map_or("after_path".to_owned(), |clock| format!("open{clock}"));
-            let held = flag(clock);
-            let _ = writeln!(claim.body, "  wire [{top}:0] {next} = open{clock} + ({held} && {});", part(state, 1));
-            claim.shown([format!("!{held} || {} == number{clock} && {} == open{clock}", part(0, w), part(w, w))]);
-        }
-        claim.shown(["after_path == next_open"]);
-        place_numbers(&mut claim.body, places, w, "result", "control_taken", "control_taken");
-        for i in 0..places {
-            let (word, next) = (format!("result_queue_words{i}"), (i + 1) % places);
-            let _ = writeln!(
-                claim.body,
-                "  wire [{top}:0] before{i} = {word}[{}:2], after{i} = before{i} + {word}[21], rest{i} = pushed - after{i}, left{i} = done - result{i};
-  wire in{i} = result{i} < done, last{i} = result{i} + {w}'d1 == done;",
-                w + 1
-            );
-            claim.shown([
-                format!("!in{i} || {word}[19:11] == result_number{i} && rest{i} < left{i}"),
-                format!("!in{i} || result{i} != 0 || before{i} == consumed"),
-                format!("!in{i} || after{i} == (last{i} ? pushed : before{next})"),
-                format!("result{i} >= inside || tag_queue_words{i} == result_number{i}"),
-            ]);
-        }
-        let mut remaining = format!(
-            "inside == 0 ? 0 : done != 0 ? control_empty + (head_open && !exact_valid ? {} - exact_waited : 0)",
-            patience + 1
-        );
-        for clock in (0..=latency).rev() {
-            let _ = write!(remaining, " : {} ? {}", flag(clock), latency - clock + patience + 3);
-        }
-        let _ = writeln!(claim.body, "  wire [9:0] remaining = {remaining} : 0;");
-        claim.shown([format!("waited + remaining <= {}", latency + patience + 4)]);
-        claim.mutants(&[
-            (WrongGate, "push_open"),
-            (WrongGate, "head_ready"),
-            (WrongGate, "take_exact"),
-            (WrongArm, "head_word"),
-            (NotMissing, "head_ready"),
-            (WrongArm, "full"),
-            (WrongGate, "take_pair"),
-            (WrongArm, "empty"),
         ]);
         claim
     }

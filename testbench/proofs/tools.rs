@@ -69,19 +69,18 @@ fn yosys(sources: &[(&str, &str)], script: &str) -> (String, f64) {
 }
 
 /// Asks whether the module `claim`, a claim about the clocked entity `top`, holds at the start, and after a clock if it held
-/// before it. `seen` are signals that the claim looks at, `words` those of memories, `cut` signals that it drives.
+/// before it. `seen` are signals that the claim looks at, `words` those of memories.
 ///
 /// Refuted is a claim of which either is not so: a step may begin where the unit never is.
-pub fn induce(unit: &str, top: &str, claim: &str, [seen, words, cut]: [&[String]; 3]) -> (Outcome, f64) {
+pub fn induce(unit: &str, top: &str, claim: &str, seen: &[String], words: &[String]) -> (Outcome, f64) {
     let wires = |names: &[String]| names.iter().map(|name| format!(" {top}/w:{name}")).collect::<String>();
-    let cut = if cut.is_empty() { String::new() } else { format!("expose -cut -sep __{}\n", wires(cut)) };
     let script = format!(
         "read_verilog unit.v
 hierarchy -top {top}
 proc
 flatten
 expose{}
-{cut}memory -nomap
+memory -nomap
 opt_clean -purge
 memory_map
 expose{}

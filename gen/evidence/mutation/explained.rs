@@ -67,7 +67,8 @@ const FASTER: &str = "decides only in what type numbers are held, and the sums f
 const UNUSED: &str = "most designs do not call this function for values of this type";
 const LAST_PHASE: &str = "full counts in the last phase only, and the clock before it accepts nothing";
 const POPPED: &str = "valid counts in the last phase only, ten clocks or more after the last pop, and after reset";
-const ROOM: &str = "the next push writes the place again, and never do pairs wait in all places: one is popped in every slot";
+const ROOM: &str =
+    "the next push writes the place again, and never do pairs wait in all places: one is popped in every slot";
 const RUNNING: &str = "pose_phase and last_phase are first set many clocks after reset, when running is long set";
 const NOT_MOVED: &str = "after reset nothing has been taken, and either flag says that the queue is empty";
 const PRODUCT: &str = "the factors of a product exchanged";
