@@ -6,7 +6,6 @@ use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::artefact::engine::vectors::EngineVectors;
 use efsat::artefact::engine::{EngineDesign, engine_design_files, samples};
 use efsat::artefact::{FileSet, Prefix};
-use efsat::cosim;
 use efsat::directions::Directions;
 use efsat::golden::engine::Query;
 use efsat::host::engine::{Image, Numbers};
@@ -271,34 +270,30 @@ fn a_tree_that_is_too_high_is_refused() {
     assert!(fine(&report), "{report}");
 }
 
-/// The headlights against each other, query by query in one packet each, through the engine's netlist in Verilator. Prints the
-/// mean number of clocks per query.
+/// Headlights against each other: some queries of the default scene, one behind the other. Prints how many clocks they take.
 #[test]
-fn the_default_scene_in_verilator() {
+fn queries_of_the_default_scene() {
+    let Some(ghdl) = ghdl() else { return };
     let scene = Scene::default_scene();
     let broad = scene.broad_phase();
     let block_ram = EngineParams { memory: Memory::BlockRam, block_lines: 8192, triangle_lines: 8192, ..EngineParams::default() };
-    for engine in [EngineParams::default(), block_ram] {
-        let design = EngineDesign::new(&engine, &Params::default()).unwrap();
-        let numbers = Numbers::new(&engine, &design.unit.params).unwrap();
-        let images = Image::build(&[&scene.objects[0].mesh], &design.format).unwrap();
-        let mut vectors = EngineVectors::new(&design, &[&images[0]]);
+    let cases = [(EngineParams::default(), &["-glatency_least=32", "-glatency_most=32"][..]), (block_ram, &[])];
+    cases.par_iter().for_each(|(engine, options)| {
+        let bench = Bench::new(ghdl, engine, &Params::default());
+        let numbers = Numbers::new(engine, &bench.design.unit.params).unwrap();
+        let images = Image::build(&[&scene.objects[0].mesh], &bench.design.format).unwrap();
+        let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
         let side = vectors.side(0);
-        let frames = share(16, 0..scene.frames());
         let mut queries = 0;
-        for meeting in frames.into_iter().flat_map(|frame| broad.meetings(frame)) {
+        for meeting in (0..scene.frames()).step_by(128).flat_map(|frame| broad.meetings(frame)) {
             let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)]));
             let query = numbers.query([(&images[0], side); 2], &m, &meeting.pose.translation.into()).unwrap();
             queries += 1;
             vectors.query(&Query { number: queries, ..query });
         }
-        let runs = match cosim::engine::run(&design, &[vectors.text()], 32..=32) {
-            Ok(runs) => runs,
-            Err(e) if e.to_string().contains("not installed") => return eprintln!("skipped: {e}"),
-            Err(e) => panic!("{e}"),
-        };
-        let run = &runs[0];
-        eprintln!("{queries} queries, {:.0} clocks per query: {}", run.number("total") as f64 / f64::from(queries), run.summary);
-        assert!(queries > 0 && run.number("mismatches") == 0, "{}", run.summary);
-    }
+        let report = bench.run_vectors(vectors.text(), &[&["-gpasses=1"], *options].concat());
+        assert!(fine(&report), "{report}");
+        let clocks = number(&report, "clocks").unwrap() as f64 / f64::from(queries);
+        eprintln!("{:?}: {queries} queries, {clocks:.0} clocks each in the mean", engine.memory);
+    });
 }

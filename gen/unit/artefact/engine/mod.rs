@@ -124,7 +124,6 @@ entities! {
     ReadMaster "engine/engine_read_master.vhd";
     Engine "engine/efsat_engine.vhd";
     Bench "engine/efsat_engine_tb.vhd";
-    Program "engine/efsat_engine_tb.cpp";
 }
 
 #[derive(Template)]
@@ -181,11 +180,6 @@ pub fn engine_files(design: &EngineDesign, prefix: &Prefix, command_line: &str) 
 /// The testbench.
 pub fn bench(design: &EngineDesign, prefix: &Prefix) -> String {
     Bench::text(&origin(), prefix, &Values::new(design))
-}
-
-/// The testbench of a netlist, in C++.
-pub fn program(design: &EngineDesign) -> String {
-    Program::text(&origin(), &Prefix::default(), &Values::new(design))
 }
 
 /// Files of one name are one file: multipliers that the unit and the volume unit both have.
