@@ -126,7 +126,11 @@ fn answers_and_reports_equal_the_reference_models() {
         (axi(), small(), &["-glatency_least=5", "-glatency_most=200", "-gseed=7"]),
         (narrow, small(), &["-gpasses=1"]),
         (EngineParams { expansion_clocks: 1, ..block_ram() }, determinants.clone(), &["-gseed=3"]),
-        (EngineParams { expansion_clocks: 2, in_flight: 5, ..memory(128) }, Params { upper: Upper::Sticky, ..small() }, &[]),
+        (
+            EngineParams { expansion_clocks: 2, in_flight: 5, ..memory(128) },
+            Params { upper: Upper::Sticky, ..small() },
+            &[],
+        ),
         (EngineParams { in_flight: 1, ..memory(32) }, small(), &["-glatency_least=3", "-glatency_most=9"]),
         (EngineParams { expansion_clocks: 1, in_flight: 64, pair_queue: 16, ..memory(512) }, determinants, &[least]),
         (EngineParams { directions: Directions::Fourteen, offset_bits: 9, ..axi() }, small(), &["-gpasses=3"]),
@@ -218,18 +222,33 @@ fn a_wrong_engine_is_noticed() {
     let changes: [(&str, &str, &str, &[&str]); 11] = [
         // Flying pairs are not counted; the last survivor is not; the push order loses one.
         ("engine_traverse.vhd", "finished <= candidate_leaves and is_last;", "finished <= candidate_leaves;", quick),
-        ("engine_traverse.vhd", "\"0100\" when left_over(2) = '1' else", "\"0110\" when left_over(2) = '1' else", quick),
+        (
+            "engine_traverse.vhd",
+            "\"0100\" when left_over(2) = '1' else",
+            "\"0110\" when left_over(2) = '1' else",
+            quick,
+        ),
         // A leaf beside an inner node becomes an inner node; its side is the other.
         ("engine_traverse.vhd", "side_a & not side_a;", "not side_a & side_a;", quick),
         // Links that go back are taken.
-        ("engine_children.vhd", "target >= unsigned(block_count) or target <= unsigned(number)", "target <= unsigned(number)", quick),
+        (
+            "engine_children.vhd",
+            "target >= unsigned(block_count) or target <= unsigned(number)",
+            "target <= unsigned(number)",
+            quick,
+        ),
         ("engine_children.vhd", "beyond <= '1' when target >=", "beyond <= '0' when target >=", quick),
         // Contact does not end the query; separate pairs are answered; a query's options stay from the last.
         ("engine_answer.vhd", "contact <= counts and stop_at_contact", "contact <= '0' and stop_at_contact", quick),
         ("engine_answer.vhd", "decided_valid and separate_too and not ending;", "decided_valid and not ending;", quick),
         ("engine_answer.vhd", "free <= m_axis_tready or not offered;", "free <= '1';", slow),
         // The caches: a line that is replaced is thought to be there; both sides do not wait for each other.
-        ("engine_block_cache.vhd", "if tag_write = '1' and tag_place = head", "if tag_write = '0' and tag_place = head", slow),
+        (
+            "engine_block_cache.vhd",
+            "if tag_write = '1' and tag_place = head",
+            "if tag_write = '0' and tag_place = head",
+            slow,
+        ),
         ("engine_triangle_cache.vhd", "(filled or not order(", "('1' or not order(", slow),
         ("engine_read_master.vhd", "m_axi_arvalid <= offered;", "m_axi_arvalid <= offered and m_axi_arready;", slow),
     ];
@@ -276,7 +295,8 @@ fn queries_of_the_default_scene() {
     let Some(ghdl) = ghdl() else { return };
     let scene = Scene::default_scene();
     let broad = scene.broad_phase();
-    let block_ram = EngineParams { memory: Memory::BlockRam, block_lines: 8192, triangle_lines: 8192, ..EngineParams::default() };
+    let block_ram =
+        EngineParams { memory: Memory::BlockRam, block_lines: 8192, triangle_lines: 8192, ..EngineParams::default() };
     let cases = [(EngineParams::default(), &["-glatency_least=32", "-glatency_most=32"][..]), (block_ram, &[])];
     cases.par_iter().for_each(|(engine, options)| {
         let bench = Bench::new(ghdl, engine, &Params::default());

@@ -2,8 +2,8 @@
 
 use super::error::Failure;
 use crate::design::top::DesignError;
-use crate::params::{EngineParams, Params};
 pub(super) use crate::params::options::{choice, whole};
+use crate::params::{EngineParams, Params};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
 
