@@ -6,7 +6,6 @@ use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::artefact::engine::vectors::EngineVectors;
 use efsat::artefact::engine::{EngineDesign, engine_design_files, samples};
 use efsat::artefact::{FileSet, Prefix};
-use efsat::cosim;
 use efsat::directions::Directions;
 use efsat::golden::engine::Query;
 use efsat::host::engine::{Image, Numbers};
@@ -127,7 +126,11 @@ fn answers_and_reports_equal_the_reference_models() {
         (axi(), small(), &["-glatency_least=5", "-glatency_most=200", "-gseed=7"]),
         (narrow, small(), &["-gpasses=1"]),
         (EngineParams { expansion_clocks: 1, ..block_ram() }, determinants.clone(), &["-gseed=3"]),
-        (EngineParams { expansion_clocks: 2, in_flight: 5, ..memory(128) }, Params { upper: Upper::Sticky, ..small() }, &[]),
+        (
+            EngineParams { expansion_clocks: 2, in_flight: 5, ..memory(128) },
+            Params { upper: Upper::Sticky, ..small() },
+            &[],
+        ),
         (EngineParams { in_flight: 1, ..memory(32) }, small(), &["-glatency_least=3", "-glatency_most=9"]),
         (EngineParams { expansion_clocks: 1, in_flight: 64, pair_queue: 16, ..memory(512) }, determinants, &[least]),
         (EngineParams { directions: Directions::Fourteen, offset_bits: 9, ..axi() }, small(), &["-gpasses=3"]),
@@ -219,18 +222,33 @@ fn a_wrong_engine_is_noticed() {
     let changes: [(&str, &str, &str, &[&str]); 11] = [
         // Flying pairs are not counted; the last survivor is not; the push order loses one.
         ("engine_traverse.vhd", "finished <= candidate_leaves and is_last;", "finished <= candidate_leaves;", quick),
-        ("engine_traverse.vhd", "\"0100\" when left_over(2) = '1' else", "\"0110\" when left_over(2) = '1' else", quick),
+        (
+            "engine_traverse.vhd",
+            "\"0100\" when left_over(2) = '1' else",
+            "\"0110\" when left_over(2) = '1' else",
+            quick,
+        ),
         // A leaf beside an inner node becomes an inner node; its side is the other.
         ("engine_traverse.vhd", "side_a & not side_a;", "not side_a & side_a;", quick),
         // Links that go back are taken.
-        ("engine_children.vhd", "target >= unsigned(block_count) or target <= unsigned(number)", "target <= unsigned(number)", quick),
+        (
+            "engine_children.vhd",
+            "target >= unsigned(block_count) or target <= unsigned(number)",
+            "target <= unsigned(number)",
+            quick,
+        ),
         ("engine_children.vhd", "beyond <= '1' when target >=", "beyond <= '0' when target >=", quick),
         // Contact does not end the query; separate pairs are answered; a query's options stay from the last.
         ("engine_answer.vhd", "contact <= counts and stop_at_contact", "contact <= '0' and stop_at_contact", quick),
         ("engine_answer.vhd", "decided_valid and separate_too and not ending;", "decided_valid and not ending;", quick),
         ("engine_answer.vhd", "free <= m_axis_tready or not offered;", "free <= '1';", slow),
         // The caches: a line that is replaced is thought to be there; both sides do not wait for each other.
-        ("engine_block_cache.vhd", "if tag_write = '1' and tag_place = head", "if tag_write = '0' and tag_place = head", slow),
+        (
+            "engine_block_cache.vhd",
+            "if tag_write = '1' and tag_place = head",
+            "if tag_write = '0' and tag_place = head",
+            slow,
+        ),
         ("engine_triangle_cache.vhd", "(filled or not order(", "('1' or not order(", slow),
         ("engine_read_master.vhd", "m_axi_arvalid <= offered;", "m_axi_arvalid <= offered and m_axi_arready;", slow),
     ];
@@ -271,34 +289,31 @@ fn a_tree_that_is_too_high_is_refused() {
     assert!(fine(&report), "{report}");
 }
 
-/// The headlights against each other, query by query in one packet each, through the engine's netlist in Verilator. Prints the
-/// mean number of clocks per query.
+/// Headlights against each other: some queries of the default scene, one behind the other. Prints how many clocks they take.
 #[test]
-fn the_default_scene_in_verilator() {
+fn queries_of_the_default_scene() {
+    let Some(ghdl) = ghdl() else { return };
     let scene = Scene::default_scene();
     let broad = scene.broad_phase();
-    let block_ram = EngineParams { memory: Memory::BlockRam, block_lines: 8192, triangle_lines: 8192, ..EngineParams::default() };
-    for engine in [EngineParams::default(), block_ram] {
-        let design = EngineDesign::new(&engine, &Params::default()).unwrap();
-        let numbers = Numbers::new(&engine, &design.unit.params).unwrap();
-        let images = Image::build(&[&scene.objects[0].mesh], &design.format).unwrap();
-        let mut vectors = EngineVectors::new(&design, &[&images[0]]);
+    let block_ram =
+        EngineParams { memory: Memory::BlockRam, block_lines: 8192, triangle_lines: 8192, ..EngineParams::default() };
+    let cases = [(EngineParams::default(), &["-glatency_least=32", "-glatency_most=32"][..]), (block_ram, &[])];
+    cases.par_iter().for_each(|(engine, options)| {
+        let bench = Bench::new(ghdl, engine, &Params::default());
+        let numbers = Numbers::new(engine, &bench.design.unit.params).unwrap();
+        let images = Image::build(&[&scene.objects[0].mesh], &bench.design.format).unwrap();
+        let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
         let side = vectors.side(0);
-        let frames = share(16, 0..scene.frames());
         let mut queries = 0;
-        for meeting in frames.into_iter().flat_map(|frame| broad.meetings(frame)) {
+        for meeting in (0..scene.frames()).step_by(128).flat_map(|frame| broad.meetings(frame)) {
             let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)]));
             let query = numbers.query([(&images[0], side); 2], &m, &meeting.pose.translation.into()).unwrap();
             queries += 1;
             vectors.query(&Query { number: queries, ..query });
         }
-        let runs = match cosim::engine::run(&design, &[vectors.text()], 32..=32) {
-            Ok(runs) => runs,
-            Err(e) if e.to_string().contains("not installed") => return eprintln!("skipped: {e}"),
-            Err(e) => panic!("{e}"),
-        };
-        let run = &runs[0];
-        eprintln!("{queries} queries, {:.0} clocks per query: {}", run.number("total") as f64 / f64::from(queries), run.summary);
-        assert!(queries > 0 && run.number("mismatches") == 0, "{}", run.summary);
-    }
+        let report = bench.run_vectors(vectors.text(), &[&["-gpasses=1"], *options].concat());
+        assert!(fine(&report), "{report}");
+        let clocks = number(&report, "clocks").unwrap() as f64 / f64::from(queries);
+        eprintln!("{:?}: {queries} queries, {clocks:.0} clocks each in the mean", engine.memory);
+    });
 }

@@ -180,80 +180,77 @@ begin
           if at_end = '1' then
             behind <= '1';
           end if;
-          case expectation is
-            when header_state =>
-              place <= "000001";
-              behind <= '0';
-              number <= (others => '0');
-              if head_whole = '0' then
-                found := unknown;
-              elsif head(31 downto 0) = query_header and head(63 downto 32) = query_format then
-                expectation <= query_state;
-                if head_last = '1' then
-                  found := too_short;
-                end if;
+          if expectation = header_state then
+            place <= "000001";
+            behind <= '0';
+            number <= (others => '0');
+            if head_whole = '0' then
+              found := unknown;
+            elsif head(31 downto 0) = query_header and head(63 downto 32) = query_format then
+              expectation <= query_state;
+              if head_last = '1' then
+                found := too_short;
+              end if;
 {%- if e.block_ram %}
-              elsif head(31 downto 0) = load_header then
-                expectation <= address_state;
-                if head_last = '1' then
-                  found := too_short;
-                end if;
+            elsif head(31 downto 0) = load_header then
+              expectation <= address_state;
+              if head_last = '1' then
+                found := too_short;
+              end if;
 {%- endif %}
-              elsif is_stop = '1' then
-                stop <= '1';
-              elsif head(31 downto 0) = stop_header then
+            elsif is_stop = '1' then
+              stop <= '1';
+            elsif head(31 downto 0) = stop_header then
+              found := too_long;
+            else
+              found := unknown;
+            end if;
+            if found /= fine then
+              expectation <= skip_state;
+            end if;
+          elsif expectation = query_state then
+            if place = {{ e.options_word }} and behind = '0' then
+              number <= head(63 downto 40);
+            end if;
+            if fault = fine then
+              if head_whole = '0' then
+                found := too_short;
+              elsif behind = '1' then
+                found := too_long;
+              elsif unfit = '1' then
+                found := unknown;
+              elsif head_last = '1' and at_end = '0' then
+                found := too_short;
+              end if;
+            end if;
+{%- if e.block_ram %}
+          elsif expectation = address_state then
+            expectation <= load_state;
+            load_line <= '0' & unsigned(head({{ e.load_bits + 5 }} downto 6));
+            load_place <= "000";
+            load_triangles <= head(31);
+            if head_whole = '0' or head_last = '1' then
+              found := too_short;
+            elsif address_unfit = '1' or head(30 downto {{ e.load_bits + 6 }}) /= "{{ e.load_zeros }}" then
+              found := unknown;
+            end if;
+          elsif expectation = load_state then
+            load_place <= load_place + 1;
+            if load_place = 7 then
+              load_line <= load_line + 1;
+            end if;
+            if fault = fine then
+              if head_whole = '0' then
+                found := too_short;
+              elsif beyond = '1' then
                 found := too_long;
               else
-                found := unknown;
+                block_write <= not load_triangles;
+                triangle_write <= load_triangles;
               end if;
-              if found /= fine then
-                expectation <= skip_state;
-              end if;
-            when query_state =>
-              if place = {{ e.options_word }} and behind = '0' then
-                number <= head(63 downto 40);
-              end if;
-              if fault = fine then
-                if head_whole = '0' then
-                  found := too_short;
-                elsif behind = '1' then
-                  found := too_long;
-                elsif unfit = '1' then
-                  found := unknown;
-                elsif head_last = '1' and at_end = '0' then
-                  found := too_short;
-                end if;
-              end if;
-{%- if e.block_ram %}
-            when address_state =>
-              expectation <= load_state;
-              load_line <= '0' & unsigned(head({{ e.load_bits + 5 }} downto 6));
-              load_place <= "000";
-              load_triangles <= head(31);
-              if head_whole = '0' or head_last = '1' then
-                found := too_short;
-              elsif address_unfit = '1' or head(30 downto {{ e.load_bits + 6 }}) /= "{{ e.load_zeros }}" then
-                found := unknown;
-              end if;
-            when load_state =>
-              load_place <= load_place + 1;
-              if load_place = 7 then
-                load_line <= load_line + 1;
-              end if;
-              if fault = fine then
-                if head_whole = '0' then
-                  found := too_short;
-                elsif beyond = '1' then
-                  found := too_long;
-                else
-                  block_write <= not load_triangles;
-                  triangle_write <= load_triangles;
-                end if;
-              end if;
+            end if;
 {%- endif %}
-            when others =>
-              null;
-          end case;
+          end if;
           fault <= found;
           if head_last = '1' then
             expectation <= header_state;

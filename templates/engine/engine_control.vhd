@@ -208,86 +208,85 @@ begin
 {%- endif %}
       else
         stopped <= stopped or stop;
-        case phase is
-          when waiting_state =>
-            checks <= "00";
-            if job_valid = '0' then
-              stopped <= '0';  -- there is nothing to stop
+        if phase = waiting_state then
+          checks <= "00";
+          if job_valid = '0' then
+            stopped <= '0';  -- there is nothing to stop
+          end if;
+          if taken = '1' then
+            reason_now <= job_reason;
+            phase <= report_state;
+            if job_query = '1' then
+              phase <= check_state;
             end if;
-            if taken = '1' then
-              reason_now <= job_reason;
+          end if;
+        elsif phase = check_state then
+          checks <= checks + 1;
+          if checks = "10" then
+            if outside /= "0000" then
+              reason_now <= "00100";
               phase <= report_state;
-              if job_query = '1' then
-                phase <= check_state;
-              end if;
-            end if;
-          when check_state =>
-            checks <= checks + 1;
-            if checks = "10" then
-              if outside /= "0000" then
-                reason_now <= "00100";
-                phase <= report_state;
-              elsif empty = '1' then
-                reason_now <= "00011";
-                phase <= report_state;
+            elsif empty = '1' then
+              reason_now <= "00011";
+              phase <= report_state;
 {%- if e.axi %}
-              elsif moved = '1' then
-                flush_now <= '1';
-                phase <= flush_state;
+            elsif moved = '1' then
+              flush_now <= '1';
+              phase <= flush_state;
 {%- endif %}
-              else
-                started <= '1';
-                phase <= run_state;
-              end if;
-            end if;
-{%- if e.axi %}
-          when flush_state =>
-            known <= '1';
-            -- The caches say that they are at it from the clock after flush on.
-            checks <= "11";
-            if checks = "11" and flush_now = '0' and flushing = '0' then
+            else
               started <= '1';
               phase <= run_state;
             end if;
-{%- endif %}
-          when run_state =>
-            if reason_now = fine then
-              if {% if e.axi %}memory_error = '1' then
-                reason_now <= "00100";
-              elsif {% endif %}bad_tree = '1' then
-                reason_now <= "00011";
-              elsif contact = '1' then
-                reason_now <= "00001";
-              elsif limit_reached = '1' then
-                reason_now <= "00010";
-              elsif stopped = '1' then
-                reason_now <= "00101";
-                stopped <= '0';
-              end if;
-            end if;
+          end if;
 {%- if e.axi %}
-            if memory_error = '1' then
-              if memory_quiet = '1' then
-                phase <= abort_state;
-              end if;
-            elsif idle = '1' then
-              phase <= report_state;
-            end if;
-          when abort_state =>
-            known <= '0';
-            phase <= report_state;
-{%- else %}
-            if idle = '1' then
-              phase <= report_state;
-            end if;
+        elsif phase = flush_state then
+          known <= '1';
+          -- The caches say that they are at it from the clock after flush on.
+          checks <= "11";
+          if checks = "11" and flush_now = '0' and flushing = '0' then
+            started <= '1';
+            phase <= run_state;
+          end if;
 {%- endif %}
-          when others =>
-            stopped <= '0';
-            if report_done = '1' then
-              reason_now <= fine;
-              phase <= waiting_state;
+        elsif phase = run_state then
+          if reason_now = fine then
+            if {% if e.axi %}memory_error = '1' then
+              reason_now <= "00100";
+            elsif {% endif %}bad_tree = '1' then
+              reason_now <= "00011";
+            elsif contact = '1' then
+              reason_now <= "00001";
+            elsif limit_reached = '1' then
+              reason_now <= "00010";
+            elsif stopped = '1' then
+              reason_now <= "00101";
+              stopped <= '0';
             end if;
-        end case;
+          end if;
+{%- if e.axi %}
+          if memory_error = '1' then
+            if memory_quiet = '1' then
+              phase <= abort_state;
+            end if;
+          elsif idle = '1' then
+            phase <= report_state;
+          end if;
+        elsif phase = abort_state then
+          known <= '0';
+          phase <= report_state;
+{%- else %}
+          if idle = '1' then
+            phase <= report_state;
+          end if;
+{%- endif %}
+        else
+          stopped <= '0';
+          if report_done = '1' then
+            reason_now <= fine;
+            phase <= waiting_state;
+          end if;
+        end if;
       end if;
     end if;
   end process proceed;

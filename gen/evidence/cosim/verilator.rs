@@ -87,7 +87,7 @@ fn bench(design: &Design) -> String {
     bench.render().expect("the template renders")
 }
 
-pub(super) fn find() -> Result<Tool, ToolError> {
+fn find() -> Result<Tool, ToolError> {
     let install = "apt-get install verilator g++ make";
     tools::find(&["verilator"], "--version").ok_or(ToolError::Missing { tool: "Verilator", install })
 }

@@ -91,9 +91,15 @@ pub fn engine_design_files(
     let mut set = FileSet::default();
     let row = |name: &str, what: &str| Row { name: name.to_owned(), what: what.to_owned() };
     let files = vec![
-        row(&format!("{prefix}{NAME}.vhd"), "The engine; the other `.vhd` files are its entities and those of the units."),
+        row(
+            &format!("{prefix}{NAME}.vhd"),
+            "The engine; the other `.vhd` files are its entities and those of the units.",
+        ),
         row(&bench_file, "Testbench, for simulation only."),
-        row(&vector_file, "Meshes, queries of every kind, packets that are none, and the answers of the reference model."),
+        row(
+            &vector_file,
+            "Meshes, queries of every kind, packets that are none, and the answers of the reference model.",
+        ),
         row("files.txt", "All VHDL files in dependency order, the testbench last."),
         row("files-synthesis.txt", "Those of them that are synthesised."),
         row("manifest.json", "Parameters, headers of the stream, latencies, and a SHA-256 per file, for programs."),

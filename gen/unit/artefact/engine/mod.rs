@@ -2,10 +2,10 @@
 //! [`values`] computes, the unit and the volume unit.
 
 mod files;
-mod values;
-pub mod vectors;
 #[cfg(feature = "scenes")]
 pub mod samples;
+mod values;
+pub mod vectors;
 
 use super::volume::volume_files;
 use super::{Prefix, origin, vhdl_files};
@@ -124,7 +124,6 @@ entities! {
     ReadMaster "engine/engine_read_master.vhd";
     Engine "engine/efsat_engine.vhd";
     Bench "engine/efsat_engine_tb.vhd";
-    Program "engine/efsat_engine_tb.cpp";
 }
 
 #[derive(Template)]
@@ -148,7 +147,11 @@ struct CacheText<'a> {
 ///
 /// # Errors
 /// A name that some tool would refuse.
-pub fn engine_files(design: &EngineDesign, prefix: &Prefix, command_line: &str) -> Result<Vec<(String, String)>, Clash> {
+pub fn engine_files(
+    design: &EngineDesign,
+    prefix: &Prefix,
+    command_line: &str,
+) -> Result<Vec<(String, String)>, Clash> {
     let values = Values::new(design);
     let header = origin();
     let mut files = vhdl_files(&design.unit, prefix, command_line)?;
@@ -183,11 +186,6 @@ pub fn bench(design: &EngineDesign, prefix: &Prefix) -> String {
     Bench::text(&origin(), prefix, &Values::new(design))
 }
 
-/// The testbench of a netlist, in C++.
-pub fn program(design: &EngineDesign) -> String {
-    Program::text(&origin(), &Prefix::default(), &Values::new(design))
-}
-
 /// Files of one name are one file: multipliers that the unit and the volume unit both have.
 fn once_each(files: Vec<(String, String)>) -> Vec<(String, String)> {
     let mut known = BTreeMap::new();
@@ -202,7 +200,9 @@ fn description(design: &EngineDesign) -> Vec<String> {
             "Trees are in block RAM, {} blocks and {} triangles, filled through the stream.",
             params.block_lines, params.triangle_lines
         ),
-        Memory::Axi => format!("Trees are in memory behind an AXI4 read master, words of {} bits.", params.memory_width),
+        Memory::Axi => {
+            format!("Trees are in memory behind an AXI4 read master, words of {} bits.", params.memory_width)
+        }
     };
     let lines = [
         "The collision engine: two trees and a pose in, the pairs of triangles that touch out.".to_owned(),

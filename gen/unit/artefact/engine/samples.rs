@@ -30,7 +30,10 @@ pub fn cuboid(x: u32, y: u32, z: u32) -> Mesh {
         Point3::new(at(0, x), at(1, y), at(2, z))
     });
     let sides = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
-    Mesh { vertices: vertices.collect(), faces: sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect() }
+    Mesh {
+        vertices: vertices.collect(),
+        faces: sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]).collect(),
+    }
 }
 
 /// A turn about an axis by the angle of the triangle 3, 4, 5.
@@ -46,7 +49,8 @@ pub fn turn(axis: usize) -> [[f64; 3]; 3] {
 /// # Errors
 /// If the meshes are too large for the memory, or their trees for the stack.
 pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
-    let numbers = Numbers::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
+    let numbers =
+        Numbers::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
     let meshes = [hills(6), cuboid(3, 4, 2)];
     let images = Image::build(&[&meshes[0], &meshes[1]], &design.format).expect("small meshes");
     let images: Vec<&Image> = images.iter().collect();
@@ -66,7 +70,9 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
     let mut vectors = EngineVectors::new(design, &images);
     let sides = [0, 1].map(|i| vectors.side(i));
     let make = |a: usize, b: usize, axis: usize, t: [f64; 3]| {
-        numbers.query([(images[a], sides[a]), (images[b], sides[b])], &turn(axis), &t).expect("a pose inside the ranges")
+        numbers
+            .query([(images[a], sides[a]), (images[b], sides[b])], &turn(axis), &t)
+            .expect("a pose inside the ranges")
     };
     let crossing = Query { number: 1, ..make(0, 1, 2, [2.5, 1.0, -1.0]) };
     vectors.query(&crossing);

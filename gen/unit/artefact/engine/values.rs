@@ -210,11 +210,31 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
     let params = &design.params;
     let axi = params.memory == Memory::Axi;
     let (entity, what, count, line_bits, number_bits) = match (axi, triangles) {
-        (false, false) => ("engine_block_memory", "Blocks", params.block_lines, block_bits(&design.format), params.block_number_bits),
-        (false, true) => ("engine_triangle_memory", "Triangles", params.triangle_lines, design.format.triangle().bits, LINK_NUMBER_BITS),
+        (false, false) => {
+            ("engine_block_memory", "Blocks", params.block_lines, block_bits(&design.format), params.block_number_bits)
+        }
+        (false, true) => (
+            "engine_triangle_memory",
+            "Triangles",
+            params.triangle_lines,
+            design.format.triangle().bits,
+            LINK_NUMBER_BITS,
+        ),
         // One for each side.
-        (true, false) => ("engine_block_cache", "Blocks", params.block_lines / 2, block_bits(&design.format), params.block_number_bits),
-        (true, true) => ("engine_triangle_cache", "Triangles", params.triangle_lines / 2, design.format.triangle().bits, LINK_NUMBER_BITS),
+        (true, false) => (
+            "engine_block_cache",
+            "Blocks",
+            params.block_lines / 2,
+            block_bits(&design.format),
+            params.block_number_bits,
+        ),
+        (true, true) => (
+            "engine_triangle_cache",
+            "Triangles",
+            params.triangle_lines / 2,
+            design.format.triangle().bits,
+            LINK_NUMBER_BITS,
+        ),
     };
     let word_bits = if axi { params.memory_width } else { WORD };
     let words_per_line = line_bits.div_ceil(word_bits);
@@ -271,13 +291,30 @@ fn unit_inputs(p: &Params, format: &EngineFormat, pose: &StreamFormat) -> Vec<Co
 }
 
 fn caches() -> Vec<Cache> {
-    let cache = |label, entity, base, request, number, taken, line| Cache { label, entity, base, request, number, taken, line };
+    let cache =
+        |label, entity, base, request, number, taken, line| Cache { label, entity, base, request, number, taken, line };
     let [blocks, triangles] = ["engine_block_cache", "engine_triangle_cache"];
     vec![
         cache("blocks_of_a", blocks, "block_base_a", "both_blocks_ask", "request_a", "blocks_taken", "block_a"),
         cache("blocks_of_b", blocks, "block_base_b", "both_blocks_ask", "request_b", "blocks_taken", "block_b"),
-        cache("triangles_of_a", triangles, "triangle_base_a", "both_triangles_ask", "leaf_a", "triangles_taken", "triangle_a"),
-        cache("triangles_of_b", triangles, "triangle_base_b", "both_triangles_ask", "leaf_b", "triangles_taken", "triangle_b"),
+        cache(
+            "triangles_of_a",
+            triangles,
+            "triangle_base_a",
+            "both_triangles_ask",
+            "leaf_a",
+            "triangles_taken",
+            "triangle_a",
+        ),
+        cache(
+            "triangles_of_b",
+            triangles,
+            "triangle_base_b",
+            "both_triangles_ask",
+            "leaf_b",
+            "triangles_taken",
+            "triangle_b",
+        ),
     ]
 }
 
@@ -340,7 +377,9 @@ impl Values {
             pair_bits: params.pair_queue.ilog2(),
             open_bits: 32 - open.leading_zeros(),
             block_bits: block_bits(format),
-            codes: (0..2 * k).map(|i| bits_at(BlockLayout::CODES_AT + format.offset_bits * i, format.offset_bits)).collect(),
+            codes: (0..2 * k)
+                .map(|i| bits_at(BlockLayout::CODES_AT + format.offset_bits * i, format.offset_bits))
+                .collect(),
             codes_at: BlockLayout::CODES_AT,
             code_count: 2 * k as usize,
             offset_bits: format.offset_bits,
@@ -430,6 +469,9 @@ impl Values {
 
 // The places of the flags are fixed in the text of the templates.
 const _: () = assert!(
-    QueryFlags::FIRST_CONTACT == 32 && QueryFlags::ALL_PAIRS == 33 && QueryFlags::LEAF_PAIRS == 34
-        && QueryFlags::EMPTY_CACHES == 35 && QueryFlags::NUMBER_AT == 40
+    QueryFlags::FIRST_CONTACT == 32
+        && QueryFlags::ALL_PAIRS == 33
+        && QueryFlags::LEAF_PAIRS == 34
+        && QueryFlags::EMPTY_CACHES == 35
+        && QueryFlags::NUMBER_AT == 40
 );

@@ -58,7 +58,8 @@ impl<'a> EngineVectors<'a> {
     /// If they do not fit into block RAM.
     pub fn new(design: &'a EngineDesign, images: &[&Image]) -> Self {
         let (memory, sides) = memory(images);
-        let model = Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
+        let model =
+            Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
         let mut vectors =
             Self { design, model, memory, placed: sides.clone(), sides, text: format!("{}\n", formats_line(design)) };
         match design.params.memory {
@@ -78,9 +79,13 @@ impl<'a> EngineVectors<'a> {
         for i in 0..self.sides.len() {
             let side = self.sides[i];
             self.placed[i] = Side { blocks_at: block, triangles_at: triangle, ..side };
-            for (from, to, count) in [(side.blocks_at, block, side.blocks), (side.triangles_at, triangle, side.triangles)] {
+            for (from, to, count) in
+                [(side.blocks_at, block, side.blocks), (side.triangles_at, triangle, side.triangles)]
+            {
                 let words = &self.memory[from as usize * LINE_WORDS..][..count as usize * LINE_WORDS];
-                let words = [self.design.format.header(Command::Load), u64::from(to) * u64::from(STRIDE)].into_iter().chain(words.iter().copied());
+                let words = [self.design.format.header(Command::Load), u64::from(to) * u64::from(STRIDE)]
+                    .into_iter()
+                    .chain(words.iter().copied());
                 let words: Vec<u64> = words.collect();
                 self.packet(&words);
                 self.expect(&[], &EngineReport::default(), Compared::All);
@@ -111,7 +116,10 @@ impl<'a> EngineVectors<'a> {
     pub fn query(&mut self, query: &Query) {
         let mut placed = query.clone();
         for side in &mut placed.sides {
-            let i = self.sides.iter().position(|known| (known.blocks_at, known.triangles_at) == (side.blocks_at, side.triangles_at));
+            let i = self
+                .sides
+                .iter()
+                .position(|known| (known.blocks_at, known.triangles_at) == (side.blocks_at, side.triangles_at));
             let there = self.placed[i.expect("a side of an image")];
             (side.blocks_at, side.triangles_at) = (there.blocks_at, there.triangles_at);
         }
