@@ -500,7 +500,9 @@ mod tests {
         let found: HashSet<usize> = edges.map(|edge| edge.0).collect();
         let of = |from: usize, to: usize| found.iter().filter(|number| (from..to).contains(*number)).count();
         assert_eq!([of(0, 50), of(50, 100)], [15, 15], "determinants");
-        assert_eq!(of(in_plane::FIRST, 1000), 26, "cases of pairs in one plane");
+        // Pairs on one line that are apart along one coordinate alone are decided by the boxes of the first stage.
+        let missing: Vec<usize> = (0..26).filter(|rule| !found.contains(&(in_plane::FIRST + rule))).collect();
+        assert_eq!(missing, [3], "cases of pairs in one plane");
         let open = pairs.iter().filter(|(pose, pair)| golden.is_open(pose, pair)).count();
         assert!((60..150).contains(&open), "{open} open");
     }
