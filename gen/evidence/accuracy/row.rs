@@ -20,7 +20,7 @@ pub struct Row {
     pub intersect: Share,
     /// Answers "possibly incorrect".
     pub possibly_incorrect: Share,
-    /// Million pairs a second at full speed, retests left out.
+    /// Million pairs per second at full speed, retests left out.
     pub million_pairs_per_second: f64,
     /// The hardware's time a pair, ns.
     pub hardware_ns: f64,
