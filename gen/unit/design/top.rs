@@ -272,7 +272,7 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     let signals = m.instance("control", &control, &control_inputs);
     let of = |name: &str| sequencer::output(&control, &signals, name);
 
-    // The pair of the running slot; without one the last pair stays, so that nothing toggles.
+    // The pair of the running slot; without one the last pair stays, so that what idle inputs carry goes no further.
     let mut inputs: HashMap<Place, Wire> = HashMap::new();
     for (place, port) in pair {
         let held = Place { base: place.base.replace("in_", "pair_"), ..place.clone() };
