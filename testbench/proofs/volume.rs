@@ -5,8 +5,14 @@ use super::determinants::cut_product;
 use super::unit::Mistake::{NoUlp, OtherElement, Reversed, WrongArm, WrongGate, WrongSign, WrongSlice};
 use super::unit::Subject;
 use efsat::design::engine::volume_unit::VolumeDesign;
+use efsat::directions::Directions;
 use efsat::params::engine::EngineFormat;
 use efsat::params::{EngineParams, Params};
+
+/// An engine of the default widths with an expansion per clock.
+fn engine(directions: Directions) -> EngineParams {
+    EngineParams { directions, expansion_clocks: 1, ..EngineParams::default() }
+}
 
 /// The formats of the default engine.
 fn format() -> EngineFormat {
@@ -14,10 +20,13 @@ fn format() -> EngineFormat {
 }
 
 fn of(entity: &str, property: &'static str) -> Claim {
-    let engine = EngineParams { expansion_clocks: 1, ..EngineParams::default() };
-    let design = VolumeDesign::new(&engine, &Params::default()).expect("the default engine");
+    of_engine(&engine(Directions::Eighteen), entity, property)
+}
+
+fn of_engine(engine: &EngineParams, entity: &str, property: &'static str) -> Claim {
+    let design = VolumeDesign::new(engine, &Params::default()).expect("the default widths");
     let EngineParams { origin_bits, offset_bits, factor_bits, .. } = engine;
-    let widths = format!("{origin_bits}/{offset_bits}/{factor_bits} bits");
+    let widths = format!("{origin_bits}/{offset_bits}/{factor_bits} bits, k = {}", engine.directions.count());
     Claim::new(Subject::new(&design.stage, &format!("volume_{entity}")), widths, property)
 }
 
@@ -96,9 +105,10 @@ pub fn no_point_in_both() -> Claim {
 
 /// From the words of the query and the codes of both blocks to the answer, from any values of the units on the way: with the
 /// claims of these the whole path, at one expansion per clock.
-pub fn path() -> Claim {
-    let format = format();
-    let mut claim = of("path", "operands of all units; answer by the flags of all directions");
+pub fn path(directions: Directions) -> Claim {
+    let engine = engine(directions);
+    let format = engine.format(&Params::default()).expect("the default widths");
+    let mut claim = of_engine(&engine, "path", "operands of all units; answer by the flags of all directions");
     let axes = ["x", "y", "z"];
     for (i, axis) in axes.into_iter().enumerate() {
         let lane = format!("d_lane{i}");
@@ -146,7 +156,7 @@ pub fn path() -> Claim {
             claim.cut(&format!("{v}_aligned")).seen_ports(&v, &["x", "exponent"]);
             claim.shown(format!("{v}_x == a_code{p}_{} && {v}_exponent == a_exponent", h ^ 1));
             claim.seen_ports(&test, &[&format!("v{p}")]).shown(format!("{test}_v{p} == {v}_aligned"));
-            claim.cut(&format!("{test}_apart{p}"));
+            claim.seen_ports(&test, &[&format!("apart{p}")]);
             apart[2 * p + q].push(format!("{test}_apart{p} != 0"));
         }
     }
@@ -156,7 +166,10 @@ pub fn path() -> Claim {
             .shown(format!("survive{pair} == (a_take{p} != 0 && b_take{q} != 0 && !({}) ? 1 : 0)", apart.join(" || ")));
     }
     claim.room_for(4);
-    claim.mutant(OtherElement, "term0_unit_codes(k)(0)").mutant(WrongSign, "axis_bound(i)(0)");
-    claim.mutant(Reversed, "axis_bound(i)(1)").mutant(WrongGate, "survive(0)");
+    claim.mutant(WrongSign, "axis_bound(i)(0)|bound(0)").mutant(Reversed, "axis_bound(i)(1)|bound(1)");
+    if directions == Directions::Eighteen {
+        claim.mutant(OtherElement, "term0_unit_codes(k)(0)");
+    }
+    claim.mutant(WrongGate, "survive(0)");
     claim
 }
