@@ -201,7 +201,8 @@ begin
   writes <= word_valid and order_there and order({{ m.line_address_bits }}) and not filled;
   last_word <= writes when word_place = {{ m.words_per_line - 1 }} else '0';
   line_valid <= found;
-  whole <= {% for i in m.word_places %}line_word({{ i }}){% if !loop.last %} & {% endif %}{% endfor %};
+  whole <= {% for i in m.word_places %}line_word({{ i }}){% if !loop.last %}
+    & {% endif %}{% endfor %};
   data <= whole({{ m.line_bits - 1 }} downto 0);
 
   serve : process (clk)

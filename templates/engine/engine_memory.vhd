@@ -51,8 +51,10 @@ begin
   accepts <= moves or not asked;
   request_ready <= accepts;
   lines_valid <= found;
-  whole_a <= {% for i in m.word_places %}words_a({{ i }}){% if !loop.last %} & {% endif %}{% endfor %};
-  whole_b <= {% for i in m.word_places %}words_b({{ i }}){% if !loop.last %} & {% endif %}{% endfor %};
+  whole_a <= {% for i in m.word_places %}words_a({{ i }}){% if !loop.last %}
+    & {% endif %}{% endfor %};
+  whole_b <= {% for i in m.word_places %}words_b({{ i }}){% if !loop.last %}
+    & {% endif %}{% endfor %};
   line_a <= whole_a({{ m.line_bits - 1 }} downto 0);
   line_b <= whole_b({{ m.line_bits - 1 }} downto 0);
   place_a <= unsigned(write_line) when write_valid = '1' else asked_a;

@@ -16,7 +16,6 @@ use crate::params::engine::{EngineFormat, EngineParams, Memory};
 use crate::params::{ParamError, Params};
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
-use std::collections::BTreeMap;
 use values::{Lines, Values};
 
 pub use files::engine_design_files;
@@ -178,18 +177,12 @@ pub fn engine_files(
     top.push(command_line.to_owned());
     top.extend(description(design));
     add(NAME, Engine::text(&top, prefix, &values));
-    Ok(once_each(files))
+    Ok(files)
 }
 
 /// The testbench.
 pub fn bench(design: &EngineDesign, prefix: &Prefix) -> String {
     Bench::text(&origin(), prefix, &Values::new(design))
-}
-
-/// Files of one name are one file: multipliers that the unit and the volume unit both have.
-fn once_each(files: Vec<(String, String)>) -> Vec<(String, String)> {
-    let mut known = BTreeMap::new();
-    files.into_iter().filter(|(name, text)| known.insert(name.clone(), text.clone()).is_none()).collect()
 }
 
 /// What the header of the engine says.
