@@ -272,12 +272,15 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     let signals = m.instance("control", &control, &control_inputs);
     let of = |name: &str| sequencer::output(&control, &signals, name);
 
-    // The pair of the running slot; without one the last pair stays, so that what idle inputs carry goes no further.
+    // The pair of the running slot; without one the last pair stays, so that what idle inputs carry goes no further. With one
+    // pair per clock a pair that waits is loaded again in each clock until it is accepted. So what enables these registers, of
+    // which some are far from the others, is a port, and not the end of the logic that accepts.
+    let load = if interval == 1 { in_valid } else { of("accept") };
     let mut inputs: HashMap<Place, Wire> = HashMap::new();
     for (place, port) in pair {
         let held = Place { base: place.base.replace("in_", "pair_"), ..place.clone() };
         let register = m.register(held, port.ty());
-        register.loads(port, Some(of("accept")), None);
+        register.loads(port, Some(load), None);
         inputs.insert(place, register);
     }
     if let (Some(bypass), Some(reading)) = (bypass, reading) {
