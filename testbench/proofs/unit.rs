@@ -59,7 +59,7 @@ pub struct Subject {
 
 impl Subject {
     /// The entity `name` in the hierarchy of a module.
-    fn new(top: &Rc<Module>, name: &str) -> Self {
+    pub fn new(top: &Rc<Module>, name: &str) -> Self {
         let modules = top.hierarchy();
         let module = modules.iter().find(|m| m.name == name).unwrap_or_else(|| panic!("no entity {name}"));
         let needed: Vec<String> = module.hierarchy().iter().map(|m| m.name.clone()).collect();

@@ -2,9 +2,9 @@
 
 use super::claim::{Claim, number};
 use super::determinants::cut_product;
-use super::unit::Mistake::{NoUlp, OtherElement, Reversed, WrongArm, WrongGate, WrongSign, WrongSlice};
+use super::unit::Mistake::{NoUlp, Reversed, WrongArm, WrongSign, WrongSlice};
 use super::unit::Subject;
-use efsat::design::engine::volume_path;
+use efsat::design::engine::volume_unit::VolumeDesign;
 use efsat::params::engine::EngineFormat;
 use efsat::params::{EngineParams, Params};
 
@@ -14,10 +14,11 @@ fn format() -> EngineFormat {
 }
 
 fn of(entity: &str, property: &'static str) -> Claim {
-    let path = volume_path::unit(&format(), 1);
-    let EngineParams { origin_bits, offset_bits, factor_bits, .. } = EngineParams::default();
+    let engine = EngineParams { expansion_clocks: 1, ..EngineParams::default() };
+    let design = VolumeDesign::new(&engine, &Params::default()).expect("the default engine");
+    let EngineParams { origin_bits, offset_bits, factor_bits, .. } = engine;
     let widths = format!("{origin_bits}/{offset_bits}/{factor_bits} bits");
-    Claim::new(Subject::of_unit(&path, &format!("volume_{entity}")), widths, property)
+    Claim::new(Subject::new(&design.stage, &format!("volume_{entity}")), widths, property)
 }
 
 /// A component of D.
@@ -90,72 +91,5 @@ pub fn no_point_in_both() -> Claim {
     let bits = claim.subject.input("u").bits + 2;
     claim.between("point", "-v0", "bound + u", bits).shown("apart0 == 0");
     claim.mutant(WrongSign, "reach").mutant(WrongSign, "apart_sum(k)");
-    claim
-}
-
-/// From the words of the query and the codes of both blocks to the answer, from any values of the units on the way: with the
-/// claims of these the whole path, at one expansion per clock.
-pub fn path() -> Claim {
-    let format = format();
-    let mut claim = of("path", "operands of all units; answer by the flags of all directions");
-    let axes = ["x", "y", "z"];
-    for (i, axis) in axes.into_iter().enumerate() {
-        let lane = format!("d_lane{i}");
-        claim.cut(&format!("{lane}_d")).seen_ports(&lane, &["t", "o_a"]);
-        claim.shown(format!("{lane}_t == query_shift_{axis} && {lane}_o_a == a_origin_{axis}"));
-        for column in axes {
-            claim.seen_ports(&lane, &[&format!("m_{column}"), &format!("o_b_{column}")]);
-            claim.shown(format!(
-                "{lane}_m_{column} == query_pose{i}_{column} && {lane}_o_b_{column} == b_origin_{column}"
-            ));
-        }
-    }
-    let drop = format.factor_fraction();
-    claim.value("ceiling", format!("b_exponent < {drop} ? ((1 <<< ({drop} - b_exponent)) - 1) : 0"));
-    let mut apart = vec![vec![]; 4];
-    for unit in 0..2 * format.directions.count() {
-        let (h, q) = (unit / 2, unit % 2);
-        let row = format!("query_row{h}");
-        let s = format!("s{unit}");
-        for (slot, directions) in format.directions.slots().into_iter().enumerate() {
-            let term = format!("term{slot}_{unit}");
-            claim.cut(&format!("{term}_code")).seen_ports(&term, &["choice"]);
-            claim.shown(format!("{term}_choice == {row}_choice{slot}"));
-            for (i, j) in directions.iter().enumerate() {
-                claim.seen_ports(&term, &[&format!("codes{i}")]);
-                claim.shown(format!("{term}_codes{i} == b_code{q}_{j}"));
-            }
-            claim.seen_ports(&s, &[&format!("codes{slot}"), &format!("factors{slot}")]);
-            claim.shown(format!("{s}_codes{slot} == {term}_code && {s}_factors{slot} == {row}_factor{slot}"));
-        }
-        claim.cut(&format!("{s}_s")).seen_ports(&s, &["rest", "ceiling"]);
-        claim.shown(format!("{s}_rest == {row}_rest && {s}_ceiling == ceiling"));
-        let (u, test) = (format!("u{unit}"), format!("apart{unit}"));
-        claim.cut(&format!("{u}_aligned")).seen_ports(&u, &["x", "exponent"]);
-        claim.shown(format!("{u}_x == {s}_s && {u}_exponent == b_exponent"));
-        claim.seen_ports(&test, &["bound", "u"]).shown(format!("{test}_u == {u}_aligned"));
-        let of_axis = |(i, entry): (usize, i8)| {
-            let sign = if entry < 0 { "-" } else { "+" };
-            (entry != 0).then(|| format!("(query_error_{} {sign} d_lane{i}_d)", axes[i]))
-        };
-        let terms = format.directions.vector(h).into_iter().enumerate().filter_map(of_axis);
-        claim.shown(format!("{test}_bound == {}", terms.collect::<Vec<_>>().join(" + ")));
-        for p in 0..2 {
-            let v = format!("v{unit}_{p}");
-            claim.cut(&format!("{v}_aligned")).seen_ports(&v, &["x", "exponent"]);
-            claim.shown(format!("{v}_x == a_code{p}_{} && {v}_exponent == a_exponent", h ^ 1));
-            claim.seen_ports(&test, &[&format!("v{p}")]).shown(format!("{test}_v{p} == {v}_aligned"));
-            claim.cut(&format!("{test}_apart{p}"));
-            apart[2 * p + q].push(format!("{test}_apart{p} != 0"));
-        }
-    }
-    for (pair, apart) in apart.into_iter().enumerate() {
-        let (p, q) = (pair / 2, pair % 2);
-        claim
-            .shown(format!("survive{pair} == (a_take{p} != 0 && b_take{q} != 0 && !({}) ? 1 : 0)", apart.join(" || ")));
-    }
-    claim.room_for(4);
-    claim.mutant(OtherElement, "term0_unit_codes(k)(0)").mutant(WrongSign, "axis_bound(i)(0)");
-    claim.mutant(Reversed, "axis_bound(i)(1)").mutant(WrongGate, "survive(0)");
     claim
 }
