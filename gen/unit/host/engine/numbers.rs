@@ -151,10 +151,9 @@ impl Numbers {
     fn pose(&self, [a, b]: [&Header; 2], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Pose, Refusal> {
         let fraction = self.format.word_fraction();
         let mut pose = Pose { m: [[Input::default(); 3]; 3], t: [Input::default(); 3], bypass: false };
-        for row in 0..3 {
+        for (row, entries) in m.iter().enumerate() {
             let mut shift = Dyadic::from(t[row]) - Dyadic::from(a.centre[row]);
-            for column in 0..3 {
-                let found = m[row][column];
+            for (column, &found) in entries.iter().enumerate() {
                 let entry = Dyadic::from(found).quantised(fraction, self.unit.one());
                 pose.m[row][column] = self.input(entry.ok_or(Refusal::Entry { row, column, found })?);
                 shift = shift + Dyadic::from(found) * Dyadic::from(b.centre[column]);

@@ -256,7 +256,7 @@ impl EngineFormat {
     /// The header word of a command.
     pub fn header(&self, command: Command) -> u64 {
         let high = if command == Command::Query { self.header_high() } else { 0 };
-        let low = self.stream.header(Kind::Pose) - Kind::Pose as u32 | command as u32;
+        let low = self.stream.header(Kind::Pose) - Kind::Pose as u32 + command as u32;
         u64::from(low) | u64::from(high) << 32
     }
 
