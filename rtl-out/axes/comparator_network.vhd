@@ -1,5 +1,5 @@
 --------------------------------------------------------------------------------
--- One axis decided by comparing every point of A with every point of B (equations 3 and 6):
+-- Decides one axis by comparing every point of A with every point of B (equations 3 and 6):
 --   above: b_lo > a_hi; below: a_lo > b_hi
 --   separated   = all above or all below, so b_min_lo > a_max_hi or a_min_lo > b_max_hi
 --   overlapping = some above and some below, so a_min_hi < b_max_lo and b_min_hi < a_max_lo (sound in place of

@@ -133,7 +133,7 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if control_accept = '1' then
+      if in_valid = '1' then
         pair_v(0)(0) <= signed(in_v0_x);
         pair_v(0)(1) <= signed(in_v0_y);
         pair_v(0)(2) <= signed(in_v0_z);
