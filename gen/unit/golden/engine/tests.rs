@@ -62,3 +62,29 @@ fn blocks_of_no_tree_are_refused() {
     let message = "code 0 of child 0: -512: expected at least -511";
     assert_eq!(with(|w| w[2] = w[2] & !(0x3ff << 24) | 0x200 << 24), message);
 }
+
+/// With 4-bit codes and factors: U is the least whole number not below the sum of its row, for every factor, code and exponent.
+#[test]
+fn bounds_of_rows_are_rounded_up() {
+    let engine = EngineParams {
+        directions: Directions::Six,
+        origin_bits: 10,
+        offset_bits: 4,
+        factor_bits: 4,
+        ..EngineParams::default()
+    };
+    let format = engine.format(&Params::default()).unwrap();
+    let none = [0; 6];
+    for (factor, rest) in (0..16).flat_map(|factor| (0..8).map(move |rest| (factor, rest))) {
+        let row = Row { terms: [(0, factor), (0, 0), (0, 0)], rest };
+        let frame = Frame { matrix: [[0; 3]; 3], shift: [0; 3], errors: [0; 3], rows: vec![row; 6] };
+        for (code, exponent) in (-7..=7).flat_map(|code| (0..16).map(move |exponent| (code, exponent))) {
+            let codes = [code; 6];
+            let (a, b) = (Volume { exponent: 0, codes: &none }, Volume { exponent, codes: &codes });
+            let [base, upper, _] = bounds(0, &[0; 3], &frame, &a, &b, &format);
+            // In steps of 2^-3.
+            let sum = (i64::from(factor) * i64::from(code) + i64::from(rest)) << exponent;
+            assert!(base == 0 && 8 * upper >= sum && 8 * (upper - 1) < sum, "{factor} {code} {rest} {exponent}");
+        }
+    }
+}
