@@ -136,7 +136,7 @@ fn answers_and_reports_equal_the_reference_models() {
         (EngineParams { directions: Directions::Fourteen, offset_bits: 9, ..axi() }, small(), &["-gpasses=3"]),
         (EngineParams { directions: Directions::Six, factor_bits: 10, ..block_ram() }, small(), &[]),
     ];
-    let wrong: Vec<String> = cases
+    let wrong: Vec<String> = share(9, cases)
         .par_iter()
         .filter_map(|(engine, unit, options)| {
             let bench = Bench::new(ghdl, engine, unit);
@@ -255,7 +255,7 @@ fn a_wrong_engine_is_noticed() {
     let bench = Bench::new(ghdl, &axi(), &small());
     let report = bench.run(quick);
     assert!(fine(&report), "{report}");
-    let unnoticed: Vec<&str> = changes
+    let unnoticed: Vec<&str> = share(5, changes)
         .iter()
         .filter_map(|(file, from, to, options)| {
             let text = bench.files.get(file).unwrap();
@@ -291,6 +291,7 @@ fn a_tree_that_is_too_high_is_refused() {
 
 /// Headlights against each other: some queries of the default scene, one behind the other. Prints how many clocks they take.
 #[test]
+#[ignore = "takes many minutes; run by scripts/test full"]
 fn queries_of_the_default_scene() {
     let Some(ghdl) = ghdl() else { return };
     let scene = Scene::default_scene();
