@@ -207,7 +207,11 @@ fn read_mesh(path: &Path) -> Result<(), String> {
     let finite = mesh.vertices.iter().all(|vertex| vertex.iter().all(|x| x.is_finite()));
     assert!(finite && mesh.faces.iter().flatten().all(|vertex| (*vertex as usize) < mesh.vertices.len()));
     scene::Tree::new(&mesh);
-    mesh::Snapped::new(&mesh, mesh::Snapped::finest(&mesh, 131_071.0));
+    if let Some(grid) = mesh::Snapped::finest(&mesh, 131_071.0)
+        && mesh::Snapped::most(&mesh) / grid < 2f64.powi(53)
+    {
+        mesh::Snapped::new(&mesh, grid);
+    }
     Ok(())
 }
 

@@ -13,6 +13,7 @@ use crate::design::Design;
 use crate::design::top::pace;
 use crate::estimate;
 use crate::params::Params;
+use crate::params::engine::Memory;
 use crate::params::options::Choice;
 use crate::params::stream::StreamWidth;
 use crate::synth::{SynthError, verilog};
@@ -212,6 +213,7 @@ struct EngineWritten {
     files: usize,
     device: &'static str,
     multipliers: usize,
+    multipliers_of_device: usize,
     frequency_mhz: u32,
     clocks_per_expansion: usize,
     clocks_per_pair: usize,
@@ -219,10 +221,11 @@ struct EngineWritten {
 
 impl fmt::Display for EngineWritten {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { out, files, device, multipliers, frequency_mhz, .. } = self;
+        let Self { out, files, device, multipliers, multipliers_of_device: all, frequency_mhz, .. } = self;
         writeln!(f, "{out}: {files} files")?;
-        writeln!(f, "{multipliers} multipliers, units pipelined for {frequency_mhz} MHz on {device}")?;
-        writeln!(f, "one expansion every {} clocks, {}", self.clocks_per_expansion, pace(self.clocks_per_pair))
+        writeln!(f, "{multipliers} multipliers ({device} has {all}), units pipelined for {frequency_mhz} MHz")?;
+        let expansions = pace(self.clocks_per_expansion).replacen("pair", "expansion", 1);
+        writeln!(f, "{expansions}, {}", pace(self.clocks_per_pair))
     }
 }
 
@@ -231,6 +234,12 @@ fn engine(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
     if arguments.params.has("tag-width") {
         let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
         return Err(Failure::Usage(format!("--tag-width {}: {why}", params.tag_width)));
+    }
+    if arguments.verilog {
+        return Err(Failure::Usage("--verilog with --engine: expected one of the two".to_owned()));
+    }
+    if arguments.engine_params.params().memory == Memory::BlockRam && arguments.engine_params.has("memory-width") {
+        return Err(Failure::Usage("--memory-width with --memory block-ram: expected --memory axi".to_owned()));
     }
     let Some(out) = &arguments.out else {
         return Err(Failure::Usage("no --out: expected --out DIR with --engine".to_owned()));
@@ -256,11 +265,21 @@ fn engine(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
         files: set.len(),
         device: design.unit.device.name,
         multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
+        multipliers_of_device: design.unit.device.multipliers as usize,
         frequency_mhz: design.unit.params.frequency,
         clocks_per_expansion: design.volume.interval,
         clocks_per_pair: design.unit.interval,
     };
-    if arguments.json { print_json(&written) } else { print(&written.to_string()) }
+    if arguments.json {
+        print_json(&written)?
+    } else {
+        print(&written.to_string())?
+    }
+    if written.multipliers > written.multipliers_of_device {
+        let EngineWritten { device, multipliers, multipliers_of_device: all, .. } = written;
+        warn(&format!("{device} has {all} multipliers; the design takes {multipliers}"));
+    }
+    Ok(())
 }
 
 /// Writes or checks the ready designs.

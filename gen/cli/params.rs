@@ -44,6 +44,11 @@ impl EngineArguments {
         &self.typed
     }
 
+    /// Whether an option was typed.
+    pub fn has(&self, option: &str) -> bool {
+        self.given.iter().any(|(typed, _)| *typed == option)
+    }
+
     /// The first option that was typed, and its value.
     pub fn first(&self) -> Option<&(&'static str, String)> {
         self.given.first()

@@ -122,7 +122,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mesh = Some(arguments.mesh.as_path()).filter(|mesh| mesh.exists());
     file::distinct(mesh.into_iter().chain(outputs.into_iter().flatten().map(PathBuf::as_path)))?;
     let most = f64::from((1u32 << (arguments.width - 1)) - 1);
-    let grid = arguments.grid.unwrap_or_else(|| Snapped::finest(&original, most));
+    let grid = arguments.grid.or_else(|| Snapped::finest(&original, most)).ok_or_else(|| {
+        let why = "no power of two is a grid for a mesh as large or as small as this; expected --grid STEP";
+        Failure::Usage(format!("{}: {why}", arguments.mesh.display()))
+    })?;
     if Snapped::most(&original) / grid >= 2f64.powi(53) {
         let message = format!("--grid {grid:e}: a coordinate has 2^53 units or more; expected a coarser grid");
         return Err(Failure::Usage(message));

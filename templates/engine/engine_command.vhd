@@ -3,7 +3,8 @@
 {% endfor -%}
 --
 -- Packets in, words of 64 bits. The header is in the low 32 bits of the first word; its low byte is the kind of the packet:
---   3  query: {{ e.query_words }} words with the header; bits 39..32 of the first are {{ e.directions }}, bits 43..40 {{ e.offset_bits }}, the others above zero
+--   3  query: {{ e.query_words }} words with the header; above it the first has
+--      {{ e.directions }} in bits 39..32, {{ e.offset_bits }} in 43..40, {{ e.factor_bits }} in 48..44, {{ e.origin_bits }} in 53..49, and zeros
 {%- if e.block_ram %}
 --   4  load: a byte address, a multiple of 64, and words for the memory from there on: below 2^31 blocks, from 2^31 on triangles
 {%- endif %}

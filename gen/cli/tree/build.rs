@@ -2,7 +2,7 @@
 
 use super::VolumeArguments;
 use crate::cli::error::Failure;
-use crate::cli::file::Output;
+use crate::cli::file::{self, Output};
 use crate::cli::output::{print, warn};
 use crate::cli::params::{choice, whole};
 use crate::cli::source::load_mesh;
@@ -49,9 +49,13 @@ fn mesh(path: &Path) -> Result<Mesh, Failure> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let paths = || std::iter::once(&arguments.mesh).chain(&arguments.beside);
+    // A mesh may be named twice, but is not overwritten.
+    for mesh in paths().filter(|mesh| mesh.exists()) {
+        file::distinct([mesh.as_path(), &arguments.out].into_iter())?;
+    }
     let mut out = Output::new(&arguments.out)?;
-    let paths = std::iter::once(&arguments.mesh).chain(&arguments.beside);
-    let meshes = paths.map(|path| mesh(path)).collect::<Result<Vec<Mesh>, Failure>>()?;
+    let meshes = paths().map(|path| mesh(path)).collect::<Result<Vec<Mesh>, Failure>>()?;
     let unit = Params {
         // The width of the unit behind the engine is not in an image.
         width: Params::default().width.min(arguments.transform_width),

@@ -35,11 +35,24 @@ impl Snapped {
         Self { grid, mesh: Mesh { vertices, faces } }
     }
 
-    /// The finest grid of a power of two on which no two vertices of a mesh are `most` units or more apart along an axis; 1
-    /// for a mesh of one point.
-    pub fn finest(mesh: &Mesh, most: f64) -> f64 {
-        let size = 2.0 * mesh.bounds().half_size();
-        if size > 0.0 { (size / most).log2().ceil().exp2() } else { 1.0 }
+    /// The finest grid of a power of two on which no two vertices of a mesh are more than `most` units apart along an axis; 1
+    /// for a mesh of one point. None if binary64 has no such grid: the mesh is too large or too small.
+    pub fn finest(mesh: &Mesh, most: f64) -> Option<f64> {
+        let ends = |axis: usize| {
+            let along = mesh.vertices.iter().map(|vertex| vertex[axis]);
+            along.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), x| (low.min(x), high.max(x)))
+        };
+        let ends = [0, 1, 2].map(ends);
+        if ends.iter().all(|(low, high)| low >= high) {
+            return Some(1.0);
+        }
+        // Half of an extent does not overflow.
+        let half = ends.iter().map(|(low, high)| high / 2.0 - low / 2.0).fold(0.0, f64::max);
+        let grid = (half / (most / 2.0)).log2().ceil().exp2();
+        // Both ends may be rounded outward.
+        let fits = |grid: f64| ends.iter().all(|(low, high)| (high / grid).round() - (low / grid).round() <= most);
+        let grid = if fits(grid) { grid } else { 2.0 * grid };
+        (grid.is_normal() && fits(grid)).then_some(grid)
     }
 
     /// The greatest magnitude of a coordinate.
@@ -60,6 +73,19 @@ mod tests {
         assert_eq!(vertices, [[1.0, -1.0, 0.0], [0.0; 3], [0.0, 0.0, 2.0], [2.0, 0.0, 0.0]].map(Point3::from));
         assert_eq!(faces, [[0, 1, 2], [3, 1, 0]]);
         assert_eq!(Snapped::new(&mesh, 2.0).mesh.faces, [[0, 0, 1], [0, 0, 0]]);
-        assert_eq!(Snapped::finest(&mesh, 131_071.0), 2f64.powi(-16));
+        assert_eq!(Snapped::finest(&mesh, 131_071.0), Some(2f64.powi(-16)));
+    }
+
+    #[test]
+    fn the_finest_grid_counts_rounded_ends() {
+        let along = |low: f64, high: f64| {
+            let vertices = vec![Point3::new(low, 0.0, 0.0), Point3::new(high, 0.0, 0.0)];
+            Snapped::finest(&Mesh { vertices, faces: vec![] }, 131_071.0)
+        };
+        assert_eq!(along(0.0, 131_071.0), Some(1.0));
+        // 131,071 long, and 131,072 steps of 1 once both ends are rounded.
+        assert_eq!(along(-0.5, 131_070.5), Some(2.0));
+        assert_eq!(along(3.0, 3.0), Some(1.0));
+        assert_eq!([along(-1.7e308, 1.7e308), along(0.0, 5e-324)], [Some(2f64.powi(1008)), None]);
     }
 }

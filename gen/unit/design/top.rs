@@ -408,11 +408,19 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
     }
     lines.extend(text(&[
         "",
-        "Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B~ in its own frame, tag is opaque. A pair is accepted in a clock",
-        "in which in_valid and in_ready are both set; keep valid and data until then. in_ready comes once per slot",
+        if p.transform == Transform::Off {
+            "Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B in the frame of A, tag is opaque. A pair is accepted in a clock"
+        } else {
+            "Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B~ in its own frame, tag is opaque. A pair is accepted in a clock"
+        },
+        if interval == 1 {
+            "in which in_valid and in_ready are both set; keep valid and data until then. in_ready is set in every clock"
+        } else {
+            "in which in_valid and in_ready are both set; keep valid and data until then. in_ready comes once per slot"
+        },
     ]));
-    let clocks = if interval == 1 { "clock" } else { "clocks" };
-    lines.push(format!("({interval} {clocks}) while one of the {places} places of the result queue is free."));
+    let slot = if interval == 1 { String::new() } else { format!("({interval} clocks) ") };
+    lines.push(format!("{slot}while one of the {places} places of the result queue is free."));
     lines.extend(text(&[
         "Verdicts come in input order, each with its tag: taken in a clock in which out_valid and out_ready are both set.",
         "  out_verdict 00 separate, 01 intersect, 10 possibly incorrect (treat as intersecting, retest if it matters).",

@@ -118,6 +118,7 @@ pub(super) struct Values {
     pub block_tag: String,
     pub unusable_code: String,
     pub origin_bits: u32,
+    pub factor_bits: u32,
     // Triangles
     pub triangle_bits: u32,
     pub triangle_number_bits: u32,
@@ -388,6 +389,7 @@ impl Values {
             block_tag: binary(block.tag, BlockLayout::CODES_AT - block.tag_at),
             unusable_code: binary(1 << (format.offset_bits - 1), format.offset_bits),
             origin_bits: format.origin_bits,
+            factor_bits: format.factor_bits,
             triangle_bits: triangle.bits,
             triangle_number_bits: triangle.number_bits,
             number_zeros: zeros(LINK_NUMBER_BITS - triangle.number_bits),
