@@ -194,7 +194,7 @@ fn damaged_trees_do_no_harm() {
     let bench = Bench::new(ghdl, &axi(), &small());
     let (images, query) = crossing(&bench.design);
     let mut rng = ChaCha8Rng::seed_from_u64(5);
-    for _ in share(4, 0..16) {
+    for _ in share(8, 0..16) {
         let mut vectors = EngineVectors::new(&bench.design, &images.iter().collect::<Vec<_>>());
         let query = query(&vectors, &images);
         let first = 8 * query.sides[0].blocks_at as usize;
@@ -255,7 +255,7 @@ fn a_wrong_engine_is_noticed() {
     let bench = Bench::new(ghdl, &axi(), &small());
     let report = bench.run(quick);
     assert!(fine(&report), "{report}");
-    let unnoticed: Vec<&str> = share(5, changes)
+    let unnoticed: Vec<&str> = share(6, changes)
         .iter()
         .filter_map(|(file, from, to, options)| {
             let text = bench.files.get(file).unwrap();
