@@ -255,7 +255,7 @@ fn a_wrong_engine_is_noticed() {
     let bench = Bench::new(ghdl, &axi(), &small());
     let report = bench.run(quick);
     assert!(fine(&report), "{report}");
-    let unnoticed: Vec<&str> = share(6, changes)
+    let unnoticed: Vec<&str> = share(5, changes)
         .iter()
         .filter_map(|(file, from, to, options)| {
             let text = bench.files.get(file).unwrap();
