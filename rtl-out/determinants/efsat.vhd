@@ -7,8 +7,8 @@
 -- One pair per clock, verdict 29 clocks after acceptance.
 --
 -- Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B~ in its own frame, tag is opaque. A pair is accepted in a clock
--- in which in_valid and in_ready are both set; keep valid and data until then. in_ready comes once per slot
--- (1 clock) while one of the 32 places of the result queue is free.
+-- in which in_valid and in_ready are both set; keep valid and data until then. in_ready is set in every clock
+-- while one of the 32 places of the result queue is free.
 -- Verdicts come in input order, each with its tag: taken in a clock in which out_valid and out_ready are both set.
 --   out_verdict 00 separate, 01 intersect, 10 possibly incorrect (treat as intersecting, retest if it matters).
 --   out_separated, out_overlapping: what each witness said, bit i for witness i: boxes, plane of A, plane of B, edges
