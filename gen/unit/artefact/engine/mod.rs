@@ -1,5 +1,5 @@
 //! The collision engine around a unit (docs/engine.md): hand-written entities, printed by templates from the numbers that
-//! [`values`] computes, the unit and the volume unit.
+//! `values` computes, the unit and the volume unit.
 
 mod files;
 #[cfg(feature = "scenes")]
