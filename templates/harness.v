@@ -28,6 +28,6 @@ module {{ name }} (
 {%- for port in outputs %}
     .{{ port.name }}(result[{{ port.high }}:{{ port.low }}]),
 {%- endfor %}
-    .clk(clk)
+    .{{ clock }}(clk)
   );
 endmodule

@@ -304,7 +304,7 @@ fn resources() {
                 Err(e) => panic!("{e}"),
             };
             let actual = unit.actual.expect("a tool ran");
-            let [found, model] = [actual.resources, unit.predicted];
+            let [found, model] = [actual.resources, unit.foreseen()];
             assert_eq!(found.multipliers, model.multipliers, "{name}, E = {clocks}");
             let latency = design.latency;
             let counts = |x: &Resources| format!("{} | {} | {} | {}", x.luts, x.memory_luts, x.flip_flops, x.carry);

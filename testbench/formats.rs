@@ -22,7 +22,7 @@ const RUNS: [(&str, &[&str]); 16] = [
     ("efsat stress", &["stress --pairs 100"]),
     ("efsat soak", &["soak --pairs 32768 --family lattice-5 --width 12"]),
     ("efsat wall", &["wall edge-on-face --step 2^-11 --software moeller --out w"]),
-    ("efsat synth", &["synth --predict"]),
+    ("efsat synth", &["synth --predict", "synth --predict --engine"]),
     ("efsat scene pairs", &["scene pairs s.toml", "scene pairs tumble.toml"]),
     ("efsat scene plan", &["scene plan s.toml", "scene plan tumble.toml"]),
     ("efsat scene run", &["scene run s.toml --simulator builtin", "scene run tumble.toml --cosim none"]),

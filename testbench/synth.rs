@@ -9,7 +9,7 @@ use efsat::design::{Design, Probes};
 use efsat::device;
 use efsat::estimate;
 use efsat::params::{Params, Projections, Transform};
-use efsat::synth::{self, Flow, Report, SynthError, ToolError, tools, verilog, yosys};
+use efsat::synth::{self, Flow, Report, Subject, SynthError, ToolError, tools, verilog, yosys};
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -110,7 +110,9 @@ fn a_mutated_netlist_is_noticed() {
 
 fn report(params: &Params, seeds: u32, keep: Option<&Path>) -> Option<Report> {
     let (flow, keep) = (Flow::of(device::find(&params.device).unwrap()), keep.map(Path::to_owned));
-    match synth::run(params, "", &synth::Options { flow, seeds, limit: Duration::from_secs(600), keep }, &|_| ()) {
+    let design = Design::new(params, Probes::None).unwrap();
+    let subject = Subject::Unit(&design);
+    match synth::run(&subject, "", &synth::Options { flow, seeds, limit: Duration::from_secs(600), keep }, &|_| ()) {
         Ok(report) => Some(report),
         Err(SynthError::Tool(e @ ToolError::Missing { .. })) if skipped(&e) => None,
         Err(e) => panic!("{e}"),
@@ -138,7 +140,7 @@ fn ecp5_has_the_predicted_multipliers_with_their_registers() {
     let Some(report) = report(&smallest_on_ecp5(), 0, None) else { return };
     let (multipliers, cells) = (report.cells().multipliers, report.top.actual.unwrap());
     assert_eq!((cells.resources.multipliers, cells.registered_multipliers), (multipliers, multipliers));
-    assert!(report.top.predicted.flip_flops.abs_diff(cells.resources.flip_flops) <= 3, "{cells:?}");
+    assert!(report.top.foreseen().flip_flops.abs_diff(cells.resources.flip_flops) <= 3, "{cells:?}");
 }
 
 #[test]
@@ -168,6 +170,26 @@ fn efsat(args: &[&str]) -> Output {
 
 /// The options of [`small`].
 const SMALL: [&str; 4] = ["--width", "8", "--transform-width", "10"];
+
+#[test]
+#[ignore = "a minute or more: scripts/test full"]
+fn an_engine_has_the_multipliers_of_its_units_and_fits() {
+    if verilog::ghdl().is_err() || yosys::find().is_err() {
+        return eprintln!("skipped: GHDL or Yosys is not installed");
+    }
+    let output = efsat(&["synth", "--engine", "--json"]);
+    let value: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((output.status.code(), &value["faults"]), (Some(0), &Value::Array(vec![])));
+    adds_up(&value["units"]);
+    let (top, capacity) = (&value["units"], &value["capacity"]);
+    assert!(top["predicted"].is_null(), "the entities of the engine are not predicted");
+    for kind in ["multipliers", "luts", "flip_flops"] {
+        let (used, there) = (top["actual"][kind].as_f64().unwrap(), capacity[kind].as_f64().unwrap());
+        assert!(used > 0.0 && used < 0.6 * there, "{kind}: {used} of {there}");
+    }
+    let block_rams = top["actual"]["block_rams"].as_u64().unwrap();
+    assert!((1..144).contains(&block_rams), "{block_rams} block RAMs");
+}
 
 #[test]
 fn virtex_ii_has_the_predicted_cells() {

@@ -4,7 +4,7 @@ use super::diagram::DiagramArguments;
 use super::error::Failure;
 use super::output::{print, print_json, warn};
 use super::params::{EngineArguments, ParamArguments, choice};
-use crate::artefact::engine::{EngineDesign, engine_design_files, samples};
+use crate::artefact::engine::{engine_design_files, samples};
 use crate::artefact::{
     DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, programme_files, ready_designs,
     ready_files, verilog_files,
@@ -13,7 +13,6 @@ use crate::design::Design;
 use crate::design::top::pace;
 use crate::estimate;
 use crate::params::Params;
-use crate::params::engine::Memory;
 use crate::params::options::Choice;
 use crate::params::stream::StreamWidth;
 use crate::synth::{SynthError, verilog};
@@ -76,11 +75,9 @@ impl Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     if arguments.engine {
-        return engine(arguments, &params);
+        return engine(arguments);
     }
-    if let Some((option, value)) = arguments.engine_params.first() {
-        return Err(Failure::Usage(format!("--{option} {value}: expected --engine, which has this option")));
-    }
+    arguments.engine_params.refuse()?;
     if arguments.ready {
         return ready(arguments, &params);
     }
@@ -230,21 +227,14 @@ impl fmt::Display for EngineWritten {
 }
 
 /// Writes or checks an engine.
-fn engine(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
-    if arguments.params.has("tag-width") {
-        let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
-        return Err(Failure::Usage(format!("--tag-width {}: {why}", params.tag_width)));
-    }
+fn engine(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.verilog {
         return Err(Failure::Usage("--verilog with --engine: expected one of the two".to_owned()));
-    }
-    if arguments.engine_params.params().memory == Memory::BlockRam && arguments.engine_params.has("memory-width") {
-        return Err(Failure::Usage("--memory-width with --memory block-ram: expected --memory axi".to_owned()));
     }
     let Some(out) = &arguments.out else {
         return Err(Failure::Usage("no --out: expected --out DIR with --engine".to_owned()));
     };
-    let design = EngineDesign::new(arguments.engine_params.params(), params)?;
+    let design = arguments.engine_params.design(&arguments.params)?;
     let prefix = arguments.name.clone().unwrap_or_default();
     let name = prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
     let command_line = format!("{}{name}", design.command_line());

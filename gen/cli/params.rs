@@ -1,7 +1,9 @@
 //! The options that every command shares: the parameters of the design.
 
 use super::error::Failure;
+use crate::artefact::engine::EngineDesign;
 use crate::design::top::DesignError;
+use crate::params::engine::Memory;
 use crate::params::options::Row;
 pub(super) use crate::params::options::{choice, whole};
 use crate::params::{EngineParams, Method, Params};
@@ -39,19 +41,31 @@ pub(super) struct EngineArguments {
 }
 
 impl EngineArguments {
-    /// The parameters as they were typed.
-    pub fn params(&self) -> &EngineParams {
-        &self.typed
-    }
-
-    /// Whether an option was typed.
-    pub fn has(&self, option: &str) -> bool {
+    fn has(&self, option: &str) -> bool {
         self.given.iter().any(|(typed, _)| *typed == option)
     }
 
-    /// The first option that was typed, and its value.
-    pub fn first(&self) -> Option<&(&'static str, String)> {
-        self.given.first()
+    /// Refuses options of the engine where there is none.
+    pub fn refuse(&self) -> Result<(), Failure> {
+        match self.given.first() {
+            Some((option, value)) => {
+                Err(Failure::Usage(format!("--{option} {value}: expected --engine, which has this option")))
+            }
+            None => Ok(()),
+        }
+    }
+
+    /// The engine around a unit.
+    pub fn design(&self, unit: &ParamArguments) -> Result<EngineDesign, Failure> {
+        let params = unit.params()?;
+        if unit.has("tag-width") {
+            let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
+            return Err(Failure::Usage(format!("--tag-width {}: {why}", params.tag_width)));
+        }
+        if self.typed.memory == Memory::BlockRam && self.has("memory-width") {
+            return Err(Failure::Usage("--memory-width with --memory block-ram: expected --memory axi".to_owned()));
+        }
+        Ok(EngineDesign::new(&self.typed, &params)?)
     }
 }
 

@@ -5,11 +5,13 @@ mod table;
 
 use super::error::Failure;
 use super::output::{print, print_json};
-use super::params::{ParamArguments, choice, whole};
+use super::params::{EngineArguments, ParamArguments, choice, whole};
 use super::progress;
+use crate::artefact::engine::EngineDesign;
+use crate::design::{Design, Probes};
 use crate::device;
 use crate::params::{Params, options::Choice};
-use crate::synth::{self, Flow, Options, Report};
+use crate::synth::{self, Flow, Options, Report, Subject};
 use std::path::PathBuf;
 use std::time::Duration;
 use summary::Summary;
@@ -49,12 +51,18 @@ pub(super) struct Arguments {
     /// Print one JSON object
     #[arg(long)]
     json: bool,
+    /// Synthesise the collision engine with the unit in it
+    #[arg(long)]
+    engine: bool,
     #[command(flatten)]
     params: ParamArguments,
+    #[command(flatten)]
+    engine_params: EngineArguments,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
+    let engine = engine(arguments)?;
     let device = device::find(&params.device).map_err(|e| Failure::Usage(e.to_string()))?;
     let flow = arguments.flow.unwrap_or(Flow::of(device));
     let of_placement = [
@@ -65,17 +73,34 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some((option, _)) = of_placement.into_iter().find(|(_, given)| *given && !flow.routes()) {
         return Err(Failure::Usage(format!("{option}: flow {} ends after Yosys; expected --flow ecp5", flow.name())));
     }
+    let unit;
+    let (subject, command_line) = match &engine {
+        Some(engine) => (Subject::Engine(engine), engine.command_line()),
+        None => {
+            unit = Design::new(&params, Probes::None)?;
+            (Subject::Unit(&unit), params.command_line())
+        }
+    };
     if arguments.predict {
-        return show(&synth::predict(&params, flow)?, &params, arguments.json);
+        return show(&subject.predict(flow), &params, arguments.json);
     }
     let seeds = if arguments.no_route { 0 } else { arguments.seeds.unwrap_or(SEEDS) };
     let limit = Duration::from_secs(60 * u64::from(arguments.minutes.unwrap_or(MINUTES)));
     let options = Options { flow, seeds, limit, keep: arguments.keep.clone() };
     let spinner = progress::spinner("synthesising");
     let step = |what: &str| spinner.set_message(what.to_owned());
-    let report = synth::run(&params, &params.command_line(), &options, &step)?;
+    let report = synth::run(&subject, &command_line, &options, &step)?;
     spinner.finish_and_clear();
     show(&report, &params, arguments.json)
+}
+
+/// The engine, if it is asked for.
+fn engine(arguments: &Arguments) -> Result<Option<EngineDesign>, Failure> {
+    if arguments.engine {
+        return arguments.engine_params.design(&arguments.params).map(Some);
+    }
+    arguments.engine_params.refuse()?;
+    Ok(None)
 }
 
 /// Prints a report; what is wrong with it is a failed check.

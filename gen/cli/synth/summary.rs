@@ -15,6 +15,8 @@ pub(super) struct Summary<'a> {
     counted_for: &'a str,
     initiation_interval: usize,
     latency: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clocks_per_expansion: Option<usize>,
     units: Branch<'a>,
     capacity: Prediction,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -40,6 +42,7 @@ struct Mapped {
     cells: Prediction,
     registered_multipliers: u64,
     absorbed_flip_flops: u64,
+    block_rams: u64,
 }
 
 /// A unit; counts are of one instance with everything in it.
@@ -47,7 +50,8 @@ struct Mapped {
 struct Branch<'a> {
     entity: &'a str,
     instances: u64,
-    predicted: Prediction,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    predicted: Option<Prediction>,
     #[serde(skip_serializing_if = "Option::is_none")]
     actual: Option<Mapped>,
     parts: Vec<Branch<'a>>,
@@ -117,8 +121,8 @@ impl From<Resources> for Prediction {
 
 impl From<Cells> for Mapped {
     fn from(c: Cells) -> Self {
-        let Cells { resources, registered_multipliers, absorbed_flip_flops } = c;
-        Self { cells: resources.into(), registered_multipliers, absorbed_flip_flops }
+        let Cells { resources, registered_multipliers, absorbed_flip_flops, block_rams } = c;
+        Self { cells: resources.into(), registered_multipliers, absorbed_flip_flops, block_rams }
     }
 }
 
@@ -127,7 +131,7 @@ impl<'a> From<&'a Unit> for Branch<'a> {
         Self {
             entity: &unit.entity,
             instances: unit.instances,
-            predicted: unit.predicted.into(),
+            predicted: unit.predicted.map(Prediction::from),
             actual: unit.actual.map(Mapped::from),
             parts: unit.parts.iter().map(Branch::from).collect(),
         }
@@ -171,6 +175,7 @@ impl<'a> Summary<'a> {
             counted_for: report.counted_for.name,
             initiation_interval: report.interval,
             latency: report.latency,
+            clocks_per_expansion: report.expansion_clocks,
             units: (&report.top).into(),
             capacity: report.counted_for.capacity.into(),
             slices: report.slices().map(|s| Slices {

@@ -9,6 +9,9 @@ use std::fmt::Write;
 /// Slices of the part that estimates are for, an XC2V6000.
 const SLICES: u64 = 33_792;
 
+/// What is counted.
+const COLUMNS: [&str; 5] = ["multipliers", "LUTs", "memory LUTs", "flip-flops", "carry bits"];
+
 /// Width of the name column.
 const NAME: usize = 36;
 
@@ -29,6 +32,9 @@ pub(super) fn text(report: &Report, params: &Params) -> String {
     text.push('\n');
     shares(&mut text, report);
     let _ = writeln!(text, "{}, verdict after {} clocks", pace(report.interval), report.latency);
+    if let Some(clocks) = report.expansion_clocks {
+        let _ = writeln!(text, "{}; predicted are the two units alone", pace(clocks).replacen("pair", "expansion", 1));
+    }
     let (scheduled, end) = &report.scheduled;
     let below = if *scheduled < f64::from(params.frequency) { ", below the target" } else { "" };
     let device = &params.device;
@@ -47,7 +53,7 @@ pub(super) fn text(report: &Report, params: &Params) -> String {
 fn head(text: &mut String, counted: bool) {
     let (name, width) = if counted { ("unit, predicted | actual", 22) } else { ("unit", 13) };
     let _ = write!(text, "{name:NAME$}");
-    for column in ["multipliers", "LUTs", "memory LUTs", "flip-flops", "carry bits"] {
+    for column in COLUMNS {
         let _ = write!(text, "{column:>width$}");
     }
     text.push('\n');
@@ -58,14 +64,15 @@ fn row(text: &mut String, unit: &Unit, depth: usize) {
     let times = if unit.instances > 1 { format!(" x {}", unit.instances) } else { String::new() };
     let name = format!("{:1$}{2}{times}", "", 2 * depth, unit.entity);
     let _ = write!(text, "{name:NAME$}");
-    let predicted = columns(unit.predicted * unit.instances);
-    match unit.actual.map(|cells| columns(cells.resources * unit.instances)) {
-        Some(actual) => predicted.into_iter().zip(actual).for_each(|(predicted, actual)| {
-            let _ = write!(text, "{predicted:>7} |{actual:>6}{:>7}", difference(predicted, actual));
-        }),
-        None => predicted.into_iter().for_each(|predicted| {
-            let _ = write!(text, "{predicted:>13}");
-        }),
+    let predicted = unit.predicted.map(|cells| columns(cells * unit.instances));
+    let actual = unit.actual.map(|cells| columns(cells.resources * unit.instances));
+    for column in 0..COLUMNS.len() {
+        let _ = match (predicted.map(|p| p[column]), actual.map(|a| a[column])) {
+            (Some(p), Some(a)) => write!(text, "{p:>7} |{a:>6}{:>7}", difference(p, a)),
+            (None, Some(a)) => write!(text, "{:>7} |{a:>6}{:>7}", "", ""),
+            (Some(p), None) => write!(text, "{p:>13}"),
+            (None, None) => write!(text, "{:>13}", ""),
+        };
     }
     text.push('\n');
     for part in &unit.parts {
@@ -73,7 +80,7 @@ fn row(text: &mut String, unit: &Unit, depth: usize) {
     }
 }
 
-fn columns(cells: Resources) -> [u64; 5] {
+fn columns(cells: Resources) -> [u64; COLUMNS.len()] {
     [cells.multipliers, cells.luts, cells.memory_luts, cells.flip_flops, cells.carry]
 }
 
@@ -104,6 +111,9 @@ fn shares(text: &mut String, report: &Report) {
             "{} of the multipliers take in the register behind them: {} flip-flops, which are not counted above",
             mapped.registered_multipliers, mapped.absorbed_flip_flops
         );
+    }
+    if let Some(mapped) = report.top.actual.filter(|cells| cells.block_rams > 0) {
+        let _ = writeln!(text, "{} block RAMs", mapped.block_rams);
     }
     if let Some(slices) = report.slices() {
         let all = SLICES;

@@ -1,8 +1,9 @@
 //! What one parameter set takes of its device, and how fast it is.
 
-use crate::synth::{self, Flow, Options, SynthError};
+use crate::synth::{self, Flow, Options, Subject, SynthError};
 use efsat_hardware::device;
 use efsat_unit::design::top::DesignError;
+use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
 use serde::{Deserialize, Serialize};
 use std::time::Duration;
@@ -46,7 +47,8 @@ impl Hardware {
     /// That the design cannot be made.
     pub fn predict(params: &Params) -> Result<Self, SynthError> {
         let device = device::find(&params.device).map_err(DesignError::from)?;
-        let report = synth::predict(params, Flow::of(device))?;
+        let design = Design::new(params, Probes::None)?;
+        let report = Subject::Unit(&design).predict(Flow::of(device));
         let cells = Cells::from(report.cells());
         let fits = report.cells().shortage(&device.capacity).is_none();
         let (interval, latency) = (report.interval, report.latency);
@@ -66,6 +68,7 @@ impl Hardware {
 pub fn synthesise(params: &Params) -> Result<Cells, SynthError> {
     let device = device::find(&params.device).map_err(DesignError::from)?;
     let options = Options { flow: Flow::of(device), seeds: 0, limit: Duration::ZERO, keep: None };
-    let report = synth::run(params, &params.command_line(), &options, &|_| {})?;
+    let design = Design::new(params, Probes::None)?;
+    let report = synth::run(&Subject::Unit(&design), &params.command_line(), &options, &|_| {})?;
     Ok(report.cells().into())
 }

@@ -19,6 +19,8 @@ pub struct Cells {
     pub registered_multipliers: u64,
     /// Flip-flops of the netlist that are in these.
     pub absorbed_flip_flops: u64,
+    /// Block RAMs.
+    pub block_rams: u64,
 }
 
 impl Add for Cells {
@@ -29,6 +31,7 @@ impl Add for Cells {
             resources: self.resources + other.resources,
             registered_multipliers: self.registered_multipliers + other.registered_multipliers,
             absorbed_flip_flops: self.absorbed_flip_flops + other.absorbed_flip_flops,
+            block_rams: self.block_rams + other.block_rams,
         }
     }
 }
@@ -41,6 +44,7 @@ impl Mul<u64> for Cells {
             resources: self.resources * n,
             registered_multipliers: self.registered_multipliers * n,
             absorbed_flip_flops: self.absorbed_flip_flops * n,
+            block_rams: self.block_rams * n,
         }
     }
 }
@@ -59,7 +63,13 @@ pub fn own(module: &Module, family: Family) -> Cells {
     let absorbed_flip_flops = registered.iter().map(Registered::flip_flops).sum();
     let flip_flops = resources.flip_flops - absorbed_flip_flops;
     let resources = Resources { flip_flops, ..resources };
-    Cells { resources, registered_multipliers: registered.len() as u64, absorbed_flip_flops }
+    let block_rams = module.cells.values().filter(|cell| is_block_ram(&cell.kind)).count() as u64;
+    Cells { resources, registered_multipliers: registered.len() as u64, absorbed_flip_flops, block_rams }
+}
+
+/// Whether a cell of the library is a block RAM.
+fn is_block_ram(kind: &str) -> bool {
+    kind.starts_with("RAMB") || kind == "DP16KD"
 }
 
 /// A cell of the library in the terms of the device model; nothing for what is free or no cell of the library.

@@ -6,6 +6,7 @@
 //! the statement's label and the iteration, counted from one, in its name.
 
 use super::harness;
+use super::netlist::{Netlist, is_ours};
 use efsat_hardware::graph::{Place, Step as PathStep};
 use efsat_hardware::netlist::Module;
 use efsat_hardware::vhdl::generated_instance;
@@ -90,6 +91,13 @@ impl Names {
         Self(names)
     }
 
+    /// The names in a top module of a netlist: every signal that is neither Yosys' nor GHDL's own.
+    pub fn of_netlist(netlist: &Netlist, top: &str) -> Self {
+        let mut names = HashMap::new();
+        collect_named(netlist, top, "", &mut names);
+        Self(names)
+    }
+
     /// The signal that a net of the whole belongs to.
     fn signal(&self, net: &str) -> Option<String> {
         let (place, name) = net.split_once('.').unwrap_or(("", net));
@@ -101,6 +109,16 @@ impl Names {
         let ends = name.match_indices(['_', '$']).map(|(at, _)| at).chain([name.len()]);
         let beginnings: Vec<&str> = ends.map(|end| &name[..end]).collect();
         beginnings.into_iter().rev().find_map(|name| self.0.get(name)).cloned()
+    }
+}
+
+fn collect_named(netlist: &Netlist, module: &str, prefix: &str, names: &mut HashMap<String, String>) {
+    let Some(module) = netlist.modules.get(module).filter(|module| !module.is_library()) else { return };
+    for name in module.netnames.keys().filter(|name| is_ours(name)) {
+        names.insert(format!("{prefix}{name}"), format!("{prefix}{name}"));
+    }
+    for (label, cell) in &module.cells {
+        collect_named(netlist, &cell.kind, &format!("{prefix}{label}."), names);
     }
 }
 

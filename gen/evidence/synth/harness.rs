@@ -1,5 +1,6 @@
 //! The harness in which the whole is placed and routed.
 
+use super::netlist;
 use askama::Template;
 use efsat_hardware::netlist::Module;
 
@@ -25,6 +26,7 @@ struct Harness<'a> {
     name: &'a str,
     top: &'a str,
     instance: &'a str,
+    clock: &'a str,
     inputs: Vec<Port>,
     input_bits: u32,
     outputs: Vec<Port>,
@@ -43,11 +45,24 @@ fn side_by_side(ports: impl Iterator<Item = (String, u32)>) -> (Vec<Port>, u32) 
     (ports, low)
 }
 
-/// The Verilog of the harness of a top module.
-pub fn text(top: &Module) -> String {
+/// The Verilog of the harness of a module of ours.
+pub fn of_module(top: &Module) -> String {
     let inputs = top.inputs.iter().map(|id| (top.signal(*id).name(), top.signal(*id).ty.bits));
     let outputs = top.outputs.iter().map(|(name, id)| (name.to_string(), top.signal(*id).ty.bits));
-    let ((inputs, input_bits), (outputs, output_bits)) = (side_by_side(inputs), side_by_side(outputs));
-    let harness = Harness { name: TOP, top: &top.name, instance: INSTANCE, inputs, input_bits, outputs, output_bits };
+    text(&top.name, "clk", side_by_side(inputs), side_by_side(outputs))
+}
+
+/// The Verilog of the harness of a module of a netlist, with the name of its clock.
+pub fn of_netlist(top: &str, clock: &str, module: &netlist::Module) -> String {
+    let side = |input: bool| {
+        let ports = module.ports.iter().filter(|(name, port)| *name != clock && port.is_input() == input);
+        side_by_side(ports.map(|(name, port)| (name.clone(), port.bits.len() as u32)))
+    };
+    text(top, clock, side(true), side(false))
+}
+
+fn text(top: &str, clock: &str, inputs: (Vec<Port>, u32), outputs: (Vec<Port>, u32)) -> String {
+    let ((inputs, input_bits), (outputs, output_bits)) = (inputs, outputs);
+    let harness = Harness { name: TOP, top, instance: INSTANCE, clock, inputs, input_bits, outputs, output_bits };
     harness.render().expect("the template renders")
 }

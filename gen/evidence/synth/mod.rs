@@ -15,6 +15,7 @@ pub mod product_registers;
 mod route;
 pub mod slices;
 pub mod static_timing;
+mod subject;
 pub mod tools;
 mod units;
 pub mod verilog;
@@ -27,22 +28,17 @@ pub use flow::Flow;
 pub use route::{Placed, Routed};
 pub use slices::Slices;
 pub use static_timing::Timing;
+pub use subject::Subject;
 pub use units::Unit;
 
 use efsat_hardware::device::{Device, Family, Resources};
 use efsat_hardware::netlist::Module;
-use efsat_unit::artefact::{self, Prefix, Scratch};
-use efsat_unit::design::{Design, Probes};
-use efsat_unit::params::Params;
-use netlist::Netlist;
+use efsat_unit::artefact::Scratch;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 /// The Verilog of the whole design; also the mark of a folder that is ours to overwrite.
 pub const VERILOG: &str = "efsat.v";
-
-/// Name of the top entity.
-pub const TOP: &str = "efsat";
 
 /// How to synthesise.
 #[derive(Clone, Debug)]
@@ -72,9 +68,11 @@ pub struct Report {
     pub interval: usize,
     /// Clocks from the acceptance of a pair to the offer of its verdict.
     pub latency: usize,
+    /// Clocks between expansions of an engine.
+    pub expansion_clocks: Option<usize>,
     /// Clock that the schedule expects to reach, in MHz, and the signal its longest path ends at.
     pub scheduled: (f64, String),
-    /// Static timing of the mapped units, estimated; of Virtex-II alone.
+    /// Static timing of the mapped units, estimated; of a unit alone on Virtex-II.
     pub timing: Option<Timing>,
     /// What placement and routing reached, where the flow has them.
     pub routed: Option<Routed>,
@@ -83,7 +81,7 @@ pub struct Report {
 impl Report {
     /// The cells of the whole: as mapped if a tool ran, else as predicted.
     pub fn cells(&self) -> Resources {
-        self.top.actual.map_or(self.top.predicted, |cells| cells.resources)
+        self.top.actual.map_or_else(|| self.top.foreseen(), |cells| cells.resources)
     }
 
     /// Whether the cells are there on the part, which a placer finds out late.
@@ -106,7 +104,7 @@ impl Report {
     /// multipliers, and a target clock (in MHz) that is missed after routing.
     pub fn faults(&self, target: u32) -> Vec<String> {
         let mut faults = vec![];
-        let (predicted, actual) = (self.top.predicted.multipliers, self.cells().multipliers);
+        let (predicted, actual) = (self.top.foreseen().multipliers, self.cells().multipliers);
         if predicted != actual {
             faults.push(format!("{actual} multipliers instead of {predicted}"));
         }
@@ -124,17 +122,16 @@ impl Report {
     }
 }
 
-/// Synthesises a design. `step` is told what is going on.
+/// Synthesises a unit or an engine. `step` is told what is going on.
 ///
 /// # Errors
 /// See [`SynthError`]; counts or a clock that differ from the prediction are no error but part of the report.
 pub fn run(
-    params: &Params,
+    subject: &Subject,
     command_line: &str,
     options: &Options,
     step: &(dyn Fn(&str) + Sync),
 ) -> Result<Report, SynthError> {
-    let design = Design::new(params, Probes::None)?;
     let flow = options.flow;
     let yosys = yosys::find()?;
     let nextpnr = if flow.routes() && options.seeds > 0 { Some(route::find()?) } else { None };
@@ -150,22 +147,25 @@ pub fn run(
         }
     };
     step("GHDL reads the VHDL");
-    let sources = artefact::vhdl_files(&design, &Prefix::default(), command_line)?;
-    let text = verilog::from_vhdl(&sources, TOP, dir)?;
+    let text = verilog::from_vhdl(&subject.sources(command_line)?, subject.top(), dir)?;
     let path = dir.join(VERILOG);
     std::fs::write(&path, text).map_err(ToolError::file(&path))?;
     step("Yosys, unit by unit");
-    let netlist = units::netlist(&yosys, flow, TOP, dir)?;
-    let counts = modelled(&design, flow, Some(&netlist));
-    let timing = if flow.family() == Family::Virtex2 { Some(units::timing(&netlist)?) } else { None };
+    let netlist = units::netlist(&yosys, flow, subject.top(), dir)?;
+    let counts = subject.modelled(flow, Some(&netlist));
+    let timing = match (subject, flow.family()) {
+        (Subject::Unit(_), Family::Virtex2) => Some(units::timing(&netlist, subject.top())?),
+        _ => None,
+    };
     let mut tools = vec![yosys.version.clone()];
     let routed = match &nextpnr {
         Some(nextpnr) => {
             counts.fits()?;
             tools.push(nextpnr.version.clone());
             step("Yosys, the whole");
-            route::whole(&yosys, &design, dir)?;
-            Some(route::run(nextpnr, &design, options.seeds, options.limit, dir, step)?)
+            route::whole(&yosys, &subject.harness(&netlist), dir)?;
+            let frequency = subject.unit().params.frequency;
+            Some(route::run(nextpnr, &subject.names(&netlist), frequency, options, dir, step)?)
         }
         None => None,
     };
@@ -187,31 +187,6 @@ pub fn count(sources: &[(String, String)], top: &Module, device: &'static Device
     Ok(units::tree(top, device, Some((&netlist, flow))))
 }
 
-/// What the device model says of a design, for a flow that does not run.
-///
-/// # Errors
-/// That the design cannot be made.
-pub fn predict(params: &Params, flow: Flow) -> Result<Report, SynthError> {
-    Ok(modelled(&Design::new(params, Probes::None)?, flow, None))
-}
-
-/// What the model and the schedule say, beside the counts of a netlist.
-fn modelled(design: &Design, flow: Flow, netlist: Option<&Netlist>) -> Report {
-    let counted_for = flow.device(design.device);
-    let (megahertz, end) = design.clock();
-    Report {
-        flow,
-        counted_for,
-        tools: vec![],
-        top: units::tree(&design.top, counted_for, netlist.map(|netlist| (netlist, flow))),
-        interval: design.interval,
-        latency: design.latency,
-        scheduled: (megahertz, end.to_owned()),
-        timing: None,
-        routed: None,
-    }
-}
-
 /// Makes a folder ours, unless it holds files of somebody else.
 fn claim(dir: &Path) -> Result<(), SynthError> {
     std::fs::create_dir_all(dir).map_err(ToolError::file(dir))?;
@@ -226,9 +201,12 @@ fn claim(dir: &Path) -> Result<(), SynthError> {
 mod tests {
     use super::*;
     use efsat_hardware::device;
+    use efsat_unit::design::{Design, Probes};
+    use efsat_unit::params::Params;
 
     fn predicted(params: &Params) -> Report {
-        predict(params, Flow::of(device::find(&params.device).unwrap())).unwrap()
+        Subject::Unit(&Design::new(params, Probes::None).unwrap())
+            .predict(Flow::of(device::find(&params.device).unwrap()))
     }
 
     #[test]

@@ -94,6 +94,12 @@ pub fn is_flip_flop(kind: &str) -> bool {
     kind.starts_with("FD") || kind == "TRELLIS_FF"
 }
 
+/// Whether a name is one of our signals: not one of Yosys' (`$...`) nor of GHDL's (`n123_q`).
+pub fn is_ours(name: &str) -> bool {
+    let number = name.strip_prefix('n').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
+    !name.contains('$') && !number
+}
+
 impl Bit {
     /// The net; none of a constant.
     pub fn net(self) -> Option<u64> {
@@ -101,6 +107,13 @@ impl Bit {
             Self::Net(net) => Some(net),
             Self::Constant(_) => None,
         }
+    }
+}
+
+impl Port {
+    /// Whether it is an input.
+    pub fn is_input(&self) -> bool {
+        self.rest.get("direction").is_some_and(|direction| direction == "input")
     }
 }
 

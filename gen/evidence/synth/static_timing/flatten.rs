@@ -1,6 +1,6 @@
 //! A netlist of modules as one list of cells.
 
-use crate::synth::netlist::{Bit, Module, Netlist};
+use crate::synth::netlist::{Bit, Module, Netlist, is_ours};
 use crate::synth::product_registers;
 use efsat_hardware::device::Family;
 use std::collections::{HashMap, HashSet};
@@ -83,10 +83,4 @@ impl Design {
             }
         }
     }
-}
-
-/// Whether a name is one of our signals: not one of Yosys' (`$...`) nor of GHDL's (`n123_q`).
-fn is_ours(name: &str) -> bool {
-    let number = name.strip_prefix('n').is_some_and(|rest| rest.starts_with(|c: char| c.is_ascii_digit()));
-    !name.contains('$') && !number
 }

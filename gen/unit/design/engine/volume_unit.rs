@@ -67,6 +67,12 @@ impl VolumeDesign {
         Ok(Self { format, device, path, schedule, stage, latency, interval })
     }
 
+    /// The clock in MHz that the schedule reaches, and the node that ends its longest path.
+    pub fn clock(&self) -> (f64, &str) {
+        let (ns, end) = &self.schedule.critical;
+        (1000.0 / (ns + self.device.setup()), end)
+    }
+
     /// The words of the query and of the blocks, as they come from the host and from memory.
     pub fn words(&self) -> Vec<WordPort> {
         let format = &self.format;
