@@ -2,6 +2,7 @@
 //! user of the generator compiles, who prints, and what must not be left lying about. The order of the crates is in their
 //! `Cargo.toml`.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -107,6 +108,78 @@ fn imports(code: &str) -> Vec<String> {
     modules
 }
 
+/// The paths that code imports, each as its steps.
+fn paths(code: &str) -> Vec<Vec<String>> {
+    fn expand(before: &[String], tree: &str, paths: &mut Vec<Vec<String>>) {
+        let (head, group) = tree.split_once('{').map_or((tree, None), |(head, group)| (head, Some(group)));
+        let steps = head.split(" as ").next().unwrap_or(head).split("::").map(|step| step.trim().to_owned());
+        let path: Vec<String> = before.iter().cloned().chain(steps.filter(|step| !step.is_empty())).collect();
+        let Some(group) = group else { return paths.push(path) };
+        let (mut depth, mut from) = (0, 0);
+        for (i, c) in group.char_indices() {
+            match c {
+                '{' => depth += 1,
+                ',' if depth == 0 => {
+                    expand(&path, &group[from..i], paths);
+                    from = i + 1;
+                }
+                '}' if depth == 0 => return expand(&path, &group[from..i], paths),
+                '}' => depth -= 1,
+                _ => {}
+            }
+        }
+    }
+    let mut paths = vec![];
+    for (at, word) in code.match_indices("use ") {
+        let begins = code[..at].chars().next_back().is_none_or(char::is_whitespace);
+        if let (true, Some((tree, _))) = (begins, code[at + word.len()..].split_once(';')) {
+            expand(&[], tree, &mut paths);
+        }
+    }
+    paths
+}
+
+/// Pairs of modules side by side that need each other, by way of others or not. Given are the paths of all modules of a
+/// crate with their code. What a module shares with those around it is no cycle: a folder's `mod.rs` is the folder.
+fn cycles(modules: &BTreeMap<Vec<String>, String>) -> Vec<String> {
+    let mut needs: BTreeMap<&[String], BTreeSet<&[String]>> = BTreeMap::new();
+    for (module, code) in modules {
+        for path in paths(code) {
+            let ups = path.iter().take_while(|step| *step == "super").count();
+            let around = match path.first().map(String::as_str) {
+                Some("crate") => &[][..],
+                Some("super") if ups <= module.len() => &module[..module.len() - ups],
+                _ => continue,
+            };
+            let mut found = [around, &path[ups.max(1)..]].concat();
+            while !found.is_empty() && !modules.contains_key(&found) {
+                found.pop();
+            }
+            let Some((found, _)) = modules.get_key_value(&found) else { continue };
+            if !module.starts_with(found) && !found.starts_with(module) {
+                // The two that are side by side.
+                let shared = module.iter().zip(found).take_while(|(x, y)| x == y).count();
+                needs.entry(&module[..=shared]).or_default().insert(&found[..=shared]);
+            }
+        }
+    }
+    let reaches = |from: &[String], to: &[String]| {
+        let mut open = vec![from];
+        let mut seen = BTreeSet::new();
+        while let Some(module) = open.pop() {
+            let next: Vec<&[String]> = needs.get(module).into_iter().flatten().copied().collect();
+            if next.contains(&to) {
+                return true;
+            }
+            open.extend(next.into_iter().filter(|module| seen.insert(*module)));
+        }
+        false
+    };
+    let direct = needs.iter().flat_map(|(from, to)| to.iter().map(move |to| (*from, *to)));
+    let both = direct.filter(|(from, to)| reaches(to, from));
+    both.map(|(from, to)| format!("{} needs {}", from.join("::"), to.join("::"))).collect()
+}
+
 /// The modules that a source names and must not know.
 fn strangers(path: &str, text: &str) -> Vec<String> {
     let mut modules = imports(&code(text));
@@ -142,6 +215,25 @@ fn strangers_stay_strangers() {
     for (folder, _) in STRANGERS {
         assert!(sources.iter().any(|(path, _)| path.starts_with(folder)), "{folder} is nowhere");
     }
+}
+
+#[test]
+fn no_two_modules_need_each_other() {
+    let mut crates: BTreeMap<&str, BTreeMap<Vec<String>, String>> = BTreeMap::new();
+    for (path, text) in sources() {
+        let members = ["gen/geometry/", "gen/hardware/", "gen/unit/", "gen/evidence/"];
+        let root = members.into_iter().find(|root| path.starts_with(root)).unwrap_or("gen/");
+        let mut module: Vec<String> = path[root.len()..path.len() - 3].split('/').map(str::to_owned).collect();
+        if module.last().is_some_and(|last| ["mod", "lib", "main"].contains(&last.as_str())) {
+            module.pop();
+        }
+        crates.entry(root).or_default().insert(module, code(&text));
+    }
+    let cycles: Vec<String> = crates
+        .iter()
+        .flat_map(|(root, modules)| cycles(modules).into_iter().map(move |c| format!("{root}: {c}")))
+        .collect();
+    assert!(cycles.is_empty(), "{}", cycles.join("\n"));
 }
 
 #[test]
@@ -260,4 +352,12 @@ fn the_checks_can_fail() {
     assert!(is_met("MIT/Apache-2.0", &["MIT"]) && is_met("(MIT OR X) AND Y", &["MIT", "Y"]));
     assert!(!is_met("(MIT OR X) AND Y", &["MIT"]) && !is_met("GPL-3.0", &["MIT"]) && !is_met("", &["MIT"]));
     assert_eq!(computing("{{ a }} {{ bits - 1 }} {{ 2 * b }} a / b"), [" 2 * b "]);
+    let module = |path: &str, text: &str| (path.split("::").map(str::to_owned).collect(), text.to_owned());
+    let ring = [
+        module("a::x", "use super::y::{self, Z};"),
+        module("a::y", "use crate::b::W;"),
+        module("b", "use super::a::x;"),
+    ];
+    assert_eq!(cycles(&ring.clone().into()), ["a needs b", "b needs a"]);
+    assert!(cycles(&ring[..2].iter().cloned().collect()).is_empty());
 }

@@ -1,6 +1,6 @@
 //! Expressions of VHDL as trees: what an operation prints, and what the printer folds.
 
-use crate::op::{Operand, Type};
+use crate::types::Type;
 use std::fmt::{self, Display, Formatter};
 
 /// An index of an array.
@@ -42,6 +42,15 @@ impl Name {
     pub fn whole(base: impl Into<String>) -> Self {
         Self { base: base.into(), subs: vec![] }
     }
+}
+
+/// An operand in VHDL.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Operand {
+    /// Its value.
+    pub value: Expression,
+    /// Its type.
+    pub ty: Type,
 }
 
 /// An expression. Operands of a binary one are in parentheses unless they bind more tightly.

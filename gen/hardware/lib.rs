@@ -1,7 +1,7 @@
 //! Fixed-point dataflow designs as hardware: built as graphs with proven ranges, scheduled for a device, lowered to
 //! netlists, simulated, estimated, drawn and printed as VHDL-93.
 //!
-//! A module knows those before it alone: [`number`], [`device`], [`expression`] (of VHDL), [`cells`], [`op`] (all there is
+//! A module knows those before it alone: [`number`], [`types`], [`device`], [`expression`] (of VHDL), [`cells`], [`op`] (all there is
 //! to know of an operation), [`graph`] (the builder), [`schedule`], [`netlist`], and their readers [`estimate`], [`vhdl`]
 //! and [`diagram`].
 
@@ -15,4 +15,5 @@ pub mod netlist;
 pub mod number;
 pub mod op;
 pub mod schedule;
+pub mod types;
 pub mod vhdl;

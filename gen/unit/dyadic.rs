@@ -6,7 +6,6 @@ use std::ops::{Add, Mul, Neg, Sub};
 use num_bigint::{BigInt, Sign};
 use num_traits::{ToPrimitive, Zero};
 
-use crate::golden::Input;
 use efsat_hardware::number::Upper;
 
 /// A finite binary64 number as `mantissa * 2^exponent`, the mantissa odd or zero.
@@ -85,15 +84,11 @@ impl Dyadic {
         }
     }
 
-    /// The floor at `fraction` fraction bits and its sticky bit, if the real number lies in
-    /// `[-bound, bound] * 2^-fraction`.
-    pub(crate) fn quantised(self, fraction: u32, bound: i128) -> Option<Input> {
-        let number = self.scaled(fraction.into());
-        let floor = number.clone().floor();
-        let sticky = floor != number;
-        let lo = i128::from(floor.mantissa.to_i64()?);
-        let inside = -bound <= lo && lo + i128::from(sticky) <= bound;
-        inside.then_some(Input { lo: lo as i64, sticky })
+    /// The greatest whole number that is not above, if it has at most 64 bits, and whether the number is above it.
+    pub(crate) fn floor_and_rest(self) -> Option<(i64, bool)> {
+        let floor = self.clone().floor();
+        let rest = floor != self;
+        Some((floor.mantissa.to_i64()?, rest))
     }
 
     /// The coordinates of points as integers, all with one last place.

@@ -20,6 +20,7 @@ mod pairs;
 mod plan;
 mod plot;
 mod point;
+mod read;
 mod results;
 mod row;
 pub mod store;

@@ -179,31 +179,22 @@ impl<'a> Builtin<'a> {
                 seen.accepted = accepted && pass == 1;
                 seen.taken = takes.then_some((taken, pass));
                 history.push(seen);
-                if takes {
-                    if pass == 1 {
-                        timing.clocks = clock - first.unwrap_or(clock);
-                        if taken == 0 {
-                            timing.latency = timing.clocks;
-                        }
+                if seen.accepted {
+                    if let Some(gap) = previous.map(|previous| clock - previous) {
+                        timing.interval = if timing.interval == 0 { gap } else { timing.interval.min(gap) };
                     }
-                    taken += 1;
+                    first = first.or(Some(clock));
+                    previous = Some(clock);
                 }
-                if accepted {
-                    if pass == 1 {
-                        if let Some(previous) = previous {
-                            let gap = clock - previous;
-                            if timing.interval == 0 || gap < timing.interval {
-                                timing.interval = gap;
-                            }
-                        }
-                        first = first.or(Some(clock));
-                        previous = Some(clock);
+                if takes && pass == 1 {
+                    timing.clocks = clock - first.unwrap_or(clock);
+                    if taken == 0 {
+                        timing.latency = timing.clocks;
                     }
-                    now.in_valid = false;
                 }
-                if posed {
-                    now.pose_valid = false;
-                }
+                taken += usize::from(takes);
+                now.in_valid &= !accepted;
+                now.pose_valid &= !posed;
                 let bit = |i: u16| (random >> i) & 1;
                 random = (random << 1) | (bit(15) ^ bit(13) ^ bit(12) ^ bit(10));
                 let bit = |i: u16| (random >> i) & 1 == 1;

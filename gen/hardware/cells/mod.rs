@@ -4,4 +4,4 @@ mod gates;
 mod words;
 
 pub use gates::{Bit, Gate, Gates};
-pub use words::{Chain, Source, Words, number, resized};
+pub use words::{Chain, Source, Word, Words, number, resized};

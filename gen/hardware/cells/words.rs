@@ -2,7 +2,7 @@
 
 use super::gates::{Bit, Gates};
 use crate::device::{Chains, Fabric};
-use crate::op::Word;
+use crate::types::Type;
 use std::collections::HashMap;
 
 /// A carry chain that adds: bit i has the operands `(a, b)`.
@@ -25,6 +25,21 @@ pub enum Source {
     Chain(usize, usize),
     /// Output of a multiplier.
     Product(usize),
+}
+
+/// An operand in cells.
+pub struct Word {
+    /// Its bits, the lowest first.
+    pub bits: Vec<Bit>,
+    /// Its type.
+    pub ty: Type,
+}
+
+impl Word {
+    /// The word cut, or extended by its own sign, to a number of bits.
+    pub fn resized(&self, bits: u32) -> Vec<Bit> {
+        resized(&self.bits, self.ty.signed, bits)
+    }
 }
 
 /// Gates and what is no gate.

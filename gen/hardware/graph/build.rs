@@ -1,6 +1,5 @@
 //! Units in the making: copyable handles, and the nodes that operators on them make.
 
-use super::bundle::Signals;
 use super::names;
 use super::place::{Place, Step};
 use super::unit::{Fact, Node, NodeId, Op, Probe, Rate, Unit};
@@ -100,19 +99,6 @@ impl Library {
         let mut drafts = self.drafts.borrow_mut();
         drafts.push(Draft { unit, ranges: vec![], columns, later: HashMap::new() });
         drafts.len() - 1
-    }
-
-    /// The unit at the top, made by a function from the library to its outputs.
-    pub fn unit<'l, R: Signals<'l>>(
-        &'l self,
-        name: &str,
-        doc: &[&str],
-        interval: usize,
-        body: impl FnOnce(Top<'l>) -> R,
-    ) -> Rc<Unit> {
-        let unit = self.begin(name, doc, interval, interval);
-        let outputs = body(Top { library: self, unit }).signals();
-        self.finish(unit, &outputs)
     }
 
     /// The finished unit; one of that name that is the same but for ranges is taken instead.
@@ -598,16 +584,6 @@ impl<'l> Sig<'l> {
         let inside = self.less(least).called("too_low").choose(least, self).called("raised");
         let saturated = most.less(self).called("too_high").choose(most, inside).called("saturated");
         saturated.assume_range((-bound, bound), lemma, &[]).bits(bits.min(ty.bits))
-    }
-
-    /// With this flag set the one, else the other.
-    pub fn choose<B: Signals<'l>>(self, set: B, clear: B) -> B {
-        let clear = clear.signals();
-        let mut i = 0;
-        set.each(|_, set| {
-            i += 1;
-            self.apply(Select::default(), &[clear[i - 1], set])
-        })
     }
 
     /// Negated where the flag is set.

@@ -1,7 +1,8 @@
 //! Instances: a function of bundles as an entity of its own.
 
 use super::build::{Sig, joined};
-use super::bundle::{Bundle, Signals};
+use super::bundle::Bundle;
+use super::signals::Signals;
 use super::unit::Rate;
 
 /// A bundle at a port of that name.

@@ -18,13 +18,15 @@ mod instance;
 mod names;
 mod phases;
 mod place;
+mod signals;
 mod unit;
 mod vector;
 
 pub use build::{Library, Sig, Top};
-pub use bundle::{Bundle, Signals};
+pub use bundle::Bundle;
 pub use instance::{Port, Ports, instance};
 pub use phases::Phases;
 pub use place::{Place, Step, append_step};
+pub use signals::Signals;
 pub use unit::{Fact, Node, NodeId, Op, Probe, Rate, Unit};
 pub use vector::Vec3;

@@ -1,7 +1,7 @@
 //! Time sharing: a value for each phase of the slot.
 
 use super::build::{Sig, Top};
-use super::bundle::Signals;
+use super::signals::Signals;
 use super::unit::Rate;
 use crate::op::Type;
 

@@ -2,7 +2,7 @@
 
 use super::file_lists::FileLists;
 use super::project::Project;
-use super::verilog::VerilogFile;
+use super::verilog_file::VerilogFile;
 use super::{FileSet, Prefix, origin};
 use crate::design::Design;
 use askama::Template;

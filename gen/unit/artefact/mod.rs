@@ -26,6 +26,7 @@ pub mod testbench;
 mod units;
 pub mod vectors;
 mod verilog;
+mod verilog_file;
 mod vivado;
 pub mod volume;
 
@@ -37,4 +38,5 @@ pub use ready::{ReadyDesign, ReadyError, ready_designs, ready_files};
 pub use scratch::{Scratch, interrupted};
 pub use sources::{origin, vhdl_files};
 pub use vectors::Stimulus;
-pub use verilog::{VerilogFile, verilog_files};
+pub use verilog::verilog_files;
+pub use verilog_file::VerilogFile;

@@ -1,21 +1,9 @@
 //! The design in Verilog, for tools that read no VHDL: which file is made of which. Who has GHDL makes them.
 
 use super::file_lists::FileLists;
+use super::verilog_file::VerilogFile;
 use super::{FileSet, Prefix, board};
 use crate::design::Design;
-
-/// A Verilog file that is made of VHDL files.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct VerilogFile {
-    /// Its name.
-    pub name: String,
-    /// Its top, an entity.
-    pub top: String,
-    /// VHDL files of the set, in dependency order.
-    pub sources: Vec<String>,
-    /// An entity of them that is written in Verilog already.
-    pub without: Option<String>,
-}
 
 /// The Verilog files of a set of VHDL files: the unit in its wrapper, and what is around it on a board whose tools read no
 /// VHDL. A later file has no module that an earlier one has.

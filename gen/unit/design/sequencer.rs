@@ -138,27 +138,39 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     accepted.count.low(address).named("accept_place").output("accept_address");
     decided.low(address).named("decide_place").output("decide_address");
     taken.count.low(address).named("take_place").output("take_address");
-    let Some((reading, pose_valid)) = pose else { return m.finish() };
-    let pose_ready = match reading {
-        PoseReading::NotLast => running & in_phase("pose_phase", interval - 2),
-        PoseReading::Always => {
-            // A pose waits until the running slot is over, then takes effect for the next pair.
-            let pending = m.register("pose_pending", Type::FLAG);
-            let load = m.register("load_pose", Type::FLAG);
-            let ready = (running & !pending).named("pose_accepts");
-            let waits = (pending & !load).named("pose_waits");
-            let next = (waits | (pose_valid & ready)).named("pose_pending_next");
-            pending.loads(next, None, Some((reset, 0)));
-            let last_next = phase.map_or_else(one, |phase| phase.is(interval as i128 - 2));
-            load.loads(next & last_next, None, Some((reset, 0)));
-            load.comment("last phase, and a pose is pending").output("pose_load");
-            ready
-        }
-    };
-    let pose_ready = pose_ready.named("takes_pose");
-    pose_ready.output("pose_ready");
-    (pose_valid & pose_ready).named("accept_pose").output("pose_accept");
+    if let Some((reading, pose_valid)) = pose {
+        let pose_ready = match reading {
+            PoseReading::NotLast => running & in_phase("pose_phase", interval - 2),
+            PoseReading::Always => {
+                let last_next = phase.map_or_else(one, |phase| phase.is(interval as i128 - 2));
+                pending_pose(&m, reset, running, pose_valid, last_next)
+            }
+        };
+        let pose_ready = pose_ready.named("takes_pose");
+        pose_ready.output("pose_ready");
+        (pose_valid & pose_ready).named("accept_pose").output("pose_accept");
+    }
     m.finish()
+}
+
+/// A pose waits until the running slot is over, then takes effect for the next pair: whether one can be taken.
+/// `last_next` tells that the last phase follows.
+fn pending_pose<'m>(
+    m: &'m Control,
+    reset: Wire<'m>,
+    running: Wire<'m>,
+    pose_valid: Wire<'m>,
+    last_next: Wire<'m>,
+) -> Wire<'m> {
+    let pending = m.register("pose_pending", Type::FLAG);
+    let load = m.register("load_pose", Type::FLAG);
+    let ready = (running & !pending).named("pose_accepts");
+    let waits = (pending & !load).named("pose_waits");
+    let next = (waits | (pose_valid & ready)).named("pose_pending_next");
+    pending.loads(next, None, Some((reset, 0)));
+    load.loads(next & last_next, None, Some((reset, 0)));
+    load.comment("last phase, and a pose is pending").output("pose_load");
+    ready
 }
 
 /// The pointers of a queue that never overflows: its writer makes sure of a place.

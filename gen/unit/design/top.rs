@@ -246,6 +246,45 @@ fn words(p: &Params, numbers: Vec<Number>) -> Vec<(String, Place, Type)> {
     each.collect()
 }
 
+/// The fields of the result word as ports, from the lowest bit on.
+fn output_fields(p: &Params, word: Wire) {
+    let fields = [("verdict", 2), ("separated", p.flags()), ("overlapping", p.flags())];
+    let mut below = 0;
+    for (name, bits) in fields.into_iter().chain(p.guarded().then_some(("outside", 1))) {
+        let above = if below == 0 { word } else { word.apply(Floor(below), &[]) };
+        let value = if above.ty().bits > bits { above.apply(LowBits(bits), &[]) } else { above };
+        value.named(format!("offered_{name}").as_str()).output(format!("out_{name}").as_str());
+        below += bits;
+    }
+}
+
+/// A place under a base that begins otherwise.
+fn prefixed(place: &Place, old: &str, new: &str) -> Place {
+    Place { base: place.base.replace(old, new), ..place.clone() }
+}
+
+/// The register of a word of the pose that the running slot reads; `of` are the signals of the sequencer.
+fn active_pose<'m>(
+    m: &'m Control,
+    reading: PoseReading,
+    place: &Place,
+    port: Wire<'m>,
+    reset: Wire<'m>,
+    of: impl Fn(&str) -> Wire<'m>,
+) -> Wire<'m> {
+    let reset_to = (place.base == "pose_bypass").then_some((reset, 1));
+    let active = m.register(prefixed(place, "pose_", "active_"), port.ty());
+    match reading {
+        PoseReading::NotLast => active.loads(port, Some(of("pose_accept")), reset_to),
+        PoseReading::Always => {
+            let next = m.register(prefixed(place, "pose_", "next_"), port.ty());
+            next.loads(port, Some(of("pose_accept")), None);
+            active.loads(next, Some(of("pose_load")), reset_to);
+        }
+    }
+    active
+}
+
 /// The top around the data path, of a cascade with what is behind the first.
 fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Option<&Rc<Module>>) -> Rc<Module> {
     let interval = p.interval();
@@ -276,30 +315,18 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     // pair per clock a pair that waits is loaded again in each clock until it is accepted. So what enables these registers, of
     // which some are far from the others, is a port, and not the end of the logic that accepts.
     let load = if interval == 1 { in_valid } else { of("accept") };
-    let mut inputs: HashMap<Place, Wire> = HashMap::new();
-    for (place, port) in pair {
-        let held = Place { base: place.base.replace("in_", "pair_"), ..place.clone() };
-        let register = m.register(held, port.ty());
+    let held = pair.into_iter().map(|(place, port)| {
+        let register = m.register(prefixed(&place, "in_", "pair_"), port.ty());
         register.loads(port, Some(load), None);
-        inputs.insert(place, register);
-    }
+        (place, register)
+    });
+    let mut inputs: HashMap<Place, Wire> = held.collect();
     if let (Some(bypass), Some(reading)) = (bypass, reading) {
-        let held = |place: &Place, prefix: &str| Place { base: place.base.replace("pose_", prefix), ..place.clone() };
         let words = pose.into_iter().chain([(Place::new("pose_bypass"), bypass)]);
-        for (place, port) in words {
-            let is_bypass = place.base == "pose_bypass";
-            let reset_to = is_bypass.then_some((reset, 1));
-            let active = m.register(held(&place, "active_"), port.ty());
-            match reading {
-                PoseReading::NotLast => active.loads(port, Some(of("pose_accept")), reset_to),
-                PoseReading::Always => {
-                    let next = m.register(held(&place, "next_"), port.ty());
-                    next.loads(port, Some(of("pose_accept")), None);
-                    active.loads(next, Some(of("pose_load")), reset_to);
-                }
-            }
-            inputs.insert(place, active);
-        }
+        inputs.extend(words.map(|(place, port)| {
+            let active = active_pose(&m, reading, &place, port, reset, of);
+            (place, active)
+        }));
     }
     let given: Vec<Wire> = path
         .inputs
@@ -347,21 +374,7 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
         of("pose_ready").output("pose_ready");
     }
     of("out_valid").output("out_valid");
-    // Fields of the result word, from the lowest bit on.
-    let mut below = 0;
-    let mut field = |name: &str, bits: u32| {
-        let above = if below == 0 { offered } else { offered.apply(Floor(below), &[]) };
-        let value = if above.ty().bits > bits { above.apply(LowBits(bits), &[]) } else { above };
-        value.named(format!("offered_{name}").as_str()).output(format!("out_{name}").as_str());
-        below += bits;
-    };
-    let flags = p.flags();
-    field("verdict", 2);
-    field("separated", flags);
-    field("overlapping", flags);
-    if p.guarded() {
-        field("outside", 1);
-    }
+    output_fields(p, offered);
     if let Some(tag) = tag {
         let tags = m.memory("tag_queue", of("accept"), of("accept_address"), tag, of("take_address"));
         tags.comment("tags of the pairs accepted and not yet taken");

@@ -364,6 +364,35 @@ fn open(p: &Params) -> i128 {
     i128::from(p.projection_upper().is_none())
 }
 
+/// The edges of two triangles.
+fn edges(a: &[[Real; 3]; 3], b: &[[Real; 3]; 3]) -> [[[Real; 3]; 3]; 2] {
+    [a, b].map(|x| [0, 1, 2].map(|k| minus(&x[(k + 1) % 3], &x[k])))
+}
+
+/// The axes of two triangles with their names.
+fn true_axes(p: &Params, a: &[[Real; 3]; 3], b: &[[Real; 3]; 3]) -> Vec<(String, AxisKind, [Real; 3])> {
+    let edges = edges(a, b);
+    let normals = [a, b].map(|x| cross(&minus(&x[1], &x[0]), &minus(&x[2], &x[0])));
+    let mut axes = vec![
+        ("n_a".to_owned(), AxisKind::NormalA, normals[0].clone()),
+        ("n_b".to_owned(), AxisKind::NormalB, normals[1].clone()),
+    ];
+    for k in 0..3 {
+        for l in 0..3 {
+            axes.push((format!("c_{k}{l}"), AxisKind::Cross(k), cross(&edges[0][k], &edges[1][l])));
+        }
+    }
+    if p.axes == Axes::Seventeen {
+        for k in 0..3 {
+            axes.push((format!("n_a_a{k}"), AxisKind::InPlaneA(k), cross(&normals[0], &edges[0][k])));
+        }
+        for l in 0..3 {
+            axes.push((format!("n_b_b{l}"), AxisKind::InPlaneB, cross(&normals[1], &edges[1][l])));
+        }
+    }
+    axes
+}
+
 /// The signals of a query in exact arithmetic by name, for one real number out of each input's enclosure, with format
 /// and bound of each.
 fn true_signals(
@@ -419,30 +448,12 @@ fn true_signals(
         vector(format!("renormalise.v{k}"), &a[k], f.coordinate_a.format, f.coordinate_a.bound);
         vector(format!("renormalise.w{k}"), &b[k], f.coordinate_b.format, f.coordinate_b.bound);
     }
-    let edges = [&a, &b].map(|x| [0, 1, 2].map(|k| minus(&x[(k + 1) % 3], &x[k])));
+    let edges = edges(&a, &b);
     for k in 0..3 {
         vector(format!("edge.a{k}"), &edges[0][k], f.edge_a[k].format, f.edge_a[k].bound);
         vector(format!("edge.b{k}"), &edges[1][k], f.edge_b.format, f.edge_b.bound);
     }
-    let normals = [&a, &b].map(|x| cross(&minus(&x[1], &x[0]), &minus(&x[2], &x[0])));
-    let mut axes = vec![
-        ("n_a".to_owned(), AxisKind::NormalA, normals[0].clone()),
-        ("n_b".to_owned(), AxisKind::NormalB, normals[1].clone()),
-    ];
-    for k in 0..3 {
-        for l in 0..3 {
-            axes.push((format!("c_{k}{l}"), AxisKind::Cross(k), cross(&edges[0][k], &edges[1][l])));
-        }
-    }
-    if p.axes == Axes::Seventeen {
-        for k in 0..3 {
-            axes.push((format!("n_a_a{k}"), AxisKind::InPlaneA(k), cross(&normals[0], &edges[0][k])));
-        }
-        for l in 0..3 {
-            axes.push((format!("n_b_b{l}"), AxisKind::InPlaneB, cross(&normals[1], &edges[1][l])));
-        }
-    }
-    for (name, kind, direction) in axes {
+    for (name, kind, direction) in true_axes(p, &a, &b) {
         let (row, projection) = (f.axis(kind), f.projection(kind));
         // Section 5: an axis and all that is projected on it carry one power of two, in-plane axes that of the normal too.
         let dots = |triangle: &[[Real; 3]; 3], direction: &[Real; 3]| {
