@@ -134,8 +134,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let unit = Params::default();
     let numbers = Numbers::new(&engine, &unit).map_err(DesignError::from)?;
     let model = Model::new(&engine, &unit).map_err(DesignError::from)?;
-    let meetings =
-        Meetings::new(&scene, numbers).map_err(|e| Failure::Usage(format!("{}: {e}", arguments.file)))?;
+    let meetings = Meetings::new(&scene, numbers).map_err(|e| Failure::Usage(format!("{}: {e}", arguments.file)))?;
     let (memory, sides) = memory(&meetings.images.iter().collect::<Vec<_>>());
     let first_contact = arguments.first_contact;
     let search = Search { broad_phase: scene.broad_phase(), model, meetings, sides, memory, first_contact };

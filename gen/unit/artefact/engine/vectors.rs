@@ -58,8 +58,7 @@ impl<'a> EngineVectors<'a> {
         let model =
             Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
         let layout = Layout::new(&design.params, &design.format, images).expect("images that fit");
-        let mut vectors =
-            Self { design, model, memory, sides, layout, text: format!("{}\n", formats_line(design)) };
+        let mut vectors = Self { design, model, memory, sides, layout, text: format!("{}\n", formats_line(design)) };
         for (address, word) in vectors.layout.memory.iter().enumerate() {
             writeln!(vectors.text, "M {address:08x} {word:016x}").expect("a string takes text");
         }

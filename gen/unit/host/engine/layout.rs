@@ -65,8 +65,7 @@ impl Layout {
     pub fn moved(&self, query: &Query, from: &[Side]) -> Query {
         let mut query = query.clone();
         for side in &mut query.sides {
-            let is_it =
-                |known: &Side| (known.blocks_at, known.triangles_at) == (side.blocks_at, side.triangles_at);
+            let is_it = |known: &Side| (known.blocks_at, known.triangles_at) == (side.blocks_at, side.triangles_at);
             let there = self.sides[from.iter().position(is_it).expect("a side of an image")];
             (side.blocks_at, side.triangles_at) = (there.blocks_at, there.triangles_at);
         }
