@@ -12,6 +12,7 @@ mod diagrams;
 mod drop_in;
 mod effects;
 mod engine;
+mod engine_clocks;
 mod engine_rtl;
 mod engine_volume;
 mod examples;

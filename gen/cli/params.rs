@@ -28,7 +28,7 @@ impl ParamArguments {
     }
 
     /// Whether an option was typed.
-    pub fn has(&self, option: &str) -> bool {
+    fn has(&self, option: &str) -> bool {
         self.given.contains(&option)
     }
 }
@@ -41,13 +41,23 @@ pub(super) struct EngineArguments {
 }
 
 impl EngineArguments {
+    /// The parameters as they were typed.
+    pub fn params(&self) -> &EngineParams {
+        &self.typed
+    }
+
+    /// The first option that was typed, and its value.
+    pub fn first(&self) -> Option<&(&'static str, String)> {
+        self.given.first()
+    }
+
     fn has(&self, option: &str) -> bool {
         self.given.iter().any(|(typed, _)| *typed == option)
     }
 
     /// Refuses options of the engine where there is none.
     pub fn refuse(&self) -> Result<(), Failure> {
-        match self.given.first() {
+        match self.first() {
             Some((option, value)) => {
                 Err(Failure::Usage(format!("--{option} {value}: expected --engine, which has this option")))
             }

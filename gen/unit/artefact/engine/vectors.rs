@@ -3,15 +3,12 @@
 //! The file begins with the line of formats, which the testbench compares with its own; the testbench says what the other
 //! lines are.
 
-use super::{EngineDesign, STRIDE, TRIANGLES_AT};
+use super::EngineDesign;
 use crate::artefact::vectors;
 use crate::golden::engine::{Model, Query, Side};
-use crate::host::engine::{Image, memory};
+use crate::host::engine::{Image, Layout, memory};
 use crate::params::engine::{Answer, Command, EngineReport, Memory, Reason};
 use std::fmt::Write;
-
-/// Words of 64 bits in a line of memory.
-const LINE_WORDS: usize = STRIDE as usize / 8;
 
 /// How a report is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -47,7 +44,7 @@ pub struct EngineVectors<'a> {
     memory: Vec<u64>,
     sides: Vec<Side>,
     /// Where the engine has them.
-    placed: Vec<Side>,
+    layout: Layout,
     text: String,
 }
 
@@ -60,41 +57,16 @@ impl<'a> EngineVectors<'a> {
         let (memory, sides) = memory(images);
         let model =
             Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
-        let mut vectors =
-            Self { design, model, memory, placed: sides.clone(), sides, text: format!("{}\n", formats_line(design)) };
-        match design.params.memory {
-            Memory::Axi => {
-                for (address, word) in vectors.memory.iter().enumerate() {
-                    writeln!(vectors.text, "M {address:08x} {word:016x}").expect("a string takes text");
-                }
-            }
-            Memory::BlockRam => vectors.load_all(),
+        let layout = Layout::new(&design.params, &design.format, images).expect("images that fit");
+        let mut vectors = Self { design, model, memory, sides, layout, text: format!("{}\n", formats_line(design)) };
+        for (address, word) in vectors.layout.memory.iter().enumerate() {
+            writeln!(vectors.text, "M {address:08x} {word:016x}").expect("a string takes text");
+        }
+        for load in std::mem::take(&mut vectors.layout.loads) {
+            vectors.packet(&load);
+            vectors.expect(&[], &EngineReport::default(), Compared::All);
         }
         vectors
-    }
-
-    /// Loads blocks and triangles of all images, each part behind that of the image before.
-    fn load_all(&mut self) {
-        let (mut block, mut triangle) = (0, TRIANGLES_AT);
-        for i in 0..self.sides.len() {
-            let side = self.sides[i];
-            self.placed[i] = Side { blocks_at: block, triangles_at: triangle, ..side };
-            for (from, to, count) in
-                [(side.blocks_at, block, side.blocks), (side.triangles_at, triangle, side.triangles)]
-            {
-                let words = &self.memory[from as usize * LINE_WORDS..][..count as usize * LINE_WORDS];
-                let words = [self.design.format.header(Command::Load), u64::from(to) * u64::from(STRIDE)]
-                    .into_iter()
-                    .chain(words.iter().copied());
-                let words: Vec<u64> = words.collect();
-                self.packet(&words);
-                self.expect(&[], &EngineReport::default(), Compared::All);
-            }
-            block += side.blocks;
-            triangle += side.triangles;
-        }
-        assert!(block <= self.design.params.block_lines, "{block} blocks");
-        assert!(triangle - TRIANGLES_AT <= self.design.params.triangle_lines, "{} triangles", triangle - TRIANGLES_AT);
     }
 
     /// Where image i is for the model: what a query for [`EngineVectors::query`] says.
@@ -114,16 +86,7 @@ impl<'a> EngineVectors<'a> {
 
     /// A query and its answer.
     pub fn query(&mut self, query: &Query) {
-        let mut placed = query.clone();
-        for side in &mut placed.sides {
-            let i = self
-                .sides
-                .iter()
-                .position(|known| (known.blocks_at, known.triangles_at) == (side.blocks_at, side.triangles_at));
-            let there = self.placed[i.expect("a side of an image")];
-            (side.blocks_at, side.triangles_at) = (there.blocks_at, there.triangles_at);
-        }
-        self.packet(&placed.words(&self.design.format));
+        self.packet(&self.layout.moved(query, &self.sides).words(&self.design.format));
         let run = |query: &Query| self.model.run(&self.memory, &query.words(&self.design.format));
         let outcome = run(query);
         match outcome.report.reason {
