@@ -2,9 +2,8 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- What the traversal needs to know of a block: which children take part in the test, where their links go, and whether
--- block and links are good. Combinational: take. One clock after the block was taken: children_valid, the children and
--- the number of tests. Two clocks after: bad, one clock long.
+-- What the traversal needs to know of a block: which children there are, where their links go, and whether block and links
+-- are good. One clock after the block was taken: the children. Two clocks after: bad, one clock long.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -17,10 +16,9 @@ entity {{ prefix }}engine_children is
     taken : in std_logic;  -- the block is taken in this clock
     data : in std_logic_vector({{ e.block_bits - 1 }} downto 0);
     own : in std_logic_vector({{ e.node_bits - 1 }} downto 0);  -- number of the block
-    wanted : in std_logic_vector(1 downto 0);  -- bit 0 left, bit 1 right child
     block_count : in std_logic_vector(31 downto 0);
     triangle_count : in std_logic_vector(31 downto 0);
-    take : out std_logic_vector(1 downto 0);  -- children that take part: wanted, and not none
+    present : out std_logic_vector(1 downto 0);  -- bit 0 left, bit 1 right child: there is one
     leaf : out std_logic_vector(1 downto 0);  -- the link goes to a triangle
     fault : out std_logic_vector(1 downto 0);  -- it goes to no block or triangle of the tree, or to a block that is not behind this one
     left : out std_logic_vector(27 downto 0);  -- number of the block or triangle
@@ -35,7 +33,6 @@ architecture rtl of {{ prefix }}engine_children is
   constant tag : std_logic_vector({{ e.tag_bits - 1 }} downto 0) := "{{ e.block_tag }}";
   constant unusable : std_logic_vector({{ e.offset_bits - 1 }} downto 0) := "{{ e.unusable_code }}";  -- -2^{{ e.offset_bits - 1 }}
   constant usable : std_logic_vector({{ e.code_count }} downto 0) := (others => '0');
-  signal present : std_logic_vector(1 downto 0);
   -- Bit i: code i is unusable; the last: the tag differs.
   signal found : std_logic_vector({{ e.code_count }} downto 0);
   signal found_before : std_logic_vector({{ e.code_count }} downto 0) := (others => '0');
@@ -44,10 +41,6 @@ architecture rtl of {{ prefix }}engine_children is
   signal link : links := (others => (others => '0'));
   signal number : std_logic_vector({{ e.node_bits - 1 }} downto 0) := (others => '0');
 begin
-  present(0) <= '1' when data(31 downto 0) /= none else '0';
-  present(1) <= '1' when data(63 downto 32) /= none else '0';
-  take <= wanted and present;
-
 {%- for code in e.codes %}
   found({{ loop.index0 }}) <= '1' when data({{ code.high }} downto {{ code.low }}) = unusable else '0';
 {%- endfor %}
@@ -73,6 +66,7 @@ begin
     signal beyond : std_logic;  -- no triangle of the tree
     signal astray : std_logic;  -- no block behind this one
   begin
+    present(i) <= '1' when link(i) /= none else '0';
     target <= unsigned(link(i)(30 downto 0));
     leaf(i) <= link(i)(31);
     beyond <= '1' when target >= unsigned(triangle_count) else '0';

@@ -38,7 +38,7 @@ entity {{ prefix }}engine_traverse is
     blocks_taken : in std_logic;  -- the volume unit takes both in this clock
     block_a : in std_logic_vector({{ e.block_bits - 1 }} downto 0);
     block_b : in std_logic_vector({{ e.block_bits - 1 }} downto 0);
-    take_a : out std_logic_vector(1 downto 0);  -- children to be tested
+    take_a : out std_logic_vector(1 downto 0);  -- children to be tested, if there are such
     take_b : out std_logic_vector(1 downto 0);
     survive_valid : in std_logic;
     survive : in std_logic_vector(3 downto 0);  -- bit 2 p + q: child p of A and child q of B may overlap
@@ -82,18 +82,24 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal listed_place : unsigned({{ e.flight_bits - 1 }} downto 0) := (others => '0');
   signal answered_place : unsigned({{ e.flight_bits - 1 }} downto 0) := (others => '0');
   signal finished_place : unsigned({{ e.flight_bits - 1 }} downto 0) := (others => '0');
-  signal answers : unsigned({{ e.flight_bits }} downto 0) := (others => '0');  -- pairs answered and not finished
+  signal answers : unsigned({{ e.flight_bits }} downto 0) := (others => '0');  -- pairs answered and not opened
   signal answered : std_logic;
   type entries is array (0 to {{ e.flight_places - 1 }}) of std_logic_vector({{ e.entry_bits - 1 }} downto 0);
   signal entry_memory : entries := (others => (others => '0'));
-  type children is array (0 to {{ e.flight_places - 1 }}) of std_logic_vector(119 downto 0);
+  type children is array (0 to {{ e.flight_places - 1 }}) of std_logic_vector(123 downto 0);
   signal children_memory : children := (others => (others => '0'));
   type survivals is array (0 to {{ e.flight_places - 1 }}) of std_logic_vector(3 downto 0);
   signal survive_memory : survivals := (others => "0000");
 
   signal taken_entry : std_logic_vector({{ e.entry_bits - 1 }} downto 0);
-  signal take_a_now : std_logic_vector(1 downto 0);
-  signal take_b_now : std_logic_vector(1 downto 0);
+  signal wanted_a : std_logic_vector(1 downto 0);
+  signal wanted_b : std_logic_vector(1 downto 0);
+  signal listed_a : std_logic_vector(1 downto 0) := "00";  -- wanted one clock ago
+  signal listed_b : std_logic_vector(1 downto 0) := "00";
+  signal present_a : std_logic_vector(1 downto 0);
+  signal present_b : std_logic_vector(1 downto 0);
+  signal there_a : std_logic_vector(1 downto 0);  -- wanted and present
+  signal there_b : std_logic_vector(1 downto 0);
   signal leaf_a : std_logic_vector(1 downto 0);
   signal leaf_b : std_logic_vector(1 downto 0);
   signal fault_a : std_logic_vector(1 downto 0);
@@ -108,10 +114,13 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal tests : std_logic_vector(2 downto 0);
 
   -- Survivors one by one, from right and right to left and left.
-  signal own : std_logic_vector({{ e.entry_bits - 1 }} downto 0);
-  signal family : std_logic_vector(119 downto 0);
-  signal done : std_logic_vector(3 downto 0) := "0000";
-  signal left_over : std_logic_vector(3 downto 0);
+  signal opened : std_logic := '0';  -- there is a pair whose survivors are taken
+  signal opens : std_logic;
+  signal opened_children : std_logic_vector(123 downto 0);
+  signal present_pairs : std_logic_vector(3 downto 0);
+  signal own : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');
+  signal family : std_logic_vector(119 downto 0) := (others => '0');
+  signal left_over : std_logic_vector(3 downto 0) := "0000";
   signal pick : std_logic_vector(3 downto 0);
   signal last_pick : std_logic;
   signal chosen_a : std_logic_vector(29 downto 0);  -- leaf, fault, number
@@ -211,8 +220,10 @@ begin
 
   -- ===== Blocks =====
   taken_entry <= entry_memory(to_integer(taken_place));
-  take_a <= take_a_now;
-  take_b <= take_b_now;
+  wanted_a <= taken_entry({{ e.a_low - 1 }} downto {{ e.a_low - 2 }});
+  wanted_b <= taken_entry({{ e.b_low - 1 }} downto {{ e.b_low - 2 }});
+  take_a <= wanted_a;
+  take_b <= wanted_b;
 
   children_a : entity work.{{ prefix }}engine_children
     port map (
@@ -221,10 +232,9 @@ begin
       taken => blocks_taken,
       data => block_a,
       own => taken_entry({{ e.a_high }} downto {{ e.a_low }}),
-      wanted => taken_entry({{ e.a_low - 1 }} downto {{ e.a_low - 2 }}),
       block_count => block_count_a,
       triangle_count => triangle_count_a,
-      take => take_a_now,
+      present => present_a,
       leaf => leaf_a,
       fault => fault_a,
       left => left_a,
@@ -239,10 +249,9 @@ begin
       taken => blocks_taken,
       data => block_b,
       own => taken_entry({{ e.b_high }} downto {{ e.b_low }}),
-      wanted => taken_entry({{ e.b_low - 1 }} downto {{ e.b_low - 2 }}),
       block_count => block_count_b,
       triangle_count => triangle_count_b,
-      take => take_b_now,
+      present => present_b,
       leaf => leaf_b,
       fault => fault_b,
       left => left_b,
@@ -250,20 +259,23 @@ begin
       bad => bad_b
     );
 
-  tests <= "000" when take_a_now = "00" or take_b_now = "00" else
-    "100" when take_a_now = "11" and take_b_now = "11" else
-    "010" when take_a_now = "11" or take_b_now = "11" else
+  there_a <= listed_a and present_a;
+  there_b <= listed_b and present_b;
+  tests <= "000" when there_a = "00" or there_b = "00" else
+    "100" when there_a = "11" and there_b = "11" else
+    "010" when there_a = "11" or there_b = "11" else
     "001";
 
   list : process (clk)
   begin
     if rising_edge(clk) then
       tested <= "000";
-      if blocks_taken = '1' then
-        tested <= tests;
-      end if;
+      listed_a <= wanted_a;
+      listed_b <= wanted_b;
       if listed = '1' then
-        children_memory(to_integer(listed_place)) <= leaf_a(1) & fault_a(1) & right_a & leaf_a(0) & fault_a(0) & left_a
+        tested <= tests;
+        children_memory(to_integer(listed_place)) <= present_a & present_b
+          & leaf_a(1) & fault_a(1) & right_a & leaf_a(0) & fault_a(0) & left_a
           & leaf_b(1) & fault_b(1) & right_b & leaf_b(0) & fault_b(0) & left_b;
       end if;
       if survive_valid = '1' then
@@ -291,9 +303,11 @@ begin
 
   -- ===== Survivors =====
   answered <= '1' when answers /= 0 else '0';
-  own <= entry_memory(to_integer(finished_place));
-  family <= children_memory(to_integer(finished_place));
-  left_over <= survive_memory(to_integer(finished_place)) and not done;
+  -- The oldest answered pair is opened when the one before it has no more survivors.
+  opens <= answered and ((candidate_free and last_pick) or not opened);
+  opened_children <= children_memory(to_integer(finished_place));
+  present_pairs <= (opened_children(123) and opened_children(121)) & (opened_children(123) and opened_children(120))
+    & (opened_children(122) and opened_children(121)) & (opened_children(122) and opened_children(120));
   pick <= "1000" when left_over(3) = '1' else
     "0100" when left_over(2) = '1' else
     "0010" when left_over(1) = '1' else
@@ -320,25 +334,31 @@ begin
         end if;
         next_level <= std_logic_vector(unsigned(own({{ e.level_bits - 1 }} downto 0)) + 1);
       end if;
+      if opens = '1' then
+        own <= entry_memory(to_integer(finished_place));
+        family <= opened_children(119 downto 0);
+        left_over <= survive_memory(to_integer(finished_place)) and present_pairs;
+      elsif candidate_free = '1' then
+        left_over <= left_over and not pick;
+      end if;
       if reset = '1' or start = '1' then
         answers <= (others => '0');
         finished_place <= (others => '0');
-        done <= "0000";
+        opened <= '0';
         candidate <= '0';
       else
         if candidate_free = '1' then
-          candidate <= answered;
-          if answered = '1' then
-            done <= done or pick;
-            if last_pick = '1' then
-              done <= "0000";
-              finished_place <= finished_place + 1;
-            end if;
-          end if;
+          candidate <= opened;
         end if;
-        if survive_valid = '1' and (candidate_free and answered and last_pick) = '0' then
+        if opens = '1' then
+          opened <= '1';
+          finished_place <= finished_place + 1;
+        elsif candidate_free = '1' and last_pick = '1' then
+          opened <= '0';
+        end if;
+        if survive_valid = '1' and opens = '0' then
           answers <= answers + 1;
-        elsif survive_valid = '0' and (candidate_free and answered and last_pick) = '1' then
+        elsif survive_valid = '0' and opens = '1' then
           answers <= answers - 1;
         end if;
       end if;

@@ -74,6 +74,8 @@ pub(super) struct Lines {
     pub word_places: Vec<u32>,
     pub padded_bits: u32,
     pub tag_bits: u32,
+    /// Bits of a tag that are compared together, and those of an address that they are compared with.
+    pub tag_parts: Vec<Slice>,
     pub places: u32,
     pub place_bits: u32,
     pub return_words: u32,
@@ -128,6 +130,8 @@ pub(super) struct Values {
     // Query
     pub directions: u32,
     pub query_words: u32,
+    /// Kinds of header that are told apart.
+    pub kinds: u32,
     pub job_bits: u32,
     pub query_header: String,
     pub query_format: String,
@@ -242,6 +246,14 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
     let line_address_bits = count.ilog2();
     let address_bits = if axi { LINE_ADDRESS_BITS } else { line_address_bits };
     let (return_words, return_bits) = places(PLACES * words_per_line);
+    let tag_bits = LINE_ADDRESS_BITS - line_address_bits;
+    let part = |low: u32, high: u32| Slice {
+        high,
+        low,
+        from_high: line_address_bits + high,
+        from_low: line_address_bits + low,
+    };
+    let half = tag_bits / 2;
     Lines {
         entity,
         what,
@@ -254,7 +266,8 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         words_per_line,
         word_places: (0..words_per_line).rev().collect(),
         padded_bits: word_bits * words_per_line,
-        tag_bits: LINE_ADDRESS_BITS - line_address_bits,
+        tag_bits,
+        tag_parts: vec![part(0, half - 1), part(half, tag_bits - 1)],
         places: PLACES,
         place_bits: PLACES.ilog2(),
         return_words,
@@ -397,6 +410,7 @@ impl Values {
             guarded: unit.guarded(),
             directions: k,
             query_words: format.query_words(),
+            kinds: if params.memory == Memory::BlockRam { 4 } else { 3 },
             job_bits: WORD * (format.query_words() - 1),
             query_header: header(Command::Query),
             query_format: format!("{:08x}", format.header_high()),
