@@ -278,7 +278,7 @@ fn scene_segment(p: &Params) -> (Pose, Vec<Pair>) {
     let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
     let host = SceneHost::new(&points(a), &points(b), p);
     let pose = &meeting.pose;
-    let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)]));
+    let m = pose.rows();
     let placed = host.pose(&m, &[pose.translation.x, pose.translation.y, pose.translation.z]);
     let unit = |(p, q): &(u32, u32)| match placed.pair(a.faces[*p as usize], b.faces[*q as usize]) {
         Host::Unit(pair) => Some(pair),

@@ -307,7 +307,7 @@ fn queries_of_the_default_scene() {
         let side = vectors.side(0);
         let mut queries = 0;
         for meeting in (0..scene.frames()).step_by(128).flat_map(|frame| broad.meetings(frame)) {
-            let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)]));
+            let m = meeting.pose.rows();
             let query = numbers.query([(&images[0], side); 2], &m, &meeting.pose.translation.into()).unwrap();
             queries += 1;
             vectors.query(&Query { number: queries, ..query });

@@ -122,7 +122,7 @@ impl Search<'_> {
     fn meeting(&self, meeting: &Meeting) -> Counts {
         let objects = [meeting.a, meeting.b].map(|object| self.mesh_of[object]);
         let images = objects.map(|mesh| (&self.images[mesh], self.sides[mesh]));
-        let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)]));
+        let m = meeting.pose.rows();
         match self.numbers.query(images, &m, &meeting.pose.translation.into()) {
             Err(_) => Counts { queries: 1, answered_in_software: 1, ..Counts::default() },
             Ok(query) => {

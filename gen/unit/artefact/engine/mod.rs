@@ -26,9 +26,6 @@ pub const NAME: &str = "efsat_engine";
 /// Name of the testbench entity, without a prefix.
 pub const TESTBENCH: &str = "efsat_engine_tb";
 
-/// Address of the memory of triangles in block RAM, in units of 64 bytes; that of blocks is at 0.
-pub const TRIANGLES_AT: u32 = 1 << 25;
-
 /// Bits of the tag of the unit: the numbers of both triangles.
 const TAG_WIDTH: u32 = 56;
 

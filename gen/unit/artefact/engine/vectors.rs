@@ -3,15 +3,12 @@
 //! The file begins with the line of formats, which the testbench compares with its own; the testbench says what the other
 //! lines are.
 
-use super::{EngineDesign, STRIDE, TRIANGLES_AT};
+use super::EngineDesign;
 use crate::artefact::vectors;
 use crate::golden::engine::{Model, Query, Side};
-use crate::host::engine::{Image, memory};
+use crate::host::engine::{Image, loads, memory};
 use crate::params::engine::{Answer, Command, EngineReport, Memory, Reason};
 use std::fmt::Write;
-
-/// Words of 64 bits in a line of memory.
-const LINE_WORDS: usize = STRIDE as usize / 8;
 
 /// How a report is compared.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -68,33 +65,24 @@ impl<'a> EngineVectors<'a> {
                     writeln!(vectors.text, "M {address:08x} {word:016x}").expect("a string takes text");
                 }
             }
-            Memory::BlockRam => vectors.load_all(),
+            Memory::BlockRam => vectors.load_all(images),
         }
         vectors
     }
 
-    /// Loads blocks and triangles of all images, each part behind that of the image before.
-    fn load_all(&mut self) {
-        let (mut block, mut triangle) = (0, TRIANGLES_AT);
-        for i in 0..self.sides.len() {
-            let side = self.sides[i];
-            self.placed[i] = Side { blocks_at: block, triangles_at: triangle, ..side };
-            for (from, to, count) in
-                [(side.blocks_at, block, side.blocks), (side.triangles_at, triangle, side.triangles)]
-            {
-                let words = &self.memory[from as usize * LINE_WORDS..][..count as usize * LINE_WORDS];
-                let words = [self.design.format.header(Command::Load), u64::from(to) * u64::from(STRIDE)]
-                    .into_iter()
-                    .chain(words.iter().copied());
-                let words: Vec<u64> = words.collect();
-                self.packet(&words);
-                self.expect(&[], &EngineReport::default(), Compared::All);
-            }
-            block += side.blocks;
-            triangle += side.triangles;
+    /// Loads blocks and triangles of all images.
+    fn load_all(&mut self, images: &[&Image]) {
+        let params = &self.design.params;
+        let sum = |of: fn(&Side) -> u32| self.sides.iter().map(of).sum::<u32>();
+        let (blocks, triangles) = (sum(|side| side.blocks), sum(|side| side.triangles));
+        assert!(blocks <= params.block_lines, "{blocks} blocks");
+        assert!(triangles <= params.triangle_lines, "{triangles} triangles");
+        let (packets, placed) = loads(images, &self.design.format);
+        self.placed = placed;
+        for packet in packets {
+            self.packet(&packet);
+            self.expect(&[], &EngineReport::default(), Compared::All);
         }
-        assert!(block <= self.design.params.block_lines, "{block} blocks");
-        assert!(triangle - TRIANGLES_AT <= self.design.params.triangle_lines, "{} triangles", triangle - TRIANGLES_AT);
     }
 
     /// Where image i is for the model: what a query for [`EngineVectors::query`] says.

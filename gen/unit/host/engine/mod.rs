@@ -23,6 +23,7 @@
 
 mod check;
 mod image;
+mod loads;
 mod numbers;
 #[cfg(test)]
 mod tests;
@@ -32,4 +33,5 @@ mod build;
 #[cfg(feature = "scenes")]
 pub use build::BuildError;
 pub use image::{Header, Image, ImageError, memory};
+pub use loads::{TRIANGLES_AT, loads};
 pub use numbers::{Numbers, Refusal};
