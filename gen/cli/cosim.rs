@@ -1,5 +1,7 @@
 //! `efsat cosim`.
 
+mod engine;
+
 use super::error::Failure;
 use super::output::{Verdicts, print, print_json};
 use super::params::{ParamArguments, choice, whole};
@@ -13,6 +15,7 @@ use crate::golden::{Pair, Pose, Verdict};
 use crate::host::{Host, Stage, loose_pair};
 use crate::params::{Params, options::Choice};
 use crate::scene::Scene;
+use engine::EngineRun;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::convert::Infallible;
@@ -40,9 +43,9 @@ pub(super) struct Arguments {
     /// Take an evenly spread sample of N pairs of a file or scene [default: 2000 of a scene, all of a file]
     #[arg(long, value_name = "N", value_parser = count, allow_negative_numbers = true, conflicts_with = "random")]
     limit: Option<u64>,
-    /// Simulator that runs the design
-    #[arg(long, value_name = "NAME", default_value = "ghdl", value_parser = choice::<Simulator>())]
-    simulator: Simulator,
+    /// Simulator that runs the design [default: ghdl, with --engine verilator]
+    #[arg(long, value_name = "NAME", value_parser = choice::<Simulator>())]
+    simulator: Option<Simulator>,
     /// What Verilator runs: rtl, as GHDL infers it, or mapped by Yosys to cells of --device's family [default: rtl]
     #[arg(long, value_name = "KIND", value_parser = choice::<Netlist>())]
     netlist: Option<Netlist>,
@@ -60,6 +63,8 @@ pub(super) struct Arguments {
     json: bool,
     #[command(flatten)]
     params: ParamArguments,
+    #[command(flatten)]
+    engine: EngineRun,
 }
 
 /// The JSON object.
@@ -182,8 +187,14 @@ fn job(arguments: &Arguments, params: &Params) -> Result<Job, Failure> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.engine.engine {
+        return engine::run(arguments);
+    }
+    if let Some((option, value)) = arguments.engine.given() {
+        return Err(Failure::Usage(format!("--{option} {value}: expected --engine, which has this option")));
+    }
     let params = arguments.params.params()?;
-    let simulator = match (arguments.simulator, arguments.netlist) {
+    let simulator = match (arguments.simulator.unwrap_or(Simulator::Ghdl), arguments.netlist) {
         (Simulator::Verilator(_), Some(netlist)) => Simulator::Verilator(netlist),
         (simulator, None) => simulator,
         (simulator, Some(_)) => {

@@ -13,7 +13,6 @@ use crate::design::Design;
 use crate::design::top::pace;
 use crate::estimate;
 use crate::params::Params;
-use crate::params::engine::Memory;
 use crate::params::options::Choice;
 use crate::params::stream::StreamWidth;
 use crate::synth::{SynthError, verilog};
@@ -231,15 +230,9 @@ impl fmt::Display for EngineWritten {
 
 /// Writes or checks an engine.
 fn engine(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
-    if arguments.params.has("tag-width") {
-        let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
-        return Err(Failure::Usage(format!("--tag-width {}: {why}", params.tag_width)));
-    }
+    arguments.engine_params.fit(&arguments.params)?;
     if arguments.verilog {
         return Err(Failure::Usage("--verilog with --engine: expected one of the two".to_owned()));
-    }
-    if arguments.engine_params.params().memory == Memory::BlockRam && arguments.engine_params.has("memory-width") {
-        return Err(Failure::Usage("--memory-width with --memory block-ram: expected --memory axi".to_owned()));
     }
     let Some(out) = &arguments.out else {
         return Err(Failure::Usage("no --out: expected --out DIR with --engine".to_owned()));

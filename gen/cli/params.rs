@@ -2,6 +2,7 @@
 
 use super::error::Failure;
 use crate::design::top::DesignError;
+use crate::params::engine::Memory;
 use crate::params::options::Row;
 pub(super) use crate::params::options::{choice, whole};
 use crate::params::{EngineParams, Method, Params};
@@ -26,7 +27,7 @@ impl ParamArguments {
     }
 
     /// Whether an option was typed.
-    pub fn has(&self, option: &str) -> bool {
+    fn has(&self, option: &str) -> bool {
         self.given.contains(&option)
     }
 }
@@ -44,9 +45,17 @@ impl EngineArguments {
         &self.typed
     }
 
-    /// Whether an option was typed.
-    pub fn has(&self, option: &str) -> bool {
-        self.given.iter().any(|(typed, _)| *typed == option)
+    /// Whether what was typed fits together, and to what was typed for the unit.
+    pub fn fit(&self, unit: &ParamArguments) -> Result<(), Failure> {
+        if unit.has("tag-width") {
+            let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
+            return Err(Failure::Usage(format!("--tag-width {}: {why}", unit.typed.tag_width)));
+        }
+        let width = self.given.iter().any(|(typed, _)| *typed == "memory-width");
+        if self.typed.memory == Memory::BlockRam && width {
+            return Err(Failure::Usage("--memory-width with --memory block-ram: expected --memory axi".to_owned()));
+        }
+        Ok(())
     }
 
     /// The first option that was typed, and its value.

@@ -8,7 +8,7 @@ use crate::cli::progress;
 use crate::cli::source::load_scene;
 use crate::design::top::DesignError;
 use crate::golden::engine::{Model, Query, Side};
-use crate::host::engine::{Image, Numbers, memory};
+use crate::host::engine::{Meetings, Numbers, memory};
 use crate::params::engine::{EngineReport, FACTOR_BITS};
 use crate::params::{EngineParams, Params};
 use crate::scene::{BroadPhase, Meeting};
@@ -110,24 +110,19 @@ impl Add for Counts {
 struct Search<'a> {
     broad_phase: BroadPhase<'a>,
     model: Model,
-    numbers: Numbers,
-    images: Vec<Image>,
+    meetings: Meetings,
     sides: Vec<Side>,
-    mesh_of: Vec<usize>,
     memory: Vec<u64>,
     first_contact: bool,
 }
 
 impl Search<'_> {
     fn meeting(&self, meeting: &Meeting) -> Counts {
-        let objects = [meeting.a, meeting.b].map(|object| self.mesh_of[object]);
-        let images = objects.map(|mesh| (&self.images[mesh], self.sides[mesh]));
-        let m = meeting.pose.rows();
-        match self.numbers.query(images, &m, &meeting.pose.translation.into()) {
+        match self.meetings.query(meeting, &self.sides) {
             Err(_) => Counts { queries: 1, answered_in_software: 1, ..Counts::default() },
             Ok(query) => {
                 let query = Query { first_contact: self.first_contact, ..query };
-                Counts::of(&self.model.run(&self.memory, &query.words(self.numbers.format())).report)
+                Counts::of(&self.model.run(&self.memory, &query.words(self.model.format())).report)
             }
         }
     }
@@ -139,13 +134,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let unit = Params::default();
     let numbers = Numbers::new(&engine, &unit).map_err(DesignError::from)?;
     let model = Model::new(&engine, &unit).map_err(DesignError::from)?;
-    let (meshes, mesh_of) = scene.meshes();
-    let images =
-        Image::build(&meshes, numbers.format()).map_err(|e| Failure::Usage(format!("{}: {e}", arguments.file)))?;
-    let (memory, sides) = memory(&images.iter().collect::<Vec<_>>());
+    let meetings = Meetings::new(&scene, numbers).map_err(|e| Failure::Usage(format!("{}: {e}", arguments.file)))?;
+    let (memory, sides) = memory(&meetings.images.iter().collect::<Vec<_>>());
     let first_contact = arguments.first_contact;
-    let search =
-        Search { broad_phase: scene.broad_phase(), model, numbers, images, sides, mesh_of, memory, first_contact };
+    let search = Search { broad_phase: scene.broad_phase(), model, meetings, sides, memory, first_contact };
     let frames = scene.frames();
     let bar = progress::bar("counting", frames as u64, "poses", false);
     let counted = (0..frames).into_par_iter().map(|frame| {

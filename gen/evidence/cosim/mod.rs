@@ -5,6 +5,7 @@
 //! modules it is printed from; Verilator runs a netlist synthesised from the printed text.
 
 mod builtin;
+pub mod engine;
 mod external;
 mod probe;
 mod trial;

@@ -14,7 +14,7 @@ use efsat_unit::artefact::vectors::{Word, formats_line};
 use efsat_unit::artefact::{self, Prefix, Scratch, Stimulus};
 use efsat_unit::design::Design;
 use efsat_unit::params::options::Choice;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 /// The Verilog that is compiled.
@@ -25,6 +25,12 @@ const SOURCE: &str = "efsat.v";
 
 /// Name of the top entity.
 const TOP: &str = "efsat";
+
+/// The testbench.
+const BENCH: &str = "efsat_tb.cpp";
+
+/// What is compiled, in the folder `obj`.
+const PROGRAM: &str = "simulation";
 
 /// A port of the top and its place in a word.
 struct Field {
@@ -87,7 +93,7 @@ fn bench(design: &Design) -> String {
     bench.render().expect("the template renders")
 }
 
-fn find() -> Result<Tool, ToolError> {
+pub(super) fn find() -> Result<Tool, ToolError> {
     let install = "apt-get install verilator g++ make";
     tools::find(&["verilator"], "--version").ok_or(ToolError::Missing { tool: "Verilator", install })
 }
@@ -126,29 +132,41 @@ pub(super) fn run(
     }
     let vectors = format!("{}.vec", testbench::NAME);
     write(&vectors, &artefact::vectors::text(&design.params, stimulus))?;
-    write("efsat_tb.cpp", &bench(design))?;
+    write(BENCH, &bench(design))?;
     let (mut run, seconds) = simulate(&verilator, netlist, dir, &vectors)?;
     run.simulator = format!("{}, {} netlist", verilator.version, netlist.name());
     run.simulation = seconds;
     Ok(run)
 }
 
-/// Compiles the netlist in a folder and runs the testbench on it; what it found, and the time it ran.
-fn simulate(verilator: &Tool, netlist: Netlist, dir: &Path, vectors: &str) -> Result<(Run, Duration), CosimError> {
-    let program = testbench::NAME;
+/// Compiles a netlist and the program around it, both in a folder; the program that results.
+pub(super) fn compile(
+    verilator: &Tool,
+    dir: &Path,
+    top: &str,
+    netlist: &str,
+    bench: &str,
+    cost: &str,
+) -> Result<PathBuf, CosimError> {
     // Warnings are about style in netlists that nobody wrote; two states need no care for the unknown.
     let options = "--cc --exe --build -j 2 -O3 --x-assign fast --x-initial fast --noassert -Wno-fatal";
+    let files = ["--top-module", top, "--Mdir", "obj", "-o", PROGRAM, netlist, bench];
+    let args: Vec<&str> = options.split(' ').chain(cost.split(' ')).chain(files).collect();
+    tools::call(&verilator.path, &args, dir, "verilator.log")?;
+    let dir = dir.canonicalize().map_err(file_error(dir))?;
+    Ok(dir.join("obj").join(PROGRAM))
+}
+
+/// Compiles the netlist in a folder and runs the testbench on it; what it found, and the time it ran.
+fn simulate(verilator: &Tool, netlist: Netlist, dir: &Path, vectors: &str) -> Result<(Run, Duration), CosimError> {
     // The code of a mapped netlist is long: its units are compiled once each, and not optimised.
     let cost = match netlist {
         Netlist::Rtl => "-MAKEFLAGS OPT_FAST=-O2",
         Netlist::Mapped => "--inline-mult 1 -MAKEFLAGS OPT_FAST=-O0",
     };
-    let files = ["--top-module", TOP, "--Mdir", "obj", "-o", program, NETLIST, "efsat_tb.cpp"];
-    let args: Vec<&str> = options.split(' ').chain(cost.split(' ')).chain(files).collect();
-    tools::call(&verilator.path, &args, dir, "verilator.log")?;
-    let dir = dir.canonicalize().map_err(file_error(dir))?;
+    let program = compile(verilator, dir, TOP, NETLIST, BENCH, cost)?;
     let start = Instant::now();
-    let text = external::call(&dir, &dir.join("obj").join(program).to_string_lossy(), &[vectors.to_owned()], false)?;
+    let text = external::call(dir, &program.to_string_lossy(), &[vectors.to_owned()], false)?;
     let seconds = start.elapsed();
     let log = dir.join("simulation.log");
     std::fs::write(&log, &text).map_err(file_error(&log))?;

@@ -6,7 +6,7 @@
 use super::EngineDesign;
 use crate::artefact::vectors;
 use crate::golden::engine::{Model, Query, Side};
-use crate::host::engine::{Image, loads, memory};
+use crate::host::engine::{Image, Layout, memory};
 use crate::params::engine::{Answer, Command, EngineReport, Memory, Reason};
 use std::fmt::Write;
 
@@ -44,7 +44,7 @@ pub struct EngineVectors<'a> {
     memory: Vec<u64>,
     sides: Vec<Side>,
     /// Where the engine has them.
-    placed: Vec<Side>,
+    layout: Layout,
     text: String,
 }
 
@@ -57,32 +57,16 @@ impl<'a> EngineVectors<'a> {
         let (memory, sides) = memory(images);
         let model =
             Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
-        let mut vectors =
-            Self { design, model, memory, placed: sides.clone(), sides, text: format!("{}\n", formats_line(design)) };
-        match design.params.memory {
-            Memory::Axi => {
-                for (address, word) in vectors.memory.iter().enumerate() {
-                    writeln!(vectors.text, "M {address:08x} {word:016x}").expect("a string takes text");
-                }
-            }
-            Memory::BlockRam => vectors.load_all(images),
+        let layout = Layout::new(&design.params, &design.format, images).expect("images that fit");
+        let mut vectors = Self { design, model, memory, sides, layout, text: format!("{}\n", formats_line(design)) };
+        for (address, word) in vectors.layout.memory.iter().enumerate() {
+            writeln!(vectors.text, "M {address:08x} {word:016x}").expect("a string takes text");
+        }
+        for load in std::mem::take(&mut vectors.layout.loads) {
+            vectors.packet(&load);
+            vectors.expect(&[], &EngineReport::default(), Compared::All);
         }
         vectors
-    }
-
-    /// Loads blocks and triangles of all images.
-    fn load_all(&mut self, images: &[&Image]) {
-        let params = &self.design.params;
-        let sum = |of: fn(&Side) -> u32| self.sides.iter().map(of).sum::<u32>();
-        let (blocks, triangles) = (sum(|side| side.blocks), sum(|side| side.triangles));
-        assert!(blocks <= params.block_lines, "{blocks} blocks");
-        assert!(triangles <= params.triangle_lines, "{triangles} triangles");
-        let (packets, placed) = loads(images, &self.design.format);
-        self.placed = placed;
-        for packet in packets {
-            self.packet(&packet);
-            self.expect(&[], &EngineReport::default(), Compared::All);
-        }
     }
 
     /// Where image i is for the model: what a query for [`EngineVectors::query`] says.
@@ -102,16 +86,7 @@ impl<'a> EngineVectors<'a> {
 
     /// A query and its answer.
     pub fn query(&mut self, query: &Query) {
-        let mut placed = query.clone();
-        for side in &mut placed.sides {
-            let i = self
-                .sides
-                .iter()
-                .position(|known| (known.blocks_at, known.triangles_at) == (side.blocks_at, side.triangles_at));
-            let there = self.placed[i.expect("a side of an image")];
-            (side.blocks_at, side.triangles_at) = (there.blocks_at, there.triangles_at);
-        }
-        self.packet(&placed.words(&self.design.format));
+        self.packet(&self.layout.moved(query, &self.sides).words(&self.design.format));
         let run = |query: &Query| self.model.run(&self.memory, &query.words(&self.design.format));
         let outcome = run(query);
         match outcome.report.reason {

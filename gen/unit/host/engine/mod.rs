@@ -23,7 +23,7 @@
 
 mod check;
 mod image;
-mod loads;
+mod layout;
 mod numbers;
 #[cfg(test)]
 mod tests;
@@ -31,7 +31,11 @@ mod tests;
 #[cfg(feature = "scenes")]
 mod build;
 #[cfg(feature = "scenes")]
+mod meetings;
+#[cfg(feature = "scenes")]
 pub use build::BuildError;
 pub use image::{Header, Image, ImageError, memory};
-pub use loads::{TRIANGLES_AT, loads};
+pub use layout::{Layout, TRIANGLES_AT};
+#[cfg(feature = "scenes")]
+pub use meetings::Meetings;
 pub use numbers::{Numbers, Refusal};

@@ -1,9 +1,8 @@
 //! Meshes as an engine and the software that stands in for it need them.
 
 use super::{Contacts, Engine, EngineError, Job};
-use crate::golden::engine::{Query, Side};
-use crate::host::engine::{BuildError, Image, Numbers, loads, memory};
-use crate::params::engine::Memory;
+use crate::golden::engine::Query;
+use crate::host::engine::{BuildError, Image, Layout, Numbers};
 use crate::params::options::Choice;
 use crate::params::{EngineParams, Method, ParamError, Params};
 use efsat_geometry::mesh::Mesh;
@@ -43,9 +42,7 @@ pub struct Objects<'a> {
     numbers: Numbers,
     pub(super) meshes: Vec<&'a Mesh>,
     images: Vec<Image>,
-    sides: Vec<Side>,
-    memory: Vec<u64>,
-    loads: Vec<Vec<u64>>,
+    layout: Layout,
     /// For the software; none before it is needed.
     trees: Vec<OnceLock<DopTree>>,
 }
@@ -64,31 +61,20 @@ impl<'a> Objects<'a> {
             return Err(ParamError { option: "method", found, legal }.into());
         }
         let images = Image::build(meshes, numbers.format())?;
-        let parts: Vec<&Image> = images.iter().collect();
-        let (memory, loads, sides) = match engine.memory {
-            Memory::Axi => {
-                let (memory, sides) = memory(&parts);
-                (memory, vec![], sides)
-            }
-            Memory::BlockRam => {
-                fit(engine, &parts)?;
-                let (loads, sides) = loads(&parts, numbers.format());
-                (vec![], loads, sides)
-            }
-        };
+        let layout = Layout::new(engine, numbers.format(), &images.iter().collect::<Vec<_>>())?;
         let trees = meshes.iter().map(|_| OnceLock::new()).collect();
         let (engine, unit, meshes) = (engine.clone(), unit.clone(), meshes.to_vec());
-        Ok(Self { engine, unit, numbers, meshes, images, sides, memory, loads, trees })
+        Ok(Self { engine, unit, numbers, meshes, images, layout, trees })
     }
 
     /// What lies in the memory of an engine with an AXI4 read master, from address 0 on, as 64-bit words; empty for block RAM.
     pub fn memory(&self) -> &[u64] {
-        &self.memory
+        &self.layout.memory
     }
 
     /// The packets that fill block RAM, to be sent before the first query; none for an AXI4 read master.
     pub fn loads(&self) -> &[Vec<u64>] {
-        &self.loads
+        &self.layout.loads
     }
 
     /// The number formats of queries and images.
@@ -102,7 +88,7 @@ impl<'a> Objects<'a> {
     /// # Panics
     /// If there is no such object.
     pub fn query(&self, objects: [usize; 2], pose: &Pose, options: Options) -> Job<'_, 'a> {
-        let images = objects.map(|object| (&self.images[object], self.sides[object]));
+        let images = objects.map(|object| (&self.images[object], self.layout.sides[object]));
         let query = self.numbers.query(images, &pose.rows(), &pose.translation.into());
         let packet = query.map(|query| {
             let Options { first_contact, limit, empty_caches, number } = options;
@@ -132,19 +118,5 @@ impl<'a> Objects<'a> {
     /// The tree of an object for the software.
     pub(super) fn tree(&self, object: usize) -> &DopTree {
         self.trees[object].get_or_init(|| DopTree::new(self.meshes[object], self.engine.directions))
-    }
-}
-
-/// Whether block RAM holds images.
-fn fit(engine: &EngineParams, images: &[&Image]) -> Result<(), ParamError> {
-    let blocks: u64 = images.iter().map(|image| u64::from(image.header().blocks)).sum();
-    let triangles: u64 = images.iter().map(|image| u64::from(image.header().triangles)).sum();
-    let needs = [("block-lines", engine.block_lines, blocks), ("triangle-lines", engine.triangle_lines, triangles)];
-    match needs.into_iter().find(|(_, found, least)| u64::from(*found) < *least) {
-        None => Ok(()),
-        Some((option, found, least)) => {
-            let legal = format!("expected at least {least}, which the images of all meshes take in block RAM");
-            Err(ParamError { option, found: found.to_string(), legal })
-        }
     }
 }

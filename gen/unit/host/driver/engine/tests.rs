@@ -241,7 +241,7 @@ fn objects_that_an_engine_cannot_hold_are_refused() {
     let mesh = hills(6);
     let refused = |engine: &EngineParams, unit: &Params| Objects::new(engine, unit, &[&mesh]).unwrap_err().to_string();
     let small = EngineParams { block_lines: 64, ..block_ram() };
-    let message = "--block-lines 64: expected at least 71, which the images of all meshes take in block RAM";
+    let message = "--block-lines 64: expected at least 71, which the meshes take in block RAM";
     assert_eq!(refused(&small, &Params::default()), message);
     let snapped: Params = Params { transform_width: 26, ..exact_unit() };
     assert!(refused(&EngineParams::default(), &snapped).starts_with("--method exact: expected axes or determinants"));

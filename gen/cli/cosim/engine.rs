@@ -1,0 +1,228 @@
+//! `efsat cosim --engine`.
+
+use super::{Arguments, spread};
+use crate::artefact::engine::EngineDesign;
+use crate::cli::error::Failure;
+use crate::cli::output::{print, print_json};
+use crate::cli::params::EngineArguments;
+use crate::cli::progress;
+use crate::cli::source::{HEADLIGHT, load_scene};
+use crate::cosim::Simulator;
+use crate::cosim::engine::{Channel, Machine, Measure, check};
+use crate::design::top::DesignError;
+use crate::golden::engine::Query;
+use crate::host::engine::{Image, Layout, Meetings, Numbers, memory};
+use crate::params::engine::Memory;
+use crate::params::options::Choice;
+use crate::scene::Scene;
+use rayon::prelude::*;
+use serde::Serialize;
+use std::fmt::Write;
+use std::ops::RangeInclusive;
+
+/// The longest latency of memory.
+const LATENCY: RangeInclusive<u32> = 1..=1000;
+
+#[derive(Debug, clap::Args)]
+#[command(next_help_heading = "Options of --engine")]
+pub(super) struct EngineRun {
+    /// Simulate the collision engine in Verilator, clock by clock: a query for each two objects of --scene whose boxes overlap
+    /// in a frame; --limit takes a sample of the queries
+    #[arg(long, conflicts_with_all = ["pairs", "random", "netlist", "wave", "probe"])]
+    pub engine: bool,
+    /// Clocks from an address to its first word of memory, N or LEAST-MOST [default: 32]
+    #[arg(long, value_name = "CLOCKS", value_parser = latency, allow_negative_numbers = true)]
+    latency: Option<Latency>,
+    /// Random gaps on all sides: stream, answers, addresses, words of memory; SEED chooses them
+    #[arg(long, value_name = "SEED", value_parser = clap::value_parser!(u32))]
+    gaps: Option<u32>,
+    /// Stop each query at the first certain contact
+    #[arg(long)]
+    first_contact: bool,
+    #[command(flatten)]
+    params: EngineArguments,
+}
+
+impl EngineRun {
+    /// An option of the engine that was typed, and its value.
+    pub fn given(&self) -> Option<(&'static str, String)> {
+        let own = [
+            ("gaps", self.gaps.map(|seed| seed.to_string())),
+            ("first-contact", self.first_contact.then(String::new)),
+            ("latency", self.latency.clone().map(|Latency(clocks)| format!("{}-{}", clocks.start(), clocks.end()))),
+        ];
+        let own = own.into_iter().find_map(|(option, value)| Some((option, value?)));
+        own.or_else(|| self.params.first().cloned())
+    }
+}
+
+/// Least and most clocks.
+#[derive(Clone, Debug)]
+struct Latency(RangeInclusive<u32>);
+
+fn latency(text: &str) -> Result<Latency, String> {
+    let (least, most) = text.split_once('-').unwrap_or((text, text));
+    let number = |text: &str| text.parse().ok().filter(|clocks| LATENCY.contains(clocks));
+    let range = number(least).zip(number(most)).filter(|(least, most)| least <= most);
+    let (least, most) =
+        range.ok_or_else(|| format!("expected clocks from {} to {}, as 32 or 5-60", LATENCY.start(), LATENCY.end()))?;
+    Ok(Latency(least..=most))
+}
+
+/// The JSON object.
+#[derive(Serialize)]
+struct Summary<'a> {
+    mismatches: usize,
+    answered_in_software: usize,
+    clocks_per_query: f64,
+    clocks_per_expansion: usize,
+    clocks_per_pair: usize,
+    #[serde(flatten)]
+    measure: Measure,
+    simulator: &'a str,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    first_mismatch: Option<&'a str>,
+}
+
+/// The queries of a scene, and how many others the engine cannot answer.
+fn queries(meetings: &Meetings, scene: &Scene, arguments: &Arguments) -> (Vec<Query>, usize) {
+    let broad_phase = scene.broad_phase();
+    let (_, sides) = memory(&meetings.images.iter().collect::<Vec<_>>());
+    let frames = scene.frames();
+    let bar = progress::bar("making queries", frames as u64, "poses", false);
+    let made = (0..frames).into_par_iter().flat_map_iter(|frame| {
+        bar.inc(1);
+        let found = broad_phase.meetings(frame);
+        found.into_iter().map(|meeting| meetings.query(&meeting, &sides).ok()).collect::<Vec<_>>()
+    });
+    let made: Vec<Option<Query>> = made.collect();
+    bar.finish_and_clear();
+    let total = made.len() as u64;
+    let chosen = spread(total, arguments.limit.unwrap_or(total)).map(|i| made[i as usize].clone());
+    let chosen: Vec<Option<Query>> = chosen.collect();
+    let refused = chosen.iter().filter(|query| query.is_none()).count();
+    let first_contact = arguments.engine.first_contact;
+    let numbered = |(number, query): (u32, Query)| Query { number: number % (1 << 24), first_contact, ..query };
+    ((0..).zip(chosen.into_iter().flatten()).map(numbered).collect(), refused)
+}
+
+/// Options that the simulation of an engine does not have.
+fn refuse(arguments: &Arguments) -> Result<(), Failure> {
+    let options = &arguments.engine;
+    if options.params.params().memory == Memory::BlockRam && options.latency.is_some() {
+        return Err(Failure::Usage("--latency with --memory block-ram: expected --memory axi".to_owned()));
+    }
+    match arguments.simulator {
+        None | Some(Simulator::Verilator(_)) => Ok(()),
+        Some(other) => {
+            let why = "expected verilator with --engine";
+            Err(Failure::Usage(format!("--simulator {}: {why}", other.name())))
+        }
+    }
+}
+
+/// The command.
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    refuse(arguments)?;
+    let options = &arguments.engine;
+    options.params.fit(&arguments.params)?;
+    let design = EngineDesign::new(options.params.params(), &arguments.params.params()?)?;
+    let name = arguments.source.scene.as_deref().unwrap_or(HEADLIGHT);
+    let scene = load_scene(name)?;
+    let numbers = Numbers::new(&design.params, &design.unit.params).map_err(DesignError::from)?;
+    let meetings = Meetings::new(&scene, numbers).map_err(|e| Failure::Usage(format!("{name}: {e}")))?;
+    let images: Vec<&Image> = meetings.images.iter().collect();
+    // Before the time that the queries take.
+    Layout::new(&design.params, &design.format, &images).map_err(DesignError::from)?;
+    let (queries, refused) = queries(&meetings, &scene, arguments);
+    if queries.is_empty() {
+        return Err(Failure::Usage(format!("{name}: expected two objects whose boxes overlap in a frame")));
+    }
+    let spinner = progress::spinner("compiling the engine");
+    let machine = Machine::build(design, arguments.keep.as_deref())?;
+    spinner.finish_and_clear();
+    let usual = Channel::default();
+    let channel = Channel {
+        latency: options.latency.clone().map_or(usual.latency, |Latency(clocks)| clocks),
+        gaps: options.gaps.is_some(),
+        seed: options.gaps.unwrap_or(usual.seed),
+    };
+    let spinner = progress::spinner("simulating queries");
+    let replies = machine.run(&images, &queries, &channel)?;
+    spinner.finish_and_clear();
+    let bar = progress::bar("comparing with the reference model", queries.len() as u64, "queries", false);
+    let wrong = check(machine.design(), &images, &queries, &replies, || bar.inc(1));
+    bar.finish_and_clear();
+    let measure = Measure::of(machine.design(), &replies);
+    if arguments.json {
+        print_json(&Summary {
+            mismatches: wrong.len(),
+            answered_in_software: refused,
+            clocks_per_query: measure.clocks_per_query(),
+            clocks_per_expansion: machine.design().volume.interval,
+            clocks_per_pair: machine.design().unit.interval,
+            measure,
+            simulator: &machine.simulator,
+            first_mismatch: wrong.first().map(String::as_str),
+        })?;
+    } else {
+        print(&table(&measure, &machine, refused))?;
+    }
+    match wrong.first() {
+        None if arguments.json => Ok(()),
+        None => print(&format!("All {} queries agree with the reference model.\n", queries.len())),
+        Some(first) => {
+            Err(Failure::Check(format!("{} of {} queries differ, the first: {first}", wrong.len(), queries.len())))
+        }
+    }
+}
+
+fn table(measure: &Measure, machine: &Machine, refused: usize) -> String {
+    let design = machine.design();
+    let mut text = format!("{:<38}{:>14}{:>14}\n", "", "per query", "all");
+    let mut row = |name: &str, count: u64| {
+        let mean = count as f64 / measure.queries as f64;
+        let _ = writeln!(text, "{name:<38}{mean:>14.1}{count:>14}");
+    };
+    row("clocks", measure.clocks);
+    row("clocks of reports", measure.running);
+    row("expansions", measure.expansions);
+    row("tests of volumes", measure.tests);
+    row("leaf pairs", measure.leaf_pairs);
+    row("intersect", measure.intersect);
+    row("possibly incorrect", measure.possibly_incorrect);
+    row("blocks asked for", measure.blocks);
+    row("blocks read", measure.blocks_read);
+    row("triangles asked for", measure.triangles);
+    row("triangles read", measure.triangles_read);
+    row("words read", measure.words);
+    row("clocks: volume unit waits for memory", measure.memory_waits);
+    row("clocks: survivors wait for the queue", measure.queue_waits);
+    let share = |busy: u64| 100.0 * busy as f64 / measure.clocks as f64;
+    let mut busy = |name: &str, busy: u64| {
+        let _ = writeln!(text, "{name:<38}{:>13.1}%", share(busy));
+    };
+    busy("volume unit busy", measure.volume_busy);
+    busy("triangle unit busy", measure.triangle_busy);
+    busy("memory bus busy", measure.words);
+    let _ = writeln!(
+        text,
+        "{} queries, {refused} more for software; greatest stack {}; an expansion in {} clocks, a pair in {}; {}",
+        measure.queries, measure.greatest_stack, design.volume.interval, design.unit.interval, machine.simulator
+    );
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_latency_is_a_number_or_a_range() {
+        assert_eq!(latency("32").unwrap().0, 32..=32);
+        assert_eq!(latency("5-60").unwrap().0, 5..=60);
+        for text in ["", "0", "60-5", "5-", "1001", "x"] {
+            assert!(latency(text).unwrap_err().starts_with("expected clocks"), "{text}");
+        }
+    }
+}

@@ -1,0 +1,211 @@
+//! The collision engine in Verilator: the printed VHDL as a netlist, compiled, beside a model of memory. Fast enough for whole
+//! scenes.
+
+mod measure;
+
+pub use measure::{Measure, check};
+
+use super::external::{call, file_error};
+use super::{CosimError, verilator};
+use crate::synth::verilog;
+use askama::Template;
+use efsat_unit::artefact::engine::{EngineDesign, NAME, TESTBENCH, engine_files};
+use efsat_unit::artefact::testbench::RESET_CLOCKS;
+use efsat_unit::artefact::{Prefix, Scratch, origin};
+use efsat_unit::golden::engine::Query;
+use efsat_unit::host::engine::{Image, Layout, memory};
+use efsat_unit::params::engine::{Answer, Command, EngineReport, Memory};
+use std::ops::RangeInclusive;
+use std::path::{Path, PathBuf};
+
+/// The Verilog of the engine.
+const NETLIST: &str = "efsat_engine.v";
+
+/// The memory behind AXI, and the pace of everything around the engine.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Channel {
+    /// Clocks from an address to its first word. There is one channel, which answers in order, one word per clock.
+    pub latency: RangeInclusive<u32>,
+    /// Random gaps: words into the stream, answers taken, addresses taken, words of memory.
+    pub gaps: bool,
+    /// Chooses latencies and gaps.
+    pub seed: u32,
+}
+
+impl Default for Channel {
+    /// That of the figures in the documentation: 32 clocks, no gaps.
+    fn default() -> Self {
+        Self { latency: 32..=32, gaps: false, seed: 1 }
+    }
+}
+
+/// A packet that the engine has answered.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Packet {
+    /// Its words.
+    pub words: Vec<u64>,
+    /// The clock in which the last of them was taken, counted from the end of reset.
+    pub clock: u64,
+}
+
+/// What the engine has answered to a query.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Reply {
+    /// Pairs of triangles, in no order that another engine has to keep.
+    pub answers: Vec<Answer>,
+    /// The report.
+    pub report: EngineReport,
+    /// Clocks since the answer before, from last word to last word: what the query costs in a row of queries.
+    pub clocks: u64,
+}
+
+impl Reply {
+    /// Reads a packet that follows one which ended at clock `before`, none if it is no list of answers with a report behind.
+    pub fn of(packet: &Packet, before: u64) -> Option<Self> {
+        let (answers, report) = packet.words.split_last_chunk()?;
+        Some(Self {
+            answers: answers.iter().map(|&word| Answer::of(word)).collect::<Option<_>>()?,
+            report: EngineReport::of(report)?,
+            clocks: packet.clock - before,
+        })
+    }
+}
+
+#[derive(Template)]
+#[template(path = "engine/efsat_engine_tb.cpp", escape = "none")]
+struct Bench {
+    header: Vec<String>,
+    top: &'static str,
+    axi: bool,
+    word_bytes: u32,
+    word_size: u32,
+    query_header: String,
+    stop_header: String,
+    patience: usize,
+    reset_clocks: usize,
+    arguments: u32,
+}
+
+impl Bench {
+    fn of(design: &EngineDesign) -> Self {
+        let axi = design.params.memory == Memory::Axi;
+        let word_bytes = design.params.memory_width / 8;
+        let header = |command| format!("{:08x}", design.format.header(command) as u32);
+        Self {
+            header: origin(),
+            top: NAME,
+            axi,
+            word_bytes,
+            word_size: word_bytes.ilog2(),
+            query_header: header(Command::Query),
+            stop_header: header(Command::Stop),
+            // A query may work for long without an answer; an expansion or a pair takes some hundred clocks at most.
+            patience: 100_000_000,
+            reset_clocks: RESET_CLOCKS,
+            arguments: if axi { 8 } else { 6 },
+        }
+    }
+}
+
+/// An engine that is compiled and can run.
+pub struct Machine {
+    /// The simulator that runs it, in words.
+    pub simulator: String,
+    design: EngineDesign,
+    program: PathBuf,
+    dir: PathBuf,
+    /// Deletes the folder at the end, if it is nobody's.
+    _scratch: Option<Scratch>,
+}
+
+impl Machine {
+    /// Compiles an engine, in a folder that is kept if one is given. This takes a minute or more.
+    ///
+    /// # Errors
+    /// What is missing, or what a tool said.
+    pub fn build(design: EngineDesign, keep: Option<&Path>) -> Result<Self, CosimError> {
+        let verilator = verilator::find()?;
+        let scratch = match keep {
+            Some(dir) => std::fs::create_dir_all(dir).map(|()| None).map_err(file_error(dir))?,
+            None => Some(Scratch::new().map_err(file_error(&std::env::temp_dir()))?),
+        };
+        let dir = keep.or(scratch.as_ref().map(Scratch::path)).unwrap_or(Path::new("."));
+        let dir = dir.canonicalize().map_err(file_error(dir))?;
+        let files = engine_files(&design, &Prefix::default(), &design.command_line())?;
+        let write = |name: &str, text: &str| {
+            let path = dir.join(name);
+            std::fs::write(&path, text).map_err(file_error(&path))
+        };
+        write(NETLIST, &verilog::from_vhdl(&files, NAME, &dir)?)?;
+        let bench = format!("{TESTBENCH}.cpp");
+        write(&bench, &Bench::of(&design).render().expect("the template renders"))?;
+        let program = verilator::compile(&verilator, &dir, NAME, NETLIST, &bench, "-MAKEFLAGS OPT_FAST=-O2")?;
+        Ok(Self { simulator: verilator.version, design, program, dir, _scratch: scratch })
+    }
+
+    /// The engine.
+    pub fn design(&self) -> &EngineDesign {
+        &self.design
+    }
+
+    /// From reset on: sends packets one behind the other, and returns the answer to each of them but stops, in order.
+    /// `memory` is what is behind AXI, from address 0 on.
+    ///
+    /// # Errors
+    /// A breach of the protocols of the stream or of AXI, a read outside the trees of the queries, or no answer.
+    pub fn exchange(&self, memory: &[u64], packets: &[Vec<u64>], channel: &Channel) -> Result<Vec<Packet>, CosimError> {
+        let io = Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
+        let [memory_file, packet_file, answer_file] =
+            ["memory.bin", "packets.bin", "answers.bin"].map(|name| io.path().join(name));
+        let write = |path: &Path, words: &mut dyn Iterator<Item = u64>| {
+            let bytes: Vec<u8> = words.flat_map(u64::to_le_bytes).collect();
+            std::fs::write(path, bytes).map_err(file_error(path))
+        };
+        write(&memory_file, &mut memory.iter().copied())?;
+        let with_length = |packet: &Vec<u64>| [vec![packet.len() as u64], packet.clone()].concat();
+        write(&packet_file, &mut packets.iter().flat_map(with_length))?;
+        let mut arguments: Vec<String> =
+            [&memory_file, &packet_file, &answer_file].map(|path| path.to_string_lossy().into_owned()).into();
+        if self.design.params.memory == Memory::Axi {
+            arguments.extend([channel.latency.start(), channel.latency.end()].map(ToString::to_string));
+        }
+        arguments.extend([u8::from(channel.gaps).to_string(), channel.seed.to_string()]);
+        let failed = |message: &str| CosimError::Failed { tool: TESTBENCH.to_owned(), message: message.to_owned() };
+        let said = call(&self.dir, &self.program.to_string_lossy(), &arguments, false)?;
+        if !said.trim_end().ends_with(" clocks") {
+            return Err(failed(said.trim().trim_start_matches("error: ")));
+        }
+        let bytes = std::fs::read(&answer_file).map_err(file_error(&answer_file))?;
+        let mut words = bytes.chunks_exact(8).map(|chunk| u64::from_le_bytes(chunk.try_into().expect("eight bytes")));
+        let mut answers = vec![];
+        while let (Some(clock), Some(length)) = (words.next(), words.next()) {
+            answers.push(Packet { clock, words: words.by_ref().take(length as usize).collect() });
+        }
+        let stops = packets.iter().filter(|packet| **packet == [self.design.format.header(Command::Stop)]).count();
+        match answers.len() + stops == packets.len() {
+            true => Ok(answers),
+            false => Err(failed(&format!("{} answers to {} packets", answers.len(), packets.len()))),
+        }
+    }
+
+    /// Puts images into memory and answers queries about them; their sides are those of [`memory`].
+    ///
+    /// # Errors
+    /// As [`Machine::exchange`], and images that do not fit into block RAM.
+    pub fn run(&self, images: &[&Image], queries: &[Query], channel: &Channel) -> Result<Vec<Reply>, CosimError> {
+        let format = &self.design.format;
+        let layout = Layout::new(&self.design.params, format, images).map_err(|e| CosimError::Design(e.into()))?;
+        let (_, sides) = memory(images);
+        let words = queries.iter().map(|query| layout.moved(query, &sides).words(format));
+        let packets: Vec<Vec<u64>> = layout.loads.iter().cloned().chain(words).collect();
+        let replies = self.exchange(&layout.memory, &packets, channel)?;
+        let (loads, replies) = replies.split_at(layout.loads.len());
+        let mut before = loads.last().map_or(0, |packet| packet.clock);
+        let read = |packet: &Packet| {
+            let message = format!("no answer with a report: {:x?}", packet.words);
+            let reply = Reply::of(packet, std::mem::replace(&mut before, packet.clock));
+            reply.ok_or(CosimError::Failed { tool: TESTBENCH.to_owned(), message })
+        };
+        replies.iter().map(read).collect()
+    }
+}

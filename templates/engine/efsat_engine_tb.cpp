@@ -1,0 +1,284 @@
+// Runs packets through a netlist of the engine.
+{%- for line in header %}
+// {{ line }}
+{%- endfor %}
+//
+// Arguments: three files of 64-bit words, little-endian: memory from address 0; packets, each its length and its words;
+// answers, to be written, each the clock of its last word, its length and its words. Then{% if axi %} the least and the most clocks from
+// an address to its first word,{% endif %} 1 for gaps on all sides or 0, and a seed.
+#include "V{{ top }}.h"
+#include "verilated.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <deque>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace {
+
+const uint64_t patience = {{ patience }};  // clocks without a transfer before giving up
+const uint64_t line_bytes = 64;
+{%- if axi %}
+const uint64_t word_bytes = {{ word_bytes }};  // of memory
+const size_t most_bursts = 64;
+{%- endif %}
+
+uint64_t clock_now = 0;
+
+[[noreturn]] void fail(const std::string &message) {
+  std::printf("error: clock %llu: %s\n", static_cast<unsigned long long>(clock_now), message.c_str());
+  std::exit(1);
+}
+
+uint64_t number(const char *text) { return std::strtoull(text, nullptr, 10); }
+
+std::vector<uint64_t> read_words(const std::string &name) {
+  std::ifstream file(name, std::ios::binary);
+  const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file || bytes.size() % 8 != 0)
+    fail("cannot read " + name);
+  std::vector<uint64_t> words(bytes.size() / 8);
+  std::memcpy(words.data(), bytes.data(), bytes.size());
+  return words;
+}
+
+class Random {
+public:
+  explicit Random(uint64_t seed) : state(seed * 2 + 88172645463325253ull) {}
+
+  // Below the bound.
+  uint64_t operator()(uint64_t bound) {
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return (state >> 16) % bound;
+  }
+
+private:
+  uint64_t state;
+};
+
+struct Packet {
+  std::vector<uint64_t> words;
+  bool answered;  // a stop is not
+};
+
+std::vector<Packet> read_packets(const std::string &name) {
+  const std::vector<uint64_t> words = read_words(name);
+  std::vector<Packet> packets;
+  for (size_t i = 0; i < words.size(); i += 1 + words[i]) {
+    if (words[i] == 0 || words[i] >= words.size() - i)
+      fail(name + " is no list of packets");
+    const auto first = words.begin() + i + 1;
+    packets.push_back({std::vector<uint64_t>(first, first + words[i]), words[i] != 1 || uint32_t(*first) != 0x{{ stop_header }}});
+  }
+  return packets;
+}
+
+// Signals that stay as they are from when they are offered until they are taken.
+template <typename Value> class Steady {
+public:
+  explicit Steady(const char *name) : name(name) {}
+
+  void see(bool valid, bool ready, const Value &value) {
+    if (held && (!valid || value != last))
+      fail(std::string(name) + " changed before it was taken");
+    held = valid && !ready;
+    last = value;
+  }
+
+private:
+  const char *name;
+  bool held = false;
+  Value last{};
+};
+
+struct Offer {
+  uint64_t data;
+  bool last;
+  bool operator!=(const Offer &other) const { return data != other.data || last != other.last; }
+};
+{%- if axi %}
+
+struct Address {
+  uint64_t byte;
+  unsigned beats;
+  bool operator!=(const Address &other) const { return byte != other.byte || beats != other.beats; }
+};
+
+// One channel of memory, in order.
+class Memory {
+public:
+  Memory(std::vector<uint64_t> words, const std::vector<Packet> &packets, uint64_t least, uint64_t most, bool gaps, uint64_t seed)
+      : words(std::move(words)), readable(this->words.size() * 8 / line_bytes), least(least), most(most), gaps(gaps), random(seed) {
+    // What may be read: the ranges of queries.
+    for (const Packet &packet : packets) {
+      if (packet.words.size() < 5 || uint32_t(packet.words[0]) != 0x{{ query_header }})
+        continue;
+      for (int part = 0; part < 4; part++) {
+        const auto half = [&](int place) { return packet.words[place + part / 2] >> (part % 2 ? 32 : 0) & 0xffffffff; };
+        for (uint64_t i = half(1); i < half(1) + half(3) && i < readable.size(); i++)
+          readable[i] = true;
+      }
+    }
+  }
+
+  // Before the rising edge: what the engine asks, and whether it takes what is offered.
+  void see(const V{{ top }} &top) {
+    asked = top.m_axi_arvalid && top.m_axi_arready;
+    address = {top.m_axi_araddr, top.m_axi_arlen + 1u};
+    steady.see(top.m_axi_arvalid, top.m_axi_arready, address);
+    if (!top.m_axi_rready)
+      fail("RREADY is not set");
+    if (!asked)
+      return;
+    const uint64_t bytes = address.beats * word_bytes, line = address.byte / line_bytes;
+    if (top.m_axi_arburst != 1 || top.m_axi_arsize != {{ word_size }})
+      fail("a burst that is not of whole words one after the other");
+    if (address.byte % line_bytes != 0 || bytes > line_bytes || address.byte % 4096 + bytes > 4096)
+      fail("a burst of " + std::to_string(bytes) + " bytes at byte " + std::to_string(address.byte));
+    if (line >= readable.size() || !readable[line])
+      fail("a read outside the trees of the queries, at byte " + std::to_string(address.byte));
+    if (bursts.size() == most_bursts)
+      fail("too many bursts");
+  }
+
+  // After it.
+  void drive(V{{ top }} &top) {
+    if (asked)
+      bursts.push_back({address, clock_now + least - 1 + random(most - least + 1)});
+    // A memory may wait for an address before it is ready; who offers one must not wait for that.
+    top.m_axi_arready = !gaps || (top.m_axi_arvalid && random(4) > 0);
+    top.m_axi_rvalid = 0;
+    top.m_axi_rlast = 0;
+    top.m_axi_rresp = 0;
+    if (bursts.empty() || bursts.front().due > clock_now || (gaps && random(4) == 0))
+      return;
+    const Address &burst = bursts.front().address;
+    std::memcpy(&top.m_axi_rdata, reinterpret_cast<const char *>(words.data()) + burst.byte + beat * word_bytes, word_bytes);
+    top.m_axi_rvalid = 1;
+    if (++beat == burst.beats) {
+      top.m_axi_rlast = 1;
+      beat = 0;
+      bursts.pop_front();
+    }
+  }
+
+private:
+  struct Burst {
+    Address address;
+    uint64_t due;
+  };
+  std::vector<uint64_t> words;
+  std::vector<bool> readable;  // lines
+  uint64_t least, most;
+  bool gaps;
+  Random random;
+  std::deque<Burst> bursts;
+  unsigned beat = 0;
+  bool asked = false;
+  Address address{};
+  Steady<Address> steady{"an address"};
+};
+{%- endif %}
+
+}  // namespace
+
+int main(int argc, char **argv) {
+  if (argc != {{ arguments }})
+    fail("wrong arguments");
+  const std::vector<Packet> packets = read_packets(argv[2]);
+  std::ofstream answers(argv[3], std::ios::binary);
+  const auto write = [&](const uint64_t *words, size_t count) {
+    answers.write(reinterpret_cast<const char *>(words), static_cast<std::streamsize>(8 * count));
+  };
+  const bool gaps = number(argv[argc - 2]) != 0;
+  const uint64_t seed = number(argv[argc - 1]);
+  Random random(seed + 1);
+{%- if axi %}
+  Memory memory(read_words(argv[1]), packets, number(argv[4]), number(argv[5]), gaps, seed);
+{%- endif %}
+  size_t due = 0;
+  for (const Packet &packet : packets)
+    due += packet.answered;
+
+  const auto context = std::make_unique<VerilatedContext>();
+  const auto top = std::make_unique<V{{ top }}>(context.get());
+  const auto edge = [&] {
+    top->aclk = 1;
+    top->eval();
+  };
+  const auto settle = [&] {
+    top->aclk = 0;
+    top->eval();
+  };
+  top->aresetn = 0;
+  for (int i = 0; i < {{ reset_clocks }}; i++) {
+    settle();
+    edge();
+  }
+  settle();
+  if (top->s_axis_tready || top->m_axis_tvalid)
+    fail("a handshake in reset");
+  top->aresetn = 1;
+  top->s_axis_tkeep = 0xff;
+  top->m_axis_tready = 1;
+  settle();
+
+  Steady<Offer> steady("an answer");
+  std::vector<uint64_t> answer;
+  size_t packet = 0, word = 0;
+  uint64_t quiet = 0;
+  while (due > 0) {
+    const bool takes = top->s_axis_tvalid && top->s_axis_tready;
+    const bool gives = top->m_axis_tvalid && top->m_axis_tready;
+    const Offer offer = {top->m_axis_tdata, top->m_axis_tlast != 0};
+    steady.see(top->m_axis_tvalid, top->m_axis_tready, offer);
+{%- if axi %}
+    memory.see(*top);
+{%- endif %}
+    edge();
+    clock_now++;
+    quiet = takes || gives ? 0 : quiet + 1;
+    if (quiet > patience)
+      fail("no transfer any more");
+    if (gives) {
+      answer.push_back(offer.data);
+      if (offer.last) {
+        const uint64_t head[] = {clock_now, answer.size()};
+        write(head, 2);
+        write(answer.data(), answer.size());
+        answer.clear();
+        due--;
+      }
+    }
+    if (takes) {
+      top->s_axis_tvalid = 0;
+      if (++word == packets[packet].words.size()) {
+        word = 0;
+        packet++;
+      }
+    }
+    if (!top->s_axis_tvalid && packet < packets.size() && (!gaps || random(2) == 0)) {
+      top->s_axis_tvalid = 1;
+      top->s_axis_tdata = packets[packet].words[word];
+      top->s_axis_tlast = word + 1 == packets[packet].words.size();
+    }
+    top->m_axis_tready = !gaps || random(4) > 0;
+{%- if axi %}
+    memory.drive(*top);
+{%- endif %}
+    settle();
+  }
+  top->final();
+  answers.flush();
+  if (!answers)
+    fail("cannot write " + std::string(argv[3]));
+  std::printf("%llu clocks\n", static_cast<unsigned long long>(clock_now));
+  return 0;
+}
