@@ -4,7 +4,8 @@ use super::{Engine, EngineError, Objects};
 use crate::golden::engine::{Model, Query, Side};
 use crate::host::engine::TRIANGLES_AT;
 use crate::params::ParamError;
-use crate::params::engine::{Answer, Command, EngineFormat, EngineReport, Memory, Reason};
+use crate::params::engine::{Answer, Command, EngineReport, Memory, Reason};
+use rayon::prelude::*;
 
 /// 64-bit words in a line of memory.
 const LINE: usize = 8;
@@ -48,18 +49,29 @@ impl StandIn {
 
     /// The words of the answer to a packet; a stop has none, and nothing to end.
     pub fn packet(&mut self, words: &[u64]) -> Vec<u64> {
-        let format = *self.model.format();
-        let header = |command| words.first() == Some(&format.header(command));
         match self.block_ram {
-            _ if header(Command::Stop) && words.len() == 1 => vec![],
-            _ if header(Command::Stop) => report(Reason::TooLong),
-            Some(lines) if header(Command::Load) => report(self.load(&words[1..], lines).err().unwrap_or_default()),
-            Some(lines) if header(Command::Query) => match self.placed(words, lines, &format) {
+            Some(lines) if self.begins(words, Command::Load) => {
+                report(self.load(&words[1..], lines).err().unwrap_or_default())
+            }
+            _ => self.read_only(words),
+        }
+    }
+
+    /// The same for a packet that is no load.
+    fn read_only(&self, words: &[u64]) -> Vec<u64> {
+        match self.block_ram {
+            _ if self.begins(words, Command::Stop) && words.len() == 1 => vec![],
+            _ if self.begins(words, Command::Stop) => report(Reason::TooLong),
+            Some(lines) if self.begins(words, Command::Query) => match self.placed(words, lines) {
                 Ok(words) => self.query(&words),
                 Err(answer) => answer,
             },
             _ => self.query(words),
         }
+    }
+
+    fn begins(&self, words: &[u64], command: Command) -> bool {
+        words.first() == Some(&self.model.format().header(command))
     }
 
     fn query(&self, words: &[u64]) -> Vec<u64> {
@@ -88,7 +100,8 @@ impl StandIn {
     }
 
     /// A query with the addresses of the model's memory; the answer, if a range is not in the memory that it names.
-    fn placed(&self, words: &[u64], lines: [u32; 2], format: &EngineFormat) -> Result<Vec<u64>, Vec<u64>> {
+    fn placed(&self, words: &[u64], lines: [u32; 2]) -> Result<Vec<u64>, Vec<u64>> {
+        let format = self.model.format();
         let mut query = Query::of(words, format).map_err(report)?;
         let number = query.number;
         let outside = || EngineReport { reason: Reason::Memory, number, ..EngineReport::default() }.words().to_vec();
@@ -115,6 +128,11 @@ impl Engine for StandIn {
     type Error = EngineError;
 
     fn answer(&mut self, packets: &[&[u64]]) -> Result<Vec<Vec<u64>>, EngineError> {
-        Ok(packets.iter().map(|packet| self.packet(packet)).collect())
+        // Only loads change anything.
+        let header = self.model.format().header(Command::Load);
+        Ok(match packets.iter().any(|packet| packet.first() == Some(&header)) {
+            true => packets.iter().map(|packet| self.packet(packet)).collect(),
+            false => packets.par_iter().map(|packet| self.read_only(packet)).collect(),
+        })
     }
 }
