@@ -1,5 +1,6 @@
 //! Whole collision queries in software on one core: trees of k-DOPs, then the exact retest, for every meeting of two objects
-//! of a scene. Writes meshes and poses to a folder, so that `scripts/fcl` can ask another library the same.
+//! of a scene. Writes meshes and poses to a folder, so that `scripts/fcl` can ask another library the same. Prints queries,
+//! touching pairs and microseconds per query; then distance, queries and microseconds per query for each distance of a turn.
 
 use efsat::exact::Exact;
 use efsat::mesh::Mesh;
@@ -17,17 +18,29 @@ fn points(a: &Mesh, b: &Mesh, meeting: &Meeting, (i, j): (u32, u32)) -> [[f64; 3
     [p, q, r, u, v, w].map(|x| x.into())
 }
 
-/// `mesh_I.f64`, nine numbers per triangle, and `meetings.f64`: meshes of A and B, matrix by rows, translation.
-fn emit(dir: &Path, meshes: &[&Mesh], mesh_of: &[usize], meetings: &[Meeting]) -> std::io::Result<()> {
+/// `mesh_I.f64`, nine numbers per triangle, and `meetings.f64`: the distance (NaN without one), meshes of A and B, matrix by
+/// rows, translation.
+fn emit(
+    dir: &Path,
+    meshes: &[&Mesh],
+    mesh_of: &[usize],
+    meetings: &[Meeting],
+    distances: &[f64],
+) -> std::io::Result<()> {
     let bytes = |numbers: Vec<f64>| numbers.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
     for (i, mesh) in meshes.iter().enumerate() {
         let numbers = (0..mesh.faces.len()).flat_map(|face| mesh.triangle(face)).flat_map(|x| [x.x, x.y, x.z]);
         fs::write(dir.join(format!("mesh_{i}.f64")), bytes(numbers.collect()))?;
     }
-    let numbers = meetings.iter().flat_map(|Meeting { a, b, pose, .. }| {
+    let numbers = meetings.iter().zip(distances).flat_map(|(Meeting { a, b, pose, .. }, distance)| {
         let matrix = pose.rotation.transpose();
         let objects = [*a, *b].map(|object| mesh_of[object] as f64);
-        objects.into_iter().chain(matrix.iter().copied()).chain(pose.translation.iter().copied()).collect::<Vec<f64>>()
+        [*distance]
+            .into_iter()
+            .chain(objects)
+            .chain(matrix.iter().copied())
+            .chain(pose.translation.iter().copied())
+            .collect::<Vec<f64>>()
     });
     fs::write(dir.join("meetings.f64"), bytes(numbers.collect()))
 }
@@ -44,23 +57,32 @@ fn main() {
     let trees: Vec<DopTree> = meshes.iter().map(|mesh| DopTree::new(mesh, Directions::Eighteen)).collect();
     let broad_phase = scene.broad_phase();
     let meetings: Vec<Meeting> = (0..scene.frames()).flat_map(|frame| broad_phase.meetings(frame)).collect();
-    emit(dir.as_ref(), &meshes, &mesh_of, &meetings).unwrap_or_else(|error| panic!("{dir}: {error}"));
+    let distance = |meeting: &Meeting| scene.frame(meeting.frame).distance.unwrap_or(f64::NAN);
+    let distances: Vec<f64> = meetings.iter().map(distance).collect();
+    emit(dir.as_ref(), &meshes, &mesh_of, &meetings, &distances).unwrap_or_else(|error| panic!("{dir}: {error}"));
     let mut scratch = Scratch::default();
     let mut answers = vec![];
-    let mut best = f64::INFINITY;
+    // The best time of each query: what else the machine does comes and goes.
+    let mut best = vec![f64::INFINITY; meetings.len()];
     let mut touching = 0;
     for _ in 0..5 {
         touching = 0;
-        let start = Instant::now();
-        for meeting in &meetings {
+        for (meeting, best) in meetings.iter().zip(&mut best) {
+            let start = Instant::now();
             let [a, b] = [meeting.a, meeting.b].map(|object| mesh_of[object]);
             let (found, _) = pairs(&trees[a], &trees[b], &meeting.pose, &mut scratch);
             let found: Vec<_> = found.into_iter().map(|pair| points(meshes[a], meshes[b], meeting, pair)).collect();
             answers.clear();
             retest_batch(&found, &mut answers);
             touching += answers.iter().filter(|answer| **answer != Exact::Separate).count();
+            *best = best.min(start.elapsed().as_secs_f64());
         }
-        best = best.min(start.elapsed().as_secs_f64());
     }
-    println!("{} {touching} {:.2}", meetings.len(), best * 1e6 / meetings.len() as f64);
+    let mean = |times: &[f64]| 1e6 * times.iter().sum::<f64>() / times.len() as f64;
+    println!("{} {touching} {:.2}", meetings.len(), mean(&best));
+    for group in distances.chunk_by(|x, y| x == y).filter(|group| !group[0].is_nan()) {
+        let (now, rest) = best.split_at(group.len());
+        println!("{} {} {:.2}", group[0], group.len(), mean(now));
+        best = rest.to_vec();
+    }
 }

@@ -6,6 +6,7 @@
 
 use crate::baseline::hardware::Names;
 use crate::extent::{full, share};
+use crate::tools::ghdl;
 use efsat::artefact::Stimulus;
 use efsat::cosim::{self, Options, Simulator};
 use efsat::design::{Design, Probes};
@@ -481,17 +482,6 @@ fn graph_equals_reference_model_in_every_inner_signal() {
     });
 }
 
-/// GHDL where it is installed; the test script installs it.
-fn ghdl_is_missing() -> bool {
-    let missing = ["ghdl-llvm", "ghdl-mcode", "ghdl-gcc", "ghdl"]
-        .iter()
-        .all(|c| std::process::Command::new(c).arg("--version").output().is_err());
-    if missing {
-        eprintln!("skipped: GHDL is not installed (apt-get install ghdl-llvm)");
-    }
-    missing
-}
-
 /// Runs GHDL and the built-in simulator on the same stimulus; answers, latency and clock counts must be the same.
 fn ghdl_equals_builtin(name: &str, p: &Params) -> Result<(), String> {
     let [ghdl, builtin] = [Simulator::Ghdl, Simulator::Builtin].map(|s| agrees(name, p, 12, s, true));
@@ -502,7 +492,7 @@ fn ghdl_equals_builtin(name: &str, p: &Params) -> Result<(), String> {
 
 #[test]
 fn ghdl_agrees_in_option_values() {
-    if ghdl_is_missing() {
+    if ghdl().is_none() {
         return;
     }
     // Narrow but for the widths under test: GHDL takes many times as long as the built-in simulator, which runs them all.
@@ -512,7 +502,7 @@ fn ghdl_agrees_in_option_values() {
 
 #[test]
 fn ghdl_agrees_in_cascades_and_with_snapped_geometry() {
-    if ghdl_is_missing() {
+    if ghdl().is_none() {
         return;
     }
     let narrow = |clocks_per_pair, exact_clocks, transform| {
@@ -533,7 +523,7 @@ fn ghdl_agrees_in_cascades_and_with_snapped_geometry() {
 
 #[test]
 fn ghdl_agrees_in_combinations() {
-    if ghdl_is_missing() {
+    if ghdl().is_none() {
         return;
     }
     let mut cases = combined(60);

@@ -2,6 +2,7 @@
 //! latencies and gaps.
 
 use crate::extent::share;
+use crate::tools::ghdl;
 use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::artefact::engine::vectors::EngineVectors;
 use efsat::artefact::engine::{EngineDesign, engine_design_files, samples};
@@ -16,16 +17,6 @@ use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 use std::process::Command;
-
-/// The GHDL that compiles fastest, none where none is installed.
-fn ghdl() -> Option<&'static str> {
-    let found = |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
-    let command = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(found);
-    if command.is_none() {
-        eprintln!("skipped: GHDL is not installed");
-    }
-    command
-}
 
 /// A unit that simulates fast.
 fn small() -> Params {

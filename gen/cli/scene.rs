@@ -5,6 +5,7 @@ mod pairs;
 mod plan;
 mod run;
 mod summary;
+mod times;
 
 use super::error::Failure;
 use crate::scene::hierarchy::Directions;
@@ -22,6 +23,7 @@ enum Command {
     Pairs(pairs::Arguments),
     Plan(plan::Arguments),
     Run(Box<run::Arguments>),
+    Times(times::Arguments),
 }
 
 /// Directions of bounding volumes by their number.
@@ -35,5 +37,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Pairs(arguments) => pairs::run(arguments),
         Command::Plan(arguments) => plan::run(arguments),
         Command::Run(arguments) => run::run(arguments),
+        Command::Times(arguments) => times::run(arguments),
     }
 }

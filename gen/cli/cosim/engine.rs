@@ -8,7 +8,7 @@ use crate::cli::params::EngineArguments;
 use crate::cli::progress;
 use crate::cli::source::{HEADLIGHT, load_scene};
 use crate::cosim::Simulator;
-use crate::cosim::engine::{Channel, Machine, Measure, check};
+use crate::cosim::engine::{Channel, Machine, Measure, Reply, check};
 use crate::design::top::DesignError;
 use crate::golden::engine::Query;
 use crate::host::engine::{Image, Layout, Meetings, Numbers, memory};
@@ -69,6 +69,17 @@ fn latency(text: &str) -> Result<Latency, String> {
     Ok(Latency(least..=most))
 }
 
+/// Numbers of queries that a report tells apart.
+const NUMBERS: u32 = 1 << 24;
+
+/// The queries of a distance.
+#[derive(Serialize)]
+struct Distance {
+    distance: f64,
+    #[serde(flatten)]
+    measure: Measure,
+}
+
 /// The JSON object.
 #[derive(Serialize)]
 struct Summary<'a> {
@@ -79,31 +90,63 @@ struct Summary<'a> {
     clocks_per_pair: usize,
     #[serde(flatten)]
     measure: Measure,
+    distances: Vec<Distance>,
     simulator: &'a str,
     #[serde(skip_serializing_if = "Option::is_none")]
     first_mismatch: Option<&'a str>,
 }
 
-/// The queries of a scene, and how many others the engine cannot answer.
-fn queries(meetings: &Meetings, scene: &Scene, arguments: &Arguments) -> (Vec<Query>, usize) {
+/// What is asked, and at which distance, where a tumbling turn made the frame.
+struct Asked {
+    queries: Vec<Query>,
+    distances: Vec<Option<f64>>,
+    /// How many queries the engine cannot answer.
+    refused: usize,
+}
+
+/// The queries of a scene.
+fn queries(meetings: &Meetings, scene: &Scene, arguments: &Arguments) -> Asked {
     let broad_phase = scene.broad_phase();
     let (_, sides) = memory(&meetings.images.iter().collect::<Vec<_>>());
     let frames = scene.frames();
     let bar = progress::bar("making queries", frames as u64, "poses", false);
     let made = (0..frames).into_par_iter().flat_map_iter(|frame| {
         bar.inc(1);
-        let found = broad_phase.meetings(frame);
-        found.into_iter().map(|meeting| meetings.query(&meeting, &sides).ok()).collect::<Vec<_>>()
+        let distance = scene.frame(frame).distance;
+        let found = broad_phase.meetings(frame).into_iter();
+        found.map(|meeting| (distance, meetings.query(&meeting, &sides).ok())).collect::<Vec<_>>()
     });
-    let made: Vec<Option<Query>> = made.collect();
+    let made: Vec<(Option<f64>, Option<Query>)> = made.collect();
     bar.finish_and_clear();
     let total = made.len() as u64;
-    let chosen = spread(total, arguments.limit.unwrap_or(total)).map(|i| made[i as usize].clone());
-    let chosen: Vec<Option<Query>> = chosen.collect();
-    let refused = chosen.iter().filter(|query| query.is_none()).count();
-    let first_contact = arguments.engine.first_contact;
-    let numbered = |(number, query): (u32, Query)| Query { number: number % (1 << 24), first_contact, ..query };
-    ((0..).zip(chosen.into_iter().flatten()).map(numbered).collect(), refused)
+    let mut asked = Asked { queries: vec![], distances: vec![], refused: 0 };
+    for index in spread(total, arguments.limit.unwrap_or(total)) {
+        let (distance, query) = &made[index as usize];
+        let Some(query) = query else {
+            asked.refused += 1;
+            continue;
+        };
+        let number = asked.queries.len() as u32 % NUMBERS;
+        let first_contact = arguments.engine.first_contact;
+        asked.queries.push(Query { number, first_contact, ..query.clone() });
+        asked.distances.push(*distance);
+    }
+    asked
+}
+
+/// What the queries of each distance cost, in the order in which they come.
+fn by_distance(design: &EngineDesign, distances: &[Option<f64>], replies: &[Reply]) -> Vec<Distance> {
+    let mut groups: Vec<(f64, Vec<Reply>)> = vec![];
+    for (distance, reply) in distances.iter().zip(replies) {
+        let Some(distance) = *distance else { continue };
+        match groups.iter_mut().find(|(known, _)| *known == distance) {
+            Some((_, group)) => group.push(reply.clone()),
+            None => groups.push((distance, vec![reply.clone()])),
+        }
+    }
+    let measured =
+        |(distance, replies): (f64, Vec<Reply>)| Distance { distance, measure: Measure::of(design, &replies) };
+    groups.into_iter().map(measured).collect()
 }
 
 /// Options that the simulation of an engine does not have.
@@ -134,7 +177,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let images: Vec<&Image> = meetings.images.iter().collect();
     // Before the time that the queries take.
     Layout::new(&design.params, &design.format, &images).map_err(DesignError::from)?;
-    let (queries, refused) = queries(&meetings, &scene, arguments);
+    let asked = queries(&meetings, &scene, arguments);
+    let queries = &asked.queries;
     if queries.is_empty() {
         return Err(Failure::Usage(format!("{name}: expected two objects whose boxes overlap in a frame")));
     }
@@ -148,25 +192,26 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         seed: options.gaps.unwrap_or(usual.seed),
     };
     let spinner = progress::spinner("simulating queries");
-    let replies = machine.run(&images, &queries, &channel)?;
+    let replies = machine.run(&images, queries, &channel)?;
     spinner.finish_and_clear();
     let bar = progress::bar("comparing with the reference model", queries.len() as u64, "queries", false);
-    let wrong = check(machine.design(), &images, &queries, &replies, || bar.inc(1));
+    let wrong = check(machine.design(), &images, queries, &replies, || bar.inc(1));
     bar.finish_and_clear();
     let measure = Measure::of(machine.design(), &replies);
     if arguments.json {
         print_json(&Summary {
             mismatches: wrong.len(),
-            answered_in_software: refused,
+            answered_in_software: asked.refused,
             clocks_per_query: measure.clocks_per_query(),
             clocks_per_expansion: machine.design().volume.interval,
             clocks_per_pair: machine.design().unit.interval,
             measure,
+            distances: by_distance(machine.design(), &asked.distances, &replies),
             simulator: &machine.simulator,
             first_mismatch: wrong.first().map(String::as_str),
         })?;
     } else {
-        print(&table(&measure, &machine, refused))?;
+        print(&table(&measure, &machine, asked.refused))?;
     }
     match wrong.first() {
         None if arguments.json => Ok(()),

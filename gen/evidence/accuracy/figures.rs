@@ -2,12 +2,12 @@
 
 use super::break_even::TOLERANCE;
 use super::headline::{grouped, percent, significant, time};
-use super::plot::{
+use super::results::Results;
+use super::row::{Row, is_best};
+use crate::plot::{
     Axis, BLACK, BLUE, Bar, Bars, Chart, Dot, GREEN, GREY, Label, Line, Mark, ORANGE, PURPLE, SKY, Series, Style,
     VERMILION,
 };
-use super::results::Results;
-use super::row::{Row, is_best};
 use efsat_unit::params::Params;
 
 /// A plot.

@@ -1,6 +1,7 @@
 //! The headline: sentences computed from the data.
 
 use super::results::Results;
+pub use crate::plot::grouped;
 
 /// A share in per cent with three significant digits, for example `1.68 %`.
 pub fn percent(share: f64) -> String {
@@ -14,19 +15,6 @@ pub fn significant(x: f64) -> String {
     }
     let digits = (2 - x.abs().log10().floor() as i32).clamp(0, 8) as usize;
     format!("{x:.digits$}")
-}
-
-/// A whole number with commas.
-pub fn grouped(n: u64) -> String {
-    let digits = n.to_string();
-    let mut text = String::new();
-    for (i, digit) in digits.chars().enumerate() {
-        if i > 0 && (digits.len() - i).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
 }
 
 /// A time with its unit, from nanoseconds.

@@ -18,7 +18,6 @@ pub mod ladder;
 mod page;
 mod pairs;
 mod plan;
-mod plot;
 mod point;
 mod results;
 mod row;

@@ -1,17 +1,6 @@
 //! Numbers in words.
 
-/// A count with a comma before every three digits.
-pub(super) fn grouped(count: u64) -> String {
-    let digits = count.to_string();
-    let mut text = String::new();
-    for (place, digit) in digits.chars().enumerate() {
-        if place > 0 && (digits.len() - place).is_multiple_of(3) {
-            text.push(',');
-        }
-        text.push(digit);
-    }
-    text
-}
+pub(super) use crate::plot::grouped;
 
 /// A part of a whole in percent; 0 of nothing.
 pub(super) fn share(part: u64, whole: u64) -> String {

@@ -112,7 +112,7 @@ fn grouped(x: f64, digits: usize) -> String {
     let text = format!("{x:.digits$}");
     let (whole, rest) = text.split_once('.').map_or((text.as_str(), None), |(w, r)| (w, Some(r)));
     let whole: u64 = whole.parse().unwrap_or(0);
-    let whole = crate::accuracy::headline::grouped(whole);
+    let whole = super::grouped(whole);
     rest.map_or(whole.clone(), |rest| format!("{whole}.{rest}"))
 }
 

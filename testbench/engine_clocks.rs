@@ -1,0 +1,92 @@
+//! The collision engine in Verilator: answers of queries of the default scene against the reference model, with and without
+//! gaps, and the clocks that they take, so that a change that makes the engine slower is noticed.
+
+use efsat::artefact::engine::EngineDesign;
+use efsat::cosim::engine::{Channel, Machine, Measure, Reply, check};
+use efsat::golden::engine::Query;
+use efsat::host::engine::{Image, Meetings, Numbers, memory};
+use efsat::params::Params;
+use efsat::params::engine::{EngineParams, Memory};
+use efsat::scene::Scene;
+
+/// So many queries of the default scene, evenly spread over its 1,282.
+const QUERIES: usize = 22;
+
+/// Clocks per query of these, as `efsat cosim --engine --limit 22` says, when the engine was last changed on purpose.
+const WITH_CACHES: f64 = 0.0;
+const WITH_BLOCK_RAM: f64 = 0.0;
+
+/// The most that they may grow, as a factor.
+const SLOWER: f64 = 1.02;
+
+fn meetings(design: &EngineDesign) -> (Meetings, Vec<Query>) {
+    let scene = Scene::default_scene();
+    let meetings = Meetings::new(&scene, Numbers::new(&design.params, &design.unit.params).unwrap()).unwrap();
+    let (_, sides) = memory(&meetings.images.iter().collect::<Vec<_>>());
+    let broad_phase = scene.broad_phase();
+    let found: Vec<_> = (0..scene.frames()).flat_map(|frame| broad_phase.meetings(frame)).collect();
+    let chosen = (0..QUERIES).map(|i| &found[i * found.len() / QUERIES]);
+    let queries = chosen.map(|meeting| meetings.query(meeting, &sides).unwrap()).collect();
+    (meetings, queries)
+}
+
+/// None, where a tool is missing.
+fn machine(engine: &EngineParams) -> Option<Machine> {
+    match Machine::build(EngineDesign::new(engine, &Params::default()).unwrap(), None) {
+        Ok(machine) => Some(machine),
+        Err(error) if error.to_string().contains("is not installed") => {
+            eprintln!("skipped: {error}");
+            None
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
+/// Runs the queries; all have to agree with the reference model.
+fn replies(machine: &Machine, queries: &[Query], images: &[&Image], channel: &Channel) -> Vec<Reply> {
+    let replies = machine.run(images, queries, channel).unwrap();
+    assert_eq!(replies.len(), queries.len());
+    let wrong = check(machine.design(), images, queries, &replies, || ());
+    assert!(wrong.is_empty(), "{channel:?}: {}", wrong.join("\n"));
+    replies
+}
+
+fn clocks_per_query(engine: &EngineParams, expected: f64, others: &[Channel]) {
+    let Some(machine) = machine(engine) else { return };
+    let (meetings, queries) = meetings(machine.design());
+    let images: Vec<&Image> = meetings.images.iter().collect();
+    let first = replies(&machine, &queries, &images, &Channel::default());
+    for channel in others {
+        replies(&machine, &queries, &images, channel);
+    }
+    // The comparison notices what is wrong.
+    let noticed = |change: fn(&mut Reply)| {
+        let mut changed = first.clone();
+        let last = changed.iter_mut().rfind(|reply| reply.answers.len() > 1).unwrap();
+        change(last);
+        check(machine.design(), &images, &queries, &changed, || ()).len() == 1
+    };
+    assert!(noticed(|reply| reply.answers.truncate(1)));
+    assert!(noticed(|reply| reply.answers[0].triangles[1] ^= 1));
+    assert!(noticed(|reply| reply.answers[0].verdict ^= 3));
+    assert!(noticed(|reply| reply.report.tests += 1));
+    assert!(noticed(|reply| reply.report.leaf_pairs += 1));
+
+    let found = Measure::of(machine.design(), &first).clocks_per_query();
+    assert!(found <= SLOWER * expected, "{found:.1} clocks per query; expected at most {SLOWER} x {expected}");
+    assert!(found >= expected / SLOWER, "{found:.1} clocks per query: better than {expected}, which is to be changed");
+}
+
+#[test]
+fn queries_behind_caches_take_as_many_clocks_as_ever() {
+    let gaps = |latency, seed| Channel { latency, gaps: true, seed };
+    clocks_per_query(&EngineParams::default(), WITH_CACHES, &[gaps(1..=1, 1), gaps(5..=200, 2)]);
+}
+
+#[test]
+fn queries_in_block_ram_take_as_many_clocks_as_ever() {
+    let lines = 8192;
+    let engine =
+        EngineParams { memory: Memory::BlockRam, block_lines: lines, triangle_lines: lines, ..EngineParams::default() };
+    clocks_per_query(&engine, WITH_BLOCK_RAM, &[Channel { gaps: true, ..Channel::default() }]);
+}
