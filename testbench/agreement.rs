@@ -6,6 +6,7 @@
 
 use crate::baseline::hardware::Names;
 use crate::extent::{full, share};
+use crate::tools::ghdl;
 use efsat::artefact::Stimulus;
 use efsat::cosim::{self, Options, Simulator};
 use efsat::design::{Design, Probes};
@@ -278,7 +279,7 @@ fn scene_segment(p: &Params) -> (Pose, Vec<Pair>) {
     let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
     let host = SceneHost::new(&points(a), &points(b), p);
     let pose = &meeting.pose;
-    let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)]));
+    let m = pose.rows();
     let placed = host.pose(&m, &[pose.translation.x, pose.translation.y, pose.translation.z]);
     let unit = |(p, q): &(u32, u32)| match placed.pair(a.faces[*p as usize], b.faces[*q as usize]) {
         Host::Unit(pair) => Some(pair),
@@ -481,17 +482,6 @@ fn graph_equals_reference_model_in_every_inner_signal() {
     });
 }
 
-/// GHDL where it is installed; the test script installs it.
-fn ghdl_is_missing() -> bool {
-    let missing = ["ghdl-llvm", "ghdl-mcode", "ghdl-gcc", "ghdl"]
-        .iter()
-        .all(|c| std::process::Command::new(c).arg("--version").output().is_err());
-    if missing {
-        eprintln!("skipped: GHDL is not installed (apt-get install ghdl-llvm)");
-    }
-    missing
-}
-
 /// Runs GHDL and the built-in simulator on the same stimulus; answers, latency and clock counts must be the same.
 fn ghdl_equals_builtin(name: &str, p: &Params) -> Result<(), String> {
     let [ghdl, builtin] = [Simulator::Ghdl, Simulator::Builtin].map(|s| agrees(name, p, 12, s, true));
@@ -502,7 +492,7 @@ fn ghdl_equals_builtin(name: &str, p: &Params) -> Result<(), String> {
 
 #[test]
 fn ghdl_agrees_in_option_values() {
-    if ghdl_is_missing() {
+    if ghdl().is_none() {
         return;
     }
     // Narrow but for the widths under test: GHDL takes many times as long as the built-in simulator, which runs them all.
@@ -512,7 +502,7 @@ fn ghdl_agrees_in_option_values() {
 
 #[test]
 fn ghdl_agrees_in_cascades_and_with_snapped_geometry() {
-    if ghdl_is_missing() {
+    if ghdl().is_none() {
         return;
     }
     let narrow = |clocks_per_pair, exact_clocks, transform| {
@@ -533,7 +523,7 @@ fn ghdl_agrees_in_cascades_and_with_snapped_geometry() {
 
 #[test]
 fn ghdl_agrees_in_combinations() {
-    if ghdl_is_missing() {
+    if ghdl().is_none() {
         return;
     }
     let mut cases = combined(60);

@@ -1,5 +1,6 @@
 //! The generated files in projects of others: names that do not meet those of other designs.
 
+use crate::tools::ghdl;
 use efsat::params::options::Choice;
 use efsat::params::stream::{AnswerFields, Kind, StreamFormat, StreamWidth, StreamWord};
 use efsat::params::{Method, Params, Transform, Upper};
@@ -8,16 +9,6 @@ use rand::{RngExt, SeedableRng};
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
-
-/// The GHDL that compiles fastest, none where none is installed.
-fn ghdl() -> Option<&'static str> {
-    let found = |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
-    let command = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(found);
-    if command.is_none() {
-        eprintln!("skipped: GHDL is not installed");
-    }
-    command
-}
 
 /// Runs a program in a folder; what it says, if it succeeds.
 fn run(dir: &Path, program: &str, arguments: &[&str]) -> String {

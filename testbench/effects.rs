@@ -323,6 +323,72 @@ fn runs_answer_retest_simulate_and_draw() {
     assert_eq!(left.len(), 7, "nothing half-written is left: {left:?}");
 }
 
+/// The engine finds the pairs that the planned unit and the software find, and draws them.
+#[test]
+fn runs_are_answered_by_the_engine_too() {
+    let home = blocks(
+        "[[pose]]\nobject = 'q'\ntranslation = [1, 0, 0]\n[[pose]]\nobject = 'q'\ntranslation = [0.75, 0.5, 0.25]\n\
+         [[pose]]\nobject = 'q'\ntranslation = [9, 9, 9]\n",
+    );
+    let dir = home.path();
+    succeeds(dir, "scene run s.toml --cosim none --pairs due.csv");
+    let files = "--csv rows.csv --pairs pairs.csv --picture p.svg --view v.html --frame 1";
+    let report = object(dir, &format!("scene run s.toml --engine model --json {files}"));
+    let exact = |name: &str| -> Vec<String> {
+        let text = fs::read_to_string(dir.join(name)).unwrap();
+        let pair = |line: &str| line.rsplitn(3, ',').nth(2).unwrap().to_owned();
+        let mut pairs: Vec<String> = text.lines().map(pair).collect();
+        pairs.sort_unstable();
+        pairs
+    };
+    assert!(exact("pairs.csv").len() > 10);
+    assert_eq!(exact("pairs.csv"), exact("due.csv"));
+    let total = &report["total"];
+    assert_eq!(total["touching"].as_u64(), Some(exact("due.csv").len() as u64 - 1));
+    assert_eq!((&total["queries"], &total["in_software"], &total["clocks"]), (&2.into(), &0.into(), &0.into()));
+    let svg = fs::read_to_string(dir.join("p.svg")).unwrap();
+    assert!(svg.contains("frame 1: pose 1"));
+    assert!(fs::read_to_string(dir.join("v.html")).unwrap().contains("queries to the engine"));
+    assert_eq!(fs::read_to_string(dir.join("rows.csv")).unwrap(), succeeds(dir, "scene run s.toml --engine model"));
+    // A tree that is too high for the engine, and some of the poses.
+    let low = object(dir, "scene run s.toml --engine model --json --tree-height 2 --stack 8");
+    assert_eq!((&low["total"]["in_software"], &low["total"]["touching"]), (&2.into(), &total["touching"]));
+    let some = succeeds(dir, "scene run s.toml --engine model --frames 1 --frame 2 --picture q.svg");
+    assert_eq!(some.lines().count(), 3, "{some}");
+    // What plans a unit, or needs the engine.
+    for (options, part) in [
+        ("--engine model --cosim none", "cannot be used with '--cosim <WHICH>'"),
+        ("--engine model --effect transform=on", "cannot be used with '--effect"),
+        ("--engine model --tag-width 3", "expected no width of the tag with --engine"),
+        ("--engine model --method exact --truth snapped --transform-width 26", "expected axes or determinants"),
+        ("--engine model --memory block-ram --block-lines 16", "--block-lines 16: expected at least"),
+        ("--directions 6", "--directions 6: expected --engine, which has this option"),
+        ("--frames 3", "--engine <MACHINE>"),
+    ] {
+        let (status, output, errors) = efsat(dir, &format!("scene run s.toml {options}"), "1");
+        assert_eq!((status, output.as_str()), (Some(2), ""), "{options}");
+        assert!(errors.contains(part), "{options}: {errors}");
+    }
+}
+
+/// The whole machine, clock by clock.
+#[test]
+#[ignore = "compiles the engine for minutes; run by scripts/test full"]
+fn runs_are_answered_by_the_simulated_engine() {
+    let home = blocks("[[pose]]\nobject = 'q'\ntranslation = [0.75, 0.5, 0.25]\n");
+    let dir = home.path();
+    let (status, output, errors) = efsat(dir, "scene run s.toml --engine verilator --json", "2");
+    if errors.contains("is not installed") {
+        eprintln!("skipped: {errors}");
+        return;
+    }
+    assert_eq!(status, Some(0), "{errors}");
+    let report: Value = serde_json::from_str(&output).unwrap();
+    assert_eq!((&report["total"]["queries"], &report["mismatches"]), (&1.into(), &0.into()));
+    assert!(report["total"]["clocks"].as_u64() > Some(100));
+    assert_eq!(report["total"]["touching"], object(dir, "scene run s.toml --json --cosim none")["total"]["touching"]);
+}
+
 /// The conclusion comes first, and its commands generate the units that the rest is about.
 #[test]
 fn plans_begin_with_their_conclusion() {

@@ -42,7 +42,7 @@ fn engines() -> [EngineParams; 4] {
 fn lost(name: &str, meshes: [&Mesh; 2], pose: &Pose) -> (usize, usize, Vec<String>) {
     let expected = brute_force(meshes[0], meshes[1], pose);
     let unit = Params::default();
-    let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)]));
+    let m = pose.rows();
     let (mut queries, mut wrong) = (0, vec![]);
     for engine in engines() {
         let numbers = Numbers::new(&engine, &unit).unwrap();

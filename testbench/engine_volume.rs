@@ -1,6 +1,7 @@
 //! The volume unit: graph, built-in simulation and GHDL give the answers of the reference model.
 
 use crate::extent::share;
+use crate::tools;
 use efsat::artefact::volume::{BENCH, Expansion, NAME, VolumeStimulus, volume_bench, volume_files};
 use efsat::artefact::{Prefix, Scratch};
 use efsat::design::engine::volume_path;
@@ -206,11 +207,7 @@ fn the_hardware_answers_as_the_reference_model() {
 
 /// Runs the printed VHDL under its testbench; the last line that it prints.
 fn ghdl(design: &VolumeDesign, stimulus: &VolumeStimulus, change: impl Fn(&str, String) -> String) -> Option<String> {
-    let runs = |command: &&str| Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success());
-    let Some(command) = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(runs) else {
-        eprintln!("skipped: GHDL is not installed");
-        return None;
-    };
+    let command = tools::ghdl()?;
     let folder = Scratch::new().unwrap();
     let prefix = Prefix::default();
     let mut files = volume_files(design, &prefix).unwrap();

@@ -11,6 +11,9 @@ mod classify;
 #[path = "../examples/drive.rs"]
 #[allow(dead_code, reason = "the test calls what main calls")]
 mod drive;
+#[path = "../examples/engine.rs"]
+#[allow(dead_code, reason = "the test calls what main calls")]
+mod engine;
 #[path = "../examples/generate.rs"]
 #[allow(dead_code, reason = "the test calls what main calls")]
 mod generate;
@@ -53,4 +56,12 @@ fn a_stream_is_driven() {
     let (answers, sent) = drive::drive().unwrap();
     assert_eq!(answers, [Exact::Intersect, Exact::Touch, Exact::Separate]);
     assert!(sent > 0 && sent % 8 == 0);
+}
+
+#[test]
+fn an_engine_is_driven() {
+    let answers = engine::contacts(&[0, 823, 824]).unwrap();
+    let touching: Vec<usize> = answers.iter().map(|(_, contacts)| contacts.touching().count()).collect();
+    assert_eq!(touching, [0, 22, 54], "as efsat scene pairs counts them");
+    assert!(answers.iter().all(|(_, contacts)| contacts.software.is_none()));
 }

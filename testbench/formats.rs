@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Commands, and runs that together have every key. The object of `efsat mutate` is checked by its own tests.
-const RUNS: [(&str, &[&str]); 16] = [
+const RUNS: [(&str, &[&str]); 17] = [
     (
         "efsat classify",
         &[
@@ -26,6 +26,7 @@ const RUNS: [(&str, &[&str]); 16] = [
     ("efsat scene pairs", &["scene pairs s.toml", "scene pairs tumble.toml"]),
     ("efsat scene plan", &["scene plan s.toml", "scene plan tumble.toml"]),
     ("efsat scene run", &["scene run s.toml --simulator builtin", "scene run tumble.toml --cosim none"]),
+    ("efsat scene run --engine", &["scene run s.toml --engine model", "scene run tumble.toml --engine model"]),
     ("efsat self-intersections", &["self-intersections m.obj --exact"]),
     ("efsat accuracy", &["accuracy --pairs 50 --sweep width=12 --multipliers 72 --out c"]),
     ("efsat tree inspect", &["tree inspect m.tree"]),

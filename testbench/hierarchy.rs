@@ -38,7 +38,7 @@ pub fn brute_force(a: &Mesh, b: &Mesh, pose: &Pose) -> Vec<(u32, u32)> {
     };
     let mut of_b: Vec<(u32, Bounds)> = (0..).zip(b.faces.iter().map(of_b)).collect();
     of_b.sort_by(|x, y| x.1.min.x.total_cmp(&y.1.min.x));
-    let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)]));
+    let m = pose.rows();
     let corners = |mesh: &Mesh, face: u32| mesh.triangle(face as usize).map(<[f64; 3]>::from);
     let row = |(p, here): (usize, &Bounds)| -> Vec<(u32, u32)> {
         let end = of_b.partition_point(|(_, there)| there.min.x <= here.max.x);

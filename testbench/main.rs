@@ -34,4 +34,5 @@ mod stream;
 mod stress;
 mod strict;
 mod synth;
+mod tools;
 mod wall;

@@ -1,6 +1,7 @@
 //! The checks themselves are checked: a slice of what `efsat mutate` does in full.
 
 use crate::extent::full;
+use crate::tools::ghdl;
 use efsat::artefact::Stimulus;
 use efsat::cosim::{Bench, Simulator, Trial};
 use efsat::mutation::campaign::{self, Campaign, Options};
@@ -14,17 +15,6 @@ use std::collections::HashSet;
 /// A small design, quick to simulate, with every unit of the default one.
 fn small() -> Params {
     Params { width: 8, transform_width: 10, frequency: 40, ..Params::default() }
-}
-
-/// GHDL where it is installed; the test script installs it.
-fn ghdl_is_missing() -> bool {
-    let missing = ["ghdl-llvm", "ghdl-mcode", "ghdl-gcc", "ghdl"]
-        .iter()
-        .all(|c| std::process::Command::new(c).arg("--version").output().is_err());
-    if missing {
-        eprintln!("skipped: GHDL is not installed (apt-get install ghdl-llvm)");
-    }
-    missing
 }
 
 #[test]
@@ -58,7 +48,7 @@ fn sticky_bits_yield_mutants_of_rounding_too() {
 
 #[test]
 fn unchanged_and_equivalent_text_is_not_killed_and_wrong_text_is() {
-    if ghdl_is_missing() {
+    if ghdl().is_none() {
         return;
     }
     let params = Params { projections: Projections::All, ..small() };
@@ -129,7 +119,7 @@ fn holes(entries: Vec<Entry>) -> Vec<String> {
 
 #[test]
 fn co_simulation_kills_mutants_of_every_kind() {
-    if ghdl_is_missing() {
+    if ghdl().is_none() {
         return;
     }
     let params = small();

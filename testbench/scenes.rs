@@ -85,7 +85,7 @@ fn projection_policies_are_in_order() {
 
 /// A pose as the oracle takes it.
 fn twelve(pose: &efsat::scene::Pose) -> (Matrix, [f64; 3]) {
-    ([0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)])), pose.translation.into())
+    (pose.rows(), pose.translation.into())
 }
 
 /// The meetings of all frames.

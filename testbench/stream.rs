@@ -1,6 +1,7 @@
 //! The stream wrapper, the example and the driver in GHDL, against the reference model and the exact oracle.
 
 use crate::extent::share;
+use crate::tools::ghdl;
 use efsat::artefact::{FileSet, Packaging, design_files_with, stream, stream_vectors};
 use efsat::design::{Design, Probes};
 use efsat::exact::{self, Exact};
@@ -13,16 +14,6 @@ use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 use std::path::Path;
 use std::process::Command;
-
-/// The GHDL that compiles fastest, none where none is installed.
-fn ghdl() -> Option<&'static str> {
-    let found = |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
-    let command = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(found);
-    if command.is_none() {
-        eprintln!("skipped: GHDL is not installed");
-    }
-    command
-}
 
 /// Small, fast and complete.
 fn small() -> Params {

@@ -164,7 +164,7 @@ impl Job {
 }
 
 /// `limit` numbers below `total`, evenly spread and ascending; all of them if there are no more.
-fn spread(total: u64, limit: u64) -> impl Iterator<Item = u64> {
+pub(super) fn spread(total: u64, limit: u64) -> impl Iterator<Item = u64> {
     let count = limit.min(total);
     (0..count).map(move |i| (u128::from(i) * u128::from(total) / u128::from(count)) as u64)
 }

@@ -4,6 +4,7 @@ use crate::artefact::FileSetError;
 use crate::cosim::CosimError;
 use crate::design::top::DesignError;
 use crate::effects::TooMany;
+use crate::host::driver::engine::{EngineError, ObjectsError};
 use crate::pair_file::PairFileError;
 use crate::scene::SceneError;
 use crate::synth::SynthError;
@@ -32,6 +33,21 @@ impl From<CosimError> for Failure {
             CosimError::Design(e) => e.into(),
             e if e.is_usage() => Self::Usage(e.to_string()),
             e => Self::Check(e.to_string()),
+        }
+    }
+}
+
+impl From<EngineError> for Failure {
+    fn from(e: EngineError) -> Self {
+        Self::Check(e.to_string())
+    }
+}
+
+impl From<ObjectsError> for Failure {
+    fn from(e: ObjectsError) -> Self {
+        match e {
+            ObjectsError::Parameter(e) => DesignError::from(e).into(),
+            ObjectsError::Build(e) => Self::Usage(e.to_string()),
         }
     }
 }

@@ -286,7 +286,7 @@ fn ready(arguments: &Arguments, params: &Params) -> Result<(), Failure> {
         return check(&set, out);
     }
     set.write(out)?;
-    print(&format!("{}: {} files, {} designs\n", out.display(), set.len(), ready_designs().len()))
+    print(&format!("{}: {} files, {} designs and an engine\n", out.display(), set.len(), ready_designs().len()))
 }
 
 /// The command line that stands in the files of a design.

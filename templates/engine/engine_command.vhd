@@ -6,7 +6,8 @@
 --   3  query: {{ e.query_words }} words with the header; above it the first has
 --      {{ e.directions }} in bits 39..32, {{ e.offset_bits }} in 43..40, {{ e.factor_bits }} in 48..44, {{ e.origin_bits }} in 53..49, and zeros
 {%- if e.block_ram %}
---   4  load: a byte address, a multiple of 64, and words for the memory from there on: below 2^31 blocks, from 2^31 on triangles
+--   4  load: the second word is a byte address, a multiple of 64 in bits 31..0 below zeros; then words for the memory from there
+--      on, eight for each 64 bytes. Bit 31 of the address is 0 for blocks, 1 for triangles
 {%- endif %}
 --   5  stop: the header alone. Ends the query that runs and has no answer of its own
 -- Every other packet becomes a job: a query to run, or a report to give. One job waits here while another one runs; then words

@@ -37,9 +37,20 @@ pub(super) struct GivenArguments {
 }
 
 impl GivenArguments {
+    /// The parameters of a unit that is not planned.
+    pub fn unit(&self, file: &str, settings: &Settings) -> Result<ParamArguments, Failure> {
+        Ok(self.options.arguments(file, &settings.parameters, false)?.0)
+    }
+
     /// What is asked for in all.
     pub fn request(&self, file: &str, settings: &Settings) -> Result<Request, Failure> {
-        let (params, given) = self.options.params(file, &settings.parameters)?;
+        let (arguments, given) = self.options.arguments(file, &settings.parameters, true)?;
+        let params = arguments.params()?;
+        if params.method == Method::Exact {
+            let why =
+                "--method exact: expected axes or determinants, which have stages to plan; the exact unit has none";
+            return Err(Failure::Usage(why.to_owned()));
+        }
         let mut request = Request::new(settings, params, self.k);
         for (i, (effect, switch)) in self.effect.iter().enumerate() {
             if self.effect[..i].iter().any(|(before, _)| before == effect) {
@@ -117,8 +128,14 @@ impl FromArgMatches for Options {
 }
 
 impl Options {
-    /// The parameters, and the names of those that were given in the file or typed.
-    fn params(&self, file: &str, of_file: &[Parameter]) -> Result<(Params, Vec<String>), Failure> {
+    /// The parameters, and the names of those that were given in the file or typed. The full unit has all stages where nothing
+    /// else is given.
+    fn arguments(
+        &self,
+        file: &str,
+        of_file: &[Parameter],
+        full: bool,
+    ) -> Result<(ParamArguments, Vec<String>), Failure> {
         let is_typed = |name: &str| self.typed.iter().any(|(typed, _)| typed == name);
         let kept: Vec<&Parameter> = of_file.iter().filter(|parameter| !is_typed(&parameter.name)).collect();
         // One by one first, so that the line of the file can be named.
@@ -132,20 +149,16 @@ impl Options {
             words.push("--like-paper".to_owned());
         }
         let has_axes = !given.iter().any(|(name, value)| name == "method" && value != Method::Axes.name());
-        if has_axes && !given.iter().any(|(name, _)| name == "axes") {
+        if full && has_axes && !given.iter().any(|(name, _)| name == "axes") {
             // The unit with all stages has 17, and as many axis units are legal.
             words.push("--axes=17".to_owned());
         }
-        let params = parse(&words).and_then(|arguments| arguments.params()).map_err(|e| match &kept[..] {
+        let fits = |arguments: ParamArguments| arguments.params().map(|_| arguments);
+        let arguments = parse(&words).and_then(fits).map_err(|e| match &kept[..] {
             [] => e,
             _ => within(file, e),
         })?;
-        if params.method == Method::Exact {
-            let why =
-                "--method exact: expected axes or determinants, which have stages to plan; the exact unit has none";
-            return Err(Failure::Usage(why.to_owned()));
-        }
-        Ok((params, given.into_iter().map(|(name, _)| name).collect()))
+        Ok((arguments, given.into_iter().map(|(name, _)| name).collect()))
     }
 }
 

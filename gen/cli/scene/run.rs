@@ -1,5 +1,6 @@
 //! `efsat scene run`.
 
+mod engine;
 mod report;
 
 use super::given::GivenArguments;
@@ -14,11 +15,14 @@ use crate::cli::{output, progress};
 use crate::cosim::Simulator;
 use crate::design::Design;
 use crate::effects::picture::Picture;
-use crate::effects::{self, Contact, Cosimulation, Front, Options, Place, Plan, Row, Sampling, Total, Viewer};
+use crate::effects::{
+    self, Contact, Cosimulation, Counted, Counts, Front, Options, Place, Plan, Row, Sampling, Total, Viewer,
+};
 use crate::golden::Verdict;
 use crate::params::options::Choice;
 use crate::scene::Scene;
-use report::Report;
+use engine::EngineOptions;
+use report::{End, Report, words};
 use std::path::{Path, PathBuf};
 
 /// Pairs of the stratified sample where nothing else is asked for.
@@ -79,6 +83,8 @@ pub(super) struct Arguments {
     seed: Option<u64>,
     #[command(flatten)]
     given: GivenArguments,
+    #[command(flatten)]
+    engine: EngineOptions,
 }
 
 /// Which pairs are simulated.
@@ -219,8 +225,38 @@ struct Sinks<'a> {
     viewer: Option<Viewer<'a, 'a>>,
 }
 
-impl Sinks<'_> {
-    fn take(&mut self, row: &Row, contacts: &[Contact]) -> Result<(), Failure> {
+impl<'a> Sinks<'a> {
+    /// Writes the first lines of tables.
+    fn new<C: Counted>(
+        scene: &'a Scene,
+        report: Report,
+        viewer: Option<Viewer<'a, 'a>>,
+        mut csv: Option<Output>,
+        mut pairs: Option<Output>,
+    ) -> Result<Self, Failure> {
+        if let Some(csv) = &mut csv {
+            csv.write(report::heads::<C>())?;
+        }
+        if let Some(pairs) = &mut pairs {
+            pairs.write("frame,a,b,triangle_a,triangle_b,verdict,exact\n")?;
+        }
+        Ok(Self { scene, report, csv, pairs, viewer })
+    }
+
+    /// Ends tables and page; the report is left.
+    fn finish(self, view: Option<Output>, command_line: &str) -> Result<Report, Failure> {
+        if let (Some(viewer), Some(mut file)) = (self.viewer, view) {
+            if viewer.left_out() > 0 {
+                warn(&format!("the page is full: {} more pairs are not on it", viewer.left_out()));
+            }
+            file.write(viewer.page(command_line))?;
+            file.finish()?;
+        }
+        self.csv.into_iter().chain(self.pairs).try_for_each(Output::finish)?;
+        Ok(self.report)
+    }
+
+    fn take<C: Counted>(&mut self, row: &Row<C>, contacts: &[Contact]) -> Result<(), Failure> {
         self.report.take(row)?;
         if let Some(csv) = &mut self.csv {
             csv.write(report::line(row))?;
@@ -249,6 +285,10 @@ fn pair(scene: &Scene, contact: &Contact) -> String {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (scene, settings) = load_planned(&arguments.file)?;
     arguments.check(&scene)?;
+    if let Some(machine) = arguments.engine.engine {
+        return engine::run(arguments, machine, &scene, &settings);
+    }
+    arguments.engine.refuse()?;
     let mut request = arguments.given.request(&arguments.file, &settings)?;
     request.costs = false;
     arguments.check_outputs()?;
@@ -265,13 +305,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         arguments.write_design(dir, &set)?;
         outputs.begin(arguments, true)?;
     }
-    let Outputs { mut csv, mut pairs, picture, view } = outputs;
-    if let Some(csv) = &mut csv {
-        csv.write(report::heads())?;
-    }
-    if let Some(pairs) = &mut pairs {
-        pairs.write("frame,a,b,triangle_a,triangle_b,verdict,exact\n")?;
-    }
+    let Outputs { csv, pairs, picture, view } = outputs;
     let front = Front::new(&scene, plan.software, request.directions);
     let simulator = arguments.simulator.unwrap_or(Simulator::Ghdl);
     let simulated = |simulator| design().map(|design| Cosimulation::new(&front, design, simulator));
@@ -281,9 +315,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut every = (arguments.cosim == Which::Sample).then(every).transpose()?;
     let exact = arguments.pairs.is_some() || arguments.view.is_some();
     let options = Options { sampling: arguments.sampling(), exact, seed: arguments.seed.unwrap_or(1) };
-    let report = Report::new(arguments.json, arguments.summary, &plan)?;
-    let viewer = view.is_some().then(|| Viewer::new(&front, &plan));
-    let mut sinks = Sinks { scene: &scene, report, csv, pairs, viewer };
+    let report = Report::new::<Counts>(arguments.json, arguments.summary, "plan", &plan)?;
+    let viewer = view.is_some().then(|| Viewer::new(&front, &plan.params));
+    let mut sinks = Sinks::new::<Counts>(&scene, report, viewer, csv, pairs)?;
     let bar = progress::bar("answering", scene.frames() as u64, "poses", !arguments.summary);
     let mut waiting: Vec<Place> = vec![];
     let total = effects::run(&front, &plan, options, |row, contacts, all| {
@@ -316,31 +350,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     }
     if let Some(picture) = picture {
-        draw(arguments, &scene, &front, &plan, &total, picture)?;
+        let frame = arguments.frame.map_or(total.fullest, |frame| frame as usize);
+        draw(arguments, &scene, frame, &effects::frame_contacts(&front, &plan, frame), picture)?;
     }
-    let Sinks { report, csv, pairs, viewer, .. } = sinks;
-    if let (Some(viewer), Some(mut file)) = (viewer, view) {
-        if viewer.left_out() > 0 {
-            warn(&format!("the page is full: {} more pairs are not on it", viewer.left_out()));
-        }
-        file.write(viewer.page(&plan))?;
-        file.finish()?;
-    }
-    csv.into_iter().chain(pairs).try_for_each(Output::finish)?;
-    report.finish(&plan, &total, cosimulation.as_ref(), every.as_ref())?;
+    let report = sinks.finish(view, &plan.command_line)?;
+    let (cosimulated, every_one) = (cosimulation.as_ref(), every.as_ref());
+    report.finish(&End::new(&total, cosimulated, every_one), || words(&plan, &total, cosimulated, every_one))?;
     verdict(&plan, &total, cosimulation.iter().chain(&every))
 }
 
 fn draw(
     arguments: &Arguments,
     scene: &Scene,
-    front: &Front<'_>,
-    plan: &Plan,
-    total: &Total,
+    frame: usize,
+    contacts: &[Contact],
     mut file: Output,
 ) -> Result<(), Failure> {
-    let frame = arguments.frame.map_or(total.fullest, |frame| frame as usize);
-    let picture = Picture::new(scene, frame, &effects::frame_contacts(front, plan, frame));
+    let picture = Picture::new(scene, frame, contacts);
     let png = arguments.picture.as_ref().is_some_and(|path| path.extension().is_some_and(|e| e == "png"));
     if png {
         file.write(picture.png())?;

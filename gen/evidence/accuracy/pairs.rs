@@ -92,7 +92,7 @@ impl<'a> Pairs<'a> {
             let begin = met.last().map_or(0, |last| last.range.end);
             let meeting = meetings[group[0].meeting as usize].clone();
             met.push(Met {
-                m: [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)])),
+                m: meeting.pose.rows(),
                 t: meeting.pose.translation.into(),
                 meshes: [meeting.a, meeting.b].map(|object| mesh_of[object]),
                 meeting,

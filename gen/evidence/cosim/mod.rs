@@ -18,6 +18,7 @@ pub use trial::{Bench, Trial};
 
 use efsat_unit::artefact::Stimulus;
 use efsat_unit::design::{Design, top::DesignError};
+use efsat_unit::host::driver::engine::EngineError;
 use efsat_unit::params::{Params, options::Choice};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -145,6 +146,12 @@ pub enum CosimError {
         /// What it said.
         message: String,
     },
+}
+
+impl From<EngineError> for CosimError {
+    fn from(e: EngineError) -> Self {
+        Self::Failed { tool: "engine".to_owned(), message: e.to_string() }
+    }
 }
 
 impl CosimError {

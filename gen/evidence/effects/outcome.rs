@@ -67,9 +67,65 @@ impl Counts {
     }
 }
 
+/// What frames are counted by, for reports.
+pub trait Counted: Copy + Serialize {
+    /// What is counted, in the order of [`Counted::list`].
+    const COLUMNS: [&'static str; 10];
+
+    /// The counts.
+    fn list(&self) -> [u64; 10];
+
+    /// What a frame came to, in words.
+    fn sentence(&self) -> String;
+}
+
+impl Counted for Counts {
+    const COLUMNS: [&'static str; 10] = [
+        "meetings",
+        "overlap_tests",
+        "transforms",
+        "nodes_visited",
+        "pairs_tested",
+        "separate",
+        "intersect",
+        "possibly_incorrect",
+        "in_software",
+        "touching",
+    ];
+
+    fn list(&self) -> [u64; 10] {
+        let Self { meetings, statistics: s, separate, intersect, possibly_incorrect, in_software, touching } = *self;
+        [
+            meetings,
+            s.overlap_tests,
+            s.transforms,
+            s.nodes_visited,
+            s.pairs_tested,
+            separate,
+            intersect,
+            possibly_incorrect,
+            in_software,
+            touching,
+        ]
+    }
+
+    fn sentence(&self) -> String {
+        format!(
+            "{} candidate pairs: the unit answers {} separate, {} intersect and {} possibly incorrect; {} have a degenerate \
+             triangle and were answered in software. By the exact answers {} pairs touch.",
+            self.statistics.pairs_tested,
+            self.separate,
+            self.intersect,
+            self.possibly_incorrect,
+            self.in_software,
+            self.touching
+        )
+    }
+}
+
 /// A frame, counted.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
+pub struct Row<C = Counts> {
     /// The number of the frame.
     pub frame: usize,
     /// What it is called.
@@ -79,7 +135,7 @@ pub struct Row {
     pub distance: Option<f64>,
     /// What it came to.
     #[serde(flatten)]
-    pub counts: Counts,
+    pub counts: C,
 }
 
 /// A pair that touches, or that the unit leaves open.

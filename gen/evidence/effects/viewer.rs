@@ -1,9 +1,9 @@
 //! The viewer: a page with the bodies of a scene, the contacts of every pose, and what was answered about each.
 
+use super::Front;
 use super::mark::Mark;
-use super::outcome::{Contact, Row};
+use super::outcome::{Contact, Counted, Row};
 use super::segment::segment;
-use super::{Front, Plan};
 use askama::Template;
 use efsat_geometry::scene::{Frame, Pose};
 use efsat_unit::golden::{Golden, Outcome, Verdict};
@@ -94,9 +94,9 @@ pub struct Viewer<'a, 'b> {
 }
 
 impl<'a, 'b> Viewer<'a, 'b> {
-    /// A viewer of the planned unit, with nothing in it yet.
-    pub fn new(front: &'b Front<'a>, plan: &Plan) -> Self {
-        let params = plan.params.clone();
+    /// A viewer of what a unit says, with nothing in it yet.
+    pub fn new(front: &'b Front<'a>, params: &Params) -> Self {
+        let params = params.clone();
         let stage = Stage::new(front.scene(), &params);
         let witnesses = if params.method == Method::Axes { axes(params.axes.count()) } else { vec![] };
         Self { front, stage, golden: Golden::new(&params), params, frames: vec![], witnesses, shown: 0, left_out: 0 }
@@ -108,7 +108,7 @@ impl<'a, 'b> Viewer<'a, 'b> {
     }
 
     /// Takes the contacts of a frame, each with its exact answer; a frame without contacts is left out.
-    pub fn take(&mut self, row: &Row, contacts: &[Contact]) {
+    pub fn take<C: Counted>(&mut self, row: &Row<C>, contacts: &[Contact]) {
         let (contacts, others) = contacts.split_at(contacts.len().min(MOST - self.shown));
         self.shown += contacts.len();
         self.left_out += others.len();
@@ -145,22 +145,17 @@ impl<'a, 'b> Viewer<'a, 'b> {
                 pairs.push(Pair(Mark::of(contact) as usize, meeting.a, meeting.b, p, q, exact, says, ends));
             }
         }
-        let c = &row.counts;
         self.frames.push(Shown {
             number: row.frame,
             label: row.label.clone(),
-            summary: format!(
-                "{} candidate pairs: the unit answers {} separate, {} intersect and {} possibly incorrect; {} have a degenerate \
-                 triangle and were answered in software. By the exact answers {} pairs touch.",
-                c.statistics.pairs_tested, c.separate, c.intersect, c.possibly_incorrect, c.in_software, c.touching
-            ),
+            summary: row.counts.sentence(),
             poses: poses.iter().map(numbers).collect(),
             contacts: pairs,
         });
     }
 
-    /// The page.
-    pub fn page(mut self, plan: &Plan) -> String {
+    /// The page; `command_line` is what generates the design.
+    pub fn page(mut self, command_line: &str) -> String {
         let scene = self.front.scene();
         let shown = self.frames.len();
         if self.frames.is_empty() {
@@ -202,7 +197,7 @@ impl<'a, 'b> Viewer<'a, 'b> {
         let licence = include_str!("../web/three/LICENSE");
         let page = Page {
             scene: &scene.name,
-            command: &plan.command_line,
+            command: command_line,
             shown,
             poses: scene.frames(),
             style: include_str!("../web/viewer.css"),

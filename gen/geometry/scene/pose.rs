@@ -26,6 +26,11 @@ impl Pose {
         Self { rotation: back * other.rotation, translation: back * (other.translation - self.translation) }
     }
 
+    /// The matrix, indexed `[row][column]`.
+    pub fn rows(&self) -> [[f64; 3]; 3] {
+        self.rotation.transpose().into()
+    }
+
     /// The image of a point, rounded.
     pub fn image(&self, point: &Point3<f64>) -> Point3<f64> {
         self.rotation * point + self.translation

@@ -45,6 +45,24 @@ pub(super) fn nodes(mesh: &Mesh) -> Vec<Node> {
     nodes
 }
 
+/// The offsets of all nodes along `k` directions, one node after the other, from those of the vertices: the greatest of what is
+/// below a node.
+pub(super) fn offsets(nodes: &[Node], mesh: &Mesh, of_vertices: &[i32], k: usize) -> Vec<i32> {
+    let mut offsets = vec![0; nodes.len() * k];
+    for (node, kind) in nodes.iter().enumerate().rev() {
+        for index in 0..k {
+            offsets[node * k + index] = match *kind {
+                Node::Leaf(triangle) => {
+                    let [p, q, r] = mesh.faces[triangle as usize].map(|v| of_vertices[v as usize * k + index]);
+                    p.max(q).max(r)
+                }
+                Node::Inner(right) => offsets[(node + 1) * k + index].max(offsets[right as usize * k + index]),
+            };
+        }
+    }
+    offsets
+}
+
 /// Appends the subtree over `items`, of which there is at least one, with no leaf deeper than `height`.
 fn split(items: &mut [Item], height: u32, nodes: &mut Vec<Node>) {
     if let [item] = items {

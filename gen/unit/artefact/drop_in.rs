@@ -155,7 +155,7 @@ pub(super) fn add(
     ]
 }
 
-#[cfg(test)]
+#[cfg(all(test, feature = "scenes"))]
 mod tests {
     use super::*;
     use crate::artefact::ready_designs;

@@ -16,6 +16,7 @@ mod manifest;
 mod prefix;
 mod programmes;
 mod project;
+#[cfg(feature = "scenes")]
 mod ready;
 mod scratch;
 pub mod sources;
@@ -34,6 +35,7 @@ pub use design_files::{DesignFilesError, Packaging, design_files, design_files_w
 pub use file_set::{Difference, FileSet, FileSetError};
 pub use prefix::{Prefix, PrefixError};
 pub use programmes::programme_files;
+#[cfg(feature = "scenes")]
 pub use ready::{ReadyDesign, ReadyError, ready_designs, ready_files};
 pub use scratch::{Scratch, interrupted};
 pub use sources::{origin, vhdl_files};

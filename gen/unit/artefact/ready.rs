@@ -1,9 +1,11 @@
 //! The ready designs: those that lie in the repository, each in a folder of its own.
 
 use super::design_files::{DesignFilesError, Packaging, design_files_with};
-use super::{FileSet, manifest};
+use super::engine::{EngineDesign, engine_design_files, samples};
+use super::{FileSet, Prefix, manifest};
 use crate::design::Design;
 use crate::design::top::DesignError;
+use crate::params::engine::EngineParams;
 use crate::params::stream::StreamWidth;
 use crate::params::{Method, Params};
 use askama::Template;
@@ -54,9 +56,21 @@ struct Index {
     device: &'static str,
     frequency: u32,
     rows: Vec<Row>,
+    engine: EngineRow,
 }
 
-/// The ready designs, the default first.
+/// What the index says of the engine.
+struct EngineRow {
+    name: &'static str,
+    multipliers: usize,
+    expansion_clocks: usize,
+    pair_clocks: usize,
+}
+
+/// The folder of the ready engine, which has the defaults of all its options.
+const ENGINE: &str = "engine";
+
+/// The ready designs of the unit, the default first; beside them there is an engine.
 pub fn ready_designs() -> [ReadyDesign; 5] {
     let determinants = |clocks_per_pair| Params { method: Method::Determinants, clocks_per_pair, ..Params::default() };
     [
@@ -125,11 +139,26 @@ pub fn ready_files(command_line: impl Fn(&Params, &Packaging) -> String) -> Resu
     }
     let params = Params::default();
     let device = Design::check(&params)?.name;
-    let index = Index { version: env!("CARGO_PKG_VERSION"), device, frequency: params.frequency, rows };
+    let engine = engine(&mut set, &params)?;
+    let index = Index { version: env!("CARGO_PKG_VERSION"), device, frequency: params.frequency, rows, engine };
     set.insert("README.md", index.render().expect("the template renders"));
     let whole = manifest::of_ready(&set);
     set.insert(manifest::NAME, whole);
     Ok(set)
+}
+
+/// Adds the engine around a unit.
+fn engine(set: &mut FileSet, unit: &Params) -> Result<EngineRow, ReadyError> {
+    let design = EngineDesign::new(&EngineParams::default(), unit)?;
+    let vectors = samples::text(&design).map_err(DesignError::from)?;
+    let files = engine_design_files(&design, &Prefix::default(), &design.command_line(), &vectors)?;
+    files.iter().for_each(|(name, text)| set.insert(format!("{ENGINE}/{name}"), text));
+    Ok(EngineRow {
+        name: ENGINE,
+        multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
+        expansion_clocks: design.volume.interval,
+        pair_clocks: design.unit.interval,
+    })
 }
 
 #[cfg(test)]
@@ -147,6 +176,9 @@ mod tests {
             }
             let row = format!("| [{0}]({0}/README.md) |", ready.name);
             assert!(set.get("README.md").unwrap().contains(&row), "{row}");
+        }
+        for file in ["README.md", "efsat_engine.vhd", "efsat_engine_tb.vec", "manifest.json"] {
+            assert!(set.get(&format!("{ENGINE}/{file}")).is_some(), "{file}");
         }
         assert_eq!(manifest::files(set.get(manifest::NAME).unwrap()).unwrap().len(), set.len() - 1);
     }

@@ -60,7 +60,7 @@ impl<'a> Stage<'a> {
             let mut hosts = self.hosts.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::clone(hosts.entry(meshes).or_insert(made))
         });
-        let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)]));
+        let m = meeting.pose.rows();
         Posed { meshes: self.broad_phase.meshes(meeting), vertices, host, m, t: meeting.pose.translation.into() }
     }
 }

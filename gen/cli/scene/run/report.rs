@@ -3,48 +3,18 @@
 use super::{Failure, failure, output, quoted};
 use crate::cli::output::Verdicts;
 use crate::cli::scene::summary::Summary;
-use crate::effects::{Cosimulation, Counts, Finding, Plan, Row, Total, Wish};
+use crate::effects::{Cosimulation, Counted, Counts, Finding, Plan, Row, Total, Wish};
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};
 
-/// What is counted, in the order of [`list`].
-const COLUMNS: [&str; 10] = [
-    "meetings",
-    "overlap_tests",
-    "transforms",
-    "nodes_visited",
-    "pairs_tested",
-    "separate",
-    "intersect",
-    "possibly_incorrect",
-    "in_software",
-    "touching",
-];
-
-fn list(counts: &Counts) -> [u64; 10] {
-    let Counts { meetings, statistics: s, separate, intersect, possibly_incorrect, in_software, touching } = *counts;
-    [
-        meetings,
-        s.overlap_tests,
-        s.transforms,
-        s.nodes_visited,
-        s.pairs_tested,
-        separate,
-        intersect,
-        possibly_incorrect,
-        in_software,
-        touching,
-    ]
-}
-
 /// The first line of the CSV.
-pub(super) fn heads() -> String {
-    format!("frame,label,{}\n", COLUMNS.join(","))
+pub(super) fn heads<C: Counted>() -> String {
+    format!("frame,label,{}\n", C::COLUMNS.join(","))
 }
 
 /// A row of the CSV.
-pub(super) fn line(row: &Row) -> String {
-    let numbers = list(&row.counts).map(|count| count.to_string()).join(",");
+pub(super) fn line<C: Counted>(row: &Row<C>) -> String {
+    let numbers = row.counts.list().map(|count| count.to_string()).join(",");
     format!("{},{},{numbers}\n", row.frame, quoted(&row.label))
 }
 
@@ -82,22 +52,23 @@ struct Every<'a> {
 }
 
 impl Report {
-    pub fn new(json: bool, summary: bool, plan: &Plan) -> Result<Self, Failure> {
+    /// Begins the output; `plan` is the value of `key` in the JSON object.
+    pub fn new<C: Counted>(json: bool, summary: bool, key: &str, plan: &impl Serialize) -> Result<Self, Failure> {
         if summary {
-            return Ok(Self::Summary(Summary::new(COLUMNS)));
+            return Ok(Self::Summary(Summary::new(C::COLUMNS)));
         }
         let mut out = BufWriter::new(io::stdout().lock());
         if json {
-            write!(out, r#"{{"plan":{},"frames":["#, text(plan)).map_err(failure)?;
+            write!(out, r#"{{"{key}":{},"frames":["#, text(plan)).map_err(failure)?;
             return Ok(Self::Json(out, false));
         }
-        write!(out, "{}", heads()).map_err(failure)?;
+        write!(out, "{}", heads::<C>()).map_err(failure)?;
         Ok(Self::Csv(out))
     }
 
-    pub fn take(&mut self, row: &Row) -> Result<(), Failure> {
+    pub fn take<C: Counted>(&mut self, row: &Row<C>) -> Result<(), Failure> {
         match self {
-            Self::Summary(summary) => summary.add(row.distance, list(&row.counts)),
+            Self::Summary(summary) => summary.add(row.distance, row.counts.list()),
             Self::Json(out, later) => {
                 let comma = if std::mem::replace(later, true) { "," } else { "" };
                 write!(out, "{comma}{}", text(row)).map_err(failure)?;
@@ -107,48 +78,58 @@ impl Report {
         Ok(())
     }
 
-    pub fn finish(
-        self,
-        plan: &Plan,
-        total: &Total,
-        cosimulation: Option<&Cosimulation<'_, '_>>,
-        every: Option<&Cosimulation<'_, '_>>,
-    ) -> Result<(), Failure> {
+    /// Ends the output: with the other keys of the JSON object, or with words below the summary.
+    pub fn finish(self, end: &impl Serialize, words: impl FnOnce() -> String) -> Result<(), Failure> {
         match self {
-            Self::Summary(summary) => {
-                output::print(&format!("{}\n{}", summary.table(), words(plan, total, cosimulation, every)))
-            }
+            Self::Summary(summary) => output::print(&format!("{}\n{}", summary.table(), words())),
             Self::Json(mut out, _) => {
-                let simulated = cosimulation.map(|cosimulation| Simulated {
-                    simulator: cosimulation.simulator.as_deref(),
-                    vectors: cosimulation.vectors,
-                    guard_vectors: cosimulation.guard_vectors,
-                    host_decided: cosimulation.host_decided,
-                    mismatches: cosimulation.mismatches,
-                    close: total.sums.close,
-                    close_simulated: total.close_places,
-                    every_close: every.map(|every| Every {
-                        vectors: every.vectors,
-                        host_decided: every.host_decided,
-                        mismatches: every.mismatches,
-                        first_mismatch: every.first_mismatch.as_deref(),
-                    }),
-                    first_mismatch: cosimulation.first_mismatch.as_deref(),
-                });
-                let (counts, less, contradictions) =
-                    (&total.sums.counts, total.sums.less_definite, total.sums.contradictions);
-                let wrong = total.sums.wrong;
-                write!(
-                    out,
-                    r#"],"total":{},"less_definite":{less},"contradictions":{contradictions},"wrong":{wrong},"cosim":{}}}"#,
-                    text(counts),
-                    text(&simulated)
-                )
-                .and_then(|()| writeln!(out))
-                .and_then(|()| out.flush())
-                .map_err(failure)
+                let end = text(end);
+                let keys = end.strip_prefix('{').unwrap_or(&end);
+                writeln!(out, "],{keys}").and_then(|()| out.flush()).map_err(failure)
             }
             Self::Csv(mut out) => out.flush().map_err(failure),
+        }
+    }
+}
+
+/// What the JSON object says behind the frames.
+#[derive(Serialize)]
+pub(super) struct End<'a> {
+    total: &'a Counts,
+    less_definite: u64,
+    contradictions: u64,
+    wrong: u64,
+    cosim: Option<Simulated<'a>>,
+}
+
+impl<'a> End<'a> {
+    pub fn new(
+        total: &'a Total,
+        cosimulation: Option<&'a Cosimulation<'_, '_>>,
+        every: Option<&'a Cosimulation<'_, '_>>,
+    ) -> Self {
+        let simulated = cosimulation.map(|cosimulation| Simulated {
+            simulator: cosimulation.simulator.as_deref(),
+            vectors: cosimulation.vectors,
+            guard_vectors: cosimulation.guard_vectors,
+            host_decided: cosimulation.host_decided,
+            mismatches: cosimulation.mismatches,
+            close: total.sums.close,
+            close_simulated: total.close_places,
+            every_close: every.map(|every| Every {
+                vectors: every.vectors,
+                host_decided: every.host_decided,
+                mismatches: every.mismatches,
+                first_mismatch: every.first_mismatch.as_deref(),
+            }),
+            first_mismatch: cosimulation.first_mismatch.as_deref(),
+        });
+        Self {
+            total: &total.sums.counts,
+            less_definite: total.sums.less_definite,
+            contradictions: total.sums.contradictions,
+            wrong: total.sums.wrong,
+            cosim: simulated,
         }
     }
 }
@@ -158,7 +139,7 @@ fn text(value: &impl Serialize) -> String {
 }
 
 /// What came out, in words.
-fn words(
+pub(super) fn words(
     plan: &Plan,
     total: &Total,
     cosimulation: Option<&Cosimulation<'_, '_>>,

@@ -2,7 +2,7 @@
 
 use super::{Directions, Placement};
 use crate::mesh::Mesh;
-use crate::scene::split::{Node, nodes};
+use crate::scene::split::{Node, nodes, offsets};
 
 /// The number formats of local blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,19 +84,7 @@ impl LocalTree {
             (0..k).map(move |index| placement.offset(x, directions.vector(index), grid_fraction))
         };
         let of_vertices: Vec<i32> = mesh.vertices.iter().flat_map(of_vertex).collect();
-        let mut offsets = vec![0; self.nodes.len() * k];
-        for (node, kind) in self.nodes.iter().enumerate().rev() {
-            for index in 0..k {
-                offsets[node * k + index] = match *kind {
-                    Node::Leaf(triangle) => {
-                        let [p, q, r] = mesh.faces[triangle as usize].map(|v| of_vertices[v as usize * k + index]);
-                        p.max(q).max(r)
-                    }
-                    Node::Inner(right) => offsets[(node + 1) * k + index].max(offsets[right as usize * k + index]),
-                };
-            }
-        }
-        offsets
+        offsets(&self.nodes, mesh, &of_vertices, k)
     }
 
     /// The triangles of the mesh in the order of the leaves.

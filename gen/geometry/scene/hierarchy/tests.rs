@@ -157,7 +157,7 @@ fn no_pair_of_touching_triangles_is_lost() {
         let scale = [1.0, 0.1, 1e-3, 1e-160, 1e100][round % 5];
         let [a, b] = [0, 1].map(|_| random_mesh(&mut rng, 10, scale, [0.0, 64.0][round % 2]));
         let pose = random_pose(&mut rng, round, scale);
-        let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| pose.rotation[(i, j)]));
+        let m = pose.rows();
         let corners = |mesh: &Mesh, face: usize| mesh.triangle(face).map(<[f64; 3]>::from);
         let all = (0..10u32).flat_map(|p| (0..10u32).map(move |q| (p, q)));
         let touch = |&(p, q): &(u32, u32)| {

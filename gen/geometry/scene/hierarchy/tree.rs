@@ -2,7 +2,7 @@
 
 use super::Directions;
 use crate::mesh::Mesh;
-use crate::scene::split::{Node, nodes};
+use crate::scene::split::{Node, nodes, offsets};
 use nalgebra::{Point3, Vector3};
 
 /// The half-size of a mesh is at most 2^FRACTION steps of its grid.
@@ -84,19 +84,7 @@ impl DopTree {
             .flat_map(|y| (0..k).map(move |index| (y, index)))
             .map(|(y, index)| offset(y, self.directions.vector(index)))
             .collect();
-        let mut offsets = vec![0; self.nodes.len() * k];
-        for (node, kind) in self.nodes.iter().enumerate().rev() {
-            for index in 0..k {
-                offsets[node * k + index] = match *kind {
-                    Node::Leaf(triangle) => {
-                        let [p, q, r] = mesh.faces[triangle as usize].map(|v| of_vertices[v as usize * k + index]);
-                        p.max(q).max(r)
-                    }
-                    Node::Inner(right) => offsets[(node + 1) * k + index].max(offsets[right as usize * k + index]),
-                };
-            }
-        }
-        offsets
+        offsets(&self.nodes, mesh, &of_vertices, k)
     }
 }
 

@@ -105,6 +105,10 @@ struct Run<'a> {
     report: EngineReport,
 }
 
+fn is_inner(link: Link) -> bool {
+    matches!(link, Link::Inner(_))
+}
+
 /// Pairs of triangles that are tested together.
 const BATCH: usize = 1024;
 
@@ -173,12 +177,27 @@ impl Run<'_> {
             let wanted = move |child: &usize| nodes[side].1.is_none_or(|only| only == *child);
             (0..2).rev().filter(wanted).filter(move |&child| links[child] != Link::None)
         };
+        let mut survivors = [[false; 2]; 2];
         for p in chosen(0) {
             for q in chosen(1) {
                 self.report.tests += 1;
                 if overlap(&self.frame, [&blocks[0], &blocks[1]], [p, q], format) {
                     self.report.survivors += 1;
-                    self.survive(nodes, [p, q], [blocks[0].links[p], blocks[1].links[q]], level)?;
+                    survivors[p][q] = true;
+                }
+            }
+        }
+        let links = [0, 1].map(|side| blocks[side].links);
+        let leaves = links.map(|links| links.iter().all(|link| matches!(link, Link::Leaf(_))));
+        for p in [1, 0] {
+            for q in [1, 0] {
+                // Two leaves that both meet the same inner node are opened against it together.
+                let both = [
+                    leaves[0] && !leaves[1] && is_inner(links[1][q]) && survivors[0][q] && survivors[1][q],
+                    leaves[1] && !leaves[0] && is_inner(links[0][p]) && survivors[p][0] && survivors[p][1],
+                ];
+                if survivors[p][q] && !(both[0] && p == 0) && !(both[1] && q == 0) {
+                    self.survive(nodes, [p, q], [links[0][p], links[1][q]], both, level)?;
                 }
             }
         }
@@ -186,7 +205,15 @@ impl Run<'_> {
     }
 
     /// Sends a pair of triangles to the test, and pushes any other pair of nodes.
-    fn survive(&mut self, nodes: [Node; 2], children: [usize; 2], links: [Link; 2], level: u32) -> Result<(), Reason> {
+    /// `both` says for each side whether its two leaves are meant.
+    fn survive(
+        &mut self,
+        nodes: [Node; 2],
+        children: [usize; 2],
+        links: [Link; 2],
+        both: [bool; 2],
+        level: u32,
+    ) -> Result<(), Reason> {
         let sides = &self.query.sides;
         if let [Link::Leaf(a), Link::Leaf(b)] = links {
             if a >= sides[0].triangles || b >= sides[1].triangles {
@@ -210,7 +237,7 @@ impl Run<'_> {
                 }
                 Link::Inner(number) => (number, None),
                 // The volume of a leaf is in the block of its parent.
-                Link::Leaf(_) | Link::None => (nodes[side].0, Some(children[side])),
+                Link::Leaf(_) | Link::None => (nodes[side].0, (!both[side]).then_some(children[side])),
             };
         }
         self.push(Entry { nodes: next, level: level + 1 });

@@ -27,6 +27,8 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+#[cfg(feature = "scenes")]
+pub mod engine;
 mod job;
 mod stand_in;
 #[cfg(test)]

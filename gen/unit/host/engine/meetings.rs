@@ -35,7 +35,6 @@ impl Meetings {
     pub fn query(&self, meeting: &Meeting, sides: &[Side]) -> Result<Query, Refusal> {
         let objects = [meeting.a, meeting.b].map(|object| self.mesh_of[object]);
         let images = objects.map(|mesh| (&self.images[mesh], sides[mesh]));
-        let m = [0, 1, 2].map(|i| [0, 1, 2].map(|j| meeting.pose.rotation[(i, j)]));
-        self.numbers.query(images, &m, &meeting.pose.translation.into())
+        self.numbers.query(images, &meeting.pose.rows(), &meeting.pose.translation.into())
     }
 }

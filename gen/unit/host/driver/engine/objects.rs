@@ -1,0 +1,122 @@
+//! Meshes as an engine and the software that stands in for it need them.
+
+use super::{Contacts, Engine, EngineError, Job};
+use crate::golden::engine::Query;
+use crate::host::engine::{BuildError, Image, Layout, Numbers};
+use crate::params::options::Choice;
+use crate::params::{EngineParams, Method, ParamError, Params};
+use efsat_geometry::mesh::Mesh;
+use efsat_geometry::scene::Pose;
+use efsat_geometry::scene::hierarchy::DopTree;
+use std::sync::OnceLock;
+
+/// Why meshes cannot be given to an engine.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum ObjectsError {
+    /// Parameters outside their ranges, or a memory that is too small for the meshes.
+    #[error(transparent)]
+    Parameter(#[from] ParamError),
+    /// A mesh that is too large for an image.
+    #[error(transparent)]
+    Build(#[from] BuildError),
+}
+
+/// What a query asks for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Options {
+    /// Stop at the first pair that touches: whether the objects touch.
+    pub first_contact: bool,
+    /// The most expansions, 0 for as many as it takes; the software answers a query that needs more.
+    pub limit: u32,
+    /// Empty the caches first: needed by the first query after other images have been copied to the same addresses.
+    pub empty_caches: bool,
+    /// A number that the report returns, 24 bits.
+    pub number: u32,
+}
+
+/// Meshes that meet in queries, made ready for one engine.
+#[derive(Debug)]
+pub struct Objects<'a> {
+    pub(super) engine: EngineParams,
+    pub(super) unit: Params,
+    numbers: Numbers,
+    pub(super) meshes: Vec<&'a Mesh>,
+    images: Vec<Image>,
+    layout: Layout,
+    /// For the software; none before it is needed.
+    trees: Vec<OnceLock<DopTree>>,
+}
+
+impl<'a> Objects<'a> {
+    /// Builds the images of meshes for an engine and the unit in it.
+    ///
+    /// # Errors
+    /// Parameters outside their ranges; a unit that answers for other points than those of the meshes; meshes that are too
+    /// large.
+    pub fn new(engine: &EngineParams, unit: &Params, meshes: &[&'a Mesh]) -> Result<Self, ObjectsError> {
+        let numbers = Numbers::new(engine, unit)?;
+        if unit.method == Method::Exact {
+            let legal = "expected axes or determinants, whose definite answers hold for the meshes as they are given";
+            let (found, legal) = (unit.method.name().to_owned(), legal.to_owned());
+            return Err(ParamError { option: "method", found, legal }.into());
+        }
+        let images = Image::build(meshes, numbers.format())?;
+        let layout = Layout::new(engine, numbers.format(), &images.iter().collect::<Vec<_>>())?;
+        let trees = meshes.iter().map(|_| OnceLock::new()).collect();
+        let (engine, unit, meshes) = (engine.clone(), unit.clone(), meshes.to_vec());
+        Ok(Self { engine, unit, numbers, meshes, images, layout, trees })
+    }
+
+    /// What lies in the memory of an engine with an AXI4 read master, from address 0 on, as 64-bit words; empty for block RAM.
+    pub fn memory(&self) -> &[u64] {
+        &self.layout.memory
+    }
+
+    /// The packets that fill block RAM, to be sent before the first query; none for an AXI4 read master.
+    pub fn loads(&self) -> &[Vec<u64>] {
+        &self.layout.loads
+    }
+
+    /// The number formats of queries and images.
+    pub fn numbers(&self) -> &Numbers {
+        &self.numbers
+    }
+
+    /// The job of finding the triangles that touch of two objects by their numbers, with the second one in `pose` as seen from
+    /// the first; all its numbers are finite and taken as exact.
+    ///
+    /// # Panics
+    /// If there is no such object.
+    pub fn query(&self, objects: [usize; 2], pose: &Pose, options: Options) -> Job<'_, 'a> {
+        let images = objects.map(|object| (&self.images[object], self.layout.sides[object]));
+        let query = self.numbers.query(images, &pose.rows(), &pose.translation.into());
+        let packet = query.map(|query| {
+            let Options { first_contact, limit, empty_caches, number } = options;
+            Query { first_contact, limit, empty_caches, number, ..query }.words(self.numbers.format())
+        });
+        Job { objects: self, pair: objects, pose: *pose, options, packet }
+    }
+
+    /// Sends the packets of jobs to an engine and finishes them.
+    ///
+    /// # Errors
+    /// Those of the engine, and answers that are none.
+    pub fn contacts<E: Engine>(&self, jobs: Vec<Job<'_, '_>>, engine: &mut E) -> Result<Vec<Contacts>, E::Error> {
+        let packets: Vec<&[u64]> = jobs.iter().filter_map(Job::packet).collect();
+        let answers = engine.answer(&packets)?;
+        if answers.len() != packets.len() {
+            return Err(EngineError::Answers { found: answers.len(), expected: packets.len() }.into());
+        }
+        let mut answers = answers.into_iter();
+        let finished = jobs.into_iter().map(|job| match job.packet() {
+            Some(_) => job.finish(&answers.next().unwrap_or_default()),
+            None => job.finish(&[]),
+        });
+        Ok(finished.collect::<Result<_, EngineError>>()?)
+    }
+
+    /// The tree of an object for the software.
+    pub(super) fn tree(&self, object: usize) -> &DopTree {
+        self.trees[object].get_or_init(|| DopTree::new(self.meshes[object], self.engine.directions))
+    }
+}

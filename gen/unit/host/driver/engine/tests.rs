@@ -1,0 +1,273 @@
+//! The driver of the engine against brute force with the exact oracle, with the stand-in as the engine: every way in which a
+//! query can end.
+
+use super::*;
+use crate::artefact::engine::samples::{cuboid, hills, turn};
+use crate::golden::Verdict;
+use crate::host::engine::Refusal;
+use crate::params::engine::{Command, EngineReport, Memory, Reason};
+use crate::params::{EngineParams, Method, Params, Upper};
+use efsat_geometry::exact::{Exact, posed_pair};
+use efsat_geometry::mesh::Mesh;
+use efsat_geometry::scene::Pose;
+use nalgebra::Matrix3;
+
+fn pose(axis: usize, translation: [f64; 3]) -> Pose {
+    let m = turn(axis);
+    Pose { rotation: Matrix3::from_fn(|i, j| m[i][j]), translation: translation.into() }
+}
+
+/// All pairs that touch, by brute force.
+fn touching(a: &Mesh, b: &Mesh, pose: &Pose) -> Vec<([u32; 2], Exact)> {
+    let corners = |mesh: &Mesh, face: u32| mesh.triangle(face as usize).map(<[f64; 3]>::from);
+    let all = (0..a.faces.len() as u32).flat_map(|p| (0..b.faces.len() as u32).map(move |q| [p, q]));
+    let exact = |[p, q]: [u32; 2]| posed_pair(&corners(a, p), &corners(b, q), &pose.rows(), &pose.translation.into());
+    all.map(|pair| (pair, exact(pair))).filter(|(_, exact)| *exact != Exact::Separate).collect()
+}
+
+fn block_ram() -> EngineParams {
+    EngineParams { memory: Memory::BlockRam, block_lines: 128, triangle_lines: 128, ..EngineParams::default() }
+}
+
+/// Two meshes and the poses in which they cross, touch with a face and are apart.
+struct Case {
+    meshes: [Mesh; 2],
+    poses: Vec<Pose>,
+}
+
+impl Case {
+    fn new() -> Self {
+        let resting = Pose { translation: [1.0, 1.0, 0.0].into(), ..Pose::identity() };
+        let crossing = pose(2, [2.5, 1.0, -1.0]);
+        let poses = vec![crossing, pose(0, [-1.0, 2.0, 0.5]), resting, pose(1, [0.0, 0.0, 9.0])];
+        Self { meshes: [hills(6), cuboid(3, 4, 2)], poses }
+    }
+
+    fn objects(&self, engine: &EngineParams, unit: &Params) -> Objects<'_> {
+        Objects::new(engine, unit, &[&self.meshes[0], &self.meshes[1]]).unwrap()
+    }
+
+    /// The default engine, and the answer to the crossing pose by brute force.
+    fn crossing(&self) -> (Objects<'_>, Pose, Vec<([u32; 2], Exact)>) {
+        let objects = self.objects(&EngineParams::default(), &Params::default());
+        (objects, self.poses[0], touching(&self.meshes[0], &self.meshes[1], &self.poses[0]))
+    }
+}
+
+/// The pairs that touch, each with its exact answer.
+fn exact(contacts: &Contacts) -> Vec<([u32; 2], Exact)> {
+    let all = contacts.pairs.iter().map(|pair| (pair.triangles, pair.exact));
+    all.filter(|(_, exact)| *exact != Exact::Separate).collect()
+}
+
+#[test]
+fn final_answers_are_exact() {
+    let case = Case::new();
+    let units = [
+        Params::default(),
+        Params { upper: Upper::Sticky, ..Params::default() },
+        Params { width: 10, ..Params::default() },
+        Params::of(Method::Determinants),
+    ];
+    let (mut retested, mut touches, mut named) = (0, 0, 0);
+    for (unit, engine) in units.iter().flat_map(|unit| [(unit, EngineParams::default()), (unit, block_ram())]) {
+        let objects = case.objects(&engine, unit);
+        let mut stand_in = StandIn::new(&objects).unwrap();
+        let pairs = [[0, 1], [1, 0], [0, 0], [1, 1]];
+        let asked: Vec<_> = pairs.iter().flat_map(|pair| case.poses.iter().map(move |pose| (*pair, pose))).collect();
+        let jobs = asked.iter().map(|(pair, pose)| objects.query(*pair, pose, Options::default()));
+        let answers = objects.contacts(jobs.collect(), &mut stand_in).unwrap();
+        for (([a, b], pose), contacts) in asked.iter().zip(&answers) {
+            assert_eq!(exact(contacts), touching(&case.meshes[*a], &case.meshes[*b], pose), "{pose:?}");
+            assert_eq!(contacts.software, None);
+            let count = |of: Verdict| contacts.pairs.iter().filter(|pair| pair.verdict == Some(of)).count();
+            assert_eq!(count(Verdict::Intersect) + count(Verdict::PossiblyIncorrect), contacts.pairs.len());
+            let report = contacts.report.unwrap();
+            assert_eq!(count(Verdict::Intersect), report.intersect as usize);
+            retested += count(Verdict::PossiblyIncorrect);
+            touches += contacts.touching().count();
+            named += contacts.pairs.len();
+        }
+    }
+    assert!(touches > 1_000 && retested > 500 && named > touches, "{touches} of {named} touch, {retested} retested");
+}
+
+/// A query that ends with one of the reasons for which pairs may be missing, by what causes it where the model knows it, is
+/// answered in software.
+#[test]
+fn incomplete_queries_are_answered_in_software() {
+    let case = Case::new();
+    let (objects, pose, expected) = case.crossing();
+    let format = *objects.numbers().format();
+    let job = |limit| objects.query([0, 1], &pose, Options { limit, number: 9, ..Options::default() });
+    let packet = job(0).packet().unwrap().to_vec();
+    let changed = |place: usize, change: fn(u64) -> u64| {
+        let mut words = packet.clone();
+        words[place] = change(words[place]);
+        words
+    };
+    let fair = StandIn::new(&objects).unwrap();
+    let mut damaged = fair.clone();
+    // The tag of the root's block.
+    damaged.memory_mut()[8 + 1] ^= 1 << 60;
+    let stopped = EngineReport { reason: Reason::Stopped, number: 9, expansions: 1, ..EngineReport::default() };
+    let answer = |mut stand_in: StandIn, words: &[u64]| stand_in.packet(words);
+    let cases = [
+        (Reason::Limit, answer(fair.clone(), job(5).packet().unwrap())),
+        (Reason::BadTree, answer(damaged, &packet)),
+        (Reason::Memory, answer(fair.clone(), &changed(1, |word| word | 1 << 25))),
+        (Reason::Stopped, stopped.words().to_vec()),
+        (Reason::UnknownHeader, answer(fair.clone(), &changed(0, |word| word ^ 1 << 40))),
+        (Reason::TooShort, answer(fair.clone(), &packet[..packet.len() - 1])),
+        (Reason::TooLong, answer(fair, &[&packet[..], &[0]].concat())),
+    ];
+    assert_eq!(cases.each_ref().map(|(reason, _)| *reason), Reason::ALL[2..]);
+    for (reason, words) in cases {
+        for first_contact in [false, true] {
+            let options = Options { first_contact, number: 9, ..Options::default() };
+            let contacts = objects.query([0, 1], &pose, options).finish(&words).unwrap();
+            assert_eq!(contacts.software, Some(Cause::Incomplete(reason)));
+            assert!(contacts.pairs.iter().all(|pair| pair.verdict.is_none()));
+            match first_contact {
+                false => assert_eq!(exact(&contacts), expected, "{reason:?}"),
+                true => assert!(contacts.pairs.len() == 1 && expected.contains(&exact(&contacts)[0]), "{reason:?}"),
+            }
+        }
+    }
+    assert_eq!(format.header(Command::Query), packet[0]);
+}
+
+/// What the words of a query do not hold is not sent.
+#[test]
+fn queries_that_the_engine_cannot_answer_are_answered_in_software() {
+    let case = Case::new();
+    let low = EngineParams { tree_height: 3, ..EngineParams::default() };
+    let objects = case.objects(&low, &Params::default());
+    let job = objects.query([0, 1], &case.poses[0], Options::default());
+    assert_eq!(job.packet(), None);
+    assert_eq!(job.clone().finish(&[0; 8]), Err(EngineError::NotSent));
+    let contacts = job.finish(&[]).unwrap();
+    assert!(matches!(contacts.software, Some(Cause::Refused(Refusal::Height { side: 'A', most: 3, .. }))));
+    assert_eq!(exact(&contacts), touching(&case.meshes[0], &case.meshes[1], &case.poses[0]));
+
+    // Twice as large, and far away.
+    let objects = case.objects(&EngineParams::default(), &Params::default());
+    let double = Pose { rotation: Matrix3::identity() * 2.0, ..case.poses[0] };
+    let far = Pose { translation: [1e9, 0.0, 0.0].into(), ..case.poses[0] };
+    for (pose, meet) in [(double, true), (far, false)] {
+        let contacts = objects.query([0, 1], &pose, Options::default()).finish(&[]).unwrap();
+        assert!(matches!(contacts.software, Some(Cause::Refused(Refusal::Entry { .. } | Refusal::Translation { .. }))));
+        assert_eq!(exact(&contacts), touching(&case.meshes[0], &case.meshes[1], &pose));
+        assert_eq!(!contacts.pairs.is_empty(), meet);
+    }
+}
+
+#[test]
+fn the_first_contact_is_one_pair_or_none() {
+    let case = Case::new();
+    let objects = case.objects(&EngineParams::default(), &Params::default());
+    let mut stand_in = StandIn::new(&objects).unwrap();
+    let options = Options { first_contact: true, ..Options::default() };
+    let mut ends = vec![];
+    for (pair, pose) in [[0, 1], [1, 1]].into_iter().flat_map(|pair| case.poses.iter().map(move |pose| (pair, pose))) {
+        let job = objects.query(pair, pose, options);
+        let contacts = objects.contacts(vec![job], &mut stand_in).unwrap().remove(0);
+        let expected = touching(&case.meshes[pair[0]], &case.meshes[pair[1]], pose);
+        assert_eq!(contacts.pairs.len(), usize::from(!expected.is_empty()));
+        assert!(exact(&contacts).iter().all(|contact| expected.contains(contact)));
+        ends.push((contacts.report.unwrap().reason, expected.is_empty()));
+    }
+    // A contact that is certain, one that only the retest finds, and none.
+    for end in [(Reason::Contact, false), (Reason::Complete, false), (Reason::Complete, true)] {
+        assert!(ends.contains(&end), "{end:?} in {ends:?}");
+    }
+}
+
+/// An engine that stops at a contact though all are asked for has not answered.
+#[test]
+fn a_contact_is_no_list() {
+    let case = Case::new();
+    let (objects, pose, expected) = case.crossing();
+    let first = objects.query([0, 1], &pose, Options { first_contact: true, ..Options::default() });
+    let words = StandIn::new(&objects).unwrap().packet(first.packet().unwrap());
+    let contacts = objects.query([0, 1], &pose, Options::default()).finish(&words).unwrap();
+    assert_eq!(contacts.software, Some(Cause::Incomplete(Reason::Contact)));
+    assert_eq!(exact(&contacts), expected);
+}
+
+#[test]
+fn answers_that_do_not_fit_are_refused() {
+    let case = Case::new();
+    let (objects, pose, expected) = case.crossing();
+    let job = || objects.query([0, 1], &pose, Options { number: 7, ..Options::default() });
+    let good = StandIn::new(&objects).unwrap().packet(job().packet().unwrap());
+    assert_eq!(job().finish(&good).map(|contacts| exact(&contacts)), Ok(expected));
+    let pairs = good.len() - EngineReport::WORDS;
+    let finish = |change: &dyn Fn(&mut Vec<u64>)| {
+        let mut words = good.clone();
+        change(&mut words);
+        job().finish(&words).unwrap_err()
+    };
+    assert_eq!(finish(&|words| words.truncate(7)), EngineError::NoReport { words: 7 });
+    assert_eq!(finish(&|words| _ = words.pop()), EngineError::NoReport { words: pairs + 7 });
+    assert_eq!(finish(&|words| words[pairs] ^= 1 << 8), EngineError::Number { found: 6, expected: 7 });
+    // No mesh has this triangle; a verdict that was not asked for.
+    let word = good[1] | 0xfff << 8;
+    assert_eq!(finish(&|words| words[1] = word), EngineError::Word { at: 1, word });
+    let word = good[1] & !3;
+    assert_eq!(finish(&|words| words[1] = word), EngineError::Word { at: 1, word });
+    // A pair is lost; a pair is called certain on the way.
+    assert!(matches!(finish(&|words| _ = words.remove(0)), EngineError::Count { .. }));
+    let open = good[..pairs].iter().position(|word| word & 3 == 2).unwrap();
+    let Err(EngineError::Count { found, expected }) = Err::<(), _>(finish(&|words| words[open] ^= 3)) else {
+        panic!("another error");
+    };
+    assert_eq!(found, expected + 1);
+
+    struct Mute;
+    impl Engine for Mute {
+        type Error = EngineError;
+
+        fn answer(&mut self, _: &[&[u64]]) -> Result<Vec<Vec<u64>>, EngineError> {
+            Ok(vec![])
+        }
+    }
+    let error = objects.contacts(vec![job()], &mut Mute).unwrap_err();
+    assert_eq!(error.to_string(), "found 0 answers; expected 1, one for each packet");
+}
+
+#[test]
+fn objects_that_an_engine_cannot_hold_are_refused() {
+    let mesh = hills(6);
+    let refused = |engine: &EngineParams, unit: &Params| Objects::new(engine, unit, &[&mesh]).unwrap_err().to_string();
+    let small = EngineParams { block_lines: 64, ..block_ram() };
+    let message = "--block-lines 64: expected at least 71, which the meshes take in block RAM";
+    assert_eq!(refused(&small, &Params::default()), message);
+    let snapped: Params = Params { transform_width: 26, ..exact_unit() };
+    assert!(refused(&EngineParams::default(), &snapped).starts_with("--method exact: expected axes or determinants"));
+}
+
+fn exact_unit() -> Params {
+    use crate::params::{Transform, Truth};
+    Params { transform: Transform::On, truth: Truth::Snapped, ..Params::of(Method::Exact) }
+}
+
+/// Load packets that are none.
+#[test]
+fn the_stand_in_refuses_what_the_engine_refuses() {
+    let mesh = cuboid(1, 2, 3);
+    let objects = Objects::new(&block_ram(), &Params::default(), &[&mesh]).unwrap();
+    let mut stand_in = StandIn::new(&objects).unwrap();
+    let format = *objects.numbers().format();
+    let mut reason = |words: &[u64]| {
+        let answer = stand_in.packet(&[&[format.header(Command::Load)], words].concat());
+        EngineReport::of(answer.as_array().unwrap()).unwrap().reason
+    };
+    assert_eq!(reason(&[64, 0, 0, 0, 0, 0, 0, 0, 0]), Reason::Complete);
+    assert_eq!(reason(&[(127 << 6) + (1 << 31), 0, 0, 0, 0, 0, 0, 0, 0]), Reason::Complete);
+    assert_eq!(reason(&[128 << 6, 0, 0, 0, 0, 0, 0, 0, 0]), Reason::TooLong);
+    assert_eq!(reason(&[8, 0]), Reason::UnknownHeader);
+    assert_eq!(reason(&[1 << 32, 0]), Reason::UnknownHeader);
+    assert_eq!(reason(&[]), Reason::TooShort);
+    assert!(stand_in.packet(&[format.header(Command::Stop)]).is_empty());
+}

@@ -1,0 +1,13 @@
+//! Tools that some tests need.
+
+use std::process::Command;
+
+/// The GHDL that compiles fastest; where none is installed none, which is said.
+pub fn ghdl() -> Option<&'static str> {
+    let found = |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
+    let command = ["ghdl-mcode", "ghdl", "ghdl-llvm", "ghdl-gcc"].into_iter().find(found);
+    if command.is_none() {
+        eprintln!("skipped: GHDL is not installed");
+    }
+    command
+}
