@@ -2,6 +2,7 @@
 
 use super::diagram::DiagramArguments;
 use super::error::Failure;
+use super::file;
 use super::output::{print, print_json, warn};
 use super::params::{EngineArguments, ParamArguments, choice};
 use crate::artefact::engine::{EngineDesign, engine_design_files, samples};
@@ -74,6 +75,7 @@ impl Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    [&arguments.out, &arguments.lp].into_iter().flatten().try_for_each(|dir| file::named(dir, "directory"))?;
     let params = arguments.params.params()?;
     if arguments.engine {
         return engine(arguments, &params);
