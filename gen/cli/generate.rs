@@ -34,7 +34,7 @@ pub(super) struct Arguments {
     /// Write all ready designs, each to a folder below DIR, in place of one design
     #[arg(long, conflicts_with_all = ["lp", "stream_width"])]
     ready: bool,
-    /// Write nothing; fail if DIR differs by a byte from what would be written
+    /// Write nothing; fail if a generated file in DIR is missing, differs by a byte, or would no longer be written
     #[arg(long)]
     check: bool,
     /// Write to DIR the schedule of every unit as a linear program in CPLEX LP format, and nothing else
