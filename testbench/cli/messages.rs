@@ -176,7 +176,7 @@ fn errors_name_what_was_typed() {
     #[cfg(target_os = "linux")]
     {
         says("generate --out /dev/full", "/dev/full: found no directory; expected one");
-        says("wall --contact vertex-on-edge --out /dev/full", "/dev/full: found no directory; expected one");
+        says("stress --pairs 49 --emit /dev/full", "/dev/full: found no directory; expected one");
         let full = "/dev/full: No space left on device (os error 28)";
         let output = efsat(dir, "self-intersections builtin:gear --csv /dev/full");
         assert_eq!(String::from_utf8(output.stderr).unwrap(), format!("error: {full}\n"));

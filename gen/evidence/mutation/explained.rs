@@ -162,6 +162,12 @@ const VHDL: &[Explanation] = &[
     same("projection:p.hi:rounding:ulp forced", ALWAYS),
 ];
 
+/// Mutants of the first stage of a cascade whose differences it takes whole (docs/cascade.md, section 2).
+const WHOLE: &[Explanation] = &[same(
+    "coordinate_round:y_floor_1_sum:rounding:ulp dropped",
+    "no bit that is rounded off is ever set in so few bits",
+)];
+
 /// Mutants of the reference model.
 const MODEL: &[Explanation] = &[
     same("golden/axis_test.rs:without:constant:*", FASTER),
@@ -210,12 +216,14 @@ impl Table {
 
 /// The explanations that are true of a design's VHDL.
 pub fn vhdl(params: &Params) -> Table {
-    let at = |clocks: usize| {
+    let at = |clocks: usize| -> Vec<&Explanation> {
         let rate = if clocks == 1 { Rate::One } else { Rate::Several };
         VHDL.iter().filter(|explanation| [Rate::Any, rate].contains(&explanation.rate)).collect()
     };
+    let is_whole = params.first_stage().is_some_and(|first| params.width <= first.width);
+    let all = at(params.interval()).into_iter().chain(WHOLE.iter().filter(|_| is_whole)).collect();
     let second = params.exact_clocks.map(|clocks| at(clocks as usize));
-    Table { all: at(params.interval()), second: second.unwrap_or_default() }
+    Table { all, second: second.unwrap_or_default() }
 }
 
 /// Those of the reference model.
@@ -255,5 +263,9 @@ mod tests {
         assert!(found(&single, any) && found(&cascade, any) && found(&cascade, &format!("exact_{any}")));
         assert!(!found(&single, &format!("exact_{any}")));
         assert!(!found(&cascade, several) && found(&cascade, &format!("exact_{several}")));
+        let rounding = "coordinate_round:y_floor_1_sum:rounding:ulp dropped";
+        let wide = Params { width: 19, ..cascade.clone() };
+        let rounds = [&cascade, &wide, &Params::of(Method::Determinants)].map(|params| found(params, rounding));
+        assert_eq!(rounds, [true, false, false]);
     }
 }
