@@ -147,6 +147,8 @@ const VHDL: &[Explanation] = &[
     same("certain_sign:sign:constant:sign1_sum(41) -> (40)", "the sum has a sign bit more than it needs"),
     same("edge_verdict:missed*:operand:sides(*) and sides(*) exchanged", ANY),
     same("box_axis:*_word_any_d1:operand:* exchanged", ANY),
+    same("comparator_network:not_all_*:operand:* exchanged", ANY),
+    same("comparator_network:some_*:operand:* exchanged", ANY),
     same("inner_side:inner:operand:(* exchanged", ANY),
     same("exact_sign:sign_i:constant:x(59) -> (58)", "the number has sign bits more than it needs"),
     same("first_point:*_any*:operand:* exchanged", ANY),
