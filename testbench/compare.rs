@@ -196,7 +196,7 @@ fn wrong_command_lines_and_files_are_one_line_and_status_2() {
         ("absent.csv", "absent.csv"),
         ("empty.csv", "found no pair"),
         ("cut.f64", "found 100 bytes; expected a multiple of 144"),
-        ("pairs.txt", "expected .csv, .f64"),
+        ("pairs.txt", "expected .csv or .f64"),
         ("broken.toml", "broken.toml:1:"),
         ("--scene absent.toml", "absent.toml"),
         ("--mesh absent.stl", "absent.stl: cannot be read"),

@@ -42,7 +42,8 @@ fn report(title: &str, rows: &[claim::Row]) {
     assert!(failures.is_empty(), "{}", failures.join("\n"));
 }
 
-/// A cascade with few places: both stages take a pair every 11 clocks.
+/// The queue of answers of several units, one of them the first stage of a cascade with the places that it really has; and the
+/// second stage of a cascade with few places: both stages take a pair every 11 clocks.
 #[test]
 fn queues() {
     let title = "Queues";
@@ -57,7 +58,11 @@ fn queues() {
         exact_clocks: Some(11),
         ..Params::of(Method::Exact)
     };
-    report(title, &[queues::Cascade::new(&params).second_stage().run()]);
+    let wide = Params { width: 32, exact_clocks: Some(16), ..Params::of(Method::Exact) };
+    let designs = [Params::default(), Params::of(Method::Determinants), params.clone(), wide];
+    let mut rows: Vec<_> = designs.iter().map(|params| queues::answers(params).run()).collect();
+    rows.push(queues::Cascade::new(&params).second_stage().run());
+    report(title, &rows);
 }
 
 /// The rules for upper bounds, the other options as given.

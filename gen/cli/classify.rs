@@ -1,7 +1,7 @@
 //! `efsat classify`.
 
 use super::error::Failure;
-use super::output::{Verdicts, failure, print, print_json};
+use super::output::{Verdicts, failure, print, print_json, tell};
 use super::params::ParamArguments;
 use super::progress;
 use super::source::{Source, SourceArguments};
@@ -24,8 +24,9 @@ const BATCH: usize = 1 << 14;
 
 /// Answers pairs with the reference model, which is what the unit answers
 ///
-/// Prints CSV, `pair,verdict`, pairs counted from 0; the verdicts are separate, intersect and possibly-incorrect. Random
-/// pairs are near contact, coplanar, degenerate or far, at mixed scales, both triangles in one frame.
+/// Prints CSV, `pair,verdict`, pairs counted from 0; the verdicts are separate, intersect and possibly-incorrect. A pair that
+/// does not fit the unit is decided by the host; how many these were is said on standard error, or in the table or object.
+/// Random pairs are near contact, coplanar, degenerate or far, at mixed scales, both triangles in one frame.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// Pairs: .csv (18 numbers per row: a0 a1 a2 b0 b1 b2, each x y z; optional header), .f64 (the same as raw
@@ -42,6 +43,9 @@ pub(super) struct Arguments {
     /// includes pairs that only touch
     #[arg(long)]
     retest: bool,
+    /// Adds to each row who decided the pair: unit, host (the pair does not fit the unit) or, with --retest, retest
+    #[arg(long, conflicts_with_all = ["json", "summary"])]
+    decided_by: bool,
     /// Print one JSON object instead of rows
     #[arg(long)]
     json: bool,
@@ -62,6 +66,17 @@ struct Answer {
     exact: Option<Relation>,
     /// Of a scene that is snapped: whether the exact answer for what is given is the other one.
     truths_differ: Option<bool>,
+}
+
+impl Answer {
+    /// Who decided the pair, or left it open.
+    fn decided_by(&self) -> &'static str {
+        match (self.retested, self.host_decided) {
+            (true, _) => "retest",
+            (false, true) => "host",
+            (false, false) => "unit",
+        }
+    }
 }
 
 /// Exact answers as counts; coplanar pairs are counted once more.
@@ -92,14 +107,14 @@ struct Counts {
     truths_differ: Option<u64>,
     #[serde(skip)]
     first_wrong: Option<u64>,
-    /// Why the host decides pairs.
+    /// What is said of the pairs that the host decided.
     #[serde(skip)]
-    host: &'static str,
+    by_host: &'static str,
 }
 
 impl Counts {
     fn new(arguments: &Arguments, params: &Params) -> Self {
-        let host = match params.method {
+        let by_host = match params.method {
             Method::Exact => "do not fit the exact unit: decided on the host, exactly",
             Method::Axes | Method::Determinants => "decided on the host",
         };
@@ -109,7 +124,7 @@ impl Counts {
             retested: retest.then_some(0),
             exact: exact.then(ExactCounts::default),
             wrong: exact.then_some(0),
-            host,
+            by_host,
             ..Self::default()
         }
     }
@@ -146,7 +161,7 @@ impl Counts {
     fn table(&self) -> String {
         let mut text = self.verdicts.table();
         if self.host_decided > 0 {
-            text.push_str(&format!("{} of them {}\n", self.host_decided, self.host));
+            text.push_str(&format!("{} of them {}\n", self.host_decided, self.by_host));
         }
         if let Some(second_stage) = self.second_stage {
             text.push_str(&format!("{second_stage} of them left open by the first stage, decided by the second\n"));
@@ -172,26 +187,33 @@ impl Counts {
 struct Sink {
     counts: Counts,
     rows: Option<BufWriter<StdoutLock<'static>>>,
+    /// Whether a row tells who decided the pair.
+    decided_by: bool,
 }
 
 impl Sink {
     fn new(arguments: &Arguments, params: &Params) -> Result<Self, Failure> {
         let mut rows = arguments.rows().then(|| BufWriter::new(io::stdout().lock()));
         if let Some(rows) = &mut rows {
-            writeln!(rows, "pair,verdict{}", if arguments.exact { ",exact" } else { "" }).map_err(failure)?;
+            let columns = [(arguments.exact, ",exact"), (arguments.decided_by, ",decided_by")];
+            let more: String = columns.iter().filter(|(wanted, _)| *wanted).map(|(_, name)| *name).collect();
+            writeln!(rows, "pair,verdict{more}").map_err(failure)?;
         }
-        Ok(Self { counts: Counts::new(arguments, params), rows })
+        Ok(Self { counts: Counts::new(arguments, params), rows, decided_by: arguments.decided_by })
     }
 
     fn take(&mut self, answers: &[Answer]) -> Result<(), Failure> {
         for answer in answers {
             if let Some(rows) = &mut self.rows {
                 let (pair, verdict) = (self.counts.pairs, answer.verdict);
-                let written = match answer.exact {
-                    Some(exact) => writeln!(rows, "{pair},{verdict},{}", exact.class),
-                    None => writeln!(rows, "{pair},{verdict}"),
-                };
-                written.map_err(failure)?;
+                write!(rows, "{pair},{verdict}").map_err(failure)?;
+                if let Some(exact) = answer.exact {
+                    write!(rows, ",{}", exact.class).map_err(failure)?;
+                }
+                if self.decided_by {
+                    write!(rows, ",{}", answer.decided_by()).map_err(failure)?;
+                }
+                writeln!(rows).map_err(failure)?;
             }
             self.counts.add(*answer);
         }
@@ -302,9 +324,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             classifier.random(count, arguments.source.seed, &mut sink, &bar(count, "pairs"))?;
         }
     }
-    let Sink { counts, rows } = sink;
+    let Sink { counts, rows, .. } = sink;
     match rows {
-        Some(mut rows) => rows.flush().map_err(failure)?,
+        Some(mut rows) => {
+            rows.flush().map_err(failure)?;
+            if counts.host_decided > 0 {
+                let Counts { host_decided, pairs, by_host, .. } = counts;
+                tell("note", &format!("{host_decided} of {pairs} pairs {by_host}; --decided-by shows which"));
+            }
+        }
         None if arguments.json => print_json(&counts)?,
         None => print(&counts.table())?,
     }

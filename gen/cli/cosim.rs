@@ -3,6 +3,7 @@
 mod engine;
 
 use super::error::Failure;
+use super::file;
 use super::output::{Verdicts, print, print_json};
 use super::params::{ParamArguments, choice, whole};
 use super::progress;
@@ -202,6 +203,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             return Err(Failure::Usage(message));
         }
     };
+    arguments.keep.iter().try_for_each(|dir| file::named(dir, "directory"))?;
     let Job { stimulus, decided } = job(arguments, &params)?;
     let options =
         Options { simulator, keep: arguments.keep.clone(), wave: arguments.wave.clone(), probe: arguments.probe };
@@ -236,7 +238,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         0 => Ok(()),
         n => {
             let first = report.first_mismatch.unwrap_or_else(|| "unknown".to_owned());
-            Err(Failure::Check(format!("{n} mismatches in {} vectors, the first: {first}", report.vectors)))
+            Err(Failure::Check(format!("vectors that differ: {n} of {}, the first: {first}", report.vectors)))
         }
     }
 }
@@ -259,7 +261,11 @@ fn text(report: &Report, verdicts: &Verdicts, host_decided: u64) -> String {
             0 => String::new(),
             n => format!(", and {n} for the guard,"),
         };
-        text.push_str(&format!("All {} vectors{more} agree bit for bit.\n", report.vectors));
+        let all = match report.vectors {
+            1 => "The one vector".to_owned(),
+            n => format!("All {n} vectors"),
+        };
+        text.push_str(&format!("{all}{more} agree bit for bit.\n"));
     }
     text
 }

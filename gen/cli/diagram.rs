@@ -36,14 +36,14 @@ impl DiagramArguments {
     /// Draws the unit.
     pub fn run(&self, design: &Design) -> Result<(), Failure> {
         let name = self.unit.as_deref().unwrap_or_default();
-        if self.dot.is_none() && self.svg.is_none() {
-            return Err(Failure::Usage(format!("--unit {name}: needs --dot FILE or --svg FILE")));
-        }
         let units: Vec<_> = design.pipelines().flat_map(diagram::units).collect();
         let Some(unit) = units.iter().find(|unit| unit.name == name) else {
             let names: Vec<&str> = units.iter().map(|unit| unit.name.as_str()).collect();
             return Err(Failure::Usage(format!("--unit {name}: expected one of {}", names.join(", "))));
         };
+        if self.dot.is_none() && self.svg.is_none() {
+            return Err(Failure::Usage(format!("--unit {name} alone: expected --dot FILE or --svg FILE with it")));
+        }
         let mut scheduler = Scheduler::new(design.device, design.params.frequency);
         let picture = Picture::new(&scheduler.schedule(unit), scheduler.period());
         let files = [(&self.dot, picture.dot()), (&self.svg, picture.svg())];

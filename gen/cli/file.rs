@@ -22,6 +22,7 @@ const NAME: &str = "output";
 impl Output {
     /// Begins a file; a target that cannot be written is found out here.
     pub fn new(path: &Path) -> Result<Self, Failure> {
+        named(path, "file")?;
         let target = place(path)?;
         let found = fs::metadata(&target).ok();
         if found.as_ref().is_some_and(fs::Metadata::is_dir) {
@@ -85,6 +86,25 @@ pub(super) fn write_all(files: impl Iterator<Item = (impl AsRef<Path>, impl AsRe
     begun.into_iter().try_for_each(Output::finish)
 }
 
+/// Makes a folder if it is absent.
+pub(super) fn folder(path: &Path) -> Result<(), Failure> {
+    named(path, "directory")?;
+    if path.exists() && !path.is_dir() {
+        let message =
+            format!("{}: found no directory; expected one, or a name that does not exist yet", path.display());
+        return Err(Failure::Usage(message));
+    }
+    fs::create_dir_all(path).map_err(|e| Failure::Usage(format!("{}: cannot be made: {e}", path.display())))
+}
+
+/// Refuses the name that stands for standard output elsewhere.
+pub(super) fn named(path: &Path, what: &str) -> Result<(), Failure> {
+    match path.as_os_str() == "-" {
+        true => Err(Failure::Usage(format!("-: expected the name of a {what}; ./- is one with this name"))),
+        false => Ok(()),
+    }
+}
+
 /// Refuses names that lead to one file.
 pub(super) fn distinct<'a>(paths: impl Iterator<Item = &'a Path>) -> Result<(), Failure> {
     let mut places = vec![];
@@ -117,5 +137,9 @@ pub(super) fn place(path: &Path) -> Result<PathBuf, Failure> {
 
 pub(super) fn fault(path: &Path) -> impl FnOnce(io::Error) -> Failure + use<> {
     let path = path.display().to_string();
-    move |e| Failure::Usage(format!("{path}: {e}; expected a file in an existing folder"))
+    move |e| {
+        let is_full = matches!(e.kind(), io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded);
+        let expected = if is_full { "" } else { "; expected a file in an existing folder that can be written" };
+        Failure::Usage(format!("{path}: {e}{expected}"))
+    }
 }

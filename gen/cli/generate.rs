@@ -2,6 +2,7 @@
 
 use super::diagram::DiagramArguments;
 use super::error::Failure;
+use super::file;
 use super::output::{print, print_json, warn};
 use super::params::{EngineArguments, ParamArguments, choice};
 use crate::artefact::engine::{engine_design_files, samples};
@@ -32,7 +33,7 @@ pub(super) struct Arguments {
     /// Write all ready designs, each to a folder below DIR, in place of one design
     #[arg(long, conflicts_with_all = ["lp", "stream_width"])]
     ready: bool,
-    /// Write nothing; fail if DIR differs by a byte from what would be written
+    /// Write nothing; fail if a generated file in DIR is missing, differs by a byte, or would no longer be written
     #[arg(long)]
     check: bool,
     /// Write to DIR the schedule of every unit as a linear program in CPLEX LP format, and nothing else
@@ -73,6 +74,7 @@ impl Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    [&arguments.out, &arguments.lp].into_iter().flatten().try_for_each(|dir| file::named(dir, "directory"))?;
     let params = arguments.params.params()?;
     if arguments.engine {
         return engine(arguments);

@@ -21,7 +21,7 @@ pub(super) fn run(arguments: &Arguments, mut command: clap::Command) -> Result<(
     let mut pages = vec![];
     collect(&command, "efsat", &mut pages)?;
     let dir = arguments.dir.display();
-    std::fs::create_dir_all(&arguments.dir).map_err(|e| Failure::Usage(format!("{dir}: {e}")))?;
+    file::folder(&arguments.dir)?;
     file::write_all(pages.iter().map(|(name, text)| (arguments.dir.join(name), text)))?;
     print(&format!("{dir}: {} pages\n", pages.len()))
 }

@@ -41,6 +41,13 @@ impl Verdicts {
     }
 }
 
+/// A number of things, named in the plural, which has an s.
+pub(super) fn counted(count: impl Into<u64>, things: &str) -> String {
+    let count = count.into();
+    let things = if count == 1 { things.strip_suffix('s').unwrap_or(things) } else { things };
+    format!("{count} {things}")
+}
+
 /// What it means that standard output cannot be written.
 pub(super) fn failure(e: io::Error) -> Failure {
     match e.kind() {
@@ -92,5 +99,10 @@ mod tests {
              all                            4   100.00 %\n"
         );
         assert!(Verdicts::default().table().contains("0.00 %"));
+    }
+
+    #[test]
+    fn one_thing_and_more() {
+        assert_eq!([0u64, 1, 2].map(|count| counted(count, "blocks")), ["0 blocks", "1 block", "2 blocks"]);
     }
 }

@@ -4,7 +4,7 @@ use super::error::Failure;
 use crate::artefact::engine::EngineDesign;
 use crate::design::top::DesignError;
 use crate::params::engine::Memory;
-use crate::params::options::Row;
+use crate::params::options::{Choice, Row};
 pub(super) use crate::params::options::{choice, whole};
 use crate::params::{EngineParams, Method, Params};
 use clap::parser::ValueSource;
@@ -15,11 +15,16 @@ use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
 pub(super) struct ParamArguments {
     typed: Params,
     given: Vec<&'static str>,
+    like_paper: bool,
 }
 
 impl ParamArguments {
     /// The parameters, if they fit together.
     pub fn params(&self) -> Result<Params, Failure> {
+        if self.like_paper && self.typed.method != Method::Axes {
+            let found = self.typed.method.name();
+            return Err(Failure::Usage(format!("--like-paper with --method {found}: expected --method axes")));
+        }
         // The choice of the method itself is no option of the method.
         let typed = |option: &str| option != "method" && self.given.contains(&option);
         let given = self.typed.every_option().into_iter().filter(|(option, _)| typed(option));
@@ -113,7 +118,8 @@ impl FromArgMatches for ParamArguments {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
         let typed = |option: &&str| matches.value_source(&option.replace('-', "_")) == Some(ValueSource::CommandLine);
         let given = Params::OPTIONS.iter().map(|row| row.name).filter(typed).collect();
-        Ok(Self { typed: Params::from_arg_matches(matches)?, given })
+        let like_paper = matches.get_flag("like_paper");
+        Ok(Self { typed: Params::from_arg_matches(matches)?, given, like_paper })
     }
 
     fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {

@@ -41,7 +41,8 @@ pub(super) struct Arguments {
     /// Write the defects, one row for each: numbers of the two triangles, kind
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Write all pairs that the unit is asked about to a .csv file, as `efsat cosim --method exact --pairs FILE` reads them
+    /// Write all pairs that are asked about to a .csv file, as `efsat cosim --method exact --pairs FILE` reads them: for two
+    /// triangles one row, two if they have one common vertex, none if they are duplicates
     #[arg(long, value_name = "FILE", value_parser = file::rows)]
     pairs: Option<PathBuf>,
     /// Draw the mesh with its defects, as .svg or .png
@@ -196,16 +197,17 @@ fn table(summary: &Summary<'_>, exact: bool) -> String {
     let mut text =
         format!("{mesh}: {triangles} triangles, {vertices} vertices on a grid of {}, {width} bits\n", step(*grid));
     if *left_out > 0 {
-        let _ = writeln!(text, "{left_out} faces of the file cannot be used and are left out");
+        let _ = writeln!(text, "faces of the file that cannot be used and are left out: {left_out}");
     }
-    let _ = writeln!(text, "{degenerate} triangles are segments or points on this grid");
+    let _ = writeln!(text, "triangles that are segments or points on this grid: {degenerate}");
     let mut row = |what: &str, count: u64| {
         let _ = writeln!(text, "{what:<44}{count:>12}");
     };
     row("pairs of triangles whose boxes overlap", effort.candidates);
     row("  of these with a common vertex or edge", effort.neighbours);
-    row("pairs that the unit decided", effort.asked);
-    row("pairs that did not fit, decided by the host", effort.by_host);
+    row("pairs asked about, as --pairs writes them", effort.asked + effort.by_host);
+    row("  decided by the unit", effort.asked);
+    row("  that do not fit it, decided by the host", effort.by_host);
     if exact {
         row("answers that are not the oracle's", effort.contradictions);
     }

@@ -4,6 +4,7 @@ use super::error::Failure;
 use super::output::warn;
 use crate::host::settings::Settings;
 use crate::mesh::{self, BUILTIN, Findings, Mesh};
+use crate::pair_file::PairFileError;
 use crate::scene::{self, Scene};
 use crate::{Points, pair_file};
 use std::path::Path;
@@ -41,7 +42,19 @@ impl Source {
         if Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
             return Self::scene(name);
         }
-        Ok(Self::Pairs(pair_file::read(name)?))
+        pair_file::read(name).map(Self::Pairs).map_err(|e| match e {
+            // Here scenes are read as well.
+            PairFileError::Kind { file, found, hint } => {
+                let found = match (Path::new(name).is_dir(), found.as_str()) {
+                    (true, _) => "found a directory".to_owned(),
+                    (false, "") => "found a name without an ending".to_owned(),
+                    (false, ending) => format!("found a name ending in .{ending}"),
+                };
+                let expected = "expected .csv or .f64 (pairs), .toml (a scene), or - for CSV on standard input";
+                Failure::Usage(format!("{file}: {found}; {expected}{hint}"))
+            }
+            e => e.into(),
+        })
     }
 
     /// Reads a scene, or takes the built-in one.

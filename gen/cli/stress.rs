@@ -164,7 +164,7 @@ fn list() -> String {
 
 /// The pairs of each family as a file.
 fn emit(plan: &Plan, dir: &Path) -> Result<(), Failure> {
-    std::fs::create_dir_all(dir).map_err(file::fault(dir))?;
+    file::folder(dir)?;
     let files = plan.families.iter().enumerate().map(|(i, family)| {
         let cases = (i as u64..plan.pairs).step_by(plan.families.len()).zip(plan.first..);
         let points = cases.map(|(_, index)| family.case(plan.seed, index).0);

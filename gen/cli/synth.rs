@@ -4,6 +4,7 @@ mod summary;
 mod table;
 
 use super::error::Failure;
+use super::file;
 use super::output::{print, print_json};
 use super::params::{EngineArguments, ParamArguments, choice, whole};
 use super::progress;
@@ -86,6 +87,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let seeds = if arguments.no_route { 0 } else { arguments.seeds.unwrap_or(SEEDS) };
     let limit = Duration::from_secs(60 * u64::from(arguments.minutes.unwrap_or(MINUTES)));
+    arguments.keep.iter().try_for_each(|dir| file::named(dir, "directory"))?;
     let options = Options { flow, seeds, limit, keep: arguments.keep.clone() };
     let spinner = progress::spinner("synthesising");
     let step = |what: &str| spinner.set_message(what.to_owned());

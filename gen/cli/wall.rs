@@ -10,8 +10,6 @@ use crate::software::Test;
 use crate::wall::{CONTACTS, Contact, Grid, Map, Report, SIZE, Step, picture};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 use serde::Serialize;
-use std::fs;
-use std::io;
 use std::path::{Path, PathBuf};
 
 /// Draws the verdicts around a contact, one vertex moved over 256 x 256 cells, beside the exact answers
@@ -178,10 +176,6 @@ fn line(name: &str, cells: &[String]) -> String {
 
 /// Puts the pictures into a folder, each as a whole.
 fn write(dir: &Path, maps: &[Drawn]) -> Result<(), Failure> {
-    fs::create_dir_all(dir).map_err(|e| file_failure(dir, &e))?;
+    file::folder(dir)?;
     file::write_all(maps.iter().map(|map| (dir.join(format!("{}.png", map.contact.name)), &map.picture)))
-}
-
-fn file_failure(path: &Path, e: &io::Error) -> Failure {
-    Failure::Usage(format!("{}: {e}", path.display()))
 }

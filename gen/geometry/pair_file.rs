@@ -62,7 +62,10 @@ pub enum PairFileError {
         found: f64,
     },
     /// A row with too few or too many fields.
-    #[error("{file}: line {line}: found {found} fields; expected 18 (a0 a1 a2 b0 b1 b2, each x y z)")]
+    #[error(
+        "{file}: line {line}: found {found} field{}; expected 18 (a0 a1 a2 b0 b1 b2, each x y z)",
+        if *found == 1 { "" } else { "s" }
+    )]
     Fields {
         /// The file as named by the user.
         file: String,
@@ -79,15 +82,17 @@ pub enum PairFileError {
         /// Line, counted from 1.
         line: usize,
     },
-    /// Fields between which semicolons stand.
+    /// Fields between which something else than commas stands.
     #[error(
-        "{file}: line {line}: found semicolons between the numbers; expected commas, and a point in each decimal number"
+        "{file}: line {line}: found {found} between the numbers; expected commas, and a point in each decimal number"
     )]
-    Semicolons {
+    Separator {
         /// The file as named by the user.
         file: String,
         /// Line, counted from 1.
         line: usize,
+        /// What stands between them.
+        found: &'static str,
     },
     /// A field that is no finite number.
     #[error(
@@ -154,8 +159,8 @@ pub fn read_csv(source: impl Read, name: &str) -> Result<Vec<Points>, PairFileEr
         if row.trim_ascii().is_empty() {
             continue;
         }
-        if row.iter().filter(|&&byte| byte == b';').count() >= 17 {
-            return Err(PairFileError::Semicolons { file: file(), line });
+        if let Some(found) = separator(row) {
+            return Err(PairFileError::Separator { file: file(), line, found });
         }
         let fields: Vec<&[u8]> = row.split(|&byte| byte == b',').map(unquoted).collect();
         if std::mem::take(&mut first) && fields.iter().all(|field| number(field).is_none()) {
@@ -211,6 +216,16 @@ pub fn read_f64(mut source: impl Read, name: &str) -> Result<Vec<Points>, PairFi
         pairs.push(points);
     }
     Ok(pairs)
+}
+
+/// What separates the numbers of a row if it is not commas. A header may have blanks, but no 18 numbers between them.
+fn separator(row: &[u8]) -> Option<&'static str> {
+    let words = row.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    match row.contains(&b',') {
+        _ if row.iter().filter(|&&byte| byte == b';').count() >= 17 => Some("semicolons"),
+        false if words.filter(|word| number(word).is_some()).count() >= 18 => Some("blanks"),
+        _ => None,
+    }
 }
 
 /// A field without the space and the quotes around it. Numbers need neither, so there is nothing to unescape.
@@ -283,6 +298,16 @@ mod tests {
         let mut garbage = format!("{ROW}\n").into_bytes();
         garbage.extend(ROW.replacen("1e", "\u{7}", 1).bytes().map(|b| if b == 7 { 0xff } else { b }));
         assert!(message(&garbage).contains("line 2, column 18"));
+    }
+
+    #[test]
+    fn numbers_without_commas_are_no_header() {
+        for (by, named) in [(" ", "blanks"), ("\t", "blanks"), (";", "semicolons")] {
+            let row = ROW.replace(' ', "").replace(',', by);
+            let place = format!("p.csv: line 1: found {named} between the numbers; expected commas");
+            assert!(message(format!("{row}\n{ROW}\n").as_bytes()).starts_with(&place), "{by:?}");
+        }
+        assert_eq!(read_csv(format!("the pairs of part 1 2 3\n{ROW}").as_bytes(), "").unwrap().len(), 1);
     }
 
     #[test]

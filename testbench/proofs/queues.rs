@@ -1,5 +1,5 @@
-//! The queues of the second stage of a cascade, for all time: with the printed control and a stub in place of the data path,
-//! every pair is answered once, in order, and within a stated number of clocks.
+//! Queues, for all time: every pair is answered once, in order, and within a stated number of clocks. Of the queue of answers
+//! of any unit, with the printed control; and of the second stage of a cascade, with a stub in place of its data path.
 //!
 //! Control reads nothing of what the data path computes. So a pair is given its own number as data, and the claim says where
 //! in the stage each number is. It holds at the start and after a clock if it held before it (induction with one step), so it
@@ -336,6 +336,98 @@ begin
         ]);
         claim
     }
+}
+
+/// The queue of answers of a unit, in the first stage of a cascade: no pair is accepted without a place, the pairs are decided
+/// and taken in the order in which they were accepted, and the oldest is taken in time if nothing holds it up.
+pub fn answers(params: &Params) -> Claim {
+    let design = Design::new(params, Probes::None).unwrap_or_else(|e| panic!("{params:?}: {e}"));
+    let files = vhdl::print(&design.top, "", PACKAGE, &[]).expect("legal names");
+    let text = |name: &str| files.iter().find(|(file, _)| file == name).expect("an entity of every unit").1.clone();
+    let (places, slot, latency) = (design.places, design.interval, design.schedule.latency as usize);
+    let w = places.trailing_zeros() + 1;
+    let control = text("sequencer");
+    let inputs = ["in_valid", "out_ready", "head_ready", "pose_valid"].into_iter();
+    let inputs: Vec<&str> = inputs.filter(|name| control.contains(&format!("{name} "))).collect();
+    let able = if inputs.contains(&"head_ready") { "head_ready && output_free" } else { "output_free" };
+    let outputs = ["accept", "decide", "take", "out_valid", "accept_address", "decide_address", "take_address"];
+    let mut claim = Claim {
+        entity: "sequencer",
+        property: "answers in order, none lost, each in time",
+        sizes: format!("{places} places, {slot} clocks"),
+        files: [PACKAGE, "sequencer"].map(|name| (format!("{name}.vhd"), text(name))).into(),
+        ports: inputs.iter().chain(&outputs).map(|name| format!(".{name}({name})")).collect(),
+        inputs,
+        seen: vec![],
+        words: vec![],
+        body: String::new(),
+        given: vec![],
+        shown: vec![],
+        mutants: vec![],
+    };
+    claim.see(&[("accepted", w), ("accepted_ahead", w), ("decided", w), ("taken", w), ("taken_ahead", w)]);
+    claim.see(&[("full", 1), ("empty", 1), ("output_free", 1)]);
+    let (in_path, oldest) = in_data_path(&mut claim, latency, slot);
+    let _ = write!(
+        claim.body,
+        "  wire accept, decide, take, out_valid; wire [{a}:0] accept_address, decide_address, take_address;
+  reg [{p}:0] taken_prev = 0, decided_prev = 0; reg kept = 0; reg [9:0] waited = 0;
+  wire [{p}:0] inside = accepted - taken, done = decided - taken, in_path = accepted - decided, full_at = taken_prev + {places};
+  wire [{p}:0] taken_lag = taken - taken_prev, decided_lag = decided - decided_prev, seen = decided_prev - taken;
+  wire [{p}:0] accepted_next = accepted_ahead - accepted, taken_next = taken_ahead - taken;
+  wire [9:0] remaining = done != 0 ? empty : {oldest};
+  always @(posedge clk)
+    if (reset) begin
+      taken_prev <= 0; decided_prev <= 0; kept <= 0; waited <= 0;
+    end else begin
+      taken_prev <= taken; decided_prev <= decided; kept <= out_valid && !out_ready;
+      waited <= {able} && !take && inside != 0 ? waited + 1 : 0;
+    end
+",
+        a = w - 2,
+        p = w - 1,
+    );
+    claim.shown(["accepted_next == 1", "taken_next == 1", "taken_lag <= 1", "decided_lag <= 1", "seen <= done"]);
+    claim.shown(["full == (accepted == full_at)", "empty == (taken == decided_prev)", "done <= inside"]);
+    claim.shown([format!("inside <= {places}"), format!("inside + taken_lag <= {places}")]);
+    claim.shown([format!("in_path == {in_path}"), format!("!accept || inside < {places}")]);
+    claim.shown(["!decide || in_path != 0", "!take || done != 0", "!kept || out_valid"]);
+    claim.shown(
+        [("accept", "accepted"), ("decide", "decided"), ("take", "taken")]
+            .map(|(word, count)| format!("{word}_address == {count}[{}:0]", w - 2)),
+    );
+    claim.shown([format!("waited + remaining <= {}", latency + 3)]);
+    claim.mutants(&[(WrongGate, "accepts"), (WrongArm, "full"), (WrongArm, "empty"), (NotMissing, "output_free")]);
+    claim.mutants(&[(WrongGate, "accept_pair"), (WrongGate, "take_pair")]);
+    claim
+}
+
+/// What the claim about a sequencer says of the pairs in the data path: how many there are, and in how many clocks the oldest
+/// can be taken.
+fn in_data_path(claim: &mut Claim, latency: usize, slot: usize) -> (String, String) {
+    if slot == 1 {
+        claim.see(&[("holds", latency as u32), ("decide_pair", 1)]);
+        let holds = (0..latency).rev().map(|age| (format!("holds[{age}]"), latency - age + 2));
+        let pairs: Vec<(String, usize)> = std::iter::once(("decide_pair".to_owned(), 2)).chain(holds).collect();
+        let names: Vec<&str> = pairs.iter().map(|(name, _)| name.as_str()).collect();
+        let clocks: String = pairs.iter().map(|(name, clocks)| format!("{name} ? {clocks} : ")).collect();
+        return (names.join(" + "), clocks + "0");
+    }
+    let (ages, decides) = (latency / slot + 1, latency % slot);
+    let phase = slot.next_power_of_two().trailing_zeros();
+    claim.see(&[("running", 1), ("phase_i", phase), ("last_phase", 1), ("decide_phase", 1), ("holds", ages as u32)]);
+    let _ = writeln!(claim.body, "  wire in_last = holds[{}] && phase_i <= {decides};", ages - 1);
+    claim.shown([
+        format!("phase_i < {slot}"),
+        format!("last_phase == (phase_i == {})", slot - 1),
+        format!("!decide_phase || phase_i == {decides}"),
+        format!("decide_phase || phase_i != {decides} || holds == 0"),
+        "running || phase_i == 0".to_owned(),
+    ]);
+    let name = |age: usize| if age + 1 == ages { "in_last".to_owned() } else { format!("holds[{age}]") };
+    let names: Vec<String> = (0..ages).map(name).collect();
+    let clocks = |age: usize| format!("{} ? {} - phase_i : ", name(age), latency + 2 - slot * age);
+    (names.join(" + "), (0..ages).rev().map(clocks).collect::<String>() + "0")
 }
 
 /// Of each place of a queue: how far it is from the oldest one, and the number of the pair that is there.

@@ -50,7 +50,7 @@ pub(super) fn claimable(dir: &Path) -> Result<(), Failure> {
 
 /// Makes a folder ours, unless another run is at work there, and says in it what was asked for; its results.
 pub(super) fn claim(dir: &Path, request: &Request) -> Result<Store, Failure> {
-    fs::create_dir_all(dir).map_err(|e| file_failure(dir, &e))?;
+    file::folder(dir)?;
     let store = Store::open(dir).map_err(failure)?;
     let text = serde_json::to_string_pretty(request).expect("keys are strings and numbers are finite");
     write(dir, &[(REQUEST.to_owned(), text + "\n")])?;

@@ -154,6 +154,7 @@ impl Arguments {
     fn check_outputs(&self) -> Result<(), Failure> {
         let files = [&self.csv, &self.pairs, &self.picture, &self.view];
         let files = || files.into_iter().flatten().map(PathBuf::as_path);
+        self.out.iter().try_for_each(|dir| file::named(dir, "directory"))?;
         file::distinct(files())?;
         files().try_for_each(|path| self.inside(path).map(|_| ()))?;
         self.out.as_ref().map_or(Ok(()), |dir| Ok(FileSet::default().check_target(dir)?))

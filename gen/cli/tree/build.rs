@@ -3,7 +3,7 @@
 use super::VolumeArguments;
 use crate::cli::error::Failure;
 use crate::cli::file::{self, Output};
-use crate::cli::output::{print, warn};
+use crate::cli::output::{counted, print, warn};
 use crate::cli::params::{choice, whole};
 use crate::cli::source::load_mesh;
 use crate::design::top::DesignError;
@@ -71,6 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     out.write(image.bytes())?;
     out.finish()?;
     let file = arguments.out.display();
-    let (triangles, size, height, power) = (header.triangles, header.size(), header.height, header.power);
-    print(&format!("{file}: {triangles} triangles, {size} bytes, height {height}, scale 2^{power}\n"))
+    let (triangles, size, height, power) =
+        (counted(header.triangles, "triangles"), header.size(), header.height, header.power);
+    print(&format!("{file}: {triangles}, {size} bytes, height {height}, scale 2^{power}\n"))
 }

@@ -2,7 +2,7 @@
 
 use super::read;
 use crate::cli::error::Failure;
-use crate::cli::output::{print, print_json};
+use crate::cli::output::{counted, print, print_json};
 use crate::golden::engine::Link;
 use crate::host::engine::{Header, Image};
 use serde::Serialize;
@@ -102,7 +102,7 @@ impl Report {
             let _ = writeln!(text, "{name:<24}{value}");
         }
         for (exponent, count) in self.exponents.iter().enumerate().filter(|(_, count)| **count > 0) {
-            let _ = writeln!(text, "{:<24}{count} blocks", format!("exponent {exponent}"));
+            let _ = writeln!(text, "{:<24}{}", format!("exponent {exponent}"), counted(*count, "blocks"));
         }
         text
     }

@@ -2,7 +2,7 @@
 
 use super::read;
 use crate::cli::error::Failure;
-use crate::cli::output::print;
+use crate::cli::output::{counted, print};
 use crate::cli::source::load_mesh;
 use std::path::PathBuf;
 
@@ -28,5 +28,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         image.verify(&load_mesh(path)?.0).map_err(wrong)?;
     }
     let header = image.header();
-    print(&format!("{file}: {} blocks and {} triangles are in order\n", header.blocks, header.triangles))
+    let (blocks, triangles) = (counted(header.blocks, "blocks"), counted(header.triangles, "triangles"));
+    print(&format!("{file}: {blocks} and {triangles} are in order\n"))
 }

@@ -147,6 +147,8 @@ const VHDL: &[Explanation] = &[
     same("certain_sign:sign:constant:sign1_sum(41) -> (40)", "the sum has a sign bit more than it needs"),
     same("edge_verdict:missed*:operand:sides(*) and sides(*) exchanged", ANY),
     same("box_axis:*_word_any_d1:operand:* exchanged", ANY),
+    same("comparator_network:not_all_*:operand:* exchanged", ANY),
+    same("comparator_network:some_*:operand:* exchanged", ANY),
     same("inner_side:inner:operand:(* exchanged", ANY),
     same("exact_sign:sign_i:constant:x(59) -> (58)", "the number has sign bits more than it needs"),
     same("first_point:*_any*:operand:* exchanged", ANY),
@@ -161,6 +163,12 @@ const VHDL: &[Explanation] = &[
     ),
     same("projection:p.hi:rounding:ulp forced", ALWAYS),
 ];
+
+/// Mutants of the first stage of a cascade whose differences it takes whole (docs/cascade.md, section 2).
+const WHOLE: &[Explanation] = &[same(
+    "coordinate_round:y_floor_1_sum:rounding:ulp dropped",
+    "no bit that is rounded off is ever set in so few bits",
+)];
 
 /// Mutants of the reference model.
 const MODEL: &[Explanation] = &[
@@ -210,12 +218,14 @@ impl Table {
 
 /// The explanations that are true of a design's VHDL.
 pub fn vhdl(params: &Params) -> Table {
-    let at = |clocks: usize| {
+    let at = |clocks: usize| -> Vec<&Explanation> {
         let rate = if clocks == 1 { Rate::One } else { Rate::Several };
         VHDL.iter().filter(|explanation| [Rate::Any, rate].contains(&explanation.rate)).collect()
     };
+    let is_whole = params.first_stage().is_some_and(|first| params.width <= first.width);
+    let all = at(params.interval()).into_iter().chain(WHOLE.iter().filter(|_| is_whole)).collect();
     let second = params.exact_clocks.map(|clocks| at(clocks as usize));
-    Table { all: at(params.interval()), second: second.unwrap_or_default() }
+    Table { all, second: second.unwrap_or_default() }
 }
 
 /// Those of the reference model.
@@ -255,5 +265,9 @@ mod tests {
         assert!(found(&single, any) && found(&cascade, any) && found(&cascade, &format!("exact_{any}")));
         assert!(!found(&single, &format!("exact_{any}")));
         assert!(!found(&cascade, several) && found(&cascade, &format!("exact_{several}")));
+        let rounding = "coordinate_round:y_floor_1_sum:rounding:ulp dropped";
+        let wide = Params { width: 19, ..cascade.clone() };
+        let rounds = [&cascade, &wide, &Params::of(Method::Determinants)].map(|params| found(params, rounding));
+        assert_eq!(rounds, [true, false, false]);
     }
 }

@@ -96,6 +96,9 @@ fn parsed(path: &Path) -> Result<Parsed, MeshError> {
         "stl" => stl::parse,
         "obj" => obj::parse,
         "ply" => ply::parse,
+        "" if !path.exists() => {
+            return Err(Fault::new("not found", "expected a file that ends in .stl, .obj or .ply").of(path));
+        }
         _ => return Err(Fault::new(format!("extension '{extension}'"), "expected .stl, .obj or .ply").of(path)),
     };
     let bytes = std::fs::read(path)

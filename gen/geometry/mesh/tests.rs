@@ -259,6 +259,8 @@ fn files_that_are_none_are_named() {
     assert!(read(Path::new(env!("CARGO_MANIFEST_DIR"))).is_err());
     let ply = read(Path::new("mesh.off")).unwrap_err().to_string();
     assert_eq!(ply, "mesh.off: extension 'off': expected .stl, .obj or .ply");
+    let mistyped = read(Path::new("no-mesh")).unwrap_err().to_string();
+    assert_eq!(mistyped, "no-mesh: not found: expected a file that ends in .stl, .obj or .ply");
 }
 
 /// Random bytes, and valid files with a few bytes changed or the end cut off, must never panic; what is accepted is

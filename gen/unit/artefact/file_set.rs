@@ -15,7 +15,7 @@ pub struct FileSet(BTreeMap<String, String>);
 #[derive(Debug, thiserror::Error)]
 pub enum FileSetError {
     /// The target is no directory.
-    #[error("{}: found a file; expected a directory, or a name that does not exist yet", .0.display())]
+    #[error("{}: found no directory; expected one, or a name that does not exist yet", .0.display())]
     NotDirectory(PathBuf),
     /// The target holds files and no manifest.
     #[error(
@@ -40,7 +40,7 @@ pub enum FileSetError {
     #[error("{}: found the current directory or one around it; expected any other directory", .0.display())]
     Current(PathBuf),
     /// The operating system says no.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {source}; expected files and directories that can be read and written", path.display())]
     Io {
         /// The file or directory.
         path: PathBuf,
@@ -182,7 +182,8 @@ impl FileSet {
         Ok(())
     }
 
-    /// Compares `dir` with the set.
+    /// Compares `dir` with the set. Of what is not in the set, only files that the manifest there names count: the others
+    /// were not written by efsat.
     ///
     /// # Errors
     /// What the operating system says; a directory that does not exist lacks every file.
@@ -192,6 +193,8 @@ impl FileSet {
             there.list(dir, Path::new("")).map_err(|(path, source)| FileSetError::Io { path, source })?;
         }
         let mut there = there.foreign;
+        let text = std::fs::read_to_string(dir.join(manifest::NAME)).unwrap_or_default();
+        let ours = manifest::files(&text).unwrap_or_default();
         let mut differences = vec![];
         for (name, text) in &self.0 {
             let path = dir.join(name);
@@ -201,7 +204,8 @@ impl FileSet {
                 differences.push(Difference::Differs(name.clone()));
             }
         }
-        differences.extend(there.into_iter().map(|name| Difference::Extra(name.display().to_string())));
+        let extra = there.into_iter().map(|name| name.display().to_string()).filter(|name| ours.contains(name));
+        differences.extend(extra.map(Difference::Extra));
         Ok(differences)
     }
 
@@ -346,10 +350,11 @@ mod tests {
         let names: Vec<String> = second.check(&dir).unwrap().iter().map(ToString::to_string).collect();
         assert_eq!(
             names,
-            ["differs manifest.json", "differs x.vhd", "missing z.vhd", "extra ise/notes.txt", "extra ise/y.prj"]
+            ["differs manifest.json", "differs x.vhd", "missing z.vhd", "extra ise/y.prj"],
+            "a file of somebody else is none"
         );
         second.write(&dir).unwrap();
-        assert_eq!(second.check(&dir).unwrap(), [Difference::Extra("ise/notes.txt".to_owned())]);
+        assert_eq!(second.check(&dir).unwrap(), []);
         assert_eq!(fs::read_to_string(dir.join("ise/notes.txt")).unwrap(), "mine");
         assert_eq!(fs::read_dir(home.path().join("a")).unwrap().count(), 1, "nothing is left beside it");
     }
@@ -420,8 +425,9 @@ mod tests {
                 let writers = sets.each_ref().map(|set| scope.spawn(|| set.write(&dir)));
                 writers.into_iter().for_each(|writer| writer.join().unwrap().unwrap());
             });
-            let notes = [Difference::Extra("notes.txt".to_owned())];
-            assert!(sets.iter().any(|set| set.check(&dir).unwrap() == notes), "{:?}", sets[0].check(&dir));
+            assert!(sets.iter().any(|set| set.check(&dir).unwrap().is_empty()), "{:?}", sets[0].check(&dir));
+            assert!(!dir.join("a").exists() || !dir.join("c").exists(), "not both");
+            assert!(dir.join("notes.txt").exists());
         }
     }
 
@@ -454,8 +460,8 @@ mod tests {
         let second = set(&[("x.vhd", "x2"), ("deep/a", "a")]);
         second.fill(&new, &dir).unwrap();
         second.one_by_one(&new, &dir, &second.found(&dir).unwrap()).unwrap();
-        assert_eq!(second.check(&dir).unwrap(), [Difference::Extra("ise/notes.txt".to_owned())]);
-        assert!(!dir.join("old").exists() && !dir.join("ise/y").exists());
+        assert_eq!(second.check(&dir).unwrap(), []);
+        assert!(!dir.join("old").exists() && !dir.join("ise/y").exists() && dir.join("ise/notes.txt").exists());
     }
 
     #[test]

@@ -55,8 +55,8 @@ pub(super) fn first_sentence(doc: &[String]) -> String {
     if let Some((at, _)) = text.match_indices(". ").find(|(at, _)| !text[..*at].ends_with(' ')) {
         return text[..=at].to_owned();
     }
-    match text.split_once(": ") {
-        Some((before, _)) if !text.ends_with('.') => format!("{before}."),
+    match text.split_once(": ").map(|(before, _)| before).or_else(|| text.strip_suffix(':')) {
+        Some(before) if !text.ends_with('.') => format!("{before}."),
         _ => text,
     }
 }
@@ -91,5 +91,7 @@ mod tests {
         assert_eq!(first_sentence(&["no end | ".to_owned(), String::new(), "b.".to_owned()]), "no end \\|");
         let formula = ["One axis decided: a, then", "  a = b", "  c = d"].map(str::to_owned);
         assert_eq!(first_sentence(&formula), "One axis decided.");
+        let formula = ["One axis decided by:", "  a = b"].map(str::to_owned);
+        assert_eq!(first_sentence(&formula), "One axis decided by.");
     }
 }

@@ -127,8 +127,7 @@ pub(super) fn run(
     settings: &Settings,
 ) -> Result<(), Failure> {
     let unit = arguments.given.unit(&arguments.file, settings)?;
-    arguments.engine.params.fit(&unit)?;
-    let design = EngineDesign::new(arguments.engine.params.params(), &unit.params()?)?;
+    let design = arguments.engine.params.design(&unit)?;
     let (meshes, _) = scene.meshes();
     let objects = Objects::new(&design.params, &design.unit.params, &meshes)?;
     let model = StandIn::new(&objects).map_err(DesignError::from)?;

@@ -72,11 +72,16 @@ fn supported(format: &EngineFormat) -> Result<(), ParamError> {
     if block.stride != STRIDE {
         let bits = 8 * STRIDE;
         let legal = format!(
-            "expected blocks of {} to {bits} bits in the engine; with {} directions they have {}",
+            "expected blocks of {} to {bits} bits in the engine; {} directions with --offset-bits {} give {}",
             bits / 2 + 1,
             format.k(),
+            format.offset_bits,
             block.bits
         );
+        // The option that is not as it is by default is to blame.
+        if format.directions != EngineParams::default().directions {
+            return wrong("directions", format.k().to_string(), legal);
+        }
         return wrong("offset-bits", format.offset_bits.to_string(), legal);
     }
     if format.triangle().stride != STRIDE {

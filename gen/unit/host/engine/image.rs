@@ -186,7 +186,8 @@ impl Image {
         let whole = bytes.chunks_exact(8).map(|chunk| u64::from_le_bytes(chunk.try_into().expect("eight bytes")));
         let words: Vec<u64> = whole.collect();
         let Some(head) = words.first_chunk() else {
-            return Err(ImageError::new(bytes.len() as u64, "end of the file", "", "a header of 64 bytes"));
+            let (end, found) = (bytes.len() as u64, format!("{} of 64 bytes", bytes.len()));
+            return Err(ImageError::new(end, "end of the file", found, "a header of 64 bytes"));
         };
         let header = Header::of(head)?;
         if header.size() != bytes.len() as u64 {

@@ -3,8 +3,8 @@
 
 use efsat_geometry::mesh::Mesh;
 
-/// What shows what is wrong with two triangles: of those that share vertices, whether they have a common point elsewhere. Triangles are named by their vertices;
-/// segments and points repeat one.
+/// What shows what is wrong with two triangles: of those that share vertices, whether they have a common point elsewhere.
+/// Triangles are named by their vertices; segments and points repeat one.
 pub(super) enum Question {
     /// They share no vertex: how do they lie?
     How,

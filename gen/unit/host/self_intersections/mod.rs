@@ -138,8 +138,9 @@ impl<'a> Checker<'a> {
             Question::Duplicate => Some(Kind::Duplicate),
             Question::Crosses => (self.answer(faces, effort) == Exact::Intersect).then_some(Kind::Neighbours),
             Question::Meets(parts) => {
-                let meets = |parts: &[[u32; 3]; 2]| self.answer(*parts, effort) != Exact::Separate;
-                parts.iter().any(meets).then_some(Kind::Neighbours)
+                // All of them are asked, so that as many pairs are counted as `asked` lists.
+                let meets = |parts: &&[[u32; 3]; 2]| self.answer(**parts, effort) != Exact::Separate;
+                (parts.iter().filter(meets).count() > 0).then_some(Kind::Neighbours)
             }
         }
     }
