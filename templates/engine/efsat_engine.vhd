@@ -119,7 +119,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal tested_numbers : std_logic_vector(55 downto 0);
   signal tested_taken : std_logic;
   signal decided_valid : std_logic;
-  signal decided_taken : std_logic;
+  signal decided_ready : std_logic;
   signal verdict : std_logic_vector(1 downto 0);
   signal decided_numbers : std_logic_vector(55 downto 0);
   signal bypass_valid : std_logic;
@@ -327,14 +327,13 @@ begin
       answered => pair_answered,
       idle => pairs_idle
     );
-  pair_answered <= decided_taken;
   triangles_asked <= triangle_request and triangle_accepted;
 
   -- With leaves_only pairs pass by the unit, which is empty then.
   numbers <= "{{ e.number_zeros }}" & triangle_b({{ e.triangle_number_bits - 1 }} downto 0) & "{{ e.number_zeros }}" & triangle_a({{ e.triangle_number_bits - 1 }} downto 0);
   unit_valid <= triangles_valid and not leaves_only and not ending;
   bypass_valid <= triangles_valid and leaves_only and not ending;
-  triangles_ready <= decided_taken when leaves_only = '1' else unit_ready;
+  triangles_ready <= decided_ready when leaves_only = '1' else unit_ready;
 
   unit : entity work.{{ prefix }}efsat
     port map (
@@ -359,7 +358,7 @@ begin
 {%- endif %}
       out_tag => tested_numbers
     );
-  tested_taken <= decided_taken and not leaves_only;
+  tested_taken <= decided_ready and not leaves_only;
   decided_valid <= bypass_valid when leaves_only = '1' else tested_valid;
   verdict <= "10" when leaves_only = '1' else tested_verdict;
   decided_numbers <= numbers when leaves_only = '1' else tested_numbers;
@@ -369,13 +368,15 @@ begin
     port map (
       clk => aclk,
       reset => reset,
+      restart => restart,
       decided_valid => decided_valid,
-      decided_taken => decided_taken,
+      decided_ready => decided_ready,
       verdict => verdict,
       numbers => decided_numbers,
       ending => ending,
       separate_too => separate_too,
       stop_at_contact => stop_at_contact,
+      pair_answered => pair_answered,
       contact => contact,
       report_due => report_due,
       report_done => report_done,

@@ -61,7 +61,7 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal looked_leaves : std_logic;
   signal judged : std_logic := '0';
   signal judged_at : unsigned(25 downto 0) := (others => '0');
-  signal same : std_logic_vector(2 downto 0) := "000";  -- parts of the comparison
+  signal same : std_logic_vector(4 downto 0) := "00000";  -- parts of the comparison
   signal hit : std_logic;
   signal passes : std_logic;
   signal misses : std_logic;
@@ -140,7 +140,7 @@ begin
   -- ===== Look-up =====
   address <= unsigned(base) + unsigned(head);
   looked_leaves <= looked and (passes or not judged);
-  hit <= '1' when same = "111" else '0';
+  hit <= '1' when same = "11111" else '0';
   all_reserved <= reserved(reserved'high);
   passes <= judged and order_free and (hit or not (asking or all_reserved));
   misses <= passes and not hit;
@@ -179,7 +179,7 @@ begin
       end if;
       if looked_leaves = '1' then
         judged_at <= looked_at;
-        same <= "000";
+        same <= "00000";
         if follows = '1' then
           same <= (others => follows_same);
         else
@@ -188,7 +188,7 @@ begin
             same({{ loop.index0 }}) <= '1';
           end if;
 {%- endfor %}
-          same(2) <= tag_found({{ m.tag_bits }});
+          same(4) <= tag_found({{ m.tag_bits }});
         end if;
       end if;
       if misses = '1' then

@@ -197,6 +197,9 @@ begin
         if job_taken = '1' then
           pending <= '0';
         end if;
+        if query_word = '1' and at_options = '1' then
+          number <= head(63 downto 40);
+        end if;
         if taken = '1' then
           found := fault;
           place <= place + 1;
@@ -248,9 +251,6 @@ begin
               expectation <= skip_state;
             end if;
           elsif expectation = query_state then
-            if at_options = '1' then
-              number <= head(63 downto 40);
-            end if;
             if fault = fine then
               if head_whole = '0' then
                 found := too_short;

@@ -46,6 +46,7 @@ architecture rtl of {{ prefix }}engine_pairs is
   signal drops : std_logic;
   signal asks : std_logic;
   signal open_pairs : unsigned({{ e.open_bits - 1 }} downto 0) := (others => '0');
+  signal idle_now : std_logic := '1';  -- clear as soon as a pair has come
 begin
   accepts <= pair_valid and not full;
   pair_ready <= not full;
@@ -57,7 +58,7 @@ begin
   triangles_taken <= triangles_valid and (ending or triangles_ready);
   head_leaves <= head_valid and (ending or request_ready);
   fetches <= '1' when waiting /= 0 and (head_valid = '0' or head_leaves = '1') else '0';
-  idle <= '1' when open_pairs = 0 else '0';
+  idle <= idle_now;
 
   remember : process (clk)
   begin
@@ -95,8 +96,14 @@ begin
         full <= '0';
         head_valid <= '0';
         open_pairs <= (others => '0');
+        idle_now <= '1';
       else
         open_pairs <= unsigned(signed(open_pairs) + change);
+        if accepts = '1' then
+          idle_now <= '0';
+        elsif open_pairs = 0 then
+          idle_now <= '1';
+        end if;
         if accepts = '1' then
           written <= written + 1;
         end if;

@@ -38,10 +38,9 @@ architecture rtl of {{ prefix }}engine_stack is
   signal last_was_push : std_logic := '0';
   signal grows : std_logic;
   signal shrinks : std_logic;
-  signal filled_now : std_logic;
+  signal filled_now : std_logic := '0';
   signal most : unsigned({{ e.stack_bits }} downto 0) := (others => '0');
 begin
-  filled_now <= '1' when used /= 0 else '0';
   filled <= filled_now;
   top_entry <= top;
   greatest <= resize(most, 16);
@@ -75,6 +74,7 @@ begin
       end if;
       if clear = '1' then
         used <= (others => '0');
+        filled_now <= '0';
         push_place <= to_unsigned({{ e.stack_places - 1 }}, {{ e.stack_bits }});
         pop_place <= to_unsigned({{ e.stack_places - 3 }}, {{ e.stack_bits }});
         most <= (others => '0');
@@ -82,11 +82,15 @@ begin
       else
         if grows = '1' then
           used <= used + 1;
+          filled_now <= '1';
           push_place <= push_place + 1;
           pop_place <= pop_place + 1;
           last_was_push <= '1';
         elsif shrinks = '1' then
           used <= used - 1;
+          if used = 1 then
+            filled_now <= '0';
+          end if;
           push_place <= push_place - 1;
           pop_place <= pop_place - 1;
           last_was_push <= '0';

@@ -71,8 +71,8 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal filled : std_logic;
   signal room : unsigned({{ e.room_bits - 1 }} downto 0) := (others => '0');  -- {{ e.wide - 3 }} - used - 4 flying in two's complement: not negative while a pair may be popped
   signal flying : unsigned({{ e.flight_bits }} downto 0) := (others => '0');
-  signal nothing_flies : std_logic;
-  signal all_fly : std_logic;
+  signal nothing_flies : std_logic := '1';  -- flying = 0
+  signal all_fly : std_logic := '0';  -- flying = {{ e.in_flight }}
   signal allowed : unsigned(31 downto 0) := (others => '0');  -- expansions
   signal spent : std_logic := '0';  -- allowed = 0
 
@@ -116,7 +116,9 @@ architecture rtl of {{ prefix }}engine_traverse is
   -- Survivors one by one, from right and right to left and left.
   signal opened : std_logic := '0';  -- there is a pair whose survivors are taken
   signal opens : std_logic;
+  signal opened_entry : std_logic_vector({{ e.entry_bits - 1 }} downto 0);
   signal opened_children : std_logic_vector(123 downto 0);
+  signal own_is_deepest : std_logic := '0';
   signal present_pairs : std_logic_vector(3 downto 0);
   signal own : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');
   signal family : std_logic_vector(119 downto 0) := (others => '0');
@@ -135,7 +137,6 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal candidate_leaves : std_logic;
   signal is_survivor : std_logic := '0';  -- a pair without survivors goes this way once, too
   signal is_last : std_logic := '0';
-  signal is_deepest : std_logic := '0';
   signal child_a : std_logic_vector(29 downto 0) := (others => '0');
   signal child_b : std_logic_vector(29 downto 0) := (others => '0');
   signal side_a : std_logic := '0';  -- the child is the right one
@@ -145,6 +146,9 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal parents : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');
   signal both_leaves : std_logic;
   signal wrong : std_logic;
+  signal is_pair : std_logic := '0';  -- what becomes of the survivor
+  signal is_entry : std_logic := '0';
+  signal is_wrong : std_logic := '0';
   signal next_a : std_logic_vector({{ e.node_bits + 1 }} downto 0);
   signal next_b : std_logic_vector({{ e.node_bits + 1 }} downto 0);
   signal next_level : std_logic_vector({{ e.level_bits - 1 }} downto 0) := (others => '0');
@@ -153,8 +157,6 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal finished : std_logic;
 begin
   -- ===== Issue =====
-  nothing_flies <= '1' when flying = 0 else '0';
-  all_fly <= '1' when flying = {{ e.in_flight }} else '0';
   -- What the last query has left on the stack goes with start.
   may_pop <= filled and not start and not ending and not all_fly and not spent and (nothing_flies or not room(room'high));
   request_valid <= may_pop;
@@ -206,14 +208,24 @@ begin
       if reset = '1' or start = '1' then
         room <= unsigned(to_signed({{ e.wide - 3 }}, {{ e.room_bits }}));
         flying <= (others => '0');
+        nothing_flies <= '1';
+        all_fly <= '0';
         popped_place <= (others => '0');
         root_due <= start and not reset;
       else
         room <= unsigned(signed(room) + change);
         if pop = '1' and finished = '0' then
           flying <= flying + 1;
+          nothing_flies <= '0';
+          if flying = {{ e.in_flight - 1 }} then
+            all_fly <= '1';
+          end if;
         elsif pop = '0' and finished = '1' then
           flying <= flying - 1;
+          all_fly <= '0';
+          if flying = 1 then
+            nothing_flies <= '1';
+          end if;
         end if;
         if pop = '1' then
           popped_place <= popped_place + 1;
@@ -312,6 +324,7 @@ begin
   answered <= '1' when answers /= 0 else '0';
   -- The oldest answered pair is opened when the one before it has no more survivors.
   opens <= answered and ((candidate_free and last_pick) or not opened);
+  opened_entry <= entry_memory(to_integer(finished_place));
   opened_children <= children_memory(to_integer(finished_place));
   present_pairs <= (opened_children(123) and opened_children(121)) & (opened_children(123) and opened_children(120))
     & (opened_children(122) and opened_children(121)) & (opened_children(122) and opened_children(120));
@@ -331,6 +344,10 @@ begin
   chosen_a <= family(119 downto 90) when (pick(3) or pick(2)) = '1' else family(89 downto 60);
   chosen_b <= family(59 downto 30) when (pick(3) or pick(1)) = '1' else family(29 downto 0);
   candidate_free <= candidate_leaves or not candidate;
+  both_leaves <= chosen_a(29) and chosen_b(29);
+  -- A leaf beside an inner node stays where it is: its number is not used yet.
+  wrong <= (chosen_a(28) and (both_leaves or not chosen_a(29))) or (chosen_b(28) and (both_leaves or not chosen_b(29)))
+    or (own_is_deepest and not both_leaves);
 
   choose : process (clk)
   begin
@@ -345,14 +362,17 @@ begin
         whole_a <= joined_a;
         whole_b <= joined_b;
         parents <= own;
-        is_deepest <= '0';
-        if own({{ e.level_bits - 1 }} downto 0) = everything then
-          is_deepest <= '1';
-        end if;
+        is_pair <= both_leaves and not wrong;
+        is_entry <= not both_leaves and not wrong;
+        is_wrong <= wrong;
         next_level <= std_logic_vector(unsigned(own({{ e.level_bits - 1 }} downto 0)) + 1);
       end if;
       if opens = '1' then
-        own <= entry_memory(to_integer(finished_place));
+        own <= opened_entry;
+        own_is_deepest <= '0';
+        if opened_entry({{ e.level_bits - 1 }} downto 0) = everything then
+          own_is_deepest <= '1';
+        end if;
         family <= opened_children(119 downto 0);
         left_over <= survive_memory(to_integer(finished_place)) and present_pairs;
       elsif candidate_free = '1' then
@@ -382,15 +402,11 @@ begin
     end if;
   end process choose;
 
-  both_leaves <= child_a(29) and child_b(29);
-  -- A leaf beside an inner node stays where it is: its number is not used yet.
-  wrong <= (child_a(28) and (both_leaves or not child_a(29))) or (child_b(28) and (both_leaves or not child_b(29)))
-    or (is_deepest and not both_leaves);
-  pair_due <= candidate and is_survivor and both_leaves and not wrong and not ending;
-  push_due <= candidate and is_survivor and not both_leaves and not wrong and not ending;
+  pair_due <= candidate and is_survivor and is_pair and not ending;
+  push_due <= candidate and is_survivor and is_entry and not ending;
   candidate_leaves <= candidate and (pair_ready or not pair_due);
   finished <= candidate_leaves and is_last;
-  bad_tree <= (candidate and is_survivor and wrong) or bad_a or bad_b;
+  bad_tree <= (candidate and is_survivor and is_wrong) or bad_a or bad_b;
   survived(0) <= candidate_leaves and is_survivor and not (whole_a or whole_b);
   survived(1) <= candidate_leaves and is_survivor and (whole_a or whole_b);
   pair_valid <= pair_due;

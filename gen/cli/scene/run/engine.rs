@@ -2,7 +2,6 @@
 
 use super::report::Report;
 use super::{Arguments, Outputs, Sinks, draw};
-use crate::artefact::engine::EngineDesign;
 use crate::cli::cosim::spread;
 use crate::cli::error::Failure;
 use crate::cli::params::EngineArguments;

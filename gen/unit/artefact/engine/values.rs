@@ -253,7 +253,7 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         from_high: line_address_bits + high,
         from_low: line_address_bits + low,
     };
-    let half = tag_bits / 2;
+    let cuts = [0, 1, 2, 3, 4].map(|quarter| quarter * tag_bits / 4);
     Lines {
         entity,
         what,
@@ -267,7 +267,7 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         word_places: (0..words_per_line).rev().collect(),
         padded_bits: word_bits * words_per_line,
         tag_bits,
-        tag_parts: vec![part(0, half - 1), part(half, tag_bits - 1)],
+        tag_parts: cuts.windows(2).map(|cut| part(cut[0], cut[1] - 1)).collect(),
         places: PLACES,
         place_bits: PLACES.ilog2(),
         return_words,
