@@ -354,7 +354,7 @@ pub fn answers(params: &Params) -> Claim {
     let mut claim = Claim {
         entity: "sequencer",
         property: "answers in order, none lost, each in time",
-        sizes: format!("{places} places, {slot} clocks"),
+        sizes: format!("{places} places, {slot} clock{}", if slot == 1 { "" } else { "s" }),
         files: [PACKAGE, "sequencer"].map(|name| (format!("{name}.vhd"), text(name))).into(),
         ports: inputs.iter().chain(&outputs).map(|name| format!(".{name}({name})")).collect(),
         inputs,
