@@ -109,9 +109,9 @@ macro_rules! operations {
             }
         })*
 
-        /// The samples of all operations.
-        pub fn samples() -> Vec<Sample> {
-            [$($name::samples()),*].concat()
+        /// The samples of all operations, each with the name of its file.
+        pub fn samples() -> Vec<(&'static str, Vec<Sample>)> {
+            vec![$((stringify!($file), $name::samples())),*]
         }
     };
 }

@@ -1,9 +1,13 @@
-//! Every operation on all values of its samples' operands: range, lanes and cells against the value.
+//! Every operation on all values of its samples' operands: range, lanes, cells and VHDL against the value.
 
 use super::*;
 use crate::cells::{Gate, Source};
 use crate::device;
-use std::collections::HashMap;
+use crate::netlist::{Control, SignalId, Wire};
+use crate::vhdl;
+use std::collections::{BTreeSet, HashMap};
+use std::path::Path;
+use std::process::{self, Command};
 
 /// All combinations of operands of these types.
 fn operands(types: &[Type]) -> Vec<Vec<i128>> {
@@ -20,7 +24,7 @@ struct Case {
 }
 
 fn cases() -> Vec<Case> {
-    let all = samples().into_iter().map(|Sample { op, types }| {
+    let all = samples().into_iter().flat_map(|(_, samples)| samples).map(|Sample { op, types }| {
         let to = op.result(&types).unwrap_or_else(|why| panic!("sample of {}: {why}", op.role()));
         Case { op, types, to }
     });
@@ -28,17 +32,49 @@ fn cases() -> Vec<Case> {
 }
 
 #[test]
-fn every_operation_has_samples_of_its_own_role() {
-    let mut roles: Vec<&str> = cases().iter().map(|case| case.op.role()).collect();
-    roles.dedup();
-    let names = cases().iter().map(|case| std::mem::discriminant(&case.op)).collect::<std::collections::HashSet<_>>();
-    assert_eq!(roles.len(), names.len(), "{roles:?}");
+fn every_file_is_in_the_list() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("op");
+    let files = folder.read_dir().expect("sources").map(|file| file.expect("sources").file_name());
+    let files: BTreeSet<String> =
+        files.filter_map(|file| file.to_str()?.strip_suffix(".rs").map(str::to_owned)).collect();
+    let listed = samples().into_iter().map(|(file, _)| file).chain(["mod", "tests"]).map(str::to_owned).collect();
+    let missing: Vec<_> = files.difference(&listed).collect();
+    assert!(missing.is_empty(), "not in `operations!` of op/mod.rs: {missing:?}");
+}
+
+#[test]
+fn every_operation_has_samples() {
+    let without: Vec<&str> = samples().into_iter().filter(|(_, all)| all.is_empty()).map(|(file, _)| file).collect();
+    assert!(without.is_empty(), "files of op/ without samples: {without:?}");
+}
+
+/// Whatever is not wires alone takes time, and is no wire in pictures.
+#[test]
+fn only_wires_have_no_delay() {
+    for device in device::all() {
+        for Case { op, types, to } in cases() {
+            let names: Vec<String> = types.iter().map(Type::to_string).collect();
+            let (delay, kind) = (op.delay(device, &types, to), op.picture(&names).0);
+            assert_eq!(delay > 0.0, kind != Kind::Wire, "{op:?}, {kind:?}: {delay} ns on {}", device.name);
+        }
+    }
 }
 
 /// All ranges of values of a type.
 fn subranges(ty: &Type) -> Vec<Range> {
     let (least, most) = ty.limits();
     (least..=most).flat_map(|lo| (lo..=most).map(move |hi| (lo, hi))).collect()
+}
+
+/// Where all values fit the type of the result, so does the range: else units are refused. A resize cuts its values.
+#[test]
+fn ranges_of_operations_fit_their_types() {
+    for Case { op, types, to } in cases().into_iter().filter(|case| !matches!(case.op, Comb::Resize(_))) {
+        let values = hull(operands(&types).iter().map(|args| op.value(args, &types, to)).map(|x| (x, x)));
+        let limits: Vec<Range> = types.iter().map(|ty| ty.limits()).collect();
+        let range = op.range(&limits, &types, to);
+        assert!(to.holds(range) || !to.holds(values), "{op:?} of {types:?} is within {values:?}, found {range:?}");
+    }
 }
 
 /// The range of single values is the value, at the least, and a range only grows when one of an operand does. So whatever
@@ -145,4 +181,118 @@ fn evaluate(words: &Words, args: &[Word], values: &[i128], result: &[Bit]) -> i1
         known.insert(i, value);
     }
     bits(&known, result).expect("all gates are evaluated")
+}
+
+/// GHDL makes the values of the printed text.
+#[test]
+fn vhdl_computes_the_values() {
+    let runs = |command: &&str| Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success());
+    let Some(command) = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(runs) else {
+        eprintln!("skipped: GHDL is not installed");
+        return;
+    };
+    let cases = cases();
+    let folder = std::env::temp_dir().join(format!("efsat-operations-{}", process::id()));
+    std::fs::create_dir_all(&folder).expect("a folder");
+    let mut files = printed(&cases);
+    files.push(("bench".to_owned(), bench(&cases)));
+    let names: Vec<String> = files.iter().map(|(name, _)| format!("{name}.vhd")).collect();
+    for ((_, text), name) in files.iter().zip(&names) {
+        std::fs::write(folder.join(name), text).expect("a file");
+    }
+    let call = |step: &str, more: &[&str]| {
+        let output = Command::new(command).args([step, "--std=93"]).args(more).current_dir(&folder).output();
+        let output = output.expect("GHDL runs");
+        let text = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
+        (output.status.success(), text)
+    };
+    let names: Vec<&str> = names.iter().map(String::as_str).collect();
+    let steps = [("-a", &names[..]), ("-e", &["bench"]), ("-r", &["bench", "--ieee-asserts=disable"])];
+    let said: Vec<(bool, String)> = steps.iter().map(|(step, more)| call(step, more)).collect();
+    std::fs::remove_dir_all(&folder).expect("the folder");
+    let Some((_, text)) = said.iter().find(|(done, _)| !done) else { return };
+    if let Some((_, found)) = text.split_once("wrong: ") {
+        let numbers: Vec<usize> = found.split_whitespace().map_while(|word| word.parse().ok()).collect();
+        let case = &cases[numbers[0]];
+        panic!("{:?} of {:?} in VHDL", case.op, vectors(case)[numbers[1]].0);
+    }
+    panic!("{text}");
+}
+
+/// All cases as one entity: the operands of case 7 are `x_7_0` and `x_7_1`, the result is called after its role, `less_7`.
+fn printed(cases: &[Case]) -> Vec<(String, String)> {
+    let control = Control::new("operations", vec![]);
+    for (i, Case { op, types, .. }) in cases.iter().enumerate() {
+        let operand = |(k, ty): (usize, &Type)| control.input(&format!("x_{i}_{k}")[..], *ty);
+        let args: Vec<Wire> = types.iter().enumerate().map(operand).collect();
+        let result = match (op, &args[..]) {
+            (Comb::Constant(Constant(value, ty)), _) => control.constant(*value, *ty),
+            (_, [first, others @ ..]) => first.apply(op.clone(), others),
+            _ => panic!("{op:?} has no operands"),
+        };
+        result.output(&format!("{}_{i}", op.role())[..]);
+    }
+    let operations = control.finish();
+    // The ports of a top are plain vectors: the top is another.
+    let top = Control::new("top", vec![]);
+    let port = |id: &SignalId| top.input(operations.signal(*id).place.clone(), operations.signal(*id).ty);
+    let inputs: Vec<Wire> = operations.inputs.iter().map(port).collect();
+    let outputs = top.instance("inner", &operations, &inputs);
+    outputs.iter().zip(&operations.outputs).for_each(|(wire, (place, _))| wire.output(place.clone()));
+    vhdl::print(&top.finish(), "", "types", &[]).expect("legal names")
+}
+
+/// The operands of a case whose result fits its type and that lie in its table, and the bits of operands and result.
+fn vectors(case: &Case) -> Vec<(Vec<i128>, String)> {
+    let Case { op, types, to } = case;
+    let word = |(value, ty): (&i128, &Type)| -> String {
+        (0..ty.bits).rev().map(|i| if value >> i & 1 == 1 { '1' } else { '0' }).collect()
+    };
+    let vector = |args: Vec<i128>| {
+        let result = op.value(&args, types, *to);
+        let bits = args.iter().chain([&result]).zip(types.iter().chain([to])).map(word).collect();
+        let beyond = matches!(op, Comb::Lookup(Lookup(table, _)) if args[0] >= table.len() as i128);
+        (to.holds((result, result)) && !beyond).then_some((args, bits))
+    };
+    operands(types).into_iter().filter_map(vector).collect()
+}
+
+/// A testbench that ends at the first wrong result and reports the numbers of its case and of its vector.
+fn bench(cases: &[Case]) -> String {
+    let (mut declared, mut map, mut checks) = (String::new(), vec![], String::new());
+    for (i, case) in cases.iter().enumerate() {
+        let mut low = case.types.iter().map(|ty| ty.bits).sum::<u32>() + case.to.bits;
+        let mut steps = String::new();
+        let rows: Vec<String> = vectors(case).iter().enumerate().map(|(k, v)| format!("{k} => \"{}\"", v.1)).collect();
+        declared += &format!("  type t_{i} is array (natural range <>) of std_logic_vector({} downto 0);\n", low - 1);
+        declared += &format!("  constant c_{i} : t_{i} := (\n    {});\n", rows.join(",\n    "));
+        for (k, ty) in case.types.iter().chain([&case.to]).enumerate() {
+            let high = low - 1;
+            low -= ty.bits;
+            let name = if k < case.types.len() { format!("x_{i}_{k}") } else { format!("{}_{i}", case.op.role()) };
+            let kind = if ty.signed { "signed" } else { "unsigned" };
+            let (ty, part) = if ty.is_flag() {
+                ("std_logic".to_owned(), format!("c_{i}(k)({low})"))
+            } else {
+                (format!("{kind}({} downto 0)", ty.bits - 1), format!("{kind}(c_{i}(k)({high} downto {low}))"))
+            };
+            declared += &format!("  signal {name} : {ty};\n");
+            steps += &if k < case.types.len() {
+                format!("      {name} <= {part};\n")
+            } else {
+                let report = format!("report \"wrong: {i} \" & integer'image(k) & \" \" severity failure");
+                format!("      wait for 1 ns;\n      assert {name} = {part} {report};\n")
+            };
+            map.push(format!("{name} => {name}"));
+        }
+        checks += &format!(
+            "  process\n  begin\n    for k in c_{i}'range loop\n{steps}    end loop;\n    wait;\n  end process;\n"
+        );
+    }
+    format!(
+        "library ieee;\nuse ieee.std_logic_1164.all;\nuse ieee.numeric_std.all;\n\nentity bench is\nend entity bench;\n\n\
+         architecture sim of bench is\n{declared}begin\n  unit : entity work.operations\n    port map (\n      {}\n    );\n\
+         {checks}end architecture sim;\n",
+        map.join(",\n      "),
+    )
 }
