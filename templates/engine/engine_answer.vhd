@@ -30,7 +30,7 @@ entity {{ prefix }}engine_answer is
     ending : in std_logic;  -- pairs are dropped
     separate_too : in std_logic;  -- pairs that are separate are answered, too
     stop_at_contact : in std_logic;
-    pair_answered : out std_logic;  -- one pair more has become a word, or was dropped
+    pair_answered : out std_logic;  -- one pair more has become a word, or was dropped, a clock ago
     contact : out std_logic;  -- it intersects, and the query is to end with it
     -- The report.
     report_due : in std_logic;  -- until the report is done; then no pair comes
@@ -109,7 +109,6 @@ begin
   free <= m_axis_tready or not offered;
   speaks <= head_valid and not ending when head_verdict /= separate else head_valid and separate_too and not ending;
   taken <= head_valid and (free or not speaks);
-  pair_answered <= taken;
   counts <= taken and not ending;
   contact <= counts and stop_at_contact when head_verdict = certain else '0';
 
@@ -128,6 +127,7 @@ begin
         next_verdict <= verdict;
         next_numbers <= numbers;
       end if;
+      pair_answered <= taken and not restart;
       if restart = '1' then
         head_valid <= '0';
         next_valid <= '0';

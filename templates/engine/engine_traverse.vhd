@@ -126,8 +126,8 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal left_over : std_logic_vector(3 downto 0) := "0000";
   signal pick : std_logic_vector(3 downto 0);
   signal last_pick : std_logic;
-  signal leaves_a : std_logic;  -- both children are leaves
-  signal leaves_b : std_logic;
+  signal joins_a : std_logic_vector(1 downto 0) := "00";  -- bit q: both children of A are leaves, child q of B is none
+  signal joins_b : std_logic_vector(1 downto 0) := "00";
   signal joined_a : std_logic;  -- both leaves meet the same inner node, and go as one pair
   signal joined_b : std_logic;
   signal chosen : std_logic_vector(3 downto 0);  -- what is picked, and what goes with it
@@ -333,14 +333,12 @@ begin
     "0100" when left_over(2) = '1' else
     "0010" when left_over(1) = '1' else
     left_over;
-  leaves_a <= family(119) and family(89);
-  leaves_b <= family(59) and family(29);
-  joined_a <= leaves_a and not chosen_b(29) and ((pick(3) and left_over(1)) or (pick(2) and left_over(0)));
-  joined_b <= leaves_b and not chosen_a(29) and ((pick(3) and left_over(2)) or (pick(1) and left_over(0)));
+  joined_a <= (pick(3) and joins_a(1) and left_over(1)) or (pick(2) and joins_a(0) and left_over(0));
+  joined_b <= (pick(3) and joins_b(1) and left_over(2)) or (pick(1) and joins_b(0) and left_over(0));
   chosen(3) <= pick(3);
-  chosen(2) <= pick(2) or (pick(3) and joined_b);
-  chosen(1) <= pick(1) or (pick(3) and joined_a);
-  chosen(0) <= pick(0) or ((pick(2) or pick(1)) and (joined_a or joined_b));
+  chosen(2) <= pick(2) or (pick(3) and joins_b(1) and left_over(2));
+  chosen(1) <= pick(1) or (pick(3) and joins_a(1) and left_over(1));
+  chosen(0) <= pick(0) or (((pick(2) and joins_a(0)) or (pick(1) and joins_b(0))) and left_over(0));
   last_pick <= '1' when left_over = chosen else '0';
   chosen_a <= family(119 downto 90) when (pick(3) or pick(2)) = '1' else family(89 downto 60);
   chosen_b <= family(59 downto 30) when (pick(3) or pick(1)) = '1' else family(29 downto 0);
@@ -375,6 +373,10 @@ begin
           own_is_deepest <= '1';
         end if;
         family <= opened_children(119 downto 0);
+        joins_a(0) <= opened_children(119) and opened_children(89) and not opened_children(29);
+        joins_a(1) <= opened_children(119) and opened_children(89) and not opened_children(59);
+        joins_b(0) <= opened_children(59) and opened_children(29) and not opened_children(89);
+        joins_b(1) <= opened_children(59) and opened_children(29) and not opened_children(119);
         left_over <= survive_memory(to_integer(finished_place)) and present_pairs;
       elsif candidate_free = '1' then
         left_over <= left_over and not chosen;
