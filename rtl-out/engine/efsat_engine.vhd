@@ -131,7 +131,7 @@ architecture rtl of efsat_engine is
   signal tested_numbers : std_logic_vector(55 downto 0);
   signal tested_taken : std_logic;
   signal decided_valid : std_logic;
-  signal decided_taken : std_logic;
+  signal decided_ready : std_logic;
   signal verdict : std_logic_vector(1 downto 0);
   signal decided_numbers : std_logic_vector(55 downto 0);
   signal bypass_valid : std_logic;
@@ -140,7 +140,7 @@ architecture rtl of efsat_engine is
   -- Events
   signal expanded : std_logic;
   signal tests : std_logic_vector(2 downto 0);
-  signal survived : std_logic;
+  signal survived : std_logic_vector(1 downto 0);
   signal paired : std_logic;
   signal waiting : std_logic;
   signal starved : std_logic;
@@ -319,14 +319,13 @@ begin
       answered => pair_answered,
       idle => pairs_idle
     );
-  pair_answered <= decided_taken;
   triangles_asked <= triangle_request and triangle_accepted;
 
   -- With leaves_only pairs pass by the unit, which is empty then.
   numbers <= "" & triangle_b(27 downto 0) & "" & triangle_a(27 downto 0);
   unit_valid <= triangles_valid and not leaves_only and not ending;
   bypass_valid <= triangles_valid and leaves_only and not ending;
-  triangles_ready <= decided_taken when leaves_only = '1' else unit_ready;
+  triangles_ready <= decided_ready when leaves_only = '1' else unit_ready;
 
   unit : entity work.efsat
     port map (
@@ -375,7 +374,7 @@ begin
       out_overlapping => open,
       out_tag => tested_numbers
     );
-  tested_taken <= decided_taken and not leaves_only;
+  tested_taken <= decided_ready and not leaves_only;
   decided_valid <= bypass_valid when leaves_only = '1' else tested_valid;
   verdict <= "10" when leaves_only = '1' else tested_verdict;
   decided_numbers <= numbers when leaves_only = '1' else tested_numbers;
@@ -385,13 +384,15 @@ begin
     port map (
       clk => aclk,
       reset => reset,
+      restart => restart,
       decided_valid => decided_valid,
-      decided_taken => decided_taken,
+      decided_ready => decided_ready,
       verdict => verdict,
       numbers => decided_numbers,
       ending => ending,
       separate_too => separate_too,
       stop_at_contact => stop_at_contact,
+      pair_answered => pair_answered,
       contact => contact,
       report_due => report_due,
       report_done => report_done,

@@ -20,15 +20,17 @@ entity engine_answer is
   port (
     clk : in std_logic;
     reset : in std_logic;
+    restart : in std_logic;  -- pairs that are held are forgotten
     -- Pairs with their verdicts.
     decided_valid : in std_logic;
-    decided_taken : out std_logic;
+    decided_ready : out std_logic;
     verdict : in std_logic_vector(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
     numbers : in std_logic_vector(55 downto 0);  -- of A's triangle in the low half, of B's in the high one
     ending : in std_logic;  -- pairs are dropped
     separate_too : in std_logic;  -- pairs that are separate are answered, too
     stop_at_contact : in std_logic;
-    contact : out std_logic;  -- the pair taken intersects, and the query is to end with it
+    pair_answered : out std_logic;  -- one pair more has become a word, or was dropped, a clock ago
+    contact : out std_logic;  -- it intersects, and the query is to end with it
     -- The report.
     report_due : in std_logic;  -- until the report is done; then no pair comes
     report_done : out std_logic;  -- its last word is on its way
@@ -39,7 +41,7 @@ entity engine_answer is
     running : in std_logic;
     expanded : in std_logic;
     tested : in std_logic_vector(2 downto 0);  -- so many more
-    survived : in std_logic;
+    survived : in std_logic_vector(1 downto 0);  -- so many more
     paired : in std_logic;
     block_reads : in std_logic_vector(1 downto 0);  -- of A, of B
     triangles_asked : in std_logic;  -- one of A and one of B
@@ -59,6 +61,14 @@ end entity engine_answer;
 architecture rtl of engine_answer is
   constant separate : std_logic_vector(1 downto 0) := "00";
   constant certain : std_logic_vector(1 downto 0) := "01";
+  -- Two pairs are held, so that readiness depends on registers alone.
+  signal head_valid : std_logic := '0';
+  signal head_verdict : std_logic_vector(1 downto 0) := separate;
+  signal head_numbers : std_logic_vector(55 downto 0) := (others => '0');
+  signal next_valid : std_logic := '0';
+  signal next_verdict : std_logic_vector(1 downto 0) := separate;
+  signal next_numbers : std_logic_vector(55 downto 0) := (others => '0');
+  signal arrives : std_logic;
   signal offered : std_logic := '0';
   signal offered_word : std_logic_vector(63 downto 0) := (others => '0');
   signal offered_last : std_logic := '0';
@@ -93,12 +103,41 @@ architecture rtl of engine_answer is
   signal triangles_read : unsigned(31 downto 0) := (others => '0');
 begin
   -- ===== Pairs =====
+  decided_ready <= not next_valid;
+  arrives <= decided_valid and not next_valid;
   free <= m_axis_tready or not offered;
-  speaks <= decided_valid and not ending when verdict /= separate else decided_valid and separate_too and not ending;
-  taken <= decided_valid and (free or not speaks);
-  decided_taken <= taken;
+  speaks <= head_valid and not ending when head_verdict /= separate else head_valid and separate_too and not ending;
+  taken <= head_valid and (free or not speaks);
   counts <= taken and not ending;
-  contact <= counts and stop_at_contact when verdict = certain else '0';
+  contact <= counts and stop_at_contact when head_verdict = certain else '0';
+
+  hold : process (clk)
+  begin
+    if rising_edge(clk) then
+      if taken = '1' or head_valid = '0' then
+        head_verdict <= verdict;
+        head_numbers <= numbers;
+        if next_valid = '1' then
+          head_verdict <= next_verdict;
+          head_numbers <= next_numbers;
+        end if;
+      end if;
+      if next_valid = '0' then
+        next_verdict <= verdict;
+        next_numbers <= numbers;
+      end if;
+      pair_answered <= taken and not restart;
+      if restart = '1' then
+        head_valid <= '0';
+        next_valid <= '0';
+      elsif taken = '1' or head_valid = '0' then
+        head_valid <= next_valid or arrives;
+        next_valid <= '0';
+      else
+        next_valid <= next_valid or arrives;
+      end if;
+    end if;
+  end process hold;
 
   -- ===== Report =====
   incomplete <= '0' when reason = "00000" or reason = "00001" else '1';
@@ -120,7 +159,7 @@ begin
         if report_due = '1' then
           offered_word <= report_word;
         else
-          offered_word <= numbers(55 downto 28) & numbers(27 downto 0) & "000000" & verdict;
+          offered_word <= head_numbers & "000000" & head_verdict;
         end if;
         offered_last <= '0';
         if report_due = '1' and place = 7 then
@@ -155,10 +194,10 @@ begin
   steps(clocks_at) <= running;
   steps(expansions_at) <= expanded;
   steps(tests_at) <= '0';
-  steps(survivors_at) <= survived;
+  steps(survivors_at) <= '0';
   steps(pairs_at) <= paired;
-  steps(intersect_at) <= counts when verdict = certain else '0';
-  steps(incorrect_at) <= counts and verdict(1);
+  steps(intersect_at) <= counts when head_verdict = certain else '0';
+  steps(incorrect_at) <= counts and head_verdict(1);
   steps(blocks_a_read_at) <= block_reads(0);
   steps(blocks_b_read_at) <= block_reads(1);
   steps(triangles_asked_at) <= triangles_asked;
@@ -180,6 +219,7 @@ begin
       end loop;
       if clear = '0' then
         counter(tests_at) <= counter(tests_at) + unsigned(tested);
+        counter(survivors_at) <= counter(survivors_at) + unsigned(survived);
       end if;
       blocks_read <= counter(blocks_a_read_at) + counter(blocks_b_read_at);
       triangles_read <= counter(triangles_a_read_at) + counter(triangles_b_read_at);

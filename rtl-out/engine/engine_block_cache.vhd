@@ -37,28 +37,33 @@ architecture rtl of engine_block_cache is
   -- Requests: two are held, so that readiness depends on registers alone.
   signal arrives : std_logic;
   signal ready : std_logic;
-  signal address : unsigned(25 downto 0);
   signal head_valid : std_logic := '0';
-  signal head : unsigned(25 downto 0) := (others => '0');
+  signal head : std_logic_vector(23 downto 0) := (others => '0');
   signal next_valid : std_logic := '0';
-  signal next_address : unsigned(25 downto 0) := (others => '0');
+  signal next_number : std_logic_vector(23 downto 0) := (others => '0');
   signal head_leaves : std_logic;
+  signal address : unsigned(25 downto 0);  -- of the line that head asks for
 
-  -- Look-up: a tag has a bit that says that the line is there.
+  -- Look-up in two stages: a tag is read, then compared. A tag has a bit that says that the line is there. What the memory
+  -- says of a place is too old while a request for that place is in one of the two stages: then the youngest such request
+  -- counts, because its line is there after it.
   type tags is array (0 to 255) of std_logic_vector(18 downto 0);
   signal tag_memory : tags := (others => (others => '0'));
   signal tag_found : std_logic_vector(18 downto 0) := (others => '0');
   signal tag_write : std_logic;
   signal tag_place : unsigned(7 downto 0);
   signal tag_written : std_logic_vector(18 downto 0);
-  signal tag_wanted : std_logic_vector(18 downto 0);
-  signal tag_there : std_logic_vector(18 downto 0);
-  signal replaced : std_logic := '0';  -- the tag was written when it was read
-  signal replacement : std_logic_vector(18 downto 0) := (others => '0');
   signal looked : std_logic := '0';
   signal looked_at : unsigned(25 downto 0) := (others => '0');
+  signal follows : std_logic := '0';  -- another request for the place was under way
+  signal follows_same : std_logic := '0';  -- and it was for the same line
+  signal looked_leaves : std_logic;
+  signal judged : std_logic := '0';
+  signal judged_at : unsigned(25 downto 0) := (others => '0');
+  signal same : std_logic_vector(4 downto 0) := "00000";  -- parts of the comparison
   signal hit : std_logic;
   signal passes : std_logic;
+  signal misses : std_logic;
   signal sweeping : std_logic := '1';
   signal sweep_place : unsigned(7 downto 0) := (others => '0');
   signal asking : std_logic := '0';
@@ -66,15 +71,18 @@ architecture rtl of engine_block_cache is
   signal reserved : unsigned(4 downto 0) := (others => '0');  -- lines asked for and not written yet
   signal all_reserved : std_logic;
 
-  -- Requests in order, each with the place of its line and whether that is still to be written.
+  -- Requests in order, each with the place of its line and whether that is still to be written. The first is in registers.
   type orders is array (0 to 15) of std_logic_vector(8 downto 0);
   signal order_memory : orders := (others => (others => '0'));
   signal order_in : unsigned(3 downto 0) := (others => '0');
   signal order_out : unsigned(3 downto 0) := (others => '0');
   signal orders_waiting : unsigned(4 downto 0) := (others => '0');
+  signal some_wait : std_logic := '0';
   signal order_free : std_logic;
-  signal order_there : std_logic;
-  signal order : std_logic_vector(8 downto 0);
+  signal new_order : std_logic_vector(8 downto 0);
+  signal order_valid : std_logic := '0';
+  signal order : std_logic_vector(8 downto 0) := (others => '0');
+  signal order_leaves : std_logic;
   signal order_place : unsigned(7 downto 0);
   signal filled : std_logic := '0';  -- the line of the first request is written
   signal serves : std_logic;
@@ -86,6 +94,7 @@ architecture rtl of engine_block_cache is
   signal return_in : unsigned(6 downto 0) := (others => '0');
   signal return_out : unsigned(6 downto 0) := (others => '0');
   signal returned : unsigned(7 downto 0) := (others => '0');
+  signal some_returned : std_logic := '0';
   signal fetches : std_logic;
   signal word_valid : std_logic := '0';
   signal word : std_logic_vector(63 downto 0) := (others => '0');
@@ -101,20 +110,19 @@ begin
   ready <= not next_valid and not sweeping;
   request_ready <= ready;
   arrives <= ready and request_valid;
-  address <= unsigned(base) + unsigned(request(23 downto 0));
-  head_leaves <= head_valid and (passes or not looked);
+  head_leaves <= head_valid and (looked_leaves or not looked);
 
   hold : process (clk)
   begin
     if rising_edge(clk) then
       if head_leaves = '1' or head_valid = '0' then
-        head <= address;
+        head <= request(23 downto 0);
         if next_valid = '1' then
-          head <= next_address;
+          head <= next_number;
         end if;
       end if;
       if next_valid = '0' then
-        next_address <= address;
+        next_number <= request(23 downto 0);
       end if;
       if reset = '1' then
         head_valid <= '0';
@@ -129,16 +137,17 @@ begin
   end process hold;
 
   -- ===== Look-up =====
-  tag_there <= replacement when replaced = '1' else tag_found;
-  tag_wanted <= '1' & std_logic_vector(looked_at(25 downto 8));
-  hit <= '1' when tag_there = tag_wanted else '0';
+  address <= unsigned(base) + unsigned(head);
+  looked_leaves <= looked and (passes or not judged);
+  hit <= '1' when same = "11111" else '0';
   all_reserved <= reserved(reserved'high);
-  passes <= looked and order_free and (hit or not (asking or all_reserved));
-  tag_write <= sweeping or (passes and not hit);
-  tag_place <= sweep_place when sweeping = '1' else looked_at(7 downto 0);
-  tag_written <= (others => '0') when sweeping = '1' else tag_wanted;
+  passes <= judged and order_free and (hit or not (asking or all_reserved));
+  misses <= passes and not hit;
+  tag_write <= sweeping or misses;
+  tag_place <= sweep_place when sweeping = '1' else judged_at(7 downto 0);
+  tag_written <= (others => '0') when sweeping = '1' else '1' & std_logic_vector(judged_at(25 downto 8));
   flushing <= sweeping;
-  missed <= passes and not hit;
+  missed <= misses;
   ask_valid <= asking;
   ask_address <= std_logic_vector(asked_address);
 
@@ -149,28 +158,63 @@ begin
         tag_memory(to_integer(tag_place)) <= tag_written;
       end if;
       if head_leaves = '1' then
-        tag_found <= tag_memory(to_integer(head(7 downto 0)));
-        looked_at <= head;
-        replacement <= tag_written;
-        replaced <= '0';
-        if tag_write = '1' and tag_place = head(7 downto 0) then
-          replaced <= '1';
+        tag_found <= tag_memory(to_integer(address(7 downto 0)));
+        looked_at <= address;
+        follows <= '0';
+        follows_same <= '0';
+        if judged = '1' and judged_at(7 downto 0) = address(7 downto 0) then
+          follows <= '1';
+          if judged_at = address then
+            follows_same <= '1';
+          end if;
+        end if;
+        if looked = '1' and looked_at(7 downto 0) = address(7 downto 0) then
+          follows <= '1';
+          follows_same <= '0';
+          if looked_at = address then
+            follows_same <= '1';
+          end if;
         end if;
       end if;
-      if passes = '1' and hit = '0' then
-        asked_address <= looked_at;
+      if looked_leaves = '1' then
+        judged_at <= looked_at;
+        same <= "00000";
+        if follows = '1' then
+          same <= (others => follows_same);
+        else
+          if tag_found(3 downto 0) = std_logic_vector(looked_at(11 downto 8)) then
+            same(0) <= '1';
+          end if;
+          if tag_found(8 downto 4) = std_logic_vector(looked_at(16 downto 12)) then
+            same(1) <= '1';
+          end if;
+          if tag_found(12 downto 9) = std_logic_vector(looked_at(20 downto 17)) then
+            same(2) <= '1';
+          end if;
+          if tag_found(17 downto 13) = std_logic_vector(looked_at(25 downto 21)) then
+            same(3) <= '1';
+          end if;
+          same(4) <= tag_found(18);
+        end if;
+      end if;
+      if misses = '1' then
+        asked_address <= judged_at;
       end if;
       if reset = '1' then
         looked <= '0';
+        judged <= '0';
         asking <= '0';
         sweeping <= '1';
         sweep_place <= (others => '0');
         reserved <= (others => '0');
       else
-        if passes = '1' or looked = '0' then
+        if looked_leaves = '1' or looked = '0' then
           looked <= head_valid;
         end if;
-        if passes = '1' and hit = '0' then
+        if passes = '1' or judged = '0' then
+          judged <= looked;
+        end if;
+        if misses = '1' then
           asking <= '1';
         elsif ask_ready = '1' then
           asking <= '0';
@@ -182,9 +226,9 @@ begin
         elsif sweep_place = 255 then
           sweeping <= '0';
         end if;
-        if (passes and not hit) = '1' and last_word = '0' then
+        if misses = '1' and last_word = '0' then
           reserved <= reserved + 1;
-        elsif (passes and not hit) = '0' and last_word = '1' then
+        elsif misses = '0' and last_word = '1' then
           reserved <= reserved - 1;
         end if;
       end if;
@@ -193,11 +237,11 @@ begin
 
   -- ===== Lines in order =====
   order_free <= not orders_waiting(orders_waiting'high);
-  order_there <= '1' when orders_waiting /= 0 else '0';
-  order <= order_memory(to_integer(order_out));
+  new_order <= (not hit) & std_logic_vector(judged_at(7 downto 0));
+  order_leaves <= serves or not order_valid;
   order_place <= unsigned(order(7 downto 0));
-  serves <= order_there and (filled or not order(8)) and (line_taken or not found);
-  writes <= word_valid and order_there and order(8) and not filled;
+  serves <= order_valid and (filled or not order(8)) and (line_taken or not found);
+  writes <= word_valid and order_valid and order(8) and not filled;
   last_word <= writes when word_place = 7 else '0';
   line_valid <= found;
   whole <= line_word(7)
@@ -211,29 +255,49 @@ begin
   data <= whole(511 downto 0);
 
   serve : process (clk)
+    variable queued : std_logic;
+    variable leaves : std_logic;
   begin
     if rising_edge(clk) then
-      if passes = '1' then
-        order_memory(to_integer(order_in)) <= (not hit) & std_logic_vector(looked_at(7 downto 0));
+      -- A request that passes becomes the first one, or waits behind others.
+      leaves := order_leaves and some_wait;
+      queued := passes and (some_wait or not order_leaves);
+      if queued = '1' then
+        order_memory(to_integer(order_in)) <= new_order;
+      end if;
+      if order_leaves = '1' then
+        order <= new_order;
+        if some_wait = '1' then
+          order <= order_memory(to_integer(order_out));
+        end if;
       end if;
       if reset = '1' then
         order_in <= (others => '0');
         order_out <= (others => '0');
         orders_waiting <= (others => '0');
+        some_wait <= '0';
+        order_valid <= '0';
         filled <= '0';
         found <= '0';
         word_place <= "0000";
       else
-        if passes = '1' then
+        if queued = '1' then
           order_in <= order_in + 1;
         end if;
-        if serves = '1' then
+        if leaves = '1' then
           order_out <= order_out + 1;
         end if;
-        if passes = '1' and serves = '0' then
+        if queued = '1' and leaves = '0' then
           orders_waiting <= orders_waiting + 1;
-        elsif passes = '0' and serves = '1' then
+          some_wait <= '1';
+        elsif queued = '0' and leaves = '1' then
           orders_waiting <= orders_waiting - 1;
+          if orders_waiting = 1 then
+            some_wait <= '0';
+          end if;
+        end if;
+        if order_leaves = '1' then
+          order_valid <= some_wait or passes;
         end if;
         if serves = '1' then
           filled <= '0';
@@ -272,7 +336,7 @@ begin
   end generate banks;
 
   -- ===== Words from memory =====
-  fetches <= '1' when returned /= 0 and (word_valid = '0' or writes = '1') else '0';
+  fetches <= some_returned and (writes or not word_valid);
 
   take_words : process (clk)
   begin
@@ -287,6 +351,7 @@ begin
         return_in <= (others => '0');
         return_out <= (others => '0');
         returned <= (others => '0');
+        some_returned <= '0';
         word_valid <= '0';
       else
         if fill_valid = '1' then
@@ -297,8 +362,12 @@ begin
         end if;
         if fill_valid = '1' and fetches = '0' then
           returned <= returned + 1;
+          some_returned <= '1';
         elsif fill_valid = '0' and fetches = '1' then
           returned <= returned - 1;
+          if returned = 1 then
+            some_returned <= '0';
+          end if;
         end if;
         if fetches = '1' or writes = '1' then
           word_valid <= fetches;

@@ -41,16 +41,22 @@ architecture rtl of engine_command is
   constant too_short : std_logic_vector(4 downto 0) := "00111";
   constant too_long : std_logic_vector(4 downto 0) := "01000";
 
-  -- Two words are held, so that TREADY depends on registers alone.
+  -- Two words are held, so that TREADY depends on registers alone. What a word is as a header is found when it arrives.
+  constant is_query : natural := 0;
+  constant is_stop : natural := 1;  -- with nothing behind it
+  constant is_long_stop : natural := 2;
+  signal kind : std_logic_vector(2 downto 0);
   signal running : std_logic := '0';
   signal head_valid : std_logic := '0';
   signal head : std_logic_vector(63 downto 0) := (others => '0');
   signal head_last : std_logic := '0';
   signal head_whole : std_logic := '0';
+  signal head_kind : std_logic_vector(2 downto 0) := (others => '0');
   signal next_valid : std_logic := '0';
   signal next_word : std_logic_vector(63 downto 0) := (others => '0');
   signal next_last : std_logic := '0';
   signal next_whole : std_logic := '0';
+  signal next_kind : std_logic_vector(2 downto 0) := (others => '0');
   signal ready : std_logic;
   signal arrives : std_logic;
   signal whole : std_logic;
@@ -59,13 +65,17 @@ architecture rtl of engine_command is
   type expectation_state is (header_state, query_state, skip_state);
   signal expectation : expectation_state := header_state;
   signal place : unsigned(5 downto 0) := "000000";  -- of the word in its packet
-  signal at_end : std_logic;  -- the last word of a query
+  signal at_options : std_logic := '0';  -- the word with the options of a query
+  signal at_pose : std_logic := '0';  -- the one whose upper half begins the pose
+  signal at_rows : std_logic := '0';  -- one of the rows
+  signal at_end : std_logic := '0';  -- the last word of a query
   signal behind : std_logic := '0';  -- words come after it
   signal fault : std_logic_vector(4 downto 0) := fine;
-  signal is_stop : std_logic;
   signal waits : std_logic;
+  signal query_word : std_logic;  -- the word goes into the job
   signal unfit : std_logic;  -- the word of a query has a value that there is not
   signal pending : std_logic := '0';
+  signal query_pending : std_logic := '0';
   signal words : std_logic_vector(1983 downto 0) := (others => '0');
   signal number : std_logic_vector(23 downto 0) := (others => '0');
 begin
@@ -73,6 +83,9 @@ begin
   s_axis_tready <= ready;
   arrives <= ready and s_axis_tvalid;
   whole <= '1' when s_axis_tkeep = all_bytes else '0';
+  kind(is_query) <= whole when s_axis_tdata = query_format & query_header else '0';
+  kind(is_stop) <= whole and s_axis_tlast when s_axis_tdata(31 downto 0) = stop_header else '0';
+  kind(is_long_stop) <= whole and not s_axis_tlast when s_axis_tdata(31 downto 0) = stop_header else '0';
 
   hold : process (clk)
   begin
@@ -82,16 +95,19 @@ begin
           head <= next_word;
           head_last <= next_last;
           head_whole <= next_whole;
+          head_kind <= next_kind;
         else
           head <= s_axis_tdata;
           head_last <= s_axis_tlast;
           head_whole <= whole;
+          head_kind <= kind;
         end if;
       end if;
       if next_valid = '0' then
         next_word <= s_axis_tdata;
         next_last <= s_axis_tlast;
         next_whole <= whole;
+        next_kind <= kind;
       end if;
       if reset = '1' then
         running <= '0';
@@ -110,54 +126,72 @@ begin
   end process hold;
 
   -- ===== Packets =====
-  is_stop <= head_whole and head_last when head(31 downto 0) = stop_header else '0';
   -- A packet begins when its job has a place to go.
   waits <= pending;
-  taken <= head_valid and (is_stop or not waits) when expectation = header_state else head_valid;
-  at_end <= '1' when place = 31 else '0';
+  taken <= head_valid and (head_kind(is_stop) or not waits) when expectation = header_state else head_valid;
+  query_word <= head_valid and not behind when expectation = query_state else '0';
   unfit <= '1' when
-    (place = 5 and head(39 downto 36) /= "0000") or
-    (place = 7 and head(31) = '1') or
-    (place >= 14 and (unsigned(head(2 downto 0)) >= 6 or unsigned(head(17 downto 15)) >= 6 or unsigned(head(32 downto 30)) >= 6 or head(63 downto 58) /= "000000"))
+    (at_options = '1' and head(39 downto 36) /= "0000") or
+    (at_pose = '1' and head(31) = '1') or
+    (at_rows = '1' and (unsigned(head(2 downto 0)) >= 6 or unsigned(head(17 downto 15)) >= 6 or unsigned(head(32 downto 30)) >= 6 or head(63 downto 58) /= "000000"))
     else '0';
 
   receive : process (clk)
     variable found : std_logic_vector(4 downto 0);
   begin
     if rising_edge(clk) then
-      if taken = '1' and expectation = query_state and behind = '0' then
+      if query_word = '1' then
         words <= head & words(1983 downto 64);
       end if;
       stop <= '0';
       if reset = '1' then
         expectation <= header_state;
         pending <= '0';
-        job_query <= '0';
+        query_pending <= '0';
         fault <= fine;
       else
         if job_taken = '1' then
           pending <= '0';
         end if;
+        if query_word = '1' and at_options = '1' then
+          number <= head(63 downto 40);
+        end if;
         if taken = '1' then
           found := fault;
           place <= place + 1;
+          at_options <= '0';
+          if place = 4 then
+            at_options <= '1';
+          end if;
+          at_pose <= '0';
+          if place = 6 then
+            at_pose <= '1';
+          end if;
+          if place = 13 then
+            at_rows <= '1';
+          end if;
+          at_end <= '0';
+          if place = 30 then
+            at_end <= '1';
+          end if;
           if at_end = '1' then
             behind <= '1';
           end if;
           if expectation = header_state then
             place <= "000001";
+            at_options <= '0';
+            at_pose <= '0';
+            at_rows <= '0';
+            at_end <= '0';
             behind <= '0';
-            number <= (others => '0');
-            if head_whole = '0' then
-              found := unknown;
-            elsif head(31 downto 0) = query_header and head(63 downto 32) = query_format then
+            if head_kind(is_query) = '1' then
               expectation <= query_state;
               if head_last = '1' then
                 found := too_short;
               end if;
-            elsif is_stop = '1' then
+            elsif head_kind(is_stop) = '1' then
               stop <= '1';
-            elsif head(31 downto 0) = stop_header then
+            elsif head_kind(is_long_stop) = '1' then
               found := too_long;
             else
               found := unknown;
@@ -166,9 +200,6 @@ begin
               expectation <= skip_state;
             end if;
           elsif expectation = query_state then
-            if place = 5 and behind = '0' then
-              number <= head(63 downto 40);
-            end if;
             if fault = fine then
               if head_whole = '0' then
                 found := too_short;
@@ -185,14 +216,12 @@ begin
           if head_last = '1' then
             expectation <= header_state;
             fault <= fine;
-            if is_stop = '0' or expectation /= header_state then
+            if head_kind(is_stop) = '0' or expectation /= header_state then
               pending <= '1';
               job_reason <= found;
-              job_query <= '0';
+              query_pending <= '0';
               if expectation = query_state and found = fine then
-                job_query <= '1';
-              else
-                number <= (others => '0');
+                query_pending <= '1';
               end if;
             end if;
           end if;
@@ -202,5 +231,6 @@ begin
   end process receive;
   job_valid <= pending;
   job_words <= words;
-  job_number <= number;
+  job_query <= query_pending;
+  job_number <= number when query_pending = '1' else (others => '0');
 end architecture rtl;

@@ -65,9 +65,13 @@ end entity engine_control;
 
 architecture rtl of engine_control is
   constant fine : std_logic_vector(4 downto 0) := "00000";
-  type phase_state is (waiting_state, check_state, flush_state, run_state, abort_state, report_state);
+  type phase_state is (waiting_state, take_state, check_state, flush_state, run_state, abort_state, report_state);
   signal phase : phase_state := waiting_state;
-  signal taken : std_logic;
+  -- What follows from phase and reason, each in a register of its own, because it is read in many places.
+  signal taken : std_logic := '0';
+  signal running_now : std_logic := '0';
+  signal ending_now : std_logic := '1';
+  signal report_due_now : std_logic := '0';
   signal pose_due : std_logic;
   signal checks : unsigned(1 downto 0) := "00";
   signal stopped : std_logic := '0';
@@ -88,15 +92,15 @@ architecture rtl of engine_control is
   signal saturated : matrix;
   signal options : std_logic_vector(63 downto 0) := (others => '0');
 begin
+  -- The pose goes first, and a clock later the rest of the job.
   pose_due <= job_valid and job_query when phase = waiting_state else '0';
   pose_valid <= pose_due;
-  taken <= job_valid and (pose_ready or not job_query) when phase = waiting_state else '0';
   job_taken <= taken;
-  running <= '0' when phase = waiting_state or phase = report_state else '1';
+  running <= running_now;
   busy <= '0' when phase = waiting_state and job_valid = '0' else '1';
-  report_due <= '1' when phase = report_state else '0';
+  report_due <= report_due_now;
   start <= started;
-  ending <= '0' when phase = run_state and reason_now = fine else '1';
+  ending <= ending_now;
   abort <= '1' when phase = abort_state else '0';
   flush <= flush_now;
   reason <= reason_now;
@@ -209,14 +213,18 @@ begin
   leaves_only <= options(34);
 
   proceed : process (clk)
+    variable next_phase : phase_state;
+    variable next_reason : std_logic_vector(4 downto 0);
   begin
     if rising_edge(clk) then
+      next_phase := phase;
+      next_reason := reason_now;
       started <= '0';
       flush_now <= '0';
       if reset = '1' then
-        phase <= waiting_state;
+        next_phase := waiting_state;
         stopped <= '0';
-        reason_now <= fine;
+        next_reason := fine;
         known <= '0';
       else
         stopped <= stopped or stop;
@@ -225,28 +233,30 @@ begin
           if job_valid = '0' then
             stopped <= '0';  -- there is nothing to stop
           end if;
-          if taken = '1' then
-            reason_now <= job_reason;
-            phase <= report_state;
-            if job_query = '1' then
-              phase <= check_state;
-            end if;
+          if job_valid = '1' and (pose_ready = '1' or job_query = '0') then
+            next_phase := take_state;
+          end if;
+        elsif phase = take_state then
+          next_reason := job_reason;
+          next_phase := report_state;
+          if job_query = '1' then
+            next_phase := check_state;
           end if;
         elsif phase = check_state then
           checks <= checks + 1;
           if checks = "10" then
             if outside /= "0000" then
-              reason_now <= "00100";
-              phase <= report_state;
+              next_reason := "00100";
+              next_phase := report_state;
             elsif empty = '1' then
-              reason_now <= "00011";
-              phase <= report_state;
+              next_reason := "00011";
+              next_phase := report_state;
             elsif moved = '1' then
               flush_now <= '1';
-              phase <= flush_state;
+              next_phase := flush_state;
             else
               started <= '1';
-              phase <= run_state;
+              next_phase := run_state;
             end if;
           end if;
         elsif phase = flush_state then
@@ -255,40 +265,57 @@ begin
           checks <= "11";
           if checks = "11" and flush_now = '0' and flushing = '0' then
             started <= '1';
-            phase <= run_state;
+            next_phase := run_state;
           end if;
         elsif phase = run_state then
           if reason_now = fine then
             if memory_error = '1' then
-              reason_now <= "00100";
+              next_reason := "00100";
             elsif bad_tree = '1' then
-              reason_now <= "00011";
+              next_reason := "00011";
             elsif contact = '1' then
-              reason_now <= "00001";
+              next_reason := "00001";
             elsif limit_reached = '1' then
-              reason_now <= "00010";
+              next_reason := "00010";
             elsif stopped = '1' then
-              reason_now <= "00101";
+              next_reason := "00101";
               stopped <= '0';
             end if;
           end if;
           if memory_error = '1' then
             if memory_quiet = '1' then
-              phase <= abort_state;
+              next_phase := abort_state;
             end if;
           elsif idle = '1' then
-            phase <= report_state;
+            next_phase := report_state;
           end if;
         elsif phase = abort_state then
           known <= '0';
-          phase <= report_state;
+          next_phase := report_state;
         else
           stopped <= '0';
           if report_done = '1' then
-            reason_now <= fine;
-            phase <= waiting_state;
+            next_reason := fine;
+            next_phase := waiting_state;
           end if;
         end if;
+      end if;
+      phase <= next_phase;
+      reason_now <= next_reason;
+      taken <= '0';
+      running_now <= '1';
+      ending_now <= '1';
+      report_due_now <= '0';
+      if next_phase = waiting_state then
+        running_now <= '0';
+      elsif next_phase = take_state then
+        taken <= '1';
+        running_now <= '0';
+      elsif next_phase = report_state then
+        running_now <= '0';
+        report_due_now <= '1';
+      elsif next_phase = run_state and next_reason = fine then
+        ending_now <= '0';
       end if;
     end if;
   end process proceed;

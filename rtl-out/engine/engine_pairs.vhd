@@ -45,6 +45,7 @@ architecture rtl of engine_pairs is
   signal drops : std_logic;
   signal asks : std_logic;
   signal open_pairs : unsigned(7 downto 0) := (others => '0');
+  signal idle_now : std_logic := '1';  -- clear as soon as a pair has come
 begin
   accepts <= pair_valid and not full;
   pair_ready <= not full;
@@ -56,7 +57,7 @@ begin
   triangles_taken <= triangles_valid and (ending or triangles_ready);
   head_leaves <= head_valid and (ending or request_ready);
   fetches <= '1' when waiting /= 0 and (head_valid = '0' or head_leaves = '1') else '0';
-  idle <= '1' when open_pairs = 0 else '0';
+  idle <= idle_now;
 
   remember : process (clk)
   begin
@@ -94,8 +95,14 @@ begin
         full <= '0';
         head_valid <= '0';
         open_pairs <= (others => '0');
+        idle_now <= '1';
       else
         open_pairs <= unsigned(signed(open_pairs) + change);
+        if accepts = '1' then
+          idle_now <= '0';
+        elsif open_pairs = 0 then
+          idle_now <= '1';
+        end if;
         if accepts = '1' then
           written <= written + 1;
         end if;

@@ -44,8 +44,11 @@ architecture rtl of engine_read_master is
   constant nobody : std_logic_vector(3 downto 0) := "0000";
   constant last_of_block : unsigned(3 downto 0) := to_unsigned(7, 4);
   constant last_of_triangle : unsigned(3 downto 0) := to_unsigned(4, 4);
-  signal turn : unsigned(1 downto 0) := "00";  -- who was served last
-  signal ahead : std_logic_vector(3 downto 0);  -- who asks and comes after him
+  signal picked : std_logic := '0';  -- somebody is to be served
+  signal turn : unsigned(1 downto 0) := "00";  -- who is served next, or was last
+  signal served : std_logic_vector(3 downto 0);
+  signal others_ask : std_logic_vector(3 downto 0);
+  signal ahead : std_logic_vector(3 downto 0);  -- those of them that come after
   signal asks : std_logic_vector(3 downto 0);
   signal chosen : unsigned(1 downto 0);
   signal free : std_logic;
@@ -69,24 +72,30 @@ architecture rtl of engine_read_master is
   signal failed_now : std_logic := '0';
 begin
   -- ===== Addresses =====
-  -- Whoever is above the one served last comes first.
-  ahead <= ask_valid and "1110" when turn = 0 else
-    ask_valid and "1100" when turn = 1 else
-    ask_valid and "1000" when turn = 2 else
+  -- Who is served next is picked a clock before. Whoever is above the one before comes first.
+  served <= nobody when picked = '0' else
+    "0001" when turn = 0 else
+    "0010" when turn = 1 else
+    "0100" when turn = 2 else
+    "1000";
+  others_ask <= ask_valid and not served;
+  ahead <= others_ask and "1110" when turn = 0 else
+    others_ask and "1100" when turn = 1 else
+    others_ask and "1000" when turn = 2 else
     nobody;
-  asks <= ahead when ahead /= nobody else ask_valid;
+  asks <= ahead when ahead /= nobody else others_ask;
   chosen <= "00" when asks(0) = '1' else
     "01" when asks(1) = '1' else
     "10" when asks(2) = '1' else
     "11";
-  address <= ask_address_0 when chosen = 0 else
-    ask_address_1 when chosen = 1 else
-    ask_address_2 when chosen = 2 else
+  address <= ask_address_0 when turn = 0 else
+    ask_address_1 when turn = 1 else
+    ask_address_2 when turn = 2 else
     ask_address_3;
   free <= (m_axi_arready or not offered) and not under_way(5) and not failed_now;
-  accepts <= free when ask_valid /= nobody else '0';
+  accepts <= picked and free;
   ready : for i in 0 to 3 generate
-    ask_ready(i) <= accepts when chosen = i else '0';
+    ask_ready(i) <= served(i) and free;
   end generate ready;
 
   ask : process (clk)
@@ -94,16 +103,23 @@ begin
     if rising_edge(clk) then
       if accepts = '1' then
         offered_address <= address;
-        offered_triangle <= chosen(1);
-        owner_memory(to_integer(asked)) <= std_logic_vector(chosen);
+        offered_triangle <= turn(1);
+        owner_memory(to_integer(asked)) <= std_logic_vector(turn);
       end if;
       if reset = '1' then
         turn <= "00";
+        picked <= '0';
         asked <= "00000";
         offered <= '0';
       else
+        if accepts = '1' or picked = '0' then
+          picked <= '0';
+          if others_ask /= nobody then
+            picked <= '1';
+            turn <= chosen;
+          end if;
+        end if;
         if accepts = '1' then
-          turn <= chosen;
           asked <= asked + 1;
           offered <= '1';
         elsif m_axi_arready = '1' then

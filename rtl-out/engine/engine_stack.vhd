@@ -37,10 +37,9 @@ architecture rtl of engine_stack is
   signal last_was_push : std_logic := '0';
   signal grows : std_logic;
   signal shrinks : std_logic;
-  signal filled_now : std_logic;
+  signal filled_now : std_logic := '0';
   signal most : unsigned(9 downto 0) := (others => '0');
 begin
-  filled_now <= '1' when used /= 0 else '0';
   filled <= filled_now;
   top_entry <= top;
   greatest <= resize(most, 16);
@@ -74,6 +73,7 @@ begin
       end if;
       if clear = '1' then
         used <= (others => '0');
+        filled_now <= '0';
         push_place <= to_unsigned(511, 9);
         pop_place <= to_unsigned(509, 9);
         most <= (others => '0');
@@ -81,11 +81,15 @@ begin
       else
         if grows = '1' then
           used <= used + 1;
+          filled_now <= '1';
           push_place <= push_place + 1;
           pop_place <= pop_place + 1;
           last_was_push <= '1';
         elsif shrinks = '1' then
           used <= used - 1;
+          if used = 1 then
+            filled_now <= '0';
+          end if;
           push_place <= push_place - 1;
           pop_place <= pop_place - 1;
           last_was_push <= '0';

@@ -3,7 +3,8 @@
 --
 -- The traversal of two trees, depth first from a stack of pairs of nodes. A pair is popped, its two blocks are fetched,
 -- the volume unit tests the children of one against the children of the other, and the pairs that may overlap are
--- pushed, or sent to the triangle unit where both are leaves. Pairs in flight keep their order.
+-- pushed, or sent to the triangle unit where both are leaves. Two leaves of one block that meet the same inner node are
+-- pushed as one pair, so that one expansion tests both. Pairs in flight keep their order.
 --
 -- Rule of issue. Let used be the entries of the stack and flying the pairs in flight; a pair pushes at most four.
 -- It is popped if used - 1 + 4 (flying + 1) <= 415, or if nothing flies; and only if flying < 16. While only pops
@@ -37,7 +38,7 @@ entity engine_traverse is
     blocks_taken : in std_logic;  -- the volume unit takes both in this clock
     block_a : in std_logic_vector(511 downto 0);
     block_b : in std_logic_vector(511 downto 0);
-    take_a : out std_logic_vector(1 downto 0);  -- children to be tested
+    take_a : out std_logic_vector(1 downto 0);  -- children to be tested, if there are such
     take_b : out std_logic_vector(1 downto 0);
     survive_valid : in std_logic;
     survive : in std_logic_vector(3 downto 0);  -- bit 2 p + q: child p of A and child q of B may overlap
@@ -53,7 +54,7 @@ entity engine_traverse is
     limit_reached : out std_logic;
     expanded : out std_logic;
     tested : out std_logic_vector(2 downto 0);  -- tests of the expansion: 0, 1, 2 or 4
-    survived : out std_logic;
+    survived : out std_logic_vector(1 downto 0);  -- so many more
     greatest_stack : out unsigned(15 downto 0)
   );
 end entity engine_traverse;
@@ -70,8 +71,8 @@ architecture rtl of engine_traverse is
   signal filled : std_logic;
   signal room : unsigned(11 downto 0) := (others => '0');  -- 412 - used - 4 flying in two's complement: not negative while a pair may be popped
   signal flying : unsigned(4 downto 0) := (others => '0');
-  signal nothing_flies : std_logic;
-  signal all_fly : std_logic;
+  signal nothing_flies : std_logic := '1';  -- flying = 0
+  signal all_fly : std_logic := '0';  -- flying = 16
   signal allowed : unsigned(31 downto 0) := (others => '0');  -- expansions
   signal spent : std_logic := '0';  -- allowed = 0
 
@@ -81,18 +82,24 @@ architecture rtl of engine_traverse is
   signal listed_place : unsigned(3 downto 0) := (others => '0');
   signal answered_place : unsigned(3 downto 0) := (others => '0');
   signal finished_place : unsigned(3 downto 0) := (others => '0');
-  signal answers : unsigned(4 downto 0) := (others => '0');  -- pairs answered and not finished
+  signal answers : unsigned(4 downto 0) := (others => '0');  -- pairs answered and not opened
   signal answered : std_logic;
   type entries is array (0 to 15) of std_logic_vector(57 downto 0);
   signal entry_memory : entries := (others => (others => '0'));
-  type children is array (0 to 15) of std_logic_vector(119 downto 0);
+  type children is array (0 to 15) of std_logic_vector(123 downto 0);
   signal children_memory : children := (others => (others => '0'));
   type survivals is array (0 to 15) of std_logic_vector(3 downto 0);
   signal survive_memory : survivals := (others => "0000");
 
   signal taken_entry : std_logic_vector(57 downto 0);
-  signal take_a_now : std_logic_vector(1 downto 0);
-  signal take_b_now : std_logic_vector(1 downto 0);
+  signal wanted_a : std_logic_vector(1 downto 0);
+  signal wanted_b : std_logic_vector(1 downto 0);
+  signal listed_a : std_logic_vector(1 downto 0) := "00";  -- wanted one clock ago
+  signal listed_b : std_logic_vector(1 downto 0) := "00";
+  signal present_a : std_logic_vector(1 downto 0);
+  signal present_b : std_logic_vector(1 downto 0);
+  signal there_a : std_logic_vector(1 downto 0);  -- wanted and present
+  signal there_b : std_logic_vector(1 downto 0);
   signal leaf_a : std_logic_vector(1 downto 0);
   signal leaf_b : std_logic_vector(1 downto 0);
   signal fault_a : std_logic_vector(1 downto 0);
@@ -107,12 +114,22 @@ architecture rtl of engine_traverse is
   signal tests : std_logic_vector(2 downto 0);
 
   -- Survivors one by one, from right and right to left and left.
-  signal own : std_logic_vector(57 downto 0);
-  signal family : std_logic_vector(119 downto 0);
-  signal done : std_logic_vector(3 downto 0) := "0000";
-  signal left_over : std_logic_vector(3 downto 0);
+  signal opened : std_logic := '0';  -- there is a pair whose survivors are taken
+  signal opens : std_logic;
+  signal opened_entry : std_logic_vector(57 downto 0);
+  signal opened_children : std_logic_vector(123 downto 0);
+  signal own_is_deepest : std_logic := '0';
+  signal present_pairs : std_logic_vector(3 downto 0);
+  signal own : std_logic_vector(57 downto 0) := (others => '0');
+  signal family : std_logic_vector(119 downto 0) := (others => '0');
+  signal left_over : std_logic_vector(3 downto 0) := "0000";
   signal pick : std_logic_vector(3 downto 0);
   signal last_pick : std_logic;
+  signal joins_a : std_logic_vector(1 downto 0) := "00";  -- bit q: both children of A are leaves, child q of B is none
+  signal joins_b : std_logic_vector(1 downto 0) := "00";
+  signal joined_a : std_logic;  -- both leaves meet the same inner node, and go as one pair
+  signal joined_b : std_logic;
+  signal chosen : std_logic_vector(3 downto 0);  -- what is picked, and what goes with it
   signal chosen_a : std_logic_vector(29 downto 0);  -- leaf, fault, number
   signal chosen_b : std_logic_vector(29 downto 0);
   signal candidate : std_logic := '0';
@@ -120,14 +137,18 @@ architecture rtl of engine_traverse is
   signal candidate_leaves : std_logic;
   signal is_survivor : std_logic := '0';  -- a pair without survivors goes this way once, too
   signal is_last : std_logic := '0';
-  signal is_deepest : std_logic := '0';
   signal child_a : std_logic_vector(29 downto 0) := (others => '0');
   signal child_b : std_logic_vector(29 downto 0) := (others => '0');
   signal side_a : std_logic := '0';  -- the child is the right one
   signal side_b : std_logic := '0';
+  signal whole_a : std_logic := '0';  -- both leaves
+  signal whole_b : std_logic := '0';
   signal parents : std_logic_vector(57 downto 0) := (others => '0');
   signal both_leaves : std_logic;
   signal wrong : std_logic;
+  signal is_pair : std_logic := '0';  -- what becomes of the survivor
+  signal is_entry : std_logic := '0';
+  signal is_wrong : std_logic := '0';
   signal next_a : std_logic_vector(25 downto 0);
   signal next_b : std_logic_vector(25 downto 0);
   signal next_level : std_logic_vector(5 downto 0) := (others => '0');
@@ -136,8 +157,6 @@ architecture rtl of engine_traverse is
   signal finished : std_logic;
 begin
   -- ===== Issue =====
-  nothing_flies <= '1' when flying = 0 else '0';
-  all_fly <= '1' when flying = 16 else '0';
   -- What the last query has left on the stack goes with start.
   may_pop <= filled and not start and not ending and not all_fly and not spent and (nothing_flies or not room(room'high));
   request_valid <= may_pop;
@@ -189,14 +208,24 @@ begin
       if reset = '1' or start = '1' then
         room <= unsigned(to_signed(412, 12));
         flying <= (others => '0');
+        nothing_flies <= '1';
+        all_fly <= '0';
         popped_place <= (others => '0');
         root_due <= start and not reset;
       else
         room <= unsigned(signed(room) + change);
         if pop = '1' and finished = '0' then
           flying <= flying + 1;
+          nothing_flies <= '0';
+          if flying = 15 then
+            all_fly <= '1';
+          end if;
         elsif pop = '0' and finished = '1' then
           flying <= flying - 1;
+          all_fly <= '0';
+          if flying = 1 then
+            nothing_flies <= '1';
+          end if;
         end if;
         if pop = '1' then
           popped_place <= popped_place + 1;
@@ -210,8 +239,10 @@ begin
 
   -- ===== Blocks =====
   taken_entry <= entry_memory(to_integer(taken_place));
-  take_a <= take_a_now;
-  take_b <= take_b_now;
+  wanted_a <= taken_entry(33 downto 32);
+  wanted_b <= taken_entry(7 downto 6);
+  take_a <= wanted_a;
+  take_b <= wanted_b;
 
   children_a : entity work.engine_children
     port map (
@@ -220,10 +251,9 @@ begin
       taken => blocks_taken,
       data => block_a,
       own => taken_entry(57 downto 34),
-      wanted => taken_entry(33 downto 32),
       block_count => block_count_a,
       triangle_count => triangle_count_a,
-      take => take_a_now,
+      present => present_a,
       leaf => leaf_a,
       fault => fault_a,
       left => left_a,
@@ -238,10 +268,9 @@ begin
       taken => blocks_taken,
       data => block_b,
       own => taken_entry(31 downto 8),
-      wanted => taken_entry(7 downto 6),
       block_count => block_count_b,
       triangle_count => triangle_count_b,
-      take => take_b_now,
+      present => present_b,
       leaf => leaf_b,
       fault => fault_b,
       left => left_b,
@@ -249,20 +278,23 @@ begin
       bad => bad_b
     );
 
-  tests <= "000" when take_a_now = "00" or take_b_now = "00" else
-    "100" when take_a_now = "11" and take_b_now = "11" else
-    "010" when take_a_now = "11" or take_b_now = "11" else
+  there_a <= listed_a and present_a;
+  there_b <= listed_b and present_b;
+  tests <= "000" when there_a = "00" or there_b = "00" else
+    "100" when there_a = "11" and there_b = "11" else
+    "010" when there_a = "11" or there_b = "11" else
     "001";
 
   list : process (clk)
   begin
     if rising_edge(clk) then
       tested <= "000";
-      if blocks_taken = '1' then
-        tested <= tests;
-      end if;
+      listed_a <= wanted_a;
+      listed_b <= wanted_b;
       if listed = '1' then
-        children_memory(to_integer(listed_place)) <= leaf_a(1) & fault_a(1) & right_a & leaf_a(0) & fault_a(0) & left_a
+        tested <= tests;
+        children_memory(to_integer(listed_place)) <= present_a & present_b
+          & leaf_a(1) & fault_a(1) & right_a & leaf_a(0) & fault_a(0) & left_a
           & leaf_b(1) & fault_b(1) & right_b & leaf_b(0) & fault_b(0) & left_b;
       end if;
       if survive_valid = '1' then
@@ -290,17 +322,30 @@ begin
 
   -- ===== Survivors =====
   answered <= '1' when answers /= 0 else '0';
-  own <= entry_memory(to_integer(finished_place));
-  family <= children_memory(to_integer(finished_place));
-  left_over <= survive_memory(to_integer(finished_place)) and not done;
+  -- The oldest answered pair is opened when the one before it has no more survivors.
+  opens <= answered and ((candidate_free and last_pick) or not opened);
+  opened_entry <= entry_memory(to_integer(finished_place));
+  opened_children <= children_memory(to_integer(finished_place));
+  present_pairs <= (opened_children(123) and opened_children(121)) & (opened_children(123) and opened_children(120))
+    & (opened_children(122) and opened_children(121)) & (opened_children(122) and opened_children(120));
   pick <= "1000" when left_over(3) = '1' else
     "0100" when left_over(2) = '1' else
     "0010" when left_over(1) = '1' else
     left_over;
-  last_pick <= '1' when left_over = pick else '0';
+  joined_a <= (pick(3) and joins_a(1) and left_over(1)) or (pick(2) and joins_a(0) and left_over(0));
+  joined_b <= (pick(3) and joins_b(1) and left_over(2)) or (pick(1) and joins_b(0) and left_over(0));
+  chosen(3) <= pick(3);
+  chosen(2) <= pick(2) or (pick(3) and joins_b(1) and left_over(2));
+  chosen(1) <= pick(1) or (pick(3) and joins_a(1) and left_over(1));
+  chosen(0) <= pick(0) or (((pick(2) and joins_a(0)) or (pick(1) and joins_b(0))) and left_over(0));
+  last_pick <= '1' when left_over = chosen else '0';
   chosen_a <= family(119 downto 90) when (pick(3) or pick(2)) = '1' else family(89 downto 60);
   chosen_b <= family(59 downto 30) when (pick(3) or pick(1)) = '1' else family(29 downto 0);
   candidate_free <= candidate_leaves or not candidate;
+  both_leaves <= chosen_a(29) and chosen_b(29);
+  -- A leaf beside an inner node stays where it is: its number is not used yet.
+  wrong <= (chosen_a(28) and (both_leaves or not chosen_a(29))) or (chosen_b(28) and (both_leaves or not chosen_b(29)))
+    or (own_is_deepest and not both_leaves);
 
   choose : process (clk)
   begin
@@ -312,55 +357,69 @@ begin
         child_b <= chosen_b;
         side_a <= pick(3) or pick(2);
         side_b <= pick(3) or pick(1);
+        whole_a <= joined_a;
+        whole_b <= joined_b;
         parents <= own;
-        is_deepest <= '0';
-        if own(5 downto 0) = everything then
-          is_deepest <= '1';
-        end if;
+        is_pair <= both_leaves and not wrong;
+        is_entry <= not both_leaves and not wrong;
+        is_wrong <= wrong;
         next_level <= std_logic_vector(unsigned(own(5 downto 0)) + 1);
+      end if;
+      if opens = '1' then
+        own <= opened_entry;
+        own_is_deepest <= '0';
+        if opened_entry(5 downto 0) = everything then
+          own_is_deepest <= '1';
+        end if;
+        family <= opened_children(119 downto 0);
+        joins_a(0) <= opened_children(119) and opened_children(89) and not opened_children(29);
+        joins_a(1) <= opened_children(119) and opened_children(89) and not opened_children(59);
+        joins_b(0) <= opened_children(59) and opened_children(29) and not opened_children(89);
+        joins_b(1) <= opened_children(59) and opened_children(29) and not opened_children(119);
+        left_over <= survive_memory(to_integer(finished_place)) and present_pairs;
+      elsif candidate_free = '1' then
+        left_over <= left_over and not chosen;
       end if;
       if reset = '1' or start = '1' then
         answers <= (others => '0');
         finished_place <= (others => '0');
-        done <= "0000";
+        opened <= '0';
         candidate <= '0';
       else
         if candidate_free = '1' then
-          candidate <= answered;
-          if answered = '1' then
-            done <= done or pick;
-            if last_pick = '1' then
-              done <= "0000";
-              finished_place <= finished_place + 1;
-            end if;
-          end if;
+          candidate <= opened;
         end if;
-        if survive_valid = '1' and (candidate_free and answered and last_pick) = '0' then
+        if opens = '1' then
+          opened <= '1';
+          finished_place <= finished_place + 1;
+        elsif candidate_free = '1' and last_pick = '1' then
+          opened <= '0';
+        end if;
+        if survive_valid = '1' and opens = '0' then
           answers <= answers + 1;
-        elsif survive_valid = '0' and (candidate_free and answered and last_pick) = '1' then
+        elsif survive_valid = '0' and opens = '1' then
           answers <= answers - 1;
         end if;
       end if;
     end if;
   end process choose;
 
-  both_leaves <= child_a(29) and child_b(29);
-  -- A leaf beside an inner node stays where it is: its number is not used yet.
-  wrong <= (child_a(28) and (both_leaves or not child_a(29))) or (child_b(28) and (both_leaves or not child_b(29)))
-    or (is_deepest and not both_leaves);
-  pair_due <= candidate and is_survivor and both_leaves and not wrong and not ending;
-  push_due <= candidate and is_survivor and not both_leaves and not wrong and not ending;
+  pair_due <= candidate and is_survivor and is_pair and not ending;
+  push_due <= candidate and is_survivor and is_entry and not ending;
   candidate_leaves <= candidate and (pair_ready or not pair_due);
   finished <= candidate_leaves and is_last;
-  bad_tree <= (candidate and is_survivor and wrong) or bad_a or bad_b;
-  survived <= candidate_leaves and is_survivor;
+  bad_tree <= (candidate and is_survivor and is_wrong) or bad_a or bad_b;
+  survived(0) <= candidate_leaves and is_survivor and not (whole_a or whole_b);
+  survived(1) <= candidate_leaves and is_survivor and (whole_a or whole_b);
   pair_valid <= pair_due;
   pair_a <= child_a(27 downto 0);
   pair_b <= child_b(27 downto 0);
 
   next_a <= child_a(23 downto 0) & "11" when child_a(29) = '0' else
+    parents(57 downto 34) & "11" when whole_a = '1' else
     parents(57 downto 34) & side_a & not side_a;
   next_b <= child_b(23 downto 0) & "11" when child_b(29) = '0' else
+    parents(31 downto 8) & "11" when whole_b = '1' else
     parents(31 downto 8) & side_b & not side_b;
   push <= root_due or push_due;
   push_entry <= "0000000000000000000000001100000000000000000000000011000000" when root_due = '1' else next_a & next_b & next_level;
