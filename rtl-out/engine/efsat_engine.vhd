@@ -140,7 +140,7 @@ architecture rtl of efsat_engine is
   -- Events
   signal expanded : std_logic;
   signal tests : std_logic_vector(2 downto 0);
-  signal survived : std_logic;
+  signal survived : std_logic_vector(1 downto 0);
   signal paired : std_logic;
   signal waiting : std_logic;
   signal starved : std_logic;

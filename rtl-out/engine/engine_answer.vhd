@@ -39,7 +39,7 @@ entity engine_answer is
     running : in std_logic;
     expanded : in std_logic;
     tested : in std_logic_vector(2 downto 0);  -- so many more
-    survived : in std_logic;
+    survived : in std_logic_vector(1 downto 0);  -- so many more
     paired : in std_logic;
     block_reads : in std_logic_vector(1 downto 0);  -- of A, of B
     triangles_asked : in std_logic;  -- one of A and one of B
@@ -155,7 +155,7 @@ begin
   steps(clocks_at) <= running;
   steps(expansions_at) <= expanded;
   steps(tests_at) <= '0';
-  steps(survivors_at) <= survived;
+  steps(survivors_at) <= '0';
   steps(pairs_at) <= paired;
   steps(intersect_at) <= counts when verdict = certain else '0';
   steps(incorrect_at) <= counts and verdict(1);
@@ -180,6 +180,7 @@ begin
       end loop;
       if clear = '0' then
         counter(tests_at) <= counter(tests_at) + unsigned(tested);
+        counter(survivors_at) <= counter(survivors_at) + unsigned(survived);
       end if;
       blocks_read <= counter(blocks_a_read_at) + counter(blocks_b_read_at);
       triangles_read <= counter(triangles_a_read_at) + counter(triangles_b_read_at);

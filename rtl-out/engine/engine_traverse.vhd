@@ -53,7 +53,7 @@ entity engine_traverse is
     limit_reached : out std_logic;
     expanded : out std_logic;
     tested : out std_logic_vector(2 downto 0);  -- tests of the expansion: 0, 1, 2 or 4
-    survived : out std_logic;
+    survived : out std_logic_vector(1 downto 0);  -- so many more
     greatest_stack : out unsigned(15 downto 0)
   );
 end entity engine_traverse;
@@ -113,6 +113,11 @@ architecture rtl of engine_traverse is
   signal left_over : std_logic_vector(3 downto 0);
   signal pick : std_logic_vector(3 downto 0);
   signal last_pick : std_logic;
+  signal leaves_a : std_logic;  -- both children are leaves
+  signal leaves_b : std_logic;
+  signal joined_a : std_logic;  -- both leaves meet the same inner node, and go as one pair
+  signal joined_b : std_logic;
+  signal chosen : std_logic_vector(3 downto 0);  -- what is picked, and what goes with it
   signal chosen_a : std_logic_vector(29 downto 0);  -- leaf, fault, number
   signal chosen_b : std_logic_vector(29 downto 0);
   signal candidate : std_logic := '0';
@@ -125,6 +130,8 @@ architecture rtl of engine_traverse is
   signal child_b : std_logic_vector(29 downto 0) := (others => '0');
   signal side_a : std_logic := '0';  -- the child is the right one
   signal side_b : std_logic := '0';
+  signal whole_a : std_logic := '0';  -- both leaves
+  signal whole_b : std_logic := '0';
   signal parents : std_logic_vector(57 downto 0) := (others => '0');
   signal both_leaves : std_logic;
   signal wrong : std_logic;
@@ -297,7 +304,15 @@ begin
     "0100" when left_over(2) = '1' else
     "0010" when left_over(1) = '1' else
     left_over;
-  last_pick <= '1' when left_over = pick else '0';
+  leaves_a <= family(119) and family(89);
+  leaves_b <= family(59) and family(29);
+  joined_a <= leaves_a and not chosen_b(29) and ((pick(3) and left_over(1)) or (pick(2) and left_over(0)));
+  joined_b <= leaves_b and not chosen_a(29) and ((pick(3) and left_over(2)) or (pick(1) and left_over(0)));
+  chosen(3) <= pick(3);
+  chosen(2) <= pick(2) or (pick(3) and joined_b);
+  chosen(1) <= pick(1) or (pick(3) and joined_a);
+  chosen(0) <= pick(0) or ((pick(2) or pick(1)) and (joined_a or joined_b));
+  last_pick <= '1' when left_over = chosen else '0';
   chosen_a <= family(119 downto 90) when (pick(3) or pick(2)) = '1' else family(89 downto 60);
   chosen_b <= family(59 downto 30) when (pick(3) or pick(1)) = '1' else family(29 downto 0);
   candidate_free <= candidate_leaves or not candidate;
@@ -312,6 +327,8 @@ begin
         child_b <= chosen_b;
         side_a <= pick(3) or pick(2);
         side_b <= pick(3) or pick(1);
+        whole_a <= joined_a;
+        whole_b <= joined_b;
         parents <= own;
         is_deepest <= '0';
         if own(5 downto 0) = everything then
@@ -328,7 +345,7 @@ begin
         if candidate_free = '1' then
           candidate <= answered;
           if answered = '1' then
-            done <= done or pick;
+            done <= done or chosen;
             if last_pick = '1' then
               done <= "0000";
               finished_place <= finished_place + 1;
@@ -353,14 +370,17 @@ begin
   candidate_leaves <= candidate and (pair_ready or not pair_due);
   finished <= candidate_leaves and is_last;
   bad_tree <= (candidate and is_survivor and wrong) or bad_a or bad_b;
-  survived <= candidate_leaves and is_survivor;
+  survived(0) <= candidate_leaves and is_survivor and not (whole_a or whole_b);
+  survived(1) <= candidate_leaves and is_survivor and (whole_a or whole_b);
   pair_valid <= pair_due;
   pair_a <= child_a(27 downto 0);
   pair_b <= child_b(27 downto 0);
 
   next_a <= child_a(23 downto 0) & "11" when child_a(29) = '0' else
+    parents(57 downto 34) & "11" when whole_a = '1' else
     parents(57 downto 34) & side_a & not side_a;
   next_b <= child_b(23 downto 0) & "11" when child_b(29) = '0' else
+    parents(31 downto 8) & "11" when whole_b = '1' else
     parents(31 downto 8) & side_b & not side_b;
   push <= root_due or push_due;
   push_entry <= "0000000000000000000000001100000000000000000000000011000000" when root_due = '1' else next_a & next_b & next_level;
