@@ -12,7 +12,6 @@ use efsat::golden::engine::{Model, Query};
 use efsat::host::engine::{Image, Numbers, memory};
 use efsat::params::engine::{EngineParams, EngineReport, Memory, Reason};
 use efsat::params::{Method, Params, Upper};
-use efsat::scene::Scene;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
@@ -210,7 +209,7 @@ fn a_wrong_engine_is_noticed() {
     let Some(ghdl) = ghdl() else { return };
     let quick: &[&str] = &["-gpasses=1"];
     let slow: &[&str] = &["-gpasses=2", "-glatency_least=5", "-glatency_most=60"];
-    let changes: [(&str, &str, &str, &[&str]); 11] = [
+    let changes: [(&str, &str, &str, &[&str]); 12] = [
         // Flying pairs are not counted; the last survivor is not; the push order loses one.
         ("engine_traverse.vhd", "finished <= candidate_leaves and is_last;", "finished <= candidate_leaves;", quick),
         (
@@ -221,6 +220,8 @@ fn a_wrong_engine_is_noticed() {
         ),
         // A leaf beside an inner node becomes an inner node; its side is the other.
         ("engine_traverse.vhd", "side_a & not side_a;", "not side_a & side_a;", quick),
+        // Inner nodes are joined as if they were leaves.
+        ("engine_traverse.vhd", "joined_a <= leaves_a and not", "joined_a <= not", quick),
         // Links that go back are taken.
         (
             "engine_children.vhd",
@@ -412,34 +413,4 @@ fn a_tree_that_is_too_high_is_refused() {
     assert!(vectors.text().contains("R 0000058f 0 "), "reason 3");
     let report = bench.run_vectors(vectors.text(), &["-gpasses=1"]);
     assert!(fine(&report), "{report}");
-}
-
-/// Headlights against each other: some queries of the default scene, one behind the other. Prints how many clocks they take.
-#[test]
-#[ignore = "takes many minutes; run by scripts/test full"]
-fn queries_of_the_default_scene() {
-    let Some(ghdl) = ghdl() else { return };
-    let scene = Scene::default_scene();
-    let broad = scene.broad_phase();
-    let block_ram =
-        EngineParams { memory: Memory::BlockRam, block_lines: 8192, triangle_lines: 8192, ..EngineParams::default() };
-    let cases = [(EngineParams::default(), &["-glatency_least=32", "-glatency_most=32"][..]), (block_ram, &[])];
-    cases.par_iter().for_each(|(engine, options)| {
-        let bench = Bench::new(ghdl, engine, &Params::default());
-        let numbers = Numbers::new(engine, &bench.design.unit.params).unwrap();
-        let images = Image::build(&[&scene.objects[0].mesh], &bench.design.format).unwrap();
-        let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
-        let side = vectors.side(0);
-        let mut queries = 0;
-        for meeting in (0..scene.frames()).step_by(128).flat_map(|frame| broad.meetings(frame)) {
-            let m = meeting.pose.rows();
-            let query = numbers.query([(&images[0], side); 2], &m, &meeting.pose.translation.into()).unwrap();
-            queries += 1;
-            vectors.query(&Query { number: queries, ..query });
-        }
-        let report = bench.run_vectors(vectors.text(), &[&["-gpasses=1"], *options].concat());
-        assert!(fine(&report), "{report}");
-        let clocks = number(&report, "clocks").unwrap() as f64 / f64::from(queries);
-        eprintln!("{:?}: {queries} queries, {clocks:.0} clocks each in the mean", engine.memory);
-    });
 }
