@@ -3,7 +3,8 @@
 --
 -- The traversal of two trees, depth first from a stack of pairs of nodes. A pair is popped, its two blocks are fetched,
 -- the volume unit tests the children of one against the children of the other, and the pairs that may overlap are
--- pushed, or sent to the triangle unit where both are leaves. Pairs in flight keep their order.
+-- pushed, or sent to the triangle unit where both are leaves. Two leaves of one block that meet the same inner node are
+-- pushed as one pair, so that one expansion tests both. Pairs in flight keep their order.
 --
 -- Rule of issue. Let used be the entries of the stack and flying the pairs in flight; a pair pushes at most four.
 -- It is popped if used - 1 + 4 (flying + 1) <= 415, or if nothing flies; and only if flying < 16. While only pops
