@@ -209,7 +209,7 @@ fn a_wrong_engine_is_noticed() {
     let Some(ghdl) = ghdl() else { return };
     let quick: &[&str] = &["-gpasses=1"];
     let slow: &[&str] = &["-gpasses=2", "-glatency_least=5", "-glatency_most=60"];
-    let changes: [(&str, &str, &str, &[&str]); 12] = [
+    let changes: [(&str, &str, &str, &[&str]); 13] = [
         // Flying pairs are not counted; the last survivor is not; the push order loses one.
         ("engine_traverse.vhd", "finished <= candidate_leaves and is_last;", "finished <= candidate_leaves;", quick),
         (
@@ -221,7 +221,12 @@ fn a_wrong_engine_is_noticed() {
         // A leaf beside an inner node becomes an inner node; its side is the other.
         ("engine_traverse.vhd", "side_a & not side_a;", "not side_a & side_a;", quick),
         // Inner nodes are joined as if they were leaves.
-        ("engine_traverse.vhd", "joined_a <= leaves_a and not", "joined_a <= not", quick),
+        (
+            "engine_traverse.vhd",
+            "joins_a(0) <= opened_children(119) and opened_children(89) and",
+            "joins_a(0) <=",
+            quick,
+        ),
         // Links that go back are taken.
         (
             "engine_children.vhd",
@@ -232,15 +237,11 @@ fn a_wrong_engine_is_noticed() {
         ("engine_children.vhd", "beyond <= '1' when target >=", "beyond <= '0' when target >=", quick),
         // Contact does not end the query; separate pairs are answered; a query's options stay from the last.
         ("engine_answer.vhd", "contact <= counts and stop_at_contact", "contact <= '0' and stop_at_contact", quick),
-        ("engine_answer.vhd", "decided_valid and separate_too and not ending;", "decided_valid and not ending;", quick),
+        ("engine_answer.vhd", "head_valid and separate_too and not ending;", "head_valid and not ending;", quick),
         ("engine_answer.vhd", "free <= m_axis_tready or not offered;", "free <= '1';", slow),
         // The caches: a line that is replaced is thought to be there; both sides do not wait for each other.
-        (
-            "engine_block_cache.vhd",
-            "if tag_write = '1' and tag_place = head",
-            "if tag_write = '0' and tag_place = head",
-            slow,
-        ),
+        ("engine_block_cache.vhd", "if judged = '1' and judged_at(", "if judged = '0' and judged_at(", slow),
+        ("engine_block_cache.vhd", "if looked = '1' and looked_at(", "if looked = '0' and looked_at(", slow),
         ("engine_triangle_cache.vhd", "(filled or not order(", "('1' or not order(", slow),
         ("engine_read_master.vhd", "m_axi_arvalid <= offered;", "m_axi_arvalid <= offered and m_axi_arready;", slow),
     ];
