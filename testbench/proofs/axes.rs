@@ -319,6 +319,9 @@ fn flags(subject: Subject, policy: Projections, widths: &str, sound: bool) -> Cl
         }
     };
     claim.mutant(NotStrict, flag("above", 0)).mutant(OtherBound, flag("below", 1));
-    claim.mutant(WrongGate, "separated").mutant(NotMissing, "separated").mutant(WrongGate, "overlapping|overlapping_i");
+    claim
+        .mutant(WrongGate, "separated|separated_and_d1")
+        .mutant(NotMissing, "separated")
+        .mutant(WrongGate, "overlapping|overlapping_i");
     claim
 }
