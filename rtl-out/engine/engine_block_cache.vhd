@@ -96,6 +96,10 @@ architecture rtl of engine_block_cache is
   signal returned : unsigned(7 downto 0) := (others => '0');
   signal some_returned : std_logic := '0';
   signal fetches : std_logic;
+  -- A word that was read, and one in front of the banks, far from the memory.
+  signal read_valid : std_logic := '0';
+  signal read_word : std_logic_vector(63 downto 0) := (others => '0');
+  signal moves : std_logic;
   signal word_valid : std_logic := '0';
   signal word : std_logic_vector(63 downto 0) := (others => '0');
   signal word_place : unsigned(3 downto 0) := "0000";
@@ -336,7 +340,8 @@ begin
   end generate banks;
 
   -- ===== Words from memory =====
-  fetches <= some_returned and (writes or not word_valid);
+  moves <= read_valid and (writes or not word_valid);
+  fetches <= some_returned and (moves or not read_valid);
 
   take_words : process (clk)
   begin
@@ -345,13 +350,17 @@ begin
         return_memory(to_integer(return_in)) <= fill_data;
       end if;
       if fetches = '1' then
-        word <= return_memory(to_integer(return_out));
+        read_word <= return_memory(to_integer(return_out));
+      end if;
+      if moves = '1' then
+        word <= read_word;
       end if;
       if reset = '1' then
         return_in <= (others => '0');
         return_out <= (others => '0');
         returned <= (others => '0');
         some_returned <= '0';
+        read_valid <= '0';
         word_valid <= '0';
       else
         if fill_valid = '1' then
@@ -369,8 +378,11 @@ begin
             some_returned <= '0';
           end if;
         end if;
-        if fetches = '1' or writes = '1' then
-          word_valid <= fetches;
+        if fetches = '1' or moves = '1' then
+          read_valid <= fetches;
+        end if;
+        if moves = '1' or writes = '1' then
+          word_valid <= moves;
         end if;
       end if;
     end if;
