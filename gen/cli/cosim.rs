@@ -192,7 +192,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return engine::run(arguments);
     }
     if let Some((option, value)) = arguments.engine.given() {
-        return Err(Failure::Usage(format!("--{option} {value}: expected --engine, which has this option")));
+        let given = format!("--{option} {value}");
+        return Err(Failure::Usage(format!("{}: expected --engine, which has this option", given.trim_end())));
     }
     let params = arguments.params.params()?;
     let simulator = match (arguments.simulator.unwrap_or(Simulator::Ghdl), arguments.netlist) {

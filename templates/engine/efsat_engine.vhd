@@ -330,7 +330,7 @@ begin
   triangles_asked <= triangle_request and triangle_accepted;
 
   -- With leaves_only pairs pass by the unit, which is empty then.
-  numbers <= "{{ e.number_zeros }}" & triangle_b({{ e.triangle_number_bits - 1 }} downto 0) & "{{ e.number_zeros }}" & triangle_a({{ e.triangle_number_bits - 1 }} downto 0);
+  numbers <= {{ e.number_above }}triangle_b({{ e.triangle_number_bits - 1 }} downto 0) & {{ e.number_above }}triangle_a({{ e.triangle_number_bits - 1 }} downto 0);
   unit_valid <= triangles_valid and not leaves_only and not ending;
   bypass_valid <= triangles_valid and leaves_only and not ending;
   triangles_ready <= decided_ready when leaves_only = '1' else unit_ready;

@@ -17,7 +17,7 @@ use crate::params::options::Choice;
 use crate::scene::Scene;
 use rayon::prelude::*;
 use serde::Serialize;
-use std::fmt::Write;
+use std::fmt::{self, Write};
 use std::ops::RangeInclusive;
 
 /// The longest latency of memory.
@@ -28,7 +28,7 @@ const LATENCY: RangeInclusive<u32> = 1..=1000;
 pub(super) struct EngineRun {
     /// Simulate the collision engine in Verilator, clock by clock: a query for each two objects of --scene whose boxes overlap
     /// in a frame; --limit takes a sample of the queries
-    #[arg(long, conflicts_with_all = ["pairs", "random", "netlist", "wave", "probe"])]
+    #[arg(long, conflicts_with_all = ["pairs", "random", "seed", "netlist", "wave", "probe"])]
     pub engine: bool,
     /// Clocks from an address to its first word of memory, N or LEAST-MOST [default: 32]
     #[arg(long, value_name = "CLOCKS", value_parser = latency, allow_negative_numbers = true)]
@@ -49,7 +49,7 @@ impl EngineRun {
         let own = [
             ("gaps", self.gaps.map(|seed| seed.to_string())),
             ("first-contact", self.first_contact.then(String::new)),
-            ("latency", self.latency.clone().map(|Latency(clocks)| format!("{}-{}", clocks.start(), clocks.end()))),
+            ("latency", self.latency.as_ref().map(ToString::to_string)),
         ];
         let own = own.into_iter().find_map(|(option, value)| Some((option, value?)));
         own.or_else(|| self.params.first().cloned())
@@ -59,6 +59,15 @@ impl EngineRun {
 /// Least and most clocks.
 #[derive(Clone, Debug)]
 struct Latency(RangeInclusive<u32>);
+
+impl fmt::Display for Latency {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.0.start(), self.0.end()) {
+            (least, most) if least == most => write!(f, "{least}"),
+            (least, most) => write!(f, "{least}-{most}"),
+        }
+    }
+}
 
 fn latency(text: &str) -> Result<Latency, String> {
     let (least, most) = text.split_once('-').unwrap_or((text, text));

@@ -124,7 +124,7 @@ pub(super) struct Values {
     // Triangles
     pub triangle_bits: u32,
     pub triangle_number_bits: u32,
-    pub number_zeros: String,
+    pub number_above: String,
     pub unit_inputs: Vec<Connection>,
     pub guarded: bool,
     // Query
@@ -347,8 +347,9 @@ impl Values {
         let (flight_places, flight_bits) = places(params.in_flight);
         let wide = i64::from(params.wide_limit());
         let most = params.stack + 4 * params.in_flight + 8;
-        // Waiting, fetched, and in the unit.
-        let open = params.pair_queue + design.unit.places as u32 + 16;
+        // Waiting, in the unit, and between: in front of the memory of triangles, looked up or on their way from it, and held in
+        // front of the answers, fewer than 32 all together.
+        let open = params.pair_queue + design.unit.places as u32 + 32;
         let axi = params.memory == Memory::Axi;
         let memories = vec![lines(design, false), lines(design, true)];
         let [block_line_bits, triangle_line_bits] = [0, 1].map(|i: usize| memories[i].line_address_bits);
@@ -405,7 +406,10 @@ impl Values {
             factor_bits: format.factor_bits,
             triangle_bits: triangle.bits,
             triangle_number_bits: triangle.number_bits,
-            number_zeros: zeros(LINK_NUMBER_BITS - triangle.number_bits),
+            number_above: match LINK_NUMBER_BITS - triangle.number_bits {
+                0 => String::new(),
+                bits => format!("\"{}\" & ", zeros(bits)),
+            },
             unit_inputs: unit_inputs(unit, format, stream),
             guarded: unit.guarded(),
             directions: k,

@@ -133,7 +133,10 @@ impl Query {
             });
             let slots = format.directions.slots();
             let known = terms.iter().zip(slots).all(|((choice, _), slot)| (*choice as usize) < slot.len());
-            known.then(|| Row { terms, rest: at(format.rest_at(), format.rest_bits()) }).ok_or(Reason::UnknownHeader)
+            let spare = word.checked_shr(format.rest_at() + format.rest_bits()).unwrap_or(0);
+            (known && spare == 0)
+                .then(|| Row { terms, rest: at(format.rest_at(), format.rest_bits()) })
+                .ok_or(Reason::UnknownHeader)
         });
         let error = |axis| field(&words[6..7], axis * format.shift_error_bits(), format.shift_error_bits()) as u32;
         Ok(Self {
