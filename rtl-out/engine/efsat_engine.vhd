@@ -10,7 +10,7 @@
 --   0      header 31..0, format 63..32
 --   1, 2   blocks of A and B, triangles of A and B: addresses / 64
 --   3, 4   number of blocks of A and B, of triangles of A and B
---   5      most expansions 31..0 (0: no limit); 32 stop at the first certain contact; 33 answer separate pairs too;
+--   5      most expansions 31..0 (0: 2^32); 32 stop at the first certain contact; 33 answer separate pairs too;
 --          34 leaf pairs only, no triangle test; 35 empty the caches; 63..40 number that the report returns
 --   6      errors of the shift 15..0, 31..16, 47..32
 --   7 ...  pose, as in packets of the stream wrapper; then a row for each direction
@@ -322,7 +322,7 @@ begin
   triangles_asked <= triangle_request and triangle_accepted;
 
   -- With leaves_only pairs pass by the unit, which is empty then.
-  numbers <= "" & triangle_b(27 downto 0) & "" & triangle_a(27 downto 0);
+  numbers <= triangle_b(27 downto 0) & triangle_a(27 downto 0);
   unit_valid <= triangles_valid and not leaves_only and not ending;
   bypass_valid <= triangles_valid and leaves_only and not ending;
   triangles_ready <= decided_ready when leaves_only = '1' else unit_ready;

@@ -262,8 +262,7 @@ begin
         elsif phase = flush_state then
           known <= '1';
           -- The caches say that they are at it from the clock after flush on.
-          checks <= "11";
-          if checks = "11" and flush_now = '0' and flushing = '0' then
+          if flush_now = '0' and flushing = '0' then
             started <= '1';
             next_phase := run_state;
           end if;

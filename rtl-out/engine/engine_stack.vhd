@@ -3,8 +3,7 @@
 --
 -- The stack of pairs that are still to be opened. The uppermost entry is in a register, the one below it at the output
 -- of the memory or, after a push, in a register; so a push and a pop are possible in every clock, also both in one.
--- An entry 512 deep is never reached: the traversal proves it (rule of issue), the report tells the greatest
--- number of entries, and the counter here has a bit more than it needs.
+-- There are never more than 512 entries: the traversal sees to it (rule of issue), and the report tells the most there were.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;

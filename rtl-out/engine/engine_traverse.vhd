@@ -25,7 +25,7 @@ entity engine_traverse is
     -- The running query, steady from start to the next.
     start : in std_logic;  -- one clock long: begins with the roots
     ending : in std_logic;  -- no pair is popped any more, and what is in flight is dropped
-    most_expansions : in std_logic_vector(31 downto 0);  -- 0: 2^32 - 1
+    most_expansions : in std_logic_vector(31 downto 0);  -- 0: 2^32, after which the count of the report begins again
     block_count_a : in std_logic_vector(31 downto 0);
     block_count_b : in std_logic_vector(31 downto 0);
     triangle_count_a : in std_logic_vector(31 downto 0);
@@ -69,12 +69,12 @@ architecture rtl of engine_traverse is
   signal may_pop : std_logic;
   signal top_entry : std_logic_vector(57 downto 0);
   signal filled : std_logic;
-  signal room : unsigned(11 downto 0) := (others => '0');  -- 412 - used - 4 flying in two's complement: not negative while a pair may be popped
+  signal room : unsigned(11 downto 0) := (others => '0');  -- 412 - used - 4 flying in two's complement: not negative while a pair may be popped although others fly
   signal flying : unsigned(4 downto 0) := (others => '0');
   signal nothing_flies : std_logic := '1';  -- flying = 0
   signal all_fly : std_logic := '0';  -- flying = 16
   signal allowed : unsigned(31 downto 0) := (others => '0');  -- expansions
-  signal spent : std_logic := '0';  -- allowed = 0
+  signal spent : std_logic := '0';  -- no expansion more
 
   -- Pairs in flight, each in a place of its own: popped, taken by the volume unit, answered by it, finished.
   signal popped_place : unsigned(3 downto 0) := (others => '0');
