@@ -10,8 +10,10 @@ use efsat::artefact::{FileSet, Prefix};
 use efsat::directions::Directions;
 use efsat::golden::engine::{Model, Query};
 use efsat::host::engine::{Image, Numbers, memory};
+use efsat::mesh::Mesh;
 use efsat::params::engine::{EngineParams, EngineReport, Memory, Reason};
 use efsat::params::{Method, Params, Upper};
+use nalgebra::Point3;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
@@ -245,18 +247,22 @@ fn a_wrong_engine_is_noticed() {
     ];
     // Caches of eight lines for each tree.
     let bench = Bench::new(ghdl, &EngineParams { block_lines: 16, ..axi() }, &small());
-    let images = Image::build(&[&hills(3), &cuboid(3, 4, 2)], &bench.design.format).unwrap();
+    // One of two triangles alone is near the others, so that a leaf meets an inner node without the leaf beside it.
+    let apart = |x: f64| [[x, 0.0, 0.0], [x + 1.0, 0.0, 0.0], [x, 1.0, 0.25]].map(Point3::from);
+    let two = Mesh { vertices: [apart(0.0), apart(6.0)].concat(), faces: vec![[0, 1, 2], [3, 4, 5]] };
+    let images = Image::build(&[&hills(3), &cuboid(3, 4, 2), &two], &bench.design.format).unwrap();
     let mut vectors = EngineVectors::new(&bench.design, &images.iter().collect::<Vec<_>>());
     let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
-    let sides = [0, 1].map(|i| (&images[i], vectors.side(i)));
-    let query = numbers.query(sides, &turn(2), &[1.5, 0.5, -1.0]).unwrap();
+    let sides = [0, 1, 2].map(|i| (&images[i], vectors.side(i)));
+    let query = numbers.query([sides[0], sides[1]], &turn(2), &[1.5, 0.5, -1.0]).unwrap();
     let (mut cut, mut few) = (query.clone(), query.clone());
     cut.sides[0].blocks -= 8;
     few.sides[1].triangles = 3;
-    let reversed = numbers.query([sides[1], sides[0]], &turn(1), &[-1.0, 0.5, 1.0]).unwrap();
-    for query in [&query, &Query { first_contact: true, ..query.clone() }, &cut, &few, &query, &reversed] {
+    let shallow = [-1.0, 5.0].map(|x| numbers.query([sides[2], sides[1]], &turn(0), &[x, -1.0, -1.0]).unwrap());
+    for query in [&query, &Query { first_contact: true, ..query.clone() }, &cut, &few, &query] {
         vectors.query(query);
     }
+    shallow.iter().for_each(|query| vectors.query(query));
     assert_eq!(vectors.text().matches("8f 0 ").count(), 2, "two queries end for reason 3");
     let report = bench.run_vectors(vectors.text(), slow);
     assert!(fine(&report), "{report}");

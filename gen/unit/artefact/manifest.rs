@@ -157,13 +157,6 @@ pub(super) fn text(design: &Design, format: Option<&StreamFormat>, command_line:
     serde_json::to_string_pretty(&manifest).expect("keys are strings and numbers are finite")
 }
 
-/// The manifest of the ready designs: their files alone, for each folder has a manifest of its own.
-pub(super) fn of_ready(files: &FileSet) -> String {
-    let digests: BTreeMap<&str, String> = files.iter().map(|(name, text)| (name, digest(text))).collect();
-    let manifest = serde_json::json!({ "generator": format!("efsat {}", env!("CARGO_PKG_VERSION")), "files": digests });
-    serde_json::to_string_pretty(&manifest).expect("keys are strings")
-}
-
 pub(super) fn digest(text: &str) -> String {
     Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
 }

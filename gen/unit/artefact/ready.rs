@@ -2,7 +2,8 @@
 
 use super::design_files::{DesignFilesError, Packaging, design_files_with};
 use super::engine::{EngineDesign, engine_design_files, samples};
-use super::{FileSet, Prefix, manifest};
+use super::manifest::{self, digest};
+use super::{FileSet, Prefix};
 use crate::design::Design;
 use crate::design::top::DesignError;
 use crate::params::engine::EngineParams;
@@ -10,6 +11,7 @@ use crate::params::stream::StreamWidth;
 use crate::params::{Method, Params};
 use askama::Template;
 use efsat_hardware::estimate;
+use std::collections::BTreeMap;
 
 /// A design that is generated ahead for its users.
 pub struct ReadyDesign {
@@ -142,7 +144,7 @@ pub fn ready_files(command_line: impl Fn(&Params, &Packaging) -> String) -> Resu
     let engine = engine(&mut set, &params)?;
     let index = Index { version: env!("CARGO_PKG_VERSION"), device, frequency: params.frequency, rows, engine };
     set.insert("README.md", index.render().expect("the template renders"));
-    let whole = manifest::of_ready(&set);
+    let whole = index(&set);
     set.insert(manifest::NAME, whole);
     Ok(set)
 }
@@ -159,6 +161,13 @@ fn engine(set: &mut FileSet, unit: &Params) -> Result<EngineRow, ReadyError> {
         expansion_clocks: design.volume.interval,
         pair_clocks: design.unit.interval,
     })
+}
+
+/// The manifest of the ready designs: their files alone, for each folder has a manifest of its own.
+fn index(files: &FileSet) -> String {
+    let digests: BTreeMap<&str, String> = files.iter().map(|(name, text)| (name, digest(text))).collect();
+    let manifest = serde_json::json!({ "generator": format!("efsat {}", env!("CARGO_PKG_VERSION")), "files": digests });
+    serde_json::to_string_pretty(&manifest).expect("keys are strings")
 }
 
 #[cfg(test)]
