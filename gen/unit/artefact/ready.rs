@@ -144,7 +144,7 @@ pub fn ready_files(command_line: impl Fn(&Params, &Packaging) -> String) -> Resu
     let engine = engine(&mut set, &params)?;
     let index = Index { version: env!("CARGO_PKG_VERSION"), device, frequency: params.frequency, rows, engine };
     set.insert("README.md", index.render().expect("the template renders"));
-    let whole = index(&set);
+    let whole = whole_manifest(&set);
     set.insert(manifest::NAME, whole);
     Ok(set)
 }
@@ -164,7 +164,7 @@ fn engine(set: &mut FileSet, unit: &Params) -> Result<EngineRow, ReadyError> {
 }
 
 /// The manifest of the ready designs: their files alone, for each folder has a manifest of its own.
-fn index(files: &FileSet) -> String {
+fn whole_manifest(files: &FileSet) -> String {
     let digests: BTreeMap<&str, String> = files.iter().map(|(name, text)| (name, digest(text))).collect();
     let manifest = serde_json::json!({ "generator": format!("efsat {}", env!("CARGO_PKG_VERSION")), "files": digests });
     serde_json::to_string_pretty(&manifest).expect("keys are strings")
