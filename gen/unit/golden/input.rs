@@ -1,7 +1,6 @@
 //! What the unit reads: quantised numbers, triangle pairs and poses (contract section 2, the paper's equation 5).
 
 use super::interval::{Triple, Vector};
-use crate::dyadic::Dyadic;
 use crate::params::Params;
 use efsat_hardware::number::{Interval, Upper};
 
@@ -32,16 +31,6 @@ impl Input {
             Upper::Sticky => i64::from(self.sticky),
         };
         Interval::new(self.lo, self.lo + width)
-    }
-}
-
-impl Dyadic {
-    /// The floor at `fraction` fraction bits and its sticky bit, if the real number lies in
-    /// `[-bound, bound] * 2^-fraction`.
-    pub(crate) fn quantised(self, fraction: u32, bound: i128) -> Option<Input> {
-        let (lo, sticky) = self.scaled(fraction.into()).floor_and_rest()?;
-        let inside = -bound <= lo.into() && i128::from(lo) + i128::from(sticky) <= bound;
-        inside.then_some(Input { lo, sticky })
     }
 }
 

@@ -8,6 +8,7 @@ pub mod driver;
 pub mod engine;
 mod grid;
 mod loose;
+mod quantised;
 pub mod sample;
 mod scene;
 #[cfg(feature = "scenes")]
