@@ -85,6 +85,7 @@ fn queries_behind_caches_take_as_many_clocks_as_ever() {
 }
 
 #[test]
+#[ignore = "the same with other memories: scripts/test full"]
 fn queries_in_block_ram_take_as_many_clocks_as_ever() {
     let lines = 8192;
     let engine =
