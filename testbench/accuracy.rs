@@ -158,7 +158,7 @@ fn a_small_sweep_end_to_end() {
     let parts: f64 = causes["stages"].as_array().unwrap().iter().map(|stage| stage["part"].as_f64().unwrap()).sum();
     let genuine: usize = causes["genuine"].as_object().unwrap().values().map(number).sum();
     assert!((parts + genuine as f64 / number(&causes["examined"]) as f64 - 1.0).abs() < 1e-9);
-    // The data in the folder are those printed, and CSV has a row a point.
+    // The data in the folder are those printed, and CSV has a row per point.
     let kept = object(&fs::read_to_string(out.join("accuracy.json")).unwrap());
     assert_eq!(untimed(&kept["rows"]), untimed(&found["rows"]));
     let csv = fs::read_to_string(out.join("points.csv")).unwrap();

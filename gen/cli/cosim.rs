@@ -191,10 +191,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.engine.engine {
         return engine::run(arguments);
     }
-    if let Some((option, value)) = arguments.engine.given() {
-        let given = format!("--{option} {value}");
-        return Err(Failure::Usage(format!("{}: expected --engine, which has this option", given.trim_end())));
-    }
+    arguments.engine.refuse()?;
     let params = arguments.params.params()?;
     let simulator = match (arguments.simulator.unwrap_or(Simulator::Ghdl), arguments.netlist) {
         (Simulator::Verilator(_), Some(netlist)) => Simulator::Verilator(netlist),

@@ -51,23 +51,13 @@ impl EngineArguments {
         &self.typed
     }
 
-    /// The first option that was typed, and its value.
-    pub fn first(&self) -> Option<&(&'static str, String)> {
-        self.given.first()
-    }
-
     fn has(&self, option: &str) -> bool {
         self.given.iter().any(|(typed, _)| *typed == option)
     }
 
     /// Refuses options of the engine where there is none.
     pub fn refuse(&self) -> Result<(), Failure> {
-        match self.first() {
-            Some((option, value)) => {
-                Err(Failure::Usage(format!("--{option} {value}: expected --engine, which has this option")))
-            }
-            None => Ok(()),
-        }
+        self.given.first().map_or(Ok(()), |(option, value)| Err(without_engine(option, value)))
     }
 
     /// The engine around a unit.
@@ -82,6 +72,12 @@ impl EngineArguments {
         }
         Ok(EngineDesign::new(&self.typed, &params)?)
     }
+}
+
+/// That an option of the engine was typed, with a value if it has one, where there is no engine.
+pub(super) fn without_engine(option: &str, value: &str) -> Failure {
+    let given = format!("--{option} {value}");
+    Failure::Usage(format!("{}: expected --engine, which has this option", given.trim_end()))
 }
 
 impl FromArgMatches for EngineArguments {

@@ -4,7 +4,7 @@ use super::{Arguments, spread};
 use crate::artefact::engine::EngineDesign;
 use crate::cli::error::Failure;
 use crate::cli::output::{print, print_json};
-use crate::cli::params::EngineArguments;
+use crate::cli::params::{EngineArguments, without_engine};
 use crate::cli::progress;
 use crate::cli::source::{HEADLIGHT, load_scene};
 use crate::cosim::Simulator;
@@ -44,15 +44,17 @@ pub(super) struct EngineRun {
 }
 
 impl EngineRun {
-    /// An option of the engine that was typed, and its value.
-    pub fn given(&self) -> Option<(&'static str, String)> {
+    /// Refuses options of the engine where there is none.
+    pub fn refuse(&self) -> Result<(), Failure> {
         let own = [
             ("gaps", self.gaps.map(|seed| seed.to_string())),
             ("first-contact", self.first_contact.then(String::new)),
             ("latency", self.latency.as_ref().map(ToString::to_string)),
         ];
-        let own = own.into_iter().find_map(|(option, value)| Some((option, value?)));
-        own.or_else(|| self.params.first().cloned())
+        match own.into_iter().find_map(|(option, value)| Some((option, value?))) {
+            Some((option, value)) => Err(without_engine(option, &value)),
+            None => self.params.refuse(),
+        }
     }
 }
 
@@ -145,16 +147,16 @@ fn queries(meetings: &Meetings, scene: &Scene, arguments: &Arguments) -> Asked {
 
 /// What the queries of each distance cost, in the order in which they come.
 fn by_distance(design: &EngineDesign, distances: &[Option<f64>], replies: &[Reply]) -> Vec<Distance> {
-    let mut groups: Vec<(f64, Vec<Reply>)> = vec![];
+    let mut groups: Vec<(f64, Vec<&Reply>)> = vec![];
     for (distance, reply) in distances.iter().zip(replies) {
         let Some(distance) = *distance else { continue };
         match groups.iter_mut().find(|(known, _)| *known == distance) {
-            Some((_, group)) => group.push(reply.clone()),
-            None => groups.push((distance, vec![reply.clone()])),
+            Some((_, group)) => group.push(reply),
+            None => groups.push((distance, vec![reply])),
         }
     }
     let measured =
-        |(distance, replies): (f64, Vec<Reply>)| Distance { distance, measure: Measure::of(design, &replies) };
+        |(distance, replies): (f64, Vec<&Reply>)| Distance { distance, measure: Measure::of(design, &replies) };
     groups.into_iter().map(measured).collect()
 }
 

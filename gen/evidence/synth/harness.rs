@@ -61,8 +61,12 @@ pub fn of_netlist(top: &str, clock: &str, module: &netlist::Module) -> String {
     text(top, clock, side(true), side(false))
 }
 
-fn text(top: &str, clock: &str, inputs: (Vec<Port>, u32), outputs: (Vec<Port>, u32)) -> String {
-    let ((inputs, input_bits), (outputs, output_bits)) = (inputs, outputs);
+fn text(
+    top: &str,
+    clock: &str,
+    (inputs, input_bits): (Vec<Port>, u32),
+    (outputs, output_bits): (Vec<Port>, u32),
+) -> String {
     let harness = Harness { name: TOP, top, instance: INSTANCE, clock, inputs, input_bits, outputs, output_bits };
     harness.render().expect("the template renders")
 }

@@ -152,6 +152,11 @@ impl Device {
         self.setup
     }
 
+    /// The clock in MHz that a path of so many ns between registers allows.
+    pub fn megahertz(&self, ns: f64) -> f64 {
+        1000.0 / (ns + self.setup)
+    }
+
     /// Delay of a carry chain of that many bits, the net before it included.
     pub fn chain(&self, bits: u32) -> f64 {
         self.net + self.carry + self.carry_bit * f64::from(bits.saturating_sub(2))

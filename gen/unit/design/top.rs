@@ -112,7 +112,7 @@ impl Design {
     pub fn clock(&self) -> (f64, &str) {
         let second = self.second.as_ref().map(|second| &second.schedule.critical);
         let (ns, end) = second.filter(|second| second.0 > self.schedule.critical.0).unwrap_or(&self.schedule.critical);
-        (1000.0 / (ns + self.device.setup()), end)
+        (self.device.megahertz(*ns), end)
     }
 
     /// That clock if it is below the target: one operation alone takes longer.

@@ -58,12 +58,7 @@ impl Choice for Answering {
 impl EngineOptions {
     /// Refuses options of the engine without one.
     pub fn refuse(&self) -> Result<(), Failure> {
-        match self.params.first() {
-            None => Ok(()),
-            Some((option, value)) => {
-                Err(Failure::Usage(format!("--{option} {value}: expected --engine, which has this option")))
-            }
-        }
+        self.params.refuse()
     }
 }
 

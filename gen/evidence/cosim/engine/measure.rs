@@ -7,6 +7,7 @@ use efsat_unit::host::engine::{Image, memory};
 use efsat_unit::params::engine::{Answer, EngineReport, Reason};
 use rayon::prelude::*;
 use serde::Serialize;
+use std::borrow::Borrow;
 
 /// Sums over queries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
@@ -51,8 +52,8 @@ pub struct Measure {
 
 impl Measure {
     /// Of the replies to some queries.
-    pub fn of(design: &EngineDesign, replies: &[Reply]) -> Self {
-        let sum = |of: fn(&Reply) -> u64| replies.iter().map(of).sum::<u64>();
+    pub fn of(design: &EngineDesign, replies: &[impl Borrow<Reply>]) -> Self {
+        let sum = |of: fn(&Reply) -> u64| replies.iter().map(|reply| of(reply.borrow())).sum::<u64>();
         let mut measure = Self {
             queries: replies.len() as u64,
             clocks: sum(|reply| reply.clocks),
@@ -69,7 +70,7 @@ impl Measure {
             words: sum(|reply| reply.report.words.into()),
             memory_waits: sum(|reply| reply.report.memory_waits.into()),
             queue_waits: sum(|reply| reply.report.queue_waits.into()),
-            greatest_stack: replies.iter().map(|reply| reply.report.stack.into()).max().unwrap_or(0),
+            greatest_stack: replies.iter().map(|reply| reply.borrow().report.stack.into()).max().unwrap_or(0),
             ..Self::default()
         };
         measure.volume_busy = measure.expansions * design.volume.interval as u64;

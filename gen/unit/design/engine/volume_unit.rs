@@ -70,7 +70,7 @@ impl VolumeDesign {
     /// The clock in MHz that the schedule reaches, and the node that ends its longest path.
     pub fn clock(&self) -> (f64, &str) {
         let (ns, end) = &self.schedule.critical;
-        (1000.0 / (ns + self.device.setup()), end)
+        (self.device.megahertz(*ns), end)
     }
 
     /// The words of the query and of the blocks, as they come from the host and from memory.

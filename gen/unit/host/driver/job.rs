@@ -139,7 +139,7 @@ impl<'a> Job<'a> {
         &self.transfers
     }
 
-    /// Words that the unit sends back: the pose's report and a verdict a pair.
+    /// Words that the unit sends back: the pose's report and a verdict per pair.
     pub fn answers_due(&self) -> usize {
         self.transfers.iter().filter(|transfer| transfer.last).count().saturating_sub(1) + self.sent()
     }
