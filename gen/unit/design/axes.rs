@@ -46,6 +46,19 @@ impl Axis {
         list.into_iter().enumerate().map(number).collect()
     }
 
+    /// The axes without in-plane ones in the order in which they can be tested where the edges of B come one after the
+    /// other.
+    pub fn as_edges_come(all: &[Self]) -> Vec<Self> {
+        let mut sorted = all.to_vec();
+        sorted.sort_by_key(|axis| match (axis.kind, axis.right) {
+            (AxisKind::NormalA, _) => 0,
+            (AxisKind::Cross(_), Factor::EdgeB(l)) => 1 + l,
+            // The normal of B is made of its last edge and its first.
+            _ => 3,
+        });
+        sorted
+    }
+
     /// Name: `n_a`, `c_01`, `n_a_a2`, ...
     pub fn name(&self) -> String {
         match (self.kind, self.left, self.right) {

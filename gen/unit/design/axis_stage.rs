@@ -41,8 +41,9 @@ pub(super) fn axes<'l>(
     let formats = &p.formats();
     let all = Axis::all(p.axes);
     let units = p.axes_per_clock;
+    let tested = if edges.from_lanes && all.len() == 11 { Axis::as_edges_come(&all) } else { all.clone() };
     let jobs = |u: usize| {
-        let jobs = Phases::new(p.interval(), |s| all.get(s * units + u).copied());
+        let jobs = Phases::new(p.interval(), |s| tested.get(s * units + u).copied());
         // In-plane axes need a finished normal: in a unit that tests others too they come a number of slots later.
         let pure = jobs.busy().all(|(_, axis)| axis.in_plane());
         (jobs.late(|axis| axis.in_plane() && !pure), pure)
