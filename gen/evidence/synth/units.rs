@@ -43,7 +43,8 @@ impl Unit {
 /// # Errors
 /// What Yosys says.
 pub(super) fn netlist(yosys: &Tool, flow: Flow, top: &str, dir: &Path) -> Result<Netlist, ToolError> {
-    let commands = format!("read_verilog {VERILOG}\n{}write_json {NETLIST}\n", yosys::units(flow.family(), top));
+    let read = yosys::read(flow.family(), VERILOG, dir)?;
+    let commands = format!("{read}{}write_json {NETLIST}\n", yosys::units(flow.family(), top));
     yosys::run(yosys, "units", &commands, dir)?;
     Netlist::read(&dir.join(NETLIST))
 }

@@ -32,6 +32,36 @@ pub fn run(yosys: &Tool, name: &str, commands: &str, dir: &Path) -> Result<(), T
     tools::call(&yosys.path, &["-s", &script], dir, &format!("{name}.log"))
 }
 
+/// The commands that read the Verilog that GHDL has written to `source` in a folder. XST makes shift registers in look-up
+/// tables of delay lines with a tap; Yosys finds none in Verilog of GHDL, so there they are put in.
+///
+/// # Errors
+/// A file that cannot be read.
+pub fn read(family: Family, source: &str, dir: &Path) -> Result<String, ToolError> {
+    let mut commands = format!("read_verilog {source}\n");
+    if family != Family::Virtex2 {
+        return Ok(commands);
+    }
+    let path = dir.join(source);
+    let text = std::fs::read_to_string(&path).map_err(ToolError::file(&path))?;
+    for name in text.lines().filter_map(|line| line.strip_prefix("module ")) {
+        let Some(bits) =
+            name.rsplit_once("tapped_line_").and_then(|(_, ty)| ty.trim_start_matches('u').parse::<u32>().ok())
+        else {
+            continue;
+        };
+        let last = bits - 1;
+        commands += &format!(
+            "read_verilog -overwrite <<END\n\
+             module {name}(input clk, input [{last}:0] x, input [3:0] tap, output [{last}:0] y);\n\
+             SRL16E each [{last}:0] (.CLK(clk), .CE(1'b1), .D(x), .A0(tap[0]), .A1(tap[1]), .A2(tap[2]), .A3(tap[3]), .Q(y));\n\
+             endmodule\n\
+             END\n"
+        );
+    }
+    Ok(commands)
+}
+
 /// The commands that map the design read before to a family, one netlist an entity. `top` is its top.
 pub fn units(family: Family, top: &str) -> String {
     match family {
@@ -76,7 +106,7 @@ fn without_adders(command: &str) -> String {
 /// What Yosys says.
 pub fn mapped(family: Family, source: &str, top: &str, netlist: &str, dir: &Path) -> Result<(), ToolError> {
     let yosys = find()?;
-    let commands = format!("read_verilog {source}\n{}write_json {MAPPED}\n", units(family, top));
+    let commands = format!("{}{}write_json {MAPPED}\n", read(family, source, dir)?, units(family, top));
     run(&yosys, "map", &commands, dir)?;
     let models = match family {
         Family::Ecp5 => {

@@ -49,6 +49,7 @@ pub(super) const LFE5U_85: Device = Device {
     clock_to_output: 0.52,
     // 4.2 for the net behind it instead of 1.5.
     product_to_output: 0.74 + 2.7,
+    tapped_line: None,
     setup: 0.0,
     lut: 0.24,
     // A table of seven inputs: PFUMX 0.17 and two of L6MUX21, 0.24 each.

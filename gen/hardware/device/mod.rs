@@ -36,6 +36,8 @@ pub struct Device {
     /// Clock to output of the register behind a product, and by how much the net behind it takes longer than others:
     /// multipliers lie in columns of their own.
     product_to_output: f64,
+    /// Clock to output of a look-up table that is a shift register with a tap, where reports tell it.
+    tapped_line: Option<f64>,
     /// Set-up of a flip-flop.
     setup: f64,
     /// One LUT.
@@ -145,6 +147,12 @@ impl Device {
     /// Arrival of a product from the multiplier's register, ns, counted as if the net behind it were any other.
     pub fn product_launch(&self) -> f64 {
         self.product_to_output + self.product_behind_register
+    }
+
+    /// Arrival of what comes out of a delay line with a tap after the clock edge, ns; none where designs for the device have
+    /// no such lines.
+    pub fn tapped_line(&self) -> Option<f64> {
+        self.tapped_line
     }
 
     /// Set-up of a register, ns.

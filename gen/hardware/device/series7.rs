@@ -24,6 +24,7 @@ pub(super) const XC7A200T: Device = Device {
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.478,
     product_to_output: 0.478,
+    tapped_line: None,
     setup: 0.1,
     lut: 0.124,
     wide_choice: None,

@@ -18,6 +18,7 @@ pub(super) const XC6SLX150: Device = Device {
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.45,
     product_to_output: 0.45,
+    tapped_line: None,
     setup: 0.40,
     lut: 0.21,
     wide_choice: None,

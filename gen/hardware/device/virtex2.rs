@@ -87,6 +87,7 @@ pub(super) const XC2V6000: Device = Device {
     fabric: &FABRIC,
     clock_to_output: delay::CLOCK_TO_OUTPUT,
     product_to_output: delay::CLOCK_TO_OUTPUT,
+    tapped_line: Some(delay::SHIFT_CLOCK_TO_OUTPUT),
     setup: delay::SETUP,
     lut: delay::LUT,
     wide_choice: None,

@@ -8,7 +8,7 @@
 //!   on the ECP5 two for a carry cell;
 //! * flip-flops, without those that the device's multipliers take in, and without delay lines of three clocks or more,
 //!   which become shift registers in look-up tables;
-//! * memories as look-up tables.
+//! * memories, and delay lines with a tap, as look-up tables.
 //!
 //! Each module is estimated by itself, as in a synthesis that keeps the hierarchy.
 
@@ -17,7 +17,7 @@ mod registers;
 
 use crate::cells::{Bit, Gate, Source, Words, number};
 use crate::device::{Device, Resources};
-use crate::netlist::{Driver, Module, SignalId};
+use crate::netlist::{Driver, LINE_CLOCKS, Module, SignalId};
 use crate::op::{Comb, Type, Word};
 use cover::Passages;
 use registers::{Control, Registers};
@@ -130,7 +130,7 @@ impl<'a> Reader<'a> {
         let signal = &self.module.signals[i];
         let bits = signal.ty.bits;
         match &signal.driver {
-            Driver::Port | Driver::Instance { .. } | Driver::Memory { .. } => {
+            Driver::Port | Driver::Instance { .. } | Driver::Memory { .. } | Driver::Line { .. } => {
                 self.words.leaves(bits, |_| Source::Outside)
             }
             Driver::Combinational { op, args } => self.operation(op, args, signal.ty),
@@ -153,6 +153,11 @@ impl<'a> Reader<'a> {
             if let Driver::Memory { write, address, data, read, depth } = &signal.driver {
                 roots.extend([write, address, data, read].into_iter().flat_map(|id| self.of(*id)));
                 resources.memory_luts += fabric.memory_luts(*depth, signal.ty.bits);
+            }
+            if let Driver::Line { data, tap } = &signal.driver {
+                roots.extend([data, tap].into_iter().flat_map(|id| self.of(*id)));
+                let each = LINE_CLOCKS.div_ceil(fabric.longest_shift.max(1)) as u64;
+                resources.memory_luts += each * u64::from(signal.ty.bits);
             }
         }
         let live = self.live(&mut roots);
@@ -245,7 +250,7 @@ struct Live {
 /// The signals that a driver reads, an instance's inputs excepted: its outputs are leaves.
 fn operands(driver: &Driver) -> Vec<SignalId> {
     match driver {
-        Driver::Port | Driver::Instance { .. } | Driver::Memory { .. } => vec![],
+        Driver::Port | Driver::Instance { .. } | Driver::Memory { .. } | Driver::Line { .. } => vec![],
         Driver::Combinational { args, .. } => args.clone(),
         Driver::Register { args, enable, reset, .. } => {
             args.iter().copied().chain(*enable).chain(reset.map(|r| r.0)).collect()

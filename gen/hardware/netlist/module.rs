@@ -50,6 +50,13 @@ pub enum Driver {
         /// Words.
         depth: usize,
     },
+    /// A delay line with a tap: what the operand was `tap` + 1 clocks before, at most [`LINE_CLOCKS`].
+    Line {
+        /// What is delayed.
+        data: SignalId,
+        /// Clocks, less one.
+        tap: SignalId,
+    },
     /// An output of an instance.
     Instance {
         /// Index into [`Module::instances`].
@@ -69,6 +76,7 @@ impl Driver {
                 args.iter().copied().chain(*enable).chain(reset.map(|r| r.0)).collect()
             }
             Driver::Memory { write, address, data, read, .. } => vec![*write, *address, *data, *read],
+            Driver::Line { data, tap } => vec![*data, *tap],
         }
     }
 }
@@ -83,6 +91,7 @@ impl Driver {
                 args.iter_mut().chain(enable).chain(reset.as_mut().map(|r| &mut r.0)).collect()
             }
             Driver::Memory { write, address, data, read, .. } => vec![write, address, data, read],
+            Driver::Line { data, tap } => vec![data, tap],
         }
     }
 }
@@ -125,6 +134,9 @@ pub struct DelayLine {
     /// The registers, in order.
     pub registers: Vec<SignalId>,
 }
+
+/// Clocks of a delay line with a tap.
+pub const LINE_CLOCKS: usize = 16;
 
 /// Registers that make a delay line: fewer are cheaper apart.
 pub const LEAST_DELAY_LINE: usize = 3;
@@ -169,7 +181,9 @@ impl Module {
 
     /// Whether the module needs a clock.
     pub fn clocked(&self) -> bool {
-        self.signals.iter().any(|s| matches!(s.driver, Driver::Register { .. } | Driver::Memory { .. }))
+        self.signals
+            .iter()
+            .any(|s| matches!(s.driver, Driver::Register { .. } | Driver::Memory { .. } | Driver::Line { .. }))
             || self.instances.iter().any(|i| i.module.clocked())
     }
 

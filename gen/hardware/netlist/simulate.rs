@@ -4,7 +4,7 @@
 //! running disjunctions) form components that are stepped clock by clock; everything else is computed for a whole block
 //! of clocks at a time, signal by signal, in tight loops. The result is that of stepping everything.
 
-use super::module::{Driver, Module, SignalId};
+use super::module::{Driver, LINE_CLOCKS, Module, SignalId};
 use crate::op::{Comb, Resize, Type};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -16,12 +16,13 @@ enum Action {
     Combinational(Comb),
     Register { op: Option<Comb>, enable: Option<usize>, reset: Option<(usize, i128)> },
     Memory,
+    Line,
 }
 
 #[derive(Clone, Debug)]
 struct Cell {
     action: Action,
-    /// Operands; of a memory: write, address, data, read.
+    /// Operands; of a memory: write, address, data, read; of a delay line: data, tap.
     args: Vec<usize>,
     ty: Type,
 }
@@ -129,8 +130,12 @@ impl Simulation {
             .map(|c| if c.ty.bits <= NARROW { Lane::Narrow(vec![0; block]) } else { Lane::Wide(vec![0; block]) })
             .collect();
         let states = vec![0; cells.len()];
-        let memory = cells.iter().enumerate().filter(|(_, c)| matches!(c.action, Action::Memory));
-        let memories = memory.map(|(i, c)| (i, vec![0; 1 << cells[c.args[1]].ty.bits])).collect();
+        let words = |c: &Cell| match c.action {
+            Action::Memory => Some(1 << cells[c.args[1]].ty.bits),
+            Action::Line => Some(LINE_CLOCKS),
+            _ => None,
+        };
+        let memories = cells.iter().enumerate().filter_map(|(i, c)| Some((i, vec![0; words(c)?]))).collect();
         let components = components(&cells);
         Self { cells, lanes, states, memories, components, inputs, outputs, block }
     }
@@ -175,6 +180,10 @@ impl Simulation {
                 let read = self.lanes[self.cells[cell].args[3]].get(t) as usize;
                 self.memories[&cell][read]
             }
+            Action::Line => {
+                let tap = self.lanes[self.cells[cell].args[1]].get(t) as usize;
+                self.memories[&cell][tap]
+            }
         };
         self.lanes[cell].set(t, value);
     }
@@ -217,6 +226,14 @@ impl Simulation {
                     words[address] = data;
                 }
             }
+            // The newest value stands first.
+            Action::Line => {
+                let data = self.lanes[c.args[0]].get(t);
+                if let Some(words) = self.memories.get_mut(&cell) {
+                    words.rotate_right(1);
+                    words[0] = data;
+                }
+            }
             _ => {}
         }
     }
@@ -225,7 +242,7 @@ impl Simulation {
     fn whole_block(&mut self, cell: usize) {
         match &self.cells[cell].action {
             Action::Input => {}
-            Action::Memory => {
+            Action::Memory | Action::Line => {
                 for t in 0..self.block {
                     self.present(cell, t);
                     self.advance(cell, t);
@@ -316,6 +333,7 @@ fn dissolve(module: &Rc<Module>, args: Option<&[usize]>, cells: &mut Vec<Cell>, 
             Driver::Combinational { op, .. } => Action::Combinational(op.clone()),
             Driver::Register { op, .. } => Action::Register { op: op.clone(), enable: None, reset: None },
             Driver::Memory { .. } => Action::Memory,
+            Driver::Line { .. } => Action::Line,
             Driver::Instance { .. } => continue,
         };
         own[i] = cells.len();
@@ -354,6 +372,7 @@ fn dissolve(module: &Rc<Module>, args: Option<&[usize]>, cells: &mut Vec<Cell>, 
             Driver::Memory { write, address, data, read, .. } => {
                 cells[own[i]].args = [write, address, data, read].map(id).to_vec();
             }
+            Driver::Line { data, tap } => cells[own[i]].args = [data, tap].map(id).to_vec(),
             Driver::Instance { instance, port } => cells[own[i]].args = vec![results[*instance][*port]],
         }
     }
@@ -421,11 +440,12 @@ fn combinational_order(cells: &[Cell], members: Vec<usize>) -> Vec<usize> {
     let mut order = vec![];
     let mut sorted = members;
     sorted.sort_unstable();
-    // Registers show their state; what is combinational follows its operands (a memory: its read address).
+    // Registers show their state; what is combinational follows its operands (a memory: its read address, a delay line: its tap).
     let combinational = |cell: usize| -> Vec<usize> {
         match &cells[cell].action {
             Action::Combinational(_) => cells[cell].args.clone(),
             Action::Memory => vec![cells[cell].args[3]],
+            Action::Line => vec![cells[cell].args[1]],
             _ => vec![],
         }
     };

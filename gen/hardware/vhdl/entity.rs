@@ -6,7 +6,7 @@ use super::shape::{Object, Shape, Types};
 use super::view::View;
 use crate::expression::{Expression, Index, Name, Sub, loop_variable};
 use crate::graph::{Place, Step};
-use crate::netlist::{Driver, Signal, SignalId};
+use crate::netlist::{Driver, LINE_CLOCKS, Signal, SignalId};
 use crate::op::Range;
 use askama::Template;
 use std::collections::BTreeSet;
@@ -196,11 +196,22 @@ impl Printer<'_, '_> {
         all
     }
 
-    /// The words of a memory.
+    /// The words of a memory, or the clocks of a delay line with a tap.
     fn memory(&self, object: &Object, ty: &str, all: &mut Vec<Declaration>) {
         let [(id, _)] = object.members[..] else { return };
-        let Driver::Memory { depth, .. } = &self.view.module.signal(id).driver else { return };
         let name = &object.name;
+        let depth = match &self.view.module.signal(id).driver {
+            Driver::Memory { depth, .. } => depth,
+            Driver::Line { .. } => {
+                let text = format!("type {name}_line_t is array (1 to {LINE_CLOCKS}) of {ty};");
+                all.push(Declaration { text, comment: String::new() });
+                let zero = self.types.zero(&object.shape);
+                let text = format!("signal {name}_line : {name}_line_t := (others => {zero});");
+                all.push(Declaration { text, comment: "clocks ago".to_owned() });
+                return;
+            }
+            _ => return,
+        };
         let text = format!("type {name}_words_t is array (0 to {}) of {ty};", depth - 1);
         all.push(Declaration { text, comment: String::new() });
         let zero = self.types.zero(&object.shape);
@@ -282,6 +293,7 @@ impl Printer<'_, '_> {
         }
         let mut rest = vec![];
         self.delay_lines(&mut functions, &mut rest);
+        self.tapped_lines(&mut rest);
         if !rest.is_empty() {
             blocks.push(Block { heading: "Delay lines".to_owned(), lines: rest });
         }
@@ -381,6 +393,24 @@ impl Printer<'_, '_> {
                 "  end if;".to_owned(),
                 format!("end process write_{name};"),
                 format!("{name} <= {name}_words(to_integer({}));", value(read)),
+            ]);
+        }
+    }
+
+    /// Delay lines with a tap.
+    fn tapped_lines(&self, lines: &mut Vec<String>) {
+        for object in &self.view.objects {
+            let [(id, _)] = object.members[..] else { continue };
+            let Driver::Line { data, tap } = &self.view.module.signal(id).driver else { continue };
+            let (name, value) = (&object.name, |id: &SignalId| self.view.value(*id));
+            lines.extend([
+                format!("shift_{name} : process (clk)"),
+                "begin".to_owned(),
+                "  if rising_edge(clk) then".to_owned(),
+                format!("    {name}_line <= {} & {name}_line(1 to {});", value(data), LINE_CLOCKS - 1),
+                "  end if;".to_owned(),
+                format!("end process shift_{name};"),
+                format!("{name} <= {name}_line(to_integer({}) + 1);", value(tap)),
             ]);
         }
     }

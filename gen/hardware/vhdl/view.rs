@@ -95,7 +95,7 @@ impl<'a> View<'a> {
         for port in &view.outputs {
             let alone = |id: &SignalId| {
                 let (r, s) = (&readers[id.0], module.signal(*id));
-                let driven = !matches!(s.driver, Driver::Port) && !in_line.contains(id);
+                let driven = !matches!(s.driver, Driver::Port | Driver::Line { .. }) && !in_line.contains(id);
                 driven && !view.inlined[id.0] && r.operations.is_empty() && r.names == 0 && r.outputs == 1
             };
             // Ports of the top are no numbers.
@@ -559,7 +559,9 @@ fn readers(module: &Module) -> Vec<Readers> {
                 enable.iter().for_each(|e| readers[e.0].names += 1);
                 reset.iter().for_each(|r| readers[r.0.0].names += 1);
             }
-            Driver::Memory { .. } => signal.driver.operands().iter().for_each(|o| readers[o.0].names += 1),
+            Driver::Memory { .. } | Driver::Line { .. } => {
+                signal.driver.operands().iter().for_each(|o| readers[o.0].names += 1)
+            }
             Driver::Port | Driver::Instance { .. } => {}
         }
     }

@@ -1,0 +1,28 @@
+//! A delay line with a tap, as an entity of its own: one look-up table per bit on devices whose tables are shift registers.
+
+use super::module::{Driver, LINE_CLOCKS, Module, Signal, SignalId};
+use crate::graph::Place;
+use crate::op::Type;
+use std::rc::Rc;
+
+/// The line for numbers of a type: `y = x`, `tap + 1` clocks before.
+pub(super) fn tapped_line(ty: Type) -> Rc<Module> {
+    let doc = vec![
+        format!(
+            "What x was tap + 1 clocks before, up to {LINE_CLOCKS}: a shift register for each bit, which is one look-up"
+        ),
+        "table (SRL16). Takes the place of registers for several values and of the multiplexer behind them.".to_owned(),
+    ];
+    let mut module = Module::new(&format!("tapped_line_{}{}", if ty.signed { "" } else { "u" }, ty.bits), doc);
+    let plain = Type { fraction: None, ..ty };
+    let mut push = |name: &str, ty, driver| {
+        let (place, comment) = (Place::new(name), String::new());
+        module.signals.push(Signal { place, named: true, ty, driver, comment, range: None, clock: None });
+        SignalId(module.signals.len() - 1)
+    };
+    let (x, tap) = (push("x", plain, Driver::Port), push("tap", Type::index(LINE_CLOCKS), Driver::Port));
+    let tapped = push("tapped", plain, Driver::Line { data: x, tap });
+    module.inputs = vec![x, tap];
+    module.outputs = vec![(Place::new("y"), tapped)];
+    Rc::new(module)
+}
