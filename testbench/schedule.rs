@@ -2,7 +2,7 @@
 //! design within ten per cent of what a linear solver found (docs/schedule.md).
 
 use efsat::design::{Design, Probes};
-use efsat::netlist::{Control, DelayLine, Driver, Module, Wire};
+use efsat::netlist::{Control, DelayLine, Driver, Instance, Module, Wire};
 use efsat::op::{Add, Comb, Type};
 use efsat::params::{Axes, Params, Projections, Transform};
 use efsat::schedule::GROUP;
@@ -55,7 +55,9 @@ fn modules_have_the_registers_that_the_program_counts() {
     for (width, frequency) in [(18, 100), (12, 60), (25, 100), (32, 150), (18, 200), (20, 250)] {
         for axes_per_clock in [1, 2, 3, 6, 11] {
             for axes in [Axes::Eleven, Axes::Seventeen] {
-                let params = Params { width, frequency, axes_per_clock, axes, ..Params::default() };
+                // A device without delay lines with a tap, which take the place of registers that the program counts.
+                let device = "lfe5u-85-6".to_owned();
+                let params = Params { width, frequency, axes_per_clock, axes, device, ..Params::default() };
                 sets.push(Params { transform_width: params.transform_width.max(width), ..params.clone() });
                 let device = "xc6slx150-3".to_owned();
                 let projections = Projections::Intersect;
@@ -113,6 +115,22 @@ fn a_choice_that_is_too_long_takes_two_clocks() {
             // A clock that one operation alone does not meet is said to be missed.
             assert_eq!(design.missed_clock().is_some(), divided, "{device} at {frequency} MHz");
         }
+    }
+}
+
+#[test]
+fn a_choice_among_values_of_one_stream_is_a_delay_line_where_there_are_such() {
+    for (device, lines) in [("xc2v6000-4", true), ("lfe5u-85-6", false)] {
+        let design = Design::new(&Params { device: device.to_owned(), ..Params::default() }, Probes::None).unwrap();
+        let pipeline = design.top.hierarchy().into_iter().find(|m| m.name == "pair_pipeline").unwrap();
+        let has = |name: &str| {
+            let line = |i: &&Instance| i.module.name.starts_with("tapped_line") && i.place.base.starts_with(name);
+            pipeline.instances.iter().filter(line).count()
+        };
+        // Three components, two bounds; and three sign cases.
+        assert_eq!([has("axis_e"), has("axis_f")], if lines { [9, 9] } else { [0, 0] }, "{device}");
+        let edges = pipeline.signals.iter().filter(|s| s.place.base == "e_a").count();
+        assert_eq!(edges == 0, lines, "{device}: registers of edges that lines keep");
     }
 }
 

@@ -129,7 +129,8 @@ pub struct Names {
 }
 
 impl Names {
-    /// Axes and points in the order of the reference model's trace, of whatever pair.
+    /// Axes, in the order in which they are tested, and their points in the order of the reference model's trace, of whatever
+    /// pair.
     pub fn new(p: &Params, segments: &[Segment]) -> Self {
         let (pose, pairs) = &segments[0];
         let mut axes: Vec<Axis> = vec![];
@@ -142,6 +143,14 @@ impl Names {
             }
             let axis = axes.last_mut().expect("an axis");
             axis.points[usize::from(point.starts_with('w'))].push(point.to_owned());
+        }
+        // Where lanes make the edges one after the other, axes come in the order of the edges of B.
+        if p.renormalise && axes.len() == 11 && matches!(p.interval(), 4 | 5 | 8..) {
+            axes.sort_by_key(|axis| match axis.name.strip_prefix("c_") {
+                Some(edges) => 1 + edges[1..].parse::<usize>().expect("the number of an edge"),
+                None if axis.name == "n_a" => 0,
+                None => 3,
+            });
         }
         Self { axes, per_clock: p.axes_per_clock, skip: p.projections == Projections::Skip }
     }

@@ -242,7 +242,8 @@ impl Simulation {
     fn whole_block(&mut self, cell: usize) {
         match &self.cells[cell].action {
             Action::Input => {}
-            Action::Memory | Action::Line => {
+            Action::Line => self.line(cell),
+            Action::Memory => {
                 for t in 0..self.block {
                     self.present(cell, t);
                     self.advance(cell, t);
@@ -281,6 +282,21 @@ impl Simulation {
                 self.combinational(&op, cell);
             }
         }
+    }
+
+    /// A delay line outside any feedback, for all clocks of the block.
+    fn line(&mut self, cell: usize) {
+        let mut lane = std::mem::replace(&mut self.lanes[cell], Lane::Narrow(vec![]));
+        let [data, tap] = [0, 1].map(|k| &self.lanes[self.cells[cell].args[k]]);
+        let Some(before) = self.memories.get_mut(&cell) else { return };
+        for t in 0..self.block {
+            let clocks = tap.get(t) as usize + 1;
+            lane.set(t, if clocks <= t { data.get(t - clocks) } else { before[clocks - t - 1] });
+        }
+        // What was there before the next block, the newest value first.
+        let kept = |k: usize| if k < self.block { data.get(self.block - 1 - k) } else { before[k - self.block] };
+        *before = (0..LINE_CLOCKS).map(kept).collect();
+        self.lanes[cell] = lane;
     }
 
     fn copy(&mut self, cell: usize) {

@@ -26,3 +26,29 @@ pub(super) fn tapped_line(ty: Type) -> Rc<Module> {
     module.outputs = vec![(Place::new("y"), tapped)];
     Rc::new(module)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::netlist::simulate::Simulation;
+
+    #[test]
+    fn what_comes_out_is_what_was_there_tap_and_one_clocks_before() {
+        let line = tapped_line(Type::signed(18, 0));
+        let (x, tap) = (|t: usize| (t * t % 1009) as i128 - 500, |t: usize| t * 7 % LINE_CLOCKS);
+        for block in [1, 5, LINE_CLOCKS, 50] {
+            let mut simulation = Simulation::new(&line, block);
+            for first in (0..200).step_by(block) {
+                for t in 0..block {
+                    simulation.set(0, t, x(first + t));
+                    simulation.set(1, t, tap(first + t) as i128);
+                }
+                simulation.run();
+                for t in 0..block {
+                    let expected = (first + t).checked_sub(tap(first + t) + 1).map_or(0, x);
+                    assert_eq!(simulation.output(0, t), expected, "blocks of {block}, clock {}", first + t);
+                }
+            }
+        }
+    }
+}

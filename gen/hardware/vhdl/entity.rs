@@ -203,11 +203,11 @@ impl Printer<'_, '_> {
         let depth = match &self.view.module.signal(id).driver {
             Driver::Memory { depth, .. } => depth,
             Driver::Line { .. } => {
-                let text = format!("type {name}_line_t is array (1 to {LINE_CLOCKS}) of {ty};");
+                let text = format!("type {name}_line_t is array (0 to {}) of {ty};", LINE_CLOCKS - 1);
                 all.push(Declaration { text, comment: String::new() });
                 let zero = self.types.zero(&object.shape);
                 let text = format!("signal {name}_line : {name}_line_t := (others => {zero});");
-                all.push(Declaration { text, comment: "clocks ago".to_owned() });
+                all.push(Declaration { text, comment: "element i: i + 1 clocks ago".to_owned() });
                 return;
             }
             _ => return,
@@ -407,10 +407,10 @@ impl Printer<'_, '_> {
                 format!("shift_{name} : process (clk)"),
                 "begin".to_owned(),
                 "  if rising_edge(clk) then".to_owned(),
-                format!("    {name}_line <= {} & {name}_line(1 to {});", value(data), LINE_CLOCKS - 1),
+                format!("    {name}_line <= {} & {name}_line(0 to {});", value(data), LINE_CLOCKS - 2),
                 "  end if;".to_owned(),
                 format!("end process shift_{name};"),
-                format!("{name} <= {name}_line(to_integer({}) + 1);", value(tap)),
+                format!("{name} <= {name}_line(to_integer({}));", value(tap)),
             ]);
         }
     }

@@ -1,7 +1,8 @@
 //! The data path of one pair: which unit works on what in which phase of the slot.
 //!
 //! Transform rows, re-normalisation lanes and axis units are shared over the phases. In phase s, transform unit r computes
-//! row `s * rows + r` (vertex by vertex), a lane re-normalises one point, and axis unit u tests axis `s * units + u`. Where
+//! row `s * rows + r` (vertex by vertex), a lane re-normalises one point, and axis unit u tests axis `s * units + u`, in the
+//! order of the contract or in that in which [edges come](super::axes::Axis::as_edges_come). Where
 //! there is a [guard](super::guard), numbers pass it on their way to the first unit.
 
 use super::axis_stage::{self, Edges, Flags};
