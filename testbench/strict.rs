@@ -146,7 +146,11 @@ impl Tool {
 
 /// Whether the last line is what a selection has for all others, behind a choice for every value.
 fn is_never_reached(lines: &[&str]) -> bool {
-    let Some((_, before)) = lines.split_last().filter(|(last, _)| last.trim() == "'X' when others;") else {
+    let unknown = |last: &str| {
+        let value = last.trim().strip_suffix(" when others;");
+        value.is_some_and(|x| x == "'X'" || x.ends_with("=> 'X')") || x.trim_matches('"').bytes().all(|c| c == b'X'))
+    };
+    let Some((_, before)) = lines.split_last().filter(|(last, _)| unknown(last)) else {
         return false;
     };
     let choices: Vec<&str> = before.iter().rev().take_while(|line| line.ends_with("\",")).copied().collect();
