@@ -62,7 +62,7 @@ fn pairs_and_poses(machine: &Machine, channels: &[Channel]) {
     let unit = UnitPackets::new(&design.unit.params).unwrap();
     let meshes = [hills(6), cuboid(3, 4, 2)];
     let objects = Objects::new(&design.params, &design.unit.params, &[&meshes[0], &meshes[1]]).unwrap();
-    let segments = Stimulus::random(&EngineFormat::packets(&design.unit.params), 200, 1).segments;
+    let segments = Stimulus::random(&EngineFormat::packets(&design.unit.params), 208, 1).segments;
     let m = turn(2);
     let near = Pose { rotation: Matrix3::from_fn(|i, j| m[i][j]), translation: [2.5, 1.0, -1.0].into() };
     let query = objects.query([0, 1], &near, Options::default()).packet().unwrap().to_vec();
@@ -123,6 +123,7 @@ fn clocks_per_query(engine: &EngineParams, expected: f64, others: &[Channel]) {
     assert!(noticed(|reply| reply.answers[0].verdict ^= 3));
     assert!(noticed(|reply| reply.report.tests += 1));
     assert!(noticed(|reply| reply.report.leaf_pairs += 1));
+    assert!(noticed(|reply| reply.report.stack = 513));
 
     let found = Measure::of(machine.design(), &first).clocks_per_query();
     assert!(found <= SLOWER * expected, "{found:.1} clocks per query; expected at most {SLOWER} x {expected}");
