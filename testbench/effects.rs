@@ -355,6 +355,33 @@ fn runs_are_answered_by_the_engine_too() {
     assert_eq!((&low["total"]["in_software"], &low["total"]["touching"]), (&2.into(), &total["touching"]));
     let some = succeeds(dir, "scene run s.toml --engine model --frames 1 --frame 2 --picture q.svg");
     assert_eq!(some.lines().count(), 3, "{some}");
+    // The same query in the built-in simulator and, without the time that its unit takes at full width, in GHDL.
+    let report = object(dir, "cosim --engine --scene s.toml --simulator builtin --json");
+    let count = |key: &str| report[key].as_u64().unwrap();
+    assert_eq!((count("queries"), count("mismatches")), (2, 0));
+    assert!(count("expansions") > 5 && count("leaf_pairs") > 10, "{report}");
+    if crate::tools::ghdl().is_some() {
+        let small =
+            "--width 10 --transform-width 26 --block-lines 16 --triangle-lines 16 --limit 1 --gaps 3 --latency 2-9";
+        let report = object(dir, &format!("cosim --engine --scene s.toml --simulator ghdl --json {small}"));
+        let counts = ["queries", "mismatches"].map(|key| report[key].as_u64());
+        assert_eq!(counts, [Some(1), Some(0)]);
+        assert!(
+            report["clocks"].as_u64() > Some(100) && report["simulator"].as_str().unwrap().contains("ghdl"),
+            "{report}"
+        );
+    }
+    for (options, part) in [
+        ("--simulator nvc", "--simulator nvc: expected verilator, ghdl or builtin with --engine"),
+        ("--simulator builtin --gaps 1", "--gaps with --engine --simulator builtin: expected verilator or ghdl"),
+        ("--simulator builtin --latency 5", "--latency with --engine --simulator builtin: expected verilator or ghdl"),
+        ("--simulator builtin --keep k", "--keep with --engine --simulator builtin: expected verilator or ghdl"),
+        ("--simulator ghdl --memory block-ram --latency 5", "--latency with --memory block-ram: expected --memory axi"),
+    ] {
+        let (status, output, errors) = efsat(dir, &format!("cosim --engine --scene s.toml {options}"), "1");
+        assert_eq!((status, output.as_str()), (Some(2), ""), "{options}");
+        assert!(errors.contains(part), "{options}: {errors}");
+    }
     // What plans a unit, or needs the engine.
     for (options, part) in [
         ("--engine model --cosim none", "cannot be used with '--cosim <WHICH>'"),

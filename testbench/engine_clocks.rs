@@ -1,13 +1,17 @@
 //! The collision engine in Verilator: answers of queries of the default scene against the reference model, with and without
 //! gaps, and the clocks that they take, so that a change that makes the engine slower is noticed.
 
+use efsat::artefact::Stimulus;
 use efsat::artefact::engine::EngineDesign;
+use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::cosim::engine::{Channel, Machine, Measure, Reply, check};
 use efsat::golden::engine::Query;
+use efsat::host::driver::engine::{Objects, Options, StandIn, UnitPackets};
 use efsat::host::engine::{Image, Meetings, Numbers, memory};
 use efsat::params::Params;
-use efsat::params::engine::{EngineParams, Memory};
-use efsat::scene::Scene;
+use efsat::params::engine::{EngineFormat, EngineParams, EngineReport, Memory};
+use efsat::scene::{Pose, Scene};
+use nalgebra::Matrix3;
 
 /// So many queries of the default scene, evenly spread over its 1,282.
 const QUERIES: usize = 22;
@@ -52,8 +56,55 @@ fn replies(machine: &Machine, queries: &[Query], images: &[&Image], channel: &Ch
     replies
 }
 
+/// Packets of pairs and poses in turn with queries, and packets that are none: words as from the reference model.
+fn pairs_and_poses(machine: &Machine, channels: &[Channel]) {
+    let design = machine.design();
+    let unit = UnitPackets::new(&design.unit.params).unwrap();
+    let meshes = [hills(6), cuboid(3, 4, 2)];
+    let objects = Objects::new(&design.params, &design.unit.params, &[&meshes[0], &meshes[1]]).unwrap();
+    let segments = Stimulus::random(&EngineFormat::packets(&design.unit.params), 208, 1).segments;
+    let m = turn(2);
+    let near = Pose { rotation: Matrix3::from_fn(|i, j| m[i][j]), translation: [2.5, 1.0, -1.0].into() };
+    let query = objects.query([0, 1], &near, Options::default()).packet().unwrap().to_vec();
+    let mut packets: Vec<Vec<u64>> = objects.loads().to_vec();
+    for (i, (pose, pairs)) in segments.iter().enumerate() {
+        let pairs = unit.pairs((0..).zip(&pairs[..1 + i % 16])).unwrap();
+        let pose = unit.pose(pose).unwrap();
+        packets.extend([pairs.clone(), query.clone(), pose.clone(), pairs.clone()]);
+        packets.push(match i % 4 {
+            0 => pairs[..pairs.len() - 1].to_vec(),
+            1 => [pose.clone(), vec![0]].concat(),
+            2 => pose[..2].to_vec(),
+            _ => vec![pairs[0] ^ 1 << 8, 0],
+        });
+        packets.extend([query.clone(), query.clone(), pairs]);
+    }
+    let mut stand_in = StandIn::new(&objects).unwrap();
+    let due: Vec<Vec<u64>> = packets.iter().map(|packet| stand_in.packet(packet)).collect();
+    for channel in channels {
+        let found = machine.exchange(objects.memory(), &packets, channel).unwrap();
+        for (i, (due, found)) in due.iter().zip(&found).enumerate() {
+            let mut words = found.words.clone();
+            if packets[i][0] == query[0] {
+                // Pairs in any order; of the report what does not depend on time.
+                let pairs = words.len() - EngineReport::WORDS;
+                words[..pairs].sort_unstable();
+                words.truncate(pairs + 4);
+                words[pairs] &= 0xffff_ffff;
+                let mut due = due[..due.len() - 4].to_vec();
+                let pairs = due.len() - 4;
+                due[..pairs].sort_unstable();
+                assert_eq!(words, due, "packet {i}, {channel:?}");
+            } else {
+                assert_eq!(&words, due, "packet {i}, {channel:?}");
+            }
+        }
+    }
+}
+
 fn clocks_per_query(engine: &EngineParams, expected: f64, others: &[Channel]) {
     let Some(machine) = machine(engine) else { return };
+    pairs_and_poses(&machine, &[&[Channel::default()], others].concat());
     let (meetings, queries) = meetings(machine.design());
     let images: Vec<&Image> = meetings.images.iter().collect();
     let first = replies(&machine, &queries, &images, &Channel::default());
@@ -72,6 +123,7 @@ fn clocks_per_query(engine: &EngineParams, expected: f64, others: &[Channel]) {
     assert!(noticed(|reply| reply.answers[0].verdict ^= 3));
     assert!(noticed(|reply| reply.report.tests += 1));
     assert!(noticed(|reply| reply.report.leaf_pairs += 1));
+    assert!(noticed(|reply| reply.report.stack = 513));
 
     let found = Measure::of(machine.design(), &first).clocks_per_query();
     assert!(found <= SLOWER * expected, "{found:.1} clocks per query; expected at most {SLOWER} x {expected}");

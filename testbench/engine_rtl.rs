@@ -1,18 +1,19 @@
 //! The collision engine in GHDL against its reference model: answers as sets, reports, every end of a query, memory with
 //! latencies and gaps.
 
-use crate::extent::share;
+use crate::extent::{full, share};
 use crate::tools::ghdl;
 use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::artefact::engine::vectors::EngineVectors;
 use efsat::artefact::engine::{EngineDesign, engine_design_files, samples};
 use efsat::artefact::{FileSet, Prefix};
 use efsat::directions::Directions;
+use efsat::golden::Pair;
 use efsat::golden::engine::{Model, Query};
 use efsat::host::engine::{Image, Numbers, memory};
 use efsat::mesh::Mesh;
 use efsat::params::engine::{EngineParams, EngineReport, Memory, Reason};
-use efsat::params::{Method, Params, Upper};
+use efsat::params::{Guard, Method, Params, Upper};
 use nalgebra::Point3;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -177,6 +178,60 @@ fn a_fault_of_memory_ends_the_query_and_the_next_is_right() {
         let report = bench.run_vectors(vectors.text(), &["-glatency_least=2", "-glatency_most=40"]);
         assert!(fine(&report), "kind {kind}: {report}");
     }
+}
+
+/// Packets of pairs and poses are answered word by word as the stream wrapper does, in turn with queries, and mistakes in the text
+/// are noticed.
+#[test]
+fn pairs_and_poses_come_in_turn_with_queries() {
+    let Some(ghdl) = ghdl() else { return };
+    let bench = Bench::new(ghdl, &axi(), &Params { guard: Guard::Always, ..small() });
+    let images = Image::build(&[&cuboid(2, 2, 2)], &bench.design.format).unwrap();
+    let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
+    let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
+    let itself = (&images[0], vectors.side(0));
+    let query = numbers.query([itself; 2], &turn(2), &[1.5, 1.0, 0.5]).unwrap();
+    let segments = vectors.random_pairs(32, 3);
+    let pairs: Vec<Pair> = segments.iter().flat_map(|(_, pairs)| pairs).copied().collect();
+    // As after reset; a pose between; a query's own; after one that tests no triangles.
+    vectors.pairs(&pairs[..2]);
+    vectors.pose(&segments[0].0);
+    vectors.pairs(&pairs[..6]);
+    vectors.query(&query);
+    vectors.pairs(&pairs[6..9]);
+    vectors.pose(&segments[1].0);
+    vectors.query(&Query { leaf_pairs: true, ..query.clone() });
+    vectors.pairs(&pairs[16..19]);
+    vectors.unusual_pairs(&pairs[20], &segments[1].0);
+    vectors.pairs(&pairs[20..23]);
+    let passes = if full() { "-gpasses=2" } else { "-gpasses=1" };
+    let report = bench.run_vectors(vectors.text(), &["-glatency_least=2", "-glatency_most=20", passes]);
+    assert!(fine(&report), "{report}");
+    let changes = [
+        // Pairs do not wait for the query before them; a query does not wait for pairs.
+        ("engine_command.vhd", "waits <= pending or (busy and head_kind(is_pairs));", "waits <= pending;"),
+        ("engine_control.vhd", "job_due <= job_valid and idle when", "job_due <= job_valid when"),
+        // The last pair of a packet is that which arrives, not that which is answered.
+        ("efsat_engine.vhd", "decided_last <= tested_numbers(16) and", "decided_last <= packet_last and"),
+        // The options of a query stay.
+        ("engine_control.vhd", "leaves_only <= options(34) and running_now;", "leaves_only <= options(34);"),
+        ("engine_control.vhd", "separate_too <= options(33) or not running_now;", "separate_too <= options(33);"),
+        // A pose is taken before it is in its place; one that goes on is taken.
+        ("engine_command.vhd", "if place = 30 then", "if place = 29 then"),
+        (
+            "engine_command.vhd",
+            "occupied <= head_last;\n                moving <= head_last;",
+            "occupied <= '1';\n                moving <= '1';",
+        ),
+        // A number that does not fit is taken.
+        ("engine_command.vhd", "record_unfit <= record_unfit or word_unfit;", "record_unfit <= word_unfit;"),
+    ];
+    let unnoticed: Vec<&str> = share(8, changes)
+        .into_iter()
+        .filter(|change| fine(&changed(&bench, *change, vectors.text(), &["-gpasses=1"])))
+        .map(|(_, from, _)| from)
+        .collect();
+    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
 }
 
 /// Blocks damaged bit by bit: the report comes with the model's reason, nothing outside is read, the next query is right.

@@ -44,9 +44,19 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal job_valid : std_logic;
   signal job_taken : std_logic;
   signal job_query : std_logic;
+  signal job_posed : std_logic;
+  signal job_short : std_logic;
   signal job_reason : std_logic_vector(4 downto 0);
   signal job_number : std_logic_vector(23 downto 0);
   signal job_words : std_logic_vector({{ e.job_bits - 1 }} downto 0);
+{%- if e.signs.len() > 0 %}
+  signal job_unfit : std_logic;
+  signal packet_unfit : std_logic;  -- of the pair: a number is no sign extension
+  signal pose_unfit : std_logic;  -- the same of the pose
+{%- endif %}
+  signal packet_valid : std_logic;  -- a pair of a packet, not of a query
+  signal packet_taken : std_logic;
+  signal packet_last : std_logic;
   signal stop : std_logic;
   signal pose_valid : std_logic;
   signal pose_ready : std_logic;
@@ -54,6 +64,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal running : std_logic;
   signal start : std_logic;
   signal ending : std_logic;
+  signal dropping : std_logic;
   signal abort : std_logic;
   signal block_base_a : std_logic_vector(31 downto 0);
   signal block_base_b : std_logic_vector(31 downto 0);
@@ -71,6 +82,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal query_shift : std_logic_vector({{ e.shift_bits - 1 }} downto 0);
   signal query_errors : std_logic_vector(47 downto 0);
   signal query_rows : std_logic_vector({{ e.rows_bits - 1 }} downto 0);
+  signal short : std_logic;
   signal reason : std_logic_vector(4 downto 0);
   signal number : std_logic_vector(23 downto 0);
   signal report_due : std_logic;
@@ -112,16 +124,36 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal triangle_a : std_logic_vector({{ e.triangle_bits - 1 }} downto 0);
   signal triangle_b : std_logic_vector({{ e.triangle_bits - 1 }} downto 0);
   signal numbers : std_logic_vector(55 downto 0);
+  signal unit_v : std_logic_vector(287 downto 0);  -- nine words for each triangle
+  signal unit_w : std_logic_vector(287 downto 0);
+{%- if e.sticky %}
+  signal sticky_v : std_logic_vector(8 downto 0);
+  signal sticky_w : std_logic_vector(8 downto 0);
+{%- endif %}
+  signal unit_tag : std_logic_vector(55 downto 0);
   signal unit_valid : std_logic;
   signal unit_ready : std_logic;
   signal tested_valid : std_logic;
   signal tested_verdict : std_logic_vector(1 downto 0);
+  signal tested_separated : std_logic_vector({{ e.flags - 1 }} downto 0);
+  signal tested_overlapping : std_logic_vector({{ e.flags - 1 }} downto 0);
+{%- if e.guarded %}
+  signal tested_outside : std_logic;
+{%- endif %}
   signal tested_numbers : std_logic_vector(55 downto 0);
+  signal tested_flags : std_logic_vector(39 downto 0);
+{%- if e.signs.len() > 0 %}
+  signal tested_unfit : std_logic;
+{%- endif %}
   signal tested_taken : std_logic;
   signal decided_valid : std_logic;
   signal decided_ready : std_logic;
   signal verdict : std_logic_vector(1 downto 0);
   signal decided_numbers : std_logic_vector(55 downto 0);
+  signal decided_last : std_logic;
+{%- if e.guarded %}
+  signal decided_outside : std_logic;
+{%- endif %}
   signal bypass_valid : std_logic;
   signal pair_answered : std_logic;
 
@@ -187,11 +219,22 @@ begin
       job_valid => job_valid,
       job_taken => job_taken,
       job_query => job_query,
+      job_posed => job_posed,
+      job_short => job_short,
       job_reason => job_reason,
       job_number => job_number,
       job_words => job_words,
-{%- if e.block_ram %}
+{%- if e.signs.len() > 0 %}
+      job_unfit => job_unfit,
+{%- endif %}
       busy => busy,
+      pair_valid => packet_valid,
+      pair_taken => packet_taken,
+      pair_last => packet_last,
+{%- if e.signs.len() > 0 %}
+      pair_unfit => packet_unfit,
+{%- endif %}
+{%- if e.block_ram %}
       block_write => block_write,
       triangle_write => triangle_write,
       write_line => write_line,
@@ -208,9 +251,15 @@ begin
       job_valid => job_valid,
       job_taken => job_taken,
       job_query => job_query,
+      job_posed => job_posed,
+      job_short => job_short,
       job_reason => job_reason,
       job_number => job_number,
       job_words => job_words,
+{%- if e.signs.len() > 0 %}
+      job_unfit => job_unfit,
+      pose_unfit => pose_unfit,
+{%- endif %}
       stop => stop,
       pose_valid => pose_valid,
       pose_ready => pose_ready,
@@ -218,6 +267,7 @@ begin
       running => running,
       start => start,
       ending => ending,
+      dropping => dropping,
       abort => abort,
       block_base_a => block_base_a,
       block_base_b => block_base_b,
@@ -247,6 +297,7 @@ begin
 {%- endif %}
       report_due => report_due,
       report_done => report_done,
+      short => short,
       reason => reason,
       number => number
     );
@@ -324,14 +375,27 @@ begin
       triangles_valid => triangles_valid,
       triangles_ready => triangles_ready,
       triangles_taken => triangles_taken,
+      sent => packet_taken,
       answered => pair_answered,
       idle => pairs_idle
     );
   triangles_asked <= triangle_request and triangle_accepted;
 
+  -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the {{ e.pair_tag_bits }} bits of their tag the
+  -- unit's tag says which is the last of its packet{% if e.signs.len() > 0 %}, and which has a number that does not fit{% endif %}.
+  unit_v <= triangle_a(319 downto 32) when running = '1' else job_words({{ e.pair_at + 351 }} downto {{ e.pair_at + 64 }});
+  unit_w <= triangle_b(319 downto 32) when running = '1' else job_words({{ e.pair_at + 639 }} downto {{ e.pair_at + 352 }});
+{%- if e.sticky %}
+  sticky_v <= triangle_a(31 downto 23) when running = '1' else job_words({{ e.pair_at + 8 }} downto {{ e.pair_at }});
+  sticky_w <= triangle_b(31 downto 23) when running = '1' else job_words({{ e.pair_at + 17 }} downto {{ e.pair_at + 9 }});
+{%- endif %}
+  unit_tag <= numbers when running = '1' else
+    {% if e.signs.len() > 0 %}"{{ e.unit_tag_zeros[1..] }}" & (packet_unfit or pose_unfit){% else %}"{{ e.unit_tag_zeros }}"{% endif %} & packet_last & job_words({{ e.pair_at + 31 + e.pair_tag_bits }} downto {{ e.pair_at + 32 }});
+  packet_taken <= packet_valid and unit_ready;
+
   -- With leaves_only pairs pass by the unit, which is empty then.
   numbers <= {{ e.number_above }}triangle_b({{ e.triangle_number_bits - 1 }} downto 0) & {{ e.number_above }}triangle_a({{ e.triangle_number_bits - 1 }} downto 0);
-  unit_valid <= triangles_valid and not leaves_only and not ending;
+  unit_valid <= (triangles_valid and not leaves_only and not ending) or packet_valid;
   bypass_valid <= triangles_valid and leaves_only and not ending;
   triangles_ready <= decided_ready when leaves_only = '1' else unit_ready;
 
@@ -341,27 +405,41 @@ begin
       reset => restart,
       in_valid => unit_valid,
       in_ready => unit_ready,
-      in_tag => numbers,
+      in_tag => unit_tag,
 {%- for field in e.unit_inputs %}
       {{ field.port }} => {{ field.value }},
 {%- endfor %}
       pose_valid => pose_valid,
       pose_ready => pose_ready,
-      pose_bypass => '0',
+      pose_bypass => job_words({{ e.bypass_at }}),
       out_valid => tested_valid,
       out_ready => tested_taken,
       out_verdict => tested_verdict,
-      out_separated => open,
-      out_overlapping => open,
+      out_separated => tested_separated,
+      out_overlapping => tested_overlapping,
 {%- if e.guarded %}
-      out_outside => open,
+      out_outside => tested_outside,
 {%- endif %}
       out_tag => tested_numbers
     );
   tested_taken <= decided_ready and not leaves_only;
   decided_valid <= bypass_valid when leaves_only = '1' else tested_valid;
+{%- if e.signs.len() > 0 %}
+  tested_unfit <= tested_numbers({{ e.pair_tag_bits + 1 }}) and not running;
+  verdict <= "10" when leaves_only = '1' or tested_unfit = '1' else tested_verdict;
+  tested_flags <= (others => '0') when tested_unfit = '1' else "{{ e.flag_zeros }}" & tested_overlapping & tested_separated;
+  decided_outside <= (tested_outside or tested_unfit) and not running;
+{%- else %}
   verdict <= "10" when leaves_only = '1' else tested_verdict;
-  decided_numbers <= numbers when leaves_only = '1' else tested_numbers;
+  tested_flags <= "{{ e.flag_zeros }}" & tested_overlapping & tested_separated;
+{%- if e.guarded %}
+  decided_outside <= tested_outside and not running;
+{%- endif %}
+{%- endif %}
+  decided_numbers <= numbers when leaves_only = '1' else
+    tested_numbers when running = '1' else
+    tested_flags & tested_numbers({{ e.pair_tag_bits - 1 }} downto 0);
+  decided_last <= tested_numbers({{ e.pair_tag_bits }}) and not running;
 
   -- ===== Answers =====
   answer : entity work.{{ prefix }}engine_answer
@@ -373,13 +451,18 @@ begin
       decided_ready => decided_ready,
       verdict => verdict,
       numbers => decided_numbers,
-      ending => ending,
+      last => decided_last,
+{%- if e.guarded %}
+      outside => decided_outside,
+{%- endif %}
+      dropping => dropping,
       separate_too => separate_too,
       stop_at_contact => stop_at_contact,
       pair_answered => pair_answered,
       contact => contact,
       report_due => report_due,
       report_done => report_done,
+      short => short,
       reason => reason,
       number => number,
       clear => clear,

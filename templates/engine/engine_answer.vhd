@@ -2,8 +2,9 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Answers out. A pair is a word: verdict in bits 1..0, number of A's triangle in 35..8, of B's in 63..36. The report that
--- closes the packet is eight words, the last with TLAST:
+-- Answers out. A pair is a word: verdict in bits 1..0, number of A's triangle in 35..8, of B's in 63..36; or, of a packet of
+-- pairs, tag and flags of the unit in 63..8. The last pair of such a packet ends the answer. A query is closed by a report of
+-- eight words, the last with TLAST; a short report is the first of them alone:
 --   0  11 in bits 1..0, reason 6..2, incomplete 7, number of the query 31..8, clocks 63..32
 --   1  expansions 31..0, tests 63..32
 --   2  survivors, leaf pairs
@@ -27,13 +28,18 @@ entity {{ prefix }}engine_answer is
     decided_ready : out std_logic;
     verdict : in std_logic_vector(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
     numbers : in std_logic_vector(55 downto 0);  -- of A's triangle in the low half, of B's in the high one
-    ending : in std_logic;  -- pairs are dropped
+    last : in std_logic;  -- the pair ends the answer
+{%- if e.guarded %}
+    outside : in std_logic;  -- of a pair of a packet: a number of it, or of the pose, is outside its range
+{%- endif %}
+    dropping : in std_logic;  -- pairs are dropped
     separate_too : in std_logic;  -- pairs that are separate are answered, too
     stop_at_contact : in std_logic;
     pair_answered : out std_logic;  -- one pair more has become a word, or was dropped, a clock ago
     contact : out std_logic;  -- it intersects, and the query is to end with it
     -- The report.
     report_due : in std_logic;  -- until the report is done; then no pair comes
+    short : in std_logic;
     report_done : out std_logic;  -- its last word is on its way
     reason : in std_logic_vector(4 downto 0);
     number : in std_logic_vector(23 downto 0);
@@ -66,9 +72,15 @@ architecture rtl of {{ prefix }}engine_answer is
   signal head_valid : std_logic := '0';
   signal head_verdict : std_logic_vector(1 downto 0) := separate;
   signal head_numbers : std_logic_vector(55 downto 0) := (others => '0');
+  signal head_last : std_logic := '0';
   signal next_valid : std_logic := '0';
   signal next_verdict : std_logic_vector(1 downto 0) := separate;
   signal next_numbers : std_logic_vector(55 downto 0) := (others => '0');
+  signal next_last : std_logic := '0';
+{%- if e.guarded %}
+  signal head_outside : std_logic := '0';
+  signal next_outside : std_logic := '0';
+{%- endif %}
   signal arrives : std_logic;
   signal offered : std_logic := '0';
   signal offered_word : std_logic_vector(63 downto 0) := (others => '0');
@@ -80,6 +92,7 @@ architecture rtl of {{ prefix }}engine_answer is
   signal place : unsigned(2 downto 0) := "000";  -- of the next word of the report
   signal sent : std_logic := '0';
   signal report_word : std_logic_vector(63 downto 0);
+  signal ends : std_logic;  -- it is the last one
   signal incomplete : std_logic;
 
   type counter_values is array (0 to 14) of unsigned(31 downto 0);
@@ -107,9 +120,9 @@ begin
   decided_ready <= not next_valid;
   arrives <= decided_valid and not next_valid;
   free <= m_axis_tready or not offered;
-  speaks <= head_valid and not ending when head_verdict /= separate else head_valid and separate_too and not ending;
+  speaks <= head_valid and not dropping when head_verdict /= separate else head_valid and separate_too and not dropping;
   taken <= head_valid and (free or not speaks);
-  counts <= taken and not ending;
+  counts <= taken and not dropping;
   contact <= counts and stop_at_contact when head_verdict = certain else '0';
 
   hold : process (clk)
@@ -118,14 +131,26 @@ begin
       if taken = '1' or head_valid = '0' then
         head_verdict <= verdict;
         head_numbers <= numbers;
+        head_last <= last;
+{%- if e.guarded %}
+        head_outside <= outside;
+{%- endif %}
         if next_valid = '1' then
           head_verdict <= next_verdict;
           head_numbers <= next_numbers;
+          head_last <= next_last;
+{%- if e.guarded %}
+          head_outside <= next_outside;
+{%- endif %}
         end if;
       end if;
       if next_valid = '0' then
         next_verdict <= verdict;
         next_numbers <= numbers;
+        next_last <= last;
+{%- if e.guarded %}
+        next_outside <= outside;
+{%- endif %}
       end if;
       pair_answered <= taken and not restart;
       if restart = '1' then
@@ -141,7 +166,7 @@ begin
   end process hold;
 
   -- ===== Report =====
-  incomplete <= '0' when reason = "00000" or reason = "00001" else '1';
+  incomplete <= '0' when reason = "00000" or (reason = "00001" and short = '0') else '1';
   report_word <=
     std_logic_vector(counter(clocks_at)) & number & incomplete & reason & "11" when place = 0 else
     std_logic_vector(counter(tests_at)) & std_logic_vector(counter(expansions_at)) when place = 1 else
@@ -151,7 +176,8 @@ begin
     std_logic_vector(triangles_read) & std_logic_vector(counter(triangles_asked_at)(30 downto 0)) & '0' when place = 5 else
     std_logic_vector(counter(starved_at)) & std_logic_vector(counter(words_at)) when place = 6 else
     x"0000" & std_logic_vector(greatest_stack) & std_logic_vector(counter(stalled_at));
-  report_done <= report_due and free and not sent when place = 7 else '0';
+  ends <= '1' when place = 7 or short = '1' else '0';
+  report_done <= report_due and free and ends and not sent;
 
   offer : process (clk)
   begin
@@ -160,11 +186,11 @@ begin
         if report_due = '1' then
           offered_word <= report_word;
         else
-          offered_word <= head_numbers & "000000" & head_verdict;
+          offered_word <= head_numbers & {% if e.guarded %}"000" & head_outside & "00"{% else %}"000000"{% endif %} & head_verdict;
         end if;
-        offered_last <= '0';
-        if report_due = '1' and place = 7 then
-          offered_last <= '1';
+        offered_last <= head_last;
+        if report_due = '1' then
+          offered_last <= ends;
         end if;
       end if;
       if reset = '1' then
@@ -174,13 +200,13 @@ begin
       else
         if free = '1' then
           offered <= (report_due and not sent) or speaks;
-          if report_due = '1' and sent = '0' then
+          if report_due = '1' and sent = '0' and short = '0' then
             place <= place + 1;
           end if;
         end if;
         if report_due = '0' then
           sent <= '0';
-        elsif free = '1' and place = 7 then
+        elsif free = '1' and ends = '1' then
           sent <= '1';
         end if;
       end if;

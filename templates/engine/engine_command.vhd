@@ -3,6 +3,8 @@
 {% endfor -%}
 --
 -- Packets in, words of 64 bits. The header is in the low 32 bits of the first word; its low byte is the kind of the packet:
+--   1  pairs of triangles for the unit alone: {{ e.pair_words }} words for each
+--   2  a pose for the pairs after it: {{ e.pose_words }} words
 --   3  query: {{ e.query_words }} words with the header; above it the first has
 --      {{ e.directions }} in bits 39..32, {{ e.offset_bits }} in 43..40, {{ e.factor_bits }} in 48..44, {{ e.origin_bits }} in 53..49, and zeros
 {%- if e.block_ram %}
@@ -10,8 +12,12 @@
 --      on, eight for each 64 bytes. Bit 31 of the address is 0 for blocks, 1 for triangles
 {%- endif %}
 --   5  stop: the header alone. Ends the query that runs and has no answer of its own
--- Every other packet becomes a job: a query to run, or a report to give. One job waits here while another one runs; then words
+-- Pairs go to the unit from here, while no query runs. Every other packet becomes a job: a query to run, a pose to be handed
+-- over, or a report to give; for kinds 1 and 2 the report is one word. One job waits here while another one runs; then words
 -- stay in the stream, but for a stop.
+--
+-- The words of a query, of a pose and of a pair are shifted through one register. A pose is shifted on behind its last word, to
+-- where a query has it.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -29,11 +35,23 @@ entity {{ prefix }}engine_command is
     job_valid : out std_logic;
     job_taken : in std_logic;
     job_query : out std_logic;  -- a query, else a report
-    job_reason : out std_logic_vector(4 downto 0);  -- of the report: 0 loaded, 6 unknown header, 7 too short, 8 too long
+    job_posed : out std_logic;  -- with a pose: a query, or a pose alone
+    job_short : out std_logic;  -- of a packet of kind 1 or 2, whose report is one word
+    -- Of the report: 0 loaded, 6 unknown header, 7 too short, 8 too long. Of a short one: 0 pose taken, 1, 2, 3.
+    job_reason : out std_logic_vector(4 downto 0);
     job_number : out std_logic_vector(23 downto 0);
     job_words : out std_logic_vector({{ e.job_bits - 1 }} downto 0);  -- of the query without its header, the first in the low bits
+{%- if e.signs.len() > 0 %}
+    job_unfit : out std_logic;  -- a number of the pose is no sign extension
+{%- endif %}
+    busy : in std_logic;  -- a query runs, or something waits for its turn
+    pair_valid : out std_logic;  -- the last {{ e.pair_words }} words are a pair
+    pair_taken : in std_logic;
+    pair_last : out std_logic;  -- the last of its packet
+{%- if e.signs.len() > 0 %}
+    pair_unfit : out std_logic;  -- a number of the pair is no sign extension
+{%- endif %}
 {%- if e.block_ram %}
-    busy : in std_logic;  -- a query runs: its memory is not written
     block_write : out std_logic;
     triangle_write : out std_logic;
     write_line : out std_logic_vector({{ e.load_bits - 1 }} downto 0);
@@ -45,6 +63,8 @@ entity {{ prefix }}engine_command is
 end entity {{ prefix }}engine_command;
 
 architecture rtl of {{ prefix }}engine_command is
+  constant pairs_header : std_logic_vector(31 downto 0) := x"{{ e.pairs_header }}";
+  constant pose_header : std_logic_vector(31 downto 0) := x"{{ e.pose_header }}";
   constant query_header : std_logic_vector(31 downto 0) := x"{{ e.query_header }}";
   constant query_format : std_logic_vector(31 downto 0) := x"{{ e.query_format }}";
 {%- if e.block_ram %}
@@ -61,8 +81,11 @@ architecture rtl of {{ prefix }}engine_command is
   constant is_query : natural := 0;
   constant is_stop : natural := 1;  -- with nothing behind it
   constant is_long_stop : natural := 2;
+  constant is_pairs : natural := 3;
+  constant is_pose : natural := 4;
+  constant is_short : natural := 5;  -- of kind 1 or 2, be it known or not
 {%- if e.block_ram %}
-  constant is_load : natural := 3;
+  constant is_load : natural := 6;
 {%- endif %}
   signal kind : std_logic_vector({{ e.kinds - 1 }} downto 0);
   signal running : std_logic := '0';
@@ -81,22 +104,37 @@ architecture rtl of {{ prefix }}engine_command is
   signal whole : std_logic;
   signal taken : std_logic;
 
-  type expectation_state is (header_state, query_state, {% if e.block_ram %}address_state, load_state, {% endif %}skip_state);
+  type expectation_state is (header_state, query_state, pose_state, pair_state, {% if e.block_ram %}address_state, load_state, {% endif %}skip_state);
   signal expectation : expectation_state := header_state;
-  signal place : unsigned(5 downto 0) := "000000";  -- of the word in its packet
+  signal place : unsigned(5 downto 0) := "000000";  -- of the word in its packet, if that is a query; records of pairs and poses end where a query's pose does
   signal at_options : std_logic := '0';  -- the word with the options of a query
-  signal at_pose : std_logic := '0';  -- the one whose upper half begins the pose
+  signal at_record : std_logic := '0';  -- the first word of a pose or a pair
+  signal at_record_end : std_logic := '0';  -- the last one
   signal at_rows : std_logic := '0';  -- one of the rows
   signal at_end : std_logic := '0';  -- the last word of a query
   signal behind : std_logic := '0';  -- words come after it
+  signal gathers : std_logic := '0';  -- the word belongs to a query, a pose or a pair
+  signal occupied : std_logic := '0';  -- a pair waits for the unit, or a pose moves to its place
+  signal moving : std_logic := '0';  -- a pose does
   signal fault : std_logic_vector(4 downto 0) := fine;
   signal waits : std_logic;
-  signal query_word : std_logic;  -- the word goes into the job
+  signal shifts : std_logic;
   signal unfit : std_logic;  -- the word of a query has a value that there is not
   signal pending : std_logic := '0';
   signal query_pending : std_logic := '0';
+  signal posed_pending : std_logic := '0';
+  signal short : std_logic := '0';  -- the packet is of kind 1 or 2
+  signal last_pair : std_logic := '0';
   signal words : std_logic_vector({{ e.job_bits - 1 }} downto 0) := (others => '0');
   signal number : std_logic_vector(23 downto 0) := (others => '0');
+{%- if e.signs.len() > 0 %}
+
+  -- Numbers that are not the sign extension of what the unit reads of them.
+  constant plus_signs : std_logic_vector({{ e.sign_high }} downto 0) := (others => '0');
+  constant minus_signs : std_logic_vector({{ e.sign_high }} downto 0) := (others => '1');
+  signal word_unfit : std_logic;
+  signal record_unfit : std_logic := '0';
+{%- endif %}
 {%- if e.block_ram %}
   signal load_line : unsigned({{ e.load_bits }} downto 0) := (others => '0');
   signal load_place : unsigned(2 downto 0) := "000";
@@ -112,6 +150,9 @@ begin
   kind(is_query) <= whole when s_axis_tdata = query_format & query_header else '0';
   kind(is_stop) <= whole and s_axis_tlast when s_axis_tdata(31 downto 0) = stop_header else '0';
   kind(is_long_stop) <= whole and not s_axis_tlast when s_axis_tdata(31 downto 0) = stop_header else '0';
+  kind(is_pairs) <= whole when s_axis_tdata(31 downto 0) = pairs_header else '0';
+  kind(is_pose) <= whole when s_axis_tdata(31 downto 0) = pose_header else '0';
+  kind(is_short) <= '1' when s_axis_tdata(7 downto 0) = pairs_header(7 downto 0) or s_axis_tdata(7 downto 0) = pose_header(7 downto 0) else '0';
 {%- if e.block_ram %}
   kind(is_load) <= whole when s_axis_tdata(31 downto 0) = load_header else '0';
 {%- endif %}
@@ -155,19 +196,23 @@ begin
   end process hold;
 
   -- ===== Packets =====
-  -- A packet begins when its job has a place to go.
-{%- if e.block_ram %}
-  waits <= pending or (busy and head_kind(is_load));
-{%- else %}
-  waits <= pending;
-{%- endif %}
-  taken <= head_valid and (head_kind(is_stop) or not waits) when expectation = header_state else head_valid;
-  query_word <= head_valid and not behind when expectation = query_state else '0';
+  -- A packet begins when its job has a place to go, and pairs when everything before them is done.
+  waits <= pending or (busy and {% if e.block_ram %}(head_kind(is_load) or head_kind(is_pairs)){% else %}head_kind(is_pairs){% endif %});
+  taken <= head_valid and not occupied and (head_kind(is_stop) or not waits) when expectation = header_state else
+    head_valid and not occupied;
+  shifts <= (head_valid and gathers) or moving;
   unfit <= '1' when
     (at_options = '1' and head(39 downto 36) /= "0000") or
-    (at_pose = '1' and head(31) = '1') or
+    (at_record = '1' and head(31) = '1') or
     (at_rows = '1' and ({% for slot in e.checked_slots %}unsigned(head({{ slot.high }} downto {{ slot.low }})) >= {{ slot.count }} or {% endfor %}head(63 downto {{ e.row_bits }}) /= "{{ e.row_zeros }}"))
     else '0';
+{%- if e.signs.len() > 0 %}
+  word_unfit <= '1' when
+{%- for sign in e.signs %}
+    (head({{ sign.high }} downto {{ sign.low }}) /= plus_signs and head({{ sign.high }} downto {{ sign.low }}) /= minus_signs){% if !loop.last %} or{% endif %}
+{%- endfor %}
+    else '0';
+{%- endif %}
 {%- if e.block_ram %}
   beyond <= '1' when (load_triangles = '0' and load_line >= {{ e.blocks }}) or (load_triangles = '1' and load_line >= {{ e.triangles }}) else '0';
   address_unfit <= '1' when head(63 downto 32) /= x"00000000" or head(5 downto 0) /= "000000" else '0';
@@ -175,9 +220,10 @@ begin
 
   receive : process (clk)
     variable found : std_logic_vector(4 downto 0);
+    variable answer_short : std_logic;
   begin
     if rising_edge(clk) then
-      if query_word = '1' then
+      if shifts = '1' then
         words <= head & words({{ e.job_bits - 1 }} downto 64);
       end if;
       stop <= '0';
@@ -192,24 +238,31 @@ begin
         expectation <= header_state;
         pending <= '0';
         query_pending <= '0';
+        posed_pending <= '0';
         fault <= fine;
+        gathers <= '0';
+        occupied <= '0';
+        moving <= '0';
       else
         if job_taken = '1' then
           pending <= '0';
         end if;
-        if query_word = '1' and at_options = '1' then
+        if at_options = '1' and gathers = '1' then
           number <= head(63 downto 40);
         end if;
-        if taken = '1' then
-          found := fault;
+        if taken = '1' or moving = '1' then
           place <= place + 1;
           at_options <= '0';
           if place = {{ e.options_word - 1 }} then
             at_options <= '1';
           end if;
-          at_pose <= '0';
-          if place = {{ e.pose_word - 1 }} then
-            at_pose <= '1';
+          at_record <= '0';
+          if place = {{ e.pose_word - 1 }} and expectation = query_state then
+            at_record <= '1';
+          end if;
+          at_record_end <= '0';
+          if place = {{ e.first_row - 2 }} then
+            at_record_end <= '1';
           end if;
           if place = {{ e.first_row - 1 }} then
             at_rows <= '1';
@@ -220,16 +273,62 @@ begin
           end if;
           if at_end = '1' then
             behind <= '1';
+            gathers <= '0';
           end if;
+        end if;
+        if moving = '1' and at_end = '1' then
+          moving <= '0';
+          occupied <= '0';
+          pending <= '1';
+          job_reason <= fine;
+          query_pending <= '0';
+          posed_pending <= '1';
+        end if;
+        if pair_taken = '1' then
+          occupied <= '0';
+          if expectation = pair_state then
+            gathers <= '1';
+          end if;
+        end if;
+        if taken = '1' then
+          found := fault;
+          answer_short := short;
+{%- if e.signs.len() > 0 %}
+          if gathers = '1' and at_record = '1' then
+            record_unfit <= '0';
+          elsif gathers = '1' and at_rows = '0' then
+            record_unfit <= record_unfit or word_unfit;
+          end if;
+{%- endif %}
           if expectation = header_state then
             place <= "000001";
             at_options <= '0';
-            at_pose <= '0';
+            at_record <= '0';
+            at_record_end <= '0';
             at_rows <= '0';
             at_end <= '0';
             behind <= '0';
+            answer_short := head_kind(is_short);
+            if head_kind(is_stop) = '0' then
+              short <= head_kind(is_short);
+            end if;
+            gathers <= head_kind(is_query) or head_kind(is_pose) or head_kind(is_pairs);
             if head_kind(is_query) = '1' then
               expectation <= query_state;
+              if head_last = '1' then
+                found := too_short;
+              end if;
+            elsif head_kind(is_pose) = '1' then
+              expectation <= pose_state;
+              place <= to_unsigned({{ e.pose_word }}, 6);
+              at_record <= '1';
+              if head_last = '1' then
+                found := too_short;
+              end if;
+            elsif head_kind(is_pairs) = '1' then
+              expectation <= pair_state;
+              place <= to_unsigned({{ e.first_row - e.pair_words }}, 6);
+              at_record <= '1';
               if head_last = '1' then
                 found := too_short;
               end if;
@@ -262,6 +361,31 @@ begin
                 found := too_short;
               end if;
             end if;
+          elsif expectation = pose_state then
+            if fault = fine then
+              if at_rows = '1' then
+                found := too_long;
+              elsif head_whole = '0' or (head_last = '1' and at_record_end = '0') then
+                found := too_short;
+              elsif at_record_end = '1' then
+                gathers <= '0';
+                occupied <= head_last;
+                moving <= head_last;
+              end if;
+            end if;
+          elsif expectation = pair_state then
+            if head_whole = '0' or (head_last = '1' and at_record_end = '0') then
+              found := too_short;
+              gathers <= '0';
+              expectation <= skip_state;
+            elsif at_record_end = '1' then
+              gathers <= '0';
+              occupied <= '1';
+              last_pair <= head_last;
+              place <= to_unsigned({{ e.first_row - e.pair_words }}, 6);
+              at_record <= '1';
+              at_rows <= '0';
+            end if;
 {%- if e.block_ram %}
           elsif expectation = address_state then
             expectation <= load_state;
@@ -286,6 +410,9 @@ begin
               else
                 block_write <= not load_triangles;
                 triangle_write <= load_triangles;
+                if head_last = '1' and load_place /= 7 then
+                  found := too_short;
+                end if;
               end if;
             end if;
 {%- endif %}
@@ -294,12 +421,18 @@ begin
           if head_last = '1' then
             expectation <= header_state;
             fault <= fine;
-            if head_kind(is_stop) = '0' or expectation /= header_state then
+            gathers <= '0';
+            -- A stop has no answer, pairs are no job, and a pose becomes one when it is in its place.
+            if found /= fine or expectation = query_state{% if e.block_ram %} or expectation = load_state{% endif %} then
               pending <= '1';
-              job_reason <= found;
               query_pending <= '0';
-              if expectation = query_state and found = fine then
+              posed_pending <= '0';
+              job_reason <= found;
+              if found = fine and expectation = query_state then
                 query_pending <= '1';
+                posed_pending <= '1';
+              elsif answer_short = '1' then
+                job_reason <= "000" & std_logic_vector(unsigned(found(1 downto 0)) - 1);
               end if;
             end if;
           end if;
@@ -310,5 +443,13 @@ begin
   job_valid <= pending;
   job_words <= words;
   job_query <= query_pending;
+  job_posed <= posed_pending;
+  job_short <= short;
+{%- if e.signs.len() > 0 %}
+  job_unfit <= record_unfit;
+  pair_unfit <= record_unfit;
+{%- endif %}
+  pair_valid <= occupied and not moving;
+  pair_last <= last_pair;
   job_number <= number when query_pending = '1' else (others => '0');
 end architecture rtl;

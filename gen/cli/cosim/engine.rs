@@ -8,7 +8,7 @@ use crate::cli::params::{EngineArguments, without_engine};
 use crate::cli::progress;
 use crate::cli::source::{HEADLIGHT, load_scene};
 use crate::cosim::Simulator;
-use crate::cosim::engine::{Channel, Machine, Measure, Reply, check};
+use crate::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
 use crate::design::top::DesignError;
 use crate::golden::engine::Query;
 use crate::host::engine::{Image, Layout, Meetings, Numbers, memory};
@@ -26,8 +26,9 @@ const LATENCY: RangeInclusive<u32> = 1..=1000;
 #[derive(Debug, clap::Args)]
 #[command(next_help_heading = "Options of --engine")]
 pub(super) struct EngineRun {
-    /// Simulate the collision engine in Verilator, clock by clock: a query for each two objects of --scene whose boxes overlap
-    /// in a frame; --limit takes a sample of the queries
+    /// Simulate the collision engine, clock by clock: a query for each two objects of --scene whose boxes overlap in a frame.
+    /// --simulator verilator and ghdl run all of it, builtin its two units alone with what the queries give them; --limit takes a
+    /// sample of the queries [default: all, with ghdl 8]
     #[arg(long, conflicts_with_all = ["pairs", "random", "seed", "netlist", "wave", "probe"])]
     pub engine: bool,
     /// Clocks from an address to its first word of memory, N or LEAST-MOST [default: 32]
@@ -80,6 +81,9 @@ fn latency(text: &str) -> Result<Latency, String> {
     Ok(Latency(least..=most))
 }
 
+/// Queries where no limit is given, in GHDL.
+const GHDL_LIMIT: u64 = 8;
+
 /// Numbers of queries that a report tells apart.
 const NUMBERS: u32 = 1 << 24;
 
@@ -130,8 +134,9 @@ fn queries(meetings: &Meetings, scene: &Scene, arguments: &Arguments) -> Asked {
     let made: Vec<(Option<f64>, Option<Query>)> = made.collect();
     bar.finish_and_clear();
     let total = made.len() as u64;
+    let usual = if arguments.simulator == Some(Simulator::Ghdl) { GHDL_LIMIT } else { total };
     let mut asked = Asked { queries: vec![], distances: vec![], refused: 0 };
-    for index in spread(total, arguments.limit.unwrap_or(total)) {
+    for index in spread(total, arguments.limit.unwrap_or(usual)) {
         let (distance, query) = &made[index as usize];
         let Some(query) = query else {
             asked.refused += 1;
@@ -167,11 +172,45 @@ fn refuse(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Usage("--latency with --memory block-ram: expected --memory axi".to_owned()));
     }
     match arguments.simulator {
-        None | Some(Simulator::Verilator(_)) => Ok(()),
+        None | Some(Simulator::Verilator(_) | Simulator::Ghdl) => Ok(()),
+        Some(Simulator::Builtin) => {
+            let own = [
+                ("latency", options.latency.is_some()),
+                ("gaps", options.gaps.is_some()),
+                ("keep", arguments.keep.is_some()),
+            ];
+            match own.into_iter().find(|(_, given)| *given) {
+                Some((option, _)) => {
+                    let why = "expected verilator or ghdl; builtin simulates the two units alone";
+                    Err(Failure::Usage(format!("--{option} with --engine --simulator builtin: {why}")))
+                }
+                None => Ok(()),
+            }
+        }
         Some(other) => {
-            let why = "expected verilator with --engine";
+            let why = "expected verilator, ghdl or builtin with --engine";
             Err(Failure::Usage(format!("--simulator {}: {why}", other.name())))
         }
+    }
+}
+
+/// The two units in the built-in simulator.
+fn data_path(design: &EngineDesign, images: &[&Image], asked: &Asked, json: bool) -> Result<(), Failure> {
+    let bar = progress::bar("simulating the units", asked.queries.len() as u64, "queries", false);
+    let found = data_path::run(design, images, &asked.queries, || bar.inc(1));
+    bar.finish_and_clear();
+    if json {
+        print_json(&found)?;
+    } else {
+        print(&format!(
+            "{} queries, {} more for software: {} expansions in the volume unit, {} pairs in the triangle unit\n",
+            found.queries, asked.refused, found.expansions, found.leaf_pairs
+        ))?;
+    }
+    match found.first_mismatch {
+        None if json => Ok(()),
+        None => print("All answers of both units agree with the reference model.\n"),
+        Some(first) => Err(Failure::Check(format!("answers that differ: {}, the first: {first}", found.mismatches))),
     }
 }
 
@@ -192,8 +231,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if queries.is_empty() {
         return Err(Failure::Usage(format!("{name}: expected two objects whose boxes overlap in a frame")));
     }
+    if arguments.simulator == Some(Simulator::Builtin) {
+        return data_path(&design, &images, &asked, arguments.json);
+    }
     let spinner = progress::spinner("compiling the engine");
-    let machine = Machine::build(design, arguments.keep.as_deref())?;
+    let machine = match arguments.simulator {
+        Some(Simulator::Ghdl) => Machine::in_ghdl(design, arguments.keep.as_deref())?,
+        _ => Machine::build(design, arguments.keep.as_deref())?,
+    };
     spinner.finish_and_clear();
     let usual = Channel::default();
     let channel = Channel {

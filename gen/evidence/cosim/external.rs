@@ -160,7 +160,7 @@ fn absolute(path: &Path) -> Result<PathBuf, CosimError> {
     }
 }
 
-fn version(command: &str) -> String {
+pub(super) fn version(command: &str) -> String {
     let output = Command::new(command).arg("--version").output().map(|o| o.stdout).unwrap_or_default();
     let line = String::from_utf8_lossy(&output).lines().next().unwrap_or_default().to_owned();
     let words: Vec<&str> = line.split_whitespace().take(2).collect();

@@ -49,16 +49,18 @@ fn plain(x: &Input) -> (i64, bool) {
 }
 
 /// Makes vectors packet by packet.
-struct Maker<'a> {
+pub(super) struct Maker<'a> {
     golden: Golden,
     format: &'a StreamFormat,
-    pose: Pose,
+    /// The pose that holds.
+    pub(super) pose: Pose,
     tag: u64,
-    vectors: StreamVectors,
+    /// What has been made.
+    pub(super) vectors: StreamVectors,
 }
 
 impl<'a> Maker<'a> {
-    fn new(p: &Params, format: &'a StreamFormat) -> Self {
+    pub(super) fn new(p: &Params, format: &'a StreamFormat) -> Self {
         let vectors = StreamVectors::default();
         Self { golden: Golden::new(p), format, pose: Pose::identity(p), tag: 0, vectors }
     }
@@ -103,7 +105,8 @@ impl<'a> Maker<'a> {
         self.format.pair_record(tag, pair.a.iter().chain(&pair.b).flatten().map(plain))
     }
 
-    fn pairs(&mut self, pairs: &[Pair]) {
+    /// A packet of pairs.
+    pub(super) fn pairs(&mut self, pairs: &[Pair]) {
         let mut words = self.header(Kind::Pairs);
         for (i, pair) in pairs.iter().enumerate() {
             words.extend(self.pair(pair, i + 1 == pairs.len()));
@@ -117,7 +120,8 @@ impl<'a> Maker<'a> {
         words
     }
 
-    fn pose(&mut self, pose: &Pose) {
+    /// A packet with a pose, if there are such.
+    pub(super) fn pose(&mut self, pose: &Pose) {
         if self.format.has_pose() {
             let words = self.pose_words(pose);
             self.send(words);
@@ -128,7 +132,7 @@ impl<'a> Maker<'a> {
 
     /// Packets for a guard: words outside the declared ranges, and numbers that are no sign extension of what the unit
     /// reads of them, of pairs and of poses, with what is inside in between.
-    fn outside(&mut self, p: &Params) {
+    pub(super) fn outside(&mut self, p: &Params) {
         for (pose, pairs) in Stimulus::outside(p).segments.iter().step_by(EVERY) {
             self.pose(pose);
             self.pairs(pairs);
@@ -160,10 +164,8 @@ impl<'a> Maker<'a> {
         }
     }
 
-    /// Packets that are none, with what is to be said of each.
-    fn malformed(&mut self, pair: &Pair, pose: &Pose) {
-        self.send(vec![StreamWord::default()]);
-        self.report(Report::UnknownHeader);
+    /// Packets of pairs or a pose that are none, with what is to be said of each.
+    pub(super) fn malformed(&mut self, pair: &Pair, pose: &Pose) {
         // A header of another design, with a pair after it.
         let record = self.format.pair_record(0, pair.a.iter().chain(&pair.b).flatten().map(plain));
         let other = u128::from(self.format.header(Kind::Pairs) ^ 1 << 8).into();
@@ -227,6 +229,8 @@ pub fn mixed(p: &Params, format: &StreamFormat, first: usize) -> StreamVectors {
     }
     maker.outside(p);
     let other = pairs(1, 9)[0].0;
+    maker.send(vec![StreamWord::default()]);
+    maker.report(Report::UnknownHeader);
     maker.malformed(&first[0], &other);
     // The old pose still holds: pairs that the malformed one would answer differently, where there are such.
     let answer = |pose: &Pose, pair: &Pair| maker.golden.outcome(pose, pair);

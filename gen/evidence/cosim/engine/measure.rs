@@ -94,7 +94,7 @@ pub fn check(
 ) -> Vec<String> {
     let model = Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
     let (words, _) = memory(images);
-    let format = model.format();
+    let (format, stack) = (model.format(), design.params.stack);
     let compared = queries.par_iter().zip(replies).enumerate().map(|(number, (query, reply))| {
         let run = |query: &Query| model.run(&words, &query.words(format));
         let due = run(query);
@@ -106,6 +106,8 @@ pub fn check(
                 early_end(&due, &all.answers, reply)
             }
         };
+        let full = u32::from(reply.report.stack) > stack;
+        let difference = difference.or(full.then(|| format!("{} entries on the stack", reply.report.stack)));
         done();
         difference.map(|difference| format!("query {number}: {difference}"))
     });

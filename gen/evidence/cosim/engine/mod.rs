@@ -1,12 +1,15 @@
-//! The collision engine in Verilator: the printed VHDL as a netlist, compiled, beside a model of memory. Fast enough for whole
-//! scenes.
+//! The collision engine simulated: in Verilator, the printed VHDL as a netlist, compiled, beside a model of memory, which is fast
+//! enough for whole scenes; in GHDL, the printed VHDL under its testbench, for samples; and its two units alone in the built-in
+//! simulator, with what queries give them.
 
+pub mod data_path;
+mod ghdl;
 mod measure;
 
 pub use measure::{Measure, check};
 
-use super::external::{call, file_error};
-use super::{CosimError, verilator};
+use super::external::{self, call, file_error};
+use super::{CosimError, Simulator, verilator};
 use crate::synth::verilog;
 use askama::Template;
 use efsat_unit::artefact::engine::{EngineDesign, NAME, TESTBENCH, engine_files};
@@ -107,40 +110,74 @@ impl Bench {
     }
 }
 
+/// What runs an engine.
+enum Runner {
+    /// The program that Verilator has made.
+    Verilator(PathBuf),
+    /// The command of GHDL, which has elaborated the testbench.
+    Ghdl(&'static str),
+}
+
+/// The folder of an engine: a temporary one, if none is to be kept.
+fn folder(keep: Option<&Path>) -> Result<(PathBuf, Option<Scratch>), CosimError> {
+    let scratch = match keep {
+        Some(dir) => std::fs::create_dir_all(dir).map(|()| None).map_err(file_error(dir))?,
+        None => Some(Scratch::new().map_err(file_error(&std::env::temp_dir()))?),
+    };
+    let dir = keep.or(scratch.as_ref().map(Scratch::path)).unwrap_or(Path::new("."));
+    Ok((dir.canonicalize().map_err(file_error(dir))?, scratch))
+}
+
 /// An engine that is compiled and can run.
 pub struct Machine {
     /// The simulator that runs it, in words.
     pub simulator: String,
     design: EngineDesign,
-    program: PathBuf,
+    runner: Runner,
     dir: PathBuf,
     /// Deletes the folder at the end, if it is nobody's.
     _scratch: Option<Scratch>,
 }
 
 impl Machine {
-    /// Compiles an engine, in a folder that is kept if one is given. This takes a minute or more.
+    /// Compiles an engine with Verilator, in a folder that is kept if one is given. This takes a minute or more.
     ///
     /// # Errors
     /// What is missing, or what a tool said.
     pub fn build(design: EngineDesign, keep: Option<&Path>) -> Result<Self, CosimError> {
-        let verilator = verilator::find()?;
-        let scratch = match keep {
-            Some(dir) => std::fs::create_dir_all(dir).map(|()| None).map_err(file_error(dir))?,
-            None => Some(Scratch::new().map_err(file_error(&std::env::temp_dir()))?),
-        };
-        let dir = keep.or(scratch.as_ref().map(Scratch::path)).unwrap_or(Path::new("."));
-        let dir = dir.canonicalize().map_err(file_error(dir))?;
         let files = engine_files(&design, &Prefix::default(), &design.command_line())?;
+        Self::of(design, &files, keep)
+    }
+
+    /// As [`Machine::build`], of VHDL that the engine was printed as, and that may have been changed since.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn of(design: EngineDesign, files: &[(String, String)], keep: Option<&Path>) -> Result<Self, CosimError> {
+        let verilator = verilator::find()?;
+        let (dir, scratch) = folder(keep)?;
         let write = |name: &str, text: &str| {
             let path = dir.join(name);
             std::fs::write(&path, text).map_err(file_error(&path))
         };
-        write(NETLIST, &verilog::from_vhdl(&files, NAME, &dir)?)?;
+        write(NETLIST, &verilog::from_vhdl(files, NAME, &dir)?)?;
         let bench = format!("{TESTBENCH}.cpp");
         write(&bench, &Bench::of(&design).render().expect("the template renders"))?;
         let program = verilator::compile(&verilator, &dir, NAME, NETLIST, &bench, "-MAKEFLAGS OPT_FAST=-O2")?;
-        Ok(Self { simulator: verilator.version, design, program, dir, _scratch: scratch })
+        let runner = Runner::Verilator(program);
+        Ok(Self { simulator: verilator.version, design, runner, dir, _scratch: scratch })
+    }
+
+    /// Analyses an engine and its testbench with GHDL, in a folder that is kept if one is given.
+    ///
+    /// # Errors
+    /// What is missing, or what GHDL said.
+    pub fn in_ghdl(design: EngineDesign, keep: Option<&Path>) -> Result<Self, CosimError> {
+        let command = external::command(Simulator::Ghdl, false)?;
+        let (dir, scratch) = folder(keep)?;
+        ghdl::build(&design, command, &dir)?;
+        let simulator = external::version(command);
+        Ok(Self { simulator, design, runner: Runner::Ghdl(command), dir, _scratch: scratch })
     }
 
     /// The engine.
@@ -154,6 +191,13 @@ impl Machine {
     /// # Errors
     /// A breach of the protocols of the stream or of AXI, a read outside the trees of the queries, or no answer.
     pub fn exchange(&self, memory: &[u64], packets: &[Vec<u64>], channel: &Channel) -> Result<Vec<Packet>, CosimError> {
+        let program = match &self.runner {
+            Runner::Verilator(program) => program,
+            Runner::Ghdl(command) => {
+                let answers = ghdl::exchange(&self.design, command, &self.dir, memory, packets, channel)?;
+                return self.counted(answers, packets);
+            }
+        };
         let io = Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
         let [memory_file, packet_file, answer_file] =
             ["memory.bin", "packets.bin", "answers.bin"].map(|name| io.path().join(name));
@@ -171,7 +215,7 @@ impl Machine {
         }
         arguments.extend([u8::from(channel.gaps).to_string(), channel.seed.to_string()]);
         let failed = |message: &str| CosimError::Failed { tool: TESTBENCH.to_owned(), message: message.to_owned() };
-        let said = call(&self.dir, &self.program.to_string_lossy(), &arguments, false)?;
+        let said = call(&self.dir, &program.to_string_lossy(), &arguments, false)?;
         if !said.trim_end().ends_with(" clocks") {
             return Err(failed(said.trim().trim_start_matches("error: ")));
         }
@@ -181,10 +225,16 @@ impl Machine {
         while let (Some(clock), Some(length)) = (words.next(), words.next()) {
             answers.push(Packet { clock, words: words.by_ref().take(length as usize).collect() });
         }
+        self.counted(answers, packets)
+    }
+
+    /// Answers, if there is one for every packet but stops.
+    fn counted(&self, answers: Vec<Packet>, packets: &[Vec<u64>]) -> Result<Vec<Packet>, CosimError> {
+        let failed = |message: String| CosimError::Failed { tool: TESTBENCH.to_owned(), message };
         let stops = packets.iter().filter(|packet| **packet == [self.design.format.header(Command::Stop)]).count();
         match answers.len() + stops == packets.len() {
             true => Ok(answers),
-            false => Err(failed(&format!("{} answers to {} packets", answers.len(), packets.len()))),
+            false => Err(failed(format!("{} answers to {} packets", answers.len(), packets.len()))),
         }
     }
 

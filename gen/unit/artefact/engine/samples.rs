@@ -2,6 +2,7 @@
 
 use super::EngineDesign;
 use super::vectors::EngineVectors;
+use crate::golden::Pair;
 use crate::golden::engine::Query;
 use crate::host::engine::{Header, Image, Numbers};
 use crate::params::ParamError;
@@ -75,7 +76,16 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
             .expect("a pose inside the ranges")
     };
     let crossing = Query { number: 1, ..make(0, 1, 2, [2.5, 1.0, -1.0]) };
+    // Pairs and poses between the queries: as after reset, under a pose of their own, under that of a query.
+    let segments = vectors.random_pairs(48, 7);
+    let pairs: Vec<Pair> = segments.iter().flat_map(|(_, pairs)| pairs).copied().collect();
+    vectors.pairs(&pairs[..3]);
+    vectors.pose(&segments[0].0);
+    vectors.pairs(&pairs[..12]);
+    vectors.pairs(&pairs[12..13]);
     vectors.query(&crossing);
+    vectors.pairs(&pairs[16..20]);
+    vectors.pose(&segments[1].0);
     vectors.query(&Query { number: 2, ..make(1, 0, 0, [-1.0, 2.0, 0.5]) });
     vectors.query(&Query { number: 3, ..make(0, 0, 1, [0.5, 0.0, 3.0]) });
     // Apart; the same object twice; answers for separate pairs, and without the unit.
@@ -83,9 +93,15 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
     vectors.query(&Query { number: 5, empty_caches: true, ..make(1, 1, 2, [0.0, 0.0, 0.0]) });
     vectors.query(&Query { number: 6, all_pairs: true, ..crossing.clone() });
     vectors.query(&Query { number: 7, leaf_pairs: true, ..crossing.clone() });
+    vectors.pairs(&pairs[20..23]);
+    vectors.pose(&segments[1].0);
+    vectors.pairs(&pairs[23..26]);
     // Ends of every kind.
     vectors.query(&Query { number: 8, first_contact: true, ..crossing.clone() });
+    vectors.pairs(&pairs[..2]);
     vectors.query(&Query { number: 9, limit: 5, ..crossing.clone() });
+    vectors.unusual_pairs(&pairs[0], &segments[2].0);
+    vectors.pairs(&pairs[2..5]);
     vectors.query(&Query { number: 0xab_cdef, ..crossing.clone() });
     let words = crossing.words(&design.format);
     let whole = |words: &[u64]| words.iter().map(|&word| (word, true)).collect::<Vec<_>>();

@@ -7,7 +7,7 @@ use crate::design::top::{pair_ports, pose_ports};
 use crate::params::Params;
 use crate::params::Upper;
 use crate::params::engine::{BlockLayout, Command, EngineFormat, LINK_NUMBER_BITS, Memory, QueryFlags};
-use crate::params::stream::StreamFormat;
+use crate::params::stream::{BYPASS_AT, Kind, StreamFormat};
 
 /// Bits of an address of 64 bytes on AXI.
 const LINE_ADDRESS_BITS: u32 = 26;
@@ -127,6 +127,23 @@ pub(super) struct Values {
     pub number_above: String,
     pub unit_inputs: Vec<Connection>,
     pub guarded: bool,
+    pub sticky: bool,
+    /// Flags of each kind that the unit gives.
+    pub flags: u32,
+    // Pairs of packets
+    pub pairs_header: String,
+    pub pose_header: String,
+    pub pair_words: u32,
+    pub pose_words: u32,
+    /// Place of the last pair in the words of a job.
+    pub pair_at: u32,
+    pub pair_tag_bits: u32,
+    pub unit_tag_zeros: String,
+    pub flag_zeros: String,
+    pub bypass_at: u32,
+    /// Bits of a word that are to be the sign of a number, if the unit has a guard and does not read them.
+    pub signs: Vec<Bits>,
+    pub sign_high: u32,
     // Query
     pub directions: u32,
     pub query_words: u32,
@@ -280,18 +297,17 @@ fn block_bits(format: &EngineFormat) -> u32 {
 }
 
 /// The inputs of the unit: the numbers of both triangles, and those of the pose in the words of the job.
-fn unit_inputs(p: &Params, format: &EngineFormat, pose: &StreamFormat) -> Vec<Connection> {
-    let triangle = format.triangle();
+fn unit_inputs(p: &Params, pose: &StreamFormat) -> Vec<Connection> {
     let mut inputs = vec![];
     let mut add = |port: String, word: &str, low: u32, bits: Option<u32>| {
         let place = bits.map_or(low.to_string(), |bits| format!("{} downto {low}", low + bits - 1));
         inputs.push(Connection { port, value: format!("{word}({place})") });
     };
     for (i, port) in (0..).zip(pair_ports()) {
-        let word = if i < 9 { "triangle_a" } else { "triangle_b" };
-        add(port.clone(), word, triangle.lane * (i % 9 + 1), Some(p.transform_width));
-        if let Some(at) = triangle.sticky_at {
-            add(format!("{port}_sticky"), word, at + i % 9, None);
+        let [word, sticky] = if i < 9 { ["unit_v", "sticky_v"] } else { ["unit_w", "sticky_w"] };
+        add(port.clone(), word, pose.lane() * (i % 9), Some(p.transform_width));
+        if p.upper == Upper::Sticky {
+            add(format!("{port}_sticky"), sticky, i % 9, None);
         }
     }
     for (i, port) in (0..).zip(pose_ports(p)) {
@@ -302,6 +318,13 @@ fn unit_inputs(p: &Params, format: &EngineFormat, pose: &StreamFormat) -> Vec<Co
         }
     }
     inputs
+}
+
+/// The bits above the numbers of a word, in units whose guard has them checked.
+fn signs(stream: &StreamFormat) -> Vec<Bits> {
+    let (lane, spare) = (stream.lane(), stream.spare_bits());
+    let ends = (1..=WORD / lane).map(|i| lane * i - 1);
+    if spare > 0 { ends.map(|high| Bits { high, low: high - spare }).collect() } else { vec![] }
 }
 
 fn caches() -> Vec<Cache> {
@@ -410,11 +433,24 @@ impl Values {
                 0 => String::new(),
                 bits => format!("\"{}\" & ", zeros(bits)),
             },
-            unit_inputs: unit_inputs(unit, format, stream),
+            unit_inputs: unit_inputs(unit, stream),
             guarded: unit.guarded(),
+            sticky: unit.upper == Upper::Sticky,
+            flags: stream.flags,
+            pairs_header: format!("{:08x}", stream.header(Kind::Pairs)),
+            pose_header: format!("{:08x}", stream.header(Kind::Pose)),
+            pair_words: stream.record_words(Kind::Pairs),
+            pose_words: format.pose_words,
+            pair_at: word_at(format.query_words() - stream.record_words(Kind::Pairs)),
+            pair_tag_bits: stream.tag_width,
+            unit_tag_zeros: zeros(design.unit.params.tag_width - stream.tag_width - 1),
+            flag_zeros: zeros(WORD - stream.answer_bits()),
+            bypass_at: word_at(EngineFormat::POSE_AT) + BYPASS_AT,
+            signs: signs(stream),
+            sign_high: stream.spare_bits(),
             directions: k,
             query_words: format.query_words(),
-            kinds: if params.memory == Memory::BlockRam { 4 } else { 3 },
+            kinds: if params.memory == Memory::BlockRam { 7 } else { 6 },
             job_bits: WORD * (format.query_words() - 1),
             query_header: header(Command::Query),
             query_format: format!("{:08x}", format.header_high()),

@@ -4,10 +4,12 @@
 //! lines are.
 
 use super::EngineDesign;
-use crate::artefact::vectors;
+use crate::artefact::stream_vectors::Maker;
+use crate::artefact::{Stimulus, vectors};
 use crate::golden::engine::{Model, Query, Side};
+use crate::golden::{Pair, Pose};
 use crate::host::engine::{Image, Layout, memory};
-use crate::params::engine::{Answer, Command, EngineReport, Memory, Reason};
+use crate::params::engine::{Answer, Command, EngineFormat, EngineReport, Memory, Reason};
 use std::fmt::Write;
 
 /// How a report is compared.
@@ -22,7 +24,7 @@ enum Compared {
 }
 
 /// The first line of a file, also a constant of the testbench.
-pub(super) fn formats_line(design: &EngineDesign) -> String {
+pub fn formats_line(design: &EngineDesign) -> String {
     let format = &design.format;
     let memory = match design.params.memory {
         Memory::Axi => "axi".to_owned(),
@@ -45,6 +47,8 @@ pub struct EngineVectors<'a> {
     sides: Vec<Side>,
     /// Where the engine has them.
     layout: Layout,
+    /// Makes packets of pairs and poses.
+    unit: Maker<'a>,
     text: String,
 }
 
@@ -58,13 +62,21 @@ impl<'a> EngineVectors<'a> {
         let model =
             Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
         let layout = Layout::new(&design.params, &design.format, images).expect("images that fit");
-        let mut vectors = Self { design, model, memory, sides, layout, text: format!("{}\n", formats_line(design)) };
+        let unit = Maker::new(&design.unit.params, &design.format.stream);
+        let text = format!("{}\n", formats_line(design));
+        let mut vectors = Self { design, model, memory, sides, layout, unit, text };
         for (address, word) in vectors.layout.memory.iter().enumerate() {
             writeln!(vectors.text, "M {address:08x} {word:016x}").expect("a string takes text");
         }
-        for load in std::mem::take(&mut vectors.layout.loads) {
+        for (i, load) in std::mem::take(&mut vectors.layout.loads).into_iter().enumerate() {
             vectors.packet(&load);
             vectors.expect(&[], &EngineReport::default(), Compared::All);
+            if i == 0 {
+                // It ends inside a line.
+                vectors.packet(&load[..load.len() - 1]);
+                let reason = Reason::TooShort;
+                vectors.expect(&[], &EngineReport { reason, ..EngineReport::default() }, Compared::All);
+            }
         }
         vectors
     }
@@ -89,6 +101,7 @@ impl<'a> EngineVectors<'a> {
         self.packet(&self.layout.moved(query, &self.sides).words(&self.design.format));
         let run = |query: &Query| self.model.run(&self.memory, &query.words(&self.design.format));
         let outcome = run(query);
+        self.unit.pose = query.pose;
         match outcome.report.reason {
             Reason::Complete => self.expect(&outcome.answers, &outcome.report, Compared::All),
             Reason::Contact | Reason::Limit => {
@@ -116,6 +129,41 @@ impl<'a> EngineVectors<'a> {
             self.word_in(*word, i == end, *whole);
         }
         self.expect(&[], &EngineReport { reason, ..EngineReport::default() }, Compared::All);
+    }
+
+    /// A packet of pairs; under the pose of the last query or packet that had one.
+    pub fn pairs(&mut self, pairs: &[Pair]) {
+        self.unit(|unit| unit.pairs(pairs));
+    }
+
+    /// A packet with a pose.
+    pub fn pose(&mut self, pose: &Pose) {
+        self.unit(|unit| unit.pose(pose));
+    }
+
+    /// Packets of pairs or a pose that are none, made of these; to a unit with a guard, numbers outside their ranges.
+    pub fn unusual_pairs(&mut self, pair: &Pair, pose: &Pose) {
+        self.unit(|unit| unit.malformed(pair, pose));
+        let params = EngineFormat::packets(&self.design.unit.params);
+        if params.guarded() {
+            self.unit(|unit| unit.outside(&params));
+        }
+    }
+
+    /// Random pairs, and a pose for each few of them.
+    pub fn random_pairs(&self, count: usize, seed: u64) -> Vec<(Pose, Vec<Pair>)> {
+        Stimulus::random(&EngineFormat::packets(&self.design.unit.params), count, seed).segments
+    }
+
+    fn unit(&mut self, make: impl FnOnce(&mut Maker<'a>)) {
+        make(&mut self.unit);
+        let made = std::mem::take(&mut self.unit.vectors);
+        for word in made.words {
+            self.word_in(word.data.low() as u64, word.last, word.whole);
+        }
+        for (word, last) in made.answers {
+            writeln!(self.text, "O {word:016x} {}", u8::from(last)).expect("a string takes text");
+        }
     }
 
     /// Stops what runs then, so many clocks after the words before.

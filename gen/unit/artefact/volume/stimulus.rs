@@ -2,7 +2,7 @@
 //! of the grid; with the answers of the reference model.
 
 use crate::design::engine::volume_unit::{VolumeDesign, WordPort};
-use crate::golden::engine::{Block, Frame, Link, Row, apart, distance, overlap};
+use crate::golden::engine::{Block, Frame, Link, Opened, Row, apart, distance, overlap};
 use crate::params::engine::EngineFormat;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -35,6 +35,12 @@ const THRESHOLDS: usize = 3;
 const OF_A_QUERY: usize = 6;
 
 impl VolumeStimulus {
+    /// Expansions of one query.
+    pub fn of(format: &EngineFormat, frame: Frame, opened: Vec<Opened>) -> Self {
+        let expansion = |Opened { blocks, take }| Expansion { frame: 0, blocks, take };
+        Self { format: *format, frames: vec![frame], expansions: opened.into_iter().map(expansion).collect() }
+    }
+
     /// At least so many expansions.
     pub fn random(format: &EngineFormat, expansions: usize, seed: u64) -> Self {
         let mut all = Self { format: *format, frames: vec![], expansions: vec![] };

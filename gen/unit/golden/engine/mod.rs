@@ -10,7 +10,7 @@ mod tests;
 mod triangle;
 
 pub use block::{BadBlock, Block, Link, Volume};
-pub use model::{Model, Outcome};
+pub use model::{Model, Opened, Outcome, Visits};
 pub use overlap::{Distance, Frame, Row, apart, bounds, distance, overlap};
 pub use query::{Query, Side};
 pub use triangle::Triangle;

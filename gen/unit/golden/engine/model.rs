@@ -26,6 +26,24 @@ pub struct Outcome {
     pub report: EngineReport,
 }
 
+/// Two blocks that are opened together.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Opened {
+    /// Of A and of B.
+    pub blocks: [Block; 2],
+    /// Which of their children take part: left, right.
+    pub take: [[bool; 2]; 2],
+}
+
+/// What a query gives to the two units, in the order of [`Model::run`].
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Visits {
+    /// For the volume unit.
+    pub opened: Vec<Opened>,
+    /// For the triangle unit, unless the query is answered without it.
+    pub pairs: Vec<Pair>,
+}
+
 /// A node of a tree as the stack knows it: a block, and which of its children are meant.
 type Node = (u32, Option<usize>);
 
@@ -67,6 +85,23 @@ impl Model {
     /// # Panics
     /// If the stack overflows, which is proved impossible.
     pub fn run_paced(&self, memory: &[u64], packet: &[u64], issue: impl FnMut() -> bool) -> Outcome {
+        self.visited(memory, packet, issue, None)
+    }
+
+    /// Answers a packet as [`Model::run`] does, and tells what the units were given.
+    pub fn visits(&self, memory: &[u64], packet: &[u64]) -> (Outcome, Visits) {
+        let mut visits = Visits::default();
+        let outcome = self.visited(memory, packet, || false, Some(&mut visits));
+        (outcome, visits)
+    }
+
+    fn visited(
+        &self,
+        memory: &[u64],
+        packet: &[u64],
+        issue: impl FnMut() -> bool,
+        visits: Option<&mut Visits>,
+    ) -> Outcome {
         match Query::of(packet, &self.format) {
             Err(reason) => Outcome { answers: vec![], report: EngineReport { reason, ..EngineReport::default() } },
             Ok(query) => {
@@ -81,6 +116,7 @@ impl Model {
                     leaves: vec![],
                     answers: vec![],
                     report,
+                    visits,
                 };
                 let ended = run.traverse(issue);
                 // What was found before a fault is answered; after the first contact nothing is.
@@ -103,6 +139,7 @@ struct Run<'a> {
     leaves: Vec<[u32; 2]>,
     answers: Vec<Answer>,
     report: EngineReport,
+    visits: Option<&'a mut Visits>,
 }
 
 fn is_inner(link: Link) -> bool {
@@ -177,6 +214,10 @@ impl Run<'_> {
             let wanted = move |child: &usize| nodes[side].1.is_none_or(|only| only == *child);
             (0..2).rev().filter(wanted).filter(move |&child| links[child] != Link::None)
         };
+        if let Some(visits) = &mut self.visits {
+            let take = [0, 1].map(|side| [0, 1].map(|child| chosen(side).any(|other| other == child)));
+            visits.opened.push(Opened { blocks: [blocks[0].clone(), blocks[1].clone()], take });
+        }
         let mut survivors = [[false; 2]; 2];
         for p in chosen(0) {
             for q in chosen(1) {
@@ -254,6 +295,9 @@ impl Run<'_> {
         } else {
             let pairs: Vec<Pair> = records.iter().map(|[a, b]| Pair { a: a.corners, b: b.corners }).collect();
             self.model.unit.verdicts(&self.query.pose, &pairs, &mut verdicts);
+            if let Some(visits) = &mut self.visits {
+                visits.pairs.extend(pairs);
+            }
         }
         for (verdict, [a, b]) in verdicts.into_iter().zip(records) {
             match verdict {

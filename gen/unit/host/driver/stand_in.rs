@@ -43,6 +43,13 @@ impl StandIn {
         Ok(Self { params: params.clone(), format, golden: Golden::new(params), pose, pose_unfit: false })
     }
 
+    /// The unit under a pose that came another way than as a packet.
+    #[cfg(feature = "scenes")]
+    pub(super) fn set_pose(&mut self, pose: Pose) {
+        self.pose = pose;
+        self.pose_unfit = false;
+    }
+
     /// The answers to whole packets; a packet that does not end is not answered.
     pub fn answer(&mut self, transfers: &[Transfer]) -> Vec<Transfer> {
         let mut answers = vec![];

@@ -128,7 +128,7 @@ pub struct EngineFormat {
 }
 
 /// What a packet to the engine asks for. The discriminant is the low byte of its header; 1 and 2 are pairs and poses for the
-/// unit alone.
+/// unit alone ([`Kind`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Command {
@@ -145,10 +145,11 @@ impl EngineFormat {
     pub const POSE_AT: u32 = 7;
     /// Bits of an error of a shift.
     const SHIFT_ERROR_BITS: u32 = 16;
+    /// Bits of the tag of a pair in a packet of pairs.
+    const PACKET_TAG: u32 = 16;
 
     pub(super) fn new(engine: &EngineParams, unit: &Params) -> Self {
-        // The tag is the engine's: the place of a pair in its queue.
-        let stream = StreamFormat::new(&Params { tag_width: 0, ..unit.clone() }, StreamWidth::Bits64);
+        let stream = StreamFormat::new(&Self::packets(unit), StreamWidth::Bits64);
         Self {
             directions: engine.directions,
             origin_bits: engine.origin_bits,
@@ -161,6 +162,12 @@ impl EngineFormat {
             pose_words: stream.record_words(Kind::Pose),
             stream,
         }
+    }
+
+    /// The parameters by which packets of pairs and poses are made and read: those of the unit in the engine, with a tag of
+    /// 16 bits, so that an answer has no more than 64.
+    pub fn packets(unit: &Params) -> Params {
+        Params { tag_width: Self::PACKET_TAG, ..unit.clone() }
     }
 
     /// Number of directions.

@@ -1,10 +1,12 @@
 //! The engine in software: the reference model reading and writing packets.
 
+use super::super::{StandIn as Unit, packet};
 use super::{Engine, EngineError, Objects};
 use crate::golden::engine::{Model, Query, Side};
 use crate::host::engine::TRIANGLES_AT;
 use crate::params::ParamError;
-use crate::params::engine::{Answer, Command, EngineReport, Memory, Reason};
+use crate::params::engine::{Answer, Command, EngineFormat, EngineReport, Memory, Reason};
+use crate::params::stream::{Kind, StreamWidth};
 use rayon::prelude::*;
 
 /// 64-bit words in a line of memory.
@@ -18,6 +20,8 @@ pub struct StandIn {
     memory: Vec<u64>,
     /// Lines of blocks and of triangles in block RAM; none for an AXI4 read master.
     block_ram: Option<[u32; 2]>,
+    /// Answers packets of pairs and poses.
+    unit: Unit,
 }
 
 impl StandIn {
@@ -35,7 +39,8 @@ impl StandIn {
                 (vec![0; LINE * (lines[0] + lines[1]) as usize], Some(lines))
             }
         };
-        let mut stand_in = Self { model, memory, block_ram };
+        let unit = Unit::new(&EngineFormat::packets(&objects.unit), StreamWidth::Bits64)?;
+        let mut stand_in = Self { model, memory, block_ram, unit };
         for packet in objects.loads() {
             stand_in.packet(packet);
         }
@@ -50,14 +55,28 @@ impl StandIn {
     /// The words of the answer to a packet; a stop has none, and nothing to end.
     pub fn packet(&mut self, words: &[u64]) -> Vec<u64> {
         match self.block_ram {
+            _ if for_unit(words) => {
+                let transfers = packet(words.iter().map(|&word| u128::from(word).into()).collect());
+                self.unit.answer(&transfers).iter().map(|transfer| transfer.data.low() as u64).collect()
+            }
             Some(lines) if self.begins(words, Command::Load) => {
                 report(self.load(&words[1..], lines).err().unwrap_or_default())
             }
-            _ => self.read_only(words),
+            _ => {
+                self.pose_of(words);
+                self.read_only(words)
+            }
         }
     }
 
-    /// The same for a packet that is no load.
+    /// The unit keeps the pose of a query.
+    fn pose_of(&mut self, words: &[u64]) {
+        if let Ok(query) = Query::of(words, self.model.format()) {
+            self.unit.set_pose(query.pose);
+        }
+    }
+
+    /// The same for a packet that is no load and not for the unit alone.
     fn read_only(&self, words: &[u64]) -> Vec<u64> {
         match self.block_ram {
             _ if self.begins(words, Command::Stop) && words.len() == 1 => vec![],
@@ -93,8 +112,8 @@ impl StandIn {
         self.memory[start.min(end) as usize * LINE..][..count].copy_from_slice(&words[..count]);
         match words.len() {
             0 => Err(Reason::TooShort),
-            length if !length.is_multiple_of(LINE) => Err(Reason::TooShort),
             length if length > room => Err(Reason::TooLong),
+            length if !length.is_multiple_of(LINE) => Err(Reason::TooShort),
             _ => Ok(()),
         }
     }
@@ -119,6 +138,12 @@ impl StandIn {
     }
 }
 
+/// Whether a packet is one of pairs or a pose, or would be one.
+fn for_unit(words: &[u64]) -> bool {
+    let kind = words.first().map(|header| *header as u8);
+    [Kind::Pairs, Kind::Pose].map(|kind| Some(kind as u8)).contains(&kind)
+}
+
 /// The answer to a packet that was not read, or was read to its end.
 fn report(reason: Reason) -> Vec<u64> {
     EngineReport { reason, ..EngineReport::default() }.words().to_vec()
@@ -128,11 +153,11 @@ impl Engine for StandIn {
     type Error = EngineError;
 
     fn answer(&mut self, packets: &[&[u64]]) -> Result<Vec<Vec<u64>>, EngineError> {
-        // Only loads change anything.
-        let header = self.model.format().header(Command::Load);
-        Ok(match packets.iter().any(|packet| packet.first() == Some(&header)) {
-            true => packets.iter().map(|packet| self.packet(packet)).collect(),
-            false => packets.par_iter().map(|packet| self.read_only(packet)).collect(),
-        })
+        // Queries by themselves change nothing but the pose.
+        if packets.iter().any(|packet| for_unit(packet) || self.begins(packet, Command::Load)) {
+            return Ok(packets.iter().map(|packet| self.packet(packet)).collect());
+        }
+        packets.iter().for_each(|packet| self.pose_of(packet));
+        Ok(packets.par_iter().map(|packet| self.read_only(packet)).collect())
     }
 }

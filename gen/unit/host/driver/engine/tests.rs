@@ -2,10 +2,14 @@
 //! query can end.
 
 use super::*;
+use crate::artefact::Stimulus;
 use crate::artefact::engine::samples::{cuboid, hills, turn};
-use crate::golden::Verdict;
+use crate::golden::engine::Query;
+use crate::golden::{self, Golden, Verdict};
+use crate::host::driver::Answer;
 use crate::host::engine::Refusal;
 use crate::params::engine::{Command, EngineReport, Memory, Reason};
+use crate::params::stream::Report;
 use crate::params::{EngineParams, Method, Params, Upper};
 use efsat_geometry::exact::{Exact, posed_pair};
 use efsat_geometry::mesh::Mesh;
@@ -269,5 +273,39 @@ fn the_stand_in_refuses_what_the_engine_refuses() {
     assert_eq!(reason(&[8, 0]), Reason::UnknownHeader);
     assert_eq!(reason(&[1 << 32, 0]), Reason::UnknownHeader);
     assert_eq!(reason(&[]), Reason::TooShort);
+    assert_eq!(reason(&[64, 0, 0, 0, 0, 0, 0, 0]), Reason::TooShort);
     assert!(stand_in.packet(&[format.header(Command::Stop)]).is_empty());
+}
+
+/// Pairs keep the pose of the packet before them, and after a query that of the query.
+#[test]
+fn pairs_and_poses_go_between_queries() {
+    let case = Case::new();
+    let (objects, pose, _) = case.crossing();
+    let unit = UnitPackets::new(&Params::default()).unwrap();
+    let mut stand_in = StandIn::new(&objects).unwrap();
+    let segments = Stimulus::random(&Params::default(), 32, 1).segments;
+    let (golden, identity) = (Golden::new(&Params::default()), golden::Pose::identity(&Params::default()));
+    let query = objects.query([0, 1], &pose, Options::default()).packet().unwrap().to_vec();
+    let own = Query::of(&query, objects.numbers().format()).unwrap().pose;
+    let tagged = || (7..).zip(&segments[0].1);
+    let expect = |pose: &golden::Pose| {
+        let answer = |(tag, pair)| Some(Answer::Pair { tag, outcome: golden.outcome(pose, pair) });
+        tagged().map(answer).collect::<Vec<_>>()
+    };
+    let mut answers = |packet: &[u64]| -> Vec<Option<Answer>> {
+        stand_in.packet(packet).into_iter().map(|word| unit.answer(word)).collect()
+    };
+    let pairs = unit.pairs(tagged()).unwrap();
+    assert_eq!(answers(&pairs), expect(&identity));
+    let taken = [Some(Answer::Report(Report::PoseTaken))];
+    assert_eq!(answers(&unit.pose(&segments[1].0).unwrap()), taken);
+    assert_eq!(answers(&pairs), expect(&segments[1].0));
+    answers(&query);
+    assert_eq!(answers(&pairs), expect(&own));
+    // A pose that ends early is not taken; the packet of another design is none.
+    let cut = unit.pose(&segments[1].0).unwrap()[..4].to_vec();
+    assert_eq!(answers(&cut), [Some(Answer::Report(Report::TooShort))]);
+    assert_eq!(answers(&[pairs[0] ^ 1 << 16]), [Some(Answer::Report(Report::UnknownHeader))]);
+    assert_eq!(answers(&pairs), expect(&own));
 }

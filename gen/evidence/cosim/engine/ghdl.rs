@@ -1,0 +1,97 @@
+//! The printed engine under its printed testbench in GHDL.
+
+use super::super::CosimError;
+use super::super::external::{call, file_error};
+use super::{Channel, Packet};
+use efsat_unit::artefact::engine::vectors::formats_line;
+use efsat_unit::artefact::engine::{EngineDesign, TESTBENCH, bench, engine_files};
+use efsat_unit::artefact::{Prefix, Scratch};
+use efsat_unit::params::engine::Memory;
+use std::fmt::Write;
+use std::path::Path;
+
+/// Clocks without a transfer before the testbench gives up: a query may work for long without an answer.
+const PATIENCE: u32 = 1_000_000_000;
+/// Seeds of the testbench.
+const SEEDS: u32 = 0xffff;
+
+fn failed(message: &str) -> CosimError {
+    CosimError::Failed { tool: TESTBENCH.to_owned(), message: message.to_owned() }
+}
+
+/// Writes sources and testbench, and makes them ready to run.
+pub(super) fn build(design: &EngineDesign, command: &str, dir: &Path) -> Result<(), CosimError> {
+    let prefix = Prefix::default();
+    let mut files = engine_files(design, &prefix, &design.command_line())?;
+    files.push((format!("{TESTBENCH}.vhd"), bench(design, &prefix)));
+    for (name, text) in &files {
+        let path = dir.join(name);
+        std::fs::write(&path, text).map_err(file_error(&path))?;
+    }
+    let words = |text: &str| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
+    let names = files.into_iter().map(|(name, _)| name);
+    let optimise = if command == "ghdl-mcode" { "" } else { " -O2" };
+    let analyse = words(&format!("-a --std=93{optimise}")).into_iter().chain(names).collect::<Vec<_>>();
+    call(dir, command, &analyse, true)?;
+    call(dir, command, &words(&format!("-e --std=93 {TESTBENCH}")), true)?;
+    Ok(())
+}
+
+/// Sends packets one behind the other; the answers, in order.
+pub(super) fn exchange(
+    design: &EngineDesign,
+    command: &str,
+    dir: &Path,
+    memory: &[u64],
+    packets: &[Vec<u64>],
+    channel: &Channel,
+) -> Result<Vec<Packet>, CosimError> {
+    let io = Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
+    let [vectors, answers] = ["packets.vec", "answers.txt"].map(|name| io.path().join(name));
+    let axi = design.params.memory == Memory::Axi;
+    let mut text = format!("{}\n", formats_line(design));
+    for (address, word) in memory.iter().enumerate().filter(|_| axi) {
+        let _ = writeln!(text, "M {address:08x} {word:016x}");
+    }
+    for packet in packets {
+        for (i, word) in packet.iter().enumerate() {
+            let _ = writeln!(text, "I {word:016x} {} 1", u8::from(i + 1 == packet.len()));
+        }
+    }
+    std::fs::write(&vectors, text).map_err(file_error(&vectors))?;
+    // The first pass is at full speed, others have gaps.
+    let pass = if channel.gaps { 2 } else { 1 };
+    let mut options = vec![
+        format!("vectors={}", vectors.display()),
+        format!("answers={}", answers.display()),
+        "compared=false".to_owned(),
+        format!("patience={PATIENCE}"),
+        format!("seed={}", 1 + channel.seed % SEEDS),
+        format!("first_pass={pass}"),
+        format!("passes={pass}"),
+    ];
+    if axi {
+        options.push(format!("latency_least={}", channel.latency.start()));
+        options.push(format!("latency_most={}", channel.latency.end()));
+    }
+    let fixed = ["-r", "--std=93", TESTBENCH, "--ieee-asserts=disable-at-0"].map(str::to_owned);
+    let args: Vec<String> = fixed.into_iter().chain(options.iter().map(|option| format!("-g{option}"))).collect();
+    let said = call(dir, command, &args, false)?;
+    if !said.contains(" mismatches 0 ") {
+        let complaint = said.lines().find(|line| line.contains(TESTBENCH)).or(said.lines().last());
+        return Err(failed(complaint.unwrap_or("the testbench said nothing")));
+    }
+    let text = std::fs::read_to_string(&answers).map_err(file_error(&answers))?;
+    let (mut read, mut words) = (vec![], vec![]);
+    for line in text.lines() {
+        let mut fields = line.split(' ');
+        let mut field = || fields.next().ok_or_else(|| failed(line));
+        words.push(u64::from_str_radix(field()?, 16).map_err(|_| failed(line))?);
+        let last = field()? == "1";
+        let clock = field()?.parse().map_err(|_| failed(line))?;
+        if last {
+            read.push(Packet { words: std::mem::take(&mut words), clock });
+        }
+    }
+    Ok(read)
+}

@@ -1,0 +1,218 @@
+//! An entity in GHDL, driven clock by clock through two pipes.
+
+use std::collections::HashMap;
+use std::fmt::Write as _;
+use std::io::{BufRead, BufReader, Write as _};
+use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+
+/// Bits of a port in the row of all inputs or all outputs.
+#[derive(Clone, Copy)]
+struct Place {
+    low: usize,
+    bits: usize,
+}
+
+/// An entity with the clock `clk` that runs. Ports are numbers or rows of 64-bit words, the lowest first.
+pub struct Entity {
+    simulation: Child,
+    to: ChildStdin,
+    from: BufReader<ChildStdout>,
+    places: HashMap<String, Place>,
+    /// The lowest bit first.
+    inputs: Vec<bool>,
+    outputs: Vec<bool>,
+    _dir: tempfile::TempDir,
+}
+
+struct Port {
+    name: String,
+    input: bool,
+    /// None for a single bit.
+    bits: Option<usize>,
+    unsigned: bool,
+}
+
+/// The ports of the first entity of a text but for `clk`.
+fn ports(text: &str) -> Vec<Port> {
+    let declarations = text.split("port (\n").nth(1).and_then(|rest| rest.split("\n  );").next()).expect("ports");
+    let code =
+        declarations.lines().filter_map(|line| line.split("--").next()?.trim().trim_end_matches(';').split_once(':'));
+    let port = |(name, kind): (&str, &str)| {
+        let (direction, kind) = kind.trim().split_once(' ').expect("a direction");
+        let high = kind.split_once('(').map(|(_, range)| range.split(' ').next().unwrap().parse::<usize>().unwrap());
+        let unsigned = kind.trim().starts_with("unsigned");
+        Port { name: name.trim().to_owned(), input: direction == "in", bits: high.map(|high| high + 1), unsigned }
+    };
+    code.map(port).filter(|port| port.name != "clk").collect()
+}
+
+/// A testbench that reads `e` and inputs, answering with the outputs, or `c`, which is a rising edge.
+fn testbench(name: &str, ports: &[Port], places: &HashMap<String, Place>) -> String {
+    let count =
+        |input: bool| ports.iter().filter(|port| port.input == input).map(|port| port.bits.unwrap_or(1)).sum::<usize>();
+    let (mut map, mut signals, mut wires) = (String::new(), String::new(), String::new());
+    for port in ports {
+        let Place { low, bits } = places[&port.name];
+        let row = if port.input { "inputs" } else { "outputs" };
+        let (kind, bits) = match port.bits {
+            None => ("std_logic".to_owned(), format!("{row}({low})")),
+            Some(_) => {
+                let kind = if port.unsigned { "unsigned" } else { "std_logic_vector" };
+                (format!("{kind}({} downto 0)", bits - 1), format!("{row}({} downto {low})", low + bits - 1))
+            }
+        };
+        let name = &port.name;
+        let _ = writeln!(signals, "  signal {name} : {kind};");
+        let _ = match (port.input, port.unsigned) {
+            (true, _) => writeln!(wires, "  {name} <= {bits};"),
+            (false, true) => writeln!(wires, "  {bits} <= std_logic_vector({name});"),
+            (false, false) => writeln!(wires, "  {bits} <= {name};"),
+        };
+        let _ = write!(map, ", {name} => {name}");
+    }
+    let (inputs, outputs) = (count(true), count(false));
+    format!(
+        "library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use std.textio.all;
+
+entity player is
+end entity player;
+
+architecture simulation of player is
+  signal clk : std_logic := '0';
+  signal inputs : std_logic_vector({} downto 0) := (others => '0');
+  signal outputs : std_logic_vector({} downto 0);
+{signals}begin
+{wires}  dut : entity work.{name} port map (clk => clk{map});
+
+  play : process
+    variable l : line;
+    variable c : character;
+    variable bits_in : bit_vector({} downto 0);
+  begin
+    while not endfile(input) loop
+      readline(input, l);
+      read(l, c);
+      if c = 'c' then
+        clk <= '1';
+        wait for 1 ns;
+        clk <= '0';
+        wait for 1 ns;
+      else
+        read(l, bits_in);
+        inputs <= to_stdlogicvector(bits_in);
+        wait for 1 ns;
+        write(l, to_bitvector(outputs));
+        writeline(output, l);
+      end if;
+    end loop;
+    wait;
+  end process play;
+end architecture simulation;
+",
+        inputs - 1,
+        outputs - 1,
+        inputs - 1
+    )
+}
+
+impl Entity {
+    /// Analyses a text and starts it; all inputs are 0.
+    pub fn new(ghdl: &str, name: &str, text: &str) -> Self {
+        let ports = ports(text);
+        let mut places = HashMap::new();
+        let mut ends = [0; 2];
+        for port in &ports {
+            let end = &mut ends[usize::from(port.input)];
+            let bits = port.bits.unwrap_or(1);
+            places.insert(port.name.clone(), Place { low: *end, bits });
+            *end += bits;
+        }
+        let dir = tempfile::tempdir().unwrap();
+        let write = |file: &str, text: &str| std::fs::write(dir.path().join(file), text).unwrap();
+        write("entity.vhd", text);
+        write("player.vhd", &testbench(name, &ports, &places));
+        for arguments in [&["-a", "--std=93", "entity.vhd", "player.vhd"][..], &["-e", "--std=93", "player"]] {
+            let output = Command::new(ghdl).args(arguments).current_dir(dir.path()).output().unwrap();
+            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        }
+        let mut simulation = Command::new(ghdl)
+            .args(["-r", "--std=93", "player", "--ieee-asserts=disable"])
+            .current_dir(dir.path())
+            .stdin(Stdio::piped())
+            .stdout(Stdio::piped())
+            .spawn()
+            .unwrap();
+        let (to, from) = (simulation.stdin.take().unwrap(), BufReader::new(simulation.stdout.take().unwrap()));
+        let [outputs, inputs] = ends.map(|end| vec![false; end]);
+        Self { simulation, to, from, places, inputs, outputs, _dir: dir }
+    }
+
+    /// Gives an input a number.
+    pub fn set(&mut self, port: &str, value: u64) {
+        self.set_words(port, &[value]);
+    }
+
+    /// Gives an input the low bits of words, and zeros above.
+    pub fn set_words(&mut self, port: &str, words: &[u64]) {
+        let Place { low, bits } = self.places[port];
+        for i in 0..bits {
+            self.inputs[low + i] = words.get(i / 64).is_some_and(|word| word >> (i % 64) & 1 == 1);
+        }
+    }
+
+    /// Computes the outputs from inputs and registers.
+    pub fn settle(&mut self) {
+        let bits: String = self.inputs.iter().rev().map(|&bit| if bit { '1' } else { '0' }).collect();
+        self.to.write_all(format!("e{bits}\n").as_bytes()).unwrap();
+        let mut line = String::new();
+        self.from.read_line(&mut line).unwrap();
+        let bits = line.trim_end();
+        assert_eq!(bits.len(), self.outputs.len(), "the simulation has ended: {bits}");
+        self.outputs = bits.chars().rev().map(|bit| bit == '1').collect();
+    }
+
+    /// An output after [`Entity::settle`], its low 64 bits.
+    pub fn get(&self, port: &str) -> u64 {
+        self.words(port)[0]
+    }
+
+    /// Whether an output of one bit is set.
+    pub fn is(&self, port: &str) -> bool {
+        self.get(port) == 1
+    }
+
+    /// All bits of an output.
+    pub fn words(&self, port: &str) -> Vec<u64> {
+        let Place { low, bits } = self.places[port];
+        let word = |chunk: &[bool]| chunk.iter().rev().fold(0, |word, &bit| word << 1 | u64::from(bit));
+        self.outputs[low..low + bits].chunks(64).map(word).collect()
+    }
+
+    /// A rising edge.
+    pub fn clock(&mut self) {
+        self.to.write_all(b"c\n").unwrap();
+    }
+
+    /// Some clocks in reset.
+    pub fn reset(&mut self) {
+        self.set("reset", 1);
+        (0..3).for_each(|_| self.clocked());
+        self.set("reset", 0);
+    }
+
+    fn clocked(&mut self) {
+        self.settle();
+        self.clock();
+    }
+}
+
+impl Drop for Entity {
+    fn drop(&mut self) {
+        // It waits for its next line.
+        let _ = self.simulation.kill();
+        let _ = self.simulation.wait();
+    }
+}
