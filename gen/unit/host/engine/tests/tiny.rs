@@ -131,7 +131,10 @@ fn no_common_point_is_lost_at_tiny_widths() {
                             bounds(h, &distance, &frame, &a.volume(0), &b.volume(0), format).iter().sum()
                         };
                         let least = (0..directions.count()).map(gap).min().unwrap();
-                        assert!(least >= 0, "{directions:?}, matrix {number}, {t:?}, origin {origin:?}, z {z:?}: {least}");
+                        assert!(
+                            least >= 0,
+                            "{directions:?}, matrix {number}, {t:?}, origin {origin:?}, z {z:?}: {least}"
+                        );
                         met += 1;
                         near += u32::from(least < 2 << e.max(exponent));
                     }
@@ -179,4 +182,3 @@ fn rows_hold_every_point_at_tiny_widths() {
     // At most twice the rest, which is that of three factors, each wrong by half a step.
     assert!(worst > 7.0 && worst <= 2.0 * (7.0 * 3.5 + 1.0), "{worst}");
 }
-
