@@ -11,7 +11,6 @@ these pairs and poses are sent, PAIRS a CSV file of pairs of real numbers, and V
 import csv
 import os
 import random
-import re
 import sys
 from pathlib import Path
 
@@ -19,11 +18,9 @@ import cocotb
 from cocotb.clock import Clock
 from cocotb.triggers import ClockCycles, FallingEdge, ReadOnly, Timer
 
-# Bit times of silence that end a packet.
-SILENCE = 64
-
 DESIGN = Path(os.environ.get("EFSAT_DESIGN") or sys.argv[2]).resolve()
 sys.path.insert(0, str(DESIGN / "host"))
+import board_line  # noqa: E402
 import efsat as unit  # noqa: E402
 
 # Tags of any value: no two neighbours have the same.
@@ -155,50 +152,16 @@ async def stream_with_random_stalls(dut):
     await through_the_wrapper(dut, 0.4, 2)
 
 
-async def transmit(line, data, bit):
-    """Bytes onto a serial line: start bit, eight bits from the lowest, stop bit."""
-    for byte in data:
-        for level in [0, *(byte >> i & 1 for i in range(8)), 1]:
-            line.value = level
-            await Timer(bit, "ps")
-
-
-async def listen(line, bit, received):
-    """Bytes from a serial line, for ever."""
-    while True:
-        await FallingEdge(line)
-        await Timer(bit + bit // 2, "ps")
-        byte = 0
-        for i in range(8):
-            byte |= int(line.value) << i
-            await Timer(bit, "ps")
-        assert line.value == 1, "a byte without a stop bit"
-        received.append(byte)
-
-
 async def board(dut):
     """Resets the design on the ULX3S; returns a function that sends a packet and waits for the answers to it."""
-    top = next((DESIGN / "ulx3s").glob("*efsat_ulx3s.vhd")).read_text()
-    hertz = int(re.search(r"clock_frequency : positive := (\d+);", top)[1])
-    baud = int(os.environ["EFSAT_BAUD"])
-    bit = 10**12 // baud
-    dut.ftdi_txd.value = 1
-    dut.btn_fire1.value = 1
-    # The stand-in for the PLL hands this clock on.
-    cocotb.start_soon(Clock(dut.clk_25mhz, 10**12 // hertz // 2 * 2, "ps").start())
-    await Timer(20 * bit, "ps")
-    dut.btn_fire1.value = 0
-    await Timer(20 * bit, "ps")
-    assert dut.led_0.value == 1 and dut.wifi_gpio0.value == 1 and dut.ftdi_rxd.value == 1
-    received = bytearray()
-    cocotb.start_soon(listen(dut.ftdi_rxd, bit, received))
+    bit, received = await board_line.reset(dut, DESIGN, int(os.environ["EFSAT_BAUD"]))
 
     async def exchange(packet, count):
         received.clear()
-        await transmit(dut.ftdi_txd, packet, bit)
+        await board_line.transmit(dut.ftdi_txd, packet, bit)
         size = count * unit.ANSWER_WORD_BITS // 8
         # The packet ends with the silence; then the last answer leaves.
-        await Timer((SILENCE + 10 * (size + 40)) * bit, "ps")
+        await Timer((board_line.SILENCE + 10 * (size + 40)) * bit, "ps")
         assert len(received) == size, f"{len(received)} bytes, expected {size}"
         return bytes(received)
 
@@ -237,48 +200,22 @@ async def board_decides_pairs_of_real_numbers(dut):
 
 
 def main(what, design, baud="", most="", pairs="", verdicts=""):
-    from cocotb_tools.runner import get_runner
-
     tops = {"stream": "efsat_stream", "board": "efsat_ulx3s"}
     if what not in tops:
         sys.exit(f"error: {what}: expected stream or board")
-    files = (DESIGN / "files-synthesis.txt").read_text().split()
-    parameters = {}
+    files, parameters = board_line.synthesised(DESIGN), {}
     if what == "board":
-        files += ["example/uart_receiver.vhd", "example/uart_transmitter.vhd", "example/efsat_uart_top.vhd"]
-        files += ["ulx3s/efsat_ulx3s_stand_in.vhd", "ulx3s/efsat_ulx3s.vhd"]
-        parameters = {"baud_rate": int(baud), "silence_bits": SILENCE}
-    runner = get_runner("ghdl")
-    runner.build(
-        sources=[DESIGN / file for file in files],
-        hdl_toplevel=tops[what],
-        build_args=["--std=93"],
-        build_dir=what,
-        clean=True,
-    )
-    results = runner.test(
-        test_module=Path(__file__).stem,
-        hdl_toplevel=tops[what],
-        parameters=parameters,
-        test_args=["--std=93"],
-        plusargs=["--ieee-asserts=disable-at-0"],
-        # The other test of the board needs pairs of numbers.
-        test_filter="board_answers_" if what == "board" and not pairs else f"{what}_",
-        build_dir=what,
-        results_xml=str(Path(what).resolve() / "results.xml"),
-        extra_env={
-            "EFSAT_DESIGN": str(DESIGN),
-            "EFSAT_BAUD": baud,
-            "EFSAT_PACKETS": most,
-            "EFSAT_PAIRS": pairs and str(Path(pairs).resolve()),
-            "EFSAT_VERDICTS": verdicts and str(Path(verdicts).resolve()),
-        },
-    )
-    from cocotb_tools.check_results import get_results
-
-    count, failed = get_results(Path(results))
-    if failed or not count:
-        sys.exit(f"error: {failed} of {count} tests failed")
+        files = board_line.files(DESIGN)
+        parameters = {"baud_rate": int(baud), "silence_bits": board_line.SILENCE}
+    environment = {
+        "EFSAT_BAUD": baud,
+        "EFSAT_PACKETS": most,
+        "EFSAT_PAIRS": pairs and str(Path(pairs).resolve()),
+        "EFSAT_VERDICTS": verdicts and str(Path(verdicts).resolve()),
+    }
+    # The other test of the board needs pairs of numbers.
+    test_filter = "board_answers_" if what == "board" and not pairs else f"{what}_"
+    board_line.simulate(__file__, DESIGN, files, tops[what], what, parameters, environment, test_filter)
 
 
 if __name__ == "__main__":

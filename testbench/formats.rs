@@ -7,7 +7,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Commands, and runs that together have every key. The object of `efsat mutate` is checked by its own tests.
-const RUNS: [(&str, &[&str]); 17] = [
+const RUNS: [(&str, &[&str]); 18] = [
     (
         "efsat classify",
         &[
@@ -30,6 +30,7 @@ const RUNS: [(&str, &[&str]); 17] = [
     ("efsat self-intersections", &["self-intersections m.obj --exact"]),
     ("efsat accuracy", &["accuracy --pairs 50 --sweep width=12 --multipliers 72 --out c"]),
     ("efsat tree inspect", &["tree inspect m.tree"]),
+    ("efsat tree answer", &["tree answer m.tree m.tree --pose 1,0,0,0,1,0,0,0,1,0.25,0,0"]),
     ("efsat tree count", &["tree count s.toml"]),
     ("efsat accuracy --shard", &["accuracy --pairs 50 --sweep width=12 --multipliers 72 --out d --shard 1/1"]),
 ];
@@ -117,7 +118,9 @@ fn faults(command: &str, objects: &[Value], table: &BTreeMap<String, String>) ->
 
 fn object(dir: &Path, arguments: &str) -> Value {
     let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    let output = command.args(arguments.split(' ')).arg("--json").current_dir(dir).output().unwrap();
+    // One command prints nothing else.
+    let json = (!arguments.starts_with("tree answer")).then_some("--json");
+    let output = command.args(arguments.split(' ')).args(json).current_dir(dir).output().unwrap();
     let (text, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(output.status.success(), "{arguments}: {errors}");
     serde_json::from_str(&text).unwrap_or_else(|e| panic!("{arguments}: {e}: {text}"))

@@ -12,7 +12,7 @@ use efsat::host::settings::Settings;
 use efsat::host::{Host, Stage, loose_pair};
 use efsat::params::{Method, Params};
 use efsat::soak::{Log, Soak, Tally};
-use efsat::{exact, mesh, pair_file, scene, stress};
+use efsat::{exact, mesh, pair_file, scene, stress, times};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use serde_json::Value;
@@ -20,6 +20,8 @@ use std::fs;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::process::Command;
+
+mod words;
 
 /// Bytes that a reader may take, besides what the test program itself has: in kilobytes, as `ulimit -v` counts.
 const MEMORY: u64 = 3_000_000;
@@ -272,6 +274,10 @@ fn read_log(path: &Path) -> Result<(), String> {
     Ok(())
 }
 
+fn read_times(path: &Path) -> Result<(), String> {
+    times::plot(&fs::read_to_string(path).unwrap_or_default()).map(drop).map_err(|e| format!("times.csv: {e}"))
+}
+
 /// The command line puts the name of the file before it.
 fn named(error: impl std::fmt::Display) -> String {
     format!("accuracy.json: {error}")
@@ -292,6 +298,9 @@ const SCENE: &str = "name = \"s\"\nunit = \"mm\"\n[[object]]\nname = \"a\"\nmesh
                      [[trajectory]]\nframes = 5\n[[trajectory.track]]\nobject = \"b\"\n[[trajectory.track.key]]\ntime = 0\n\
                      [[trajectory.track.key]]\ntime = 1.5\naxis = [0, 1, 0]\nangle_degrees = 90\ntranslation = [1, 2, 3]\n\
                      [effects]\nrenormalise = \"on\"\nguard = \"auto\"\n[parameters]\nwidth = 16\n";
+
+const TIMES: &str =
+    "series,distance,queries,microseconds\nFCL,0,12,1.5\nFCL,0.25,3,2\nengine,0,12,0.5\nengine,1.5,1,9.25\n";
 
 fn binary_stl() -> Vec<u8> {
     let mut bytes = vec![b' '; 80];
@@ -383,7 +392,11 @@ fn readers() -> Vec<Reader> {
         of("accuracy.json", vec![results()], read_results),
         of("points.jsonl", vec![store()], read_store),
         of("log", vec![log()], read_log),
+        of("times.csv", vec![TIMES.into()], read_times),
     ]
+    .into_iter()
+    .chain(words::readers())
+    .collect()
 }
 
 /// Rounds of every reader; the faults found.

@@ -5,10 +5,10 @@ use super::error::Failure;
 use super::file;
 use super::output::{print, print_json, warn};
 use super::params::{EngineArguments, ParamArguments, choice};
-use crate::artefact::engine::{engine_design_files, samples};
+use crate::artefact::engine::{engine_design_files_with, samples};
 use crate::artefact::{
-    DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, programme_files, ready_designs,
-    ready_files, verilog_files,
+    DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, engine_verilog_files,
+    programme_files, ready_designs, ready_files, verilog_files,
 };
 use crate::design::Design;
 use crate::design::top::pace;
@@ -46,7 +46,7 @@ pub(super) struct Arguments {
     /// Put NAME_ before the name of every entity, package and file, so that two designs can live in one library
     #[arg(long, value_name = "NAME", value_parser = Prefix::new, conflicts_with_all = ["lp", "ready"])]
     name: Option<Prefix>,
-    /// Also write efsat.v, the unit in its wrapper in Verilog, by GHDL; other versions of GHDL write other Verilog
+    /// Also write the design in Verilog, by GHDL: efsat.v, or efsat_engine.v; other versions of GHDL write other Verilog
     #[arg(long, conflicts_with_all = ["lp", "ready", "unit"])]
     verilog: bool,
     /// Print one JSON object about the design
@@ -125,12 +125,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 fn files(design: &Design, packaging: &Packaging) -> Result<FileSet, Failure> {
     let set = design_files_with(design, packaging, &command_line(&design.params, packaging));
-    set.map_err(|e| match (e, packaging.prefix.name()) {
+    set.map_err(|e| unprinted(e, &packaging.prefix))
+}
+
+/// Why files are not printed, which may be the name that was asked for.
+fn unprinted(error: DesignFilesError, prefix: &Prefix) -> Failure {
+    match (error, prefix.name()) {
         (DesignFilesError::Name(clash), Some(name)) => {
             Failure::Usage(format!("--name {name}: {clash}; expected another name"))
         }
         (e, _) => Failure::Check(e.to_string()),
-    })
+    }
 }
 
 /// Where the design goes. Without --out it is a ready one, which another one must not replace.
@@ -230,24 +235,28 @@ impl fmt::Display for EngineWritten {
 
 /// Writes or checks an engine.
 fn engine(arguments: &Arguments) -> Result<(), Failure> {
-    if arguments.verilog {
-        return Err(Failure::Usage("--verilog with --engine: expected one of the two".to_owned()));
-    }
     let Some(out) = &arguments.out else {
         return Err(Failure::Usage("no --out: expected --out DIR with --engine".to_owned()));
     };
     let design = arguments.engine_params.design(&arguments.params)?;
     let prefix = arguments.name.clone().unwrap_or_default();
     let name = prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
-    let command_line = format!("{}{name}", design.command_line());
+    let verilog = if arguments.verilog { " --verilog" } else { "" };
+    let command_line = format!("{}{name}{verilog}", design.command_line());
     let vectors = samples::text(&design).map_err(|e| Failure::Usage(e.to_string()))?;
-    let set = engine_design_files(&design, &prefix, &command_line, &vectors);
-    let set = set.map_err(|e| match (e, prefix.name()) {
-        (DesignFilesError::Name(clash), Some(name)) => {
-            Failure::Usage(format!("--name {name}: {clash}; expected another name"))
+    let files = |verilog: &[(String, String)]| {
+        let set = engine_design_files_with(&design, &prefix, &command_line, &vectors, verilog);
+        set.map_err(|e| unprinted(e, &prefix))
+    };
+    let mut set = files(&[])?;
+    if arguments.verilog {
+        if !arguments.check {
+            // Before the time that GHDL takes.
+            set.check_target(out)?;
         }
-        (e, _) => Failure::Check(e.to_string()),
-    })?;
+        let verilog = verilog::of_set(&set, &engine_verilog_files(&set, &design, &prefix));
+        set = files(&verilog.map_err(SynthError::Tool)?)?;
+    }
     if arguments.check {
         return check(&set, out);
     }

@@ -1,5 +1,6 @@
 //! `efsat tree`.
 
+mod answer;
 mod build;
 mod count;
 mod inspect;
@@ -28,6 +29,7 @@ enum Command {
     Inspect(inspect::Arguments),
     Verify(verify::Arguments),
     Count(count::Arguments),
+    Answer(answer::Arguments),
 }
 
 /// The options of the engine that a tree depends on.
@@ -66,5 +68,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Verify(arguments) => verify::run(arguments),
         Command::Count(arguments) => count::run(arguments),
+        Command::Answer(arguments) => answer::run(arguments),
     }
 }

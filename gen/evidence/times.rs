@@ -39,6 +39,11 @@ impl Row {
     }
 }
 
+/// The beginning of a line, fit for a message of one line.
+fn shown(line: &str) -> String {
+    line.chars().take(80).flat_map(char::escape_debug).collect()
+}
+
 /// Draws a table: a line for each series, the distance of objects across, the mean time per query upwards.
 ///
 /// # Errors
@@ -47,12 +52,13 @@ pub fn plot(table: &str) -> Result<String, String> {
     let mut lines = table.lines();
     let head = lines.next().unwrap_or_default();
     if head != HEAD {
-        return Err(format!("line 1: {head}; expected {HEAD}"));
+        return Err(format!("line 1: found '{}'; expected {HEAD}", shown(head)));
     }
     let mut series: Vec<Series> = vec![];
     for (number, line) in (2..).zip(lines) {
         let row = Row::of(line).ok_or_else(|| {
-            format!("line {number}: {line}; expected a name, a distance, a number of queries, microseconds per query")
+            let expected = "expected a name, a distance, a number of queries, microseconds per query";
+            format!("line {number}: found '{}'; {expected}", shown(line))
         })?;
         let known = series.iter().position(|series| series.name == row.series);
         let index = known.unwrap_or_else(|| {
@@ -66,7 +72,7 @@ pub fn plot(table: &str) -> Result<String, String> {
         series[index].dots.push(Dot { x: distance, y: microseconds, bounds: None, about });
     }
     if series.is_empty() {
-        return Err("line 2: none; expected a row".to_owned());
+        return Err("line 2: found none; expected a row".to_owned());
     }
     let chart = Chart {
         title: "The closer, the more work".to_owned(),
@@ -95,8 +101,8 @@ mod tests {
     #[test]
     fn what_is_no_table_is_refused() {
         let wrong = |table: &str| plot(table).unwrap_err();
-        assert!(wrong("").starts_with("line 1: ;"));
-        assert!(wrong(HEAD).starts_with("line 2: none"));
+        assert!(wrong("").starts_with("line 1: found '';"));
+        assert!(wrong(HEAD).starts_with("line 2: found none"));
         for row in
             ["engine,1.5,360", "engine,1.5,360,0", "engine,x,360,1", ",1.5,360,1", "engine,1.5,-1,1", "a,1,1,NaN"]
         {

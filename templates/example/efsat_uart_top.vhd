@@ -2,10 +2,16 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Example: the unit behind a UART, a whole design with four pins. Bytes in are the words of {{ prefix }}efsat_stream, low byte
+-- Example: the {{ core.name() }} behind a UART, a whole design with four pins. Bytes in are the words of {{ prefix }}{{ core.entity() }}, low byte
 -- first; a packet ends when the line has been silent for silence_bits bit times. Bytes out are the words of answers, low
+{%- match core %}
+{%- when Core::Unit %}
 -- byte first. A packet that is no whole words is answered as malformed. A record takes far longer to arrive than its
 -- answer to leave, so nothing waits here and no handshake is needed.
+{%- when Core::Engine %}
+-- byte first. A packet that is no whole words is answered as malformed. The line has no handshake: send the next packet when the
+-- one before is answered; only a stop may come while a query runs.
+{%- endmatch %}
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -137,7 +143,7 @@ begin
     end if;
   end process collect;
 
-  wrapper : entity work.{{ prefix }}efsat_stream
+  {{ core.label() }} : entity work.{{ prefix }}{{ core.entity() }}
     port map (
       aclk => clk,
       aresetn => aresetn,

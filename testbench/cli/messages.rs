@@ -187,6 +187,29 @@ fn errors_name_what_was_typed() {
 }
 
 #[test]
+fn queries_that_no_engine_takes_are_refused_with_the_reason() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let says = |arguments: &str, part: &str| fails(dir, arguments, 2, part);
+    fs::write(dir.join("empty"), "").unwrap();
+    fs::write(dir.join("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
+    let build = Command::new(env!("CARGO_BIN_EXE_efsat"))
+        .args(["tree", "build", "m.obj", "--out", "m.tree"])
+        .current_dir(dir)
+        .output();
+    assert!(build.unwrap().status.success());
+    let query = "tree answer m.tree m.tree --pose";
+    says(&format!("{query} 1,0,0"), "--pose: found 3 numbers; expected 12, nine of M and three of t");
+    says(&format!("{query} 1,0,0,0,1,0,0,0,1,0,0,inf"), "--pose: found inf; expected finite numbers");
+    says(&format!("{query} 1,0,0,0,1,0,0,0,2,0,0,0"), "this query: entry 2, 2 of the matrix: 2; expected -1 to 1");
+    says(
+        &format!("{query} 1,0,0,0,1,0,0,0,1,0,0,0 --directions 14"),
+        "image A: another format than the engine's; expected one that was built for it",
+    );
+    says("tree answer m.tree empty --pose 1,0,0,0,1,0,0,0,1,0,0,0", "empty: byte 0: end of the file: 0 of 64 bytes");
+}
+
+#[test]
 fn options_of_another_method_are_refused_with_any_value() {
     let home = tempfile::tempdir().unwrap();
     let refused = |arguments: &str, part: &str| fails(home.path(), arguments, 2, part);

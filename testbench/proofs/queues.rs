@@ -186,9 +186,64 @@ impl Cascade {
     /// The second stage: the n-th answer is that of the n-th pair, if never more pairs are pushed than there are places.
     pub fn second_stage(&self) -> Claim {
         let Self { places, bits: w, latency, slot, .. } = *self;
-        let (top, width, ages) = (w - 1, self.params.width, latency / slot + 1);
-        // The data path answers in one clock only, with what it was given in phase 0.
-        let stub = format!(
+        let (top, ages) = (w - 1, latency / slot + 1);
+        let files =
+            self.sources(&["open_pointers", "exact_sequencer"], &[("exact_pipeline", self.stub())], "exact_stage");
+        let mut claim = self.claim("exact_stage", "answers in order, none lost, each in time", files);
+        self.look(&mut claim);
+        claim.given = vec![format!("!push || in_use < {places}"), "!take || out_valid".to_owned()];
+        self.counters(&mut claim);
+        let holds: Vec<String> = (0..ages - 1).map(|age| format!("control_holds[{age}]")).collect();
+        let in_path = holds.iter().map(String::as_str).chain(["in_last"]).collect::<Vec<_>>();
+        claim.shown([format!("in_path == {}", in_path.join(" + "))]);
+        // What is read of the queue is its oldest pair by the time when it may be taken.
+        claim.shown(["!queue_popped_moved || control_phase_i == 0"]);
+        claim.shown(["!queue_valid || queue_popped_moved || read == queue_popped"]);
+        // What is offered stays until it is taken, and is the answer of the oldest pair.
+        claim.shown(["out_valid == control_offered", "!kept || out_valid", "!out_valid || outstanding"]);
+        claim.shown(["!out_valid || out_word[9:1] == consumed && out_word[18:10] == consumed"]);
+        // Where each pair is: in the data path, in the queue before it, or in the queue behind it.
+        for clock in 0..=latency {
+            let (age, phase) = (clock / slot, clock % slot);
+            let at = match clock {
+                0 => "path_payload".to_owned(),
+                _ => format!("path_stages[{} +: {w}]", w as usize * (latency - clock)),
+            };
+            let _ = writeln!(
+                claim.body,
+                "  wire [{top}:0] number{clock} = {};",
+                [&["newest".to_owned()], &holds[..age]].concat().join(" - ")
+            );
+            claim.shown([format!("control_phase_i != {phase} || !control_holds[{age}] || {at} == number{clock}")]);
+        }
+        place_numbers(&mut claim.body, places, w, "open", "queue_popped", "queue_popped");
+        claim.shown(
+            (0..places).map(|i| format!("open{i} >= waiting || open_fitted0_x_words{i}[{top}:0] == open_number{i}")),
+        );
+        let _ = writeln!(claim.body, "  wire [{top}:0] first = consumed + control_offered;");
+        place_numbers(&mut claim.body, PLACES, w, "result", "control_taken", "first");
+        claim.shown((0..PLACES).map(|i| {
+            let word = format!("result_queue_words{i}");
+            format!("result{i} >= done || {word}[9:1] == result_number{i} && {word}[18:10] == result_number{i}")
+        }));
+        self.bound(&mut claim, &holds);
+        claim.mutants(&[
+            (WrongGate, "take_pair"),
+            (WrongGate, "accepts"),
+            (WrongArm, "empty"),
+            (WrongGate, "decide_pair"),
+            (Inverted, "valid"),
+            (NotMissing, "output_free"),
+            (WrongArm, "full"),
+        ]);
+        claim
+    }
+
+    /// A data path that answers in one clock only, with what it was given in phase 0.
+    fn stub(&self) -> String {
+        let Self { bits: w, latency, .. } = *self;
+        let top = w - 1;
+        format!(
             "  type stages_t is array (1 to {latency}) of unsigned({top} downto 0);
   signal stages : stages_t := (others => (others => '0'));
   signal payload : unsigned({top} downto 0);
@@ -210,9 +265,13 @@ begin
   overlapping <= std_logic_vector(resize(stages({latency}), 9));
 ",
             last = latency - 1
-        );
-        let files = self.sources(&["open_pointers", "exact_sequencer"], &[("exact_pipeline", stub)], "exact_stage");
-        let mut claim = self.claim("exact_stage", "answers in order, none lost, each in time", files);
+        )
+    }
+
+    /// What the claim looks at, and the counts that follow from it.
+    fn look(&self, claim: &mut Claim) {
+        let Self { places, bits: w, latency, slot, .. } = *self;
+        let (top, width, ages) = (w - 1, self.params.width, latency / slot + 1);
         claim.inputs = vec!["push", "take"];
         let pointer = PLACES.trailing_zeros() + 1;
         let phase = slot.next_power_of_two().trailing_zeros();
@@ -256,7 +315,12 @@ begin
             low = 14 * width,
             decides = latency % slot,
         );
-        claim.given = vec![format!("!push || in_use < {places}"), "!take || out_valid".to_owned()];
+    }
+
+    /// How the counters of the stage stand to each other.
+    fn counters(&self, claim: &mut Claim) {
+        let Self { places, bits: w, latency, slot, .. } = *self;
+        let pointer = PLACES.trailing_zeros() + 1;
         claim.shown(["ahead == 1", "accepted_ahead == 1", "taken_ahead == 1", "begun <= in_use", "pushed_lag <= 1"]);
         claim.shown(["taken_lag <= 1", "decided_lag <= 1", "visible <= waiting", "seen <= done", "done <= inside"]);
         claim.shown([
@@ -281,40 +345,12 @@ begin
             format!("control_decide_phase || control_phase_i != {} || control_holds == 0", latency % slot),
             "control_running || control_phase_i == 0".to_owned(),
         ]);
-        let holds: Vec<String> = (0..ages - 1).map(|age| format!("control_holds[{age}]")).collect();
-        let in_path = holds.iter().map(String::as_str).chain(["in_last"]).collect::<Vec<_>>();
-        claim.shown([format!("in_path == {}", in_path.join(" + "))]);
-        // What is read of the queue is its oldest pair by the time when it may be taken.
-        claim.shown(["!queue_popped_moved || control_phase_i == 0"]);
-        claim.shown(["!queue_valid || queue_popped_moved || read == queue_popped"]);
-        // What is offered stays until it is taken, and is the answer of the oldest pair.
-        claim.shown(["out_valid == control_offered", "!kept || out_valid", "!out_valid || outstanding"]);
-        claim.shown(["!out_valid || out_word[9:1] == consumed && out_word[18:10] == consumed"]);
-        // Where each pair is: in the data path, in the queue before it, or in the queue behind it.
-        for clock in 0..=latency {
-            let (age, phase) = (clock / slot, clock % slot);
-            let at = match clock {
-                0 => "path_payload".to_owned(),
-                _ => format!("path_stages[{} +: {w}]", w as usize * (latency - clock)),
-            };
-            let _ = writeln!(
-                claim.body,
-                "  wire [{top}:0] number{clock} = {};",
-                [&["newest".to_owned()], &holds[..age]].concat().join(" - ")
-            );
-            claim.shown([format!("control_phase_i != {phase} || !control_holds[{age}] || {at} == number{clock}")]);
-        }
-        place_numbers(&mut claim.body, places, w, "open", "queue_popped", "queue_popped");
-        claim.shown(
-            (0..places).map(|i| format!("open{i} >= waiting || open_fitted0_x_words{i}[{top}:0] == open_number{i}")),
-        );
-        let _ = writeln!(claim.body, "  wire [{top}:0] first = consumed + control_offered;");
-        place_numbers(&mut claim.body, PLACES, w, "result", "control_taken", "first");
-        claim.shown((0..PLACES).map(|i| {
-            let word = format!("result_queue_words{i}");
-            format!("result{i} >= done || {word}[9:1] == result_number{i} && {word}[18:10] == result_number{i}")
-        }));
-        // Clocks until the oldest answer is offered; they pass one by one.
+    }
+
+    /// Clocks until the oldest answer is offered; they pass one by one.
+    fn bound(&self, claim: &mut Claim, holds: &[String]) {
+        let Self { latency, slot, .. } = *self;
+        let ages = latency / slot + 1;
         let mut remaining = "out_valid || !outstanding ? 0 : done != 0 ? 1 + control_empty".to_owned();
         let oldest = latency + 3;
         for age in (0..ages).rev() {
@@ -325,16 +361,6 @@ begin
         let _ = write!(remaining, " + (control_phase_i == {} && !queue_valid ? {slot} : 0)", slot - 1);
         let _ = writeln!(claim.body, "  wire [9:0] remaining = {remaining};");
         claim.shown([format!("waited + remaining <= {}", self.patience())]);
-        claim.mutants(&[
-            (WrongGate, "take_pair"),
-            (WrongGate, "accepts"),
-            (WrongArm, "empty"),
-            (WrongGate, "decide_pair"),
-            (Inverted, "valid"),
-            (NotMissing, "output_free"),
-            (WrongArm, "full"),
-        ]);
-        claim
     }
 }
 

@@ -1,5 +1,7 @@
-//! The UART example on a board, for a design whose device is on one: top, PLL, pins, and the script that makes the bitstream.
+//! The UART example on a board, for a unit or an engine whose device is on one: top, PLL, pins, and the script that makes the
+//! bitstream.
 
+use super::example::Core;
 use super::file_lists::FileLists;
 use super::project::Project;
 use super::verilog_file::VerilogFile;
@@ -111,6 +113,7 @@ files! {
 struct Values<'a> {
     header: &'a [String],
     prefix: &'a Prefix,
+    core: Core,
     board: &'static str,
     part: String,
     hertz: u32,
@@ -122,7 +125,7 @@ struct Values<'a> {
     sources: Vec<String>,
 }
 
-/// What is around the wrapper, in Verilog, if the tools for the board read no VHDL; its sources are those behind the
+/// What is around the core, in Verilog, if the tools for the board read no VHDL; its sources are those behind the
 /// synthesised ones. The PLL is written in Verilog, as GHDL knows no cells; in VHDL there is a stand-in.
 pub(super) fn verilog_file(design: &Design, prefix: &Prefix) -> Option<VerilogFile> {
     let board = Board::of(design.device.name).filter(|board| *board == Board::Ulx3s)?.name();
@@ -132,8 +135,15 @@ pub(super) fn verilog_file(design: &Design, prefix: &Prefix) -> Option<VerilogFi
     Some(VerilogFile { name: file(".v"), sources, without: Some(format!("{top}_clock")), top })
 }
 
-/// Adds the board that has the device of the design, if there is one.
-pub(super) fn add(set: &mut FileSet, design: &Design, prefix: &Prefix, lists: &FileLists) -> Option<Project> {
+/// Adds the board that has the device of the design, if there is one. `synthesised` are the files of the core in dependency
+/// order.
+pub(super) fn add(
+    set: &mut FileSet,
+    core: Core,
+    design: &Design,
+    prefix: &Prefix,
+    synthesised: &[String],
+) -> Option<Project> {
     let board = Board::of(design.device.name)?;
     let (folder, frequency) = (board.name(), design.params.frequency);
     let file = |ending: &str| format!("{folder}/{prefix}efsat_{folder}{ending}");
@@ -147,13 +157,14 @@ pub(super) fn add(set: &mut FileSet, design: &Design, prefix: &Prefix, lists: &F
     let values = &Values {
         header: &origin(),
         prefix,
+        core,
         board: folder,
         part: format!("{}{}{}", part.device, part.package, part.speed),
         hertz,
         megahertz: in_megahertz(hertz),
         pll,
         divisor: format!("{}.{:03}", eighths / 8, eighths % 8 * 125),
-        sources: lists.synthesised().into_iter().chain(lists.example.iter().cloned()).chain(own).collect(),
+        sources: synthesised.iter().cloned().chain(FileLists::example(prefix)).chain(own).collect(),
     };
     let texts = match board {
         Board::Ulx3s => vec![

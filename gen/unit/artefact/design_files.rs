@@ -1,5 +1,6 @@
 //! All files of a generated design, as one value.
 
+use super::example::Core;
 use super::file_lists::FileLists;
 use super::project::Project;
 use super::units::{UnitRow, first_sentence, units};
@@ -151,7 +152,7 @@ pub fn design_files_with(
     let projects = [
         ise::add(&mut set, design, prefix, &synthesised),
         vivado::add(&mut set, design, packaging, command_line, &synthesised),
-        board::add(&mut set, design, prefix, &lists),
+        board::add(&mut set, Core::Unit, design, prefix, &synthesised),
     ];
     let projects: Vec<Project> = projects.into_iter().flatten().collect();
     for project in &projects {

@@ -1,4 +1,4 @@
-//! The example design: the wrapped unit behind a UART, and its testbench.
+//! The example design: the wrapped unit, or the engine, behind a UART; and the testbench of the former.
 
 use super::file_lists::FileLists;
 use super::{FileSet, Prefix, origin};
@@ -7,6 +7,49 @@ use crate::golden::{Golden, Input, Pose};
 use crate::host::{Host, loose_pair};
 use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, StreamWord, verdict_status};
 use askama::Template;
+
+/// What is behind the UART. Both have the ports of an AXI4-Stream in and of one out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Core {
+    /// The unit in its stream wrapper.
+    Unit,
+    /// The collision engine with its trees in block RAM.
+    Engine,
+}
+
+impl Core {
+    /// What sentences call it.
+    pub(super) fn name(self) -> &'static str {
+        match self {
+            Self::Unit => "unit",
+            Self::Engine => "engine",
+        }
+    }
+
+    /// The entity with the streams, without a prefix.
+    pub(super) fn entity(self) -> &'static str {
+        match self {
+            Self::Unit => "efsat_stream",
+            Self::Engine => "efsat_engine",
+        }
+    }
+
+    /// Its instance in the example.
+    fn label(self) -> &'static str {
+        match self {
+            Self::Unit => "wrapper",
+            Self::Engine => "engine",
+        }
+    }
+
+    /// Its file in Verilog.
+    pub(super) fn verilog(self, prefix: &Prefix) -> String {
+        match self {
+            Self::Unit => prefix.of("efsat.v"),
+            Self::Engine => prefix.of("efsat_engine.v"),
+        }
+    }
+}
 
 #[derive(Template)]
 #[template(path = "example/uart_receiver.vhd", escape = "none")]
@@ -27,6 +70,7 @@ struct Transmitter<'a> {
 struct Top<'a> {
     header: &'a [String],
     prefix: &'a Prefix,
+    core: Core,
     frequency: u32,
     width: u32,
     word_bytes: u32,
@@ -119,22 +163,27 @@ fn bench(design: &Design, format: &StreamFormat, prefix: &Prefix, header: &[Stri
     Bench { header, prefix, story, packets, steps }.render().expect("the template renders")
 }
 
-/// Adds the example.
+/// Adds the example with its testbench.
 pub(super) fn add(set: &mut FileSet, design: &Design, format: &StreamFormat, prefix: &Prefix, lists: &FileLists) {
+    add_top(set, Core::Unit, design.params.frequency, [format.width.bits(), format.answer_width()], prefix);
+    set.insert(&lists.benches[2].file, bench(design, format, prefix, &origin()));
+}
+
+/// Adds the example around a core with words of so many bits in and out.
+pub(super) fn add_top(set: &mut FileSet, core: Core, frequency: u32, [width, answer_width]: [u32; 2], prefix: &Prefix) {
     let header = &origin()[..];
-    let (width, answer_width) = (format.width.bits(), format.answer_width());
     let top = Top {
         header,
         prefix,
-        frequency: design.params.frequency,
+        core,
+        frequency,
         width,
         word_bytes: width / 8,
         answer_width,
         answer_bytes: answer_width / 8,
     };
     let texts = [Receiver { header, prefix }.render(), Transmitter { header, prefix }.render(), top.render()];
-    for (name, text) in lists.example.iter().zip(texts) {
+    for (name, text) in FileLists::example(prefix).iter().zip(texts) {
         set.insert(name, text.expect("the template renders"));
     }
-    set.insert(&lists.benches[2].file, bench(design, format, prefix, header));
 }

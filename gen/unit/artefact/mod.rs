@@ -40,5 +40,5 @@ pub use ready::{ReadyDesign, ReadyError, ready_designs, ready_files};
 pub use scratch::{Scratch, interrupted};
 pub use sources::{origin, vhdl_files};
 pub use vectors::Stimulus;
-pub use verilog::verilog_files;
+pub use verilog::{engine_verilog_files, verilog_files};
 pub use verilog_file::VerilogFile;

@@ -1,9 +1,13 @@
 //! All files of a generated engine, as one value.
 
-use super::{EngineDesign, NAME, TESTBENCH, bench, engine_files};
+use super::values::WORD;
+use super::{EngineDesign, NAME, TESTBENCH, bench, engine_files, host};
 use crate::artefact::design_files::DesignFilesError;
+use crate::artefact::example::{self, Core};
+use crate::artefact::file_lists::FileLists;
 use crate::artefact::manifest::digest;
-use crate::artefact::{FileSet, Prefix};
+use crate::artefact::project::Project;
+use crate::artefact::{FileSet, Prefix, board};
 use crate::design::top::pace;
 use crate::params::engine::{Command, Memory};
 use askama::Template;
@@ -35,6 +39,7 @@ struct Readme<'a> {
     device: &'static str,
     entities: Vec<Row>,
     files: Vec<Row>,
+    project: Option<Project>,
     testbench: String,
 }
 
@@ -70,8 +75,7 @@ const ENTITIES: [(&str, &str); 9] = [
     ("engine_answer", "Answers out, counters and the report."),
 ];
 
-/// Sources, testbench, its vectors, lists, a README and the manifest. Equal designs, vectors and command lines give equal
-/// bytes.
+/// As [`engine_design_files_with`], without files in Verilog.
 ///
 /// # Errors
 /// A name in the design that is not legal VHDL, or a breach of the [rules](efsat_hardware::vhdl::lint) of the target.
@@ -80,6 +84,23 @@ pub fn engine_design_files(
     prefix: &Prefix,
     command_line: &str,
     vectors: &str,
+) -> Result<FileSet, DesignFilesError> {
+    engine_design_files_with(design, prefix, command_line, vectors, &[])
+}
+
+/// Sources, testbench, its vectors, lists, a README and the manifest; with block RAM also the example behind a UART, the files
+/// of a board that has the device, and the host side. `verilog` are name and text of the
+/// [Verilog files](crate::artefact::engine_verilog_files) that are made already. Equal designs, vectors and command lines
+/// give equal bytes.
+///
+/// # Errors
+/// As [`engine_design_files`].
+pub fn engine_design_files_with(
+    design: &EngineDesign,
+    prefix: &Prefix,
+    command_line: &str,
+    vectors: &str,
+    verilog: &[(String, String)],
 ) -> Result<FileSet, DesignFilesError> {
     let sources = engine_files(design, prefix, command_line)?;
     let texts: Vec<(&str, &str)> = sources.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
@@ -90,7 +111,7 @@ pub fn engine_design_files(
     let names: Vec<String> = sources.iter().map(|(name, _)| name.clone()).collect();
     let mut set = FileSet::default();
     let row = |name: &str, what: &str| Row { name: name.to_owned(), what: what.to_owned() };
-    let files = vec![
+    let mut files = vec![
         row(
             &format!("{prefix}{NAME}.vhd"),
             "The engine; the other `.vhd` files are its entities and those of the units.",
@@ -107,15 +128,41 @@ pub fn engine_design_files(
     sources.into_iter().for_each(|(name, text)| set.insert(name, text));
     set.insert(&bench_file, bench(design, prefix));
     set.insert(vector_file, vectors.to_owned());
-    set.insert("files-synthesis.txt", format!("{}\n", names.join("\n")));
-    set.insert("files.txt", format!("{}\n{bench_file}\n", names.join("\n")));
-    set.insert("README.md", readme(design, prefix, command_line, files));
+    set.insert(FileLists::SYNTHESISED, format!("{}\n", names.join("\n")));
+    let (mut all, mut project) = (names.clone(), None);
+    if design.params.memory == Memory::BlockRam {
+        let unit = &design.unit;
+        example::add_top(&mut set, Core::Engine, unit.params.frequency, [WORD; 2], prefix);
+        all.extend(FileLists::example(prefix));
+        files.push(row("example", "The engine behind a UART, a whole design."));
+        project = board::add(&mut set, Core::Engine, unit, prefix, &names);
+        files.extend(
+            project
+                .as_ref()
+                .map(|project| row(&project.folder, &format!("Project for {}, part {}.", project.tool, project.part))),
+        );
+        let (name, text) = host(design, prefix);
+        files.push(row(&name, "The words of its stream in Python: loads, queries, answers, reports."));
+        set.insert(name, text);
+    }
+    for (name, text) in verilog {
+        files.push(row(name, "A copy in Verilog, made by GHDL."));
+        set.insert(name, text);
+    }
+    set.insert("files.txt", format!("{}\n{bench_file}\n", all.join("\n")));
+    set.insert("README.md", readme(design, prefix, command_line, files, project));
     let manifest = manifest(design, command_line, &set);
     set.insert("manifest.json", manifest);
     Ok(set)
 }
 
-fn readme(design: &EngineDesign, prefix: &Prefix, command_line: &str, files: Vec<Row>) -> String {
+fn readme(
+    design: &EngineDesign,
+    prefix: &Prefix,
+    command_line: &str,
+    files: Vec<Row>,
+    project: Option<Project>,
+) -> String {
     let params = &design.params;
     let (unit, volume) = (design.unit.top.multipliers(), design.volume.stage.multipliers());
     let memory = match params.memory {
@@ -156,6 +203,7 @@ fn readme(design: &EngineDesign, prefix: &Prefix, command_line: &str, files: Vec
         device: design.unit.device.name,
         entities,
         files,
+        project,
         testbench: prefix.of(TESTBENCH),
     };
     readme.render().expect("the template renders")

@@ -2,6 +2,7 @@
 //! `values` computes, the unit and the volume unit.
 
 mod files;
+mod host;
 #[cfg(feature = "scenes")]
 pub mod samples;
 mod values;
@@ -16,9 +17,10 @@ use crate::params::engine::{EngineFormat, EngineParams, Memory};
 use crate::params::{ParamError, Params};
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
+use host::host;
 use values::{Lines, Values};
 
-pub use files::engine_design_files;
+pub use files::{engine_design_files, engine_design_files_with};
 
 /// Name of the entity of the engine, without a prefix.
 pub const NAME: &str = "efsat_engine";

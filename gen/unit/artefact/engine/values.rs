@@ -14,7 +14,7 @@ const LINE_ADDRESS_BITS: u32 = 26;
 /// Lines that a cache may have asked for and not got.
 const PLACES: u32 = 16;
 /// Words of a stream into the engine.
-const WORD: u32 = 64;
+pub(super) const WORD: u32 = 64;
 
 /// Bits of a word.
 #[derive(Debug)]
