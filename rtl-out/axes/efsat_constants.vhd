@@ -13,7 +13,7 @@ package efsat_constants is
   constant tag_bits : natural := 16;  -- bits of the tag of a pair
   constant flag_bits : natural := 11;  -- flags of each kind, one for each axis
   constant clocks_per_pair : natural := 11;  -- clocks from pair to pair, the initiation interval
-  constant latency : natural := 62;  -- clocks from a pair taken to its verdict
+  constant latency : natural := 60;  -- clocks from a pair taken to its verdict
   constant clock_mhz : natural := 100;  -- the target clock in MHz
 
   -- Verdicts: out_verdict, and the low bits of an answer.

@@ -27,8 +27,8 @@ end entity efsat_stream_tb;
 
 architecture simulation of efsat_stream_tb is
   constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11 tag 16 stream 64 to 64";
-  constant patience : natural := 4344;  -- clocks without a transfer before giving up
-  constant full_after : natural := 152;  -- clocks of refusal after which the unit is full
+  constant patience : natural := 4336;  -- clocks without a transfer before giving up
+  constant full_after : natural := 150;  -- clocks of refusal after which the unit is full
   constant begun : natural := 21;  -- words before the reset between passes: a pair in the unit, one that waits
 
   signal clk : std_logic := '0';

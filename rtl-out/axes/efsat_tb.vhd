@@ -22,9 +22,9 @@ end entity efsat_tb;
 architecture simulation of efsat_tb is
   constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11";
   constant paced : natural := 96;  -- pairs of the second pass
-  constant patience : natural := 4344;  -- clocks without an answer before giving up
+  constant patience : natural := 4336;  -- clocks without an answer before giving up
   constant in_flight : natural := 4096;  -- answers awaited at most
-  constant full_after : natural := 88;  -- clocks of refusal after which the unit is full
+  constant full_after : natural := 86;  -- clocks of refusal after which the unit is full
 
   subtype pair_word is std_logic_vector(575 downto 0);
   subtype pose_word is std_logic_vector(384 downto 0);
@@ -328,7 +328,7 @@ begin
     writeline(output, message);
     assert mismatches = 0 report "efsat_tb: the unit and the reference model differ" severity error;
     assert interval = 0 or interval = 11 report "efsat_tb: initiation interval is not 11" severity error;
-    assert latency = 62 report "efsat_tb: latency is not 62" severity error;
+    assert latency = 60 report "efsat_tb: latency is not 60" severity error;
     done <= true;
     wait;
   end process main;

@@ -1,7 +1,7 @@
 --------------------------------------------------------------------------------
 -- The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of
 -- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.
--- Latency: 58 clocks.
+-- Latency: 56 clocks.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -30,21 +30,22 @@ architecture rtl of pair_pipeline is
   constant row_diagonal_at_0_2_table : std_logic_vector(0 to 10) := "01001001000";
   constant row_x_select_at_0_table : numbers_t(0 to 10) := (0, 0, 1, 1, 1, 2, 2, 2, 0, 0, 0);
   constant lane_select_at_10_table : numbers_t(0 to 10) := (2, 0, 3, 4, 5, 3, 0, 0, 0, 0, 1);
-  constant lane_choice_operand_select_at_10_table : numbers_t(0 to 10) := (0, 0, 0, 1, 2, 0, 0, 0, 0, 0, 0);
+  constant lane2_choice_operand_select_tap_at_10_table : numbers_t(0 to 10) := (13, 14, 4, 2, 0, 7, 8, 9, 10, 11, 12);
+  constant lane1_choice_operand_select_tap_at_10_table : numbers_t(0 to 10) := (14, 15, 5, 3, 1, 8, 9, 10, 11, 12, 13);
   constant lane_from_input_at_10_table : std_logic_vector(0 to 10) := "11000011111";
   constant lane_from_input_at_0_table : std_logic_vector(0 to 10) := "11100001111";
   constant axis0_has_b2_at_0_table : std_logic_vector(0 to 10) := "00000000001";
   constant lane_edge_rounding_at_3_table : std_logic_vector(0 to 10) := "00010100000";
-  constant axis_e_select_at_10_table : numbers_t(0 to 10) := (2, 2, 2, 3, 3, 3, 0, 0, 0, 0, 1);
-  constant axis_f_select_at_10_table : numbers_t(0 to 10) := (1, 2, 3, 1, 2, 3, 1, 2, 3, 0, 1);
-  constant axis0_v0_select_at_7_table : std_logic_vector(0 to 10) := "00011100000";
-  constant axis0_v1_select_at_7_table : numbers_t(0 to 10) := (1, 1, 1, 2, 2, 2, 0, 1, 2, 2, 2);
-  constant axis0_v2_select_at_7_table : numbers_t(0 to 10) := (2, 0, 2, 2, 0, 2, 0, 1, 2, 0, 2);
-  constant axis0_v3_select_at_7_table : std_logic_vector(0 to 10) := "00100100001";
-  constant axis0_has_a1_at_1_table : std_logic_vector(0 to 10) := "01111111111";
-  constant axis0_has_a2_at_1_table : std_logic_vector(0 to 10) := "01000000000";
-  constant axis0_has_b1_at_1_table : std_logic_vector(0 to 10) := "10111111111";
-  constant axis0_has_b2_at_1_table : std_logic_vector(0 to 10) := "10000000000";
+  constant axis_e_select_tap_at_8_table : numbers_t(0 to 10) := (7, 7, 7, 4, 11, 11, 11, 1, 4, 4, 4);
+  constant axis_f_select_tap_at_8_table : numbers_t(0 to 10) := (2, 3, 4, 6, 5, 6, 7, 3, 0, 1, 2);
+  constant axis0_v0_select_at_5_table : std_logic_vector(0 to 10) := "00010001001";
+  constant axis0_v1_1_select_tap_at_5_table : numbers_t(0 to 10) := (12, 12, 14, 14, 0, 5, 7, 7, 8, 10, 10);
+  constant axis0_v2_1_select_tap_at_5_table : numbers_t(0 to 10) := (10, 7, 8, 9, 0, 0, 1, 2, 4, 5, 6);
+  constant axis0_v3_select_at_5_table : std_logic_vector(0 to 10) := "01110000000";
+  constant axis0_has_a1_at_10_table : std_logic_vector(0 to 10) := "11111111101";
+  constant axis0_has_a2_at_10_table : std_logic_vector(0 to 10) := "00000100000";
+  constant axis0_has_b1_at_10_table : std_logic_vector(0 to 10) := "11111011111";
+  constant axis0_has_b2_at_10_table : std_logic_vector(0 to 10) := "00000000010";
   signal row_t_pose : signed(31 downto 0);  -- s4.28; |.| <= 1073741816
   signal row_t_pose_select_at_0 : unsigned(1 downto 0) := (others => '0');
   signal row_t : signed(31 downto 0);  -- s4.28; |.| <= 1073741816
@@ -59,13 +60,16 @@ architecture rtl of pair_pipeline is
   signal pose_bypass_d1 : std_logic := '0';
   signal row : interval_32_t;  -- s4.28; |.| <= 1879048192
   signal strobe : std_logic_vector(10 downto 0) := (others => '0');  -- one flag per phase
-  signal b : interval_32_vector_x3_t := zero_interval_32_vector_x3;  -- s4.28; |.| <= 1879048192; B's vertices in A's frame
+  signal b_lo : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28; |.| <= 1879048190; B's vertices in A's frame
   signal in_v0_h10 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 268435456
   signal in_v_h11 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28; |.| <= 268435456
   signal lane : interval_32_vector_t;  -- s4.28; |.| <= 1879048192
   signal lane_select_at_10 : unsigned(2 downto 0) := (others => '0');
+  signal row_hi_d1 : signed(31 downto 0) := (others => '0');  -- s4.28; |.| <= 1879048192
+  signal row_hi_d2 : signed(31 downto 0) := (others => '0');  -- s4.28; |.| <= 1879048192
+  signal lane2_choice_operand_select_tap_at_10 : unsigned(3 downto 0) := (others => '0');
+  signal lane1_choice_operand_select_tap_at_10 : unsigned(3 downto 0) := (others => '0');
   signal lane_hi_choice_operand : signed_32_vector_t;  -- s4.28; |.| <= 1879048192
-  signal lane_choice_operand_select_at_10 : unsigned(1 downto 0) := (others => '0');
   signal lane_from_input_at_10 : std_logic := '0';
   signal lane_hi_choice_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 1879048192
   signal lane_from_input_at_0 : std_logic := '0';
@@ -84,36 +88,26 @@ architecture rtl of pair_pipeline is
   signal shift_d1 : flag_x5_vector_t := zero_flag_x5_vector;
   signal scaled : interval_18_vector_t;  -- |.| <= 65536
   signal scaled_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
+  signal scaled_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
   signal scaled_case : unsigned_2_vector_t;
   signal v0_hi : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal v0_lo : signed_18_vector_t;  -- s2.16; |.| <= 0
   signal v1 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v2 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
   signal v1_case : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v2_case : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal v0_case : unsigned_2_vector_t;
-  signal w : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- s2.16; |.| <= 65536
-  signal w_case : unsigned_2_vector_x3_t := zero_unsigned_2_vector_x3;
-  signal scaled_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
+  signal w : interval_18_vector_x2_t := zero_interval_18_vector_x2;  -- s2.16; |.| <= 65536
+  signal w_case : unsigned_2_vector_x2_t := zero_unsigned_2_vector_x2;
   signal lane_difference : interval_19_19_vector_t;  -- |.| <= 131072
   signal lane_difference_d1 : interval_19_19_vector_t := zero_interval_19_19_vector;  -- |.| <= 131072
   signal lane_edge_rounding_at_3 : std_logic := '0';
   signal lane_edge : interval_18_vector_t;  -- |.| <= 65537
   signal lane_edge_hi_second_up_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 65537
   signal lane_edge_case : unsigned_2_vector_t;
-  signal e_a : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- |.| <= 65537
-  signal e_a_case : unsigned_2_vector_x3_t := zero_unsigned_2_vector_x3;
-  signal e_b : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- |.| <= 65537
-  signal e_b_case : unsigned_2_vector_x3_t := zero_unsigned_2_vector_x3;
-  signal e_a2_h3 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
-  signal e_a1_h9 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
+  signal axis_e_select_tap_at_8 : unsigned(3 downto 0) := (others => '0');
   signal axis_e : interval_18_vector_t;  -- |.| <= 65537
-  signal axis_e_select_at_10 : unsigned(1 downto 0) := (others => '0');
-  signal e_a2_case_h3 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal e_a1_case_h9 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal axis_e_case : unsigned_2_vector_t;
+  signal axis_f_select_tap_at_8 : unsigned(3 downto 0) := (others => '0');
   signal axis_f : interval_18_vector_t;  -- |.| <= 65537
-  signal axis_f_select_at_10 : unsigned(1 downto 0) := (others => '0');
   signal axis_f_case : unsigned_2_vector_t;
   signal axis_e_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
   signal axis_e_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
@@ -126,45 +120,45 @@ architecture rtl of pair_pipeline is
   signal axis_l_case : unsigned_2_vector_t;
   signal v1_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
   signal v0_hi_h11 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
-  signal v2_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v1_h22 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal axis0_v : interval_18_vector_x4_t;  -- s2.16; |.| <= 65536
-  signal axis0_v0_select_at_7 : std_logic := '0';
-  signal axis0_v1_select_at_7 : unsigned(1 downto 0) := (others => '0');
-  signal axis0_v2_select_at_7 : unsigned(1 downto 0) := (others => '0');
-  signal axis0_v3_select_at_7 : std_logic := '0';
-  signal v0_hi_h16 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal v1_h16 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v2_h16 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal axis0_v : interval_18_vector_x4_t;  -- s2.16; |.| <= 65536
+  signal axis0_v0_select_at_5 : std_logic := '0';
+  signal axis0_v3_select_at_5 : std_logic := '0';
+  signal v0_hi_h14 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal v1_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v2_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v1_case_h22 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal axis0_v_case : unsigned_2_vector_x4_t;
   signal axis0_v_d1 : interval_18_vector_x4_t := zero_interval_18_vector_x4;  -- s2.16; |.| <= 65536
   signal axis0_v_case_d1 : unsigned_2_vector_x4_t := zero_unsigned_2_vector_x4;
   signal axis_l_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 131071
   signal axis_l_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal p : interval_22_x4_t;  -- |.| <= 1572852
-  signal v2_case_h15 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w_h11 : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- s2.16; |.| <= 65536
-  signal w1_case_h10 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w2_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w0_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  type scaled_line_t is array (1 to 6) of interval_18_vector_t;
+  signal scaled_line : scaled_line_t := (others => zero_interval_18_vector);  -- |.| <= 65536
+  signal axis0_v1_1_select_tap_at_5 : unsigned(3 downto 0) := (others => '0');
+  signal axis0_v2_1_select_tap_at_5 : unsigned(3 downto 0) := (others => '0');
+  type scaled_case_line_t is array (1 to 6) of unsigned_2_vector_t;
+  signal scaled_case_line : scaled_case_line_t := (others => zero_unsigned_2_vector);
+  signal scaled_d9 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
+  signal scaled_case_d7 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal w0_h10 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal w1_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal w0_case_h8 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal w1_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal p_d1 : interval_22_x4_t := zero_interval_22_x4;  -- |.| <= 1572852
-  signal axis0_has_a1_at_1 : std_logic := '0';
-  signal axis0_has_a2_at_1 : std_logic := '0';
-  signal axis0_has_b1_at_1 : std_logic := '0';
-  signal axis0_has_b2_at_1 : std_logic := '0';
+  signal axis0_has_a1_at_10 : std_logic := '0';
+  signal axis0_has_a2_at_10 : std_logic := '0';
+  signal axis0_has_b1_at_10 : std_logic := '0';
+  signal axis0_has_b2_at_10 : std_logic := '0';
   signal axis_separated : std_logic;
   signal axis_overlapping : std_logic;
   signal axis0_above : std_logic_vector(5 downto 0);
   signal axis0_below : std_logic_vector(5 downto 0);
   signal pierced_w_above : std_logic_vector(2 downto 0) := (others => '0');
   signal pierced_w_below : std_logic_vector(2 downto 0) := (others => '0');
-  signal pierced_v_above : std_logic_vector(2 downto 0) := (others => '0');
-  signal pierced_v_below : std_logic_vector(2 downto 0) := (others => '0');
   signal pierced_edges_above : flag_x3_x3_t := zero_flag_x3_x3;
   signal pierced_edges_below : flag_x3_x3_t := zero_flag_x3_x3;
+  signal pierced_v_above : std_logic_vector(2 downto 0) := (others => '0');
+  signal pierced_v_below : std_logic_vector(2 downto 0) := (others => '0');
   signal separated_i : std_logic_vector(10 downto 0) := (others => '0');
   signal overlapping_i : std_logic_vector(10 downto 0) := (others => '0');
   signal pierced : std_logic;
@@ -176,6 +170,8 @@ architecture rtl of pair_pipeline is
   signal verdict_and_second_not_first_h1 : std_logic := '0';
   signal separated0_h11 : std_logic := '0';
   signal overlapping0_h11 : std_logic := '0';
+  signal lane_hi_choice_operand_line_x : signed_32_vector_t;
+  signal lane_hi_choice_operand_line_tap : unsigned_4_vector_t;
   signal offset_unit_point : interval_32_vector_t;
   signal axis_separated_unit_has : flag_x2_x2_t;
 begin
@@ -192,21 +188,24 @@ begin
         strobe(k) <= flag(phase = (k + 10) mod 11);
       end loop;
       lane_select_at_10 <= to_unsigned(lane_select_at_10_table(to_integer(phase)), 3);
-      lane_choice_operand_select_at_10 <= to_unsigned(lane_choice_operand_select_at_10_table(to_integer(phase)), 2);
+      lane2_choice_operand_select_tap_at_10 <=
+          to_unsigned(lane2_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
+      lane1_choice_operand_select_tap_at_10 <=
+          to_unsigned(lane1_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
       lane_from_input_at_10 <= lane_from_input_at_10_table(to_integer(phase));
       lane_from_input_at_0 <= lane_from_input_at_0_table(to_integer(phase));
       axis0_has_b2_at_0 <= axis0_has_b2_at_0_table(to_integer(phase));
       lane_edge_rounding_at_3 <= lane_edge_rounding_at_3_table(to_integer(phase));
-      axis_e_select_at_10 <= to_unsigned(axis_e_select_at_10_table(to_integer(phase)), 2);
-      axis_f_select_at_10 <= to_unsigned(axis_f_select_at_10_table(to_integer(phase)), 2);
-      axis0_v0_select_at_7 <= axis0_v0_select_at_7_table(to_integer(phase));
-      axis0_v1_select_at_7 <= to_unsigned(axis0_v1_select_at_7_table(to_integer(phase)), 2);
-      axis0_v2_select_at_7 <= to_unsigned(axis0_v2_select_at_7_table(to_integer(phase)), 2);
-      axis0_v3_select_at_7 <= axis0_v3_select_at_7_table(to_integer(phase));
-      axis0_has_a1_at_1 <= axis0_has_a1_at_1_table(to_integer(phase));
-      axis0_has_a2_at_1 <= axis0_has_a2_at_1_table(to_integer(phase));
-      axis0_has_b1_at_1 <= axis0_has_b1_at_1_table(to_integer(phase));
-      axis0_has_b2_at_1 <= axis0_has_b2_at_1_table(to_integer(phase));
+      axis_e_select_tap_at_8 <= to_unsigned(axis_e_select_tap_at_8_table(to_integer(phase)), 4);
+      axis_f_select_tap_at_8 <= to_unsigned(axis_f_select_tap_at_8_table(to_integer(phase)), 4);
+      axis0_v0_select_at_5 <= axis0_v0_select_at_5_table(to_integer(phase));
+      axis0_v3_select_at_5 <= axis0_v3_select_at_5_table(to_integer(phase));
+      axis0_v1_1_select_tap_at_5 <= to_unsigned(axis0_v1_1_select_tap_at_5_table(to_integer(phase)), 4);
+      axis0_v2_1_select_tap_at_5 <= to_unsigned(axis0_v2_1_select_tap_at_5_table(to_integer(phase)), 4);
+      axis0_has_a1_at_10 <= axis0_has_a1_at_10_table(to_integer(phase));
+      axis0_has_a2_at_10 <= axis0_has_a2_at_10_table(to_integer(phase));
+      axis0_has_b1_at_10 <= axis0_has_b1_at_10_table(to_integer(phase));
+      axis0_has_b2_at_10 <= axis0_has_b2_at_10_table(to_integer(phase));
     end if;
   end process selectors;
   v0_lo_each : for i in 0 to 2 generate
@@ -246,19 +245,42 @@ begin
   row_unit : entity work.transform_row
     port map (clk => clk, m => row_m_d1, x => row_x_d1, t => row_t_d1, bypass => pose_bypass_d1, b => row);
 
+  -- Clock 8
+  clock_8 : process (clk)
+  begin
+    if rising_edge(clk) then
+      row_hi_d1 <= row.hi;
+    end if;
+  end process clock_8;
+
+  -- Clock 9
+  clock_9 : process (clk)
+  begin
+    if rising_edge(clk) then
+      row_hi_d2 <= row_hi_d1;
+    end if;
+  end process clock_9;
+  lane_hi_choice_operand_line_x(0) <= row_hi_d2;
+  lane_hi_choice_operand_line_x(1) <= row.hi;
+  lane_hi_choice_operand_line_x(2) <= row.hi;
+  lane_hi_choice_operand_line_tap(0) <= lane2_choice_operand_select_tap_at_10;
+  lane_hi_choice_operand_line_tap(1) <= lane1_choice_operand_select_tap_at_10;
+  lane_hi_choice_operand_line_tap(2) <= lane2_choice_operand_select_tap_at_10;
+  lane_hi_choice_operand_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_32
+      port map (clk => clk, x => lane_hi_choice_operand_line_x(i), tap => lane_hi_choice_operand_line_tap(i),
+                y => lane_hi_choice_operand(i));
+  end generate lane_hi_choice_operand_line;
+
   -- Clock 10
   lane_lo_each : for i in 0 to 2 generate
     lane(i).lo <=
       in_v0_h10(i) when lane_select_at_10 = 0 else
       in_v_h11(1)(i) when lane_select_at_10 = 1 else
       in_v_h11(2)(i) when lane_select_at_10 = 2 else
-      b(0)(i).lo when lane_select_at_10 = 3 else
-      b(1)(i).lo when lane_select_at_10 = 4 else
-      b(2)(i).lo;
-    lane_hi_choice_operand(i) <=
-      b(0)(i).hi when lane_choice_operand_select_at_10 = 0 else
-      b(1)(i).hi when lane_choice_operand_select_at_10 = 1 else
-      b(2)(i).hi;
+      b_lo(0)(i) when lane_select_at_10 = 3 else
+      b_lo(1)(i) when lane_select_at_10 = 4 else
+      b_lo(2)(i);
   end generate lane_lo_each;
 
   -- Clock 11
@@ -320,10 +342,6 @@ begin
     lane_difference(i).lo <= resize(scaled_d1(i).lo, 19) - resize(scaled_d2(i).hi, 19);
     lane_difference(i).hi <= resize(scaled_d1(i).hi, 19) - resize(scaled_d2(i).lo, 19);
   end generate lane_difference_lo_each;
-  scaled_case_unit : for i in 0 to 2 generate
-    unit : entity work.sign_case
-      port map (x => scaled_d1(i), number => scaled_case(i));
-  end generate scaled_case_unit;
 
   -- Clock 25
   clock_25 : process (clk)
@@ -342,35 +360,41 @@ begin
     lane_edge(i).hi <= lane_difference_d1(i).hi(17 downto 0) when lane_edge_rounding_at_3 = '1' else
         lane_edge_hi_second_up_d1(i)(17 downto 0);
   end generate lane_edge_lo_each;
+  scaled_case_unit : for i in 0 to 2 generate
+    unit : entity work.sign_case
+      port map (x => scaled_d2(i), number => scaled_case(i));
+  end generate scaled_case_unit;
   lane_edge_case_unit : for i in 0 to 2 generate
     unit : entity work.sign_case
       port map (x => lane_edge(i), number => lane_edge_case(i));
   end generate lane_edge_case_unit;
+  axis_e_lo_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => lane_edge(i).lo, tap => axis_e_select_tap_at_8, y => axis_e(i).lo);
+  end generate axis_e_lo_line;
+  axis_e_hi_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => lane_edge(i).hi, tap => axis_e_select_tap_at_8, y => axis_e(i).hi);
+  end generate axis_e_hi_line;
+  axis_e_case_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_u2
+      port map (clk => clk, x => lane_edge_case(i), tap => axis_e_select_tap_at_8, y => axis_e_case(i));
+  end generate axis_e_case_line;
+  axis_f_lo_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => lane_edge(i).lo, tap => axis_f_select_tap_at_8, y => axis_f(i).lo);
+  end generate axis_f_lo_line;
+  axis_f_hi_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => lane_edge(i).hi, tap => axis_f_select_tap_at_8, y => axis_f(i).hi);
+  end generate axis_f_hi_line;
+  axis_f_case_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_u2
+      port map (clk => clk, x => lane_edge_case(i), tap => axis_f_select_tap_at_8, y => axis_f_case(i));
+  end generate axis_f_case_line;
 
-  -- Clock 32
-  axis_e <=
-    e_a2_h3 when axis_e_select_at_10 = 0 else
-    e_b(2) when axis_e_select_at_10 = 1 else
-    e_a(0) when axis_e_select_at_10 = 2 else
-    e_a1_h9;
-  axis_e_case <=
-    e_a2_case_h3 when axis_e_select_at_10 = 0 else
-    e_b_case(2) when axis_e_select_at_10 = 1 else
-    e_a_case(0) when axis_e_select_at_10 = 2 else
-    e_a1_case_h9;
-  axis_f <=
-    e_a(0) when axis_f_select_at_10 = 0 else
-    e_b(0) when axis_f_select_at_10 = 1 else
-    e_b(1) when axis_f_select_at_10 = 2 else
-    e_b(2);
-  axis_f_case <=
-    e_a_case(0) when axis_f_select_at_10 = 0 else
-    e_b_case(0) when axis_f_select_at_10 = 1 else
-    e_b_case(1) when axis_f_select_at_10 = 2 else
-    e_b_case(2);
-
-  -- Clock 33
-  clock_33 : process (clk)
+  -- Clock 31
+  clock_31 : process (clk)
   begin
     if rising_edge(clk) then
       axis_e_d1 <= axis_e;
@@ -378,58 +402,75 @@ begin
       axis_f_d1 <= axis_f;
       axis_f_case_d1 <= axis_f_case;
     end if;
-  end process clock_33;
+  end process clock_31;
   axis_exact_unit : entity work.cross_product
     port map (clk => clk, e => axis_e_d1, e_case => axis_e_case_d1, f => axis_f_d1, f_case => axis_f_case_d1,
               l => axis_exact);
+  axis0_v_lo1_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => scaled_line(6)(i).lo, tap => axis0_v1_1_select_tap_at_5, y => axis0_v(1)(i).lo);
+  end generate axis0_v_lo1_line;
+  axis0_v_lo2_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => scaled_d9(i).lo, tap => axis0_v2_1_select_tap_at_5, y => axis0_v(2)(i).lo);
+  end generate axis0_v_lo2_line;
+  axis0_v_hi1_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => scaled_line(6)(i).hi, tap => axis0_v1_1_select_tap_at_5, y => axis0_v(1)(i).hi);
+  end generate axis0_v_hi1_line;
+  axis0_v_hi2_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => scaled_d9(i).hi, tap => axis0_v2_1_select_tap_at_5, y => axis0_v(2)(i).hi);
+  end generate axis0_v_hi2_line;
+  axis0_v1_case_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_u2
+      port map (clk => clk, x => scaled_case_line(6)(i), tap => axis0_v1_1_select_tap_at_5, y => axis0_v_case(1)(i));
+  end generate axis0_v1_case_line;
+  axis0_v2_case_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_u2
+      port map (clk => clk, x => scaled_case_d7(i), tap => axis0_v2_1_select_tap_at_5, y => axis0_v_case(2)(i));
+  end generate axis0_v2_case_line;
 
-  -- Clock 36
-  clock_36 : process (clk)
+  -- Clock 32
+  clock_32 : process (clk)
+  begin
+    if rising_edge(clk) then
+      scaled_d9 <= scaled_line(6);
+      scaled_case_d7 <= scaled_case_line(6);
+    end if;
+  end process clock_32;
+
+  -- Clock 34
+  clock_34 : process (clk)
   begin
     if rising_edge(clk) then
       axis_exact_d1 <= axis_exact;
     end if;
-  end process clock_36;
+  end process clock_34;
   axis_l_unit : entity work.axis_shift
     port map (clk => clk, exact => axis_exact_d1, l => axis_l);
 
-  -- Clock 40
-  clock_40 : process (clk)
+  -- Clock 38
+  clock_38 : process (clk)
   begin
     if rising_edge(clk) then
       axis_l_d1 <= axis_l;
     end if;
-  end process clock_40;
+  end process clock_38;
   axis0_v_0_lo_each : for i in 0 to 2 generate
-    axis0_v(0)(i).lo <= v1_h22(i).lo when axis0_v0_select_at_7 = '1' else v0_lo(i);
-    axis0_v(0)(i).hi <= v1_h22(i).hi when axis0_v0_select_at_7 = '1' else v0_hi_h16(i);
+    axis0_v(0)(i).lo <= v1_h16(i).lo when axis0_v0_select_at_5 = '1' else v0_lo(i);
+    axis0_v(0)(i).hi <= v1_h16(i).hi when axis0_v0_select_at_5 = '1' else v0_hi_h14(i);
   end generate axis0_v_0_lo_each;
-  axis0_v(1) <=
-    w(2) when axis0_v1_select_at_7 = 0 else
-    v1_h16 when axis0_v1_select_at_7 = 1 else
-    v2_h16;
-  axis0_v(2) <=
-    w_h11(1) when axis0_v2_select_at_7 = 0 else
-    v2_h11 when axis0_v2_select_at_7 = 1 else
-    w_h11(2);
-  axis0_v(3) <= w_h11(1) when axis0_v3_select_at_7 = '1' else w_h11(0);
-  axis0_v_case(0) <= v1_case_h22 when axis0_v0_select_at_7 = '1' else v0_case;
-  axis0_v_case(1) <=
-    w_case(2) when axis0_v1_select_at_7 = 0 else
-    v1_case_h11 when axis0_v1_select_at_7 = 1 else
-    v2_case_h15;
-  axis0_v_case(2) <=
-    w1_case_h10 when axis0_v2_select_at_7 = 0 else
-    v2_case_h11 when axis0_v2_select_at_7 = 1 else
-    w2_case_h11;
-  axis0_v_case(3) <= w1_case_h10 when axis0_v3_select_at_7 = '1' else w0_case_h11;
+  axis0_v(3) <= w1_h11 when axis0_v3_select_at_5 = '1' else w0_h10;
+  axis0_v_case(0) <= v1_case_h11 when axis0_v0_select_at_5 = '1' else v0_case;
+  axis0_v_case(3) <= w1_case_h11 when axis0_v3_select_at_5 = '1' else w0_case_h8;
   axis_l_case_unit : for i in 0 to 2 generate
     unit : entity work.sign_case
       port map (x => axis_l_d1(i), number => axis_l_case(i));
   end generate axis_l_case_unit;
 
-  -- Clock 41
-  clock_41 : process (clk)
+  -- Clock 39
+  clock_39 : process (clk)
   begin
     if rising_edge(clk) then
       axis0_v_d1 <= axis0_v;
@@ -437,29 +478,29 @@ begin
       axis_l_d2 <= axis_l_d1;
       axis_l_case_d1 <= axis_l_case;
     end if;
-  end process clock_41;
+  end process clock_39;
   p_unit : for k in 0 to 3 generate
     unit : entity work.projection
       port map (clk => clk, v => axis0_v_d1(k), v_case => axis0_v_case_d1(k), l => axis_l_d2, l_case => axis_l_case_d1,
                 p => p(k));
   end generate p_unit;
 
-  -- Clock 45
-  clock_45 : process (clk)
+  -- Clock 43
+  clock_43 : process (clk)
   begin
     if rising_edge(clk) then
       p_d1 <= p;
     end if;
-  end process clock_45;
-  axis_separated_unit_has(0)(0) <= axis0_has_a1_at_1;
-  axis_separated_unit_has(0)(1) <= axis0_has_a2_at_1;
-  axis_separated_unit_has(1)(0) <= axis0_has_b1_at_1;
-  axis_separated_unit_has(1)(1) <= axis0_has_b2_at_1;
+  end process clock_43;
+  axis_separated_unit_has(0)(0) <= axis0_has_a1_at_10;
+  axis_separated_unit_has(0)(1) <= axis0_has_a2_at_10;
+  axis_separated_unit_has(1)(0) <= axis0_has_b1_at_10;
+  axis_separated_unit_has(1)(1) <= axis0_has_b2_at_10;
   axis_separated_unit : entity work.comparator_network
     port map (clk => clk, p => p_d1, has => axis_separated_unit_has, separated => axis_separated,
               overlapping => axis_overlapping, above => axis0_above, below => axis0_below);
 
-  -- Clock 57
+  -- Clock 55
   separate <= or_reduce(unsigned(separated_i));
   all_overlap <= not or_reduce(not unsigned(overlapping_i));
   surely <= all_overlap or pierced;
@@ -468,7 +509,7 @@ begin
               w_below => pierced_w_below, edges_above => pierced_edges_above, edges_below => pierced_edges_below,
               pierced => pierced);
 
-  -- Clock 58
+  -- Clock 56
   verdict <= (verdict_and_second_not_first_h1 and not surely_h1) & (verdict_and_first_not_h1 and surely_h1);
 
   -- Registers that are loaded once per pair
@@ -477,125 +518,117 @@ begin
     if rising_edge(clk) then
       for i in 0 to 2 loop
         if strobe(i + 7) = '1' then
-          b(0)(i) <= row;
+          b_lo(0)(i) <= row.lo;
         end if;
         if strobe((i + 10) mod 11) = '1' then
-          b(1)(i) <= row;
+          b_lo(1)(i) <= row.lo;
         end if;
         if strobe(i + 2) = '1' then
-          b(2)(i) <= row;
+          b_lo(2)(i) <= row.lo;
         end if;
       end loop;
       if strobe(9) = '1' then
         in_v0_h10 <= in_v(0);
-        e_a2_h3 <= e_a(2);
-        e_a2_case_h3 <= e_a_case(2);
         pierced_edges_above(1)(2) <= axis0_above(4);
         pierced_edges_below(1)(2) <= axis0_below(4);
+        separated_i(7) <= axis_separated;
+        overlapping_i(7) <= axis_overlapping;
       end if;
       if strobe(10) = '1' then
         in_v_h11 <= in_v;
-        pierced_edges_above(2)(0) <= axis0_above(3);
-        pierced_edges_below(2)(0) <= axis0_below(3);
+        pierced_edges_above(2)(2) <= axis0_above(4);
+        pierced_edges_below(2)(2) <= axis0_below(4);
+        separated_i(10) <= axis_separated;
+        overlapping_i(10) <= axis_overlapping;
       end if;
       if strobe(7) = '1' then
         magnitudes <= magnitude_so_far;
         v1_h16 <= v1_h11;
-        pierced_edges_above(1)(0) <= axis0_above(3);
-        pierced_edges_below(1)(0) <= axis0_below(3);
-      end if;
-      if strobe(1) = '1' then
-        for i in 0 to 2 loop
-          v0_hi(i) <= scaled(i).hi;
-        end loop;
-        v0_hi_h11 <= v0_hi;
-        pierced_edges_above(2)(2) <= axis0_above(4);
-        pierced_edges_below(2)(2) <= axis0_below(4);
-      end if;
-      if strobe(2) = '1' then
-        v1 <= scaled;
-        v1_h11 <= v1;
-        v1_h22 <= v1_h11;
-        for k in 0 to 2 loop
-          pierced_w_above(k) <= axis0_above(k);
-          pierced_w_below(k) <= axis0_below(k);
-        end loop;
-        verdict_and_first_not_h1 <= not separate;
-        surely_h1 <= surely;
-        verdict_and_second_not_first_h1 <= not separate;
-        separated0_h11 <= separated_i(0);
-        overlapping0_h11 <= overlapping_i(0);
-      end if;
-      if strobe(3) = '1' then
-        v2 <= scaled;
-        v1_case <= scaled_case;
-        e_a1_h9 <= e_a(1);
-        e_a1_case_h9 <= e_a_case(1);
-        v2_h11 <= v2;
-        v1_case_h11 <= v1_case;
-        v1_case_h22 <= v1_case_h11;
         pierced_v_above(0) <= axis0_above(0);
         pierced_v_above(1) <= axis0_above(3);
         pierced_v_above(2) <= axis0_above(5);
         pierced_v_below(0) <= axis0_below(0);
         pierced_v_below(1) <= axis0_below(3);
         pierced_v_below(2) <= axis0_below(5);
+        separated_i(1) <= axis_separated;
+        overlapping_i(1) <= axis_overlapping;
       end if;
-      if strobe(4) = '1' then
-        v2_case <= scaled_case;
-        v2_case_h11 <= v2_case;
+      if strobe(1) = '1' then
+        for i in 0 to 2 loop
+          v0_hi(i) <= scaled(i).hi;
+        end loop;
+        v0_hi_h11 <= v0_hi;
         pierced_edges_above(0)(0) <= axis0_above(0);
         pierced_edges_below(0)(0) <= axis0_below(0);
+        separated_i(2) <= axis_separated;
+        overlapping_i(2) <= axis_overlapping;
       end if;
-      for k in 0 to 2 loop
+      if strobe(2) = '1' then
+        v1 <= scaled;
+        v1_h11 <= v1;
+        pierced_edges_above(1)(0) <= axis0_above(3);
+        pierced_edges_below(1)(0) <= axis0_below(3);
+        separated_i(5) <= axis_separated;
+        overlapping_i(5) <= axis_overlapping;
+      end if;
+      if strobe(4) = '1' then
+        v1_case <= scaled_case;
+        v0_hi_h14 <= v0_hi_h11;
+        v1_case_h11 <= v1_case;
+        w0_h10 <= w(0);
+        w0_case_h8 <= w_case(0);
+        pierced_edges_above(0)(1) <= axis0_above(1);
+        pierced_edges_below(0)(1) <= axis0_below(1);
+        separated_i(3) <= axis_separated;
+        overlapping_i(3) <= axis_overlapping;
+      end if;
+      for k in 0 to 1 loop
         if strobe(k + 5) = '1' then
           w(k) <= scaled;
         end if;
-        if strobe(k + 6) = '1' then
+        if strobe(k + 7) = '1' then
           w_case(k) <= scaled_case;
-        end if;
-        if strobe(k + 4) = '1' then
-          e_a(k) <= lane_edge;
-          e_a_case(k) <= lane_edge_case;
-        end if;
-        if strobe(k + 8) = '1' then
-          e_b(k) <= lane_edge;
-          e_b_case(k) <= lane_edge_case;
         end if;
       end loop;
       if strobe(6) = '1' then
-        v0_hi_h16 <= v0_hi_h11;
-        w1_case_h10 <= w_case(1);
-        w0_case_h11 <= w_case(0);
-        pierced_edges_above(0)(2) <= axis0_above(1);
-        pierced_edges_below(0)(2) <= axis0_below(1);
-      end if;
-      if strobe(8) = '1' then
-        v2_h16 <= v2_h11;
-        v2_case_h15 <= v2_case_h11;
-        w2_case_h11 <= w_case(2);
-        pierced_edges_above(1)(1) <= axis0_above(4);
-        pierced_edges_below(1)(1) <= axis0_below(4);
-      end if;
-      for k in 0 to 2 loop
-        if strobe(k + 5) = '1' then
-          w_h11(k) <= w(k);
-        end if;
-      end loop;
-      if strobe(5) = '1' then
-        pierced_edges_above(0)(1) <= axis0_above(1);
-        pierced_edges_below(0)(1) <= axis0_below(1);
-      end if;
-      if strobe(0) = '1' then
+        w1_h11 <= w(1);
         pierced_edges_above(2)(1) <= axis0_above(4);
         pierced_edges_below(2)(1) <= axis0_below(4);
+        separated_i(9) <= axis_separated;
+        overlapping_i(9) <= axis_overlapping;
       end if;
-      for k in 0 to 10 loop
-        if strobe((k + 2) mod 11) = '1' then
-          separated_i(k) <= axis_separated;
-          overlapping_i(k) <= axis_overlapping;
-        end if;
-      end loop;
+      if strobe(8) = '1' then
+        w1_case_h11 <= w_case(1);
+        pierced_edges_above(0)(2) <= axis0_above(1);
+        pierced_edges_below(0)(2) <= axis0_below(1);
+        separated_i(4) <= axis_separated;
+        overlapping_i(4) <= axis_overlapping;
+      end if;
+      if strobe(0) = '1' then
+        for k in 0 to 2 loop
+          pierced_w_above(k) <= axis0_above(k);
+          pierced_w_below(k) <= axis0_below(k);
+        end loop;
+        separated_i(0) <= axis_separated;
+        overlapping_i(0) <= axis_overlapping;
+        verdict_and_first_not_h1 <= not separate;
+        surely_h1 <= surely;
+        verdict_and_second_not_first_h1 <= not separate;
+        separated0_h11 <= separated_i(0);
+        overlapping0_h11 <= overlapping_i(0);
+      end if;
+      if strobe(5) = '1' then
+        pierced_edges_above(1)(1) <= axis0_above(4);
+        pierced_edges_below(1)(1) <= axis0_below(4);
+        separated_i(6) <= axis_separated;
+        overlapping_i(6) <= axis_overlapping;
+      end if;
+      if strobe(3) = '1' then
+        pierced_edges_above(2)(0) <= axis0_above(3);
+        pierced_edges_below(2)(0) <= axis0_below(3);
+        separated_i(8) <= axis_separated;
+        overlapping_i(8) <= axis_overlapping;
+      end if;
     end if;
   end process captures;
 
@@ -604,6 +637,8 @@ begin
   begin
     if rising_edge(clk) then
       offset_line <= offset_d1 & offset_line(1 to 9);
+      scaled_line <= scaled_d2 & scaled_line(1 to 5);
+      scaled_case_line <= scaled_case & scaled_case_line(1 to 5);
     end if;
   end process delays;
 

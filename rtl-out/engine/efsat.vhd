@@ -4,7 +4,7 @@
 -- EFSAT: exact triangle-triangle intersection test in fixed-point interval arithmetic.
 -- After Raabe, Tietjen, Anlauf: separating axes; a definite answer is never wrong.
 --
--- One pair every 11 clocks, verdict 62 clocks after acceptance.
+-- One pair every 11 clocks, verdict 60 clocks after acceptance.
 --
 -- Pairs: V0 V1 V2 is triangle A, W0 W1 W2 triangle B~ in its own frame, tag is opaque. A pair is accepted in a clock
 -- in which in_valid and in_ready are both set; keep valid and data until then. in_ready comes once per slot

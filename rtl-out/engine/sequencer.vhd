@@ -47,7 +47,7 @@ architecture rtl of sequencer is
   signal accepts : std_logic;
   signal accept_pair : std_logic;
   signal holds : std_logic_vector(5 downto 0) := (others => '0');
-  signal decide_phase : std_logic := '0';  -- set in phase 3
+  signal decide_phase : std_logic := '0';  -- set in phase 1
   signal decide_pair : std_logic;
   signal empty_if_moved : std_logic := '1';
   signal empty_if_still : std_logic := '1';
@@ -97,7 +97,7 @@ begin
         taken_moved <= take_pair;
         full_if_moved <= flag(accepted_ahead = taken_turned);
         full_if_still <= flag(accepted = taken_turned);
-        decide_phase <= flag(phase_i = 2);
+        decide_phase <= flag(phase_i = 0);
         empty_if_moved <= flag(taken_ahead = decided);
         empty_if_still <= flag(taken = decided);
         offered <= take_pair or not output_free;

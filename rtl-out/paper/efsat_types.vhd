@@ -56,6 +56,8 @@ package efsat_types is
   constant zero_interval_39 : interval_39_t := (lo => (others => '0'), hi => (others => '0'));
   type unsigned_2_vector_t is array (0 to 2) of unsigned(1 downto 0);
   constant zero_unsigned_2_vector : unsigned_2_vector_t := (others => (others => '0'));
+  type unsigned_4_vector_t is array (0 to 2) of unsigned(3 downto 0);
+  constant zero_unsigned_4_vector : unsigned_4_vector_t := (others => (others => '0'));
   type unsigned_32_vector_t is array (0 to 2) of unsigned(31 downto 0);
   constant zero_unsigned_32_vector : unsigned_32_vector_t := (others => (others => '0'));
   type unsigned_33_vector_t is array (0 to 2) of unsigned(32 downto 0);
@@ -104,8 +106,6 @@ package efsat_types is
   constant zero_flag_x5_vector : flag_x5_vector_t := (others => (others => '0'));
   type interval_18_vector_x3_t is array (0 to 2) of interval_18_vector_t;
   constant zero_interval_18_vector_x3 : interval_18_vector_x3_t := (others => zero_interval_18_vector);
-  type interval_32_vector_x3_t is array (0 to 2) of interval_32_vector_t;
-  constant zero_interval_32_vector_x3 : interval_32_vector_x3_t := (others => zero_interval_32_vector);
   type interval_18_vector_x6_t is array (0 to 5) of interval_18_vector_t;
   constant zero_interval_18_vector_x6 : interval_18_vector_x6_t := (others => zero_interval_18_vector);
   type numbers_t is array (natural range <>) of integer;

@@ -1,7 +1,7 @@
 --------------------------------------------------------------------------------
 -- The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of
 -- the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.
--- Latency: 55 clocks.
+-- Latency: 53 clocks.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -30,14 +30,15 @@ architecture rtl of pair_pipeline is
   constant row_diagonal_at_0_2_table : std_logic_vector(0 to 10) := "01001001000";
   constant row_x_select_at_0_table : numbers_t(0 to 10) := (0, 0, 1, 1, 1, 2, 2, 2, 0, 0, 0);
   constant lane_select_at_10_table : numbers_t(0 to 10) := (2, 0, 3, 4, 5, 3, 0, 0, 0, 0, 1);
-  constant lane_choice_operand_select_at_10_table : numbers_t(0 to 10) := (0, 0, 0, 1, 2, 0, 0, 0, 0, 0, 0);
+  constant lane2_choice_operand_select_tap_at_10_table : numbers_t(0 to 10) := (13, 14, 4, 2, 0, 7, 8, 9, 10, 11, 12);
+  constant lane1_choice_operand_select_tap_at_10_table : numbers_t(0 to 10) := (14, 15, 5, 3, 1, 8, 9, 10, 11, 12, 13);
   constant lane_from_input_at_10_table : std_logic_vector(0 to 10) := "11000011111";
   constant lane_from_input_at_0_table : std_logic_vector(0 to 10) := "11100001111";
   constant magnitude_so_far_select_at_0_table : std_logic_vector(0 to 10) := "00000000001";
   constant lane_edge_rounding_at_3_table : std_logic_vector(0 to 10) := "00010100000";
-  constant axis_e_select_at_10_table : numbers_t(0 to 10) := (2, 2, 2, 3, 3, 3, 0, 0, 0, 0, 1);
-  constant axis_f_select_at_10_table : numbers_t(0 to 10) := (1, 2, 3, 1, 2, 3, 1, 2, 3, 0, 1);
-  constant axis0_rounding_at_0_table : std_logic_vector(0 to 10) := "10000000000";
+  constant axis_e_select_tap_at_8_table : numbers_t(0 to 10) := (7, 7, 7, 4, 11, 11, 11, 1, 4, 4, 4);
+  constant axis_f_select_tap_at_8_table : numbers_t(0 to 10) := (2, 3, 4, 6, 5, 6, 7, 3, 0, 1, 2);
+  constant axis0_rounding_at_9_table : std_logic_vector(0 to 10) := "00001000000";
   signal row_t_pose : signed(31 downto 0);  -- s4.28; |.| <= 1073741816
   signal row_t_pose_select_at_0 : unsigned(1 downto 0) := (others => '0');
   signal row_t : signed(31 downto 0);  -- s4.28; |.| <= 1073741816
@@ -52,13 +53,16 @@ architecture rtl of pair_pipeline is
   signal pose_bypass_d1 : std_logic := '0';
   signal row : interval_32_t;  -- s4.28; |.| <= 1879048192
   signal strobe : std_logic_vector(10 downto 0) := (others => '0');  -- one flag per phase
-  signal b : interval_32_vector_x3_t := zero_interval_32_vector_x3;  -- s4.28; |.| <= 1879048192; B's vertices in A's frame
+  signal b_lo : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28; |.| <= 1879048190; B's vertices in A's frame
   signal in_v0_h10 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 268435456
   signal in_v_h11 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28; |.| <= 268435456
   signal lane : interval_32_vector_t;  -- s4.28; |.| <= 1879048192
   signal lane_select_at_10 : unsigned(2 downto 0) := (others => '0');
+  signal row_hi_d1 : signed(31 downto 0) := (others => '0');  -- s4.28; |.| <= 1879048192
+  signal row_hi_d2 : signed(31 downto 0) := (others => '0');  -- s4.28; |.| <= 1879048192
+  signal lane2_choice_operand_select_tap_at_10 : unsigned(3 downto 0) := (others => '0');
+  signal lane1_choice_operand_select_tap_at_10 : unsigned(3 downto 0) := (others => '0');
   signal lane_hi_choice_operand : signed_32_vector_t;  -- s4.28; |.| <= 1879048192
-  signal lane_choice_operand_select_at_10 : unsigned(1 downto 0) := (others => '0');
   signal lane_from_input_at_10 : std_logic := '0';
   signal lane_hi_choice_d1 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 1879048192
   signal lane_from_input_at_0 : std_logic := '0';
@@ -77,7 +81,6 @@ architecture rtl of pair_pipeline is
   signal shift_d1 : flag_x5_vector_t := zero_flag_x5_vector;
   signal scaled : interval_18_vector_t;  -- |.| <= 65536
   signal scaled_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
-  signal scaled_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
   signal scaled_case : unsigned_2_vector_t;
   signal v0_hi : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal v0_lo : signed_18_vector_t;  -- s2.16; |.| <= 0
@@ -88,52 +91,43 @@ architecture rtl of pair_pipeline is
   signal v0_case : unsigned_2_vector_t;
   signal w : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- s2.16; |.| <= 65536
   signal w_case : unsigned_2_vector_x3_t := zero_unsigned_2_vector_x3;
+  signal scaled_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65536
   signal lane_difference : interval_19_vector_t;  -- |.| <= 131072
   signal lane_difference_d1 : interval_19_vector_t := zero_interval_19_vector;  -- |.| <= 131072
   signal lane_edge_rounding_at_3 : std_logic := '0';
   signal lane_edge : interval_18_vector_t;  -- |.| <= 65537
   signal lane_edge_hi_second_up_d1 : signed_19_vector_t := zero_signed_19_vector;  -- |.| <= 65537
   signal lane_edge_case : unsigned_2_vector_t;
-  signal e_a : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- |.| <= 65537
-  signal e_a_case : unsigned_2_vector_x3_t := zero_unsigned_2_vector_x3;
-  signal e_b : interval_18_vector_x3_t := zero_interval_18_vector_x3;  -- |.| <= 65537
-  signal e_b_case : unsigned_2_vector_x3_t := zero_unsigned_2_vector_x3;
-  signal e_a2_h3 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
-  signal e_a1_h9 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
+  signal axis_e_select_tap_at_8 : unsigned(3 downto 0) := (others => '0');
   signal axis_e : interval_18_vector_t;  -- |.| <= 65537
-  signal axis_e_select_at_10 : unsigned(1 downto 0) := (others => '0');
-  signal e_a2_case_h3 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal e_a1_case_h9 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal axis_e_case : unsigned_2_vector_t;
+  signal axis_f_select_tap_at_8 : unsigned(3 downto 0) := (others => '0');
   signal axis_f : interval_18_vector_t;  -- |.| <= 65537
-  signal axis_f_select_at_10 : unsigned(1 downto 0) := (others => '0');
   signal axis_f_case : unsigned_2_vector_t;
   signal axis_e_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
   signal axis_e_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal axis_f_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65537
   signal axis_f_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal axis0_rounding_at_0 : std_logic := '0';
+  signal axis0_rounding_at_9 : std_logic := '0';
   signal axis_l : interval_18_vector_t;  -- |.| <= 65539
   signal axis_l_d1 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65539
   signal axis_l_case : unsigned_2_vector_t;
   signal v0_hi_h11 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal v1_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
   signal v2_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal v0_hi_h15 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
+  signal v0_hi_h13 : signed_18_vector_t := zero_signed_18_vector;  -- s2.16; |.| <= 65536
   signal axis_l_d2 : interval_18_vector_t := zero_interval_18_vector;  -- |.| <= 65539
   signal axis_l_case_d1 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal p : interval_18_x6_t;  -- |.| <= 98309
-  signal v1_h14 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal v1_h12 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
   signal v1_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v2_case_h11 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v1_case_h12 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal v2_h13 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w0_h11 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w0_case_h9 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w1_h10 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w1_case_h8 : unsigned_2_vector_t := zero_unsigned_2_vector;
-  signal w2_h9 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
-  signal w2_case_h7 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal v2_case_h10 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal w0_h9 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal w0_case_h8 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal w1_h8 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal w1_case_h7 : unsigned_2_vector_t := zero_unsigned_2_vector;
+  signal w2_h7 : interval_18_vector_t := zero_interval_18_vector;  -- s2.16; |.| <= 65536
+  signal w2_case_h6 : unsigned_2_vector_t := zero_unsigned_2_vector;
   signal p_d1 : interval_18_x6_t := zero_interval_18_x6;  -- |.| <= 98309
   signal axis_separated : std_logic;
   signal axis_overlapping : std_logic;
@@ -141,6 +135,8 @@ architecture rtl of pair_pipeline is
   signal overlapping_i : std_logic_vector(10 downto 0) := (others => '0');
   signal separate : std_logic;
   signal surely : std_logic;
+  signal lane_hi_choice_operand_line_x : signed_32_vector_t;
+  signal lane_hi_choice_operand_line_tap : unsigned_4_vector_t;
   signal offset_unit_point : interval_32_vector_t;
   signal p_unit_v : interval_18_vector_x6_t;
   signal p_unit_v_case : unsigned_2_vector_x6_t;
@@ -158,14 +154,17 @@ begin
         strobe(k) <= flag(phase = (k + 10) mod 11);
       end loop;
       lane_select_at_10 <= to_unsigned(lane_select_at_10_table(to_integer(phase)), 3);
-      lane_choice_operand_select_at_10 <= to_unsigned(lane_choice_operand_select_at_10_table(to_integer(phase)), 2);
+      lane2_choice_operand_select_tap_at_10 <=
+          to_unsigned(lane2_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
+      lane1_choice_operand_select_tap_at_10 <=
+          to_unsigned(lane1_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
       lane_from_input_at_10 <= lane_from_input_at_10_table(to_integer(phase));
       lane_from_input_at_0 <= lane_from_input_at_0_table(to_integer(phase));
       magnitude_so_far_select_at_0 <= magnitude_so_far_select_at_0_table(to_integer(phase));
       lane_edge_rounding_at_3 <= lane_edge_rounding_at_3_table(to_integer(phase));
-      axis_e_select_at_10 <= to_unsigned(axis_e_select_at_10_table(to_integer(phase)), 2);
-      axis_f_select_at_10 <= to_unsigned(axis_f_select_at_10_table(to_integer(phase)), 2);
-      axis0_rounding_at_0 <= axis0_rounding_at_0_table(to_integer(phase));
+      axis_e_select_tap_at_8 <= to_unsigned(axis_e_select_tap_at_8_table(to_integer(phase)), 4);
+      axis_f_select_tap_at_8 <= to_unsigned(axis_f_select_tap_at_8_table(to_integer(phase)), 4);
+      axis0_rounding_at_9 <= axis0_rounding_at_9_table(to_integer(phase));
     end if;
   end process selectors;
   v0_lo_each : for i in 0 to 2 generate
@@ -205,19 +204,42 @@ begin
   row_unit : entity work.transform_row
     port map (clk => clk, m => row_m_d1, x => row_x_d1, t => row_t_d1, bypass => pose_bypass_d1, b => row);
 
+  -- Clock 8
+  clock_8 : process (clk)
+  begin
+    if rising_edge(clk) then
+      row_hi_d1 <= row.hi;
+    end if;
+  end process clock_8;
+
+  -- Clock 9
+  clock_9 : process (clk)
+  begin
+    if rising_edge(clk) then
+      row_hi_d2 <= row_hi_d1;
+    end if;
+  end process clock_9;
+  lane_hi_choice_operand_line_x(0) <= row_hi_d2;
+  lane_hi_choice_operand_line_x(1) <= row.hi;
+  lane_hi_choice_operand_line_x(2) <= row.hi;
+  lane_hi_choice_operand_line_tap(0) <= lane2_choice_operand_select_tap_at_10;
+  lane_hi_choice_operand_line_tap(1) <= lane1_choice_operand_select_tap_at_10;
+  lane_hi_choice_operand_line_tap(2) <= lane2_choice_operand_select_tap_at_10;
+  lane_hi_choice_operand_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_32
+      port map (clk => clk, x => lane_hi_choice_operand_line_x(i), tap => lane_hi_choice_operand_line_tap(i),
+                y => lane_hi_choice_operand(i));
+  end generate lane_hi_choice_operand_line;
+
   -- Clock 10
   lane_lo_each : for i in 0 to 2 generate
     lane(i).lo <=
       in_v0_h10(i) when lane_select_at_10 = 0 else
       in_v_h11(1)(i) when lane_select_at_10 = 1 else
       in_v_h11(2)(i) when lane_select_at_10 = 2 else
-      b(0)(i).lo when lane_select_at_10 = 3 else
-      b(1)(i).lo when lane_select_at_10 = 4 else
-      b(2)(i).lo;
-    lane_hi_choice_operand(i) <=
-      b(0)(i).hi when lane_choice_operand_select_at_10 = 0 else
-      b(1)(i).hi when lane_choice_operand_select_at_10 = 1 else
-      b(2)(i).hi;
+      b_lo(0)(i) when lane_select_at_10 = 3 else
+      b_lo(1)(i) when lane_select_at_10 = 4 else
+      b_lo(2)(i);
   end generate lane_lo_each;
 
   -- Clock 11
@@ -279,6 +301,10 @@ begin
     lane_difference(i).lo <= resize(scaled_d1(i).lo, 19) - resize(scaled_d2(i).hi, 19);
     lane_difference(i).hi <= resize(scaled_d1(i).hi, 19) - resize(scaled_d2(i).lo, 19);
   end generate lane_difference_lo_each;
+  scaled_case_unit : for i in 0 to 2 generate
+    unit : entity work.sign_case
+      port map (x => scaled_d1(i), number => scaled_case(i));
+  end generate scaled_case_unit;
 
   -- Clock 25
   clock_25 : process (clk)
@@ -297,39 +323,37 @@ begin
     lane_edge(i).hi <= lane_difference_d1(i).hi(17 downto 0) when lane_edge_rounding_at_3 = '1' else
         lane_edge_hi_second_up_d1(i)(17 downto 0);
   end generate lane_edge_lo_each;
-  scaled_case_unit : for i in 0 to 2 generate
-    unit : entity work.sign_case
-      port map (x => scaled_d2(i), number => scaled_case(i));
-  end generate scaled_case_unit;
   lane_edge_case_unit : for i in 0 to 2 generate
     unit : entity work.sign_case
       port map (x => lane_edge(i), number => lane_edge_case(i));
   end generate lane_edge_case_unit;
+  axis_e_lo_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => lane_edge(i).lo, tap => axis_e_select_tap_at_8, y => axis_e(i).lo);
+  end generate axis_e_lo_line;
+  axis_e_hi_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => lane_edge(i).hi, tap => axis_e_select_tap_at_8, y => axis_e(i).hi);
+  end generate axis_e_hi_line;
+  axis_e_case_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_u2
+      port map (clk => clk, x => lane_edge_case(i), tap => axis_e_select_tap_at_8, y => axis_e_case(i));
+  end generate axis_e_case_line;
+  axis_f_lo_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => lane_edge(i).lo, tap => axis_f_select_tap_at_8, y => axis_f(i).lo);
+  end generate axis_f_lo_line;
+  axis_f_hi_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_18
+      port map (clk => clk, x => lane_edge(i).hi, tap => axis_f_select_tap_at_8, y => axis_f(i).hi);
+  end generate axis_f_hi_line;
+  axis_f_case_line : for i in 0 to 2 generate
+    unit : entity work.tapped_line_u2
+      port map (clk => clk, x => lane_edge_case(i), tap => axis_f_select_tap_at_8, y => axis_f_case(i));
+  end generate axis_f_case_line;
 
-  -- Clock 32
-  axis_e <=
-    e_a2_h3 when axis_e_select_at_10 = 0 else
-    e_b(2) when axis_e_select_at_10 = 1 else
-    e_a(0) when axis_e_select_at_10 = 2 else
-    e_a1_h9;
-  axis_e_case <=
-    e_a2_case_h3 when axis_e_select_at_10 = 0 else
-    e_b_case(2) when axis_e_select_at_10 = 1 else
-    e_a_case(0) when axis_e_select_at_10 = 2 else
-    e_a1_case_h9;
-  axis_f <=
-    e_a(0) when axis_f_select_at_10 = 0 else
-    e_b(0) when axis_f_select_at_10 = 1 else
-    e_b(1) when axis_f_select_at_10 = 2 else
-    e_b(2);
-  axis_f_case <=
-    e_a_case(0) when axis_f_select_at_10 = 0 else
-    e_b_case(0) when axis_f_select_at_10 = 1 else
-    e_b_case(1) when axis_f_select_at_10 = 2 else
-    e_b_case(2);
-
-  -- Clock 33
-  clock_33 : process (clk)
+  -- Clock 31
+  clock_31 : process (clk)
   begin
     if rising_edge(clk) then
       axis_e_d1 <= axis_e;
@@ -337,63 +361,63 @@ begin
       axis_f_d1 <= axis_f;
       axis_f_case_d1 <= axis_f_case;
     end if;
-  end process clock_33;
+  end process clock_31;
   axis_l_unit : entity work.cross_product
     port map (clk => clk, e => axis_e_d1, e_case => axis_e_case_d1, f => axis_f_d1, f_case => axis_f_case_d1,
-              rounding => axis0_rounding_at_0, l => axis_l);
+              rounding => axis0_rounding_at_9, l => axis_l);
 
-  -- Clock 38
-  clock_38 : process (clk)
+  -- Clock 36
+  clock_36 : process (clk)
   begin
     if rising_edge(clk) then
       axis_l_d1 <= axis_l;
     end if;
-  end process clock_38;
+  end process clock_36;
   axis_l_case_unit : for i in 0 to 2 generate
     unit : entity work.sign_case
       port map (x => axis_l_d1(i), number => axis_l_case(i));
   end generate axis_l_case_unit;
 
-  -- Clock 39
-  clock_39 : process (clk)
+  -- Clock 37
+  clock_37 : process (clk)
   begin
     if rising_edge(clk) then
       axis_l_d2 <= axis_l_d1;
       axis_l_case_d1 <= axis_l_case;
     end if;
-  end process clock_39;
+  end process clock_37;
   p_unit_v_0_lo_each : for i in 0 to 2 generate
     p_unit_v(0)(i).lo <= v0_lo(i);
-    p_unit_v(0)(i).hi <= v0_hi_h15(i);
+    p_unit_v(0)(i).hi <= v0_hi_h13(i);
   end generate p_unit_v_0_lo_each;
-  p_unit_v(1) <= v1_h14;
-  p_unit_v(2) <= v2_h13;
-  p_unit_v(3) <= w0_h11;
-  p_unit_v(4) <= w1_h10;
-  p_unit_v(5) <= w2_h9;
+  p_unit_v(1) <= v1_h12;
+  p_unit_v(2) <= v2_h11;
+  p_unit_v(3) <= w0_h9;
+  p_unit_v(4) <= w1_h8;
+  p_unit_v(5) <= w2_h7;
   p_unit_v_case(0) <= v0_case;
-  p_unit_v_case(1) <= v1_case_h12;
-  p_unit_v_case(2) <= v2_case_h11;
-  p_unit_v_case(3) <= w0_case_h9;
-  p_unit_v_case(4) <= w1_case_h8;
-  p_unit_v_case(5) <= w2_case_h7;
+  p_unit_v_case(1) <= v1_case_h11;
+  p_unit_v_case(2) <= v2_case_h10;
+  p_unit_v_case(3) <= w0_case_h8;
+  p_unit_v_case(4) <= w1_case_h7;
+  p_unit_v_case(5) <= w2_case_h6;
   p_unit : for k in 0 to 5 generate
     unit : entity work.projection
       port map (clk => clk, v => p_unit_v(k), v_case => p_unit_v_case(k), l => axis_l_d2, l_case => axis_l_case_d1,
                 p => p(k));
   end generate p_unit;
 
-  -- Clock 43
-  clock_43 : process (clk)
+  -- Clock 41
+  clock_41 : process (clk)
   begin
     if rising_edge(clk) then
       p_d1 <= p;
     end if;
-  end process clock_43;
+  end process clock_41;
   axis_separated_unit : entity work.comparator_network
     port map (clk => clk, p => p_d1, separated => axis_separated, overlapping => axis_overlapping);
 
-  -- Clock 55
+  -- Clock 53
   separate <= or_reduce(unsigned(separated_i));
   surely <= not or_reduce(not unsigned(overlapping_i));
   verdict <= (not separate and not surely) & (not separate and surely);
@@ -404,82 +428,90 @@ begin
     if rising_edge(clk) then
       for i in 0 to 2 loop
         if strobe(i + 7) = '1' then
-          b(0)(i) <= row;
+          b_lo(0)(i) <= row.lo;
         end if;
         if strobe((i + 10) mod 11) = '1' then
-          b(1)(i) <= row;
+          b_lo(1)(i) <= row.lo;
         end if;
         if strobe(i + 2) = '1' then
-          b(2)(i) <= row;
+          b_lo(2)(i) <= row.lo;
         end if;
       end loop;
       if strobe(9) = '1' then
         in_v0_h10 <= in_v(0);
-        e_a2_h3 <= e_a(2);
-        e_a2_case_h3 <= e_a_case(2);
+        separated_i(0) <= axis_separated;
+        overlapping_i(0) <= axis_overlapping;
       end if;
       if strobe(10) = '1' then
         in_v_h11 <= in_v;
+        separated_i(2) <= axis_separated;
+        overlapping_i(2) <= axis_overlapping;
       end if;
       if strobe(7) = '1' then
         magnitudes <= magnitude_so_far;
+        separated_i(7) <= axis_separated;
+        overlapping_i(7) <= axis_overlapping;
       end if;
       if strobe(1) = '1' then
         for i in 0 to 2 loop
           v0_hi(i) <= scaled(i).hi;
         end loop;
         v0_hi_h11 <= v0_hi;
+        separated_i(8) <= axis_separated;
+        overlapping_i(8) <= axis_overlapping;
       end if;
       if strobe(2) = '1' then
         v1 <= scaled;
         v1_h11 <= v1;
+        separated_i(3) <= axis_separated;
+        overlapping_i(3) <= axis_overlapping;
       end if;
       if strobe(3) = '1' then
         v2 <= scaled;
-        e_a1_h9 <= e_a(1);
-        e_a1_case_h9 <= e_a_case(1);
+        v1_case <= scaled_case;
         v2_h11 <= v2;
+        v0_hi_h13 <= v0_hi_h11;
+        v1_h12 <= v1_h11;
+        v1_case_h11 <= v1_case;
+        v2_case_h10 <= v2_case;
+        w0_h9 <= w(0);
+        w0_case_h8 <= w_case(0);
+        w1_h8 <= w(1);
+        w1_case_h7 <= w_case(1);
+        w2_h7 <= w(2);
+        w2_case_h6 <= w_case(2);
+        separated_i(6) <= axis_separated;
+        overlapping_i(6) <= axis_overlapping;
       end if;
       if strobe(4) = '1' then
-        v1_case <= scaled_case;
-        v1_case_h11 <= v1_case;
-      end if;
-      if strobe(5) = '1' then
         v2_case <= scaled_case;
-        v0_hi_h15 <= v0_hi_h11;
-        v1_h14 <= v1_h11;
-        v2_case_h11 <= v2_case;
-        v1_case_h12 <= v1_case_h11;
-        v2_h13 <= v2_h11;
-        w0_h11 <= w(0);
-        w0_case_h9 <= w_case(0);
-        w1_h10 <= w(1);
-        w1_case_h8 <= w_case(1);
-        w2_h9 <= w(2);
-        w2_case_h7 <= w_case(2);
+        separated_i(9) <= axis_separated;
+        overlapping_i(9) <= axis_overlapping;
       end if;
       for k in 0 to 2 loop
         if strobe(k + 5) = '1' then
           w(k) <= scaled;
         end if;
-        if strobe(k + 7) = '1' then
+        if strobe(k + 6) = '1' then
           w_case(k) <= scaled_case;
         end if;
-        if strobe(k + 4) = '1' then
-          e_a(k) <= lane_edge;
-          e_a_case(k) <= lane_edge_case;
-        end if;
-        if strobe(k + 8) = '1' then
-          e_b(k) <= lane_edge;
-          e_b_case(k) <= lane_edge_case;
-        end if;
       end loop;
-      for k in 0 to 10 loop
-        if strobe(k) = '1' then
-          separated_i(k) <= axis_separated;
-          overlapping_i(k) <= axis_overlapping;
-        end if;
-      end loop;
+      if strobe(5) = '1' then
+        separated_i(1) <= axis_separated;
+        overlapping_i(1) <= axis_overlapping;
+      end if;
+      if strobe(6) = '1' then
+        separated_i(4) <= axis_separated;
+        overlapping_i(4) <= axis_overlapping;
+      end if;
+      if strobe(0) = '1' then
+        separated_i(5) <= axis_separated;
+        overlapping_i(5) <= axis_overlapping;
+      end if;
+      if strobe(8) = '1' then
+        separated_i(10) <= axis_separated;
+        overlapping_i(10) <= axis_overlapping;
+      end if;
     end if;
   end process captures;
 

@@ -46,8 +46,8 @@ architecture rtl of sequencer is
   signal full : std_logic;
   signal accepts : std_logic;
   signal accept_pair : std_logic;
-  signal holds : std_logic_vector(5 downto 0) := (others => '0');
-  signal decide_phase : std_logic := '0';  -- set in phase 0
+  signal holds : std_logic_vector(4 downto 0) := (others => '0');
+  signal decide_phase : std_logic := '0';  -- set in phase 9
   signal decide_pair : std_logic;
   signal empty_if_moved : std_logic := '1';
   signal empty_if_still : std_logic := '1';
@@ -62,7 +62,7 @@ begin
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
   accepts <= running and last_phase and not full;
   accept_pair <= in_valid and accepts;
-  decide_pair <= holds(5) and decide_phase;
+  decide_pair <= holds(4) and decide_phase;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
   take_pair <= not empty and output_free;
@@ -97,7 +97,7 @@ begin
         taken_moved <= take_pair;
         full_if_moved <= flag(accepted_ahead = taken_turned);
         full_if_still <= flag(accepted = taken_turned);
-        decide_phase <= flag(phase_i = 10);
+        decide_phase <= flag(phase_i = 8);
         empty_if_moved <= flag(taken_ahead = decided);
         empty_if_still <= flag(taken = decided);
         offered <= take_pair or not output_free;
@@ -123,7 +123,7 @@ begin
         decided <= decided + 1;
       end if;
       if reset = '1' then
-        for k in 0 to 5 loop
+        for k in 0 to 4 loop
           holds(k) <= '0';
         end loop;
       elsif last_phase = '1' then
@@ -132,7 +132,6 @@ begin
         holds(2) <= holds(1);
         holds(3) <= holds(2);
         holds(4) <= holds(3);
-        holds(5) <= holds(4);
       end if;
     end if;
   end process state;

@@ -16,7 +16,7 @@
 #define EFSAT_TAG_BITS 16 /* bits of the tag of a pair */
 #define EFSAT_FLAG_BITS 11 /* flags of each kind, one for each axis */
 #define EFSAT_CLOCKS_PER_PAIR 11 /* clocks from pair to pair, the initiation interval */
-#define EFSAT_LATENCY 62 /* clocks from a pair taken to its verdict */
+#define EFSAT_LATENCY 60 /* clocks from a pair taken to its verdict */
 #define EFSAT_CLOCK_MHZ 100 /* the target clock in MHz */
 
 /* Verdicts: out_verdict, and the low bits of an answer. */

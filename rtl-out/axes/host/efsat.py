@@ -17,7 +17,7 @@ INTEGRAL_BITS = 4  # of them integral, with the sign
 TAG_BITS = 16  # bits of the tag of a pair
 FLAG_BITS = 11  # flags of each kind, one for each axis
 CLOCKS_PER_PAIR = 11  # clocks from pair to pair, the initiation interval
-LATENCY = 62  # clocks from a pair taken to its verdict
+LATENCY = 60  # clocks from a pair taken to its verdict
 CLOCK_MHZ = 100  # the target clock in MHz
 
 # Verdicts: out_verdict, and the low bits of an answer.

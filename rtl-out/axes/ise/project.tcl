@@ -15,10 +15,13 @@ xfile add ../sequencer.vhd
 xfile add ../multiply_18_18.vhd
 xfile add ../multiply_32_32.vhd
 xfile add ../transform_row.vhd
+xfile add ../tapped_line_32.vhd
 xfile add ../renormalise_offset.vhd
 xfile add ../renormalise_shift.vhd
 xfile add ../renormalise_scale.vhd
 xfile add ../sign_case.vhd
+xfile add ../tapped_line_18.vhd
+xfile add ../tapped_line_u2.vhd
 xfile add ../interval_multiply.vhd
 xfile add ../cross_product.vhd
 xfile add ../axis_shift.vhd
