@@ -3,6 +3,7 @@
 mod build;
 mod count;
 mod inspect;
+mod query;
 mod verify;
 
 use super::error::Failure;
@@ -28,6 +29,7 @@ enum Command {
     Inspect(inspect::Arguments),
     Verify(verify::Arguments),
     Count(count::Arguments),
+    Query(query::Arguments),
 }
 
 /// The options of the engine that a tree depends on.
@@ -52,12 +54,17 @@ impl VolumeArguments {
     }
 }
 
-/// Reads an image; what is wrong inside the file is for the caller to judge.
-fn read(path: &Path) -> Result<Result<Image, ImageError>, Failure> {
+/// Reads an image; one that is not in order is a failed check.
+fn read(path: &Path) -> Result<Image, Failure> {
     let bytes = fs::read(path).map_err(|e| {
         Failure::Usage(format!("{}: cannot be read ({e}); expected an image made by efsat tree build", path.display()))
     })?;
-    Ok(Image::read(&bytes))
+    Image::read(&bytes).map_err(|e| wrong(path, &e))
+}
+
+/// What is wrong inside an image.
+fn wrong(path: &Path, e: &ImageError) -> Failure {
+    Failure::Check(format!("{}: {e}", path.display()))
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -66,5 +73,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Inspect(arguments) => inspect::run(arguments),
         Command::Verify(arguments) => verify::run(arguments),
         Command::Count(arguments) => count::run(arguments),
+        Command::Query(arguments) => query::run(arguments),
     }
 }

@@ -1,6 +1,6 @@
 //! All files of a generated engine, as one value.
 
-use super::{EngineDesign, NAME, TESTBENCH, bench, engine_files};
+use super::{EngineDesign, NAME, TESTBENCH, bench, engine_files, host};
 use crate::artefact::design_files::DesignFilesError;
 use crate::artefact::manifest::digest;
 use crate::artefact::{FileSet, Prefix};
@@ -81,7 +81,9 @@ pub fn engine_design_files(
     command_line: &str,
     vectors: &str,
 ) -> Result<FileSet, DesignFilesError> {
-    let sources = engine_files(design, prefix, command_line)?;
+    let mut sources = engine_files(design, prefix, command_line)?;
+    let (constants, package) = host::package(design, prefix);
+    sources.push((constants.clone(), package));
     let texts: Vec<(&str, &str)> = sources.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
     if let Some(finding) = lint(&texts).into_iter().next() {
         return Err(DesignFilesError::Lint(finding));
@@ -100,11 +102,21 @@ pub fn engine_design_files(
             &vector_file,
             "Meshes, queries of every kind, packets that are none, and the answers of the reference model.",
         ),
+        row(
+            &format!("host/{prefix}{NAME}.h"),
+            "The words of the streams in C: packing of packets, unpacking of answers.",
+        ),
+        row(&format!("host/{prefix}{NAME}.py"), "The same in Python."),
+        row(
+            &constants,
+            "Formats, headers and places in the words of the streams, as VHDL constants for those who instantiate the engine.",
+        ),
         row("files.txt", "All VHDL files in dependency order, the testbench last."),
         row("files-synthesis.txt", "Those of them that are synthesised."),
         row("manifest.json", "Parameters, headers of the stream, latencies, and a SHA-256 per file, for programs."),
     ];
     sources.into_iter().for_each(|(name, text)| set.insert(name, text));
+    host::files(design, prefix).into_iter().for_each(|(name, text)| set.insert(name, text));
     set.insert(&bench_file, bench(design, prefix));
     set.insert(vector_file, vectors.to_owned());
     set.insert("files-synthesis.txt", format!("{}\n", names.join("\n")));
