@@ -29,7 +29,7 @@ enum Command {
     Inspect(inspect::Arguments),
     Verify(verify::Arguments),
     Count(count::Arguments),
-    Query(query::Arguments),
+    Query(Box<query::Arguments>),
 }
 
 /// The options of the engine that a tree depends on.
