@@ -11,7 +11,7 @@ use std::path::Path;
 use std::process::Command;
 
 /// Runs a program in a folder; what it says, if it succeeds.
-fn run(dir: &Path, program: &str, arguments: &[&str]) -> String {
+pub fn run(dir: &Path, program: &str, arguments: &[&str]) -> String {
     let output = Command::new(program).args(arguments).current_dir(dir).output().unwrap();
     let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "{program} {arguments:?}: {text}");

@@ -14,6 +14,7 @@ mod effects;
 mod engine;
 mod engine_clocks;
 mod engine_entities;
+mod engine_host;
 mod engine_rtl;
 mod engine_volume;
 mod examples;
