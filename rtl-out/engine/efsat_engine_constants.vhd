@@ -22,9 +22,9 @@ package efsat_engine_constants is
   constant clock_mhz : natural := 100;  -- the target clock in MHz
 
   -- Packets in.
-  constant query_header : std_logic_vector(31 downto 0) := x"44002003";  -- low half of the first word of a query
+  constant query_header : std_logic_vector(31 downto 0) := x"44102003";  -- low half of the first word of a query
   constant query_format : std_logic_vector(31 downto 0) := x"0024ca12";  -- high half, which says the formats below
-  constant stop_header : std_logic_vector(31 downto 0) := x"44002005";  -- the only word of a stop
+  constant stop_header : std_logic_vector(31 downto 0) := x"44102005";  -- the only word of a stop
   constant query_words : natural := 32;  -- words of a query
   constant options_word : natural := 5;  -- the word that says what is asked for
 

@@ -47,7 +47,6 @@ package efsat_types is
     lo : signed(31 downto 0);
     hi : signed(31 downto 0);
   end record interval_32_t;
-  constant zero_interval_32 : interval_32_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_33_t is record
     lo : signed(32 downto 0);
     hi : signed(32 downto 0);
@@ -74,6 +73,7 @@ package efsat_types is
   constant zero_interval_39 : interval_39_t := (lo => (others => '0'), hi => (others => '0'));
   type unsigned_2_vector_t is array (0 to 2) of unsigned(1 downto 0);
   constant zero_unsigned_2_vector : unsigned_2_vector_t := (others => (others => '0'));
+  type unsigned_4_vector_t is array (0 to 2) of unsigned(3 downto 0);
   type unsigned_19_vector_t is array (0 to 2) of unsigned(18 downto 0);
   type unsigned_32_vector_t is array (0 to 2) of unsigned(31 downto 0);
   constant zero_unsigned_32_vector : unsigned_32_vector_t := (others => (others => '0'));
@@ -90,10 +90,10 @@ package efsat_types is
   type signed_64_vector_t is array (0 to 2) of signed(63 downto 0);
   constant zero_signed_64_vector : signed_64_vector_t := (others => (others => '0'));
   type flag_x2_x2_t is array (0 to 1) of std_logic_vector(1 downto 0);
+  type unsigned_2_vector_x2_t is array (0 to 1) of unsigned_2_vector_t;
+  constant zero_unsigned_2_vector_x2 : unsigned_2_vector_x2_t := (others => zero_unsigned_2_vector);
   type flag_x3_x3_t is array (0 to 2) of std_logic_vector(2 downto 0);
   constant zero_flag_x3_x3 : flag_x3_x3_t := (others => (others => '0'));
-  type unsigned_2_vector_x3_t is array (0 to 2) of unsigned_2_vector_t;
-  constant zero_unsigned_2_vector_x3 : unsigned_2_vector_x3_t := (others => zero_unsigned_2_vector);
   type signed_32_vector_x3_t is array (0 to 2) of signed_32_vector_t;
   constant zero_signed_32_vector_x3 : signed_32_vector_x3_t := (others => zero_signed_32_vector);
   type interval_22_x4_t is array (0 to 3) of interval_22_t;
@@ -111,7 +111,6 @@ package efsat_types is
   type interval_25_vector_t is array (0 to 2) of interval_25_t;
   constant zero_interval_25_vector : interval_25_vector_t := (others => zero_interval_25);
   type interval_32_vector_t is array (0 to 2) of interval_32_t;
-  constant zero_interval_32_vector : interval_32_vector_t := (others => zero_interval_32);
   type interval_33_vector_t is array (0 to 2) of interval_33_t;
   constant zero_interval_33_vector : interval_33_vector_t := (others => zero_interval_33);
   type interval_36_vector_t is array (0 to 2) of interval_36_t;
@@ -119,10 +118,8 @@ package efsat_types is
   constant zero_interval_37_vector : interval_37_vector_t := (others => zero_interval_37);
   type flag_x5_vector_t is array (0 to 2) of std_logic_vector(4 downto 0);
   constant zero_flag_x5_vector : flag_x5_vector_t := (others => (others => '0'));
-  type interval_18_vector_x3_t is array (0 to 2) of interval_18_vector_t;
-  constant zero_interval_18_vector_x3 : interval_18_vector_x3_t := (others => zero_interval_18_vector);
-  type interval_32_vector_x3_t is array (0 to 2) of interval_32_vector_t;
-  constant zero_interval_32_vector_x3 : interval_32_vector_x3_t := (others => zero_interval_32_vector);
+  type interval_18_vector_x2_t is array (0 to 1) of interval_18_vector_t;
+  constant zero_interval_18_vector_x2 : interval_18_vector_x2_t := (others => zero_interval_18_vector);
   type interval_18_vector_x4_t is array (0 to 3) of interval_18_vector_t;
   constant zero_interval_18_vector_x4 : interval_18_vector_x4_t := (others => zero_interval_18_vector);
   type numbers_t is array (natural range <>) of integer;

@@ -27,7 +27,6 @@ package efsat_types is
     lo : signed(31 downto 0);
     hi : signed(31 downto 0);
   end record interval_32_t;
-  constant zero_interval_32 : interval_32_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_33_t is record
     lo : signed(32 downto 0);
     hi : signed(32 downto 0);
@@ -55,7 +54,6 @@ package efsat_types is
   type unsigned_2_vector_t is array (0 to 2) of unsigned(1 downto 0);
   constant zero_unsigned_2_vector : unsigned_2_vector_t := (others => (others => '0'));
   type unsigned_4_vector_t is array (0 to 2) of unsigned(3 downto 0);
-  constant zero_unsigned_4_vector : unsigned_4_vector_t := (others => (others => '0'));
   type unsigned_32_vector_t is array (0 to 2) of unsigned(31 downto 0);
   constant zero_unsigned_32_vector : unsigned_32_vector_t := (others => (others => '0'));
   type unsigned_33_vector_t is array (0 to 2) of unsigned(32 downto 0);
@@ -89,7 +87,6 @@ package efsat_types is
   constant zero_interval_19_vector : interval_19_vector_t := (others => zero_interval_19);
   type interval_21_vector_t is array (0 to 2) of interval_21_t;
   type interval_32_vector_t is array (0 to 2) of interval_32_t;
-  constant zero_interval_32_vector : interval_32_vector_t := (others => zero_interval_32);
   type interval_33_vector_t is array (0 to 2) of interval_33_t;
   constant zero_interval_33_vector : interval_33_vector_t := (others => zero_interval_33);
   type interval_36_vector_t is array (0 to 2) of interval_36_t;

@@ -24,9 +24,9 @@
 #define EFSAT_ENGINE_CLOCK_MHZ 100 /* the target clock in MHz */
 
 /* Packets in. */
-#define EFSAT_ENGINE_QUERY_HEADER UINT32_C(0x44002003) /* low half of the first word of a query */
+#define EFSAT_ENGINE_QUERY_HEADER UINT32_C(0x44102003) /* low half of the first word of a query */
 #define EFSAT_ENGINE_QUERY_FORMAT UINT32_C(0x0024ca12) /* high half, which says the formats below */
-#define EFSAT_ENGINE_STOP_HEADER UINT32_C(0x44002005) /* the only word of a stop */
+#define EFSAT_ENGINE_STOP_HEADER UINT32_C(0x44102005) /* the only word of a stop */
 #define EFSAT_ENGINE_QUERY_WORDS 32 /* words of a query */
 #define EFSAT_ENGINE_OPTIONS_WORD 5 /* the word that says what is asked for */
 

@@ -26,9 +26,9 @@ CLOCKS_PER_PAIR = 11  # clocks from pair to pair of triangles
 CLOCK_MHZ = 100  # the target clock in MHz
 
 # Packets in.
-QUERY_HEADER = 0x44002003  # low half of the first word of a query
+QUERY_HEADER = 0x44102003  # low half of the first word of a query
 QUERY_FORMAT = 0x0024ca12  # high half, which says the formats below
-STOP_HEADER = 0x44002005  # the only word of a stop
+STOP_HEADER = 0x44102005  # the only word of a stop
 QUERY_WORDS = 32  # words of a query
 OPTIONS_WORD = 5  # the word that says what is asked for
 
