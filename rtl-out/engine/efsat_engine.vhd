@@ -15,6 +15,9 @@
 --   6      errors of the shift 15..0, 31..16, 47..32
 --   7 ...  pose, as in packets of the stream wrapper; then a row for each direction
 -- Out: for each query one packet: pairs that are not separate, then a report of eight words.
+--
+-- Between queries also packets of pairs and poses, in and out as by a stream wrapper of 64-bit words and 16-bit tags:
+-- headers 16#44102001# and 16#44102002#. The pose of a packet or of a query holds until the next one.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -56,9 +59,14 @@ architecture rtl of efsat_engine is
   signal job_valid : std_logic;
   signal job_taken : std_logic;
   signal job_query : std_logic;
+  signal job_posed : std_logic;
+  signal job_short : std_logic;
   signal job_reason : std_logic_vector(4 downto 0);
   signal job_number : std_logic_vector(23 downto 0);
   signal job_words : std_logic_vector(1983 downto 0);
+  signal packet_valid : std_logic;  -- a pair of a packet, not of a query
+  signal packet_taken : std_logic;
+  signal packet_last : std_logic;
   signal stop : std_logic;
   signal pose_valid : std_logic;
   signal pose_ready : std_logic;
@@ -66,6 +74,7 @@ architecture rtl of efsat_engine is
   signal running : std_logic;
   signal start : std_logic;
   signal ending : std_logic;
+  signal dropping : std_logic;
   signal abort : std_logic;
   signal block_base_a : std_logic_vector(31 downto 0);
   signal block_base_b : std_logic_vector(31 downto 0);
@@ -83,6 +92,7 @@ architecture rtl of efsat_engine is
   signal query_shift : std_logic_vector(77 downto 0);
   signal query_errors : std_logic_vector(47 downto 0);
   signal query_rows : std_logic_vector(1043 downto 0);
+  signal short : std_logic;
   signal reason : std_logic_vector(4 downto 0);
   signal number : std_logic_vector(23 downto 0);
   signal report_due : std_logic;
@@ -124,16 +134,23 @@ architecture rtl of efsat_engine is
   signal triangle_a : std_logic_vector(319 downto 0);
   signal triangle_b : std_logic_vector(319 downto 0);
   signal numbers : std_logic_vector(55 downto 0);
+  signal unit_v : std_logic_vector(287 downto 0);  -- nine words for each triangle
+  signal unit_w : std_logic_vector(287 downto 0);
+  signal unit_tag : std_logic_vector(55 downto 0);
   signal unit_valid : std_logic;
   signal unit_ready : std_logic;
   signal tested_valid : std_logic;
   signal tested_verdict : std_logic_vector(1 downto 0);
+  signal tested_separated : std_logic_vector(10 downto 0);
+  signal tested_overlapping : std_logic_vector(10 downto 0);
   signal tested_numbers : std_logic_vector(55 downto 0);
+  signal tested_flags : std_logic_vector(39 downto 0);
   signal tested_taken : std_logic;
   signal decided_valid : std_logic;
   signal decided_ready : std_logic;
   signal verdict : std_logic_vector(1 downto 0);
   signal decided_numbers : std_logic_vector(55 downto 0);
+  signal decided_last : std_logic;
   signal bypass_valid : std_logic;
   signal pair_answered : std_logic;
 
@@ -189,9 +206,15 @@ begin
       job_valid => job_valid,
       job_taken => job_taken,
       job_query => job_query,
+      job_posed => job_posed,
+      job_short => job_short,
       job_reason => job_reason,
       job_number => job_number,
       job_words => job_words,
+      busy => busy,
+      pair_valid => packet_valid,
+      pair_taken => packet_taken,
+      pair_last => packet_last,
       stop => stop
     );
 
@@ -202,6 +225,8 @@ begin
       job_valid => job_valid,
       job_taken => job_taken,
       job_query => job_query,
+      job_posed => job_posed,
+      job_short => job_short,
       job_reason => job_reason,
       job_number => job_number,
       job_words => job_words,
@@ -212,6 +237,7 @@ begin
       running => running,
       start => start,
       ending => ending,
+      dropping => dropping,
       abort => abort,
       block_base_a => block_base_a,
       block_base_b => block_base_b,
@@ -239,6 +265,7 @@ begin
       flushing => flushing,
       report_due => report_due,
       report_done => report_done,
+      short => short,
       reason => reason,
       number => number
     );
@@ -316,14 +343,23 @@ begin
       triangles_valid => triangles_valid,
       triangles_ready => triangles_ready,
       triangles_taken => triangles_taken,
+      sent => packet_taken,
       answered => pair_answered,
       idle => pairs_idle
     );
   triangles_asked <= triangle_request and triangle_accepted;
 
+  -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the 16 bits of their tag the
+  -- unit's tag says which is the last of its packet.
+  unit_v <= triangle_a(319 downto 32) when running = '1' else job_words(1695 downto 1408);
+  unit_w <= triangle_b(319 downto 32) when running = '1' else job_words(1983 downto 1696);
+  unit_tag <= numbers when running = '1' else
+    "000000000000000000000000000000000000000" & packet_last & job_words(1391 downto 1376);
+  packet_taken <= packet_valid and unit_ready;
+
   -- With leaves_only pairs pass by the unit, which is empty then.
   numbers <= triangle_b(27 downto 0) & triangle_a(27 downto 0);
-  unit_valid <= triangles_valid and not leaves_only and not ending;
+  unit_valid <= (triangles_valid and not leaves_only and not ending) or packet_valid;
   bypass_valid <= triangles_valid and leaves_only and not ending;
   triangles_ready <= decided_ready when leaves_only = '1' else unit_ready;
 
@@ -333,25 +369,25 @@ begin
       reset => restart,
       in_valid => unit_valid,
       in_ready => unit_ready,
-      in_tag => numbers,
-      in_v0_x => triangle_a(63 downto 32),
-      in_v0_y => triangle_a(95 downto 64),
-      in_v0_z => triangle_a(127 downto 96),
-      in_v1_x => triangle_a(159 downto 128),
-      in_v1_y => triangle_a(191 downto 160),
-      in_v1_z => triangle_a(223 downto 192),
-      in_v2_x => triangle_a(255 downto 224),
-      in_v2_y => triangle_a(287 downto 256),
-      in_v2_z => triangle_a(319 downto 288),
-      in_w0_x => triangle_b(63 downto 32),
-      in_w0_y => triangle_b(95 downto 64),
-      in_w0_z => triangle_b(127 downto 96),
-      in_w1_x => triangle_b(159 downto 128),
-      in_w1_y => triangle_b(191 downto 160),
-      in_w1_z => triangle_b(223 downto 192),
-      in_w2_x => triangle_b(255 downto 224),
-      in_w2_y => triangle_b(287 downto 256),
-      in_w2_z => triangle_b(319 downto 288),
+      in_tag => unit_tag,
+      in_v0_x => unit_v(31 downto 0),
+      in_v0_y => unit_v(63 downto 32),
+      in_v0_z => unit_v(95 downto 64),
+      in_v1_x => unit_v(127 downto 96),
+      in_v1_y => unit_v(159 downto 128),
+      in_v1_z => unit_v(191 downto 160),
+      in_v2_x => unit_v(223 downto 192),
+      in_v2_y => unit_v(255 downto 224),
+      in_v2_z => unit_v(287 downto 256),
+      in_w0_x => unit_w(31 downto 0),
+      in_w0_y => unit_w(63 downto 32),
+      in_w0_z => unit_w(95 downto 64),
+      in_w1_x => unit_w(127 downto 96),
+      in_w1_y => unit_w(159 downto 128),
+      in_w1_z => unit_w(191 downto 160),
+      in_w2_x => unit_w(223 downto 192),
+      in_w2_y => unit_w(255 downto 224),
+      in_w2_z => unit_w(287 downto 256),
       pose_m00 => job_words(479 downto 448),
       pose_m01 => job_words(511 downto 480),
       pose_m02 => job_words(543 downto 512),
@@ -366,18 +402,22 @@ begin
       pose_t_z => job_words(831 downto 800),
       pose_valid => pose_valid,
       pose_ready => pose_ready,
-      pose_bypass => '0',
+      pose_bypass => job_words(415),
       out_valid => tested_valid,
       out_ready => tested_taken,
       out_verdict => tested_verdict,
-      out_separated => open,
-      out_overlapping => open,
+      out_separated => tested_separated,
+      out_overlapping => tested_overlapping,
       out_tag => tested_numbers
     );
   tested_taken <= decided_ready and not leaves_only;
   decided_valid <= bypass_valid when leaves_only = '1' else tested_valid;
   verdict <= "10" when leaves_only = '1' else tested_verdict;
-  decided_numbers <= numbers when leaves_only = '1' else tested_numbers;
+  tested_flags <= "000000000000000000" & tested_overlapping & tested_separated;
+  decided_numbers <= numbers when leaves_only = '1' else
+    tested_numbers when running = '1' else
+    tested_flags & tested_numbers(15 downto 0);
+  decided_last <= tested_numbers(16) and not running;
 
   -- ===== Answers =====
   answer : entity work.engine_answer
@@ -389,13 +429,15 @@ begin
       decided_ready => decided_ready,
       verdict => verdict,
       numbers => decided_numbers,
-      ending => ending,
+      last => decided_last,
+      dropping => dropping,
       separate_too => separate_too,
       stop_at_contact => stop_at_contact,
       pair_answered => pair_answered,
       contact => contact,
       report_due => report_due,
       report_done => report_done,
+      short => short,
       reason => reason,
       number => number,
       clear => clear,

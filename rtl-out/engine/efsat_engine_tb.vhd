@@ -11,7 +11,8 @@
 --   A <word>                 a pair that the next packet is to answer, in ascending order of the words
 --   R <low> <mode> <word 1> <word 2> <word 3>  its report: the low half of word 0, and what is compared: 2 all, 1 the low half
 --                            and that no other pair is answered, 0 the low half alone
--- The order of pairs is not compared. In the first pass words go at full speed and memory answers after latency_least to
+--   O <word> <last>          a word that the next packet is to answer, in this place; for packets of pairs and poses
+-- The order of pairs of a query is not compared. In the first pass words go at full speed and memory answers after latency_least to
 -- latency_most clocks; in the others there are random stalls on all sides. The bounds of the stack, the rules of the streams
 -- and of AXI (steady addresses, bursts within 64 bytes, reads of nothing but the memory) are checked. It stops by itself;
 -- the last line it prints begins with "efsat_engine_tb:".
@@ -24,11 +25,14 @@ use std.textio.all;
 entity efsat_engine_tb is
   generic (
     vectors : string := "efsat_engine_tb.vec";
-    answers : string := "";  -- a file for all words that come out
+    answers : string := "";  -- a file for all words that come out, each with its TLAST and its clock
+    compared : boolean := true;  -- answers, with those in the file
+    patience : natural := 20308;  -- clocks without a transfer before giving up
     latency_least : positive := 30;
     latency_most : positive := 30;
     seed : positive := 1;
-    passes : positive := 2
+    first_pass : positive := 1;
+    passes : positive := 2  -- the last one
   );
   port (
     finished : out boolean
@@ -36,8 +40,7 @@ entity efsat_engine_tb is
 end entity efsat_engine_tb;
 
 architecture simulation of efsat_engine_tb is
-  constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11 query 0024ca1244002003 words 32 memory axi";
-  constant patience : natural := 20308;  -- clocks without a transfer before giving up
+  constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11 query 0024ca1244102003 words 32 memory axi";
   constant most_pairs : natural := 65536;  -- of a packet
   subtype word_64 is std_logic_vector(63 downto 0);
   type words_64 is array (natural range <>) of word_64;
@@ -449,15 +452,37 @@ begin
     begin
       expected_count := 0;
       loop
-        find_line(wanted, "AR", which, answer_line, more_answers);
+        find_line(wanted, "ARO", which, answer_line, more_answers);
         if not more_answers then
           complain("a packet too many");
           return;
         end if;
-        exit when which = 'R';
+        exit when which /= 'A';
         read_word(answer_line, expected(expected_count));
         expected_count := expected_count + 1;
       end loop;
+      if which = 'O' then
+        pairs := pairs + found_count;
+        for i in 0 to found_count - 1 loop
+          read_word(answer_line, due);
+          read_word(answer_line, flag);
+          compare_word("answer " & integer'image(i), found(i), due);
+          if (flag(0) = '1') /= (i = found_count - 1) then
+            complain("an answer of another length");
+            return;
+          end if;
+          if flag(0) = '0' then
+            find_line(wanted, "O", which, answer_line, more_answers);
+          end if;
+        end loop;
+        return;
+      end if;
+      if found_count < 8 then
+        complain("a packet without a report");
+        return;
+      end if;
+      found_count := found_count - 8;
+      tail := found(found_count to found_count + 7);
       read_word(answer_line, low);
       read_word(answer_line, flag);
       mode := to_integer(unsigned(flag));
@@ -507,7 +532,7 @@ begin
     if answers /= "" then
       file_open(log, answers, write_mode);
     end if;
-    for run in 1 to passes loop
+    for run in first_pass to passes loop
       pass <= run;
       aresetn <= '0';
       s_tvalid <= '0';
@@ -549,16 +574,14 @@ begin
             write_word(message, m_tdata);
             write(message, ' ');
             write(message, to_bit(m_tlast));
+            write(message, ' ');
+            write(message, clock);
             writeline(log, message);
           end if;
           found(found_count) := m_tdata;
           found_count := found_count + 1;
           if m_tlast = '1' then
-            if found_count < 8 then
-              complain("a packet without a report");
-            else
-              found_count := found_count - 8;
-              tail := found(found_count to found_count + 7);
+            if compared then
               compare;
             end if;
             packets_out := packets_out + 1;
@@ -592,7 +615,7 @@ begin
               read_word(word_line, flag);
               s_tdata <= word;
               s_tlast <= flag(0);
-              stop_header := flag(0) = '1' and word(31 downto 0) = x"44002005";
+              stop_header := flag(0) = '1' and word(31 downto 0) = x"44102005";
               read_word(word_line, flag);
               stop_header := stop_header and flag(0) = '1';
               s_tkeep <= (others => '1');
@@ -612,7 +635,7 @@ begin
           assert false report "efsat_engine_tb: no transfer any more" severity failure;
         end if;
       end loop;
-      find_line(wanted, "AR", kind, answer_line, more_answers);
+      find_line(wanted, "ARO", kind, answer_line, more_answers);
       if more_answers then
         complain("a packet is missing");
       end if;

@@ -3,7 +3,9 @@
 --
 -- The query that runs, from its job to its report: hands its pose to the triangle unit, keeps the rest in registers, starts
 -- the traversal and finds out why it ends. Reasons: 0 complete, 1 stopped at a certain contact, 2 limit of expansions,
--- 3 bad tree, 4 memory error, 5 stopped by the host; those of packets that are no query come with the job.
+-- 3 bad tree, 4 memory error, 5 stopped by the host; those of packets that are no query come with the job. A pose alone is a job
+-- that is done when the triangle unit has it. While no query runs, pairs of packets may be in the triangle unit: a job waits for
+-- them.
 --
 -- The matrix for the origins of blocks is s1.17, cut off and saturated to +-(2^17 - 1); the shift is s4.22, cut off.
 --------------------------------------------------------------------------------
@@ -18,6 +20,8 @@ entity engine_control is
     job_valid : in std_logic;
     job_taken : out std_logic;
     job_query : in std_logic;
+    job_posed : in std_logic;
+    job_short : in std_logic;
     job_reason : in std_logic_vector(4 downto 0);
     job_number : in std_logic_vector(23 downto 0);
     job_words : in std_logic_vector(1983 downto 0);
@@ -30,6 +34,7 @@ entity engine_control is
     running : out std_logic;  -- there is one
     start : out std_logic;
     ending : out std_logic;  -- no query runs, or it has a reason to end
+    dropping : out std_logic;  -- a query runs and has a reason to end: its pairs are dropped
     abort : out std_logic;  -- one clock long: all is forgotten after a memory error
     block_base_a : out std_logic_vector(31 downto 0);  -- address / 64
     block_base_b : out std_logic_vector(31 downto 0);
@@ -41,7 +46,7 @@ entity engine_control is
     triangle_count_b : out std_logic_vector(31 downto 0);
     most_expansions : out std_logic_vector(31 downto 0);
     stop_at_contact : out std_logic;
-    separate_too : out std_logic;
+    separate_too : out std_logic;  -- also while no query runs
     leaves_only : out std_logic;  -- no triangle test
     query_pose : out std_logic_vector(161 downto 0);
     query_shift : out std_logic_vector(77 downto 0);
@@ -58,6 +63,7 @@ entity engine_control is
     flushing : in std_logic;
     report_due : out std_logic;
     report_done : in std_logic;
+    short : out std_logic;  -- the report is one word
     reason : out std_logic_vector(4 downto 0);
     number : out std_logic_vector(23 downto 0)
   );
@@ -71,8 +77,9 @@ architecture rtl of engine_control is
   signal taken : std_logic := '0';
   signal running_now : std_logic := '0';
   signal ending_now : std_logic := '1';
+  signal dropping_now : std_logic := '0';
   signal report_due_now : std_logic := '0';
-  signal pose_due : std_logic;
+  signal job_due : std_logic;  -- the job may be taken, once the unit has its pose
   signal checks : unsigned(1 downto 0) := "00";
   signal stopped : std_logic := '0';
   signal reason_now : std_logic_vector(4 downto 0) := fine;
@@ -93,14 +100,15 @@ architecture rtl of engine_control is
   signal options : std_logic_vector(63 downto 0) := (others => '0');
 begin
   -- The pose goes first, and a clock later the rest of the job.
-  pose_due <= job_valid and job_query when phase = waiting_state else '0';
-  pose_valid <= pose_due;
+  job_due <= job_valid and idle when phase = waiting_state else '0';
+  pose_valid <= job_due and job_posed;
   job_taken <= taken;
   running <= running_now;
   busy <= '0' when phase = waiting_state and job_valid = '0' else '1';
   report_due <= report_due_now;
   start <= started;
   ending <= ending_now;
+  dropping <= dropping_now;
   abort <= '1' when phase = abort_state else '0';
   flush <= flush_now;
   reason <= reason_now;
@@ -132,7 +140,10 @@ begin
     if rising_edge(clk) then
       if taken = '1' then
         number_now <= job_number;
+        short <= job_short;
       end if;
+      separate_too <= options(33) or not running_now;
+      leaves_only <= options(34) and running_now;
       if taken = '1' and job_query = '1' then
         bases(0) <= unsigned(job_words(31 downto 0));
         bases(1) <= unsigned(job_words(63 downto 32));
@@ -209,8 +220,6 @@ begin
   triangle_count_b <= std_logic_vector(counts(3));
   most_expansions <= options(31 downto 0);
   stop_at_contact <= options(32);
-  separate_too <= options(33);
-  leaves_only <= options(34);
 
   proceed : process (clk)
     variable next_phase : phase_state;
@@ -233,7 +242,7 @@ begin
           if job_valid = '0' then
             stopped <= '0';  -- there is nothing to stop
           end if;
-          if job_valid = '1' and (pose_ready = '1' or job_query = '0') then
+          if job_due = '1' and (pose_ready = '1' or job_posed = '0') then
             next_phase := take_state;
           end if;
         elsif phase = take_state then
@@ -304,17 +313,19 @@ begin
       taken <= '0';
       running_now <= '1';
       ending_now <= '1';
+      dropping_now <= '1';
       report_due_now <= '0';
-      if next_phase = waiting_state then
+      if next_phase = waiting_state or next_phase = take_state or next_phase = report_state then
         running_now <= '0';
-      elsif next_phase = take_state then
-        taken <= '1';
-        running_now <= '0';
-      elsif next_phase = report_state then
-        running_now <= '0';
-        report_due_now <= '1';
+        dropping_now <= '0';
       elsif next_phase = run_state and next_reason = fine then
         ending_now <= '0';
+        dropping_now <= '0';
+      end if;
+      if next_phase = take_state then
+        taken <= '1';
+      elsif next_phase = report_state then
+        report_due_now <= '1';
       end if;
     end if;
   end process proceed;

@@ -25,6 +25,7 @@ entity engine_pairs is
     triangles_valid : in std_logic;
     triangles_ready : in std_logic;  -- of who takes them
     triangles_taken : out std_logic;
+    sent : in std_logic;  -- while no query runs: a pair of a packet goes to the unit
     answered : in std_logic;  -- one pair more
     idle : out std_logic  -- every pair is answered or dropped
   );
@@ -42,12 +43,14 @@ architecture rtl of engine_pairs is
   signal head_leaves : std_logic;
   signal fetches : std_logic;
   signal accepts : std_logic;
+  signal opens : std_logic;  -- one pair more has to be answered
   signal drops : std_logic;
   signal asks : std_logic;
   signal open_pairs : unsigned(7 downto 0) := (others => '0');
   signal idle_now : std_logic := '1';  -- clear as soon as a pair has come
 begin
   accepts <= pair_valid and not full;
+  opens <= accepts or sent;
   pair_ready <= not full;
   asks <= head_valid and not ending;
   request_valid <= asks;
@@ -76,7 +79,7 @@ begin
   begin
     if rising_edge(clk) then
       change := 0;
-      if accepts = '1' then
+      if opens = '1' then
         change := change + 1;
       end if;
       if (head_leaves and ending) = '1' then
@@ -98,7 +101,7 @@ begin
         idle_now <= '1';
       else
         open_pairs <= unsigned(signed(open_pairs) + change);
-        if accepts = '1' then
+        if opens = '1' then
           idle_now <= '0';
         elsif open_pairs = 0 then
           idle_now <= '1';
