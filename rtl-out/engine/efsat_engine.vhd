@@ -15,6 +15,9 @@
 --   6      errors of the shift 15..0, 31..16, 47..32
 --   7 ...  pose, as in packets of the stream wrapper; then a row for each direction
 -- Out: for each query one packet: pairs that are not separate, then a report of eight words.
+--
+-- Between queries also packets of pairs and poses, in and out as by a stream wrapper of 64-bit words and 16-bit tags:
+-- headers 16#44102001# and 16#44102002#. The pose of a packet or of a query holds until the next one.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;

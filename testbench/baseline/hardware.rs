@@ -144,8 +144,8 @@ impl Names {
             let axis = axes.last_mut().expect("an axis");
             axis.points[usize::from(point.starts_with('w'))].push(point.to_owned());
         }
-        // Where lanes make the edges one after the other, axes come in the order of the edges of B.
-        if p.renormalise && axes.len() == 11 && p.interval() >= 4 {
+        // Where a lane makes the edges one after the other, axes come in the order of the edges of B.
+        if p.renormalise && axes.len() == 11 && p.axes_per_clock == 1 {
             axes.sort_by_key(|axis| match axis.name.strip_prefix("c_") {
                 Some(edges) => 1 + edges[1..].parse::<usize>().expect("the number of an edge"),
                 None if axis.name == "n_a" => 0,

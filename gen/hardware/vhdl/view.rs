@@ -354,8 +354,10 @@ impl<'a> View<'a> {
             if let Comb::Lookup(lookup) = op
                 && !index.is_some_and(Type::is_flag)
             {
-                let name = self.table_name(SignalId(i));
-                tables.push(Table { name, entries: lookup.0.clone(), flags: signal.ty.is_flag() });
+                let (name, mut entries) = (self.table_name(SignalId(i)), lookup.0.clone());
+                // An entry for every value of the index, so that no tool subtracts it from the last: these are never read.
+                entries.resize(index.map_or(entries.len(), |ty| 1 << ty.bits), 0);
+                tables.push(Table { name, entries, flags: signal.ty.is_flag() });
             }
         }
         tables

@@ -41,7 +41,8 @@ pub(super) fn axes<'l>(
     let formats = &p.formats();
     let all = Axis::all(p.axes);
     let units = p.axes_per_clock;
-    let tested = if edges.from_lanes && all.len() == 11 { Axis::as_edges_come(&all) } else { all.clone() };
+    let tested =
+        if edges.from_lanes && all.len() == 11 && units == 1 { Axis::as_edges_come(&all) } else { all.clone() };
     let jobs = |u: usize| {
         let jobs = Phases::new(p.interval(), |s| tested.get(s * units + u).copied());
         // In-plane axes need a finished normal: in a unit that tests others too they come a number of slots later.

@@ -10,6 +10,7 @@ use crate::artefact::project::Project;
 use crate::artefact::{FileSet, Prefix, board};
 use crate::design::top::pace;
 use crate::params::engine::{Command, Memory};
+use crate::params::stream::Kind;
 use askama::Template;
 use efsat_hardware::vhdl::lint::lint;
 use serde::Serialize;
@@ -56,6 +57,8 @@ struct Manifest<'a> {
     unit_latency: usize,
     multipliers: usize,
     query_words: u32,
+    pairs_header: String,
+    pose_header: String,
     query_header: String,
     load_header: Option<String>,
     stop_header: String,
@@ -64,7 +67,7 @@ struct Manifest<'a> {
 
 /// What the entities of the engine are for, in the order of the data.
 const ENTITIES: [(&str, &str); 9] = [
-    ("engine_command", "Packets in: queries, loads and stops; what is none of them is reported."),
+    ("engine_command", "Packets in: pairs, poses, queries, loads and stops; what is none of them is reported."),
     ("engine_control", "The query that runs: its registers, its phases, and why it ends."),
     ("engine_traverse", "The traversal of both trees: issue, pairs in flight, survivors."),
     ("engine_stack", "The stack of pairs that are still to be opened."),
@@ -221,6 +224,7 @@ fn readme(
 fn manifest(design: &EngineDesign, command_line: &str, files: &FileSet) -> String {
     let options = |list: Vec<(&'static str, String)>| list.into_iter().map(|(k, v)| (k.replace('-', "_"), v)).collect();
     let header = |command| format!("{:016x}", design.format.header(command));
+    let unit = |kind| format!("{:016x}", design.format.stream.header(kind));
     let load = (design.params.memory == Memory::BlockRam).then(|| header(Command::Load));
     let manifest = Manifest {
         generator: format!("efsat {}", env!("CARGO_PKG_VERSION")),
@@ -233,6 +237,8 @@ fn manifest(design: &EngineDesign, command_line: &str, files: &FileSet) -> Strin
         unit_latency: design.unit.latency,
         multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
         query_words: design.format.query_words(),
+        pairs_header: unit(Kind::Pairs),
+        pose_header: unit(Kind::Pose),
         query_header: header(Command::Query),
         load_header: load,
         stop_header: header(Command::Stop),

@@ -15,6 +15,7 @@ use crate::design::Design;
 use crate::design::engine::volume_unit::VolumeDesign;
 use crate::design::top::DesignError;
 use crate::params::engine::{EngineFormat, EngineParams, Memory, OFFSET_BITS};
+use crate::params::stream::Kind;
 use crate::params::{ParamError, Params};
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
@@ -220,6 +221,14 @@ fn description(design: &EngineDesign) -> Vec<String> {
         "  6      errors of the shift 15..0, 31..16, 47..32".to_owned(),
         "  7 ...  pose, as in packets of the stream wrapper; then a row for each direction".to_owned(),
         "Out: for each query one packet: pairs that are not separate, then a report of eight words.".to_owned(),
+        String::new(),
+        "Between queries also packets of pairs and poses, in and out as by a stream wrapper of 64-bit words and 16-bit tags:"
+            .to_owned(),
+        format!(
+            "headers 16#{:08x}# and 16#{:08x}#. The pose of a packet or of a query holds until the next one.",
+            format.stream.header(Kind::Pairs),
+            format.stream.header(Kind::Pose)
+        ),
     ];
     lines.to_vec()
 }
