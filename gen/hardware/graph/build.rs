@@ -1,12 +1,13 @@
 //! Units in the making: copyable handles, and the nodes that operators on them make.
 
+mod operations;
+
 use super::names;
 use super::place::{Place, Step};
 use super::unit::{Fact, Node, NodeId, Op, Probe, Rate, Unit};
 use crate::op::*;
 use std::cell::RefCell;
 use std::collections::HashMap;
-use std::ops;
 use std::rc::Rc;
 
 /// The units of a design in the making.
@@ -479,168 +480,4 @@ fn columns(args: &[Sig<'_>], f: impl Fn(&[Range]) -> Range) -> Vec<Range> {
     let all: Vec<Vec<Range>> = args.iter().map(|a| a.ranges()).collect();
     let count = all.iter().map(Vec::len).max().unwrap_or(1);
     (0..count).map(|c| f(&all.iter().map(|r| r[c % r.len()]).collect::<Vec<_>>())).collect()
-}
-
-/// Shorthand for operations.
-impl<'l> Sig<'l> {
-    /// A constant with this signal's type.
-    pub fn like(self, value: i128) -> Self {
-        self.unit().constant(value, self.ty())
-    }
-
-    /// The bits above the lowest `drop`, or with a negative number that many zeros appended: the value rounded toward
-    /// minus infinity to fewer fraction bits, or with more of them.
-    pub fn floor(self, drop: i32) -> Self {
-        match drop {
-            0 => self,
-            1.. => self.apply(Floor(drop as u32), &[]),
-            _ => self.apply(Append(drop.unsigned_abs()), &[]),
-        }
-    }
-
-    /// Multiplied by a power of two in as many bits: nothing but signs may be shifted out.
-    pub fn shift_left(self, bits: u32) -> Self {
-        self.apply(ShiftLeft(bits), &[])
-    }
-
-    /// The lowest bits.
-    pub fn low(self, bits: u32) -> Self {
-        if self.ty() == Type::unsigned(bits) { self } else { self.apply(LowBits(bits), &[]) }
-    }
-
-    /// The same value in a type. A sum or choice that has no name yet is made in as many bits at once.
-    pub fn resize(self, ty: Type) -> Self {
-        let own = self.ty();
-        let (op, args, named) = self.node(|n| (n.op.clone(), n.args.clone(), n.named));
-        let bits = Some(ty.bits);
-        let sum: Option<Comb> = match op {
-            Op::Comb(Comb::Add(_)) => Some(Add(bits).into()),
-            Op::Comb(Comb::Subtract(_)) => Some(Subtract(bits).into()),
-            Op::Comb(Comb::Negate(_)) => Some(Negate(bits).into()),
-            Op::Comb(Comb::Select(_)) => Some(Select(bits).into()),
-            _ => None,
-        };
-        match sum.filter(|_| !named && ty.bits < own.bits && ty.signed == own.signed) {
-            _ if own == ty => self,
-            Some(sum) => {
-                let args: Vec<Self> = args.iter().map(|id| Self { id: *id, ..self }).collect();
-                args[0].apply(sum, &args[1..]).resize(ty)
-            }
-            None => self.apply(Resize(ty), &[]),
-        }
-    }
-
-    /// The same value in so many bits of its own kind.
-    pub fn bits(self, bits: u32) -> Self {
-        self.resize(Type { bits, ..self.ty() })
-    }
-
-    /// Flag: some bit is set.
-    pub fn any(self) -> Self {
-        if self.ty().is_flag() { self.at_point(None) } else { self.apply(OrReduce, &[]) }
-    }
-
-    /// Flag: it is negative.
-    pub fn negative(self) -> Self {
-        self.apply(SignBit, &[])
-    }
-
-    /// Absolute value.
-    pub fn magnitude(self) -> Self {
-        self.apply(Magnitude, &[])
-    }
-
-    /// The greater of the number and zero in so many bits, without a sign.
-    pub fn positive(self, bits: u32) -> Self {
-        if self.range().1 >> bits > 0 {
-            self.refuse(&format!("values up to {} do not fit {bits} bits", self.range().1));
-        }
-        let magnitude = self.low(bits);
-        self.negative().choose(magnitude.like(0), magnitude)
-    }
-
-    /// The sum of two numbers and a flag in one carry chain.
-    pub fn plus(self, other: Self, carry: Self) -> Self {
-        let fraction = self.ty().fraction;
-        let below = |low: Self, x: Self| low.below(&[x.at_point(None)]);
-        (below(self.unit().constant(1, Type::FLAG), self) + below(carry, other)).floor(1).at_point(fraction)
-    }
-
-    /// Flag: both are equal.
-    pub fn equals(self, other: Self) -> Self {
-        self.apply(Equal, &[other])
-    }
-
-    /// Flag: it is less than another.
-    pub fn less(self, other: Self) -> Self {
-        self.apply(Less, &[other])
-    }
-
-    /// Within `[-bound, bound]`: sound where the true value lies inside by the lemma.
-    pub fn saturate(self, bound: i128, lemma: &'static str) -> Self {
-        let ty = self.ty();
-        let (most, least) = (self.unit().constant(bound, ty), self.unit().constant(-bound, ty));
-        let bits = 129 - bound.leading_zeros();
-        let inside = self.less(least).called("too_low").choose(least, self).called("raised");
-        let saturated = most.less(self).called("too_high").choose(most, inside).called("saturated");
-        saturated.assume_range((-bound, bound), lemma, &[]).bits(bits.min(ty.bits))
-    }
-
-    /// Negated where the flag is set.
-    pub fn negate_if(self, flag: Self) -> Self {
-        flag.apply(NegateIf, &[self])
-    }
-
-    /// Entry of a table by this index.
-    pub fn lookup(self, table: Vec<i128>, ty: Type) -> Self {
-        self.apply(Lookup(table, ty), &[])
-    }
-
-    /// This in the low bits, others above it.
-    pub fn below(self, others: &[Self]) -> Self {
-        if others.is_empty() { self } else { self.apply(Concatenate, others) }
-    }
-}
-
-macro_rules! operator {
-    ($($trait:ident $method:ident $op:expr),*) => {
-        $(impl ops::$trait for Sig<'_> {
-            type Output = Self;
-
-            fn $method(self, other: Self) -> Self {
-                self.apply($op, &[other])
-            }
-        })*
-    };
-}
-
-operator!(Add add Add::default(), Sub sub Subtract::default(), Mul mul Multiply, BitOr bitor Or);
-
-/// A flag that is always set changes nothing.
-impl ops::BitAnd for Sig<'_> {
-    type Output = Self;
-
-    fn bitand(self, other: Self) -> Self {
-        match (self.ty().is_flag(), self.range(), other.range()) {
-            (true, (1, 1), _) => other,
-            (true, _, (1, 1)) => self,
-            _ => self.apply(And, &[other]),
-        }
-    }
-}
-
-impl ops::Neg for Sig<'_> {
-    type Output = Self;
-
-    fn neg(self) -> Self {
-        self.apply(Negate::default(), &[])
-    }
-}
-
-impl ops::Not for Sig<'_> {
-    type Output = Self;
-
-    fn not(self) -> Self {
-        self.apply(Not, &[])
-    }
 }
