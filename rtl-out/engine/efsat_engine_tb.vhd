@@ -27,7 +27,7 @@ entity efsat_engine_tb is
     vectors : string := "efsat_engine_tb.vec";
     answers : string := "";  -- a file for all words that come out, each with its TLAST and its clock
     compared : boolean := true;  -- answers, with those in the file
-    patience : natural := 20308;  -- clocks without a transfer before giving up
+    patience : natural := 20300;  -- clocks without a transfer before giving up
     latency_least : positive := 30;
     latency_most : positive := 30;
     seed : positive := 1;
