@@ -321,7 +321,7 @@ fn a_wrong_engine_is_noticed() {
     assert_eq!(vectors.text().matches("8f 0 ").count(), 2, "two queries end for reason 3");
     let report = bench.run_vectors(vectors.text(), slow);
     assert!(fine(&report), "{report}");
-    let unnoticed: Vec<&str> = share(6, changes)
+    let unnoticed: Vec<&str> = share(11, changes)
         .iter()
         .filter_map(|(file, from, to, options)| {
             let report = changed(&bench, (file, from, to), vectors.text(), options);

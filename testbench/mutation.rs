@@ -141,7 +141,7 @@ fn the_evaluated_graph_kills_mutants_of_the_reference_model() {
     let all = model::mutants();
     let files: HashSet<&str> = all.iter().map(|m| m.unit.as_str()).collect();
     assert!(all.len() > 200 && files.len() >= 10, "{} in {files:?}", all.len());
-    let slice = spread(capped(all, 1), if full() { 6 } else { 3 });
+    let slice = spread(capped(all, 1), if full() { 6 } else { 2 });
     let campaign = ModelCampaign::new(64, 1).unwrap();
     let run = |mutant: Mutant| {
         let fate = campaign.fate(&mutant).unwrap();

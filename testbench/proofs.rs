@@ -236,13 +236,13 @@ fn exact_pairs() {
     let setting = Setting::full(params(Transform::Off));
     let mut claims = vec![
         operands(&setting),
-        by_signs(&setting),
         in_plane_operands(&setting),
+        by_signs(&setting),
         in_plane_edges(&setting),
         in_plane(&setting),
     ];
     claims.extend([Transform::Off, Transform::Translate].map(|transform| fits(&Setting::full(params(transform)))));
-    prove("Exact pairs", claims);
+    prove("Exact pairs", share(2, claims));
 }
 
 #[test]
