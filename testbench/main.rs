@@ -16,6 +16,7 @@ mod engine_clocks;
 mod engine_entities;
 mod engine_host;
 mod engine_rtl;
+mod engine_rules;
 mod engine_volume;
 mod examples;
 mod extent;

@@ -41,8 +41,8 @@ fn run(entity: &mut Entity, rng: &mut ChaCha8Rng, lines: usize, gaps: bool, faul
         // Who asks goes on until it is served.
         let asks = asks | (0..4).map(|i| u64::from(waits[i] > 0) << i).sum::<u64>();
         entity.set("ask_valid", asks);
-        for client in 0..4 {
-            entity.set(&format!("ask_address_{client}"), wanted[client].front().copied().unwrap_or(0));
+        for (client, lines) in wanted.iter().enumerate() {
+            entity.set(&format!("ask_address_{client}"), lines.front().copied().unwrap_or(0));
         }
         let ready = !gaps || seldom(rng, 2);
         let burst = bursts.front_mut().filter(|burst| burst.due <= clock && (!gaps || seldom(rng, 2)));
@@ -92,7 +92,7 @@ fn run(entity: &mut Entity, rng: &mut ChaCha8Rng, lines: usize, gaps: bool, faul
         held = (offered && !ready).then_some(address);
         if offered && ready {
             let (line, client) = (address[0] / 64, (address[0] / 64 / 1000) as usize);
-            expect(address[0] % 64 == 0 && client < 4 && address[1] + 1 == WORDS[client], clock, "the burst")?;
+            expect(address[0].is_multiple_of(64) && client < 4 && address[1] + 1 == WORDS[client], clock, "the burst")?;
             let kind = [entity.get("m_axi_arsize"), entity.get("m_axi_arburst")];
             expect(kind == [3, 1], clock, "size and kind of the burst")?;
             let fault = fault.filter(|(at, _)| *at == number).map(|(_, fault)| fault);

@@ -16,7 +16,7 @@ fn stack(entity: &mut Entity) -> Outcome {
             fills = !fills;
         }
         let clear = seldom(&mut rng, 300);
-        let often = |rng: &mut ChaCha8Rng, much: bool| !seldom(rng, 4) == much;
+        let often = |rng: &mut ChaCha8Rng, much: bool| seldom(rng, 4) != much;
         let pop = !entries.is_empty() && often(&mut rng, !fills);
         let push = (entries.len() < 40 || pop) && often(&mut rng, fills);
         let entry = rng.random::<u64>() >> 8;
@@ -26,7 +26,7 @@ fn stack(entity: &mut Entity) -> Outcome {
             entity.set(port, value);
         }
         entity.settle();
-        expect(entity.is("filled") == !entries.is_empty(), clock, "filled")?;
+        expect(entity.is("filled") != entries.is_empty(), clock, "filled")?;
         let top = entity.get("top_entry");
         expect(entries.last().is_none_or(|&last| last == top), clock, "top_entry")?;
         expect(entity.get("greatest") == most, clock, "greatest")?;

@@ -110,11 +110,11 @@ impl<'a> Volumes<'a> {
             for t in 0..BLOCK {
                 let number = (start + t) / interval;
                 self.unit.set(self.valid, t, i128::from(number < count));
-                if let Some(expansion) = stimulus.expansions.get(number) {
-                    if offered.replace(number) != Some(number) {
-                        let numbers = stimulus.numbers(expansion);
-                        values = self.names.iter().map(|name| numbers.get(name).copied()).collect();
-                    }
+                if let Some(expansion) = stimulus.expansions.get(number)
+                    && offered.replace(number) != Some(number)
+                {
+                    let numbers = stimulus.numbers(expansion);
+                    values = self.names.iter().map(|name| numbers.get(name).copied()).collect();
                 }
                 for (port, value) in values.iter().enumerate() {
                     if let Some(value) = value {

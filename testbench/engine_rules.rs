@@ -1,0 +1,146 @@
+//! The checks of the engine's driver in Verilator: each is broken by a mistake in the VHDL, and has to complain.
+
+use efsat::artefact::Prefix;
+use efsat::artefact::engine::samples::{cuboid, hills, turn};
+use efsat::artefact::engine::{EngineDesign, engine_files};
+use efsat::cosim::engine::{Channel, Machine};
+use efsat::golden::engine::Query;
+use efsat::host::engine::{Image, Numbers, memory};
+use efsat::params::Params;
+use efsat::params::engine::EngineParams;
+
+/// Signals between the entities and the ports of the top, and what breaks the rules in a query by its number.
+const SIGNALS: &str = "  signal raw_araddr : std_logic_vector(31 downto 0);
+  signal raw_arlen : std_logic_vector(7 downto 0);
+  signal raw_arsize : std_logic_vector(2 downto 0);
+  signal raw_arburst : std_logic_vector(1 downto 0);
+  signal raw_arvalid : std_logic;
+  signal raw_rready : std_logic;
+  signal raw_tdata : std_logic_vector(63 downto 0);
+  signal raw_tvalid : std_logic;
+  signal toggle : std_logic := '0';
+  signal mistake : integer range 0 to 15;
+";
+const STATEMENTS: &str = "  mistake <= to_integer(unsigned(number(3 downto 0))) when running = '1' else 0;
+  flip : process (aclk)
+  begin
+    if rising_edge(aclk) then
+      toggle <= not toggle;
+    end if;
+  end process flip;
+  m_axi_araddr <= raw_araddr xor x\"00000040\" when mistake = 1 and toggle = '1' else
+    raw_araddr xor x\"00100000\" when mistake = 3 else
+    raw_araddr xor x\"00000020\" when mistake = 4 else
+    raw_araddr;
+  m_axi_arvalid <= raw_arvalid and toggle when mistake = 2 else
+    '1' when mistake = 8 and raw_araddr /= x\"00000000\" else
+    raw_arvalid;
+  m_axi_arlen <= x\"0f\" when mistake = 5 else raw_arlen;
+  m_axi_arsize <= \"010\" when mistake = 6 else raw_arsize;
+  m_axi_arburst <= \"00\" when mistake = 7 else raw_arburst;
+  m_axi_rready <= raw_rready and toggle when mistake = 9 else raw_rready;
+  m_axis_tdata <= raw_tdata xor x\"0000000000000100\" when mistake = 10 and toggle = '1' else raw_tdata;
+  m_axis_tvalid <= raw_tvalid and toggle when mistake = 11 else raw_tvalid;
+";
+
+/// What is said of mistakes 1 to 11, and whether it takes gaps to see it.
+const COMPLAINTS: [(&str, bool); 11] = [
+    ("an address changed before it was taken", true),
+    ("an address changed before it was taken", true),
+    ("a read outside the trees of the queries", false),
+    ("a burst of 64 bytes at byte", false),
+    ("a burst of 128 bytes at byte", false),
+    ("a burst that is not of whole words one after the other", false),
+    ("a burst that is not of whole words one after the other", false),
+    ("too many bursts", false),
+    ("RREADY is not set", false),
+    ("an answer changed before it was taken", true),
+    ("an answer changed before it was taken", true),
+];
+
+/// An engine whose unit is compiled fast, with a change of the text of its top; none, where a tool is missing.
+fn machine(change: impl Fn(String) -> String) -> Option<Machine> {
+    let unit = Params { width: 10, transform_width: 26, ..Params::default() };
+    let engine = EngineParams { block_lines: 32, triangle_lines: 16, ..EngineParams::default() };
+    let design = EngineDesign::new(&engine, &unit).unwrap();
+    let mut files = engine_files(&design, &Prefix::default(), "efsat generate --engine").unwrap();
+    let (_, top) = files.last_mut().unwrap();
+    *top = change(std::mem::take(top));
+    match Machine::of(design, &files, None) {
+        Ok(machine) => Some(machine),
+        Err(error) if error.to_string().contains("is not installed") => {
+            eprintln!("skipped: {error}");
+            None
+        }
+        Err(error) => panic!("{error}"),
+    }
+}
+
+fn replaced(text: &str, from: &str, to: &str) -> String {
+    assert_eq!(text.matches(from).count(), 1, "{from}");
+    text.replace(from, to)
+}
+
+/// The top with its outputs behind what breaks them.
+fn breakable(mut top: String) -> String {
+    for (port, raw) in [
+        ("m_axi_araddr", "raw_araddr"),
+        ("m_axi_arlen", "raw_arlen"),
+        ("m_axi_arsize", "raw_arsize"),
+        ("m_axi_arburst", "raw_arburst"),
+        ("m_axi_arvalid", "raw_arvalid"),
+        ("m_axi_rready", "raw_rready"),
+        ("m_axis_tdata", "raw_tdata"),
+        ("m_axis_tvalid", "raw_tvalid"),
+    ] {
+        top = replaced(&top, &format!("{port} => {port}"), &format!("{port} => {raw}"));
+    }
+    let top = replaced(
+        &top,
+        "architecture rtl of efsat_engine is\n",
+        &format!("architecture rtl of efsat_engine is\n{SIGNALS}"),
+    );
+    replaced(&top, "begin\n  reset <= not aresetn;\n", &format!("begin\n  reset <= not aresetn;\n{STATEMENTS}"))
+}
+
+/// One query by its number; what is said of it.
+fn complaint(machine: &Machine, number: u32, gaps: bool) -> Option<String> {
+    let design = machine.design();
+    let numbers = Numbers::new(&design.params, &design.unit.params).unwrap();
+    let images = Image::build(&[&hills(6), &cuboid(3, 4, 2)], &design.format).unwrap();
+    let images: Vec<&Image> = images.iter().collect();
+    let (_, sides) = memory(&images);
+    let query = numbers.query([(images[0], sides[0]), (images[1], sides[1])], &turn(2), &[2.5, 1.0, -1.0]).unwrap();
+    // So slow that many bursts are under way.
+    let channel = Channel { latency: 200..=200, gaps, ..Channel::default() };
+    machine.run(&images, &[Query { number, ..query }], &channel).err().map(|error| error.to_string())
+}
+
+#[test]
+#[ignore = "compiles two engines: scripts/test full"]
+fn every_check_of_the_protocols_complains() {
+    let Some(broken) = machine(breakable) else { return };
+    for gaps in [false, true] {
+        assert_eq!(complaint(&broken, 0, gaps), None);
+    }
+    for (number, (expected, gaps)) in (1..).zip(COMPLAINTS) {
+        let found = complaint(&broken, number, gaps).unwrap_or_default();
+        assert!(found.contains(expected), "mistake {number}: {found:?}; expected {expected}");
+    }
+    // In reset no query has a number.
+    let offers = |top: String| {
+        let top = replaced(&top, "m_axis_tvalid => m_axis_tvalid", "m_axis_tvalid => raw_tvalid");
+        let top = replaced(
+            &top,
+            "  signal reset : std_logic;\n",
+            "  signal reset : std_logic;\n  signal raw_tvalid : std_logic;\n",
+        );
+        replaced(
+            &top,
+            "  reset <= not aresetn;\n",
+            "  reset <= not aresetn;\n  m_axis_tvalid <= raw_tvalid or reset;\n",
+        )
+    };
+    let Some(offers) = machine(offers) else { return };
+    assert!(complaint(&offers, 0, false).unwrap_or_default().contains("a handshake in reset"));
+}
