@@ -2,12 +2,12 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Constants of the design, for those who instantiate {{ prefix }}efsat or {{ prefix }}efsat_stream. The unit does not use them.
+-- Constants of the design, for those who instantiate {{ whose }} does not use them.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
 
-package {{ prefix }}efsat_constants is
+package {{ prefix }}{{ of }}_constants is
 {%- for group in groups %}
 {%- if !loop.first %}
 {% endif %}
@@ -16,4 +16,4 @@ package {{ prefix }}efsat_constants is
   constant {{ constant.name }} : {{ constant.vhdl() }};  -- {{ constant.what }}
 {%- endfor %}
 {%- endfor %}
-end package {{ prefix }}efsat_constants;
+end package {{ prefix }}{{ of }}_constants;

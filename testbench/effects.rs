@@ -362,6 +362,11 @@ fn runs_are_answered_by_the_engine_too() {
         ("--engine model --tag-width 3", "expected no width of the tag with --engine"),
         ("--engine model --method exact --truth snapped --transform-width 26", "expected axes or determinants"),
         ("--engine model --memory block-ram --block-lines 16", "--block-lines 16: expected at least"),
+        (
+            "--engine model --in-flight 4",
+            "--in-flight 4: expected --engine verilator: the option changes the clocks alone",
+        ),
+        ("--engine model --block-lines 1024", "--block-lines 1024: expected --engine verilator"),
         ("--directions 6", "--directions 6: expected --engine, which has this option"),
         ("--frames 3", "--engine <MACHINE>"),
     ] {

@@ -16,7 +16,14 @@ const RUNS: [(&str, &[&str]); 18] = [
             "classify s.toml --exact --method exact --truth snapped",
         ],
     ),
-    ("efsat generate", &["generate --out a", "generate --out b --method exact --width 32 --exact-clocks 16"]),
+    (
+        "efsat generate",
+        &[
+            "generate --out a",
+            "generate --out b --method exact --width 32 --exact-clocks 16",
+            "generate --out engine --engine",
+        ],
+    ),
     ("efsat cosim", &["cosim --random 20 --simulator builtin"]),
     ("efsat compare", &["compare pairs.csv", "compare s.toml"]),
     ("efsat stress", &["stress --pairs 100"]),

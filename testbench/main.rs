@@ -13,6 +13,7 @@ mod drop_in;
 mod effects;
 mod engine;
 mod engine_clocks;
+mod engine_host;
 mod engine_rtl;
 mod engine_volume;
 mod examples;

@@ -12,6 +12,7 @@ use crate::artefact::{
 };
 use crate::design::Design;
 use crate::design::top::pace;
+use crate::device::Resources;
 use crate::estimate;
 use crate::params::Params;
 use crate::params::options::Choice;
@@ -218,6 +219,8 @@ struct EngineWritten {
     device: &'static str,
     multipliers: usize,
     multipliers_of_device: usize,
+    block_rams: u64,
+    block_rams_of_device: u32,
     frequency_mhz: u32,
     clocks_per_expansion: usize,
     clocks_per_pair: usize,
@@ -225,9 +228,11 @@ struct EngineWritten {
 
 impl fmt::Display for EngineWritten {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { out, files, device, multipliers, multipliers_of_device: all, frequency_mhz, .. } = self;
+        let Self { out, files, device, multipliers, multipliers_of_device: all, block_rams, .. } = self;
         writeln!(f, "{out}: {files} files")?;
-        writeln!(f, "{multipliers} multipliers ({device} has {all}), units pipelined for {frequency_mhz} MHz")?;
+        let there = self.block_rams_of_device;
+        writeln!(f, "{multipliers} multipliers ({device} has {all}), {block_rams} block RAMs of 18 kbit ({there})")?;
+        writeln!(f, "units pipelined for {} MHz", self.frequency_mhz)?;
         let expansions = pace(self.clocks_per_expansion).replacen("pair", "expansion", 1);
         writeln!(f, "{expansions}, {}", pace(self.clocks_per_pair))
     }
@@ -261,12 +266,15 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
         return check(&set, out);
     }
     set.write(out)?;
+    let device = design.unit.device;
     let written = EngineWritten {
         out: out.display().to_string(),
         files: set.len(),
-        device: design.unit.device.name,
+        device: device.name,
         multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
-        multipliers_of_device: design.unit.device.multipliers as usize,
+        multipliers_of_device: device.multipliers as usize,
+        block_rams: design.block_rams(),
+        block_rams_of_device: device.block_rams,
         frequency_mhz: design.unit.params.frequency,
         clocks_per_expansion: design.volume.interval,
         clocks_per_pair: design.unit.interval,
@@ -276,9 +284,13 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         print(&written.to_string())?
     }
-    if written.multipliers > written.multipliers_of_device {
-        let EngineWritten { device, multipliers, multipliers_of_device: all, .. } = written;
-        warn(&format!("{device} has {all} multipliers; the design takes {multipliers}"));
+    let units = [&design.unit.top, &design.volume.stage].map(|module| estimate::whole(module, device));
+    if let Some((kind, used, there)) = units.into_iter().sum::<Resources>().shortage(&device.capacity) {
+        warn(&format!("{} has {there} {kind}; the units of the design are predicted to take {used}", device.name));
+    }
+    if written.block_rams > device.block_rams.into() {
+        let EngineWritten { device, block_rams, block_rams_of_device: there, .. } = written;
+        warn(&format!("{device} has {there} block RAMs; the design is predicted to take {block_rams}"));
     }
     Ok(())
 }

@@ -48,6 +48,11 @@ pub(super) fn counted(count: impl Into<u64>, things: &str) -> String {
     format!("{count} {things}")
 }
 
+/// A number as it is read most easily.
+pub(super) fn readable(x: f64) -> String {
+    if x == 0.0 || (1e-12..1e12).contains(&x.abs()) { x.to_string() } else { format!("{x:e}") }
+}
+
 /// What it means that standard output cannot be written.
 pub(super) fn failure(e: io::Error) -> Failure {
     match e.kind() {
@@ -99,6 +104,11 @@ mod tests {
              all                            4   100.00 %\n"
         );
         assert!(Verdicts::default().table().contains("0.00 %"));
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        assert_eq!([0.0, -0.5, 1e300, -2.5e-300].map(readable), ["0", "-0.5", "1e300", "-2.5e-300"]);
     }
 
     #[test]

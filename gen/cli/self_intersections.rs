@@ -2,7 +2,7 @@
 
 use super::error::Failure;
 use super::file::{self, Output};
-use super::output::{print, print_json, warn};
+use super::output::{print, print_json, readable, warn};
 use super::params::whole;
 use super::progress;
 use super::source::load_mesh;
@@ -181,21 +181,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         print(&table(&summary, arguments.exact))?;
     }
+    if summary.degenerate == summary.triangles {
+        warn(&format!(
+            "every triangle is a segment or a point on a grid of {}; expected a finer --grid",
+            readable(grid)
+        ));
+    }
     if effort.contradictions > 0 {
         return Err(Failure::Check(format!("{} answers are not those of the exact oracle", effort.contradictions)));
     }
     Ok(())
 }
 
-/// A number as it is read most easily.
-fn step(grid: f64) -> String {
-    if (1e-12..1e12).contains(&grid) { grid.to_string() } else { format!("{grid:e}") }
-}
-
 fn table(summary: &Summary<'_>, exact: bool) -> String {
     let Summary { mesh, triangles, vertices, left_out, grid, width, degenerate, effort, .. } = summary;
     let mut text =
-        format!("{mesh}: {triangles} triangles, {vertices} vertices on a grid of {}, {width} bits\n", step(*grid));
+        format!("{mesh}: {triangles} triangles, {vertices} vertices on a grid of {}, {width} bits\n", readable(*grid));
     if *left_out > 0 {
         let _ = writeln!(text, "faces of the file that cannot be used and are left out: {left_out}");
     }

@@ -4,6 +4,7 @@ mod answer;
 mod build;
 mod count;
 mod inspect;
+mod query;
 mod verify;
 
 use super::error::Failure;
@@ -29,7 +30,8 @@ enum Command {
     Inspect(inspect::Arguments),
     Verify(verify::Arguments),
     Count(count::Arguments),
-    Answer(answer::Arguments),
+    Answer(Box<answer::Arguments>),
+    Query(Box<query::Arguments>),
 }
 
 /// The options of the engine that a tree depends on.
@@ -54,12 +56,17 @@ impl VolumeArguments {
     }
 }
 
-/// Reads an image; what is wrong inside the file is for the caller to judge.
-fn read(path: &Path) -> Result<Result<Image, ImageError>, Failure> {
+/// Reads an image; one that is not in order is a failed check.
+fn read(path: &Path) -> Result<Image, Failure> {
     let bytes = fs::read(path).map_err(|e| {
         Failure::Usage(format!("{}: cannot be read ({e}); expected an image made by efsat tree build", path.display()))
     })?;
-    Ok(Image::read(&bytes))
+    Image::read(&bytes).map_err(|e| wrong(path, &e))
+}
+
+/// What is wrong inside an image.
+fn wrong(path: &Path, e: &ImageError) -> Failure {
+    Failure::Check(format!("{}: {e}", path.display()))
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -69,5 +76,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Command::Verify(arguments) => verify::run(arguments),
         Command::Count(arguments) => count::run(arguments),
         Command::Answer(arguments) => answer::run(arguments),
+        Command::Query(arguments) => query::run(arguments),
     }
 }

@@ -28,7 +28,6 @@ package efsat_types is
     lo : signed(18 downto 0);
     hi : signed(19 downto 0);
   end record interval_19_20_t;
-  constant zero_interval_19_20 : interval_19_20_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_21_t is record
     lo : signed(20 downto 0);
     hi : signed(20 downto 0);
@@ -68,7 +67,6 @@ package efsat_types is
     lo : signed(37 downto 0);
     hi : signed(37 downto 0);
   end record interval_38_t;
-  constant zero_interval_38 : interval_38_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_39_t is record
     lo : signed(38 downto 0);
     hi : signed(38 downto 0);
@@ -77,11 +75,9 @@ package efsat_types is
   type unsigned_2_vector_t is array (0 to 2) of unsigned(1 downto 0);
   constant zero_unsigned_2_vector : unsigned_2_vector_t := (others => (others => '0'));
   type unsigned_19_vector_t is array (0 to 2) of unsigned(18 downto 0);
-  constant zero_unsigned_19_vector : unsigned_19_vector_t := (others => (others => '0'));
   type unsigned_32_vector_t is array (0 to 2) of unsigned(31 downto 0);
   constant zero_unsigned_32_vector : unsigned_32_vector_t := (others => (others => '0'));
   type unsigned_33_vector_t is array (0 to 2) of unsigned(32 downto 0);
-  constant zero_unsigned_33_vector : unsigned_33_vector_t := (others => (others => '0'));
   type signed_18_vector_t is array (0 to 2) of signed(17 downto 0);
   constant zero_signed_18_vector : signed_18_vector_t := (others => (others => '0'));
   type signed_19_vector_t is array (0 to 2) of signed(18 downto 0);
@@ -91,11 +87,9 @@ package efsat_types is
   type signed_33_vector_t is array (0 to 2) of signed(32 downto 0);
   constant zero_signed_33_vector : signed_33_vector_t := (others => (others => '0'));
   type signed_34_vector_t is array (0 to 2) of signed(33 downto 0);
-  constant zero_signed_34_vector : signed_34_vector_t := (others => (others => '0'));
   type signed_64_vector_t is array (0 to 2) of signed(63 downto 0);
   constant zero_signed_64_vector : signed_64_vector_t := (others => (others => '0'));
   type flag_x2_x2_t is array (0 to 1) of std_logic_vector(1 downto 0);
-  constant zero_flag_x2_x2 : flag_x2_x2_t := (others => (others => '0'));
   type flag_x3_x3_t is array (0 to 2) of std_logic_vector(2 downto 0);
   constant zero_flag_x3_x3 : flag_x3_x3_t := (others => (others => '0'));
   type unsigned_2_vector_x3_t is array (0 to 2) of unsigned_2_vector_t;
@@ -107,13 +101,11 @@ package efsat_types is
   type unsigned_2_vector_x4_t is array (0 to 3) of unsigned_2_vector_t;
   constant zero_unsigned_2_vector_x4 : unsigned_2_vector_x4_t := (others => zero_unsigned_2_vector);
   type interval_u17_vector_t is array (0 to 2) of interval_u17_t;
-  constant zero_interval_u17_vector : interval_u17_vector_t := (others => zero_interval_u17);
   type interval_18_vector_t is array (0 to 2) of interval_18_t;
   constant zero_interval_18_vector : interval_18_vector_t := (others => zero_interval_18);
   type interval_19_19_vector_t is array (0 to 2) of interval_19_19_t;
   constant zero_interval_19_19_vector : interval_19_19_vector_t := (others => zero_interval_19_19);
   type interval_19_20_vector_t is array (0 to 2) of interval_19_20_t;
-  constant zero_interval_19_20_vector : interval_19_20_vector_t := (others => zero_interval_19_20);
   type interval_21_vector_t is array (0 to 2) of interval_21_t;
   constant zero_interval_21_vector : interval_21_vector_t := (others => zero_interval_21);
   type interval_25_vector_t is array (0 to 2) of interval_25_t;
@@ -123,7 +115,6 @@ package efsat_types is
   type interval_33_vector_t is array (0 to 2) of interval_33_t;
   constant zero_interval_33_vector : interval_33_vector_t := (others => zero_interval_33);
   type interval_36_vector_t is array (0 to 2) of interval_36_t;
-  constant zero_interval_36_vector : interval_36_vector_t := (others => zero_interval_36);
   type interval_37_vector_t is array (0 to 2) of interval_37_t;
   constant zero_interval_37_vector : interval_37_vector_t := (others => zero_interval_37);
   type flag_x5_vector_t is array (0 to 2) of std_logic_vector(4 downto 0);

@@ -18,23 +18,16 @@ package volume_types is
   type signed_27_x2_t is array (0 to 1) of signed(26 downto 0);
   constant zero_signed_27_x2 : signed_27_x2_t := (others => (others => '0'));
   type signed_29_x2_t is array (0 to 1) of signed(28 downto 0);
-  constant zero_signed_29_x2 : signed_29_x2_t := (others => (others => '0'));
   type unsigned_3_x3_t is array (0 to 2) of unsigned(2 downto 0);
-  constant zero_unsigned_3_x3 : unsigned_3_x3_t := (others => (others => '0'));
   type unsigned_12_x3_t is array (0 to 2) of unsigned(11 downto 0);
   constant zero_unsigned_12_x3 : unsigned_12_x3_t := (others => (others => '0'));
   type signed_10_x3_t is array (0 to 2) of signed(9 downto 0);
-  constant zero_signed_10_x3 : signed_10_x3_t := (others => (others => '0'));
   type signed_13_x3_t is array (0 to 2) of signed(12 downto 0);
-  constant zero_signed_13_x3 : signed_13_x3_t := (others => (others => '0'));
   type signed_23_x3_t is array (0 to 2) of signed(22 downto 0);
-  constant zero_signed_23_x3 : signed_23_x3_t := (others => (others => '0'));
   type signed_26_x3_t is array (0 to 2) of signed(25 downto 0);
   constant zero_signed_26_x3 : signed_26_x3_t := (others => (others => '0'));
   type signed_10_x6_t is array (0 to 5) of signed(9 downto 0);
-  constant zero_signed_10_x6 : signed_10_x6_t := (others => (others => '0'));
   type unsigned_3_x9_t is array (0 to 8) of unsigned(2 downto 0);
-  constant zero_unsigned_3_x9 : unsigned_3_x9_t := (others => (others => '0'));
   type unsigned_13_x9_t is array (0 to 8) of unsigned(12 downto 0);
   constant zero_unsigned_13_x9 : unsigned_13_x9_t := (others => (others => '0'));
   type signed_10_x9_t is array (0 to 8) of signed(9 downto 0);
@@ -46,29 +39,23 @@ package volume_types is
   type signed_10_x18_t is array (0 to 17) of signed(9 downto 0);
   constant zero_signed_10_x18 : signed_10_x18_t := (others => (others => '0'));
   type unsigned_16_vector_t is array (0 to 2) of unsigned(15 downto 0);
-  constant zero_unsigned_16_vector : unsigned_16_vector_t := (others => (others => '0'));
   type signed_18_vector_t is array (0 to 2) of signed(17 downto 0);
   constant zero_signed_18_vector : signed_18_vector_t := (others => (others => '0'));
   type signed_26_vector_t is array (0 to 2) of signed(25 downto 0);
-  constant zero_signed_26_vector : signed_26_vector_t := (others => (others => '0'));
   type signed_27_vector_t is array (0 to 2) of signed(26 downto 0);
   constant zero_signed_27_vector : signed_27_vector_t := (others => (others => '0'));
   type signed_36_vector_t is array (0 to 2) of signed(35 downto 0);
-  constant zero_signed_36_vector : signed_36_vector_t := (others => (others => '0'));
   type row_u13_t is record
     choice : unsigned_3_x3_t;
     factor : unsigned_12_x3_t;
     rest : unsigned(12 downto 0);
   end record row_u13_t;
-  constant zero_row_u13 : row_u13_t := (choice => zero_unsigned_3_x3, factor => zero_unsigned_12_x3, rest => (others => '0'));
   type flag_x2_x2_t is array (0 to 1) of std_logic_vector(1 downto 0);
   constant zero_flag_x2_x2 : flag_x2_x2_t := (others => (others => '0'));
   type signed_10_x18_x2_t is array (0 to 1) of signed_10_x18_t;
   constant zero_signed_10_x18_x2 : signed_10_x18_x2_t := (others => zero_signed_10_x18);
   type signed_18_vector_x3_t is array (0 to 2) of signed_18_vector_t;
-  constant zero_signed_18_vector_x3 : signed_18_vector_x3_t := (others => zero_signed_18_vector);
   type flag_x2_x9_t is array (0 to 8) of std_logic_vector(1 downto 0);
-  constant zero_flag_x2_x9 : flag_x2_x9_t := (others => (others => '0'));
   type signed_10_x2_x9_t is array (0 to 8) of signed_10_x2_t;
   constant zero_signed_10_x2_x9 : signed_10_x2_x9_t := (others => zero_signed_10_x2);
   type signed_25_x2_x9_t is array (0 to 8) of signed_25_x2_t;
@@ -76,13 +63,9 @@ package volume_types is
   type unsigned_12_x3_x9_t is array (0 to 8) of unsigned_12_x3_t;
   constant zero_unsigned_12_x3_x9 : unsigned_12_x3_x9_t := (others => zero_unsigned_12_x3);
   type signed_10_x3_x9_t is array (0 to 8) of signed_10_x3_t;
-  constant zero_signed_10_x3_x9 : signed_10_x3_x9_t := (others => zero_signed_10_x3);
   type signed_10_x6_x9_t is array (0 to 8) of signed_10_x6_t;
-  constant zero_signed_10_x6_x9 : signed_10_x6_x9_t := (others => zero_signed_10_x6);
   type signed_27_x2_vector_t is array (0 to 2) of signed_27_x2_t;
-  constant zero_signed_27_x2_vector : signed_27_x2_vector_t := (others => zero_signed_27_x2);
   type row_u13_x18_t is array (0 to 17) of row_u13_t;
-  constant zero_row_u13_x18 : row_u13_x18_t := (others => zero_row_u13);
   type numbers_t is array (natural range <>) of integer;
 
   -- A condition as a flag.

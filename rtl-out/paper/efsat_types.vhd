@@ -23,7 +23,6 @@ package efsat_types is
     lo : signed(20 downto 0);
     hi : signed(21 downto 0);
   end record interval_21_t;
-  constant zero_interval_21 : interval_21_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_32_t is record
     lo : signed(31 downto 0);
     hi : signed(31 downto 0);
@@ -48,7 +47,6 @@ package efsat_types is
     lo : signed(37 downto 0);
     hi : signed(37 downto 0);
   end record interval_38_t;
-  constant zero_interval_38 : interval_38_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_39_t is record
     lo : signed(38 downto 0);
     hi : signed(38 downto 0);
@@ -59,7 +57,6 @@ package efsat_types is
   type unsigned_32_vector_t is array (0 to 2) of unsigned(31 downto 0);
   constant zero_unsigned_32_vector : unsigned_32_vector_t := (others => (others => '0'));
   type unsigned_33_vector_t is array (0 to 2) of unsigned(32 downto 0);
-  constant zero_unsigned_33_vector : unsigned_33_vector_t := (others => (others => '0'));
   type signed_18_vector_t is array (0 to 2) of signed(17 downto 0);
   constant zero_signed_18_vector : signed_18_vector_t := (others => (others => '0'));
   type signed_19_vector_t is array (0 to 2) of signed(18 downto 0);
@@ -75,7 +72,6 @@ package efsat_types is
   type signed_33_vector_t is array (0 to 2) of signed(32 downto 0);
   constant zero_signed_33_vector : signed_33_vector_t := (others => (others => '0'));
   type signed_34_vector_t is array (0 to 2) of signed(33 downto 0);
-  constant zero_signed_34_vector : signed_34_vector_t := (others => (others => '0'));
   type signed_64_vector_t is array (0 to 2) of signed(63 downto 0);
   constant zero_signed_64_vector : signed_64_vector_t := (others => (others => '0'));
   type unsigned_2_vector_x3_t is array (0 to 2) of unsigned_2_vector_t;
@@ -85,19 +81,16 @@ package efsat_types is
   type interval_18_x6_t is array (0 to 5) of interval_18_t;
   constant zero_interval_18_x6 : interval_18_x6_t := (others => zero_interval_18);
   type unsigned_2_vector_x6_t is array (0 to 5) of unsigned_2_vector_t;
-  constant zero_unsigned_2_vector_x6 : unsigned_2_vector_x6_t := (others => zero_unsigned_2_vector);
   type interval_18_vector_t is array (0 to 2) of interval_18_t;
   constant zero_interval_18_vector : interval_18_vector_t := (others => zero_interval_18);
   type interval_19_vector_t is array (0 to 2) of interval_19_t;
   constant zero_interval_19_vector : interval_19_vector_t := (others => zero_interval_19);
   type interval_21_vector_t is array (0 to 2) of interval_21_t;
-  constant zero_interval_21_vector : interval_21_vector_t := (others => zero_interval_21);
   type interval_32_vector_t is array (0 to 2) of interval_32_t;
   constant zero_interval_32_vector : interval_32_vector_t := (others => zero_interval_32);
   type interval_33_vector_t is array (0 to 2) of interval_33_t;
   constant zero_interval_33_vector : interval_33_vector_t := (others => zero_interval_33);
   type interval_36_vector_t is array (0 to 2) of interval_36_t;
-  constant zero_interval_36_vector : interval_36_vector_t := (others => zero_interval_36);
   type interval_37_vector_t is array (0 to 2) of interval_37_t;
   constant zero_interval_37_vector : interval_37_vector_t := (others => zero_interval_37);
   type flag_x5_vector_t is array (0 to 2) of std_logic_vector(4 downto 0);
@@ -107,7 +100,6 @@ package efsat_types is
   type interval_32_vector_x3_t is array (0 to 2) of interval_32_vector_t;
   constant zero_interval_32_vector_x3 : interval_32_vector_x3_t := (others => zero_interval_32_vector);
   type interval_18_vector_x6_t is array (0 to 5) of interval_18_vector_t;
-  constant zero_interval_18_vector_x6 : interval_18_vector_x6_t := (others => zero_interval_18_vector);
   type numbers_t is array (natural range <>) of integer;
 
   -- A condition as a flag.

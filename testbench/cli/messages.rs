@@ -149,6 +149,33 @@ fn mistakes_about_self_intersections() {
     expect("m.obj --csv ./m.obj", "found twice; expected two different files");
 }
 
+/// What a command that succeeds warns of.
+fn warns(dir: &Path, arguments: &str) -> String {
+    let output = efsat(dir, arguments);
+    assert_eq!(output.status.code(), Some(0), "efsat {arguments}");
+    String::from_utf8(output.stderr).unwrap()
+}
+
+#[test]
+fn what_does_not_fit_is_said() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let coarse = warns(dir, "self-intersections builtin:gear --grid 1000");
+    assert_eq!(coarse, "warning: every triangle is a segment or a point on a grid of 1000; expected a finer --grid\n");
+    assert_eq!(warns(dir, "self-intersections builtin:gear"), "");
+    assert_eq!(warns(dir, "generate --engine --out small"), "");
+    let large = "--memory block-ram --block-lines 16384 --triangle-lines 16384";
+    let said = warns(dir, &format!("generate --engine --out large {large}"));
+    assert_eq!(said, "warning: xc2v6000-4 has 144 block RAMs; the design is predicted to take 836\n");
+    let many = warns(dir, "generate --engine --out many --method determinants");
+    assert!(many.contains("xc2v6000-4 has 144 multipliers; the units of the design are predicted to take "), "{many}");
+    let predicted = |options: &str| object(&succeeds(dir, &format!("synth --predict --engine --json {options}")));
+    let block_rams = |options: &str| predicted(options)["block_rams"].clone();
+    assert_eq!(block_rams(""), serde_json::json!({"predicted": 68, "capacity": 144}));
+    assert_eq!(block_rams(large)["predicted"], 836);
+    assert!(succeeds(dir, "synth --predict --engine").contains("68 of 144 (47.2 %) block RAMs of 18 kbit\n"));
+}
+
 #[test]
 fn errors_name_what_was_typed() {
     let home = tempfile::tempdir().unwrap();
@@ -159,7 +186,10 @@ fn errors_name_what_was_typed() {
     fs::write(dir.join("empty"), "").unwrap();
     says("classify --method exact --like-paper --random 1", "--like-paper with --method exact: expected --method axes");
     says("tree count pairs.csv", "pairs.csv: found pairs of triangles: expected a scene in TOML");
-    says("tree inspect empty", "empty: byte 0: end of the file: 0 of 64 bytes; expected a header of 64 bytes");
+    // The same of the same file, whoever asks.
+    for command in ["tree inspect empty", "tree verify empty"] {
+        fails(dir, command, 1, "empty: byte 0: end of the file: 0 of 64 bytes; expected a header of 64 bytes");
+    }
     says("tree build nofile --out t", "nofile: not found: expected a file that ends in .stl, .obj or .ply");
     says("tree build builtin:gear --beside nofile --out t", "nofile: not found");
     says("generate --unit nope", "--unit nope: expected one of multiply_18_18");
@@ -167,7 +197,21 @@ fn errors_name_what_was_typed() {
     says("classify blanks.csv", "blanks.csv: line 1: found blanks between the numbers; expected commas");
     says("classify .", ".: found a directory; expected .csv or .f64 (pairs), .toml (a scene)");
     says("classify empty", "empty: found a name without an ending; expected .csv or .f64 (pairs), .toml (a scene)");
-    says("generate --engine --out e --directions 26", "--directions 26: expected blocks of 257 to 512 bits");
+    says(
+        "generate --engine --out e --directions 26",
+        "--directions 26: expected --offset-bits 4 to 6 with it in the engine",
+    );
+    says(
+        "generate --engine --out e --offset-bits 11",
+        "--offset-bits 11: expected 4 to 10 with --directions 18 in the engine",
+    );
+    says("cosim --engine --method exact", "--truth given: expected snapped with --transform-width 26 in the engine");
+    let numbers = "--memory block-ram --block-lines 1024 --block-number-bits 9";
+    says(&format!("cosim --engine {numbers}"), "--block-number-bits 9: expected at least 10 for the 1024 blocks");
+    says(
+        "cosim --engine --block-number-bits 27",
+        "--block-number-bits 27: expected at most 26: no more blocks have an address",
+    );
     for command in
         ["generate --engine --out -", "generate --out -", "accuracy --out -", "tree build builtin:gear --out -"]
     {
@@ -206,7 +250,12 @@ fn queries_that_no_engine_takes_are_refused_with_the_reason() {
         &format!("{query} 1,0,0,0,1,0,0,0,1,0,0,0 --directions 14"),
         "image A: another format than the engine's; expected one that was built for it",
     );
-    says("tree answer m.tree empty --pose 1,0,0,0,1,0,0,0,1,0,0,0", "empty: byte 0: end of the file: 0 of 64 bytes");
+    fails(
+        dir,
+        "tree answer m.tree empty --pose 1,0,0,0,1,0,0,0,1,0,0,0",
+        1,
+        "empty: byte 0: end of the file: 0 of 64 bytes",
+    );
 }
 
 #[test]

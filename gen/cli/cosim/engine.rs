@@ -240,7 +240,7 @@ fn table(measure: &Measure, machine: &Machine, refused: usize) -> String {
         let _ = writeln!(text, "{name:<38}{mean:>14.1}{count:>14}");
     };
     row("clocks", measure.clocks);
-    row("clocks of reports", measure.running);
+    row("clocks in which a query ran", measure.running);
     row("expansions", measure.expansions);
     row("tests of volumes", measure.tests);
     row("leaf pairs", measure.leaf_pairs);
@@ -265,6 +265,12 @@ fn table(measure: &Measure, machine: &Machine, refused: usize) -> String {
         "{} queries, {refused} more for software; greatest stack {}; an expansion in {} clocks, a pair in {}; {}",
         measure.queries, measure.greatest_stack, design.volume.interval, design.unit.interval, machine.simulator
     );
+    text.push_str(
+        "clocks are those from the first word in to the last word out; a query runs from its start to its report\n",
+    );
+    if measure.leaf_pairs == 0 {
+        text.push_str("no query of this sample reaches a pair of triangles; a greater --limit takes more queries\n");
+    }
     text
 }
 

@@ -17,12 +17,21 @@ pub(super) struct Summary<'a> {
     latency: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     clocks_per_expansion: Option<usize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    block_rams: Option<BlockRams>,
     units: Branch<'a>,
     capacity: Prediction,
     #[serde(skip_serializing_if = "Option::is_none")]
     slices: Option<Slices>,
     clock: Clock<'a>,
     faults: &'a [String],
+}
+
+/// Block RAMs of 18 kbit of an engine.
+#[derive(Serialize)]
+struct BlockRams {
+    predicted: u64,
+    capacity: u32,
 }
 
 /// Cells as predicted, or as there are on the part.
@@ -176,6 +185,9 @@ impl<'a> Summary<'a> {
             initiation_interval: report.interval,
             latency: report.latency,
             clocks_per_expansion: report.expansion_clocks,
+            block_rams: report
+                .expansion_clocks
+                .map(|_| BlockRams { predicted: report.predicted_block_rams, capacity: report.counted_for.block_rams }),
             units: (&report.top).into(),
             capacity: report.counted_for.capacity.into(),
             slices: report.slices().map(|s| Slices {

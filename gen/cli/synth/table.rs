@@ -33,7 +33,11 @@ pub(super) fn text(report: &Report, params: &Params) -> String {
     shares(&mut text, report);
     let _ = writeln!(text, "{}, verdict after {} clocks", pace(report.interval), report.latency);
     if let Some(clocks) = report.expansion_clocks {
-        let _ = writeln!(text, "{}; predicted are the two units alone", pace(clocks).replacen("pair", "expansion", 1));
+        let _ = writeln!(
+            text,
+            "{}; predicted are the two units alone, and block RAMs",
+            pace(clocks).replacen("pair", "expansion", 1)
+        );
     }
     let (scheduled, end) = &report.scheduled;
     let below = if *scheduled < f64::from(params.frequency) { ", below the target" } else { "" };
@@ -112,8 +116,11 @@ fn shares(text: &mut String, report: &Report) {
             mapped.registered_multipliers, mapped.absorbed_flip_flops
         );
     }
-    if let Some(mapped) = report.top.actual.filter(|cells| cells.block_rams > 0) {
-        let _ = writeln!(text, "{} block RAMs", mapped.block_rams);
+    let (predicted, mapped) = (report.predicted_block_rams, report.top.actual.map(|cells| cells.block_rams));
+    if predicted > 0 || mapped.is_some_and(|mapped| mapped > 0) {
+        let there = u64::from(report.counted_for.block_rams);
+        let beside = mapped.map(|_| format!("; {predicted} predicted")).unwrap_or_default();
+        let _ = writeln!(text, "{} block RAMs of 18 kbit{beside}", share(mapped.unwrap_or(predicted), there));
     }
     if let Some(slices) = report.slices() {
         let all = SLICES;

@@ -9,7 +9,7 @@ use crate::golden::engine::{Model, Query};
 use crate::host::engine::{Image, Layout, Numbers, memory};
 use crate::params::engine::Answer;
 use serde::Serialize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Prints what the engine is sent to find the triangles of two images that touch, and what it answers by its reference model, as one
 /// JSON object
@@ -69,10 +69,6 @@ struct Expected {
     possibly_incorrect: u32,
 }
 
-fn image(path: &Path) -> Result<Image, Failure> {
-    read(path)?.map_err(|e| Failure::Usage(format!("{}: {e}", path.display())))
-}
-
 fn hexadecimal(words: &[u64]) -> Vec<String> {
     words.iter().map(|word| format!("{word:016x}")).collect()
 }
@@ -87,9 +83,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let design = arguments.engine_params.design(&arguments.params)?;
     let (params, unit) = (&design.params, &design.unit.params);
-    let mut images = vec![image(&arguments.a)?];
+    let mut images = vec![read(&arguments.a)?];
     if arguments.b != arguments.a {
-        images.push(image(&arguments.b)?);
+        images.push(read(&arguments.b)?);
     }
     let images: Vec<&Image> = images.iter().collect();
     let numbers = Numbers::new(params, unit).map_err(DesignError::from)?;

@@ -10,8 +10,9 @@ use crate::design::top::DesignError;
 use crate::host::engine::Image;
 use crate::mesh::Mesh;
 use crate::number::Upper;
-use crate::params::Params;
+use crate::params::engine::FACTOR_BITS;
 use crate::params::options::{INT_BITS, TRANSFORM_WIDTH, WIDTH};
+use crate::params::{EngineParams, Params};
 use std::path::{Path, PathBuf};
 
 /// Builds the image of a mesh: its tree of local blocks and its triangles, as the engine reads them
@@ -64,7 +65,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         upper: arguments.upper,
         ..Params::default()
     };
-    let format = arguments.volumes.engine().format(&unit).map_err(DesignError::from)?;
+    // Factors are in queries, not in images.
+    let engine = EngineParams { factor_bits: *FACTOR_BITS.start(), ..arguments.volumes.engine() };
+    let format = engine.format(&unit).map_err(DesignError::from)?;
     let image = Image::build_first(&meshes.iter().collect::<Vec<_>>(), &format)
         .map_err(|e| Failure::Usage(format!("{}: {e}", arguments.mesh.display())))?;
     let header = *image.header();

@@ -2,7 +2,7 @@
 
 use super::read;
 use crate::cli::error::Failure;
-use crate::cli::output::{counted, print, print_json};
+use crate::cli::output::{counted, print, print_json, readable};
 use crate::golden::engine::Link;
 use crate::host::engine::{Header, Image};
 use serde::Serialize;
@@ -84,7 +84,7 @@ impl Report {
 
     fn table(&self) -> String {
         let mut text = String::new();
-        let [x, y, z] = self.centre;
+        let [x, y, z] = self.centre.map(readable);
         let sticky = if self.sticky { ", sticky bits" } else { "" };
         let rows = [
             ("size", format!("{} bytes", self.bytes)),
@@ -109,8 +109,6 @@ impl Report {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let file = arguments.file.display();
-    let image = read(&arguments.file)?.map_err(|e| Failure::Usage(format!("{file}: {e}")))?;
-    let report = Report::new(&image);
+    let report = Report::new(&read(&arguments.file)?);
     if arguments.json { print_json(&report) } else { print(&report.table()) }
 }

@@ -1,6 +1,6 @@
 //! `efsat tree verify`.
 
-use super::read;
+use super::{read, wrong};
 use crate::cli::error::Failure;
 use crate::cli::output::{counted, print};
 use crate::cli::source::load_mesh;
@@ -22,10 +22,9 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.display();
-    let wrong = |e| Failure::Check(format!("{file}: {e}"));
-    let image = read(&arguments.file)?.map_err(wrong)?;
+    let image = read(&arguments.file)?;
     if let Some(path) = &arguments.mesh {
-        image.verify(&load_mesh(path)?.0).map_err(wrong)?;
+        image.verify(&load_mesh(path)?.0).map_err(|e| wrong(&arguments.file, &e))?;
     }
     let header = image.header();
     let (blocks, triangles) = (counted(header.blocks, "blocks"), counted(header.triangles, "triangles"));

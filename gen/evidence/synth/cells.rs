@@ -19,7 +19,7 @@ pub struct Cells {
     pub registered_multipliers: u64,
     /// Flip-flops of the netlist that are in these.
     pub absorbed_flip_flops: u64,
-    /// Block RAMs.
+    /// Block RAMs of 18 kbit.
     pub block_rams: u64,
 }
 
@@ -63,13 +63,17 @@ pub fn own(module: &Module, family: Family) -> Cells {
     let absorbed_flip_flops = registered.iter().map(Registered::flip_flops).sum();
     let flip_flops = resources.flip_flops - absorbed_flip_flops;
     let resources = Resources { flip_flops, ..resources };
-    let block_rams = module.cells.values().filter(|cell| is_block_ram(&cell.kind)).count() as u64;
+    let block_rams = module.cells.values().map(|cell| block_rams(&cell.kind)).sum();
     Cells { resources, registered_multipliers: registered.len() as u64, absorbed_flip_flops, block_rams }
 }
 
-/// Whether a cell of the library is a block RAM.
-fn is_block_ram(kind: &str) -> bool {
-    kind.starts_with("RAMB") || kind == "DP16KD"
+/// Block RAMs of 18 kbit that a cell of the library is.
+fn block_rams(kind: &str) -> u64 {
+    match kind {
+        "DP16KD" | "PDPW16KD" => 1,
+        kind if kind.starts_with("RAMB36") => 2,
+        kind => kind.starts_with("RAMB").into(),
+    }
 }
 
 /// A cell of the library in the terms of the device model; nothing for what is free or no cell of the library.

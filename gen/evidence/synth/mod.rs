@@ -70,6 +70,8 @@ pub struct Report {
     pub latency: usize,
     /// Clocks between expansions of an engine.
     pub expansion_clocks: Option<usize>,
+    /// Block RAMs of 18 kbit that are expected of an engine; a unit has none.
+    pub predicted_block_rams: u64,
     /// Clock that the schedule expects to reach, in MHz, and the signal its longest path ends at.
     pub scheduled: (f64, String),
     /// Static timing of the mapped units, estimated; of a unit alone on Virtex-II.

@@ -46,19 +46,19 @@ impl Subject<'_> {
         self.modelled(flow, None)
     }
 
-    /// What the model and the schedule say, beside the counts of a netlist of units. Nothing is predicted of the entities of
-    /// the engine itself.
+    /// What the model and the schedule say, beside the counts of a netlist of units. Of the entities of the engine itself
+    /// the block RAMs alone are predicted.
     pub(super) fn modelled(&self, flow: Flow, netlist: Option<&Netlist>) -> Report {
         let unit = self.unit();
         let counted_for = flow.device(unit.device);
         let netlist = netlist.map(|netlist| (netlist, flow));
-        let (top, clock, expansion_clocks) = match self {
-            Self::Unit(_) => (units::tree(&unit.top, counted_for, netlist), unit.clock(), None),
+        let (top, clock, expansion_clocks, predicted_block_rams) = match self {
+            Self::Unit(_) => (units::tree(&unit.top, counted_for, netlist), unit.clock(), None, 0),
             Self::Engine(design) => {
                 let volume = &design.volume;
                 let top = units::around(engine::NAME, &[&volume.stage, &unit.top], counted_for, netlist);
                 let slower = if volume.clock().0 < unit.clock().0 { volume.clock() } else { unit.clock() };
-                (top, slower, Some(volume.interval))
+                (top, slower, Some(volume.interval), design.block_rams())
             }
         };
         Report {
@@ -69,6 +69,7 @@ impl Subject<'_> {
             interval: unit.interval,
             latency: unit.latency,
             expansion_clocks,
+            predicted_block_rams,
             scheduled: (clock.0, clock.1.to_owned()),
             timing: None,
             routed: None,

@@ -44,6 +44,7 @@ pub(super) const LFE5U_85: Device = Device {
     part: Part { family: "ECP5U", device: "LFE5U-85F", package: "CABGA756", speed: "-6" },
     capacity: Resources { multipliers: 156, luts: 83_640, memory_luts: 41_820, flip_flops: 83_640, carry: 83_640 },
     multipliers: 156,
+    block_rams: 208,
     source: "nextpnr-ecp5 0.11.1 (Project Trellis), nets after routing",
     fabric: &FABRIC,
     clock_to_output: 0.52,

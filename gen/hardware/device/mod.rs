@@ -4,6 +4,7 @@
 //! same to readers). Delays serve the scheduler, which counts in nets, look-up tables, carry chains and multipliers;
 //! the [`Fabric`] serves predictions of parts.
 
+mod block_ram;
 mod ecp5;
 mod fabric;
 pub mod resources;
@@ -11,6 +12,7 @@ mod series7;
 mod spartan6;
 pub mod virtex2;
 
+pub use block_ram::block_rams;
 pub use fabric::{Chains, Fabric, MultiplierRegisters};
 pub use resources::Resources;
 
@@ -27,6 +29,8 @@ pub struct Device {
     pub capacity: Resources,
     /// Hardware multipliers on the part.
     pub multipliers: u32,
+    /// Block RAMs on the part, in units of 18 kbit.
+    pub block_rams: u32,
     /// Where the delays come from.
     pub source: &'static str,
     /// How logic is mapped to it.

@@ -5,8 +5,8 @@
 //! (-0.076), LUT 0.124, CARRY4 from a table to its carry 0.533, 0.117 for every four bits more, 0.337 to the sum at the
 //! end, DSP48E1 from operand to the cascade output 4.036. Nets are 0.8 ns before placement there; after routing they
 //! are longer, so this model takes 1.0. What is on the part is from the family overview (DS180): 134,600 look-up
-//! tables, 269,200 flip-flops, 740 multipliers (DSP48E1), 33,650 slices; on the smaller part 63,400, 126,800, 240 and
-//! 15,850.
+//! tables, 269,200 flip-flops, 740 multipliers (DSP48E1), 33,650 slices, 365 block RAMs of 36 kbit; on the smaller part
+//! 63,400, 126,800, 240, 15,850 and 135.
 //!
 //! Not known: DSP48E1 from operand to its own output (the cascade output is taken for it), and how its registers divide
 //! the delay.
@@ -20,6 +20,7 @@ pub(super) const XC7A200T: Device = Device {
     part: Part { family: "Artix7", device: "xc7a200t", package: "fbg676", speed: "-1" },
     capacity: Resources { multipliers: 740, luts: 134_600, memory_luts: 46_200, flip_flops: 269_200, carry: 134_600 },
     multipliers: 740,
+    block_rams: 730,
     source: "public Vivado report for xc7z020-1",
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.478,
@@ -43,5 +44,6 @@ pub(super) const XC7A100T: Device = Device {
     part: Part { device: "xc7a100t", package: "csg324", ..XC7A200T.part },
     capacity: Resources { multipliers: 240, luts: 63_400, memory_luts: 19_000, flip_flops: 126_800, carry: 63_400 },
     multipliers: 240,
+    block_rams: 270,
     ..XC7A200T
 };

@@ -2,8 +2,8 @@
 //!
 //! The delays are estimates after the data sheet (DS162) and reports of XST; none of them was checked by a run of the
 //! vendor's tools. What is on the part is from the family overview (DS160): 92,152 look-up tables, 184,304 flip-flops,
-//! 180 multipliers (DSP48A1), 23,038 slices. Not known: how DS162's set-up and clock-to-output of the multiplier's
-//! registers divide its delay; a product takes registers for the delay without them.
+//! 180 multipliers (DSP48A1), 23,038 slices, 268 block RAMs of 18 kbit. Not known: how DS162's set-up and clock-to-output
+//! of the multiplier's registers divide its delay; a product takes registers for the delay without them.
 
 use super::{Device, Family, Part, Resources, fabric};
 
@@ -14,6 +14,7 @@ pub(super) const XC6SLX150: Device = Device {
     part: Part { family: "Spartan6", device: "xc6slx150", package: "fgg676", speed: "-3" },
     capacity: Resources { multipliers: 180, luts: 92_152, memory_luts: 21_680, flip_flops: 184_304, carry: 46_076 },
     multipliers: 180,
+    block_rams: 268,
     source: "estimated after the Spartan-6 data sheet",
     fabric: &fabric::SIX_INPUTS,
     clock_to_output: 0.45,

@@ -3,7 +3,8 @@
 //! Every delay is read from XST 10.1.03 synthesis reports for xc2v6000-4 (speed data PRODUCTION 1.121, stepping 0) that
 //! stand in public student projects of MIT 6.111 (GitHub: lycarter/6.111-finalproj, mhollands/6.111-final-project,
 //! plancherb1/6.111-Final-Project and others); the same element has the same figure in all of them. What is on the part
-//! is read from their utilisation tables: 33,792 slices, 67,584 look-up tables and flip-flops, 144 multipliers.
+//! is read from their utilisation tables: 33,792 slices, 67,584 look-up tables and flip-flops, 144 multipliers and as many
+//! block RAMs of 18 kbit.
 //!
 //! Not known from any public report: set-up and clock-to-output of the registered multiplier MULT18X18S, and MUXCY from
 //! DI to its output (see [`delay::CARRY_DATA`]). The model divides the combinational delay of 10.4 ns: 3.0 behind the
@@ -83,6 +84,7 @@ pub(super) const XC2V6000: Device = Device {
     part: Part { family: "Virtex2", device: "xc2v6000", package: "bf957", speed: "-4" },
     capacity: Resources { multipliers: 144, luts: 67_584, memory_luts: 67_584, flip_flops: 67_584, carry: 67_584 },
     multipliers: 144,
+    block_rams: 144,
     source: "public XST 10.1.03 reports for xc2v6000-4",
     fabric: &FABRIC,
     clock_to_output: delay::CLOCK_TO_OUTPUT,

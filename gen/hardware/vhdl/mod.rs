@@ -45,7 +45,8 @@ pub fn print(top: &Rc<Module>, prefix: &str, package: &str, origin: &[String]) -
         functions.extend(entity.functions());
         files.push((name, entity.text()));
     }
-    files.insert(0, (package.to_owned(), package::text(package, &types, &functions)));
+    let text = package::text(package, &types, &functions, &files);
+    files.insert(0, (package.to_owned(), text));
     Ok(files)
 }
 

@@ -21,8 +21,14 @@ pub(super) fn names(types: &Types) -> Vec<String> {
     functions.chain(types.names()).chain(["numbers_t".to_owned()]).collect()
 }
 
-/// The text of the package.
-pub(super) fn text(name: &str, types: &Types, functions: &BTreeSet<&'static str>) -> String {
-    let package = Package { name, declarations: types.declarations(), functions };
+/// The text of the package of some entities.
+pub(super) fn text(
+    name: &str,
+    types: &Types,
+    functions: &BTreeSet<&'static str>,
+    entities: &[(String, String)],
+) -> String {
+    let texts = entities.iter().map(|(_, text)| text.as_str());
+    let package = Package { name, declarations: types.declarations(texts), functions };
     package.render().expect("the template renders")
 }

@@ -4,7 +4,7 @@ use crate::expression::{Index, Name, Sub};
 use crate::graph::{Place, Step, append_step};
 use crate::netlist::{Module, SignalId};
 use crate::op::Type;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::rc::Rc;
 
 /// What an object is made of.
@@ -143,8 +143,20 @@ impl Types {
         }
     }
 
-    /// The declarations of the package: types, and the constants of zero.
-    pub fn declarations(&self) -> Vec<String> {
+    /// The declarations of the package: types, and the constants of zero that these texts, or others of them, use.
+    pub fn declarations<'t>(&self, texts: impl Iterator<Item = &'t str>) -> Vec<String> {
+        let words = |text: &'t str| text.split(|c: char| !c.is_ascii_alphanumeric() && c != '_');
+        let mut used: HashSet<String> =
+            texts.flat_map(words).filter(|word| word.starts_with("zero_")).map(str::to_owned).collect();
+        for shape in self.all.iter().rev().filter(|shape| !shape.is_flags()) {
+            if used.contains(&self.zero(shape)) {
+                match shape {
+                    Shape::Record(_, fields) => used.extend(fields.iter().map(|field| self.zero(&field.1))),
+                    Shape::Array { of, .. } => _ = used.insert(self.zero(of)),
+                    Shape::Flag | Shape::Number(..) => {}
+                }
+            }
+        }
         let mut lines = vec![];
         for shape in &self.all {
             let name = self.name(shape);
@@ -162,7 +174,9 @@ impl Types {
                 }
                 _ => continue,
             };
-            lines.push(format!("constant {} : {name} := {zero};", self.zero(shape)));
+            if used.contains(&self.zero(shape)) {
+                lines.push(format!("constant {} : {name} := {zero};", self.zero(shape)));
+            }
         }
         lines
     }

@@ -129,22 +129,25 @@ pub(super) fn groups(design: &Design, format: &StreamFormat) -> Vec<Group> {
 struct Package<'a> {
     header: Vec<String>,
     prefix: &'a Prefix,
+    /// What the constants are of, whose name begins that of the package, and for whom they are.
+    of: &'a str,
+    whose: &'a str,
     groups: Vec<Group>,
 }
 
 impl Constant {
-    fn upper(&self) -> String {
+    pub(super) fn upper(&self) -> String {
         self.name.to_uppercase()
     }
 
-    fn c(&self) -> String {
+    pub(super) fn c(&self) -> String {
         match self.value {
             Value::Number(number) => number.to_string(),
             Value::Word(word) => format!("UINT32_C(0x{word:08x})"),
         }
     }
 
-    fn python(&self) -> String {
+    pub(super) fn python(&self) -> String {
         match self.value {
             Value::Number(number) => number.to_string(),
             Value::Word(word) => format!("0x{word:08x}"),
@@ -216,6 +219,12 @@ pub(super) fn host(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [
 
 /// The package of constants in VHDL.
 pub(super) fn package(design: &Design, format: &StreamFormat, prefix: &Prefix) -> String {
-    let package = Package { header: origin(), prefix, groups: groups(design, format) };
+    let whose = format!("{prefix}efsat or {prefix}efsat_stream. The unit");
+    constants_package(groups(design, format), prefix, "efsat", &whose)
+}
+
+/// The package of constants of an entity; `whose` says for whom they are, and who does not use them.
+pub(super) fn constants_package(groups: Vec<Group>, prefix: &Prefix, of: &str, whose: &str) -> String {
+    let package = Package { header: origin(), prefix, of, whose, groups };
     package.render().expect("the template renders")
 }

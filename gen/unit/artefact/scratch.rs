@@ -34,6 +34,7 @@ impl Scratch {
     /// What the operating system says.
     pub fn inside(parent: &Path) -> io::Result<Self> {
         let mut live = live();
+        std::fs::metadata(parent)?;
         // Its error names the folder that was to be made, which nobody has asked for.
         let dir = tempfile::Builder::new().prefix(".efsat-").tempdir_in(parent).map_err(|e| e.kind())?.keep();
         live.push(dir.clone());

@@ -19,7 +19,7 @@ pub use widths::{Width, Widths};
 use super::options::{Choice, Spelled};
 #[cfg(feature = "clap")]
 use super::options::{choice, one_of, whole};
-use super::{ParamError, Params, Transform};
+use super::{Method, ParamError, Params, Transform};
 use efsat_geometry::directions::Directions;
 use std::ops::RangeInclusive;
 
@@ -43,6 +43,8 @@ pub const STACK: RangeInclusive<u32> = 8..=4096;
 pub const TREE_HEIGHT: RangeInclusive<u32> = 1..=62;
 /// Legal capacities of the queue of leaf pairs.
 pub const PAIR_QUEUE: &[u32] = &[16, 32, 64, 128, 256, 512, 1024];
+/// Bits of an address of AXI, in units of 64 bytes.
+pub const ADDRESS_BITS: u32 = 26;
 /// Legal bits of the number of a block.
 pub const BLOCK_NUMBER_BITS: RangeInclusive<u32> = 8..=LINK_NUMBER_BITS;
 
@@ -135,10 +137,10 @@ options! {
     /// Bits of a word of memory
     "memory-width" memory_width: u32 = 64,
         [value_name = "N", value_parser = one_of(MEMORY_WIDTH), allow_negative_numbers = true];
-    /// Lines of the cache of blocks
+    /// Lines of the caches of blocks, half for each tree; with --memory block-ram the blocks of both trees
     "block-lines" block_lines: u32 = 512,
         [value_name = "N", value_parser = one_of(LINES), allow_negative_numbers = true];
-    /// Lines of the cache of triangles
+    /// Lines of the caches of triangles, half for each mesh; with --memory block-ram the triangles of both meshes
     "triangle-lines" triangle_lines: u32 = 256,
         [value_name = "N", value_parser = one_of(LINES), allow_negative_numbers = true];
     /// Pairs of nodes in flight, 1 to 64
@@ -150,10 +152,10 @@ options! {
     /// Greatest level of a pair of nodes; no tree is higher
     "tree-height" tree_height: u32 = 32,
         [value_name = "N", value_parser = whole(TREE_HEIGHT), allow_negative_numbers = true];
-    /// Pairs of triangles between traversal and answer
+    /// Pairs of triangles that wait for their turn to be read from memory
     "pair-queue" pair_queue: u32 = 128,
         [value_name = "N", value_parser = one_of(PAIR_QUEUE), allow_negative_numbers = true];
-    /// Bits of the number of a block, 8 to 28
+    /// Bits of the number of a block, 8 to 28, with --memory axi at most 26: a tree has no more blocks
     "block-number-bits" block_number_bits: u32 = 24,
         [value_name = "N", value_parser = whole(BLOCK_NUMBER_BITS), allow_negative_numbers = true];
 }
@@ -166,6 +168,12 @@ impl EngineParams {
     /// The first option outside its range, with the legal range.
     pub fn format(&self, unit: &Params) -> Result<EngineFormat, ParamError> {
         unit.validate()?;
+        if unit.method == Method::Exact && unit.transform != Transform::On {
+            let found = unit.truth.name().to_owned();
+            let legal = "expected snapped with --transform-width 26 in the engine, which gives the unit both triangles in their \
+                own frames";
+            return Err(ParamError { option: "truth", found, legal: legal.to_owned() });
+        }
         if unit.transform != Transform::On {
             let found = unit.transform.name().to_owned();
             let legal = "expected on: the engine gives the unit both triangles in their own frames".to_owned();
@@ -187,9 +195,11 @@ impl EngineParams {
             return wrong("origin-bits", self.origin_bits, legal.to_owned());
         }
         if format.rest_at() + format.rest_bits() > u64::BITS {
+            let most = (u64::BITS - format.rest_bits()) / 3 - format.choice_bits();
             let legal = format!(
-                "expected fewer: three choices and factors and the rest of a row would take {} bits of 64",
-                format.rest_at() + format.rest_bits()
+                "expected at most {most} with --directions {} --offset-bits {}: a row of a query has 64 bits",
+                format.k(),
+                self.offset_bits
             );
             return wrong("factor-bits", self.factor_bits, legal);
         }
@@ -198,6 +208,7 @@ impl EngineParams {
             let legal = format!("expected fewer: a block would have {bits} bits of {}", BlockLayout::MOST_BITS);
             return wrong("offset-bits", self.offset_bits, legal);
         }
+        self.block_numbers()?;
         let least = 3 * self.tree_height + 2;
         if self.stack < least {
             return wrong("stack", self.stack, format!("expected at least 3 x tree-height + 2 = {least}"));
@@ -208,6 +219,21 @@ impl EngineParams {
     /// Greatest number of entries up to which the stack is filled by more than one pair in flight (docs/engine.md).
     pub fn wide_limit(&self) -> u32 {
         self.stack - 3 * self.tree_height - 1
+    }
+
+    /// Whether the numbers of blocks are those of the blocks that memory can hold.
+    fn block_numbers(&self) -> Result<(), ParamError> {
+        let (bits, lines) = (self.block_number_bits, self.block_lines);
+        let legal = match self.memory {
+            Memory::Axi if bits > ADDRESS_BITS => {
+                format!("expected at most {ADDRESS_BITS}: no more blocks have an address")
+            }
+            Memory::BlockRam if lines > 1 << bits => {
+                format!("expected at least {} for the {lines} blocks of --block-lines", lines.ilog2())
+            }
+            _ => return Ok(()),
+        };
+        Err(ParamError { option: "block-number-bits", found: bits.to_string(), legal })
     }
 
     fn ranges(&self) -> Result<(), ParamError> {

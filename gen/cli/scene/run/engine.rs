@@ -121,6 +121,9 @@ pub(super) fn run(
     settings: &Settings,
 ) -> Result<(), Failure> {
     let unit = arguments.given.unit(&arguments.file, settings)?;
+    if machine == Answering::Model {
+        arguments.engine.params.refuse_timing()?;
+    }
     let design = arguments.engine.params.design(&unit)?;
     let (meshes, _) = scene.meshes();
     let objects = Objects::new(&design.params, &design.unit.params, &meshes)?;

@@ -88,8 +88,8 @@ pub fn engine_design_files(
     engine_design_files_with(design, prefix, command_line, vectors, &[])
 }
 
-/// Sources, testbench, its vectors, lists, a README and the manifest; with block RAM also the example behind a UART, the files
-/// of a board that has the device, and the host side. `verilog` are name and text of the
+/// Sources, testbench, its vectors, lists, a README and the manifest; with block RAM also the example behind a UART and the files
+/// of a board that has the device. `verilog` are name and text of the
 /// [Verilog files](crate::artefact::engine_verilog_files) that are made already. Equal designs, vectors and command lines
 /// give equal bytes.
 ///
@@ -102,7 +102,9 @@ pub fn engine_design_files_with(
     vectors: &str,
     verilog: &[(String, String)],
 ) -> Result<FileSet, DesignFilesError> {
-    let sources = engine_files(design, prefix, command_line)?;
+    let mut sources = engine_files(design, prefix, command_line)?;
+    let (constants, package) = host::package(design, prefix);
+    sources.push((constants.clone(), package));
     let texts: Vec<(&str, &str)> = sources.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
     if let Some(finding) = lint(&texts).into_iter().next() {
         return Err(DesignFilesError::Lint(finding));
@@ -121,11 +123,21 @@ pub fn engine_design_files_with(
             &vector_file,
             "Meshes, queries of every kind, packets that are none, and the answers of the reference model.",
         ),
+        row(
+            &format!("host/{prefix}{NAME}.h"),
+            "The words of the streams in C: packing of packets, unpacking of answers.",
+        ),
+        row(&format!("host/{prefix}{NAME}.py"), "The same in Python."),
+        row(
+            &constants,
+            "Formats, headers and places in the words of the streams, as VHDL constants for those who instantiate the engine.",
+        ),
         row("files.txt", "All VHDL files in dependency order, the testbench last."),
         row("files-synthesis.txt", "Those of them that are synthesised."),
         row("manifest.json", "Parameters, headers of the stream, latencies, and a SHA-256 per file, for programs."),
     ];
     sources.into_iter().for_each(|(name, text)| set.insert(name, text));
+    host::files(design, prefix).into_iter().for_each(|(name, text)| set.insert(name, text));
     set.insert(&bench_file, bench(design, prefix));
     set.insert(vector_file, vectors.to_owned());
     set.insert(FileLists::SYNTHESISED, format!("{}\n", names.join("\n")));
@@ -141,9 +153,6 @@ pub fn engine_design_files_with(
                 .as_ref()
                 .map(|project| row(&project.folder, &format!("Project for {}, part {}.", project.tool, project.part))),
         );
-        let (name, text) = host(design, prefix);
-        files.push(row(&name, "The words of its stream in Python: loads, queries, answers, reports."));
-        set.insert(name, text);
     }
     for (name, text) in verilog {
         files.push(row(name, "A copy in Verilog, made by GHDL."));

@@ -1,68 +1,158 @@
-//! The host side of an engine with its trees in block RAM, in Python.
+//! The host side of an engine: its constants in VHDL, C and Python, and the packing and unpacking of its words.
 
 use super::{EngineDesign, NAME};
+use crate::artefact::layout::{Constant, Group, Value, constants_package};
 use crate::artefact::{Prefix, origin};
 use crate::golden::Verdict;
 use crate::host::engine::TRIANGLES_AT;
-use crate::params::engine::{Command, EngineReport, Reason};
+use crate::params::engine::{Answer, Command, EngineFormat, EngineReport, Memory, QueryFlags, Reason};
 use crate::params::stream::REPORT;
 use askama::Template;
+
+#[derive(Template)]
+#[template(path = "host/efsat_engine.h", escape = "none")]
+struct Header<'a> {
+    header: Vec<String>,
+    prefix: &'a Prefix,
+    /// Stands before the names of constants.
+    upper: String,
+    groups: Vec<Group>,
+    is_sticky: bool,
+    block_ram: bool,
+}
 
 #[derive(Template)]
 #[template(path = "host/efsat_engine.py", escape = "none")]
 struct Module<'a> {
     header: Vec<String>,
     prefix: &'a Prefix,
-    query_header: String,
-    query_words: u32,
-    load_header: String,
-    stop_header: String,
-    block_lines: u32,
-    triangle_lines: u32,
-    triangles_at: String,
-    verdict_separate: u8,
-    verdict_intersect: u8,
-    verdict_possibly_incorrect: u8,
-    verdict_report: u8,
-    report_words: usize,
-    reasons: Vec<&'static str>,
+    groups: Vec<Group>,
+    is_sticky: bool,
+    block_ram: bool,
 }
 
-/// What a reason is called.
-fn name(reason: Reason) -> &'static str {
-    match reason {
-        Reason::Complete => "complete",
-        Reason::Contact => "stopped at a certain contact",
-        Reason::Limit => "limit of expansions",
-        Reason::BadTree => "bad tree",
-        Reason::Memory => "memory error",
-        Reason::Stopped => "stopped by the host",
-        Reason::UnknownHeader => "unknown header",
-        Reason::TooShort => "packet too short",
-        Reason::TooLong => "packet too long",
+/// The package of constants in VHDL: name and text.
+pub(super) fn package(design: &EngineDesign, prefix: &Prefix) -> (String, String) {
+    let text = constants_package(groups(design), prefix, NAME, &format!("{prefix}{NAME}. The engine"));
+    (format!("{}_constants.vhd", prefix.of(NAME)), text)
+}
+
+/// The files of the host side: names and texts.
+pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String); 2] {
+    let (is_sticky, block_ram) = (design.format.sticky, design.params.memory == Memory::BlockRam);
+    let (header, upper) = (origin(), prefix.of(NAME).to_uppercase());
+    let c = Header { header: header.clone(), prefix, upper, groups: groups(design), is_sticky, block_ram };
+    let python = Module { header, prefix, groups: groups(design), is_sticky, block_ram };
+    let render = |text: Result<String, askama::Error>| text.expect("the template renders");
+    [
+        (format!("host/{}.h", prefix.of(NAME)), render(c.render())),
+        (format!("host/{}.py", prefix.of(NAME)), render(python.render())),
+    ]
+}
+
+/// All constants. What the engine does not have is not among them.
+fn groups(design: &EngineDesign) -> Vec<Group> {
+    let (params, format) = (&design.params, &design.format);
+    let number = |name, value: u32, what| Constant { name, value: Value::Number(value), what };
+    let word = |name, value, what| Constant { name, value: Value::Word(value), what };
+    let header = |command| format.header(command) as u32;
+    let block_ram = params.memory == Memory::BlockRam;
+    let mut packets = vec![
+        word("query_header", header(Command::Query), "low half of the first word of a query"),
+        word("query_format", format.header_high(), "high half, which says the formats below"),
+        word("stop_header", header(Command::Stop), "the only word of a stop"),
+        number("query_words", format.query_words(), "words of a query"),
+        number("options_word", 5, "the word that says what is asked for"),
+    ];
+    if block_ram {
+        packets.push(word("load_header", header(Command::Load), "first word of a load"));
+        packets.push(word("triangles_at", TRIANGLES_AT << 6, "byte address of the first triangle; blocks begin at 0"));
+        packets.push(number("block_lines", params.block_lines, "blocks that memory holds"));
+        packets.push(number("triangle_lines", params.triangle_lines, "triangles that memory holds"));
     }
+    let flag = |at: u32| 1 << (at - u32::BITS);
+    vec![
+        Group { what: "The engine.", constants: of_engine(design) },
+        Group { what: "Packets in.", constants: packets },
+        Group {
+            what: "What is asked for: flags in the high half of the options, and fields.",
+            constants: vec![
+                number("first_contact", flag(QueryFlags::FIRST_CONTACT), "stop at the first certain contact"),
+                number("all_pairs", flag(QueryFlags::ALL_PAIRS), "answer separate pairs too"),
+                number("leaf_pairs", flag(QueryFlags::LEAF_PAIRS), "no triangle test: all are possibly incorrect"),
+                number("empty_caches", flag(QueryFlags::EMPTY_CACHES), "empty the caches first"),
+                number("query_number_low", QueryFlags::NUMBER_AT, "the number that the report returns"),
+                number("query_number_bits", QueryFlags::NUMBER_BITS, "its bits"),
+            ],
+        },
+        Group {
+            what: "Bits of a row.",
+            constants: vec![
+                number("row_choice_bits", format.choice_bits(), "bits of a choice, below its factor"),
+                number("row_slot_bits", format.choice_at(1), "from choice to choice"),
+                number("row_rest_low", format.rest_at(), "the rest"),
+                number("row_rest_bits", format.rest_bits(), "its bits"),
+            ],
+        },
+        Group {
+            what: "Verdicts: the low bits of a word out.",
+            constants: vec![
+                number(
+                    "verdict_separate",
+                    Verdict::Separate as u32,
+                    "no common point, if separate pairs are asked for",
+                ),
+                number("verdict_intersect", Verdict::Intersect as u32, "a common point, certainly"),
+                number("verdict_possibly_incorrect", Verdict::PossiblyIncorrect as u32, "too close for this width"),
+                number("verdict_report", REPORT.into(), "no pair: the first word of the report"),
+            ],
+        },
+        Group {
+            what: "Packets out: pairs, then a report.",
+            constants: vec![
+                number("answer_a_low", Answer::A_AT, "number of A's triangle"),
+                number("answer_b_low", Answer::B_AT, "number of B's triangle"),
+                number("answer_number_bits", Answer::NUMBER_BITS, "bits of both"),
+                number("report_words", EngineReport::WORDS as u32, "words of the report"),
+                number("report_reason_low", EngineReport::REASON_AT, "reason, five bits of its first word"),
+                number("report_incomplete", EngineReport::INCOMPLETE_AT, "pairs that touch may be missing"),
+                number("report_number_low", EngineReport::NUMBER_AT, "number of the query, 24 bits"),
+            ],
+        },
+        Group { what: "Reasons of a report.", constants: Reason::ALL.map(reason).into() },
+    ]
 }
 
-/// Its name and its text.
-pub(super) fn host(design: &EngineDesign, prefix: &Prefix) -> (String, String) {
-    let format = &design.format;
-    let header = |command| format!("{:08x}", format.header(command) as u32);
-    let module = Module {
-        header: origin(),
-        prefix,
-        query_header: header(Command::Query),
-        query_words: format.query_words(),
-        load_header: header(Command::Load),
-        stop_header: header(Command::Stop),
-        block_lines: design.params.block_lines,
-        triangle_lines: design.params.triangle_lines,
-        triangles_at: format!("{:08x}", TRIANGLES_AT << 6),
-        verdict_separate: Verdict::Separate as u8,
-        verdict_intersect: Verdict::Intersect as u8,
-        verdict_possibly_incorrect: Verdict::PossiblyIncorrect as u8,
-        verdict_report: REPORT,
-        report_words: EngineReport::WORDS,
-        reasons: Reason::ALL.map(name).to_vec(),
+fn of_engine(design: &EngineDesign) -> Vec<Constant> {
+    let (params, format) = (&design.params, &design.format);
+    let number = |name, value: u32, what| Constant { name, value: Value::Number(value), what };
+    vec![
+        number("directions", format.k(), "directions of a volume, and rows of a query"),
+        number("offset_bits", format.offset_bits, "bits of a code"),
+        number("origin_bits", format.origin_bits, "bits of a coordinate of an origin"),
+        number("factor_bits", format.factor_bits, "bits of a factor of a row"),
+        number("transform_bits", format.transform_width, "bits of a number of a triangle or a pose"),
+        number("integral_bits", format.int_bits, "of them integral, with the sign"),
+        number("tree_height", params.tree_height, "the greatest height of a tree"),
+        number("pose_word", EngineFormat::POSE_AT, "first word of the pose in a query"),
+        number("row_word", format.row_at(0), "first row in a query"),
+        number("clocks_per_expansion", design.volume.interval as u32, "clocks from expansion to expansion"),
+        number("clocks_per_pair", design.unit.interval as u32, "clocks from pair to pair of triangles"),
+        number("clock_mhz", design.unit.params.frequency, "the target clock in MHz"),
+    ]
+}
+
+fn reason(reason: Reason) -> Constant {
+    let (name, what) = match reason {
+        Reason::Complete => ("reason_complete", "everything was traversed"),
+        Reason::Contact => ("reason_contact", "stopped at a certain contact"),
+        Reason::Limit => ("reason_limit", "limit of expansions; from here on the answer is incomplete"),
+        Reason::BadTree => ("reason_bad_tree", "a block that no tree has"),
+        Reason::Memory => ("reason_memory", "error of the memory"),
+        Reason::Stopped => ("reason_stopped", "stopped by the host"),
+        Reason::UnknownHeader => ("reason_unknown_header", "no query for this engine"),
+        Reason::TooShort => ("reason_too_short", "the packet was too short"),
+        Reason::TooLong => ("reason_too_long", "the packet was too long"),
     };
-    (format!("host/{}.py", prefix.of(NAME)), module.render().expect("the template renders"))
+    Constant { name, value: Value::Number(reason as u32), what }
 }

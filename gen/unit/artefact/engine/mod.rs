@@ -3,6 +3,7 @@
 
 mod files;
 mod host;
+mod memories;
 #[cfg(feature = "scenes")]
 pub mod samples;
 mod values;
@@ -13,11 +14,10 @@ use super::{Prefix, origin, vhdl_files};
 use crate::design::Design;
 use crate::design::engine::volume_unit::VolumeDesign;
 use crate::design::top::DesignError;
-use crate::params::engine::{EngineFormat, EngineParams, Memory};
+use crate::params::engine::{EngineFormat, EngineParams, Memory, OFFSET_BITS};
 use crate::params::{ParamError, Params};
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
-use host::host;
 use values::{Lines, Values};
 
 pub use files::{engine_design_files, engine_design_files_with};
@@ -73,17 +73,16 @@ fn supported(format: &EngineFormat) -> Result<(), ParamError> {
     let block = format.block();
     if block.stride != STRIDE {
         let bits = 8 * STRIDE;
-        let legal = format!(
-            "expected blocks of {} to {bits} bits in the engine; {} directions with --offset-bits {} give {}",
-            bits / 2 + 1,
-            format.k(),
-            format.offset_bits,
-            block.bits
-        );
+        let fits = |offset_bits: &u32| EngineFormat { offset_bits: *offset_bits, ..*format }.block().stride == STRIDE;
+        let fitting: Vec<u32> = OFFSET_BITS.filter(fits).collect();
+        let (least, most) = (fitting.first().unwrap_or(&0), fitting.last().unwrap_or(&0));
+        let why = format!("in the engine, whose blocks have {} to {bits} bits; found {}", bits / 2 + 1, block.bits);
         // The option that is not as it is by default is to blame.
         if format.directions != EngineParams::default().directions {
+            let legal = format!("expected --offset-bits {least} to {most} with it {why}");
             return wrong("directions", format.k().to_string(), legal);
         }
+        let legal = format!("expected {least} to {most} with --directions {} {why}", format.k());
         return wrong("offset-bits", format.offset_bits.to_string(), legal);
     }
     if format.triangle().stride != STRIDE {

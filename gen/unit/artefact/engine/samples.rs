@@ -106,8 +106,11 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
     vectors.malformed(&with(0, &|word| word.1 = false), Reason::UnknownHeader);
     vectors.malformed(&with(5, &|word| word.0 |= 1 << 36), Reason::UnknownHeader);
     vectors.malformed(&with(7, &|word| word.0 |= 1 << 31), Reason::UnknownHeader);
-    if design.format.rest_at() + design.format.rest_bits() < u64::BITS {
+    let spare = design.format.rest_at() + design.format.rest_bits();
+    if spare < u64::BITS {
         vectors.malformed(&with(row, &|word| word.0 |= 1 << 63), Reason::UnknownHeader);
+        let first = design.format.row_at(0) as usize;
+        vectors.malformed(&with(first, &|word| word.0 |= 1 << spare), Reason::UnknownHeader);
     }
     let slots = design.format.directions.slots();
     if let Some(slot) = slots.iter().position(|slot| slot.len() < 1 << design.format.choice_bits()) {

@@ -6,11 +6,11 @@ use crate::artefact::testbench::half_period;
 use crate::design::top::{pair_ports, pose_ports};
 use crate::params::Params;
 use crate::params::Upper;
-use crate::params::engine::{BlockLayout, Command, EngineFormat, LINK_NUMBER_BITS, Memory, QueryFlags};
+use crate::params::engine::{
+    ADDRESS_BITS as LINE_ADDRESS_BITS, BlockLayout, Command, EngineFormat, LINK_NUMBER_BITS, Memory, QueryFlags,
+};
 use crate::params::stream::StreamFormat;
 
-/// Bits of an address of 64 bytes on AXI.
-const LINE_ADDRESS_BITS: u32 = 26;
 /// Lines that a cache may have asked for and not got.
 const PLACES: u32 = 16;
 /// Words of a stream into the engine.

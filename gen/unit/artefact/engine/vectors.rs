@@ -110,8 +110,16 @@ impl<'a> EngineVectors<'a> {
     }
 
     /// A packet that is no query, and the reason that its report gives.
+    ///
+    /// # Panics
+    /// If the model has another reason. It knows queries of whole words alone.
     pub fn malformed(&mut self, words: &[(u64, bool)], reason: Reason) {
         let end = words.len() - 1;
+        let others = [Command::Load, Command::Stop].map(|command| self.design.format.header(command));
+        if words.iter().all(|(_, whole)| *whole) && !others.contains(&words[0].0) {
+            let packet: Vec<u64> = words.iter().map(|(word, _)| *word).collect();
+            assert_eq!(self.model.run(&self.memory, &packet).report.reason, reason, "{packet:x?}");
+        }
         for (i, (word, whole)) in words.iter().enumerate() {
             self.word_in(*word, i == end, *whole);
         }

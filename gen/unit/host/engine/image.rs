@@ -1,7 +1,7 @@
 //! Images: files of a mesh's tree and triangles that are copied to memory as they are.
 
 use crate::golden::engine::Side;
-use crate::params::engine::{EngineFormat, LINK_NUMBER_BITS};
+use crate::params::engine::{EngineFormat, FACTOR_BITS, LINK_NUMBER_BITS};
 use crate::params::{EngineParams, Params};
 use efsat_geometry::directions::Directions;
 use efsat_hardware::number::Upper;
@@ -151,7 +151,7 @@ impl Header {
         let unit = Params { width: fit, transform_width: width, int_bits, upper, ..Params::default() };
         let mut engine = EngineParams { directions, offset_bits, origin_bits: origin + 1, ..EngineParams::default() };
         // An image has no rows.
-        engine.factor_bits = engine.factor_bits.min(6);
+        engine.factor_bits = *FACTOR_BITS.start();
         let format = engine.format(&unit).map_err(|e| {
             let at = match e.option {
                 "offset-bits" => 9,

@@ -171,7 +171,7 @@ impl Numbers {
 
     /// What is missing from D along one axis of A: what the matrix entries miss of an origin, which is at most 1, one step for
     /// the floor of the sum and what the shift was rounded by, in steps of the grid, rounded up.
-    fn shift_error(&self, exact: &[Fine; 3], rounded: &[i64; 3]) -> u32 {
+    pub(super) fn shift_error(&self, exact: &[Fine; 3], rounded: &[i64; 3]) -> u32 {
         let grid = self.format.grid_fraction();
         let step = FINE - self.format.origin_fraction();
         let missed = exact.iter().zip(rounded).map(|(x, &rounded)| (x.floor - (rounded << step)).abs() + x.above);

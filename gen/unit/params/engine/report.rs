@@ -56,24 +56,24 @@ pub struct Answer {
     pub triangles: [u32; 2],
 }
 
-/// Place of the number of A's triangle in an answer.
-const A_AT: u32 = 8;
-/// Place of the number of B's triangle.
-const B_AT: u32 = 36;
-/// Bits of both.
-const NUMBER: u64 = (1 << 28) - 1;
-
 impl Answer {
+    /// Place of the number of A's triangle.
+    pub const A_AT: u32 = 8;
+    /// Place of the number of B's triangle.
+    pub const B_AT: u32 = 36;
+    /// Bits of both.
+    pub const NUMBER_BITS: u32 = 28;
+
     /// Its word.
     pub fn word(&self) -> u64 {
         let [a, b] = self.triangles.map(u64::from);
-        u64::from(self.verdict) | a << A_AT | b << B_AT
+        u64::from(self.verdict) | a << Self::A_AT | b << Self::B_AT
     }
 
     /// What a word says, none if it is no answer: the first of a report, or a word with bits that no answer has.
     pub fn of(word: u64) -> Option<Self> {
-        let number = |at: u32| (word >> at & NUMBER) as u32;
-        let answer = Self { verdict: word as u8 & REPORT, triangles: [number(A_AT), number(B_AT)] };
+        let number = |at: u32| (word >> at & ((1 << Self::NUMBER_BITS) - 1)) as u32;
+        let answer = Self { verdict: word as u8 & REPORT, triangles: [number(Self::A_AT), number(Self::B_AT)] };
         (answer.verdict != REPORT && answer.word() == word).then_some(answer)
     }
 }
@@ -114,24 +114,26 @@ pub struct EngineReport {
     pub stack: u16,
 }
 
-/// Place of the reason in word 0.
-const REASON_AT: u32 = 2;
-/// Bit of word 0: pairs may be missing.
-const INCOMPLETE: u64 = 1 << 7;
 /// Bits of the query's number.
 const QUERY_NUMBER: u64 = (1 << 24) - 1;
 
 impl EngineReport {
     /// Words of a report.
     pub const WORDS: usize = 8;
+    /// Place of the reason in word 0.
+    pub const REASON_AT: u32 = 2;
+    /// Bit of word 0: pairs may be missing.
+    pub const INCOMPLETE_AT: u32 = 7;
+    /// Place of the query's number in word 0.
+    pub const NUMBER_AT: u32 = 8;
 
     /// Its words.
     pub fn words(&self) -> [u64; Self::WORDS] {
         let both = |low: u32, high: u32| u64::from(low) | u64::from(high) << 32;
-        let incomplete = if self.reason.is_incomplete() { INCOMPLETE } else { 0 };
-        let head = u64::from(REPORT) | (self.reason as u64) << REASON_AT | incomplete;
+        let incomplete = u64::from(self.reason.is_incomplete()) << Self::INCOMPLETE_AT;
+        let head = u64::from(REPORT) | (self.reason as u64) << Self::REASON_AT | incomplete;
         [
-            head | (u64::from(self.number) & QUERY_NUMBER) << 8 | u64::from(self.clocks) << 32,
+            head | (u64::from(self.number) & QUERY_NUMBER) << Self::NUMBER_AT | u64::from(self.clocks) << 32,
             both(self.expansions, self.tests),
             both(self.survivors, self.leaf_pairs),
             both(self.intersect, self.possibly_incorrect),
@@ -146,8 +148,8 @@ impl EngineReport {
     pub fn of(words: &[u64; Self::WORDS]) -> Option<Self> {
         let [low, high] = [0, 32].map(|at| words.map(|word| (word >> at) as u32));
         let report = Self {
-            reason: *Reason::ALL.get((low[0] >> REASON_AT & 0x1f) as usize)?,
-            number: low[0] >> 8,
+            reason: *Reason::ALL.get((low[0] >> Self::REASON_AT & 0x1f) as usize)?,
+            number: low[0] >> Self::NUMBER_AT,
             clocks: high[0],
             expansions: low[1],
             tests: high[1],

@@ -54,7 +54,7 @@ fn blocks_of_other_formats_are_powers_of_two() {
 #[test]
 fn every_option_outside_its_range_is_named() {
     type Change = fn(&mut EngineParams);
-    let cases: [(Change, &str); 11] = [
+    let cases: [(Change, &str); 13] = [
         (|p| p.origin_bits = 23, "--origin-bits 23: expected 4 to 22"),
         (|p| p.offset_bits = 16, "--offset-bits 16: expected 4 to 15"),
         (|p| p.factor_bits = 3, "--factor-bits 3: expected 4 to 16"),
@@ -72,14 +72,25 @@ fn every_option_outside_its_range_is_named() {
         ),
         (
             |p| (p.directions, p.factor_bits, p.offset_bits) = (Directions::TwentySix, 15, 12),
-            "--factor-bits 15: expected fewer: three choices and factors and the rest of a row would take 72 bits of 64",
+            "--factor-bits 15: expected at most 12 with --directions 26 --offset-bits 12: a row of a query has 64 bits",
         ),
         (|p| p.stack = 97, "--stack 97: expected at least 3 x tree-height + 2 = 98"),
         (|p| p.in_flight = 0, "--in-flight 0: expected 1 to 64"),
+        (|p| p.block_number_bits = 27, "--block-number-bits 27: expected at most 26: no more blocks have an address"),
+        (
+            |p| (p.memory, p.block_lines, p.block_number_bits) = (Memory::BlockRam, 1024, 9),
+            "--block-number-bits 9: expected at least 10 for the 1024 blocks of --block-lines",
+        ),
     ];
     for (change, message) in cases {
         assert_eq!(format(change).unwrap_err().to_string(), message);
     }
+    let exact = Params::of(Method::Exact);
+    let message = EngineParams::default().format(&exact).unwrap_err().to_string();
+    assert!(
+        message.starts_with("--truth given: expected snapped with --transform-width 26 in the engine"),
+        "{message}"
+    );
     let off = Params { transform: Transform::Off, ..Params::default() };
     let message = EngineParams::default().format(&off).unwrap_err().to_string();
     assert_eq!(message, "--transform off: expected on: the engine gives the unit both triangles in their own frames");
