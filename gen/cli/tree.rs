@@ -30,7 +30,7 @@ enum Command {
     Inspect(inspect::Arguments),
     Verify(verify::Arguments),
     Count(count::Arguments),
-    Answer(answer::Arguments),
+    Answer(Box<answer::Arguments>),
     Query(Box<query::Arguments>),
 }
 

@@ -250,7 +250,12 @@ fn queries_that_no_engine_takes_are_refused_with_the_reason() {
         &format!("{query} 1,0,0,0,1,0,0,0,1,0,0,0 --directions 14"),
         "image A: another format than the engine's; expected one that was built for it",
     );
-    says("tree answer m.tree empty --pose 1,0,0,0,1,0,0,0,1,0,0,0", "empty: byte 0: end of the file: 0 of 64 bytes");
+    fails(
+        dir,
+        "tree answer m.tree empty --pose 1,0,0,0,1,0,0,0,1,0,0,0",
+        1,
+        "empty: byte 0: end of the file: 0 of 64 bytes",
+    );
 }
 
 #[test]

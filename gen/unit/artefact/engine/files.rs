@@ -91,8 +91,8 @@ pub fn engine_design_files(
     engine_design_files_with(design, prefix, command_line, vectors, &[])
 }
 
-/// Sources, testbench, its vectors, lists, a README and the manifest; with block RAM also the example behind a UART, the files
-/// of a board that has the device, and the host side. `verilog` are name and text of the
+/// Sources, testbench, its vectors, lists, a README and the manifest; with block RAM also the example behind a UART and the files
+/// of a board that has the device. `verilog` are name and text of the
 /// [Verilog files](crate::artefact::engine_verilog_files) that are made already. Equal designs, vectors and command lines
 /// give equal bytes.
 ///
