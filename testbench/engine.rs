@@ -192,7 +192,7 @@ fn images_are_built_inspected_and_verified() {
         "--origin-bits 20: expected at most 18",
     );
     assert!(!dir.join("x.image").exists());
-    fails(dir, "tree", 2, "expected one of build, inspect, verify, count, query");
+    fails(dir, "tree", 2, "expected one of build, inspect, verify, count, answer, query");
 }
 
 /// What docs/engine.md says of the default scene.
