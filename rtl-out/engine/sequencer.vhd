@@ -29,7 +29,7 @@ entity sequencer is
 end entity sequencer;
 
 architecture rtl of sequencer is
-  constant phase_entry_table : numbers_t(0 to 15) := (1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0, 0, 0, 0, 0, 0);
+  constant phase_entry_table : numbers_t(0 to 15) := (1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 0, others => 0);
   signal running : std_logic := '0';  -- clear in reset and in the first clock after: nothing is accepted
   signal phase_i : unsigned(3 downto 0) := (others => '0');
   signal last_phase : std_logic := '0';  -- set in phase 10

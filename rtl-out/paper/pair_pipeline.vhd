@@ -24,21 +24,21 @@ entity pair_pipeline is
 end entity pair_pipeline;
 
 architecture rtl of pair_pipeline is
-  constant row_t_pose_select_at_0_table : numbers_t(0 to 15) := (1, 2, 0, 1, 2, 0, 1, 2, 0, 0, 0, 0, 0, 0, 0, 0);
-  constant row_diagonal_at_0_0_table : std_logic_vector(0 to 15) := "0010010011100000";
-  constant row_diagonal_at_0_1_table : std_logic_vector(0 to 15) := "1001001000000000";
-  constant row_diagonal_at_0_2_table : std_logic_vector(0 to 15) := "0100100100000000";
-  constant row_x_select_at_0_table : numbers_t(0 to 15) := (0, 0, 1, 1, 1, 2, 2, 2, 0, 0, 0, 0, 0, 0, 0, 0);
-  constant lane_select_at_10_table : numbers_t(0 to 15) := (2, 0, 3, 4, 5, 3, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0);
-  constant lane2_choice_operand_select_tap_at_10_table : numbers_t(0 to 15) := (13, 14, 4, 2, 0, 7, 8, 9, 10, 11, 12, 0, 0, 0, 0, 0);
-  constant lane1_choice_operand_select_tap_at_10_table : numbers_t(0 to 15) := (14, 15, 5, 3, 1, 8, 9, 10, 11, 12, 13, 0, 0, 0, 0, 0);
-  constant lane_from_input_at_10_table : std_logic_vector(0 to 15) := "1100001111100000";
-  constant lane_from_input_at_0_table : std_logic_vector(0 to 15) := "1110000111100000";
-  constant magnitude_so_far_select_at_0_table : std_logic_vector(0 to 15) := "0000000000100000";
-  constant lane_edge_rounding_at_3_table : std_logic_vector(0 to 15) := "0001010000000000";
-  constant axis_e_select_tap_at_8_table : numbers_t(0 to 15) := (7, 7, 7, 4, 11, 11, 11, 1, 4, 4, 4, 0, 0, 0, 0, 0);
-  constant axis_f_select_tap_at_8_table : numbers_t(0 to 15) := (2, 3, 4, 6, 5, 6, 7, 3, 0, 1, 2, 0, 0, 0, 0, 0);
-  constant axis0_rounding_at_9_table : std_logic_vector(0 to 15) := "0000100000000000";
+  constant row_t_pose_select_at_0_table : numbers_t(0 to 15) := (1, 2, 0, 1, 2, 0, 1, 2, 0, 0, 0, others => 0);
+  constant row_diagonal_at_0_0_table : std_logic_vector(0 to 15) := "00100100111" & "00000";
+  constant row_diagonal_at_0_1_table : std_logic_vector(0 to 15) := "10010010000" & "00000";
+  constant row_diagonal_at_0_2_table : std_logic_vector(0 to 15) := "01001001000" & "00000";
+  constant row_x_select_at_0_table : numbers_t(0 to 15) := (0, 0, 1, 1, 1, 2, 2, 2, 0, 0, 0, others => 0);
+  constant lane_select_at_10_table : numbers_t(0 to 15) := (2, 0, 3, 4, 5, 3, 0, 0, 0, 0, 1, others => 0);
+  constant lane2_choice_operand_select_tap_at_10_table : numbers_t(0 to 15) := (13, 14, 4, 2, 0, 7, 8, 9, 10, 11, 12, others => 0);
+  constant lane1_choice_operand_select_tap_at_10_table : numbers_t(0 to 15) := (14, 15, 5, 3, 1, 8, 9, 10, 11, 12, 13, others => 0);
+  constant lane_from_input_at_10_table : std_logic_vector(0 to 15) := "11000011111" & "00000";
+  constant lane_from_input_at_0_table : std_logic_vector(0 to 15) := "11100001111" & "00000";
+  constant magnitude_so_far_select_at_0_table : std_logic_vector(0 to 15) := "00000000001" & "00000";
+  constant lane_edge_rounding_at_3_table : std_logic_vector(0 to 15) := "00010100000" & "00000";
+  constant axis_e_select_tap_at_8_table : numbers_t(0 to 15) := (7, 7, 7, 4, 11, 11, 11, 1, 4, 4, 4, others => 0);
+  constant axis_f_select_tap_at_8_table : numbers_t(0 to 15) := (2, 3, 4, 6, 5, 6, 7, 3, 0, 1, 2, others => 0);
+  constant axis0_rounding_at_9_table : std_logic_vector(0 to 15) := "00001000000" & "00000";
   signal row_t_pose : signed(31 downto 0);  -- s4.28; |.| <= 1073741816
   signal row_t_pose_select_at_0 : unsigned(1 downto 0) := (others => '0');
   signal row_t : signed(31 downto 0);  -- s4.28; |.| <= 1073741816

@@ -87,7 +87,10 @@ impl<'a> Editor<'a> {
             Role::Actual => {
                 let port = self.port(self.statement);
                 let mut others = source.statements[number + 1..].iter().take_while(|s| s.role == Role::Actual);
-                let same = |other: &&Statement| other.name == self.statement.name && self.port(other) == port;
+                let same = |other: &&Statement| {
+                    let port_is_same = other.name == self.statement.name && self.port(other) == port;
+                    port_is_same && source.part(&other.tokens) != part
+                };
                 if let Some(other) = others.find(same).filter(|_| port.is_some()) {
                     let second = source.part(&other.tokens);
                     let between = &source.text[source.span(&whole).end..source.span(&other.tokens).start];
@@ -243,6 +246,10 @@ impl<'a> Editor<'a> {
     /// Bits of a table one by one; a number becomes the next greater of the table, the greatest the least.
     fn entry(&mut self, i: usize) {
         let (word, inside) = (self.word(i), self.statement.tokens.start + 1..self.statement.tokens.end - 1);
+        // What stands behind the entries is never read.
+        if matches!(self.word(i - 1), "&" | "=>") {
+            return;
+        }
         if let Some(bits) = word.strip_prefix('"') {
             for (place, bit) in bits.trim_end_matches('"').char_indices() {
                 let other = if bit == '0' { '1' } else { '0' };

@@ -151,15 +151,18 @@ impl Printer<'_, '_> {
     fn declarations(&self) -> Vec<Declaration> {
         let mut all = vec![];
         for table in self.view.tables() {
-            let last = table.entries.len() - 1;
+            let last = table.entries.len() + table.unread - 1;
             let text = if table.flags {
                 let bits: String = table.entries.iter().map(ToString::to_string).collect();
-                format!("constant {} : std_logic_vector(0 to {last}) := \"{bits}\";", table.name)
+                let more =
+                    if table.unread > 0 { format!(" & \"{}\"", "0".repeat(table.unread)) } else { String::new() };
+                format!("constant {} : std_logic_vector(0 to {last}) := \"{bits}\"{more};", table.name)
             } else {
                 let entries: Vec<String> = table.entries.iter().map(ToString::to_string).collect();
                 // A long one in rows.
                 let rows: Vec<String> = entries.chunks(32).map(|row| row.join(", ")).collect();
-                format!("constant {} : numbers_t(0 to {last}) := ({});", table.name, rows.join(",\n    "))
+                let more = if table.unread > 0 { ", others => 0" } else { "" };
+                format!("constant {} : numbers_t(0 to {last}) := ({}{more});", table.name, rows.join(",\n    "))
             };
             all.push(Declaration { text, comment: String::new() });
         }

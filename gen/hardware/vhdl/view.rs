@@ -14,6 +14,8 @@ use std::collections::{HashMap, HashSet};
 pub(super) struct Table {
     pub name: String,
     pub entries: Vec<i128>,
+    /// Entries behind them for values that the index never has.
+    pub unread: usize,
     pub flags: bool,
 }
 
@@ -356,10 +358,10 @@ impl<'a> View<'a> {
             if let Comb::Lookup(lookup) = op
                 && !index.is_some_and(Type::is_flag)
             {
-                let (name, mut entries) = (self.table_name(SignalId(i)), lookup.0.clone());
-                // An entry for every value of the index, so that no tool subtracts it from the last: these are never read.
-                entries.resize(index.map_or(entries.len(), |ty| 1 << ty.bits), 0);
-                tables.push(Table { name, entries, flags: signal.ty.is_flag() });
+                let (name, entries) = (self.table_name(SignalId(i)), lookup.0.clone());
+                // An entry for every value of the index, so that no tool subtracts it from the last.
+                let unread = index.map_or(0, |ty| (1 << ty.bits) - entries.len());
+                tables.push(Table { name, entries, unread, flags: signal.ty.is_flag() });
             }
         }
         tables
