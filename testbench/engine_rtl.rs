@@ -321,7 +321,7 @@ fn a_wrong_engine_is_noticed() {
     }
     shallow.iter().for_each(|query| vectors.query(query));
     assert_eq!(vectors.text().matches("8f 0 ").count(), 2, "two queries end for reason 3");
-    let report = bench.run_vectors(vectors.text(), slow);
+    let report = bench.run_vectors(vectors.text(), if full() { slow } else { quick });
     assert!(fine(&report), "{report}");
     let unnoticed: Vec<&str> = share(11, changes)
         .iter()
