@@ -150,15 +150,14 @@ impl<'a> Reader<'a> {
         let mut roots: Vec<Bit> = self.module.outputs.iter().flat_map(|o| self.of(o.1)).collect();
         roots.extend(self.module.instances.iter().flat_map(|i| &i.inputs).flat_map(|id| self.of(*id)));
         for signal in &self.module.signals {
-            if let Driver::Memory { write, address, data, read, depth } = &signal.driver {
-                roots.extend([write, address, data, read].into_iter().flat_map(|id| self.of(*id)));
-                resources.memory_luts += fabric.memory_luts(*depth, signal.ty.bits);
-            }
-            if let Driver::Line { data, tap } = &signal.driver {
-                roots.extend([data, tap].into_iter().flat_map(|id| self.of(*id)));
-                let each = LINE_CLOCKS.div_ceil(fabric.longest_shift.max(1)) as u64;
-                resources.memory_luts += each * u64::from(signal.ty.bits);
-            }
+            resources.memory_luts += match &signal.driver {
+                Driver::Memory { depth, .. } => fabric.memory_luts(*depth, signal.ty.bits),
+                Driver::Line { .. } => {
+                    LINE_CLOCKS.div_ceil(fabric.longest_shift.max(1)) as u64 * u64::from(signal.ty.bits)
+                }
+                _ => continue,
+            };
+            roots.extend(signal.driver.operands().into_iter().flat_map(|id| self.of(id)));
         }
         let live = self.live(&mut roots);
         let products = live.products.iter().filter(|used| **used).count();
@@ -247,14 +246,11 @@ struct Live {
     products: Vec<bool>,
 }
 
-/// The signals that a driver reads, an instance's inputs excepted: its outputs are leaves.
+/// The signals that must be read before one of this driver; of memories and lines, as of instances, the outputs are leaves.
 fn operands(driver: &Driver) -> Vec<SignalId> {
     match driver {
-        Driver::Port | Driver::Instance { .. } | Driver::Memory { .. } | Driver::Line { .. } => vec![],
-        Driver::Combinational { args, .. } => args.clone(),
-        Driver::Register { args, enable, reset, .. } => {
-            args.iter().copied().chain(*enable).chain(reset.map(|r| r.0)).collect()
-        }
+        Driver::Memory { .. } | Driver::Line { .. } => vec![],
+        other => other.operands(),
     }
 }
 

@@ -9,10 +9,11 @@
 //! a line (`{name}_line`), which is read at `select_tap_at_<p>` clocks: one look-up table per bit in place of a register for
 //! each value and two or three tables.
 
-use super::module::{Driver, Instance, LINE_CLOCKS, Module, Signal, SignalId};
-use super::tapped_line::tapped_line;
+mod tapped_line;
+
+use super::module::{Driver, Instance, Module, Signal, SignalId};
 use crate::device::Device;
-use crate::graph::{NodeId, Op, Place, Rate, Step, Unit};
+use crate::graph::{Op, Place, Rate, Step, Unit};
 use crate::op::{Constant, Equal, Lookup, Or, Select, Type};
 use crate::schedule::{GROUP, Schedule, Scheduler, operand_phases};
 use std::collections::{BTreeMap, HashMap};
@@ -105,8 +106,8 @@ struct Lowered<'a> {
     /// Number in the module of each instance.
     instances: HashMap<usize, usize>,
     lines: &'a mut HashMap<(bool, u32), Rc<Module>>,
-    /// Taps of delay lines, by index of the multiplexer and what they are in each phase of the slot.
-    taps: HashMap<(usize, Vec<i128>), SignalId>,
+    /// Taps of delay lines, by index of the multiplexer, phase of its first use, and what they are in each phase of the slot.
+    taps: HashMap<(usize, i32, Vec<i32>), SignalId>,
 }
 
 impl Lowered<'_> {
@@ -351,86 +352,6 @@ impl Lowered<'_> {
         operands.into_iter().map(|o| o.unwrap_or(any)).collect()
     }
 
-    /// How many clocks before the value was there that a multiplexer takes in each phase, where a delay line with a tap can
-    /// take its place, and the node of those values.
-    fn delays(&self, i: usize) -> Option<(usize, Vec<i32>)> {
-        let (node, slot) = (&self.unit.nodes[i], self.schedule.slots[i]);
-        let Op::Mux { late } = &node.op else { return None };
-        let Op::Phase(taken) = &self.unit.node(node.args[0]).op else { return None };
-        let in_time = self.device.tapped_line().is_some_and(|ns| ns <= slot.ns + 1e-9);
-        if !in_time || node.ty.is_flag() || slot.from != slot.start || late.len() < 3 || late.contains(&true) {
-            return None;
-        }
-        let captured = |arg: &NodeId| {
-            let capture = &self.unit.nodes[self.carrier(arg.0)];
-            let Op::Capture { phase, late: false } = capture.op else { return None };
-            Some((self.carrier(capture.args[0].0), phase))
-        };
-        let captures: Vec<(usize, usize)> = node.args[1..].iter().map(captured).collect::<Option<_>>()?;
-        let stream = captures[0].0;
-        let from = self.schedule.slots[stream].from;
-        let alike = captures.iter().all(|c| c.0 == stream) && self.unit.nodes[stream].ty.bits == node.ty.bits;
-        if !alike || from == i32::MIN {
-            return None;
-        }
-        // An idle phase goes on with the value of the phase before, which is a clock older then.
-        let first = taken.iter().position(Option::is_some)?;
-        let mut delays = vec![0; taken.len()];
-        let mut delay = 0;
-        for s in (0..taken.len()).map(|s| (first + s) % taken.len()) {
-            delay = match taken[s] {
-                Some(k) => slot.start + s as i32 - from - captures[k as usize].1 as i32,
-                None => delay + 1,
-            };
-            delays[s] = delay;
-        }
-        let (least, most) = (*delays.iter().min()?, *delays.iter().max()?);
-        (least > 0 && most - least < LINE_CLOCKS as i32).then_some((stream, delays))
-    }
-
-    /// Puts a delay line with a tap in the place of a multiplexer.
-    fn tapped(&mut self, i: usize, (stream, delays): &(usize, Vec<i32>)) {
-        let unit = Rc::clone(&self.unit);
-        let (node, start) = (&unit.nodes[i], self.schedule.slots[i].start);
-        // What is delayed more than a line can goes through registers first.
-        let most = delays.iter().max().copied().unwrap_or(0);
-        let before = if most > LINE_CLOCKS as i32 { delays.iter().min().map_or(0, |least| least - 1) } else { 0 };
-        let data = self.delayed(*stream, before);
-        let tap = self.tap(node.args[0].0, start, delays, before);
-        let line = self.lines.entry((node.ty.signed, node.ty.bits)).or_insert_with(|| tapped_line(node.ty));
-        let (place, module) = (node.place.suffixed("line"), Rc::clone(line));
-        let instance = self.out.instances.len();
-        self.out.instances.push(Instance { place, module, inputs: vec![data, tap] });
-        self.of_node(i, Driver::Instance { instance, port: 0 });
-    }
-
-    /// The tap of a delay line that stands for multiplexers of an index: their delays, less `before` clocks of registers.
-    fn tap(&mut self, select: usize, start: i32, delays: &[i32], before: i32) -> SignalId {
-        let interval = self.interval();
-        let at = start.rem_euclid(interval);
-        let tap = |p: i32| i128::from(delays[(p + 1 - at).rem_euclid(interval) as usize] - before - 1);
-        let table: Vec<i128> = (0..interval).map(tap).collect();
-        let key = (select, table.clone());
-        if let Some(known) = self.taps.get(&key) {
-            return *known;
-        }
-        // Elements of a bundle that were captured in different phases have taps of their own.
-        let muxes = (0..self.unit.nodes.len()).filter(|i| self.unit.nodes[*i].args.first() == Some(&NodeId(select)));
-        let mut all: Vec<Vec<i32>> = muxes.filter_map(|i| self.delays(i)).map(|(_, delays)| delays).collect();
-        all.sort_unstable();
-        all.dedup();
-        let mut place = self.unit.nodes[select].place.suffixed(&format!("tap_at_{at}"));
-        if all.len() > 1 {
-            place.path.push(Step::Index(all.iter().position(|d| d == delays).unwrap_or(0)));
-        }
-        let ty = Type::index(LINE_CLOCKS);
-        let op = Some(Lookup(table, ty).into());
-        let args = vec![self.phase_port()];
-        let tap = self.push(place, ty, Driver::Register { op, args, enable: None, reset: None });
-        self.taps.insert(key, tap);
-        tap
-    }
-
     /// An operand of a multiplexer that starts in clock `start`, read from clock `first` to clock `last`; values that
     /// arrive after `limit` nanoseconds are captured first.
     fn mux_operand(&mut self, arg: usize, start: i32, first: i32, last: i32, limit: f64) -> SignalId {
@@ -570,11 +491,18 @@ impl Lowered<'_> {
         self.phase.expect("a unit with phases has the port")
     }
 
+    /// A register with a value of each phase of the slot, for a use whose first phase is `at`.
+    fn by_phase(&mut self, place: Place, ty: Type, at: i32, value: impl Fn(usize) -> i128) -> SignalId {
+        let interval = self.interval();
+        let table = (0..interval).map(|p| value((p + 1 - at).rem_euclid(interval) as usize)).collect();
+        let (op, args) = (Some(Lookup(table, ty).into()), vec![self.phase_port()]);
+        self.push(place, ty, Driver::Register { op, args, enable: None, reset: None })
+    }
+
     /// The values of a constant of each phase for a use that starts in `clock`.
     fn select(&mut self, i: usize, clock: i32, digits: Digits) -> SignalId {
         let unit = Rc::clone(&self.unit);
-        let interval = self.interval();
-        let at = clock.rem_euclid(interval);
+        let at = clock.rem_euclid(self.interval());
         if let Some(id) = self.selects.get(&(i, at, digits)) {
             return *id;
         }
@@ -587,23 +515,15 @@ impl Lowered<'_> {
             Digits::InGroup => ("in_group_", Type::index(GROUP)),
             Digits::Group => ("group_", Type::index((most / group) as usize + 1)),
         };
-        let value = |phase: i32| {
-            let value = values[phase.rem_euclid(interval) as usize].unwrap_or(0);
+        let value = |phase: usize| {
+            let value = values[phase].unwrap_or(0);
             match digits {
                 Digits::All => value,
                 Digits::InGroup => value % group,
                 Digits::Group => value / group,
             }
         };
-        let table = (0..interval).map(|p| value(p + 1 - at)).collect();
-        let driver = Driver::Register {
-            op: Some(Lookup(table, ty).into()),
-            args: vec![self.phase_port()],
-            enable: None,
-            reset: None,
-        };
-        let place = node.place.suffixed(&format!("{part}at_{at}"));
-        let id = self.push(place, ty, driver);
+        let id = self.by_phase(node.place.suffixed(&format!("{part}at_{at}")), ty, at, value);
         self.out.signals[id.0].comment.clone_from(&node.comment);
         self.selects.insert((i, at, digits), id);
         id

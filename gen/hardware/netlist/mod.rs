@@ -4,7 +4,6 @@ mod control;
 pub mod lower;
 mod module;
 pub mod simulate;
-mod tapped_line;
 
 pub use control::{Control, Wire};
 pub use module::{DelayLine, Driver, Instance, LEAST_DELAY_LINE, LINE_CLOCKS, Module, Signal, SignalId};
