@@ -2,7 +2,7 @@
 
 use super::{CosimError, Options, Run, Simulator, wave};
 use crate::process;
-use efsat_unit::artefact::{self, Prefix, Stimulus, testbench};
+use efsat_unit::artefact::{self, Prefix, Scratch, Stimulus, testbench};
 use efsat_unit::design::Design;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -20,6 +20,22 @@ fn found(command: &str) -> bool {
 
 pub(super) fn file_error(path: &Path) -> impl Fn(std::io::Error) -> CosimError + '_ {
     move |source| CosimError::File { path: path.display().to_string(), source }
+}
+
+/// The folder of a run, a temporary one if none is to be kept; that is deleted with what is returned beside it.
+pub(super) fn folder(keep: Option<&Path>) -> Result<(PathBuf, Option<Scratch>), CosimError> {
+    if let Some(dir) = keep {
+        std::fs::create_dir_all(dir).map_err(file_error(dir))?;
+        return Ok((dir.to_owned(), None));
+    }
+    let scratch = Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
+    Ok((scratch.path().to_owned(), Some(scratch)))
+}
+
+/// Writes a file into a folder.
+pub(super) fn write_file(dir: &Path, name: &str, text: &str) -> Result<(), CosimError> {
+    let path = dir.join(name);
+    std::fs::write(&path, text).map_err(file_error(&path))
 }
 
 /// Writes what is to be kept of a run that needs no files.
@@ -79,10 +95,7 @@ fn write(design: &Design, command_line: &str, stimulus: &Stimulus, dir: &Path) -
     let vectors = artefact::vectors::text(&design.params, stimulus);
     let names = sources.iter().map(|(name, _)| name.clone()).collect();
     sources.push((format!("{}.vec", testbench::NAME), vectors));
-    for (name, text) in sources {
-        let path = dir.join(name);
-        std::fs::write(&path, text).map_err(file_error(&path))?;
-    }
+    sources.iter().try_for_each(|(name, text)| write_file(dir, name, text))?;
     Ok(names)
 }
 
@@ -108,17 +121,7 @@ pub(super) fn run(
     // Those for a guard come on top: to compile longer for them does not pay.
     let asked = stimulus.pairs() - Stimulus::outside(&design.params).pairs();
     let command = command(options.simulator, asked <= FEW)?;
-    let temporary;
-    let dir: PathBuf = match &options.keep {
-        Some(dir) => {
-            std::fs::create_dir_all(dir).map_err(file_error(dir))?;
-            dir.clone()
-        }
-        None => {
-            temporary = artefact::Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
-            temporary.path().to_owned()
-        }
-    };
+    let (dir, _scratch) = folder(options.keep.as_deref())?;
     let wave = options.wave.as_ref().map(|w| absolute(w)).transpose()?;
     let names = write(design, command_line, stimulus, &dir)?;
     let dir = dir.canonicalize().map_err(file_error(&dir))?;
@@ -167,8 +170,8 @@ pub(super) fn version(command: &str) -> String {
     format!("{command} ({})", words.join(" "))
 }
 
-/// The calls that bring the sources from text to a design ready to run, in strict VHDL-93.
-pub(super) fn build(command: &str, names: &[String]) -> Vec<Vec<String>> {
+/// The calls that bring the sources from text to a testbench `top` that is ready to run, in strict VHDL-93.
+pub(super) fn build(command: &str, names: &[String], top: &str) -> Vec<Vec<String>> {
     let optimised = command == "ghdl-llvm" || command == "ghdl-gcc";
     let analyse = match command {
         "nvc" => "--std=1993 -a",
@@ -179,13 +182,13 @@ pub(super) fn build(command: &str, names: &[String]) -> Vec<Vec<String>> {
     let mut analyse = words(analyse);
     analyse.extend(names.iter().cloned());
     let mut elaborate = words(elaborate);
-    elaborate.push(testbench::NAME.to_owned());
+    elaborate.push(top.to_owned());
     vec![analyse, elaborate]
 }
 
-/// The call that runs a design, with some options more; metavalue warnings are let through from the first clock on.
-pub(super) fn simulate(command: &str, options: impl IntoIterator<Item = String>) -> Vec<String> {
-    let name = testbench::NAME.to_owned();
+/// The call that runs a testbench, with some options more; metavalue warnings are let through from the first clock on.
+pub(super) fn simulate(command: &str, top: &str, options: impl IntoIterator<Item = String>) -> Vec<String> {
+    let name = top.to_owned();
     let mut args;
     if command == "nvc" {
         args = words("--std=1993 -r --ieee-warnings=off-at-0");
@@ -210,7 +213,7 @@ fn execute(command: &str, dir: &Path, names: &[String], wave: Option<&Path>) -> 
     if command == "nvc" && wave.is_some() && !vcd {
         return Err(CosimError::Option("--wave: nvc writes .vcd, not .ghw".to_owned()));
     }
-    for args in build(command, names) {
+    for args in build(command, names, testbench::NAME) {
         call(dir, command, &args, true)?;
     }
     let mut options = vec![];
@@ -222,7 +225,7 @@ fn execute(command: &str, dir: &Path, names: &[String], wave: Option<&Path>) -> 
         options.push(format!("{option}={}", wave.display()));
     }
     let start = Instant::now();
-    let text = call(dir, command, &simulate(command, options), false)?;
+    let text = call(dir, command, &simulate(command, testbench::NAME, options), false)?;
     Ok((text, start.elapsed()))
 }
 

@@ -87,10 +87,7 @@ impl Bench {
     fn simulate(&self, changed: Option<(&str, &str)>) -> Result<(Trial, u64), CosimError> {
         let scratch = Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
         let dir = scratch.path();
-        let write = |name: &str, text: &str| {
-            let path = dir.join(name);
-            std::fs::write(&path, text).map_err(file_error(&path))
-        };
+        let write = |name: &str, text: &str| external::write_file(dir, name, text);
         for (name, text) in &self.sources {
             let changed = changed.filter(|(file, _)| file == name);
             write(name, changed.map_or(text.as_str(), |(_, text)| text))?;
@@ -106,7 +103,7 @@ impl Bench {
     /// Analyses and elaborates; the first error if there is one.
     fn analyse(&self, dir: &Path) -> Result<Option<String>, CosimError> {
         let names: Vec<String> = self.sources.iter().map(|(name, _)| name.clone()).collect();
-        for args in external::build(self.command, &names) {
+        for args in external::build(self.command, &names, testbench::NAME) {
             let output = process::output(Command::new(self.command).args(&args).current_dir(dir));
             let output = output.map_err(|e| self.failed(&e.to_string()))?;
             if !output.status.success() {
@@ -125,7 +122,7 @@ impl Bench {
         let errors = std::fs::File::create(&log).map_err(file_error(&log))?;
         let mut command = Command::new(self.command);
         command
-            .args(external::simulate(self.command, self.total.map(|total| self.stop_time(total))))
+            .args(external::simulate(self.command, testbench::NAME, self.total.map(|total| self.stop_time(total))))
             .current_dir(dir)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())

@@ -11,7 +11,7 @@ use crate::synth::{ToolError, verilog, yosys};
 use askama::Template;
 use efsat_unit::artefact::testbench::{self, RESET_CLOCKS};
 use efsat_unit::artefact::vectors::{Word, formats_line};
-use efsat_unit::artefact::{self, Prefix, Scratch, Stimulus};
+use efsat_unit::artefact::{self, Prefix, Stimulus};
 use efsat_unit::design::Design;
 use efsat_unit::params::options::Choice;
 use std::path::{Path, PathBuf};
@@ -107,21 +107,9 @@ pub(super) fn run(
     options: &Options,
 ) -> Result<Run, CosimError> {
     let verilator = find()?;
-    let temporary;
-    let dir: &Path = match &options.keep {
-        Some(dir) => {
-            std::fs::create_dir_all(dir).map_err(file_error(dir))?;
-            dir
-        }
-        None => {
-            temporary = Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
-            temporary.path()
-        }
-    };
-    let write = |name: &str, text: &str| {
-        let path = dir.join(name);
-        std::fs::write(&path, text).map_err(file_error(&path))
-    };
+    let (dir, _scratch) = external::folder(options.keep.as_deref())?;
+    let dir = dir.as_path();
+    let write = |name: &str, text: &str| external::write_file(dir, name, text);
     let text = verilog::from_vhdl(&artefact::vhdl_files(design, &Prefix::default(), command_line)?, TOP, dir)?;
     match netlist {
         Netlist::Rtl => write(NETLIST, &text)?,

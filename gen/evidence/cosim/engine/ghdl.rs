@@ -1,8 +1,8 @@
 //! The printed engine under its printed testbench in GHDL.
 
 use super::super::CosimError;
-use super::super::external::{call, file_error};
-use super::{Channel, Packet};
+use super::super::external::{self, call, file_error};
+use super::{Channel, Packet, failed};
 use efsat_unit::artefact::engine::vectors::formats_line;
 use efsat_unit::artefact::engine::{EngineDesign, TESTBENCH, bench, engine_files};
 use efsat_unit::artefact::{Prefix, Scratch};
@@ -15,26 +15,14 @@ const PATIENCE: u32 = 1_000_000_000;
 /// Seeds of the testbench.
 const SEEDS: u32 = 0xffff;
 
-fn failed(message: &str) -> CosimError {
-    CosimError::Failed { tool: TESTBENCH.to_owned(), message: message.to_owned() }
-}
-
 /// Writes sources and testbench, and makes them ready to run.
 pub(super) fn build(design: &EngineDesign, command: &str, dir: &Path) -> Result<(), CosimError> {
     let prefix = Prefix::default();
     let mut files = engine_files(design, &prefix, &design.command_line())?;
     files.push((format!("{TESTBENCH}.vhd"), bench(design, &prefix)));
-    for (name, text) in &files {
-        let path = dir.join(name);
-        std::fs::write(&path, text).map_err(file_error(&path))?;
-    }
-    let words = |text: &str| text.split(' ').map(str::to_owned).collect::<Vec<_>>();
-    let names = files.into_iter().map(|(name, _)| name);
-    let optimise = if command == "ghdl-mcode" { "" } else { " -O2" };
-    let analyse = words(&format!("-a --std=93{optimise}")).into_iter().chain(names).collect::<Vec<_>>();
-    call(dir, command, &analyse, true)?;
-    call(dir, command, &words(&format!("-e --std=93 {TESTBENCH}")), true)?;
-    Ok(())
+    files.iter().try_for_each(|(name, text)| external::write_file(dir, name, text))?;
+    let names: Vec<String> = files.into_iter().map(|(name, _)| name).collect();
+    external::build(command, &names, TESTBENCH).iter().try_for_each(|args| call(dir, command, args, true).map(drop))
 }
 
 /// Sends packets one behind the other; the answers, in order.
@@ -74,8 +62,7 @@ pub(super) fn exchange(
         options.push(format!("latency_least={}", channel.latency.start()));
         options.push(format!("latency_most={}", channel.latency.end()));
     }
-    let fixed = ["-r", "--std=93", TESTBENCH, "--ieee-asserts=disable-at-0"].map(str::to_owned);
-    let args: Vec<String> = fixed.into_iter().chain(options.iter().map(|option| format!("-g{option}"))).collect();
+    let args = external::simulate(command, TESTBENCH, options.iter().map(|option| format!("-g{option}")));
     let said = call(dir, command, &args, false)?;
     if !said.contains(" mismatches 0 ") {
         let complaint = said.lines().find(|line| line.contains(TESTBENCH)).or(said.lines().last());

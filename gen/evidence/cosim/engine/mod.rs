@@ -118,14 +118,14 @@ enum Runner {
     Ghdl(&'static str),
 }
 
-/// The folder of an engine: a temporary one, if none is to be kept.
+/// The folder of an engine as tools need it that run in it.
 fn folder(keep: Option<&Path>) -> Result<(PathBuf, Option<Scratch>), CosimError> {
-    let scratch = match keep {
-        Some(dir) => std::fs::create_dir_all(dir).map(|()| None).map_err(file_error(dir))?,
-        None => Some(Scratch::new().map_err(file_error(&std::env::temp_dir()))?),
-    };
-    let dir = keep.or(scratch.as_ref().map(Scratch::path)).unwrap_or(Path::new("."));
-    Ok((dir.canonicalize().map_err(file_error(dir))?, scratch))
+    let (dir, scratch) = external::folder(keep)?;
+    Ok((dir.canonicalize().map_err(file_error(&dir))?, scratch))
+}
+
+fn failed(message: impl Into<String>) -> CosimError {
+    CosimError::Failed { tool: TESTBENCH.to_owned(), message: message.into() }
 }
 
 /// An engine that is compiled and can run.
@@ -156,10 +156,7 @@ impl Machine {
     pub fn of(design: EngineDesign, files: &[(String, String)], keep: Option<&Path>) -> Result<Self, CosimError> {
         let verilator = verilator::find()?;
         let (dir, scratch) = folder(keep)?;
-        let write = |name: &str, text: &str| {
-            let path = dir.join(name);
-            std::fs::write(&path, text).map_err(file_error(&path))
-        };
+        let write = |name: &str, text: &str| external::write_file(&dir, name, text);
         write(NETLIST, &verilog::from_vhdl(files, NAME, &dir)?)?;
         let bench = format!("{TESTBENCH}.cpp");
         write(&bench, &Bench::of(&design).render().expect("the template renders"))?;
@@ -214,7 +211,6 @@ impl Machine {
             arguments.extend([channel.latency.start(), channel.latency.end()].map(ToString::to_string));
         }
         arguments.extend([u8::from(channel.gaps).to_string(), channel.seed.to_string()]);
-        let failed = |message: &str| CosimError::Failed { tool: TESTBENCH.to_owned(), message: message.to_owned() };
         let said = call(&self.dir, &program.to_string_lossy(), &arguments, false)?;
         if !said.trim_end().ends_with(" clocks") {
             return Err(failed(said.trim().trim_start_matches("error: ")));
@@ -230,7 +226,6 @@ impl Machine {
 
     /// Answers, if there is one for every packet but stops.
     fn counted(&self, answers: Vec<Packet>, packets: &[Vec<u64>]) -> Result<Vec<Packet>, CosimError> {
-        let failed = |message: String| CosimError::Failed { tool: TESTBENCH.to_owned(), message };
         let stops = packets.iter().filter(|packet| **packet == [self.design.format.header(Command::Stop)]).count();
         match answers.len() + stops == packets.len() {
             true => Ok(answers),
