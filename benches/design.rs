@@ -17,7 +17,7 @@ fn generate(c: &mut Criterion) {
     });
 }
 
-/// Vectors a second of the built-in simulator, second pass and comparison included.
+/// Vectors per second of the built-in simulator, second pass and comparison included.
 fn simulate(c: &mut Criterion) {
     let params = Params::default();
     let design = Design::new(&params, false).expect("the default is valid");

@@ -1,5 +1,6 @@
 //! The checks of the engine's driver in Verilator: each is broken by a mistake in the VHDL, and has to complain.
 
+use crate::tools::replaced;
 use efsat::artefact::Prefix;
 use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::artefact::engine::{EngineDesign, engine_files};
@@ -74,11 +75,6 @@ fn machine(change: impl Fn(String) -> String) -> Option<Machine> {
         }
         Err(error) => panic!("{error}"),
     }
-}
-
-fn replaced(text: &str, from: &str, to: &str) -> String {
-    assert_eq!(text.matches(from).count(), 1, "{from}");
-    text.replace(from, to)
 }
 
 /// The top with its outputs behind what breaks them.
