@@ -64,6 +64,11 @@ fn read(path: &Path) -> Result<Image, Failure> {
     Image::read(&bytes).map_err(|e| wrong(path, &e))
 }
 
+/// Words of 64 bits as they are printed.
+fn hexadecimal(words: &[u64]) -> Vec<String> {
+    words.iter().map(|word| format!("{word:016x}")).collect()
+}
+
 /// What is wrong inside an image.
 fn wrong(path: &Path, e: &ImageError) -> Failure {
     Failure::Check(format!("{}: {e}", path.display()))

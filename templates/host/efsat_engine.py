@@ -20,15 +20,9 @@ from typing import NamedTuple
 {% endfor %}
 # Of a report, in the order of their codes.
 REASONS = (
-    "complete",
-    "stopped at a certain contact",
-    "limit of expansions",
-    "bad tree",
-    "memory error",
-    "stopped by the host",
-    "unknown header",
-    "packet too short",
-    "packet too long",
+{%- for reason in reasons %}
+    "{{ reason }}",
+{%- endfor %}
 )
 
 

@@ -12,7 +12,7 @@ use crate::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
 use crate::design::top::DesignError;
 use crate::golden::engine::Query;
 use crate::host::engine::{Image, Layout, Meetings, Numbers, memory};
-use crate::params::engine::Memory;
+use crate::params::engine::{Memory, QueryFlags};
 use crate::params::options::Choice;
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -84,9 +84,6 @@ fn latency(text: &str) -> Result<Latency, String> {
 /// Queries where no limit is given, in GHDL.
 const GHDL_LIMIT: u64 = 8;
 
-/// Numbers of queries that a report tells apart.
-const NUMBERS: u32 = 1 << 24;
-
 /// The queries of a distance.
 #[derive(Serialize)]
 struct Distance {
@@ -142,7 +139,7 @@ fn queries(meetings: &Meetings, scene: &Scene, arguments: &Arguments) -> Asked {
             asked.refused += 1;
             continue;
         };
-        let number = asked.queries.len() as u32 % NUMBERS;
+        let number = asked.queries.len() as u32 % QueryFlags::NUMBERS;
         let first_contact = arguments.engine.first_contact;
         asked.queries.push(Query { number, first_contact, ..query.clone() });
         asked.distances.push(*distance);

@@ -1,13 +1,13 @@
 //! `efsat tree answer`.
 
-use super::read;
+use super::{hexadecimal, read};
 use crate::cli::error::Failure;
 use crate::cli::output::print_json;
 use crate::cli::params::{EngineArguments, ParamArguments, whole};
 use crate::design::top::DesignError;
 use crate::golden::engine::{Model, Query};
 use crate::host::engine::{Image, Layout, Numbers, memory};
-use crate::params::engine::Answer;
+use crate::params::engine::{Answer, QueryFlags};
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -38,7 +38,7 @@ pub(super) struct Arguments {
     #[arg(long)]
     first_contact: bool,
     /// A number that the report returns
-    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole(0..=(1 << 24) - 1), allow_negative_numbers = true)]
+    #[arg(long, value_name = "N", default_value_t = 0, value_parser = whole(0..=QueryFlags::NUMBERS - 1), allow_negative_numbers = true)]
     number: u32,
     #[command(flatten)]
     params: ParamArguments,
@@ -67,10 +67,6 @@ struct Expected {
     leaf_pairs: u32,
     intersect: u32,
     possibly_incorrect: u32,
-}
-
-fn hexadecimal(words: &[u64]) -> Vec<String> {
-    words.iter().map(|word| format!("{word:016x}")).collect()
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {

@@ -1,5 +1,6 @@
 //! `efsat tree query`.
 
+use super::hexadecimal;
 use crate::cli::error::Failure;
 use crate::cli::file::{self, Output};
 use crate::cli::output::{counted, print};
@@ -8,11 +9,8 @@ use crate::cli::source::load_scene;
 use crate::design::top::DesignError;
 use crate::golden::engine::Query;
 use crate::host::engine::{Image, Layout, Meetings, Numbers, memory};
-use crate::params::engine::Memory;
+use crate::params::engine::{Memory, QueryFlags};
 use std::path::PathBuf;
-
-/// Numbers of queries that a report tells apart.
-const NUMBERS: u32 = 1 << 24;
 
 /// Writes the packets of a scene's queries, for a host without Rust: one query for each two objects whose boxes overlap in a frame
 ///
@@ -64,7 +62,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let images: Vec<&Image> = meetings.images.iter().collect();
     let layout = Layout::new(&design.params, &design.format, &images).map_err(DesignError::from)?;
     let (_, sides) = memory(&images);
-    let text = |words: &[u64]| words.iter().map(|word| format!("{word:016x}")).collect::<Vec<_>>().join(" ");
+    let text = |words: &[u64]| hexadecimal(words).join(" ");
     out.write("frame,a,b,number,words\n")?;
     for load in &layout.loads {
         out.write(format!("load,,,,{}\n", text(load)))?;
@@ -72,7 +70,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (mut queries, mut refused) = (0u32, 0u32);
     let broad_phase = scene.broad_phase();
     for meeting in frames.flat_map(|frame| broad_phase.meetings(frame)) {
-        let number = queries % NUMBERS;
+        let number = queries % QueryFlags::NUMBERS;
         let words = meetings.query(&meeting, &sides).map(|query| {
             let query = Query { number, first_contact: arguments.first_contact, ..query };
             text(&layout.moved(&query, &sides).words(&design.format))

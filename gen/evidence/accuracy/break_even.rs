@@ -31,7 +31,7 @@ pub struct Step {
     pub to: u32,
     /// By how much the hardware's time a pair grows, ns.
     pub hardware_ns: f64,
-    /// By how much the time for retest and transfer falls, ns a pair.
+    /// By how much the time for retest and transfer falls, ns per pair.
     pub retest_ns: f64,
     /// Multipliers that are added.
     pub multipliers: i64,
@@ -56,7 +56,7 @@ pub struct BreakEven {
     pub best_width: u32,
     /// Whether that of every greater width is, too.
     pub lasting: bool,
-    /// Its effective time, ns a pair.
+    /// Its effective time, ns per pair.
     pub best_ns: f64,
     /// What a bit leaves of the possibly incorrect pairs between the widths `falling` (geometric mean).
     pub ratio: f64,

@@ -55,7 +55,7 @@ impl Hardware {
         Ok(Self { cells, fits, clock: report.scheduled.0, interval, latency })
     }
 
-    /// Nanoseconds a pair at full speed.
+    /// Nanoseconds per pair at full speed.
     pub fn ns(&self) -> f64 {
         1000.0 * self.interval as f64 / self.clock
     }

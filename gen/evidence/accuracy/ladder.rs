@@ -44,7 +44,7 @@ impl Rung {
 /// The ladder on one scene.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Ladder {
-    /// Nanoseconds a pair of the yardstick, when the ladder was timed.
+    /// Nanoseconds per pair of the yardstick, when the ladder was timed.
     pub yardstick_ns: f64,
     /// Pairs whose exact answer changes when B's transformed vertices are rounded to binary64.
     pub changed_by_rounding: u64,

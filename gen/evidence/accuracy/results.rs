@@ -16,7 +16,7 @@ pub struct Step {
     /// The rung.
     #[serde(flatten)]
     pub rung: Rung,
-    /// Nanoseconds a pair on one core.
+    /// Nanoseconds per pair on one core.
     pub ns: f64,
     /// Pairs without a right answer.
     pub open: Share,

@@ -44,7 +44,7 @@ impl Yardstick {
         Self { pairs: places.iter().map(|&place| pairs.points(place as usize)).collect() }
     }
 
-    /// Nanoseconds a pair.
+    /// Nanoseconds per pair.
     pub fn ns(&self) -> f64 {
         batch_ns(&self.pairs)
     }
@@ -58,7 +58,7 @@ impl Yardstick {
     }
 }
 
-/// Nanoseconds a pair of what `pass` does with pairs: of every block of pairs the least time of several passes.
+/// Nanoseconds per pair of what `pass` does with pairs: of every block of pairs the least time of several passes.
 pub(super) fn least_ns(pairs: &[Points], mut pass: impl FnMut(&[Points])) -> f64 {
     let repeats = BLOCK.div_ceil(pairs.len().max(1));
     let mut least = vec![Duration::MAX; pairs.len().div_ceil(BLOCK)];
@@ -76,7 +76,7 @@ pub(super) fn least_ns(pairs: &[Points], mut pass: impl FnMut(&[Points])) -> f64
     sum.as_nanos() as f64 / (repeats * pairs.len().max(1)) as f64
 }
 
-/// Nanoseconds a pair of the exact retest in batches, by one thread.
+/// Nanoseconds per pair of the exact retest in batches, by one thread.
 pub(super) fn batch_ns(pairs: &[Points]) -> f64 {
     let mut answers = Vec::with_capacity(BLOCK);
     least_ns(pairs, |block| {

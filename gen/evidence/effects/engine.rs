@@ -7,7 +7,7 @@ use crate::cosim::CosimError;
 use crate::cosim::engine::{Channel, Machine};
 use efsat_geometry::scene::{Frame, Meeting};
 use efsat_unit::host::driver::engine::{Contacts, Engine, Job, Objects, Options, StandIn};
-use efsat_unit::params::engine::EngineReport;
+use efsat_unit::params::engine::{EngineReport, QueryFlags};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -129,7 +129,7 @@ pub fn run<E: Engine, F: From<E::Error>>(
     for batch in frames.chunks(BATCH) {
         let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.survivors.meetings(frame)).collect();
         let job = |(i, meeting): (usize, &Meeting)| -> Job<'_, '_> {
-            let options = Options { number: (number + i as u32) % (1 << 24), ..Options::default() };
+            let options = Options { number: (number + i as u32) % QueryFlags::NUMBERS, ..Options::default() };
             objects.query([mesh_of[meeting.a], mesh_of[meeting.b]], &meeting.pose, options)
         };
         let jobs: Vec<Job<'_, '_>> = meetings.par_iter().enumerate().map(job).collect();

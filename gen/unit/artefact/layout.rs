@@ -20,6 +20,18 @@ pub(super) struct Constant {
     pub what: &'static str,
 }
 
+impl Constant {
+    /// A number.
+    pub(super) fn number(name: &'static str, value: u32, what: &'static str) -> Self {
+        Self { name, value: Value::Number(value), what }
+    }
+
+    /// A word.
+    pub(super) fn word(name: &'static str, value: u32, what: &'static str) -> Self {
+        Self { name, value: Value::Word(value), what }
+    }
+}
+
 /// What a constant is.
 #[derive(Clone, Copy)]
 pub(super) enum Value {
@@ -40,9 +52,8 @@ pub(super) struct Group {
 /// All constants of a design with a stream of that format. What the design does not have is not among them.
 pub(super) fn groups(design: &Design, format: &StreamFormat) -> Vec<Group> {
     let p = &design.params;
-    let constant = |name, value, what| Some(Constant { name, value, what });
-    let number = |name, value: u32, what| constant(name, Value::Number(value), what);
-    let word = |name, value, what| constant(name, Value::Word(value), what);
+    let number = |name, value, what| Some(Constant::number(name, value, what));
+    let word = |name, value, what| Some(Constant::word(name, value, what));
     let bit = |mask: u8| mask.trailing_zeros();
     let flags_are = match p.method {
         Method::Axes => "flags of each kind, one for each axis",

@@ -1,7 +1,7 @@
 //! The host side of an engine: its constants in VHDL, C and Python, and the packing and unpacking of its words.
 
 use super::{EngineDesign, NAME};
-use crate::artefact::layout::{Constant, Group, Value, constants_package};
+use crate::artefact::layout::{Constant, Group, constants_package};
 use crate::artefact::{Prefix, origin};
 use crate::golden::Verdict;
 use crate::host::engine::TRIANGLES_AT;
@@ -27,6 +27,7 @@ struct Module<'a> {
     header: Vec<String>,
     prefix: &'a Prefix,
     groups: Vec<Group>,
+    reasons: Vec<&'static str>,
     is_sticky: bool,
     block_ram: bool,
 }
@@ -42,7 +43,8 @@ pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String)
     let (is_sticky, block_ram) = (design.format.sticky, design.params.memory == Memory::BlockRam);
     let (header, upper) = (origin(), prefix.of(NAME).to_uppercase());
     let c = Header { header: header.clone(), prefix, upper, groups: groups(design), is_sticky, block_ram };
-    let python = Module { header, prefix, groups: groups(design), is_sticky, block_ram };
+    let reasons = Reason::ALL.map(|code| reason(code).1).into();
+    let python = Module { header, prefix, groups: groups(design), reasons, is_sticky, block_ram };
     let render = |text: Result<String, askama::Error>| text.expect("the template renders");
     [
         (format!("host/{}.h", prefix.of(NAME)), render(c.render())),
@@ -53,8 +55,7 @@ pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String)
 /// All constants. What the engine does not have is not among them.
 fn groups(design: &EngineDesign) -> Vec<Group> {
     let (params, format) = (&design.params, &design.format);
-    let number = |name, value: u32, what| Constant { name, value: Value::Number(value), what };
-    let word = |name, value, what| Constant { name, value: Value::Word(value), what };
+    let (number, word) = (Constant::number, Constant::word);
     let header = |command| format.header(command) as u32;
     let block_ram = params.memory == Memory::BlockRam;
     let mut packets = vec![
@@ -119,13 +120,13 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
                 number("report_number_low", EngineReport::NUMBER_AT, "number of the query, 24 bits"),
             ],
         },
-        Group { what: "Reasons of a report.", constants: Reason::ALL.map(reason).into() },
+        Group { what: "Reasons of a report.", constants: Reason::ALL.map(|code| reason(code).0).into() },
     ]
 }
 
 fn of_engine(design: &EngineDesign) -> Vec<Constant> {
     let (params, format) = (&design.params, &design.format);
-    let number = |name, value: u32, what| Constant { name, value: Value::Number(value), what };
+    let number = Constant::number;
     vec![
         number("directions", format.k(), "directions of a volume, and rows of a query"),
         number("offset_bits", format.offset_bits, "bits of a code"),
@@ -142,17 +143,20 @@ fn of_engine(design: &EngineDesign) -> Vec<Constant> {
     ]
 }
 
-fn reason(reason: Reason) -> Constant {
-    let (name, what) = match reason {
-        Reason::Complete => ("reason_complete", "everything was traversed"),
-        Reason::Contact => ("reason_contact", "stopped at a certain contact"),
-        Reason::Limit => ("reason_limit", "limit of expansions; from here on the answer is incomplete"),
-        Reason::BadTree => ("reason_bad_tree", "a block that no tree has"),
-        Reason::Memory => ("reason_memory", "error of the memory"),
-        Reason::Stopped => ("reason_stopped", "stopped by the host"),
-        Reason::UnknownHeader => ("reason_unknown_header", "no query for this engine"),
-        Reason::TooShort => ("reason_too_short", "the packet was too short"),
-        Reason::TooLong => ("reason_too_long", "the packet was too long"),
+/// The constant of a reason, and what sentences call it.
+fn reason(reason: Reason) -> (Constant, &'static str) {
+    let (name, what, called) = match reason {
+        Reason::Complete => ("reason_complete", "everything was traversed", "complete"),
+        Reason::Contact => ("reason_contact", "stopped at a certain contact", "stopped at a certain contact"),
+        Reason::Limit => {
+            ("reason_limit", "limit of expansions; from here on the answer is incomplete", "limit of expansions")
+        }
+        Reason::BadTree => ("reason_bad_tree", "a block that no tree has", "bad tree"),
+        Reason::Memory => ("reason_memory", "error of the memory", "memory error"),
+        Reason::Stopped => ("reason_stopped", "stopped by the host", "stopped by the host"),
+        Reason::UnknownHeader => ("reason_unknown_header", "no query for this engine", "unknown header"),
+        Reason::TooShort => ("reason_too_short", "the packet was too short", "packet too short"),
+        Reason::TooLong => ("reason_too_long", "the packet was too long", "packet too long"),
     };
-    Constant { name, value: Value::Number(reason as u32), what }
+    (Constant::number(name, reason as u32, what), called)
 }

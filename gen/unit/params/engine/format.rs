@@ -100,6 +100,8 @@ impl QueryFlags {
     pub const NUMBER_AT: u32 = 40;
     /// Its bits.
     pub const NUMBER_BITS: u32 = 24;
+    /// How many numbers that are.
+    pub const NUMBERS: u32 = 1 << Self::NUMBER_BITS;
 }
 
 /// The formats of an engine and the unit behind it.

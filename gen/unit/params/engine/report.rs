@@ -1,5 +1,6 @@
 //! The words that an engine answers: pairs of triangles, and the report at the end.
 
+use super::QueryFlags;
 use crate::params::stream::REPORT;
 
 /// Why a query has ended.
@@ -114,9 +115,6 @@ pub struct EngineReport {
     pub stack: u16,
 }
 
-/// Bits of the query's number.
-const QUERY_NUMBER: u64 = (1 << 24) - 1;
-
 impl EngineReport {
     /// Words of a report.
     pub const WORDS: usize = 8;
@@ -133,7 +131,7 @@ impl EngineReport {
         let incomplete = u64::from(self.reason.is_incomplete()) << Self::INCOMPLETE_AT;
         let head = u64::from(REPORT) | (self.reason as u64) << Self::REASON_AT | incomplete;
         [
-            head | (u64::from(self.number) & QUERY_NUMBER) << Self::NUMBER_AT | u64::from(self.clocks) << 32,
+            head | u64::from(self.number % QueryFlags::NUMBERS) << Self::NUMBER_AT | u64::from(self.clocks) << 32,
             both(self.expansions, self.tests),
             both(self.survivors, self.leaf_pairs),
             both(self.intersect, self.possibly_incorrect),

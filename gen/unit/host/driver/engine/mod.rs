@@ -4,8 +4,9 @@
 //! needs to answer without it. [`Objects::query`] makes a [`Job`] from two of them and a pose: the words of a packet.
 //! [`Job::finish`] takes the words that came back and gives [`Contacts`]. The answer is exact whatever the engine says of
 //! itself: pairs that it calls possibly incorrect are retested, and a query that it refuses or reports as *incomplete* is
-//! answered in software. [`UnitPackets`] has the packets of pairs and poses, which the engine takes between queries. How words get to the engine and back is the user's; [`Engine`] is a short way to say it, and
-//! [`StandIn`] answers as the reference model does.
+//! answered in software. [`UnitPackets`] has the packets of pairs and poses, which the engine takes between queries. How words
+//! get to the engine and back is the user's; [`Engine`] is a short way to say it, and [`StandIn`] answers as the reference
+//! model does.
 //!
 //! ```
 //! use efsat_geometry::mesh::headlight;
