@@ -430,9 +430,19 @@ fn generate_says_what_it_wrote_and_what_does_not_fit() {
 
 #[test]
 fn the_ready_designs_are_current() {
-    let output = efsat(Path::new(env!("CARGO_MANIFEST_DIR")), "generate --ready --check");
+    let repository = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let output = efsat(repository, "generate --ready --check");
     let errors = String::from_utf8_lossy(&output.stderr);
     assert!(output.status.success(), "run `efsat generate --ready` in the repository: {errors}");
+    // What the demo prints of them is on the page of the first hour.
+    let page = fs::read_to_string(repository.join("docs/start.md")).unwrap();
+    let told = String::from_utf8(output.stdout).unwrap();
+    let files = told.split(',').next().unwrap();
+    let manifest: Value =
+        serde_json::from_slice(&fs::read(repository.join("rtl-out/axes/manifest.json")).unwrap()).unwrap();
+    for part in [format!("{files}, "), format!(", verdict after {} clocks; ", manifest["latency"])] {
+        assert!(page.contains(&part), "docs/start.md: expected '{part}'");
+    }
 }
 
 #[test]

@@ -129,12 +129,8 @@ fn params(options: &accuracy::Options) -> Result<Params, String> {
     let command = ParamArguments::augment_args(clap::Command::new("efsat").no_binary_name(true));
     let words = options.iter().map(|(name, value)| format!("--{name}={value}"));
     let matches = command.try_get_matches_from(words).and_then(|matches| ParamArguments::from_arg_matches(&matches));
-    let message = |failure: Failure| match failure {
-        Failure::Usage(message) | Failure::Check(message) => message,
-        Failure::Closed => String::new(),
-    };
-    let arguments = matches.map_err(|e| message(super::error::from_clap(&e, &[])))?;
-    arguments.params().map_err(message)
+    let arguments = matches.map_err(|e| super::error::from_clap(&e, &[]).message())?;
+    arguments.params().map_err(Failure::message)
 }
 
 impl Arguments {
@@ -221,7 +217,7 @@ fn command(request: &Request, transfer: f64) -> String {
     let mut text = "efsat accuracy".to_owned();
     let quoted = |text: &str| {
         let plain = |c: char| c.is_ascii_alphanumeric() || "-_./,=".contains(c);
-        if text.chars().all(plain) { text.to_owned() } else { format!("'{text}'") }
+        if text.chars().all(plain) { text.to_owned() } else { format!("'{}'", text.replace('\'', r"'\''")) }
     };
     let mut add = |name: &str, value: &str, default: &str| {
         if value != default {

@@ -21,6 +21,16 @@ pub(super) enum Failure {
     Closed,
 }
 
+impl Failure {
+    /// What is said; nothing if nobody listens.
+    pub fn message(self) -> String {
+        match self {
+            Self::Check(message) | Self::Usage(message) => message,
+            Self::Closed => String::new(),
+        }
+    }
+}
+
 impl From<DesignError> for Failure {
     fn from(e: DesignError) -> Self {
         Self::Usage(e.to_string())

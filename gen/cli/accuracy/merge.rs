@@ -1,7 +1,7 @@
 //! `efsat accuracy merge`.
 
 use super::{command, finish, nanoseconds, output, params, points};
-use crate::accuracy::{Plan, Progress, Request, Results, Store};
+use crate::accuracy::{Missing, Plan, Progress, Request, Results, Store};
 use crate::artefact::Scratch;
 use crate::cli::error::Failure;
 use std::path::{Path, PathBuf};
@@ -57,22 +57,28 @@ fn same_campaign(first: &Path, request: &Request, part: &Path) -> Result<(), Fai
     }
 }
 
+/// What a campaign has to do, by what was asked for.
+fn plan(request: &Request) -> Result<Plan, String> {
+    let base = params(&request.base)?;
+    let sweep = points(&request.sweep, &base).map_err(Failure::message)?;
+    Plan::new(&base, &sweep, &request.multipliers).map_err(|e| e.to_string())
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let first = &arguments.parts[0];
     let request = output::request(first)?;
     arguments.parts.iter().try_for_each(|part| same_campaign(first, &request, part))?;
     output::claimable(&arguments.out)?;
-    let wrong = |message: String| Failure::Usage(format!("{}: {message}", first.display()));
-    let base = params(&request.base).map_err(wrong)?;
-    let sweep = points(&request.sweep, &base)?;
-    let plan = Plan::new(&base, &sweep, &request.multipliers)?;
+    let plan = plan(&request).map_err(|message| output::wrong_request(first, &message))?;
     // Joined beside the target first, so that parts that are not complete leave nothing behind.
     let scratch = Scratch::new().map_err(|e| Failure::Usage(e.to_string()))?;
     let mut store = Store::open(scratch.path()).map_err(output::failure)?;
     arguments.parts.iter().try_for_each(|part| store.join(part)).map_err(output::failure)?;
     let text = command(&request, arguments.transfer);
     let join = |store: &Store| Results::join(&request, &plan, store, arguments.transfer, text.clone());
-    join(&store).map_err(|e| Failure::Usage(format!("{e}; expected all parts of one campaign, finished")))?;
+    let part_of_it =
+        |e: Missing| output::wrong_request(first, &format!("{e}; expected all parts of this campaign, finished"));
+    join(&store).map_err(part_of_it)?;
     let mut whole = output::claim(&arguments.out, &request)?;
     whole.join(scratch.path()).map_err(output::failure)?;
     let results = join(&whole).map_err(|e| Failure::Check(e.to_string()))?;

@@ -59,12 +59,14 @@ pub(super) fn claim(dir: &Path, request: &Request) -> Result<Store, Failure> {
 
 /// What was asked for in a folder.
 pub(super) fn request(dir: &Path) -> Result<Request, Failure> {
-    let path = dir.join(REQUEST);
-    let wrong = |found: String| {
-        Failure::Usage(format!("{}: {found}; expected a folder that efsat accuracy wrote", path.display()))
-    };
-    let text = fs::read_to_string(&path).map_err(|e| wrong(e.to_string()))?;
+    let wrong = |found: String| wrong_request(dir, &format!("{found}; expected a folder that efsat accuracy wrote"));
+    let text = fs::read_to_string(dir.join(REQUEST)).map_err(|e| wrong(e.to_string()))?;
     serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))
+}
+
+/// What is wrong with what was asked for in a folder.
+pub(super) fn wrong_request(dir: &Path, message: &str) -> Failure {
+    Failure::Usage(format!("{}: {message}", dir.join(REQUEST).display()))
 }
 
 /// Whether a folder has results.
