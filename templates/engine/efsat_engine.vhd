@@ -155,6 +155,9 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal decided_outside : std_logic;
 {%- endif %}
   signal bypass_valid : std_logic;
+  signal bypass_free : std_logic;
+  signal bypassed_valid : std_logic := '0';
+  signal bypassed_numbers : std_logic_vector(55 downto 0) := (others => '0');
   signal pair_answered : std_logic;
 
   -- Events
@@ -393,11 +396,26 @@ begin
     {% if e.signs.len() > 0 %}"{{ e.unit_tag_zeros[1..] }}" & (packet_unfit or pose_unfit){% else %}"{{ e.unit_tag_zeros }}"{% endif %} & packet_last & job_words({{ e.pair_at + 31 + e.pair_tag_bits }} downto {{ e.pair_at + 32 }});
   packet_taken <= packet_valid and unit_ready;
 
-  -- With leaves_only pairs pass by the unit, which is empty then.
+  -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
   numbers <= {{ e.number_above }}triangle_b({{ e.triangle_number_bits - 1 }} downto 0) & {{ e.number_above }}triangle_a({{ e.triangle_number_bits - 1 }} downto 0);
   unit_valid <= (triangles_valid and not leaves_only and not ending) or packet_valid;
   bypass_valid <= triangles_valid and leaves_only and not ending;
-  triangles_ready <= decided_ready when leaves_only = '1' else unit_ready;
+  bypass_free <= decided_ready or not bypassed_valid;
+  triangles_ready <= bypass_free when leaves_only = '1' else unit_ready;
+
+  bypass : process (aclk)
+  begin
+    if rising_edge(aclk) then
+      if bypass_free = '1' then
+        bypassed_numbers <= numbers;
+      end if;
+      if restart = '1' then
+        bypassed_valid <= '0';
+      elsif bypass_free = '1' then
+        bypassed_valid <= bypass_valid;
+      end if;
+    end if;
+  end process bypass;
 
   unit : entity work.{{ prefix }}efsat
     port map (
@@ -423,7 +441,7 @@ begin
       out_tag => tested_numbers
     );
   tested_taken <= decided_ready and not leaves_only;
-  decided_valid <= bypass_valid when leaves_only = '1' else tested_valid;
+  decided_valid <= bypassed_valid when leaves_only = '1' else tested_valid;
 {%- if e.signs.len() > 0 %}
   tested_unfit <= tested_numbers({{ e.pair_tag_bits + 1 }}) and not running;
   verdict <= "10" when leaves_only = '1' or tested_unfit = '1' else tested_verdict;
@@ -436,7 +454,7 @@ begin
   decided_outside <= tested_outside and not running;
 {%- endif %}
 {%- endif %}
-  decided_numbers <= numbers when leaves_only = '1' else
+  decided_numbers <= bypassed_numbers when leaves_only = '1' else
     tested_numbers when running = '1' else
     tested_flags & tested_numbers({{ e.pair_tag_bits - 1 }} downto 0);
   decided_last <= tested_numbers({{ e.pair_tag_bits }}) and not running;

@@ -61,7 +61,8 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal looked_leaves : std_logic;
   signal judged : std_logic := '0';
   signal judged_at : unsigned(25 downto 0) := (others => '0');
-  signal same : std_logic_vector(4 downto 0) := "00000";  -- parts of the comparison
+  constant all_same : std_logic_vector({{ m.tag_parts.len() }} downto 0) := (others => '1');
+  signal same : std_logic_vector({{ m.tag_parts.len() }} downto 0) := (others => '0');  -- parts of the comparison: short ones, because tags come late in their clock
   signal hit : std_logic;
   signal passes : std_logic;
   signal misses : std_logic;
@@ -144,7 +145,7 @@ begin
   -- ===== Look-up =====
   address <= unsigned(base) + unsigned(head);
   looked_leaves <= looked and (passes or not judged);
-  hit <= '1' when same = "11111" else '0';
+  hit <= '1' when same = all_same else '0';
   all_reserved <= reserved(reserved'high);
   passes <= judged and order_free and (hit or not (asking or all_reserved));
   misses <= passes and not hit;
@@ -183,17 +184,13 @@ begin
       end if;
       if looked_leaves = '1' then
         judged_at <= looked_at;
-        same <= "00000";
-        if follows = '1' then
-          same <= (others => follows_same);
-        else
+        same <= (others => '0');
 {%- for part in m.tag_parts %}
-          if tag_found({{ part.high }} downto {{ part.low }}) = std_logic_vector(looked_at({{ part.from_high }} downto {{ part.from_low }})) then
-            same({{ loop.index0 }}) <= '1';
-          end if;
-{%- endfor %}
-          same(4) <= tag_found({{ m.tag_bits }});
+        if follows = '1' or tag_found({{ part.high }} downto {{ part.low }}) = std_logic_vector(looked_at({{ part.from_high }} downto {{ part.from_low }})) then
+          same({{ loop.index0 }}) <= '1';
         end if;
+{%- endfor %}
+        same({{ m.tag_parts.len() }}) <= (follows and follows_same) or (tag_found({{ m.tag_bits }}) and not follows);
       end if;
       if misses = '1' then
         asked_address <= judged_at;

@@ -394,8 +394,12 @@ begin
             load_triangles <= head(31);
             if head_whole = '0' or head_last = '1' then
               found := too_short;
-            elsif address_unfit = '1' or head(30 downto {{ e.load_bits + 6 }}) /= "{{ e.load_zeros }}" then
+            elsif address_unfit = '1' then
               found := unknown;
+            end if;
+            -- A line that has no number here is beyond both memories, as the one behind the last is.
+            if head(30 downto {{ e.load_bits + 6 }}) /= "{{ e.load_zeros }}" then
+              load_line({{ e.load_bits }}) <= '1';
             end if;
           elsif expectation = load_state then
             load_place <= load_place + 1;

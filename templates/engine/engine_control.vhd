@@ -86,6 +86,7 @@ architecture rtl of {{ prefix }}engine_control is
   signal ending_now : std_logic := '1';
   signal dropping_now : std_logic := '0';
   signal report_due_now : std_logic := '0';
+  signal idle_before : std_logic := '0';  -- idle, a clock ago: a pair of a packet ends it two clocks before a job can come behind that
   signal job_due : std_logic;  -- the job may be taken, once the unit has its pose
   signal checks : unsigned(1 downto 0) := "00";
   signal stopped : std_logic := '0';
@@ -109,7 +110,7 @@ architecture rtl of {{ prefix }}engine_control is
   signal options : std_logic_vector(63 downto 0) := (others => '0');
 begin
   -- The pose goes first, and a clock later the rest of the job.
-  job_due <= job_valid and idle when phase = waiting_state else '0';
+  job_due <= job_valid and idle_before when phase = waiting_state else '0';
   pose_valid <= job_due and job_posed;
   job_taken <= taken;
   running <= running_now;
@@ -225,6 +226,7 @@ begin
       next_phase := phase;
       next_reason := reason_now;
       started <= '0';
+      idle_before <= idle;
 {%- if e.axi %}
       flush_now <= '0';
 {%- endif %}
