@@ -383,7 +383,7 @@ fn the_rule_of_the_stack_is_exact() {
         // W too large by one.
         (file, "room <= unsigned(to_signed(4, ", "room <= unsigned(to_signed(5, "),
         // Pairs in flight are not counted.
-        (file, "change := change - 3;", "change := change + 1;"),
+        (file, "(change - 3)", "(change + 1)"),
         // Both left children are pushed first, and popped last.
         (
             file,

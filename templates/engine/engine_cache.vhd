@@ -118,6 +118,8 @@ begin
   arrives <= ready and request_valid;
   head_leaves <= head_valid and (looked_leaves or not looked);
 
+  -- A number has at most {{ m.number_bits }} bits, an address 26. Control runs no query whose tree ends beyond the last address, and the
+  -- traversal asks for nothing beyond the tree: what is dropped of a number is zero.
   hold : process (clk)
   begin
     if rising_edge(clk) then
@@ -241,6 +243,7 @@ begin
   line_valid <= found;
   whole <= {% for i in m.word_places %}line_word({{ i }}){% if !loop.last %}
     & {% endif %}{% endfor %};
+  -- A line ends within its last word: what is above is not of the line.
   data <= whole({{ m.line_bits - 1 }} downto 0);
 
   serve : process (clk)

@@ -83,6 +83,7 @@ begin
       or target(30 downto {{ e.node_bits }}) /= 0 else '0';
     fault(i) <= beyond when link(i)(31) = '1' else astray;
   end generate children;
+  -- Bits 30..28 are zero where there is no fault: no tree that a query can name has so many blocks or triangles.
   left <= link(0)(27 downto 0);
   right <= link(1)(27 downto 0);
 end architecture rtl;

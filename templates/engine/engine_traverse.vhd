@@ -183,7 +183,7 @@ begin
     );
 
   issue : process (clk)
-    variable change : integer range -4 to 4;
+    variable change : integer range -1 to 4;
   begin
     if rising_edge(clk) then
       if start = '1' then
@@ -195,13 +195,10 @@ begin
           spent <= '1';
         end if;
       end if;
-      -- A push takes one place, a pop frees one and reserves four, a pair that is finished frees four.
+      -- A push takes one place, a pair that is finished frees four, and a pop, below, frees one and reserves four.
       change := 0;
       if push = '1' then
         change := change - 1;
-      end if;
-      if pop = '1' then
-        change := change - 3;
       end if;
       if finished = '1' then
         change := change + 4;
@@ -215,7 +212,12 @@ begin
         popped_place <= (others => '0');
         root_due <= start and not reset;
       else
-        room <= unsigned(signed(room) + change);
+        -- Whether a pair is popped is known late in a clock: it only chooses.
+        if pop = '1' then
+          room <= unsigned(signed(room) + (change - 3));
+        else
+          room <= unsigned(signed(room) + change);
+        end if;
         if pop = '1' and finished = '0' then
           flying <= flying + 1;
           nothing_flies <= '0';
@@ -419,6 +421,7 @@ begin
   pair_a <= child_a(27 downto 0);
   pair_b <= child_b(27 downto 0);
 
+  -- The number of a block without a fault has no more bits than these.
   next_a <= child_a({{ e.node_bits - 1 }} downto 0) & "11" when child_a(29) = '0' else
     parents({{ e.a_high }} downto {{ e.a_low }}) & "11" when whole_a = '1' else
     parents({{ e.a_high }} downto {{ e.a_low }}) & side_a & not side_a;

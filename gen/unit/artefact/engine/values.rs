@@ -137,6 +137,8 @@ pub(super) struct Values {
     pub triangle_number_bits: u32,
     pub number_above: String,
     pub unit_inputs: Vec<Connection>,
+    /// The unit takes no pair in the clock behind another one.
+    pub paced: bool,
     pub guarded: bool,
     pub sticky: bool,
     /// Flags of each kind that the unit gives.
@@ -459,6 +461,7 @@ impl Values {
                 bits => format!("\"{}\" & ", zeros(bits)),
             },
             unit_inputs: unit_inputs(unit, stream),
+            paced: design.unit.interval > 1,
             guarded: unit.guarded(),
             sticky: unit.upper == Upper::Sticky,
             flags: stream.flags,
