@@ -1,22 +1,13 @@
-//! Whole collision queries in software on one core: trees of k-DOPs, then the exact retest, for every meeting of two objects
+//! Whole collision queries in software on one core: trees of k-DOPs, then the exact test, for every meeting of two objects
 //! of a scene. Writes meshes and poses to a folder, so that `scripts/fcl` can ask another library the same. Prints queries,
 //! touching pairs and microseconds per query; then distance, queries and microseconds per query for each distance of a turn.
 
-use efsat::exact::Exact;
 use efsat::mesh::Mesh;
-use efsat::scene::hierarchy::{Directions, DopTree, Scratch, pairs};
+use efsat::scene::hierarchy::{Directions, DopTree, Scratch, contacts};
 use efsat::scene::{Meeting, Scene, load};
-use efsat::software::retest::retest_batch;
 use std::fs;
 use std::path::Path;
 use std::time::Instant;
-
-/// The triangles of a pair, B's vertices moved to the frame of A and rounded there.
-fn points(a: &Mesh, b: &Mesh, meeting: &Meeting, (i, j): (u32, u32)) -> [[f64; 3]; 6] {
-    let [p, q, r] = a.triangle(i as usize);
-    let [u, v, w] = b.triangle(j as usize).map(|x| meeting.pose.image(&x));
-    [p, q, r, u, v, w].map(|x| x.into())
-}
 
 /// `mesh_I.f64`, nine numbers per triangle, and `meetings.f64`: the distance (NaN without one), meshes of A and B, matrix by
 /// rows, translation.
@@ -61,7 +52,6 @@ fn main() {
     let distances: Vec<f64> = meetings.iter().map(distance).collect();
     emit(dir.as_ref(), &meshes, &mesh_of, &meetings, &distances).unwrap_or_else(|error| panic!("{dir}: {error}"));
     let mut scratch = Scratch::default();
-    let mut answers = vec![];
     // The best time of each query: what else the machine does comes and goes.
     let mut best = vec![f64::INFINITY; meetings.len()];
     let mut touching = 0;
@@ -70,11 +60,8 @@ fn main() {
         for (meeting, best) in meetings.iter().zip(&mut best) {
             let start = Instant::now();
             let [a, b] = [meeting.a, meeting.b].map(|object| mesh_of[object]);
-            let (found, _) = pairs(&trees[a], &trees[b], &meeting.pose, &mut scratch);
-            let found: Vec<_> = found.into_iter().map(|pair| points(meshes[a], meshes[b], meeting, pair)).collect();
-            answers.clear();
-            retest_batch(&found, &mut answers);
-            touching += answers.iter().filter(|answer| **answer != Exact::Separate).count();
+            let (found, _) = contacts([meshes[a], meshes[b]], [&trees[a], &trees[b]], &meeting.pose, &mut scratch);
+            touching += found.len();
             *best = best.min(start.elapsed().as_secs_f64());
         }
     }

@@ -135,7 +135,7 @@ fn transform_and_renormalisation() {
     let mut claims = vec![];
     for params in rules(&Params::default()) {
         let setting = Setting::full(params.clone());
-        claims.extend(["lo", "hi"].map(|end| before_axes::transform_end(&setting, end)));
+        claims.extend(share(2, ["lo", "hi"]).iter().map(|end| before_axes::transform_end(&setting, end)));
         claims.push(before_axes::transform_row(&setting));
         claims.push(before_axes::scale(&setting));
         let translate = Setting::full(Params { transform: Transform::Translate, ..params.clone() });
@@ -242,7 +242,7 @@ fn exact_pairs() {
         in_plane(&setting),
     ];
     claims.extend([Transform::Off, Transform::Translate].map(|transform| fits(&Setting::full(params(transform)))));
-    prove("Exact pairs", share(2, claims));
+    prove("Exact pairs", share(3, claims));
 }
 
 #[test]

@@ -194,7 +194,7 @@ fn a_wrong_wrapper_is_noticed() {
         (2, "running <= '0';\n        expectation", "expectation"),
     ];
     let mut missed = vec![];
-    for (passes, old, new) in share(4, changes) {
+    for (passes, old, new) in share(7, changes) {
         let changed = wrapper.replace(old, new);
         assert_ne!(changed, wrapper, "{old}");
         bench.write("efsat_stream.vhd", &changed);

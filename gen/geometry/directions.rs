@@ -56,7 +56,7 @@ impl Directions {
     pub const ALL: [Self; 4] = [Self::Six, Self::Fourteen, Self::Eighteen, Self::TwentySix];
 
     /// The number of directions.
-    pub fn count(self) -> usize {
+    pub const fn count(self) -> usize {
         match self {
             Self::Six => 6,
             Self::Fourteen => 14,

@@ -94,7 +94,7 @@ impl Claim {
                 "NOT PROVED"
             }
         };
-        let mutants = share(3, &self.mutants);
+        let mutants = share(7, &self.mutants);
         let alive = |mutant: &&Mutant| match mutant.applied(&self.files).map(|files| self.ask(&files).0) {
             Some(Outcome::Refuted(_)) => None,
             Some(outcome) => Some(format!("{outcome:?}: {mutant:?}")),

@@ -11,7 +11,7 @@ use crate::golden::{Golden, Verdict};
 use crate::host::{Host, Posed, ScenePose, Stage};
 use crate::mesh::Findings;
 use crate::params::Params;
-use crate::scene::hierarchy::{Directions, Forest, Scratch, Statistics, first_hit, pieces};
+use crate::scene::hierarchy::{Directions, Forest, Scratch, Statistics, batches, first_hit};
 use crate::scene::{Frame, Meeting, Object, Scene};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -116,7 +116,7 @@ impl Search<'_> {
         } else {
             let mut touching = 0;
             let count = |pairs: &[(u32, u32)]| pairs.par_iter().filter(|pair| touch(**pair)).count() as u64;
-            let statistics = pieces(a, b, &meeting.pose, scratch, |pairs| touching += count(pairs));
+            let statistics = batches(a, b, &meeting.pose, scratch, |pairs| touching += count(pairs));
             (statistics, touching)
         };
         Counts { meetings: 1, statistics, touching }

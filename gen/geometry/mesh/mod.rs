@@ -38,6 +38,7 @@ impl Mesh {
     ///
     /// # Panics
     /// If there is no such face.
+    #[inline]
     pub fn triangle(&self, face: usize) -> [Point3<f64>; 3] {
         self.faces[face].map(|vertex| self.vertices[vertex as usize])
     }

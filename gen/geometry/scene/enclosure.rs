@@ -2,7 +2,7 @@
 
 use super::Pose;
 use crate::mesh::Bounds;
-use nalgebra::Point3;
+use nalgebra::{Point3, Vector3};
 
 /// A box that surely holds the real point `m * x + t`.
 ///
@@ -15,9 +15,20 @@ pub(super) fn image(x: &Point3<f64>, pose: &Pose) -> Bounds {
     let Pose { rotation: m, translation: t } = pose;
     let y = m * x.coords + t;
     let size = m.abs() * x.coords.abs() + t.abs();
-    let radius = size.map(|s| if s < f64::MAX / 4.0 { s * 2f64.powi(-50) + f64::MIN_POSITIVE } else { f64::INFINITY });
+    let radius = size.map(radius);
     let bound = |sign: f64| y.zip_map(&radius, |y, r| if r.is_finite() { y + sign * r } else { sign * r });
     Bounds { min: bound(-1.0).into(), max: bound(1.0).into() }
+}
+
+/// r for S.
+fn radius(size: f64) -> f64 {
+    if size < f64::MAX / 4.0 { size * 2f64.powi(-50) + f64::MIN_POSITIVE } else { f64::INFINITY }
+}
+
+/// How far [`Pose::image`] is from the real point at most, in each coordinate, for points whose coordinates are at most as great as
+/// those of `reach`. It sums in the same way, and twice the radius makes up for roundings of `reach`.
+pub(super) fn error(reach: &Vector3<f64>, pose: &Pose) -> f64 {
+    2.0 * radius((pose.rotation.abs() * reach + pose.translation.abs()).max())
 }
 
 /// A box that surely holds the image of a box: an affine map keeps convex hulls, so the boxes of the corners do.

@@ -32,8 +32,11 @@ impl Pose {
     }
 
     /// The image of a point, rounded.
+    #[inline]
     pub fn image(&self, point: &Point3<f64>) -> Point3<f64> {
-        self.rotation * point + self.translation
+        // The sums in the order of `rotation * point + translation`, without its loops, which are not always unrolled.
+        let (m, t) = (&self.rotation, &self.translation);
+        Point3::from([0, 1, 2].map(|i| m[(i, 0)] * point.x + m[(i, 1)] * point.y + m[(i, 2)] * point.z + t[i]))
     }
 }
 

@@ -48,6 +48,21 @@
 //!   and for underflow: P, Q >= 2^-300 and R <= 2^300 are required. Then a bound is at least 2^-647 R and R at least
 //!   2^-300, while an underflowing product errs by 2^-1075, at most R times as much after another factor, and the 24
 //!   determinants that a gap is the sum of have 9 products each. Nothing overflows, as all is of degree three.
+//!
+//! # Points that are known but for an error
+//!
+//! Where B is moved, its points are off by up to h in each coordinate, so that f_l is by 2 h and d by h. How much the gaps of the
+//! points given then differ from those of the points meant, for h <= Q / 16:
+//!
+//! - n_A has components of at most 2 P^2. So `n_A . d` is off by 6 P^2 h, x_l by 12 P^2 h, and the gap by 18 P^2 h.
+//! - n_B is off by 2 (2 Q 2 h + 2 h^2 2) = 8 h (Q + h). So `n_B . d` is off by 24 h (Q + h)(D + h) + 6 Q^2 h, y_k by 24 h (Q + h) P,
+//!   and the gap by 30 h (Q + h)(R + h) < 34 Q R h.
+//! - Of all nine s_kl, with third edges of at most 2 P and 2 Q and points at most R apart, none is off by more than
+//!   24 P h (R + h) + 24 P Q h, no x_l by more than 24 P^2 h, no y_k by more than 48 P h (Q + h), so no doubled gap by more than
+//!   192 P h (R + h) < 204 P R h.
+//!
+//! The bounds used are those from above with P + h / u for P on n_A, Q + h / u for Q elsewhere: they are wider by 64 P R h, 64 Q R h and
+//! 1024 P R h.
 
 use pulp::{Arch, Scalar, Simd, WithSimd};
 
@@ -69,7 +84,7 @@ const WIDEST: usize = 8;
 
 /// The answer for a pair a0 a1 a2 b0 b1 b2 of finite points, if it is certain; never `Touch`.
 pub fn decide(points: &[[f64; 3]; 6]) -> Option<Exact> {
-    answer(evidence(Scalar, points))
+    answer(evidence(Scalar, points, 0.0))
 }
 
 /// The answers for pairs as by [`decide`], several at a time where the processor has vectors for it.
@@ -77,12 +92,23 @@ pub fn decide(points: &[[f64; 3]; 6]) -> Option<Exact> {
 /// # Panics
 /// If the slices have different lengths.
 pub fn decide_batch(pairs: &[[[f64; 3]; 6]], answers: &mut [Option<Exact>]) {
+    decide_moved(pairs, 0.0, answers);
+}
+
+/// The answers for pairs of which the points b0 b1 b2 are off by at most `error` in each coordinate: what is certain of
+/// the points that are meant.
+///
+/// # Panics
+/// If the slices have different lengths.
+pub fn decide_moved(pairs: &[[[f64; 3]; 6]], error: f64, answers: &mut [Option<Exact>]) {
     assert_eq!(pairs.len(), answers.len(), "one answer per pair");
-    Arch::new().dispatch(Batch { pairs, answers });
+    Arch::new().dispatch(Batch { pairs, wider: error / U, answers });
 }
 
 struct Batch<'a> {
     pairs: &'a [[[f64; 3]; 6]],
+    /// The error of the points, over u.
+    wider: f64,
     answers: &'a mut [Option<Exact>],
 }
 
@@ -95,10 +121,10 @@ impl WithSimd for Batch<'_> {
         for (pairs, answers) in self.pairs.chunks(lanes).zip(self.answers.chunks_mut(lanes)) {
             let mut found = [0.0; WIDEST];
             if pairs.len() == lanes {
-                S::as_mut_simd_f64s(&mut found).0[0] = evidence(simd, &transposed(simd, pairs));
+                S::as_mut_simd_f64s(&mut found).0[0] = evidence(simd, &transposed(simd, pairs), self.wider);
             } else {
                 // The last pairs do not fill a vector.
-                found.iter_mut().zip(pairs).for_each(|(to, pair)| *to = evidence(Scalar, pair));
+                found.iter_mut().zip(pairs).for_each(|(to, pair)| *to = evidence(Scalar, pair, self.wider));
             }
             answers.iter_mut().zip(found).for_each(|(to, x)| *to = answer(x));
         }
@@ -152,9 +178,9 @@ fn row<S: Simd, const FIRST: usize>(pair: &[[f64; 3]; 6]) -> S::f64s {
 type Vector<S> = [<S as Simd>::f64s; 3];
 
 /// In each lane a positive number if the triangles are separate, a negative one if they intersect, 0 if neither is
-/// certain.
+/// certain. The points of B are off by at most u `wider`.
 #[inline(always)]
-fn evidence<S: Simd>(simd: S, points: &[Vector<S>; 6]) -> S::f64s {
+fn evidence<S: Simd>(simd: S, points: &[Vector<S>; 6], wider: f64) -> S::f64s {
     let [a0, a1, a2, b0, b1, b2] = points;
     let e = [difference(simd, a1, a0), difference(simd, a2, a1)];
     let f = [difference(simd, b1, b0), difference(simd, b2, b1)];
@@ -163,7 +189,8 @@ fn evidence<S: Simd>(simd: S, points: &[Vector<S>; 6]) -> S::f64s {
     let length_a = simd.max_f64s(magnitude(simd, &e[0]), magnitude(simd, &e[1]));
     let length_b = simd.max_f64s(magnitude(simd, &f[0]), magnitude(simd, &f[1]));
     let reach = simd.add_f64s(simd.add_f64s(length_a, length_b), magnitude(simd, &d));
-    let long = simd.greater_than_or_equal_f64s(simd.min_f64s(length_a, length_b), simd.splat_f64s(1.0 / GREATEST));
+    let least = simd.splat_f64s((1.0 / GREATEST).max(16.0 * U * wider));
+    let long = simd.greater_than_or_equal_f64s(simd.min_f64s(length_a, length_b), least);
     let legal = simd.and_m64s(long, simd.less_than_or_equal_f64s(reach, simd.splat_f64s(GREATEST)));
     let (near_a, near_b) = (simd.mul_f64s(length_a, reach), simd.mul_f64s(length_b, reach));
 
@@ -174,8 +201,10 @@ fn evidence<S: Simd>(simd: S, points: &[Vector<S>; 6]) -> S::f64s {
     let y = [dot(simd, &normal, &e[0]), dot(simd, &normal, &e[1])];
     let gap_b = normal_gap(simd, dot(simd, &normal, &d), y);
 
-    let radius_a = simd.mul_f64s(simd.mul_f64s(near_a, length_a), simd.splat_f64s(NORMAL));
-    let radius_b = simd.mul_f64s(simd.mul_f64s(near_b, length_b), simd.splat_f64s(NORMAL));
+    let wider = simd.splat_f64s(wider);
+    let (wider_a, wider_b) = (simd.add_f64s(length_a, wider), simd.add_f64s(length_b, wider));
+    let radius_a = simd.mul_f64s(simd.mul_f64s(near_a, wider_a), simd.splat_f64s(NORMAL));
+    let radius_b = simd.mul_f64s(simd.mul_f64s(near_b, wider_b), simd.splat_f64s(NORMAL));
     let apart = simd.max_f64s(simd.sub_f64s(gap_a, radius_a), simd.sub_f64s(gap_b, radius_b));
     let apart = simd.select_f64s(legal, apart, simd.splat_f64s(0.0));
     // Most pairs that survive a broad phase are separated by a plane of one of the triangles.
@@ -184,7 +213,7 @@ fn evidence<S: Simd>(simd: S, points: &[Vector<S>; 6]) -> S::f64s {
     }
 
     let gap = product_gap(simd, &e, &f, &d, x, y);
-    let radius = simd.mul_f64s(simd.mul_f64s(near_a, length_b), simd.splat_f64s(PRODUCT));
+    let radius = simd.mul_f64s(simd.mul_f64s(near_a, wider_b), simd.splat_f64s(PRODUCT));
     let apart = simd.max_f64s(apart, simd.sub_f64s(gap, radius));
     let over = simd.max_f64s(simd.add_f64s(gap_a, radius_a), simd.add_f64s(gap_b, radius_b));
     let over = simd.max_f64s(over, simd.add_f64s(gap, radius));

@@ -3,6 +3,8 @@
 //! All numbers of a tree and of a test are integers of a fixed number of bits. No pair of triangles with a common point
 //! is ever lost; the proof is in `docs/hierarchy.md`.
 
+mod contacts;
+mod family;
 mod forest;
 mod local;
 mod placement;
@@ -12,11 +14,12 @@ mod traverse;
 mod tree;
 
 pub use crate::directions::Directions;
+pub use contacts::contacts;
 pub use forest::Forest;
 pub use local::{LocalBlock, LocalChild, LocalFormat, LocalTree};
 pub use placement::Placement;
 pub use statistics::Statistics;
-pub use traverse::{Scratch, first_hit, pairs, pieces};
+pub use traverse::{Scratch, batches, first_hit, pairs, pieces};
 pub use tree::DopTree;
 
 #[cfg(test)]

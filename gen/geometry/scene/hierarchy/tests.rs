@@ -1,5 +1,6 @@
 //! Tests of k-DOP trees: combinations, realigned offsets against exact ones, and that no pair is lost.
 
+use super::family::{Group, LANES, Members};
 use super::realign::Realignment;
 use super::tree::scaled;
 use super::*;
@@ -52,6 +53,39 @@ fn random_pose(rng: &mut ChaCha8Rng, round: usize, scale: f64) -> Pose {
     Pose { rotation, translation }
 }
 
+/// The offsets of one child of a family.
+fn child(groups: &[Group], child: usize, k: usize) -> Vec<i32> {
+    (0..k).map(|index| groups[(2 * index + child) / LANES].0[(2 * index + child) % LANES]).collect()
+}
+
+/// The d_i of each node.
+fn dops(tree: &DopTree) -> Vec<Vec<i32>> {
+    let groups = tree.families.len() / tree.links.len();
+    let of = |family: usize| &tree.families[family * groups..][..groups];
+    tree.members().iter().map(|(place, _)| child(of(place.family()), place.child(), tree.directions.count())).collect()
+}
+
+/// The offsets of each node in the frame of another tree.
+fn realigned(realignment: &Realignment, tree: &DopTree) -> Vec<Vec<i32>> {
+    fn families<const GROUPS: usize>(realignment: &Realignment, tree: &DopTree) -> Vec<Vec<i32>> {
+        let mut out = vec![[Group::ZERO; GROUPS]; tree.links.len()];
+        for (family, out) in tree.families.as_chunks().0.iter().zip(&mut out) {
+            realignment.realign(family, out);
+        }
+        let opposite = |&(place, _): &(Members, Members)| -> Vec<i32> {
+            child(&out[place.family()], place.child(), tree.directions.count())
+        };
+        let straight = |dop: Vec<i32>| (0..dop.len()).map(|index| dop[index ^ 1]).collect();
+        tree.members().iter().map(opposite).map(straight).collect()
+    }
+    match tree.directions {
+        Directions::Six => families::<2>(realignment, tree),
+        Directions::Fourteen => families::<4>(realignment, tree),
+        Directions::Eighteen => families::<5>(realignment, tree),
+        Directions::TwentySix => families::<7>(realignment, tree),
+    }
+}
+
 /// The triangles under each node.
 fn triangles_of(tree: &DopTree) -> Vec<Vec<u32>> {
     let mut sets: Vec<Vec<u32>> = vec![vec![]; tree.len()];
@@ -91,11 +125,10 @@ fn realigned_offsets_hold_what_is_in_them() {
         for set in Directions::ALL {
             let [a, b] = [0, 1].map(|mesh: usize| DopTree::new(&meshes[mesh], set));
             let realignment = Realignment::new(&a, &b, &pose);
-            let mut offsets = vec![0; set.count()];
+            let seen = realigned(&realignment, &b);
             for (node, triangles) in triangles_of(&b).iter().enumerate() {
-                realignment.realign(b.dop(node), &mut offsets);
                 let points: Vec<_> = triangles.iter().flat_map(|&face| meshes[1].triangle(face as usize)).collect();
-                for (index, &offset) in offsets.iter().enumerate().filter(|(_, offset)| **offset < FAR) {
+                for (index, &offset) in seen[node].iter().enumerate().filter(|(_, offset)| **offset < FAR) {
                     let exact = exact_offset(&points, set.vector(index), &pose, &a.centre, a.exponent);
                     let excess = Rational::from_integer(offset.into()) - exact;
                     assert!(!excess.is_negative(), "round {round}, {set:?}, node {node}, direction {index}");
@@ -104,9 +137,9 @@ fn realigned_offsets_hold_what_is_in_them() {
                 }
             }
             // The offsets of A itself are those of the identity, but for the rounding.
-            for (node, triangles) in triangles_of(&a).iter().enumerate() {
+            for (dop, triangles) in dops(&a).iter().zip(triangles_of(&a)) {
                 let points: Vec<_> = triangles.iter().flat_map(|&face| meshes[0].triangle(face as usize)).collect();
-                for (index, &offset) in a.dop(node).iter().enumerate() {
+                for (index, &offset) in dop.iter().enumerate() {
                     let exact = exact_offset(&points, set.vector(index), &Pose::identity(), &a.centre, a.exponent);
                     let excess = Rational::from_integer(offset.into()) - exact;
                     assert!(!excess.is_negative() && excess < Rational::from_integer(2.into()));
@@ -130,13 +163,11 @@ fn the_error_of_the_fixed_point_is_bounded() {
         for set in Directions::ALL {
             let tree = DopTree::new(&mesh, set);
             let realignment = Realignment::new(&tree, &tree, &pose);
-            let mut offsets = vec![0; set.count()];
-            for node in 0..tree.len() {
-                realignment.realign(tree.dop(node), &mut offsets);
+            for (dop, offsets) in dops(&tree).into_iter().zip(realigned(&realignment, &tree)) {
                 for (index, &offset) in offsets.iter().enumerate() {
                     let h = Vector3::from(set.vector(index).map(f64::from));
                     let terms = set.combination(&(pose.rotation.transpose() * h));
-                    let sum: f64 = terms.iter().map(|&(j, factor)| factor * f64::from(tree.dop(node)[j])).sum();
+                    let sum: f64 = terms.iter().map(|&(j, factor)| factor * f64::from(dop[j])).sum();
                     let centre = pose.rotation * tree.centre.coords + translation - tree.centre.coords;
                     let real = sum + scaled(h.dot(&centre), -tree.exponent);
                     worst = worst.max(f64::from(offset) - real);
@@ -162,14 +193,18 @@ fn no_pair_of_touching_triangles_is_lost() {
         let all = (0..10u32).flat_map(|p| (0..10u32).map(move |q| (p, q)));
         let touch = |&(p, q): &(u32, u32)| {
             let (x, y) = (corners(&a, p as usize), corners(&b, q as usize));
-            posed_pair(&x, &y, &m, &pose.translation.into()) != Exact::Separate
+            posed_pair(&x, &y, &m, &pose.translation.into())
         };
-        let expected: Vec<(u32, u32)> = all.filter(touch).collect();
+        let all = all.map(|pair| (pair, touch(&pair)));
+        let exact: Vec<((u32, u32), Exact)> = all.filter(|(_, exact)| *exact != Exact::Separate).collect();
+        let expected: Vec<(u32, u32)> = exact.iter().map(|(pair, _)| *pair).collect();
         for set in Directions::ALL {
             let trees = [&a, &b].map(|mesh| DopTree::new(mesh, set));
             let (found, statistics) = pairs(&trees[0], &trees[1], &pose, &mut scratch);
             assert!(found.windows(2).all(|w| w[0] < w[1]));
             assert_eq!(statistics.pairs_tested, found.len() as u64);
+            let touching = contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch);
+            assert_eq!(touching, (exact.clone(), statistics), "round {round}, {set:?}");
             for pair in &expected {
                 assert!(found.binary_search(pair).is_ok(), "round {round}, {set:?}: {pair:?}");
             }

@@ -1,6 +1,7 @@
 //! A tree of k-DOPs over the triangles of a mesh.
 
 use super::Directions;
+use super::family::{Group, LANES, Members, groups, members};
 use crate::mesh::Mesh;
 use crate::scene::split::{Node, nodes, offsets};
 use nalgebra::{Point3, Vector3};
@@ -20,8 +21,12 @@ const SLACK: f64 = 1.0 / (1u64 << 28) as f64;
 pub struct DopTree {
     pub(super) directions: Directions,
     pub(super) nodes: Vec<Node>,
-    /// The d_i, one node after the other; below 3 * 2^20 + 2, so that 23 bits hold them.
-    pub(super) offsets: Vec<i32>,
+    /// The d_i, one family after the other; below 3 * 2^20 + 2, so that 23 bits hold them.
+    pub(super) families: Vec<Group>,
+    /// What the children of each family are when they are opened.
+    pub(super) links: Vec<[Members; 2]>,
+    /// The triangles of those that are leaves.
+    triangles: Vec<[u32; 2]>,
     /// c.
     pub(super) centre: Point3<f64>,
     /// g = 2^exponent.
@@ -44,8 +49,9 @@ impl DopTree {
         let steps = |v: &Point3<f64>| (v - centre).map(|x| scaled(x, -exponent));
         let vertices: Vec<Vector3<f64>> = mesh.vertices.iter().map(steps).collect();
         let reach = vertices.iter().fold(Vector3::zeros(), |reach, y| reach.sup(&y.abs())).add_scalar(SLACK);
-        let mut tree = Self { directions, nodes: nodes(mesh), offsets: vec![], centre, exponent, reach };
-        tree.offsets = tree.fit(mesh, &vertices);
+        let (families, links, triangles) = (vec![], vec![], vec![]);
+        let mut tree = Self { directions, nodes: nodes(mesh), families, links, triangles, centre, exponent, reach };
+        tree.settle(&tree.fit(mesh, &vertices));
         tree
     }
 
@@ -64,10 +70,50 @@ impl DopTree {
         self.nodes.is_empty()
     }
 
-    /// The d_i of a node.
-    pub(super) fn dop(&self, node: usize) -> &[i32] {
-        let k = self.directions.count();
-        &self.offsets[node * k..][..k]
+    /// What the coordinates of the vertices are at most, but for a few roundings.
+    pub(super) fn farthest(&self) -> Vector3<f64> {
+        self.centre.coords.abs() + self.reach.map(|steps| scaled(steps, self.exponent))
+    }
+
+    /// The root as the only child of its family.
+    pub(super) fn root(&self) -> Option<Members> {
+        self.links.len().checked_sub(1).map(|last| Members::one(last as u32, 0))
+    }
+
+    /// The number of children of a family: two, but for that of the root.
+    #[inline(always)]
+    pub(super) fn children(&self, family: usize) -> u64 {
+        1 + u64::from(family + 1 < self.links.len())
+    }
+
+    /// The triangle of a leaf.
+    pub(super) fn triangle(&self, leaf: Members) -> u32 {
+        self.triangles[leaf.family()][leaf.child()]
+    }
+
+    /// The places of all nodes, and what they are when they are opened.
+    pub(super) fn members(&self) -> Vec<(Members, Members)> {
+        members(&self.nodes)
+    }
+
+    /// Puts nodes with their offsets into families.
+    fn settle(&mut self, offsets: &[i32]) {
+        let (k, groups) = (self.directions.count(), groups(self.directions));
+        let count = self.nodes.len().div_ceil(2);
+        self.families = vec![Group::ZERO; count * groups];
+        self.links = vec![[Members::default(); 2]; count];
+        self.triangles = vec![[0; 2]; count];
+        for (node, (place, open)) in self.members().into_iter().enumerate() {
+            let (family, child) = (place.family(), place.child());
+            for (index, &offset) in offsets[node * k..][..k].iter().enumerate() {
+                let lane = 2 * index + child;
+                self.families[family * groups + lane / LANES].0[lane % LANES] = offset;
+            }
+            self.links[family][child] = open;
+            if let Node::Leaf(triangle) = self.nodes[node] {
+                self.triangles[family][child] = triangle;
+            }
+        }
     }
 
     /// The offsets of all nodes, from the leaves up.
@@ -102,5 +148,10 @@ pub(super) fn ceil_log2(x: f64) -> i32 {
 pub(super) fn scaled(x: f64, power: i32) -> f64 {
     // 2^power itself may leave them.
     let half = power / 2;
-    x * 2f64.powi(half) * 2f64.powi(power - half)
+    x * power_of_two(half) * power_of_two(power - half)
+}
+
+/// 2^power, of a power that normal numbers have.
+fn power_of_two(power: i32) -> f64 {
+    f64::from_bits(((1023 + power) as u64) << 52)
 }

@@ -263,6 +263,44 @@ fn the_filter_is_right_and_sharp_next_to_contact() {
     assert!(decided[0] > 20_000 && decided[1] > 100, "{decided:?}");
 }
 
+/// Triangles of B that are elsewhere by up to an error: what is certain of them is right of those that are meant.
+#[test]
+fn the_filter_is_right_of_points_that_are_off() {
+    let mut rng = ChaCha8Rng::seed_from_u64(8500);
+    let (mut decided, mut misled) = (0, 0);
+    for round in 0..400 {
+        let error = f64::from(-rng.random_range(10..50)).exp2();
+        let mut near = || {
+            let mut p = if round % 2 == 0 { near_contact(&mut rng) } else { edge_on_edge(&mut rng) };
+            let away = error * f64::from(1 << rng.random_range(0..10)) * rng.random_range(-1.0..1.0);
+            p[3..].iter_mut().for_each(|x| x[2] += away);
+            // Together, or each corner elsewhere.
+            let together = [0; 3].map(|_| rng.random_range(-1..=1));
+            let apart = rng.random();
+            let given = [0, 1, 2, 3, 4, 5].map(|corner| match corner {
+                0..3 => p[corner],
+                _ => [0, 1, 2].map(|axis| {
+                    let way = if apart { rng.random_range(-1..=1) } else { together[axis] };
+                    p[corner][axis] + 0.99 * error * f64::from(way)
+                }),
+            });
+            (p, given)
+        };
+        let (meant, given): (Vec<Points>, Vec<Points>) = (0..101).map(|_| near()).unzip();
+        let mut answers = vec![None; given.len()];
+        interval_axes::decide_moved(&given, error, &mut answers);
+        for ((meant, given), answer) in meant.iter().zip(&given).zip(answers) {
+            let truth = exact::pair(meant);
+            if let Some(found) = answer {
+                assert_eq!(found, truth, "off by {error}: {meant:?} {given:?}");
+                decided += 1;
+            }
+            misled += usize::from(interval_axes::decide(given).is_some_and(|found| found != truth));
+        }
+    }
+    assert!(decided > 5_000 && misled > 500, "{decided} decided, {misled} misled without the error");
+}
+
 #[test]
 fn hard_cases_in_all_orders() {
     let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../../shared/cases/hard-cases.json");

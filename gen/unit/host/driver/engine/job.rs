@@ -6,7 +6,7 @@ use crate::host::engine::Refusal;
 use crate::params::engine::{Answer, EngineReport, Reason};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::scene::Pose;
-use efsat_geometry::scene::hierarchy::{Scratch, first_hit, pieces};
+use efsat_geometry::scene::hierarchy::{Scratch, contacts, first_hit};
 use rayon::prelude::*;
 
 /// Why a query was answered in software.
@@ -155,20 +155,21 @@ impl Job<'_, '_> {
     /// The answer of the software.
     fn in_software(&self, report: Option<EngineReport>, cause: Cause) -> Contacts {
         let [a, b] = self.pair.map(|object| self.objects.tree(object));
-        let contact = |(p, q): (u32, u32)| Contact { triangles: [p, q], verdict: None, exact: self.exact([p, q]) };
-        let touch = |contact: &Contact| contact.exact != Exact::Separate;
+        let contact = |((p, q), exact): ((u32, u32), Exact)| Contact { triangles: [p, q], verdict: None, exact };
         let mut scratch = Scratch::default();
-        let mut pairs = vec![];
-        if self.options.first_contact {
-            let hits = |pair: (u32, u32)| touch(&contact(pair));
-            let (hit, _) = first_hit(a, b, &self.pose, &mut scratch, hits);
-            pairs.extend(hit.map(contact));
-        } else {
-            let tested = |found: &[(u32, u32)]| {
-                pairs.par_extend(found.par_iter().map(|&pair| contact(pair)).filter(touch));
+        let pairs = if self.options.first_contact {
+            let mut exact = Exact::Separate;
+            let hits = |(p, q): (u32, u32)| {
+                exact = self.exact([p, q]);
+                exact != Exact::Separate
             };
-            pieces(a, b, &self.pose, &mut scratch, tested);
-        }
+            let (hit, _) = first_hit(a, b, &self.pose, &mut scratch, hits);
+            hit.map(|pair| contact((pair, exact))).into_iter().collect()
+        } else {
+            let meshes = self.pair.map(|object| self.objects.meshes[object]);
+            let (found, _) = contacts(meshes, [a, b], &self.pose, &mut scratch);
+            found.into_iter().map(contact).collect()
+        };
         Contacts { pairs, report, software: Some(cause) }
     }
 }
