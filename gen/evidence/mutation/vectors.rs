@@ -12,6 +12,8 @@ use efsat_unit::artefact::Stimulus;
 use efsat_unit::golden::{Golden, Input, Pair, Pose, Verdict};
 use efsat_unit::host::sample;
 use efsat_unit::params::{Method, Params, Transform};
+use num_bigint::BigInt;
+use num_traits::Signed;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
@@ -258,12 +260,13 @@ fn passes(x: &Points, i: usize, y: &Points) -> Option<bool> {
     (first * second < 0 && sides[0] != 0 && sides.iter().all(|side| *side == sides[0])).then_some(first > 0)
 }
 
-/// The sign of the volume of a tetrahedron.
-fn volume(points: [&[i64; 3]; 4]) -> i128 {
+/// The sign of the volume of a tetrahedron. Of the widest numbers the volume has more than 128 bits.
+fn volume(points: [&[i64; 3]; 4]) -> i8 {
     let edge = |n: usize| [0, 1, 2].map(|i| i128::from(points[n][i] - points[0][i]));
     let [e, f, g] = [edge(1), edge(2), edge(3)];
-    let term = |i: usize, j: usize, k: usize| e[i] * (f[j] * g[k] - f[k] * g[j]);
-    (term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1)).signum()
+    let term = |i: usize, j: usize, k: usize| BigInt::from(e[i]) * (f[j] * g[k] - f[k] * g[j]);
+    let volume = term(0, 1, 2) + term(1, 2, 0) + term(2, 0, 1);
+    i8::from(volume.is_positive()) - i8::from(volume.is_negative())
 }
 
 fn exact_pair(a: Points, b: Points) -> Pair {
@@ -463,6 +466,14 @@ mod tests {
             let mut numbers = pairs.flat_map(|pair| pair.a.iter().chain(&pair.b).flatten());
             assert_eq!(numbers.find(|x| x.lo < -bound || x.lo + i64::from(x.sticky) > bound), None);
         }
+    }
+
+    #[test]
+    fn the_widest_volumes_have_their_sign() {
+        let far = 1 << 47;
+        let corners = [[-far, 0, 0], [far, 0, 0], [0, far, 0], [0, 0, far]];
+        let [p, q, r, s] = corners.each_ref();
+        assert_eq!([volume([p, q, r, s]), volume([q, p, r, s]), volume([p, q, r, q])], [1, -1, 0]);
     }
 
     #[test]
