@@ -41,11 +41,13 @@ const STATEMENTS: &str = "  mistake <= to_integer(unsigned(number(3 downto 0))) 
   m_axi_arburst <= \"00\" when mistake = 7 else raw_arburst;
   m_axi_rready <= raw_rready and toggle when mistake = 9 else raw_rready;
   m_axis_tdata <= raw_tdata xor x\"0000000000000100\" when mistake = 10 and toggle = '1' else raw_tdata;
-  m_axis_tvalid <= raw_tvalid and toggle when mistake = 11 else raw_tvalid;
+  m_axis_tvalid <= raw_tvalid and toggle when mistake = 11 else
+    '0' when mistake = 12 else
+    raw_tvalid;
 ";
 
-/// What is said of mistakes 1 to 11, and whether it takes gaps to see it.
-const COMPLAINTS: [(&str, bool); 11] = [
+/// What is said of mistakes 1 to 12, and whether it takes gaps to see it.
+const COMPLAINTS: [(&str, bool); 12] = [
     ("an address changed before it was taken", true),
     ("an address changed before it was taken", true),
     ("a read outside the trees of the queries", false),
@@ -57,6 +59,7 @@ const COMPLAINTS: [(&str, bool); 11] = [
     ("RREADY is not set", false),
     ("an answer changed before it was taken", true),
     ("an answer changed before it was taken", true),
+    ("no transfer any more", false),
 ];
 
 /// An engine whose unit is compiled fast, with a change of the text of its top; none, where a tool is missing.
@@ -107,8 +110,8 @@ fn complaint(machine: &Machine, number: u32, gaps: bool) -> Option<String> {
     let images: Vec<&Image> = images.iter().collect();
     let (_, sides) = memory(&images);
     let query = numbers.query([(images[0], sides[0]), (images[1], sides[1])], &turn(2), &[2.5, 1.0, -1.0]).unwrap();
-    // So slow that many bursts are under way.
-    let channel = Channel { latency: 200..=200, gaps, ..Channel::default() };
+    // So slow that many bursts are under way; the query takes less than the patience.
+    let channel = Channel { latency: 200..=200, gaps, patience: 100_000, ..Channel::default() };
     machine.run(&images, &[Query { number, ..query }], &channel).err().map(|error| error.to_string())
 }
 
