@@ -20,6 +20,7 @@ const SIGNALS: &str = "  signal raw_araddr : std_logic_vector(31 downto 0);
   signal raw_tdata : std_logic_vector(63 downto 0);
   signal raw_tvalid : std_logic;
   signal toggle : std_logic := '0';
+  signal stuck : std_logic := '0';
   signal mistake : integer range 0 to 15;
 ";
 const STATEMENTS: &str = "  mistake <= to_integer(unsigned(number(3 downto 0))) when running = '1' else 0;
@@ -27,6 +28,9 @@ const STATEMENTS: &str = "  mistake <= to_integer(unsigned(number(3 downto 0))) 
   begin
     if rising_edge(aclk) then
       toggle <= not toggle;
+      if mistake = 12 then
+        stuck <= '1';
+      end if;
     end if;
   end process flip;
   m_axi_araddr <= raw_araddr xor x\"00000040\" when mistake = 1 and toggle = '1' else
@@ -42,7 +46,7 @@ const STATEMENTS: &str = "  mistake <= to_integer(unsigned(number(3 downto 0))) 
   m_axi_rready <= raw_rready and toggle when mistake = 9 else raw_rready;
   m_axis_tdata <= raw_tdata xor x\"0000000000000100\" when mistake = 10 and toggle = '1' else raw_tdata;
   m_axis_tvalid <= raw_tvalid and toggle when mistake = 11 else
-    '0' when mistake = 12 else
+    '0' when stuck = '1' else
     raw_tvalid;
 ";
 

@@ -167,8 +167,8 @@ fn answer(entity: &mut Entity) -> Outcome {
             tested << 32 | expanded,
             paired << 32 | survived,
             around.unsure << 32 | around.certain,
-            blocks << 32 | 2 * expanded,
-            triangles << 32 | 2 * asked,
+            (blocks << 32) | (2 * expanded),
+            (triangles << 32) | (2 * asked),
             starved << 32 | words,
             stack << 32 | stalled,
         ];

@@ -38,8 +38,8 @@ impl Job {
         match rng.random_range(0..12) {
             0 => words[2] &= !0xffff_ffff,
             1 => words[2] &= 0xffff_ffff,
-            2 => words[1] = LINES - 400 | 7 << 32,
-            3 => words[1] = LINES - 399 | 7 << 32,
+            2 => words[1] = (LINES - 400) | (7 << 32),
+            3 => words[1] = (LINES - 399) | (7 << 32),
             4 => words[0] = (LINES - 20 + u64::from(seldom(rng, 2))) << 32,
             5 => words[0] = 0xffff_ffff,
             _ => {}
