@@ -132,7 +132,7 @@ fn clocks_per_query(engine: &EngineParams, expected: f64, others: &[Channel]) {
 
 #[test]
 fn queries_behind_caches_take_as_many_clocks_as_ever() {
-    let gaps = |latency, seed| Channel { latency, gaps: true, seed };
+    let gaps = |latency, seed| Channel { latency, gaps: true, seed, ..Channel::default() };
     clocks_per_query(&EngineParams::default(), WITH_CACHES, &[gaps(1..=1, 1), gaps(5..=200, 2)]);
 }
 

@@ -1,6 +1,7 @@
 //! The collision engine around a unit (docs/engine.md): hand-written entities, printed by templates from the numbers that
 //! `values` computes, the unit and the volume unit.
 
+mod blocks;
 mod files;
 mod host;
 mod memories;

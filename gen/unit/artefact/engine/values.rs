@@ -1,13 +1,14 @@
 //! The numbers that the templates of the engine print.
 
 use super::EngineDesign;
+use super::blocks::{Code, Part, block_tag_parts, code};
 use super::vectors::formats_line;
 use crate::artefact::testbench::half_period;
 use crate::design::top::{pair_ports, pose_ports};
 use crate::params::Params;
 use crate::params::Upper;
 use crate::params::engine::{
-    ADDRESS_BITS as LINE_ADDRESS_BITS, BlockLayout, Command, EngineFormat, LINK_NUMBER_BITS, Memory, QueryFlags,
+    ADDRESS_BITS as LINE_ADDRESS_BITS, Command, EngineFormat, LINK_NUMBER_BITS, Memory, QueryFlags,
 };
 use crate::params::stream::{BYPASS_AT, Kind, StreamFormat};
 
@@ -30,21 +31,6 @@ pub(super) struct Slice {
     pub low: u32,
     pub from_high: u32,
     pub from_low: u32,
-}
-
-/// Bits that are compared together, and what they are compared with, the highest first.
-#[derive(Debug)]
-pub(super) struct Part {
-    pub high: u32,
-    pub low: u32,
-    pub due: String,
-}
-
-/// A code of a block in two parts, compared with the one that is unusable.
-#[derive(Debug)]
-pub(super) struct Code {
-    pub upper: Part,
-    pub lower: Part,
 }
 
 /// A choice in a row of the query that has fewer values than its bits.
@@ -218,11 +204,11 @@ pub(super) struct Values {
 }
 
 /// The bits of a number, the highest first.
-fn binary(value: u32, bits: u32) -> String {
+pub(super) fn binary(value: u32, bits: u32) -> String {
     (0..bits).rev().map(|i| if value >> i & 1 == 1 { '1' } else { '0' }).collect()
 }
 
-fn zeros(bits: u32) -> String {
+pub(super) fn zeros(bits: u32) -> String {
     "0".repeat(bits as usize)
 }
 
@@ -302,27 +288,6 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         return_words,
         return_bits,
     }
-}
-
-/// Code i of a block, both children counted through. The unusable code has its sign bit alone.
-fn code(format: &EngineFormat, i: u32) -> Code {
-    let (low, bits) = (BlockLayout::CODES_AT + format.offset_bits * i, format.offset_bits);
-    let (middle, end) = (low + bits / 2, low + bits);
-    let upper = Part { high: end - 1, low: middle, due: binary(1 << (end - middle - 1), end - middle) };
-    Code { upper, lower: Part { high: middle - 1, low, due: zeros(middle - low) } }
-}
-
-/// The tag of a block and the zeros behind it, in parts that are no longer than those of a code.
-fn block_tag_parts(block: &BlockLayout) -> Vec<Part> {
-    const LONGEST: u32 = 5;
-    (block.tag_at..BlockLayout::CODES_AT)
-        .step_by(LONGEST as usize)
-        .map(|low| {
-            let bits = LONGEST.min(BlockLayout::CODES_AT - low);
-            let due = block.tag.checked_shr(low - block.tag_at).unwrap_or(0) & ((1 << bits) - 1);
-            Part { high: low + bits - 1, low, due: binary(due, bits) }
-        })
-        .collect()
 }
 
 fn block_bits(format: &EngineFormat) -> u32 {
