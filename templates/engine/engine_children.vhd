@@ -14,8 +14,8 @@ entity {{ prefix }}engine_children is
     clk : in std_logic;
     reset : in std_logic;
     taken : in std_logic;  -- the block is taken in this clock
-    data : in std_logic_vector({{ e.block_bits - 1 }} downto 0);
-    own : in std_logic_vector({{ e.node_bits - 1 }} downto 0);  -- number of the block
+    data : in std_logic_vector({{ e.blocks.block_bits - 1 }} downto 0);
+    own : in std_logic_vector({{ e.traversal.node_bits - 1 }} downto 0);  -- number of the block
     block_count : in std_logic_vector(31 downto 0);
     triangle_count : in std_logic_vector(31 downto 0);
     present : out std_logic_vector(1 downto 0);  -- bit 0 left, bit 1 right child: there is one
@@ -30,21 +30,21 @@ end entity {{ prefix }}engine_children;
 architecture rtl of {{ prefix }}engine_children is
   constant none : std_logic_vector(31 downto 0) := (others => '1');
   -- k in bits 7..0, bits of a code in 11..8, version in 15..12, then zeros
-  constant tag : std_logic_vector({{ e.tag_bits - 1 }} downto 0) := "{{ e.block_tag }}";
-  constant unusable : std_logic_vector({{ e.offset_bits - 1 }} downto 0) := "{{ e.unusable_code }}";  -- -2^{{ e.offset_bits - 1 }}
-  constant usable : std_logic_vector({{ e.code_count }} downto 0) := (others => '0');
+  constant tag : std_logic_vector({{ e.blocks.tag_bits - 1 }} downto 0) := "{{ e.blocks.block_tag }}";
+  constant unusable : std_logic_vector({{ e.blocks.offset_bits - 1 }} downto 0) := "{{ e.blocks.unusable_code }}";  -- -2^{{ e.blocks.offset_bits - 1 }}
+  constant usable : std_logic_vector({{ e.blocks.code_count }} downto 0) := (others => '0');
   -- Bit i: code i is unusable; the last: the tag differs.
-  signal found : std_logic_vector({{ e.code_count }} downto 0);
-  signal found_before : std_logic_vector({{ e.code_count }} downto 0) := (others => '0');
+  signal found : std_logic_vector({{ e.blocks.code_count }} downto 0);
+  signal found_before : std_logic_vector({{ e.blocks.code_count }} downto 0) := (others => '0');
   signal taken_before : std_logic := '0';
   type links is array (0 to 1) of std_logic_vector(31 downto 0);
   signal link : links := (others => (others => '0'));
-  signal number : std_logic_vector({{ e.node_bits - 1 }} downto 0) := (others => '0');
+  signal number : std_logic_vector({{ e.traversal.node_bits - 1 }} downto 0) := (others => '0');
 begin
-{%- for code in e.codes %}
+{%- for code in e.blocks.codes %}
   found({{ loop.index0 }}) <= '1' when data({{ code.high }} downto {{ code.low }}) = unusable else '0';
 {%- endfor %}
-  found({{ e.code_count }}) <= '1' when data({{ e.codes_at - 1 }} downto {{ e.tag_at }}) /= tag else '0';
+  found({{ e.blocks.code_count }}) <= '1' when data({{ e.blocks.codes_at - 1 }} downto {{ e.blocks.tag_at }}) /= tag else '0';
 
   hold : process (clk)
   begin
@@ -71,7 +71,7 @@ begin
     leaf(i) <= link(i)(31);
     beyond <= '1' when target >= unsigned(triangle_count) else '0';
     astray <= '1' when target >= unsigned(block_count) or target <= unsigned(number)
-      or target(30 downto {{ e.node_bits }}) /= 0 else '0';
+      or target(30 downto {{ e.traversal.node_bits }}) /= 0 else '0';
     fault(i) <= beyond when link(i)(31) = '1' else astray;
   end generate children;
   left <= link(0)(27 downto 0);
