@@ -11,7 +11,7 @@ use crate::cosim::Simulator;
 use crate::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
 use crate::design::top::DesignError;
 use crate::golden::engine::Query;
-use crate::host::engine::{Image, Layout, Meetings, Numbers, memory};
+use crate::host::engine::{Image, Images, Layout, Numbers, memory};
 use crate::params::engine::{Memory, QueryFlags};
 use crate::params::options::Choice;
 use crate::scene::Scene;
@@ -117,16 +117,16 @@ struct Asked {
 }
 
 /// The queries of a scene.
-fn queries(meetings: &Meetings, scene: &Scene, arguments: &Arguments) -> Asked {
+fn queries(images: &Images, scene: &Scene, arguments: &Arguments) -> Asked {
     let broad_phase = scene.broad_phase();
-    let (_, sides) = memory(&meetings.images.iter().collect::<Vec<_>>());
+    let (_, sides) = memory(&images.all());
     let frames = scene.frames();
     let bar = progress::bar("making queries", frames as u64, "poses", false);
     let made = (0..frames).into_par_iter().flat_map_iter(|frame| {
         bar.inc(1);
         let distance = scene.frame(frame).distance;
         let found = broad_phase.meetings(frame).into_iter();
-        found.map(|meeting| (distance, meetings.query(&meeting, &sides).ok())).collect::<Vec<_>>()
+        found.map(|meeting| (distance, images.query(meeting.meshes, &meeting.pose, &sides).ok())).collect::<Vec<_>>()
     });
     let made: Vec<(Option<f64>, Option<Query>)> = made.collect();
     bar.finish_and_clear();
@@ -219,11 +219,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = arguments.source.scene.as_deref().unwrap_or(HEADLIGHT);
     let scene = load_scene(name)?;
     let numbers = Numbers::new(&design.params, &design.unit.params).map_err(DesignError::from)?;
-    let meetings = Meetings::new(&scene, numbers).map_err(|e| Failure::Usage(format!("{name}: {e}")))?;
-    let images: Vec<&Image> = meetings.images.iter().collect();
+    let held = Images::new(&scene.meshes().0, numbers).map_err(|e| Failure::Usage(format!("{name}: {e}")))?;
+    let images = held.all();
     // Before the time that the queries take.
     Layout::new(&design.params, &design.format, &images).map_err(DesignError::from)?;
-    let asked = queries(&meetings, &scene, arguments);
+    let asked = queries(&held, &scene, arguments);
     let queries = &asked.queries;
     if queries.is_empty() {
         return Err(Failure::Usage(format!("{name}: expected two objects whose boxes overlap in a frame")));
