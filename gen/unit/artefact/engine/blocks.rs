@@ -1,6 +1,5 @@
 //! What a block is compared with, in parts that a device compares fast.
 
-use super::values::{binary, zeros};
 use crate::params::engine::{BlockLayout, EngineFormat};
 
 /// Bits that are compared together, and what they are compared with, the highest first.
@@ -16,6 +15,15 @@ pub(super) struct Part {
 pub(super) struct Code {
     pub upper: Part,
     pub lower: Part,
+}
+
+/// The bits of a number, the highest first.
+pub(super) fn binary(value: u32, bits: u32) -> String {
+    (0..bits).rev().map(|i| if value >> i & 1 == 1 { '1' } else { '0' }).collect()
+}
+
+pub(super) fn zeros(bits: u32) -> String {
+    "0".repeat(bits as usize)
 }
 
 /// Code i of a block, both children counted through. The unusable code has its sign bit alone.

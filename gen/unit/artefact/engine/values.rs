@@ -1,7 +1,7 @@
 //! The numbers that the templates of the engine print.
 
 use super::EngineDesign;
-use super::blocks::{Code, Part, block_tag_parts, code};
+use super::blocks::{Code, Part, binary, block_tag_parts, code, zeros};
 use super::vectors::formats_line;
 use crate::artefact::testbench::half_period;
 use crate::design::top::{pair_ports, pose_ports};
@@ -201,15 +201,6 @@ pub(super) struct Values {
     pub half_period: String,
     pub memories: Vec<Lines>,
     pub caches: Vec<Cache>,
-}
-
-/// The bits of a number, the highest first.
-pub(super) fn binary(value: u32, bits: u32) -> String {
-    (0..bits).rev().map(|i| if value >> i & 1 == 1 { '1' } else { '0' }).collect()
-}
-
-pub(super) fn zeros(bits: u32) -> String {
-    "0".repeat(bits as usize)
 }
 
 /// Places up to the least power of two, at least two, and the bits of a place.
