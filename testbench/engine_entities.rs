@@ -1,13 +1,17 @@
 //! The entities of the collision engine one by one in GHDL: each is driven clock by clock by a test that knows what it is for,
 //! with random work and random stalls, and each test notices mistakes in the text.
 
+mod answer;
 mod cache;
 mod children;
+mod command;
+mod control;
 mod memory;
 mod pairs;
 mod player;
 mod read_master;
 mod stack;
+mod traverse;
 
 use crate::tools::{ghdl, replaced};
 use efsat::artefact::Prefix;
@@ -37,12 +41,24 @@ fn small(memory: Memory) -> EngineDesign {
 
 /// Tests an entity of a design; then with each of some changes of its text, which the test must notice.
 fn tried(design: &EngineDesign, name: &str, changes: &[(&str, &str)], test: impl Fn(&mut Entity) -> Outcome) {
+    tried_with(design, name, &[], changes, test);
+}
+
+/// The same of an entity that has others in it.
+fn tried_with(
+    design: &EngineDesign,
+    name: &str,
+    parts: &[&str],
+    changes: &[(&str, &str)],
+    test: impl Fn(&mut Entity) -> Outcome,
+) {
     let Some(ghdl) = ghdl() else { return };
     let files = engine_files(design, &Prefix::default(), "efsat generate --engine").unwrap();
-    let (_, text) = files.iter().find(|(file, _)| *file == format!("{name}.vhd")).unwrap();
-    test(&mut Entity::new(ghdl, name, text)).unwrap_or_else(|error| panic!("{name}: {error}"));
+    let text_of = |name: &str| &files.iter().find(|(file, _)| *file == format!("{name}.vhd")).unwrap().1;
+    let (text, parts) = (text_of(name), parts.iter().map(|part| text_of(part).as_str()).collect::<String>());
+    test(&mut Entity::new(ghdl, name, text, &parts)).unwrap_or_else(|error| panic!("{name}: {error}"));
     for (from, to) in changes {
-        let outcome = test(&mut Entity::new(ghdl, name, &replaced(text, from, to)));
+        let outcome = test(&mut Entity::new(ghdl, name, &replaced(text, from, to), &parts));
         assert!(outcome.is_err(), "{name}: not noticed: {from}");
     }
 }

@@ -212,7 +212,7 @@ fn pairs_and_poses_come_in_turn_with_queries() {
     let changes = [
         // Pairs do not wait for the query before them; a query does not wait for pairs.
         ("engine_command.vhd", "waits <= pending or (busy and head_kind(is_pairs));", "waits <= pending;"),
-        ("engine_control.vhd", "job_due <= job_valid and idle when", "job_due <= job_valid when"),
+        ("engine_control.vhd", "job_due <= job_valid and idle_before when", "job_due <= job_valid when"),
         // The last pair of a packet is that which arrives, not that which is answered.
         ("efsat_engine.vhd", "decided_last <= tested_numbers(16) and", "decided_last <= packet_last and"),
         // The options of a query stay.
@@ -296,7 +296,7 @@ fn a_wrong_engine_is_noticed() {
         ("engine_children.vhd", "beyond <= '1' when target >=", "beyond <= '0' when target >=", quick),
         // Contact does not end the query; separate pairs are answered; a query's options stay from the last.
         ("engine_answer.vhd", "contact <= counts and stop_at_contact", "contact <= '0' and stop_at_contact", quick),
-        ("engine_answer.vhd", "head_valid and separate_too and not ending;", "head_valid and not ending;", quick),
+        ("engine_answer.vhd", "head_valid and separate_too and not dropping;", "head_valid and not dropping;", quick),
         ("engine_answer.vhd", "free <= m_axis_tready or not offered;", "free <= '1';", slow),
         // A line is given before it has come; an address waits for ready.
         ("engine_triangle_cache.vhd", "(filled or not order(", "('1' or not order(", slow),
@@ -383,7 +383,7 @@ fn the_rule_of_the_stack_is_exact() {
         // W too large by one.
         (file, "room <= unsigned(to_signed(4, ", "room <= unsigned(to_signed(5, "),
         // Pairs in flight are not counted.
-        (file, "change := change - 3;", "change := change + 1;"),
+        (file, "(change - 3)", "(change + 1)"),
         // Both left children are pushed first, and popped last.
         (
             file,

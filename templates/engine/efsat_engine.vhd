@@ -121,6 +121,11 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal triangles_valid : std_logic;
   signal triangles_ready : std_logic;
   signal triangles_taken : std_logic;
+{%- if e.paced %}
+  signal triangles_there : std_logic;  -- and not sent yet
+  signal triangles_passed : std_logic;  -- dropped, or by the unit
+  signal triangles_sent : std_logic := '0';  -- the unit has taken them, a clock ago
+{%- endif %}
   signal triangle_a : std_logic_vector({{ e.triangle_bits - 1 }} downto 0);
   signal triangle_b : std_logic_vector({{ e.triangle_bits - 1 }} downto 0);
   signal numbers : std_logic_vector(55 downto 0);
@@ -155,6 +160,9 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal decided_outside : std_logic;
 {%- endif %}
   signal bypass_valid : std_logic;
+  signal bypass_free : std_logic;
+  signal bypassed_valid : std_logic := '0';
+  signal bypassed_numbers : std_logic_vector(55 downto 0) := (others => '0');
   signal pair_answered : std_logic;
 
   -- Events
@@ -372,9 +380,15 @@ begin
       request_ready => triangle_accepted,
       request_a => leaf_a,
       request_b => leaf_b,
+{%- if e.paced %}
+      triangles_valid => triangles_there,
+      triangles_ready => triangles_ready,
+      triangles_taken => triangles_passed,
+{%- else %}
       triangles_valid => triangles_valid,
       triangles_ready => triangles_ready,
       triangles_taken => triangles_taken,
+{%- endif %}
       sent => packet_taken,
       answered => pair_answered,
       idle => pairs_idle
@@ -383,6 +397,8 @@ begin
 
   -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the {{ e.pair_tag_bits }} bits of their tag the
   -- unit's tag says which is the last of its packet{% if e.signs.len() > 0 %}, and which has a number that does not fit{% endif %}.
+  -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign{% if e.signs.len() > 0 %}, which is looked at for
+  -- pairs of packets{% endif %}.
   unit_v <= triangle_a(319 downto 32) when running = '1' else job_words({{ e.pair_at + 351 }} downto {{ e.pair_at + 64 }});
   unit_w <= triangle_b(319 downto 32) when running = '1' else job_words({{ e.pair_at + 639 }} downto {{ e.pair_at + 352 }});
 {%- if e.sticky %}
@@ -393,11 +409,44 @@ begin
     {% if e.signs.len() > 0 %}"{{ e.unit_tag_zeros[1..] }}" & (packet_unfit or pose_unfit){% else %}"{{ e.unit_tag_zeros }}"{% endif %} & packet_last & job_words({{ e.pair_at + 31 + e.pair_tag_bits }} downto {{ e.pair_at + 32 }});
   packet_taken <= packet_valid and unit_ready;
 
-  -- With leaves_only pairs pass by the unit, which is empty then.
+  -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
+  -- The numbers of triangles are in the low bits of the first word, {{ e.triangle_number_bits }} of them.
   numbers <= {{ e.number_above }}triangle_b({{ e.triangle_number_bits - 1 }} downto 0) & {{ e.number_above }}triangle_a({{ e.triangle_number_bits - 1 }} downto 0);
+  bypass_free <= decided_ready or not bypassed_valid;
+{%- if e.paced %}
+  unit_valid <= (triangles_there and not leaves_only and not ending) or packet_valid;
+  bypass_valid <= triangles_there and leaves_only and not ending;
+  triangles_ready <= bypass_free and leaves_only;
+  -- Whether the unit takes a pair is known late in a clock: the memory hears of it a clock later, which costs nothing, because the
+  -- unit does not take the next one at once.
+  triangles_there <= triangles_valid and not triangles_sent;
+  triangles_taken <= triangles_passed or triangles_sent;
+
+  send : process (aclk)
+  begin
+    if rising_edge(aclk) then
+      triangles_sent <= triangles_there and unit_ready and not leaves_only and not ending and not restart;
+    end if;
+  end process send;
+{%- else %}
   unit_valid <= (triangles_valid and not leaves_only and not ending) or packet_valid;
   bypass_valid <= triangles_valid and leaves_only and not ending;
-  triangles_ready <= decided_ready when leaves_only = '1' else unit_ready;
+  triangles_ready <= bypass_free when leaves_only = '1' else unit_ready;
+{%- endif %}
+
+  bypass : process (aclk)
+  begin
+    if rising_edge(aclk) then
+      if bypass_free = '1' then
+        bypassed_numbers <= numbers;
+      end if;
+      if restart = '1' then
+        bypassed_valid <= '0';
+      elsif bypass_free = '1' then
+        bypassed_valid <= bypass_valid;
+      end if;
+    end if;
+  end process bypass;
 
   unit : entity work.{{ prefix }}efsat
     port map (
@@ -423,7 +472,7 @@ begin
       out_tag => tested_numbers
     );
   tested_taken <= decided_ready and not leaves_only;
-  decided_valid <= bypass_valid when leaves_only = '1' else tested_valid;
+  decided_valid <= bypassed_valid when leaves_only = '1' else tested_valid;
 {%- if e.signs.len() > 0 %}
   tested_unfit <= tested_numbers({{ e.pair_tag_bits + 1 }}) and not running;
   verdict <= "10" when leaves_only = '1' or tested_unfit = '1' else tested_verdict;
@@ -436,7 +485,7 @@ begin
   decided_outside <= tested_outside and not running;
 {%- endif %}
 {%- endif %}
-  decided_numbers <= numbers when leaves_only = '1' else
+  decided_numbers <= bypassed_numbers when leaves_only = '1' else
     tested_numbers when running = '1' else
     tested_flags & tested_numbers({{ e.pair_tag_bits - 1 }} downto 0);
   decided_last <= tested_numbers({{ e.pair_tag_bits }}) and not running;
@@ -491,6 +540,7 @@ begin
 
   -- ===== Memory =====
 {%- if e.block_ram %}
+  -- A line or base in the memory has no bits above these: commands write, and control runs queries, within it alone.
   block_memory : entity work.{{ prefix }}engine_block_memory
     port map (
       clk => aclk,
@@ -534,6 +584,7 @@ begin
   triangle_reads <= "00";
   words_read <= '0';
 {%- else %}
+  -- Bases are addresses / 64: control runs no query about a tree that ends beyond 2^32, so bits 31..26 are zero where a line is read.
 {%- for cache in e.caches %}
   {{ cache.label }} : entity work.{{ prefix }}{{ cache.entity }}
     port map (
@@ -564,6 +615,7 @@ begin
   blocks_valid <= line_valid(0) and line_valid(1);
   triangles_valid <= line_valid(2) and line_valid(3);
   flushing <= '0' when busy_caches = "0000" else '1';
+  -- Caches 0 and 1 hold blocks, 2 and 3 triangles.
   block_reads <= missed(1 downto 0);
   triangle_reads <= missed(3 downto 2);
 

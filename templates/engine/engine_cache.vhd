@@ -61,7 +61,8 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal looked_leaves : std_logic;
   signal judged : std_logic := '0';
   signal judged_at : unsigned(25 downto 0) := (others => '0');
-  signal same : std_logic_vector(4 downto 0) := "00000";  -- parts of the comparison
+  constant all_same : std_logic_vector({{ m.tag_parts.len() }} downto 0) := (others => '1');
+  signal same : std_logic_vector({{ m.tag_parts.len() }} downto 0) := (others => '0');  -- parts of the comparison: short ones, because tags come late in their clock
   signal hit : std_logic;
   signal passes : std_logic;
   signal misses : std_logic;
@@ -117,6 +118,8 @@ begin
   arrives <= ready and request_valid;
   head_leaves <= head_valid and (looked_leaves or not looked);
 
+  -- A number has at most {{ m.number_bits }} bits, an address 26. Control runs no query whose tree ends beyond the last address, and the
+  -- traversal asks for nothing beyond the tree: what is dropped of a number is zero.
   hold : process (clk)
   begin
     if rising_edge(clk) then
@@ -144,7 +147,7 @@ begin
   -- ===== Look-up =====
   address <= unsigned(base) + unsigned(head);
   looked_leaves <= looked and (passes or not judged);
-  hit <= '1' when same = "11111" else '0';
+  hit <= '1' when same = all_same else '0';
   all_reserved <= reserved(reserved'high);
   passes <= judged and order_free and (hit or not (asking or all_reserved));
   misses <= passes and not hit;
@@ -183,17 +186,13 @@ begin
       end if;
       if looked_leaves = '1' then
         judged_at <= looked_at;
-        same <= "00000";
-        if follows = '1' then
-          same <= (others => follows_same);
-        else
+        same <= (others => '0');
 {%- for part in m.tag_parts %}
-          if tag_found({{ part.high }} downto {{ part.low }}) = std_logic_vector(looked_at({{ part.from_high }} downto {{ part.from_low }})) then
-            same({{ loop.index0 }}) <= '1';
-          end if;
-{%- endfor %}
-          same(4) <= tag_found({{ m.tag_bits }});
+        if follows = '1' or tag_found({{ part.high }} downto {{ part.low }}) = std_logic_vector(looked_at({{ part.from_high }} downto {{ part.from_low }})) then
+          same({{ loop.index0 }}) <= '1';
         end if;
+{%- endfor %}
+        same({{ m.tag_parts.len() }}) <= (follows and follows_same) or (tag_found({{ m.tag_bits }}) and not follows);
       end if;
       if misses = '1' then
         asked_address <= judged_at;
@@ -244,6 +243,7 @@ begin
   line_valid <= found;
   whole <= {% for i in m.word_places %}line_word({{ i }}){% if !loop.last %}
     & {% endif %}{% endfor %};
+  -- A line ends within its last word: what is above is not of the line.
   data <= whole({{ m.line_bits - 1 }} downto 0);
 
   serve : process (clk)

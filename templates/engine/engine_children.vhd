@@ -29,22 +29,29 @@ end entity {{ prefix }}engine_children;
 
 architecture rtl of {{ prefix }}engine_children is
   constant none : std_logic_vector(31 downto 0) := (others => '1');
-  -- k in bits 7..0, bits of a code in 11..8, version in 15..12, then zeros
-  constant tag : std_logic_vector({{ e.tag_bits - 1 }} downto 0) := "{{ e.block_tag }}";
-  constant unusable : std_logic_vector({{ e.offset_bits - 1 }} downto 0) := "{{ e.unusable_code }}";  -- -2^{{ e.offset_bits - 1 }}
-  constant usable : std_logic_vector({{ e.code_count }} downto 0) := (others => '0');
-  -- Bit i: code i is unusable; the last: the tag differs.
-  signal found : std_logic_vector({{ e.code_count }} downto 0);
-  signal found_before : std_logic_vector({{ e.code_count }} downto 0) := (others => '0');
+  -- The bits of a block come out of block RAM, late in their clock: they are compared in short parts, and the parts are put
+  -- together a clock later. A code is unusable if it is -2^{{ e.offset_bits - 1 }}. The tag has k in bits 7..0, bits of a code in 11..8, version in
+  -- 15..12, then zeros.
+  constant usable : std_logic_vector({{ e.code_count - 1 }} downto 0) := (others => '0');
+  constant same : std_logic_vector({{ e.block_tag_parts.len() - 1 }} downto 0) := (others => '0');
+  signal upper : std_logic_vector({{ e.code_count - 1 }} downto 0);  -- bit i: the upper bits of code i are those of the unusable one
+  signal upper_before : std_logic_vector({{ e.code_count - 1 }} downto 0) := (others => '0');
+  signal lower : std_logic_vector({{ e.code_count - 1 }} downto 0);
+  signal lower_before : std_logic_vector({{ e.code_count - 1 }} downto 0) := (others => '0');
+  signal other : std_logic_vector({{ e.block_tag_parts.len() - 1 }} downto 0);  -- parts of the tag that differ
+  signal other_before : std_logic_vector({{ e.block_tag_parts.len() - 1 }} downto 0) := (others => '0');
   signal taken_before : std_logic := '0';
   type links is array (0 to 1) of std_logic_vector(31 downto 0);
   signal link : links := (others => (others => '0'));
   signal number : std_logic_vector({{ e.node_bits - 1 }} downto 0) := (others => '0');
 begin
 {%- for code in e.codes %}
-  found({{ loop.index0 }}) <= '1' when data({{ code.high }} downto {{ code.low }}) = unusable else '0';
+  upper({{ loop.index0 }}) <= '1' when data({{ code.upper.high }} downto {{ code.upper.low }}) = "{{ code.upper.due }}" else '0';
+  lower({{ loop.index0 }}) <= '1' when data({{ code.lower.high }} downto {{ code.lower.low }}) = "{{ code.lower.due }}" else '0';
 {%- endfor %}
-  found({{ e.code_count }}) <= '1' when data({{ e.codes_at - 1 }} downto {{ e.tag_at }}) /= tag else '0';
+{%- for part in e.block_tag_parts %}
+  other({{ loop.index0 }}) <= '1' when data({{ part.high }} downto {{ part.low }}) /= "{{ part.due }}" else '0';
+{%- endfor %}
 
   hold : process (clk)
   begin
@@ -52,10 +59,12 @@ begin
       link(0) <= data(31 downto 0);
       link(1) <= data(63 downto 32);
       number <= own;
-      found_before <= found;
+      upper_before <= upper;
+      lower_before <= lower;
+      other_before <= other;
       taken_before <= taken and not reset;
       bad <= '0';
-      if found_before /= usable then
+      if (upper_before and lower_before) /= usable or other_before /= same then
         bad <= taken_before and not reset;
       end if;
     end if;
@@ -74,6 +83,7 @@ begin
       or target(30 downto {{ e.node_bits }}) /= 0 else '0';
     fault(i) <= beyond when link(i)(31) = '1' else astray;
   end generate children;
+  -- Bits 30..28 are zero where there is no fault: no tree that a query can name has so many blocks or triangles.
   left <= link(0)(27 downto 0);
   right <= link(1)(27 downto 0);
 end architecture rtl;

@@ -230,6 +230,7 @@ begin
 {%- if e.block_ram %}
       block_write <= '0';
       triangle_write <= '0';
+      -- The bit above is set only beyond the memory, where nothing is written.
       write_line <= std_logic_vector(load_line({{ e.load_bits - 1 }} downto 0));
       write_place <= std_logic_vector(load_place);
       write_data <= head;
@@ -394,8 +395,12 @@ begin
             load_triangles <= head(31);
             if head_whole = '0' or head_last = '1' then
               found := too_short;
-            elsif address_unfit = '1' or head(30 downto {{ e.load_bits + 6 }}) /= "{{ e.load_zeros }}" then
+            elsif address_unfit = '1' then
               found := unknown;
+            end if;
+            -- A line that has no number here is beyond both memories, as the one behind the last is.
+            if head(30 downto {{ e.load_bits + 6 }}) /= "{{ e.load_zeros }}" then
+              load_line({{ e.load_bits }}) <= '1';
             end if;
           elsif expectation = load_state then
             load_place <= load_place + 1;
@@ -432,6 +437,7 @@ begin
                 query_pending <= '1';
                 posed_pending <= '1';
               elsif answer_short = '1' then
+                -- 6, 7 and 8 become 1, 2 and 3: the two low bits tell them apart.
                 job_reason <= "000" & std_logic_vector(unsigned(found(1 downto 0)) - 1);
               end if;
             end if;

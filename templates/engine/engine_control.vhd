@@ -86,6 +86,7 @@ architecture rtl of {{ prefix }}engine_control is
   signal ending_now : std_logic := '1';
   signal dropping_now : std_logic := '0';
   signal report_due_now : std_logic := '0';
+  signal idle_before : std_logic := '0';  -- idle, a clock ago: a pair of a packet ends it two clocks before a job can come behind that
   signal job_due : std_logic;  -- the job may be taken, once the unit has its pose
   signal checks : unsigned(1 downto 0) := "00";
   signal stopped : std_logic := '0';
@@ -109,7 +110,7 @@ architecture rtl of {{ prefix }}engine_control is
   signal options : std_logic_vector(63 downto 0) := (others => '0');
 begin
   -- The pose goes first, and a clock later the rest of the job.
-  job_due <= job_valid and idle when phase = waiting_state else '0';
+  job_due <= job_valid and idle_before when phase = waiting_state else '0';
   pose_valid <= job_due and job_posed;
   job_taken <= taken;
   running <= running_now;
@@ -169,10 +170,12 @@ begin
         counts(2) <= unsigned(job_words({{ e.word4 + 31 }} downto {{ e.word4 }}));
         counts(3) <= unsigned(job_words({{ e.word4 + 63 }} downto {{ e.word4 + 32 }}));
         options <= job_words({{ e.word5 + 63 }} downto {{ e.word5 }});
+        -- Word 6 ends with the three errors: the bits above are not read.
         query_errors <= job_words({{ e.word6 + 47 }} downto {{ e.word6 }});
 {%- for entry in e.matrix_entries %}
         query_pose({{ entry.high }} downto {{ entry.low }}) <= saturated({{ loop.index0 }});
 {%- endfor %}
+        -- Of the shift the bits below s4.22 are cut off, of a row those above its rest are zero: the command has looked.
 {%- for slice in e.shift_slices %}
         query_shift({{ slice.high }} downto {{ slice.low }}) <= job_words({{ slice.from_high }} downto {{ slice.from_low }});
 {%- endfor %}
@@ -225,6 +228,7 @@ begin
       next_phase := phase;
       next_reason := reason_now;
       started <= '0';
+      idle_before <= idle;
 {%- if e.axi %}
       flush_now <= '0';
 {%- endif %}
@@ -257,9 +261,15 @@ begin
             if outside /= "0000" then
               next_reason := "00100";
               next_phase := report_state;
+{%- if e.axi %}
+              known <= '0';
+{%- endif %}
             elsif empty = '1' then
               next_reason := "00011";
               next_phase := report_state;
+{%- if e.axi %}
+              known <= '0';
+{%- endif %}
 {%- if e.axi %}
             elsif moved = '1' then
               flush_now <= '1';
@@ -280,7 +290,8 @@ begin
           end if;
 {%- endif %}
         elsif phase = run_state then
-          if reason_now = fine then
+          -- That is, while there is no reason to end.
+          if ending_now = '0' then
             if {% if e.axi %}memory_error = '1' then
               next_reason := "00100";
             elsif {% endif %}bad_tree = '1' then

@@ -55,10 +55,13 @@ begin
     & {% endif %}{% endfor %};
   whole_b <= {% for i in m.word_places %}words_b({{ i }}){% if !loop.last %}
     & {% endif %}{% endfor %};
+  -- A line ends within its last word: what is above is not of the line.
   line_a <= whole_a({{ m.line_bits - 1 }} downto 0);
   line_b <= whole_b({{ m.line_bits - 1 }} downto 0);
   place_a <= unsigned(write_line) when write_valid = '1' else asked_a;
 
+  -- Control runs no query whose tree ends beyond the memory, and the traversal asks for nothing beyond the tree: what is dropped of
+  -- a number is zero.
   ask : process (clk)
   begin
     if rising_edge(clk) then

@@ -2,8 +2,8 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- The stack of pairs that are still to be opened. The uppermost entry is in a register, the one below it at the output
--- of the memory or, after a push, in a register; so a push and a pop are possible in every clock, also both in one.
+-- The stack of pairs that are still to be opened. The two uppermost entries are in registers, the third at the output of the
+-- memory or, after a push, in a register; so a push and a pop are possible in every clock, also both in one.
 -- There are never more than {{ e.stack }} entries: the traversal sees to it (rule of issue), and the report tells the most there were.
 --------------------------------------------------------------------------------
 library ieee;
@@ -25,15 +25,16 @@ end entity {{ prefix }}engine_stack;
 
 architecture rtl of {{ prefix }}engine_stack is
   type entries is array (0 to {{ e.stack_places - 1 }}) of std_logic_vector({{ e.entry_bits - 1 }} downto 0);
-  signal memory : entries := (others => (others => '0'));  -- all entries but the uppermost
+  signal memory : entries := (others => (others => '0'));  -- all entries but the two uppermost
   signal used : unsigned({{ e.stack_bits }} downto 0) := (others => '0');  -- entries
-  signal push_place : unsigned({{ e.stack_bits - 1 }} downto 0) := (others => '0');  -- used - 1: where the uppermost goes
-  signal pop_place : unsigned({{ e.stack_bits - 1 }} downto 0) := (others => '0');  -- used - 3: the one below after a pop
+  signal push_place : unsigned({{ e.stack_bits - 1 }} downto 0) := (others => '0');  -- used - 2: where the second goes
+  signal pop_place : unsigned({{ e.stack_bits - 1 }} downto 0) := (others => '0');  -- used - 4: the third after a pop
   signal place : unsigned({{ e.stack_bits - 1 }} downto 0);
   signal top : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');
-  signal pushed_over : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');  -- uppermost before the last push
+  signal second : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');
+  signal pushed_over : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');  -- second before the last push
   signal remembered : std_logic_vector({{ e.entry_bits - 1 }} downto 0) := (others => '0');  -- output of the memory
-  signal below : std_logic_vector({{ e.entry_bits - 1 }} downto 0);
+  signal third : std_logic_vector({{ e.entry_bits - 1 }} downto 0);
   signal last_was_push : std_logic := '0';
   signal grows : std_logic;
   signal shrinks : std_logic;
@@ -46,13 +47,14 @@ begin
   grows <= push and not pop;
   shrinks <= pop and not push;
   place <= push_place when grows = '1' else pop_place;
-  below <= pushed_over when last_was_push = '1' else remembered;
+  third <= pushed_over when last_was_push = '1' else remembered;
 
   remember : process (clk)
   begin
     if rising_edge(clk) then
-      if grows = '1' and filled_now = '1' then
-        memory(to_integer(place)) <= top;
+      -- A push onto fewer than two entries writes where nothing is read before it is written again.
+      if grows = '1' then
+        memory(to_integer(place)) <= second;
       end if;
       if shrinks = '1' then
         remembered <= memory(to_integer(place));
@@ -66,16 +68,19 @@ begin
       if push = '1' then
         top <= push_entry;
       elsif pop = '1' then
-        top <= below;
+        top <= second;
       end if;
       if grows = '1' then
-        pushed_over <= top;
+        second <= top;
+        pushed_over <= second;
+      elsif shrinks = '1' then
+        second <= third;
       end if;
       if clear = '1' then
         used <= (others => '0');
         filled_now <= '0';
-        push_place <= to_unsigned({{ e.stack_places - 1 }}, {{ e.stack_bits }});
-        pop_place <= to_unsigned({{ e.stack_places - 3 }}, {{ e.stack_bits }});
+        push_place <= to_unsigned({{ e.stack_places - 2 }}, {{ e.stack_bits }});
+        pop_place <= to_unsigned({{ e.stack_places - 4 }}, {{ e.stack_bits }});
         most <= (others => '0');
         last_was_push <= '0';
       else

@@ -108,7 +108,13 @@ fn blocks_and_links_are_checked() {
     let changes = [
         ("target <= unsigned(number)", "target < unsigned(number)"),
         ("beyond <= '1' when target >= unsigned", "beyond <= '1' when target > unsigned"),
-        ("data(151 downto 122) /= tag", "data(137 downto 122) /= tag(15 downto 0)"),
+        ("(upper_before and lower_before) /= usable", "upper_before /= usable"),
+        (
+            "lower(35) <= '1' when data(506 downto 502) = \"00000\"",
+            "lower(35) <= '1' when data(506 downto 502) = \"11111\"",
+        ),
+        ("or other_before /= same", ""),
+        ("data(151 downto 147) /= \"00000\"", "data(150 downto 147) /= \"0000\""),
         ("target(30 downto 24) /= 0", "target(29 downto 24) /= 0"),
     ];
     tried(&small(Memory::Axi), "engine_children", &changes, children);

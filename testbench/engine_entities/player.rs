@@ -119,8 +119,8 @@ end architecture simulation;
 }
 
 impl Entity {
-    /// Analyses a text and starts it; all inputs are 0.
-    pub fn new(ghdl: &str, name: &str, text: &str) -> Self {
+    /// Analyses a text, behind that of the entities in it, and starts it; all inputs are 0.
+    pub fn new(ghdl: &str, name: &str, text: &str, parts: &str) -> Self {
         let ports = ports(text);
         let mut places = HashMap::new();
         let mut ends = [0; 2];
@@ -132,7 +132,7 @@ impl Entity {
         }
         let dir = tempfile::tempdir().unwrap();
         let write = |file: &str, text: &str| std::fs::write(dir.path().join(file), text).unwrap();
-        write("entity.vhd", text);
+        write("entity.vhd", &[parts, text].concat());
         write("player.vhd", &testbench(name, &ports, &places));
         for arguments in [&["-a", "--std=93", "entity.vhd", "player.vhd"][..], &["-e", "--std=93", "player"]] {
             let output = Command::new(ghdl).args(arguments).current_dir(dir.path()).output().unwrap();

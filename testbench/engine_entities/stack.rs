@@ -50,7 +50,7 @@ fn stack(entity: &mut Entity) -> Outcome {
 #[test]
 fn the_stack_is_a_stack() {
     let changes = [
-        ("below <= pushed_over when last_was_push = '1' else remembered;", "below <= remembered;"),
+        ("third <= pushed_over when last_was_push = '1' else remembered;", "third <= remembered;"),
         ("push_place <= push_place - 1;", "push_place <= push_place;"),
         ("elsif pop = '1' then\n        top", "elsif shrinks = '0' then\n        top"),
     ];

@@ -4,9 +4,9 @@ use super::EngineDesign;
 use super::vectors::EngineVectors;
 use crate::golden::Pair;
 use crate::golden::engine::Query;
-use crate::host::engine::{Header, Image, Numbers};
+use crate::host::engine::{Header, Image, Numbers, TRIANGLES_AT};
 use crate::params::ParamError;
-use crate::params::engine::{Command, Memory, Reason};
+use crate::params::engine::{Command, EngineParams, Memory, Reason};
 use efsat_geometry::mesh::Mesh;
 use nalgebra::Point3;
 
@@ -112,6 +112,9 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
     vectors.malformed(&whole(&words[..words.len() - 1]), Reason::TooShort);
     vectors.malformed(&whole(&[words.clone(), vec![0]].concat()), Reason::TooLong);
     vectors.malformed(&whole(&[design.format.header(Command::Stop), 0]), Reason::TooLong);
+    if design.params.memory == Memory::BlockRam {
+        refused_loads(&mut vectors, design);
+    }
     let with = |place: usize, change: &dyn Fn(&mut (u64, bool))| {
         let mut changed = whole(&words);
         change(&mut changed[place]);
@@ -149,4 +152,25 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
     vectors.stop(40);
     vectors.query(&Query { number: 14, ..make(1, 0, 1, [1.0, 1.0, 1.0]) });
     Ok(vectors.text().to_owned())
+}
+
+/// Loads that write nothing: addresses that are none, and those from the first behind each memory to the last there is.
+fn refused_loads(vectors: &mut EngineVectors<'_>, design: &EngineDesign) {
+    let header = design.format.header(Command::Load);
+    let mut load = |rest: &[u64], reason| {
+        let words: Vec<(u64, bool)> = [header].iter().chain(rest).map(|&word| (word, true)).collect();
+        vectors.malformed(&words, reason);
+    };
+    let EngineParams { block_lines, triangle_lines, .. } = design.params;
+    let larger = block_lines.max(triangle_lines).next_power_of_two();
+    for (memory, lines) in [(0, block_lines), (TRIANGLES_AT, triangle_lines)] {
+        for line in [lines, larger, 2 * larger, TRIANGLES_AT - 1] {
+            let address = u64::from(memory + line) << 6;
+            load(&[address, 0, 0, 0, 0, 0, 0, 0, 0], Reason::TooLong);
+        }
+    }
+    load(&[8, 0], Reason::UnknownHeader);
+    load(&[1 << 32, 0], Reason::UnknownHeader);
+    load(&[0], Reason::TooShort);
+    load(&[], Reason::TooShort);
 }

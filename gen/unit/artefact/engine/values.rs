@@ -32,6 +32,21 @@ pub(super) struct Slice {
     pub from_low: u32,
 }
 
+/// Bits that are compared together, and what they are compared with, the highest first.
+#[derive(Debug)]
+pub(super) struct Part {
+    pub high: u32,
+    pub low: u32,
+    pub due: String,
+}
+
+/// A code of a block in two parts, compared with the one that is unusable.
+#[derive(Debug)]
+pub(super) struct Code {
+    pub upper: Part,
+    pub lower: Part,
+}
+
 /// A choice in a row of the query that has fewer values than its bits.
 #[derive(Debug)]
 pub(super) struct Slot {
@@ -111,14 +126,10 @@ pub(super) struct Values {
     pub open_bits: u32,
     // Blocks
     pub block_bits: u32,
-    pub codes: Vec<Bits>,
-    pub codes_at: u32,
+    pub codes: Vec<Code>,
     pub code_count: usize,
     pub offset_bits: u32,
-    pub tag_at: u32,
-    pub tag_bits: u32,
-    pub block_tag: String,
-    pub unusable_code: String,
+    pub block_tag_parts: Vec<Part>,
     pub origin_bits: u32,
     pub factor_bits: u32,
     // Triangles
@@ -126,6 +137,8 @@ pub(super) struct Values {
     pub triangle_number_bits: u32,
     pub number_above: String,
     pub unit_inputs: Vec<Connection>,
+    /// The unit takes no pair in the clock behind another one.
+    pub paced: bool,
     pub guarded: bool,
     pub sticky: bool,
     /// Flags of each kind that the unit gives.
@@ -219,10 +232,6 @@ fn places(count: u32) -> (u32, u32) {
     (places, places.trailing_zeros())
 }
 
-fn bits_at(low: u32, bits: u32) -> Bits {
-    Bits { high: low + bits - 1, low }
-}
-
 /// Place of the words of a job from word 1 on.
 fn word_at(word: u32) -> u32 {
     WORD * (word - 1)
@@ -270,7 +279,7 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         from_high: line_address_bits + high,
         from_low: line_address_bits + low,
     };
-    let cuts = [0, 1, 2, 3, 4].map(|quarter| quarter * tag_bits / 4);
+    const LONGEST: u32 = 3;
     Lines {
         entity,
         what,
@@ -284,12 +293,36 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
         word_places: (0..words_per_line).rev().collect(),
         padded_bits: word_bits * words_per_line,
         tag_bits,
-        tag_parts: cuts.windows(2).map(|cut| part(cut[0], cut[1] - 1)).collect(),
+        tag_parts: (0..tag_bits)
+            .step_by(LONGEST as usize)
+            .map(|low| part(low, tag_bits.min(low + LONGEST) - 1))
+            .collect(),
         places: PLACES,
         place_bits: PLACES.ilog2(),
         return_words,
         return_bits,
     }
+}
+
+/// Code i of a block, both children counted through. The unusable code has its sign bit alone.
+fn code(format: &EngineFormat, i: u32) -> Code {
+    let (low, bits) = (BlockLayout::CODES_AT + format.offset_bits * i, format.offset_bits);
+    let (middle, end) = (low + bits / 2, low + bits);
+    let upper = Part { high: end - 1, low: middle, due: binary(1 << (end - middle - 1), end - middle) };
+    Code { upper, lower: Part { high: middle - 1, low, due: zeros(middle - low) } }
+}
+
+/// The tag of a block and the zeros behind it, in parts that are no longer than those of a code.
+fn block_tag_parts(block: &BlockLayout) -> Vec<Part> {
+    const LONGEST: u32 = 5;
+    (block.tag_at..BlockLayout::CODES_AT)
+        .step_by(LONGEST as usize)
+        .map(|low| {
+            let bits = LONGEST.min(BlockLayout::CODES_AT - low);
+            let due = block.tag.checked_shr(low - block.tag_at).unwrap_or(0) & ((1 << bits) - 1);
+            Part { high: low + bits - 1, low, due: binary(due, bits) }
+        })
+        .collect()
 }
 
 fn block_bits(format: &EngineFormat) -> u32 {
@@ -415,16 +448,10 @@ impl Values {
             pair_bits: params.pair_queue.ilog2(),
             open_bits: 32 - open.leading_zeros(),
             block_bits: block_bits(format),
-            codes: (0..2 * k)
-                .map(|i| bits_at(BlockLayout::CODES_AT + format.offset_bits * i, format.offset_bits))
-                .collect(),
-            codes_at: BlockLayout::CODES_AT,
+            codes: (0..2 * k).map(|i| code(format, i)).collect(),
             code_count: 2 * k as usize,
             offset_bits: format.offset_bits,
-            tag_at: block.tag_at,
-            tag_bits: BlockLayout::CODES_AT - block.tag_at,
-            block_tag: binary(block.tag, BlockLayout::CODES_AT - block.tag_at),
-            unusable_code: binary(1 << (format.offset_bits - 1), format.offset_bits),
+            block_tag_parts: block_tag_parts(&block),
             origin_bits: format.origin_bits,
             factor_bits: format.factor_bits,
             triangle_bits: triangle.bits,
@@ -434,6 +461,7 @@ impl Values {
                 bits => format!("\"{}\" & ", zeros(bits)),
             },
             unit_inputs: unit_inputs(unit, stream),
+            paced: design.unit.interval > 1,
             guarded: unit.guarded(),
             sticky: unit.upper == Upper::Sticky,
             flags: stream.flags,

@@ -270,6 +270,11 @@ fn the_stand_in_refuses_what_the_engine_refuses() {
     assert_eq!(reason(&[64, 0, 0, 0, 0, 0, 0, 0, 0]), Reason::Complete);
     assert_eq!(reason(&[(127 << 6) + (1 << 31), 0, 0, 0, 0, 0, 0, 0, 0]), Reason::Complete);
     assert_eq!(reason(&[128 << 6, 0, 0, 0, 0, 0, 0, 0, 0]), Reason::TooLong);
+    // Beyond both memories, up to the last address of each.
+    for line in [128, 1024, (1 << 25) - 1] {
+        assert_eq!(reason(&[line << 6, 0, 0, 0, 0, 0, 0, 0, 0]), Reason::TooLong);
+        assert_eq!(reason(&[(line << 6) + (1 << 31), 0, 0, 0, 0, 0, 0, 0, 0]), Reason::TooLong);
+    }
     assert_eq!(reason(&[8, 0]), Reason::UnknownHeader);
     assert_eq!(reason(&[1 << 32, 0]), Reason::UnknownHeader);
     assert_eq!(reason(&[]), Reason::TooShort);

@@ -1,0 +1,205 @@
+//! Answers, report and counters against what went in.
+
+use super::*;
+use efsat::params::engine::EngineReport;
+use std::collections::VecDeque;
+
+/// A pair with its verdict.
+#[derive(Clone, Copy)]
+struct Decided {
+    verdict: u64,
+    numbers: u64,
+    last: bool,
+}
+
+/// How pairs are treated.
+#[derive(Clone, Copy, Default)]
+struct Options {
+    dropping: bool,
+    separate_too: bool,
+    stop_at_contact: bool,
+}
+
+#[derive(Default)]
+struct Around {
+    /// Accepted, and not yet answered or dropped.
+    held: VecDeque<Decided>,
+    /// Words that are due, each with TLAST.
+    due: VecDeque<(u64, bool)>,
+    /// Of the clock before: options, whether a pair was a contact, and a word that was not taken.
+    before: Options,
+    contact: bool,
+    offered: Option<(u64, bool)>,
+    certain: u64,
+    unsure: u64,
+}
+
+impl Around {
+    /// A clock, with a pair or none; whether the last word of a report is on its way.
+    fn clock(
+        &mut self,
+        entity: &mut Entity,
+        rng: &mut ChaCha8Rng,
+        clock: usize,
+        pair: Option<Decided>,
+        options: Options,
+    ) -> Result<bool, String> {
+        let ready = !seldom(rng, 3);
+        let Decided { verdict, numbers, last } = pair.unwrap_or(Decided { verdict: 1, numbers: 0, last: true });
+        for (port, value) in [
+            ("decided_valid", pair.is_some().into()),
+            ("verdict", verdict),
+            ("numbers", numbers),
+            ("last", last.into()),
+            ("dropping", options.dropping.into()),
+            ("separate_too", options.separate_too.into()),
+            ("stop_at_contact", options.stop_at_contact.into()),
+            ("m_axis_tready", ready.into()),
+        ] {
+            entity.set(port, value);
+        }
+        entity.settle();
+        let mut contact = false;
+        if entity.is("pair_answered") {
+            let Decided { verdict, numbers, last } =
+                self.held.pop_front().ok_or(format!("clock {clock}: a pair from nowhere is answered"))?;
+            let Options { dropping, separate_too, stop_at_contact } = self.before;
+            if !dropping {
+                self.certain += u64::from(verdict == 1);
+                self.unsure += u64::from(verdict == 2);
+                contact = stop_at_contact && verdict == 1;
+                if verdict > 0 || separate_too {
+                    self.due.push_back((numbers << 8 | verdict, last));
+                }
+            }
+        }
+        expect(self.contact == contact, clock, "contact")?;
+        self.contact = entity.is("contact");
+        self.before = options;
+        let word = (entity.get("m_axis_tdata"), entity.is("m_axis_tlast"));
+        let valid = entity.is("m_axis_tvalid");
+        expect(self.offered.is_none_or(|before| valid && before == word), clock, "a word changes before it is taken")?;
+        self.offered = (valid && !ready).then_some(word);
+        if valid && ready {
+            expect(self.due.pop_front() == Some(word), clock, "another word is due")?;
+        }
+        if let Some(pair) = pair.filter(|_| entity.is("decided_ready")) {
+            self.held.push_back(pair);
+        }
+        let done = entity.is("report_done");
+        entity.clock();
+        Ok(done)
+    }
+
+    /// Until everything that is held is answered and taken.
+    fn drain(&mut self, entity: &mut Entity, rng: &mut ChaCha8Rng, clock: &mut usize, options: Options) -> Outcome {
+        for _ in 0..40 {
+            *clock += 1;
+            self.clock(entity, rng, *clock, None, options)?;
+        }
+        expect(self.held.is_empty() && self.due.is_empty(), *clock, "a pair without an answer")
+    }
+}
+
+/// Counters with a step in each clock: the port and the greatest step, which is 1 for all but the two that say by how many.
+const EVENTS: [(&str, u64); 9] = [
+    ("expanded", 1),
+    ("tested", 4),
+    ("survived", 2),
+    ("paired", 1),
+    ("block_reads", 3),
+    ("triangles_asked", 1),
+    ("triangle_reads", 3),
+    ("words_read", 1),
+    ("starved", 1),
+];
+
+fn answer(entity: &mut Entity) -> Outcome {
+    let mut rng = random(11);
+    let (mut around, mut clock) = (Around::default(), 0);
+    entity.reset();
+    for round in 0..24u64 {
+        entity.set("clear", 1);
+        around.drain(entity, &mut rng, &mut clock, Options::default())?;
+        (around.certain, around.unsure) = (0, 0);
+        let mut options = Options { separate_too: round % 3 == 0, stop_at_contact: round % 2 == 0, dropping: false };
+        let (mut counts, mut stalled) = ([0; EVENTS.len()], 0);
+        entity.set("clear", 0);
+        entity.set("running", 1);
+        let running = 60 + 10 * round;
+        for step in 0..running {
+            clock += 1;
+            // The query has a reason to end.
+            options.dropping = round % 4 == 3 && step > running / 2;
+            for ((port, most), count) in EVENTS.into_iter().zip(&mut counts) {
+                let value = rng.random_range(0..=most);
+                entity.set(port, value);
+                // Two bits are two sides.
+                *count += if most == 3 { u64::from(value.count_ones()) } else { value };
+            }
+            let stalls = rng.random::<bool>();
+            entity.set("stalled", stalls.into());
+            stalled += u64::from(stalls);
+            // As the sides come and go while no pair waits there, too.
+            let pair = (!seldom(&mut rng, 3) && step + 20 < running).then(|| Decided {
+                verdict: rng.random_range(0..3),
+                numbers: rng.random_range(0..1 << 56),
+                last: seldom(&mut rng, 8),
+            });
+            around.clock(entity, &mut rng, clock, pair, options)?;
+        }
+        entity.set("running", 0);
+        EVENTS.iter().for_each(|(port, _)| entity.set(port, 0));
+        entity.set("stalled", 0);
+        around.drain(entity, &mut rng, &mut clock, options)?;
+
+        let (reason, number) = (round % 9, rng.random_range(0..1 << 24));
+        let (short, stack) = (seldom(&mut rng, 4), rng.random_range(0..1 << 10));
+        for (port, value) in
+            [("reason", reason), ("number", number), ("short", short.into()), ("greatest_stack", stack)]
+        {
+            entity.set(port, value);
+        }
+        let incomplete = u64::from(reason > 1 || (reason == 1 && short));
+        let [expanded, tested, survived, paired, blocks, asked, triangles, words, starved] = counts;
+        let report = [
+            running << 32 | number << 8 | incomplete << 7 | reason << 2 | 3,
+            tested << 32 | expanded,
+            paired << 32 | survived,
+            around.unsure << 32 | around.certain,
+            blocks << 32 | 2 * expanded,
+            triangles << 32 | 2 * asked,
+            starved << 32 | words,
+            stack << 32 | stalled,
+        ];
+        let words = if short { 1 } else { EngineReport::WORDS };
+        around.due.extend(report[..words].iter().enumerate().map(|(i, &word)| (word, i + 1 == words)));
+        entity.set("report_due", 1);
+        let mut done = false;
+        for _ in 0..100 {
+            clock += 1;
+            done = around.clock(entity, &mut rng, clock, None, options)?;
+            if done {
+                break;
+            }
+        }
+        expect(done, clock, "the report has no end")?;
+        entity.set("report_due", 0);
+        around.drain(entity, &mut rng, &mut clock, options)?;
+    }
+    Ok(())
+}
+
+#[test]
+fn answers_reports_and_counts_are_those_of_the_pairs() {
+    let changes = [
+        ("free <= m_axis_tready or not offered;", "free <= '1';"),
+        ("decided_ready <= not next_valid;", "decided_ready <= '1';"),
+        ("head_valid and separate_too and not dropping;", "head_valid and separate_too;"),
+        ("counts <= taken and not dropping;", "counts <= taken;"),
+        ("reason = \"00001\" and short = '0'", "reason = \"00001\""),
+        ("offered_last <= ends;", "offered_last <= '0';"),
+        ("counter(survivors_at) + unsigned(survived)", "counter(survivors_at) + unsigned(survived(0 downto 0))"),
+    ];
+    tried(&small(Memory::Axi), "engine_answer", &changes, answer);
+}
