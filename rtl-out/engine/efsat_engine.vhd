@@ -131,6 +131,9 @@ architecture rtl of efsat_engine is
   signal triangles_valid : std_logic;
   signal triangles_ready : std_logic;
   signal triangles_taken : std_logic;
+  signal triangles_there : std_logic;  -- and not sent yet
+  signal triangles_passed : std_logic;  -- dropped, or by the unit
+  signal triangles_sent : std_logic := '0';  -- the unit has taken them, a clock ago
   signal triangle_a : std_logic_vector(319 downto 0);
   signal triangle_b : std_logic_vector(319 downto 0);
   signal numbers : std_logic_vector(55 downto 0);
@@ -152,6 +155,9 @@ architecture rtl of efsat_engine is
   signal decided_numbers : std_logic_vector(55 downto 0);
   signal decided_last : std_logic;
   signal bypass_valid : std_logic;
+  signal bypass_free : std_logic;
+  signal bypassed_valid : std_logic := '0';
+  signal bypassed_numbers : std_logic_vector(55 downto 0) := (others => '0');
   signal pair_answered : std_logic;
 
   -- Events
@@ -340,9 +346,9 @@ begin
       request_ready => triangle_accepted,
       request_a => leaf_a,
       request_b => leaf_b,
-      triangles_valid => triangles_valid,
+      triangles_valid => triangles_there,
       triangles_ready => triangles_ready,
-      triangles_taken => triangles_taken,
+      triangles_taken => triangles_passed,
       sent => packet_taken,
       answered => pair_answered,
       idle => pairs_idle
@@ -351,17 +357,45 @@ begin
 
   -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the 16 bits of their tag the
   -- unit's tag says which is the last of its packet.
+  -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign.
   unit_v <= triangle_a(319 downto 32) when running = '1' else job_words(1695 downto 1408);
   unit_w <= triangle_b(319 downto 32) when running = '1' else job_words(1983 downto 1696);
   unit_tag <= numbers when running = '1' else
     "000000000000000000000000000000000000000" & packet_last & job_words(1391 downto 1376);
   packet_taken <= packet_valid and unit_ready;
 
-  -- With leaves_only pairs pass by the unit, which is empty then.
+  -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
+  -- The numbers of triangles are in the low bits of the first word, 28 of them.
   numbers <= triangle_b(27 downto 0) & triangle_a(27 downto 0);
-  unit_valid <= (triangles_valid and not leaves_only and not ending) or packet_valid;
-  bypass_valid <= triangles_valid and leaves_only and not ending;
-  triangles_ready <= decided_ready when leaves_only = '1' else unit_ready;
+  bypass_free <= decided_ready or not bypassed_valid;
+  unit_valid <= (triangles_there and not leaves_only and not ending) or packet_valid;
+  bypass_valid <= triangles_there and leaves_only and not ending;
+  triangles_ready <= bypass_free and leaves_only;
+  -- Whether the unit takes a pair is known late in a clock: the memory hears of it a clock later, which costs nothing, because the
+  -- unit does not take the next one at once.
+  triangles_there <= triangles_valid and not triangles_sent;
+  triangles_taken <= triangles_passed or triangles_sent;
+
+  send : process (aclk)
+  begin
+    if rising_edge(aclk) then
+      triangles_sent <= triangles_there and unit_ready and not leaves_only and not ending and not restart;
+    end if;
+  end process send;
+
+  bypass : process (aclk)
+  begin
+    if rising_edge(aclk) then
+      if bypass_free = '1' then
+        bypassed_numbers <= numbers;
+      end if;
+      if restart = '1' then
+        bypassed_valid <= '0';
+      elsif bypass_free = '1' then
+        bypassed_valid <= bypass_valid;
+      end if;
+    end if;
+  end process bypass;
 
   unit : entity work.efsat
     port map (
@@ -411,10 +445,10 @@ begin
       out_tag => tested_numbers
     );
   tested_taken <= decided_ready and not leaves_only;
-  decided_valid <= bypass_valid when leaves_only = '1' else tested_valid;
+  decided_valid <= bypassed_valid when leaves_only = '1' else tested_valid;
   verdict <= "10" when leaves_only = '1' else tested_verdict;
   tested_flags <= "000000000000000000" & tested_overlapping & tested_separated;
-  decided_numbers <= numbers when leaves_only = '1' else
+  decided_numbers <= bypassed_numbers when leaves_only = '1' else
     tested_numbers when running = '1' else
     tested_flags & tested_numbers(15 downto 0);
   decided_last <= tested_numbers(16) and not running;
@@ -465,6 +499,7 @@ begin
   stalled <= pair_valid and not pair_ready;
 
   -- ===== Memory =====
+  -- Bases are addresses / 64: control runs no query about a tree that ends beyond 2^32, so bits 31..26 are zero where a line is read.
   blocks_of_a : entity work.engine_block_cache
     port map (
       clk => aclk,
@@ -557,6 +592,7 @@ begin
   blocks_valid <= line_valid(0) and line_valid(1);
   triangles_valid <= line_valid(2) and line_valid(3);
   flushing <= '0' when busy_caches = "0000" else '1';
+  -- Caches 0 and 1 hold blocks, 2 and 3 triangles.
   block_reads <= missed(1 downto 0);
   triangle_reads <= missed(3 downto 2);
 

@@ -150,6 +150,8 @@ begin
 
   -- ===== Report =====
   incomplete <= '0' when reason = "00000" or (reason = "00001" and short = '0') else '1';
+  -- Each expansion asks for two blocks and each pair for two triangles: twice the count, whose highest bit is lost as every count
+  -- of 32 bits begins again.
   report_word <=
     std_logic_vector(counter(clocks_at)) & number & incomplete & reason & "11" when place = 0 else
     std_logic_vector(counter(tests_at)) & std_logic_vector(counter(expansions_at)) when place = 1 else

@@ -60,7 +60,8 @@ architecture rtl of engine_block_cache is
   signal looked_leaves : std_logic;
   signal judged : std_logic := '0';
   signal judged_at : unsigned(25 downto 0) := (others => '0');
-  signal same : std_logic_vector(4 downto 0) := "00000";  -- parts of the comparison
+  constant all_same : std_logic_vector(6 downto 0) := (others => '1');
+  signal same : std_logic_vector(6 downto 0) := (others => '0');  -- parts of the comparison: short ones, because tags come late in their clock
   signal hit : std_logic;
   signal passes : std_logic;
   signal misses : std_logic;
@@ -116,6 +117,8 @@ begin
   arrives <= ready and request_valid;
   head_leaves <= head_valid and (looked_leaves or not looked);
 
+  -- A number has at most 24 bits, an address 26. Control runs no query whose tree ends beyond the last address, and the
+  -- traversal asks for nothing beyond the tree: what is dropped of a number is zero.
   hold : process (clk)
   begin
     if rising_edge(clk) then
@@ -143,7 +146,7 @@ begin
   -- ===== Look-up =====
   address <= unsigned(base) + unsigned(head);
   looked_leaves <= looked and (passes or not judged);
-  hit <= '1' when same = "11111" else '0';
+  hit <= '1' when same = all_same else '0';
   all_reserved <= reserved(reserved'high);
   passes <= judged and order_free and (hit or not (asking or all_reserved));
   misses <= passes and not hit;
@@ -182,24 +185,26 @@ begin
       end if;
       if looked_leaves = '1' then
         judged_at <= looked_at;
-        same <= "00000";
-        if follows = '1' then
-          same <= (others => follows_same);
-        else
-          if tag_found(3 downto 0) = std_logic_vector(looked_at(11 downto 8)) then
-            same(0) <= '1';
-          end if;
-          if tag_found(8 downto 4) = std_logic_vector(looked_at(16 downto 12)) then
-            same(1) <= '1';
-          end if;
-          if tag_found(12 downto 9) = std_logic_vector(looked_at(20 downto 17)) then
-            same(2) <= '1';
-          end if;
-          if tag_found(17 downto 13) = std_logic_vector(looked_at(25 downto 21)) then
-            same(3) <= '1';
-          end if;
-          same(4) <= tag_found(18);
+        same <= (others => '0');
+        if follows = '1' or tag_found(2 downto 0) = std_logic_vector(looked_at(10 downto 8)) then
+          same(0) <= '1';
         end if;
+        if follows = '1' or tag_found(5 downto 3) = std_logic_vector(looked_at(13 downto 11)) then
+          same(1) <= '1';
+        end if;
+        if follows = '1' or tag_found(8 downto 6) = std_logic_vector(looked_at(16 downto 14)) then
+          same(2) <= '1';
+        end if;
+        if follows = '1' or tag_found(11 downto 9) = std_logic_vector(looked_at(19 downto 17)) then
+          same(3) <= '1';
+        end if;
+        if follows = '1' or tag_found(14 downto 12) = std_logic_vector(looked_at(22 downto 20)) then
+          same(4) <= '1';
+        end if;
+        if follows = '1' or tag_found(17 downto 15) = std_logic_vector(looked_at(25 downto 23)) then
+          same(5) <= '1';
+        end if;
+        same(6) <= (follows and follows_same) or (tag_found(18) and not follows);
       end if;
       if misses = '1' then
         asked_address <= judged_at;
@@ -256,6 +261,7 @@ begin
     & line_word(2)
     & line_word(1)
     & line_word(0);
+  -- A line ends within its last word: what is above is not of the line.
   data <= whole(511 downto 0);
 
   serve : process (clk)

@@ -28,55 +28,100 @@ end entity engine_children;
 
 architecture rtl of engine_children is
   constant none : std_logic_vector(31 downto 0) := (others => '1');
-  -- k in bits 7..0, bits of a code in 11..8, version in 15..12, then zeros
-  constant tag : std_logic_vector(29 downto 0) := "000000000000000001101000010010";
-  constant unusable : std_logic_vector(9 downto 0) := "1000000000";  -- -2^9
-  constant usable : std_logic_vector(36 downto 0) := (others => '0');
-  -- Bit i: code i is unusable; the last: the tag differs.
-  signal found : std_logic_vector(36 downto 0);
-  signal found_before : std_logic_vector(36 downto 0) := (others => '0');
+  -- The bits of a block come out of block RAM, late in their clock: they are compared in short parts, and the parts are put
+  -- together a clock later. A code is unusable if it is -2^9. The tag has k in bits 7..0, bits of a code in 11..8, version in
+  -- 15..12, then zeros.
+  constant usable : std_logic_vector(35 downto 0) := (others => '0');
+  constant same : std_logic_vector(5 downto 0) := (others => '0');
+  signal upper : std_logic_vector(35 downto 0);  -- bit i: the upper bits of code i are those of the unusable one
+  signal upper_before : std_logic_vector(35 downto 0) := (others => '0');
+  signal lower : std_logic_vector(35 downto 0);
+  signal lower_before : std_logic_vector(35 downto 0) := (others => '0');
+  signal other : std_logic_vector(5 downto 0);  -- parts of the tag that differ
+  signal other_before : std_logic_vector(5 downto 0) := (others => '0');
   signal taken_before : std_logic := '0';
   type links is array (0 to 1) of std_logic_vector(31 downto 0);
   signal link : links := (others => (others => '0'));
   signal number : std_logic_vector(23 downto 0) := (others => '0');
 begin
-  found(0) <= '1' when data(161 downto 152) = unusable else '0';
-  found(1) <= '1' when data(171 downto 162) = unusable else '0';
-  found(2) <= '1' when data(181 downto 172) = unusable else '0';
-  found(3) <= '1' when data(191 downto 182) = unusable else '0';
-  found(4) <= '1' when data(201 downto 192) = unusable else '0';
-  found(5) <= '1' when data(211 downto 202) = unusable else '0';
-  found(6) <= '1' when data(221 downto 212) = unusable else '0';
-  found(7) <= '1' when data(231 downto 222) = unusable else '0';
-  found(8) <= '1' when data(241 downto 232) = unusable else '0';
-  found(9) <= '1' when data(251 downto 242) = unusable else '0';
-  found(10) <= '1' when data(261 downto 252) = unusable else '0';
-  found(11) <= '1' when data(271 downto 262) = unusable else '0';
-  found(12) <= '1' when data(281 downto 272) = unusable else '0';
-  found(13) <= '1' when data(291 downto 282) = unusable else '0';
-  found(14) <= '1' when data(301 downto 292) = unusable else '0';
-  found(15) <= '1' when data(311 downto 302) = unusable else '0';
-  found(16) <= '1' when data(321 downto 312) = unusable else '0';
-  found(17) <= '1' when data(331 downto 322) = unusable else '0';
-  found(18) <= '1' when data(341 downto 332) = unusable else '0';
-  found(19) <= '1' when data(351 downto 342) = unusable else '0';
-  found(20) <= '1' when data(361 downto 352) = unusable else '0';
-  found(21) <= '1' when data(371 downto 362) = unusable else '0';
-  found(22) <= '1' when data(381 downto 372) = unusable else '0';
-  found(23) <= '1' when data(391 downto 382) = unusable else '0';
-  found(24) <= '1' when data(401 downto 392) = unusable else '0';
-  found(25) <= '1' when data(411 downto 402) = unusable else '0';
-  found(26) <= '1' when data(421 downto 412) = unusable else '0';
-  found(27) <= '1' when data(431 downto 422) = unusable else '0';
-  found(28) <= '1' when data(441 downto 432) = unusable else '0';
-  found(29) <= '1' when data(451 downto 442) = unusable else '0';
-  found(30) <= '1' when data(461 downto 452) = unusable else '0';
-  found(31) <= '1' when data(471 downto 462) = unusable else '0';
-  found(32) <= '1' when data(481 downto 472) = unusable else '0';
-  found(33) <= '1' when data(491 downto 482) = unusable else '0';
-  found(34) <= '1' when data(501 downto 492) = unusable else '0';
-  found(35) <= '1' when data(511 downto 502) = unusable else '0';
-  found(36) <= '1' when data(151 downto 122) /= tag else '0';
+  upper(0) <= '1' when data(161 downto 157) = "10000" else '0';
+  lower(0) <= '1' when data(156 downto 152) = "00000" else '0';
+  upper(1) <= '1' when data(171 downto 167) = "10000" else '0';
+  lower(1) <= '1' when data(166 downto 162) = "00000" else '0';
+  upper(2) <= '1' when data(181 downto 177) = "10000" else '0';
+  lower(2) <= '1' when data(176 downto 172) = "00000" else '0';
+  upper(3) <= '1' when data(191 downto 187) = "10000" else '0';
+  lower(3) <= '1' when data(186 downto 182) = "00000" else '0';
+  upper(4) <= '1' when data(201 downto 197) = "10000" else '0';
+  lower(4) <= '1' when data(196 downto 192) = "00000" else '0';
+  upper(5) <= '1' when data(211 downto 207) = "10000" else '0';
+  lower(5) <= '1' when data(206 downto 202) = "00000" else '0';
+  upper(6) <= '1' when data(221 downto 217) = "10000" else '0';
+  lower(6) <= '1' when data(216 downto 212) = "00000" else '0';
+  upper(7) <= '1' when data(231 downto 227) = "10000" else '0';
+  lower(7) <= '1' when data(226 downto 222) = "00000" else '0';
+  upper(8) <= '1' when data(241 downto 237) = "10000" else '0';
+  lower(8) <= '1' when data(236 downto 232) = "00000" else '0';
+  upper(9) <= '1' when data(251 downto 247) = "10000" else '0';
+  lower(9) <= '1' when data(246 downto 242) = "00000" else '0';
+  upper(10) <= '1' when data(261 downto 257) = "10000" else '0';
+  lower(10) <= '1' when data(256 downto 252) = "00000" else '0';
+  upper(11) <= '1' when data(271 downto 267) = "10000" else '0';
+  lower(11) <= '1' when data(266 downto 262) = "00000" else '0';
+  upper(12) <= '1' when data(281 downto 277) = "10000" else '0';
+  lower(12) <= '1' when data(276 downto 272) = "00000" else '0';
+  upper(13) <= '1' when data(291 downto 287) = "10000" else '0';
+  lower(13) <= '1' when data(286 downto 282) = "00000" else '0';
+  upper(14) <= '1' when data(301 downto 297) = "10000" else '0';
+  lower(14) <= '1' when data(296 downto 292) = "00000" else '0';
+  upper(15) <= '1' when data(311 downto 307) = "10000" else '0';
+  lower(15) <= '1' when data(306 downto 302) = "00000" else '0';
+  upper(16) <= '1' when data(321 downto 317) = "10000" else '0';
+  lower(16) <= '1' when data(316 downto 312) = "00000" else '0';
+  upper(17) <= '1' when data(331 downto 327) = "10000" else '0';
+  lower(17) <= '1' when data(326 downto 322) = "00000" else '0';
+  upper(18) <= '1' when data(341 downto 337) = "10000" else '0';
+  lower(18) <= '1' when data(336 downto 332) = "00000" else '0';
+  upper(19) <= '1' when data(351 downto 347) = "10000" else '0';
+  lower(19) <= '1' when data(346 downto 342) = "00000" else '0';
+  upper(20) <= '1' when data(361 downto 357) = "10000" else '0';
+  lower(20) <= '1' when data(356 downto 352) = "00000" else '0';
+  upper(21) <= '1' when data(371 downto 367) = "10000" else '0';
+  lower(21) <= '1' when data(366 downto 362) = "00000" else '0';
+  upper(22) <= '1' when data(381 downto 377) = "10000" else '0';
+  lower(22) <= '1' when data(376 downto 372) = "00000" else '0';
+  upper(23) <= '1' when data(391 downto 387) = "10000" else '0';
+  lower(23) <= '1' when data(386 downto 382) = "00000" else '0';
+  upper(24) <= '1' when data(401 downto 397) = "10000" else '0';
+  lower(24) <= '1' when data(396 downto 392) = "00000" else '0';
+  upper(25) <= '1' when data(411 downto 407) = "10000" else '0';
+  lower(25) <= '1' when data(406 downto 402) = "00000" else '0';
+  upper(26) <= '1' when data(421 downto 417) = "10000" else '0';
+  lower(26) <= '1' when data(416 downto 412) = "00000" else '0';
+  upper(27) <= '1' when data(431 downto 427) = "10000" else '0';
+  lower(27) <= '1' when data(426 downto 422) = "00000" else '0';
+  upper(28) <= '1' when data(441 downto 437) = "10000" else '0';
+  lower(28) <= '1' when data(436 downto 432) = "00000" else '0';
+  upper(29) <= '1' when data(451 downto 447) = "10000" else '0';
+  lower(29) <= '1' when data(446 downto 442) = "00000" else '0';
+  upper(30) <= '1' when data(461 downto 457) = "10000" else '0';
+  lower(30) <= '1' when data(456 downto 452) = "00000" else '0';
+  upper(31) <= '1' when data(471 downto 467) = "10000" else '0';
+  lower(31) <= '1' when data(466 downto 462) = "00000" else '0';
+  upper(32) <= '1' when data(481 downto 477) = "10000" else '0';
+  lower(32) <= '1' when data(476 downto 472) = "00000" else '0';
+  upper(33) <= '1' when data(491 downto 487) = "10000" else '0';
+  lower(33) <= '1' when data(486 downto 482) = "00000" else '0';
+  upper(34) <= '1' when data(501 downto 497) = "10000" else '0';
+  lower(34) <= '1' when data(496 downto 492) = "00000" else '0';
+  upper(35) <= '1' when data(511 downto 507) = "10000" else '0';
+  lower(35) <= '1' when data(506 downto 502) = "00000" else '0';
+  other(0) <= '1' when data(126 downto 122) /= "10010" else '0';
+  other(1) <= '1' when data(131 downto 127) /= "10000" else '0';
+  other(2) <= '1' when data(136 downto 132) /= "00110" else '0';
+  other(3) <= '1' when data(141 downto 137) /= "00000" else '0';
+  other(4) <= '1' when data(146 downto 142) /= "00000" else '0';
+  other(5) <= '1' when data(151 downto 147) /= "00000" else '0';
 
   hold : process (clk)
   begin
@@ -84,10 +129,12 @@ begin
       link(0) <= data(31 downto 0);
       link(1) <= data(63 downto 32);
       number <= own;
-      found_before <= found;
+      upper_before <= upper;
+      lower_before <= lower;
+      other_before <= other;
       taken_before <= taken and not reset;
       bad <= '0';
-      if found_before /= usable then
+      if (upper_before and lower_before) /= usable or other_before /= same then
         bad <= taken_before and not reset;
       end if;
     end if;
@@ -106,6 +153,7 @@ begin
       or target(30 downto 24) /= 0 else '0';
     fault(i) <= beyond when link(i)(31) = '1' else astray;
   end generate children;
+  -- Bits 30..28 are zero where there is no fault: no tree that a query can name has so many blocks or triangles.
   left <= link(0)(27 downto 0);
   right <= link(1)(27 downto 0);
 end architecture rtl;

@@ -328,6 +328,7 @@ begin
                 query_pending <= '1';
                 posed_pending <= '1';
               elsif answer_short = '1' then
+                -- 6, 7 and 8 become 1, 2 and 3: the two low bits tell them apart.
                 job_reason <= "000" & std_logic_vector(unsigned(found(1 downto 0)) - 1);
               end if;
             end if;

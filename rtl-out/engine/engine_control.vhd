@@ -79,6 +79,7 @@ architecture rtl of engine_control is
   signal ending_now : std_logic := '1';
   signal dropping_now : std_logic := '0';
   signal report_due_now : std_logic := '0';
+  signal idle_before : std_logic := '0';  -- idle, a clock ago: a pair of a packet ends it two clocks before a job can come behind that
   signal job_due : std_logic;  -- the job may be taken, once the unit has its pose
   signal checks : unsigned(1 downto 0) := "00";
   signal stopped : std_logic := '0';
@@ -100,7 +101,7 @@ architecture rtl of engine_control is
   signal options : std_logic_vector(63 downto 0) := (others => '0');
 begin
   -- The pose goes first, and a clock later the rest of the job.
-  job_due <= job_valid and idle when phase = waiting_state else '0';
+  job_due <= job_valid and idle_before when phase = waiting_state else '0';
   pose_valid <= job_due and job_posed;
   job_taken <= taken;
   running <= running_now;
@@ -154,6 +155,7 @@ begin
         counts(2) <= unsigned(job_words(223 downto 192));
         counts(3) <= unsigned(job_words(255 downto 224));
         options <= job_words(319 downto 256);
+        -- Word 6 ends with the three errors: the bits above are not read.
         query_errors <= job_words(367 downto 320);
         query_pose(17 downto 0) <= saturated(0);
         query_pose(35 downto 18) <= saturated(1);
@@ -164,6 +166,7 @@ begin
         query_pose(125 downto 108) <= saturated(6);
         query_pose(143 downto 126) <= saturated(7);
         query_pose(161 downto 144) <= saturated(8);
+        -- Of the shift the bits below s4.22 are cut off, of a row those above its rest are zero: the command has looked.
         query_shift(25 downto 0) <= job_words(767 downto 742);
         query_shift(51 downto 26) <= job_words(799 downto 774);
         query_shift(77 downto 52) <= job_words(831 downto 806);
@@ -229,6 +232,7 @@ begin
       next_phase := phase;
       next_reason := reason_now;
       started <= '0';
+      idle_before <= idle;
       flush_now <= '0';
       if reset = '1' then
         next_phase := waiting_state;
@@ -257,9 +261,11 @@ begin
             if outside /= "0000" then
               next_reason := "00100";
               next_phase := report_state;
+              known <= '0';
             elsif empty = '1' then
               next_reason := "00011";
               next_phase := report_state;
+              known <= '0';
             elsif moved = '1' then
               flush_now <= '1';
               next_phase := flush_state;
@@ -276,7 +282,8 @@ begin
             next_phase := run_state;
           end if;
         elsif phase = run_state then
-          if reason_now = fine then
+          -- That is, while there is no reason to end.
+          if ending_now = '0' then
             if memory_error = '1' then
               next_reason := "00100";
             elsif bad_tree = '1' then

@@ -139,6 +139,7 @@ begin
   nothing_under_way <= '1' when under_way = 0 else '0';
   due <= '1' when (owner(1) = '1' and place = last_of_triangle) or (owner(1) = '0' and place = last_of_block) else '0';
   finished <= m_axi_rvalid and m_axi_rlast and not nothing_under_way;
+  -- Bit 1 of a response is set for both errors; bit 0 tells which, or which of the two kinds of success.
   fault <= m_axi_rvalid and (m_axi_rresp(1) or (m_axi_rlast xor due) or nothing_under_way);
   m_axi_rready <= '1';
   failed <= failed_now;

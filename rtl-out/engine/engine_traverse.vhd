@@ -98,8 +98,8 @@ architecture rtl of engine_traverse is
   signal listed_b : std_logic_vector(1 downto 0) := "00";
   signal present_a : std_logic_vector(1 downto 0);
   signal present_b : std_logic_vector(1 downto 0);
-  signal there_a : std_logic_vector(1 downto 0);  -- wanted and present
-  signal there_b : std_logic_vector(1 downto 0);
+  signal there_a : std_logic_vector(1 downto 0) := "00";  -- wanted and present, another clock later
+  signal there_b : std_logic_vector(1 downto 0) := "00";
   signal leaf_a : std_logic_vector(1 downto 0);
   signal leaf_b : std_logic_vector(1 downto 0);
   signal fault_a : std_logic_vector(1 downto 0);
@@ -152,6 +152,7 @@ architecture rtl of engine_traverse is
   signal next_a : std_logic_vector(25 downto 0);
   signal next_b : std_logic_vector(25 downto 0);
   signal next_level : std_logic_vector(5 downto 0) := (others => '0');
+  signal ended : std_logic := '1';  -- ending, a clock later: near to what reads it
   signal pair_due : std_logic;
   signal push_due : std_logic;
   signal finished : std_logic;
@@ -181,7 +182,7 @@ begin
     );
 
   issue : process (clk)
-    variable change : integer range -4 to 4;
+    variable change : integer range -1 to 4;
   begin
     if rising_edge(clk) then
       if start = '1' then
@@ -193,13 +194,10 @@ begin
           spent <= '1';
         end if;
       end if;
-      -- A push takes one place, a pop frees one and reserves four, a pair that is finished frees four.
+      -- A push takes one place, a pair that is finished frees four, and a pop, below, frees one and reserves four.
       change := 0;
       if push = '1' then
         change := change - 1;
-      end if;
-      if pop = '1' then
-        change := change - 3;
       end if;
       if finished = '1' then
         change := change + 4;
@@ -213,7 +211,12 @@ begin
         popped_place <= (others => '0');
         root_due <= start and not reset;
       else
-        room <= unsigned(signed(room) + change);
+        -- Whether a pair is popped is known late in a clock: it only chooses.
+        if pop = '1' then
+          room <= unsigned(signed(room) + (change - 3));
+        else
+          room <= unsigned(signed(room) + change);
+        end if;
         if pop = '1' and finished = '0' then
           flying <= flying + 1;
           nothing_flies <= '0';
@@ -278,8 +281,6 @@ begin
       bad => bad_b
     );
 
-  there_a <= listed_a and present_a;
-  there_b <= listed_b and present_b;
   tests <= "000" when there_a = "00" or there_b = "00" else
     "100" when there_a = "11" and there_b = "11" else
     "010" when there_a = "11" or there_b = "11" else
@@ -288,11 +289,14 @@ begin
   list : process (clk)
   begin
     if rising_edge(clk) then
-      tested <= "000";
+      tested <= tests;
+      there_a <= "00";
+      there_b <= "00";
       listed_a <= wanted_a;
       listed_b <= wanted_b;
       if listed = '1' then
-        tested <= tests;
+        there_a <= listed_a and present_a;
+        there_b <= listed_b and present_b;
         children_memory(to_integer(listed_place)) <= present_a & present_b
           & leaf_a(1) & fault_a(1) & right_a & leaf_a(0) & fault_a(0) & left_a
           & leaf_b(1) & fault_b(1) & right_b & leaf_b(0) & fault_b(0) & left_b;
@@ -350,6 +354,9 @@ begin
   choose : process (clk)
   begin
     if rising_edge(clk) then
+      ended <= ending;
+      survived(0) <= candidate_leaves and is_survivor and not (whole_a or whole_b);
+      survived(1) <= candidate_leaves and is_survivor and (whole_a or whole_b);
       if candidate_free = '1' then
         is_survivor <= pick(3) or pick(2) or pick(1) or pick(0);
         is_last <= last_pick;
@@ -404,17 +411,16 @@ begin
     end if;
   end process choose;
 
-  pair_due <= candidate and is_survivor and is_pair and not ending;
-  push_due <= candidate and is_survivor and is_entry and not ending;
+  pair_due <= candidate and is_survivor and is_pair and not ended;
+  push_due <= candidate and is_survivor and is_entry and not ended;
   candidate_leaves <= candidate and (pair_ready or not pair_due);
   finished <= candidate_leaves and is_last;
   bad_tree <= (candidate and is_survivor and is_wrong) or bad_a or bad_b;
-  survived(0) <= candidate_leaves and is_survivor and not (whole_a or whole_b);
-  survived(1) <= candidate_leaves and is_survivor and (whole_a or whole_b);
   pair_valid <= pair_due;
   pair_a <= child_a(27 downto 0);
   pair_b <= child_b(27 downto 0);
 
+  -- The number of a block without a fault has no more bits than these.
   next_a <= child_a(23 downto 0) & "11" when child_a(29) = '0' else
     parents(57 downto 34) & "11" when whole_a = '1' else
     parents(57 downto 34) & side_a & not side_a;
