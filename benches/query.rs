@@ -1,9 +1,9 @@
-//! Whole collision queries in software on one core: trees of k-DOPs, then the exact test, for every meeting of two objects
+//! Whole collision queries in software on one core: trees of k-DOPs, then the exact retest, for every meeting of two objects
 //! of a scene. Writes meshes and poses to a folder, so that `scripts/fcl` can ask another library the same. Prints queries,
 //! touching pairs and microseconds per query; then distance, queries and microseconds per query for each distance of a turn.
 
 use efsat::mesh::Mesh;
-use efsat::scene::hierarchy::{Directions, DopTree, Scratch, contacts};
+use efsat::scene::hierarchy::{Directions, DopTree, Scratch, rounded_contacts};
 use efsat::scene::{Meeting, Scene, load};
 use std::fs;
 use std::path::Path;
@@ -11,24 +11,17 @@ use std::time::Instant;
 
 /// `mesh_I.f64`, nine numbers per triangle, and `meetings.f64`: the distance (NaN without one), meshes of A and B, matrix by
 /// rows, translation.
-fn emit(
-    dir: &Path,
-    meshes: &[&Mesh],
-    mesh_of: &[usize],
-    meetings: &[Meeting],
-    distances: &[f64],
-) -> std::io::Result<()> {
+fn emit(dir: &Path, meshes: &[&Mesh], meetings: &[Meeting], distances: &[f64]) -> std::io::Result<()> {
     let bytes = |numbers: Vec<f64>| numbers.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
     for (i, mesh) in meshes.iter().enumerate() {
         let numbers = (0..mesh.faces.len()).flat_map(|face| mesh.triangle(face)).flat_map(|x| [x.x, x.y, x.z]);
         fs::write(dir.join(format!("mesh_{i}.f64")), bytes(numbers.collect()))?;
     }
-    let numbers = meetings.iter().zip(distances).flat_map(|(Meeting { a, b, pose, .. }, distance)| {
+    let numbers = meetings.iter().zip(distances).flat_map(|(Meeting { meshes, pose, .. }, distance)| {
         let matrix = pose.rotation.transpose();
-        let objects = [*a, *b].map(|object| mesh_of[object] as f64);
         [*distance]
             .into_iter()
-            .chain(objects)
+            .chain(meshes.map(|mesh| mesh as f64))
             .chain(matrix.iter().copied())
             .chain(pose.translation.iter().copied())
             .collect::<Vec<f64>>()
@@ -44,13 +37,13 @@ fn main() {
         "headlight" => Scene::default_scene(),
         _ => load(file.as_ref()).unwrap_or_else(|error| panic!("{error}")),
     };
-    let (meshes, mesh_of) = scene.meshes();
+    let (meshes, _) = scene.meshes();
     let trees: Vec<DopTree> = meshes.iter().map(|mesh| DopTree::new(mesh, Directions::Eighteen)).collect();
     let broad_phase = scene.broad_phase();
     let meetings: Vec<Meeting> = (0..scene.frames()).flat_map(|frame| broad_phase.meetings(frame)).collect();
     let distance = |meeting: &Meeting| scene.frame(meeting.frame).distance.unwrap_or(f64::NAN);
     let distances: Vec<f64> = meetings.iter().map(distance).collect();
-    emit(dir.as_ref(), &meshes, &mesh_of, &meetings, &distances).unwrap_or_else(|error| panic!("{dir}: {error}"));
+    emit(dir.as_ref(), &meshes, &meetings, &distances).unwrap_or_else(|error| panic!("{dir}: {error}"));
     let mut scratch = Scratch::default();
     // The best time of each query: what else the machine does comes and goes.
     let mut best = vec![f64::INFINITY; meetings.len()];
@@ -59,8 +52,9 @@ fn main() {
         touching = 0;
         for (meeting, best) in meetings.iter().zip(&mut best) {
             let start = Instant::now();
-            let [a, b] = [meeting.a, meeting.b].map(|object| mesh_of[object]);
-            let (found, _) = contacts([meshes[a], meshes[b]], [&trees[a], &trees[b]], &meeting.pose, &mut scratch);
+            let [a, b] = meeting.meshes;
+            let (found, _) =
+                rounded_contacts([meshes[a], meshes[b]], [&trees[a], &trees[b]], &meeting.pose, &mut scratch);
             touching += found.len();
             *best = best.min(start.elapsed().as_secs_f64());
         }

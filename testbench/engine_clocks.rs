@@ -7,7 +7,7 @@ use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::cosim::engine::{Channel, Machine, Measure, Reply, check};
 use efsat::golden::engine::Query;
 use efsat::host::driver::engine::{Objects, Options, StandIn, UnitPackets};
-use efsat::host::engine::{Image, Meetings, Numbers, memory};
+use efsat::host::engine::{Image, Images, Numbers, memory};
 use efsat::params::Params;
 use efsat::params::engine::{EngineFormat, EngineParams, EngineReport, Memory};
 use efsat::scene::{Pose, Scene};
@@ -24,15 +24,16 @@ const WITH_BLOCK_RAM: f64 = 1509.0;
 /// The most that they may grow, as a factor.
 const SLOWER: f64 = 1.02;
 
-fn meetings(design: &EngineDesign) -> (Meetings, Vec<Query>) {
+fn queries(design: &EngineDesign) -> (Images, Vec<Query>) {
     let scene = Scene::default_scene();
-    let meetings = Meetings::new(&scene, Numbers::new(&design.params, &design.unit.params).unwrap()).unwrap();
-    let (_, sides) = memory(&meetings.images.iter().collect::<Vec<_>>());
+    let numbers = Numbers::new(&design.params, &design.unit.params).unwrap();
+    let images = Images::new(&scene.meshes().0, numbers).unwrap();
+    let (_, sides) = memory(&images.all());
     let broad_phase = scene.broad_phase();
     let found: Vec<_> = (0..scene.frames()).flat_map(|frame| broad_phase.meetings(frame)).collect();
     let chosen = (0..QUERIES).map(|i| &found[i * found.len() / QUERIES]);
-    let queries = chosen.map(|meeting| meetings.query(meeting, &sides).unwrap()).collect();
-    (meetings, queries)
+    let queries = chosen.map(|meeting| images.query(meeting.meshes, &meeting.pose, &sides).unwrap()).collect();
+    (images, queries)
 }
 
 /// None, where a tool is missing.
@@ -105,8 +106,8 @@ fn pairs_and_poses(machine: &Machine, channels: &[Channel]) {
 fn clocks_per_query(engine: &EngineParams, expected: f64, others: &[Channel]) {
     let Some(machine) = machine(engine) else { return };
     pairs_and_poses(&machine, &[&[Channel::default()], others].concat());
-    let (meetings, queries) = meetings(machine.design());
-    let images: Vec<&Image> = meetings.images.iter().collect();
+    let (images, queries) = queries(machine.design());
+    let images = images.all();
     let first = replies(&machine, &queries, &images, &Channel::default());
     for channel in others {
         replies(&machine, &queries, &images, channel);
@@ -132,7 +133,7 @@ fn clocks_per_query(engine: &EngineParams, expected: f64, others: &[Channel]) {
 
 #[test]
 fn queries_behind_caches_take_as_many_clocks_as_ever() {
-    let gaps = |latency, seed| Channel { latency, gaps: true, seed };
+    let gaps = |latency, seed| Channel { latency, gaps: true, seed, ..Channel::default() };
     clocks_per_query(&EngineParams::default(), WITH_CACHES, &[gaps(1..=1, 1), gaps(5..=200, 2)]);
 }
 

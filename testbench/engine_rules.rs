@@ -20,6 +20,7 @@ const SIGNALS: &str = "  signal raw_araddr : std_logic_vector(31 downto 0);
   signal raw_tdata : std_logic_vector(63 downto 0);
   signal raw_tvalid : std_logic;
   signal toggle : std_logic := '0';
+  signal stuck : std_logic := '0';
   signal mistake : integer range 0 to 15;
 ";
 const STATEMENTS: &str = "  mistake <= to_integer(unsigned(number(3 downto 0))) when running = '1' else 0;
@@ -27,6 +28,9 @@ const STATEMENTS: &str = "  mistake <= to_integer(unsigned(number(3 downto 0))) 
   begin
     if rising_edge(aclk) then
       toggle <= not toggle;
+      if mistake = 12 then
+        stuck <= '1';
+      end if;
     end if;
   end process flip;
   m_axi_araddr <= raw_araddr xor x\"00000040\" when mistake = 1 and toggle = '1' else
@@ -41,11 +45,13 @@ const STATEMENTS: &str = "  mistake <= to_integer(unsigned(number(3 downto 0))) 
   m_axi_arburst <= \"00\" when mistake = 7 else raw_arburst;
   m_axi_rready <= raw_rready and toggle when mistake = 9 else raw_rready;
   m_axis_tdata <= raw_tdata xor x\"0000000000000100\" when mistake = 10 and toggle = '1' else raw_tdata;
-  m_axis_tvalid <= raw_tvalid and toggle when mistake = 11 else raw_tvalid;
+  m_axis_tvalid <= raw_tvalid and toggle when mistake = 11 else
+    '0' when stuck = '1' else
+    raw_tvalid;
 ";
 
-/// What is said of mistakes 1 to 11, and whether it takes gaps to see it.
-const COMPLAINTS: [(&str, bool); 11] = [
+/// What is said of mistakes 1 to 12, and whether it takes gaps to see it.
+const COMPLAINTS: [(&str, bool); 12] = [
     ("an address changed before it was taken", true),
     ("an address changed before it was taken", true),
     ("a read outside the trees of the queries", false),
@@ -57,6 +63,7 @@ const COMPLAINTS: [(&str, bool); 11] = [
     ("RREADY is not set", false),
     ("an answer changed before it was taken", true),
     ("an answer changed before it was taken", true),
+    ("no transfer any more", false),
 ];
 
 /// An engine whose unit is compiled fast, with a change of the text of its top; none, where a tool is missing.
@@ -107,8 +114,8 @@ fn complaint(machine: &Machine, number: u32, gaps: bool) -> Option<String> {
     let images: Vec<&Image> = images.iter().collect();
     let (_, sides) = memory(&images);
     let query = numbers.query([(images[0], sides[0]), (images[1], sides[1])], &turn(2), &[2.5, 1.0, -1.0]).unwrap();
-    // So slow that many bursts are under way.
-    let channel = Channel { latency: 200..=200, gaps, ..Channel::default() };
+    // So slow that many bursts are under way; the query takes less than the patience.
+    let channel = Channel { latency: 200..=200, gaps, patience: 100_000, ..Channel::default() };
     machine.run(&images, &[Query { number, ..query }], &channel).err().map(|error| error.to_string())
 }
 

@@ -22,7 +22,7 @@ entity {{ prefix }}efsat_engine is
     m_axi_arburst : out std_logic_vector(1 downto 0);  -- always INCR
     m_axi_arvalid : out std_logic;
     m_axi_arready : in std_logic;
-    m_axi_rdata : in std_logic_vector({{ e.memory_width - 1 }} downto 0);
+    m_axi_rdata : in std_logic_vector({{ e.memory.memory_width - 1 }} downto 0);
     m_axi_rresp : in std_logic_vector(1 downto 0);
     m_axi_rlast : in std_logic;
     m_axi_rvalid : in std_logic;
@@ -48,8 +48,8 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal job_short : std_logic;
   signal job_reason : std_logic_vector(4 downto 0);
   signal job_number : std_logic_vector(23 downto 0);
-  signal job_words : std_logic_vector({{ e.job_bits - 1 }} downto 0);
-{%- if e.signs.len() > 0 %}
+  signal job_words : std_logic_vector({{ e.query.job_bits - 1 }} downto 0);
+{%- if e.unit.signs.len() > 0 %}
   signal job_unfit : std_logic;
   signal packet_unfit : std_logic;  -- of the pair: a number is no sign extension
   signal pose_unfit : std_logic;  -- the same of the pose
@@ -78,10 +78,10 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal stop_at_contact : std_logic;
   signal separate_too : std_logic;
   signal leaves_only : std_logic;
-  signal query_pose : std_logic_vector({{ e.pose_bits - 1 }} downto 0);
-  signal query_shift : std_logic_vector({{ e.shift_bits - 1 }} downto 0);
+  signal query_pose : std_logic_vector({{ e.query.pose_bits - 1 }} downto 0);
+  signal query_shift : std_logic_vector({{ e.query.shift_bits - 1 }} downto 0);
   signal query_errors : std_logic_vector(47 downto 0);
-  signal query_rows : std_logic_vector({{ e.rows_bits - 1 }} downto 0);
+  signal query_rows : std_logic_vector({{ e.query.rows_bits - 1 }} downto 0);
   signal short : std_logic;
   signal reason : std_logic_vector(4 downto 0);
   signal number : std_logic_vector(23 downto 0);
@@ -97,12 +97,12 @@ architecture rtl of {{ prefix }}efsat_engine is
   -- Blocks and volumes
   signal block_request : std_logic;
   signal block_accepted : std_logic;
-  signal request_a : std_logic_vector({{ e.node_bits - 1 }} downto 0);
-  signal request_b : std_logic_vector({{ e.node_bits - 1 }} downto 0);
+  signal request_a : std_logic_vector({{ e.traversal.node_bits - 1 }} downto 0);
+  signal request_b : std_logic_vector({{ e.traversal.node_bits - 1 }} downto 0);
   signal blocks_valid : std_logic;
   signal blocks_taken : std_logic;
-  signal block_a : std_logic_vector({{ e.block_bits - 1 }} downto 0);
-  signal block_b : std_logic_vector({{ e.block_bits - 1 }} downto 0);
+  signal block_a : std_logic_vector({{ e.blocks.block_bits - 1 }} downto 0);
+  signal block_b : std_logic_vector({{ e.blocks.block_bits - 1 }} downto 0);
   signal volume_ready : std_logic;
   signal take_a : std_logic_vector(1 downto 0);
   signal take_b : std_logic_vector(1 downto 0);
@@ -121,17 +121,17 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal triangles_valid : std_logic;
   signal triangles_ready : std_logic;
   signal triangles_taken : std_logic;
-{%- if e.paced %}
+{%- if e.unit.paced %}
   signal triangles_there : std_logic;  -- and not sent yet
   signal triangles_passed : std_logic;  -- dropped, or by the unit
   signal triangles_sent : std_logic := '0';  -- the unit has taken them, a clock ago
 {%- endif %}
-  signal triangle_a : std_logic_vector({{ e.triangle_bits - 1 }} downto 0);
-  signal triangle_b : std_logic_vector({{ e.triangle_bits - 1 }} downto 0);
+  signal triangle_a : std_logic_vector({{ e.unit.triangle_bits - 1 }} downto 0);
+  signal triangle_b : std_logic_vector({{ e.unit.triangle_bits - 1 }} downto 0);
   signal numbers : std_logic_vector(55 downto 0);
   signal unit_v : std_logic_vector(287 downto 0);  -- nine words for each triangle
   signal unit_w : std_logic_vector(287 downto 0);
-{%- if e.sticky %}
+{%- if e.unit.sticky %}
   signal sticky_v : std_logic_vector(8 downto 0);
   signal sticky_w : std_logic_vector(8 downto 0);
 {%- endif %}
@@ -140,14 +140,14 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal unit_ready : std_logic;
   signal tested_valid : std_logic;
   signal tested_verdict : std_logic_vector(1 downto 0);
-  signal tested_separated : std_logic_vector({{ e.flags - 1 }} downto 0);
-  signal tested_overlapping : std_logic_vector({{ e.flags - 1 }} downto 0);
-{%- if e.guarded %}
+  signal tested_separated : std_logic_vector({{ e.unit.flags - 1 }} downto 0);
+  signal tested_overlapping : std_logic_vector({{ e.unit.flags - 1 }} downto 0);
+{%- if e.unit.guarded %}
   signal tested_outside : std_logic;
 {%- endif %}
   signal tested_numbers : std_logic_vector(55 downto 0);
   signal tested_flags : std_logic_vector(39 downto 0);
-{%- if e.signs.len() > 0 %}
+{%- if e.unit.signs.len() > 0 %}
   signal tested_unfit : std_logic;
 {%- endif %}
   signal tested_taken : std_logic;
@@ -156,7 +156,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal verdict : std_logic_vector(1 downto 0);
   signal decided_numbers : std_logic_vector(55 downto 0);
   signal decided_last : std_logic;
-{%- if e.guarded %}
+{%- if e.unit.guarded %}
   signal decided_outside : std_logic;
 {%- endif %}
   signal bypass_valid : std_logic;
@@ -184,7 +184,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   -- Words to be stored
   signal block_write : std_logic;
   signal triangle_write : std_logic;
-  signal write_line : std_logic_vector({{ e.load_bits - 1 }} downto 0);
+  signal write_line : std_logic_vector({{ e.memory.load_bits - 1 }} downto 0);
   signal write_place : std_logic_vector(2 downto 0);
   signal write_data : std_logic_vector(63 downto 0);
 {%- else %}
@@ -202,7 +202,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal ask_address_2 : std_logic_vector(25 downto 0);
   signal ask_address_3 : std_logic_vector(25 downto 0);
   signal fill_valid : std_logic_vector(3 downto 0);
-  signal fill_data : std_logic_vector({{ e.memory_width - 1 }} downto 0);
+  signal fill_data : std_logic_vector({{ e.memory.memory_width - 1 }} downto 0);
   signal line_ready : std_logic_vector(3 downto 0);
   signal line_valid : std_logic_vector(3 downto 0);
   signal missed : std_logic_vector(3 downto 0);
@@ -232,14 +232,14 @@ begin
       job_reason => job_reason,
       job_number => job_number,
       job_words => job_words,
-{%- if e.signs.len() > 0 %}
+{%- if e.unit.signs.len() > 0 %}
       job_unfit => job_unfit,
 {%- endif %}
       busy => busy,
       pair_valid => packet_valid,
       pair_taken => packet_taken,
       pair_last => packet_last,
-{%- if e.signs.len() > 0 %}
+{%- if e.unit.signs.len() > 0 %}
       pair_unfit => packet_unfit,
 {%- endif %}
 {%- if e.block_ram %}
@@ -264,7 +264,7 @@ begin
       job_reason => job_reason,
       job_number => job_number,
       job_words => job_words,
-{%- if e.signs.len() > 0 %}
+{%- if e.unit.signs.len() > 0 %}
       job_unfit => job_unfit,
       pose_unfit => pose_unfit,
 {%- endif %}
@@ -380,7 +380,7 @@ begin
       request_ready => triangle_accepted,
       request_a => leaf_a,
       request_b => leaf_b,
-{%- if e.paced %}
+{%- if e.unit.paced %}
       triangles_valid => triangles_there,
       triangles_ready => triangles_ready,
       triangles_taken => triangles_passed,
@@ -395,25 +395,25 @@ begin
     );
   triangles_asked <= triangle_request and triangle_accepted;
 
-  -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the {{ e.pair_tag_bits }} bits of their tag the
-  -- unit's tag says which is the last of its packet{% if e.signs.len() > 0 %}, and which has a number that does not fit{% endif %}.
-  -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign{% if e.signs.len() > 0 %}, which is looked at for
+  -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the {{ e.unit.pair_tag_bits }} bits of their tag the
+  -- unit's tag says which is the last of its packet{% if e.unit.signs.len() > 0 %}, and which has a number that does not fit{% endif %}.
+  -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign{% if e.unit.signs.len() > 0 %}, which is looked at for
   -- pairs of packets{% endif %}.
-  unit_v <= triangle_a(319 downto 32) when running = '1' else job_words({{ e.pair_at + 351 }} downto {{ e.pair_at + 64 }});
-  unit_w <= triangle_b(319 downto 32) when running = '1' else job_words({{ e.pair_at + 639 }} downto {{ e.pair_at + 352 }});
-{%- if e.sticky %}
-  sticky_v <= triangle_a(31 downto 23) when running = '1' else job_words({{ e.pair_at + 8 }} downto {{ e.pair_at }});
-  sticky_w <= triangle_b(31 downto 23) when running = '1' else job_words({{ e.pair_at + 17 }} downto {{ e.pair_at + 9 }});
+  unit_v <= triangle_a(319 downto 32) when running = '1' else job_words({{ e.unit.pair_at + 351 }} downto {{ e.unit.pair_at + 64 }});
+  unit_w <= triangle_b(319 downto 32) when running = '1' else job_words({{ e.unit.pair_at + 639 }} downto {{ e.unit.pair_at + 352 }});
+{%- if e.unit.sticky %}
+  sticky_v <= triangle_a(31 downto 23) when running = '1' else job_words({{ e.unit.pair_at + 8 }} downto {{ e.unit.pair_at }});
+  sticky_w <= triangle_b(31 downto 23) when running = '1' else job_words({{ e.unit.pair_at + 17 }} downto {{ e.unit.pair_at + 9 }});
 {%- endif %}
   unit_tag <= numbers when running = '1' else
-    {% if e.signs.len() > 0 %}"{{ e.unit_tag_zeros[1..] }}" & (packet_unfit or pose_unfit){% else %}"{{ e.unit_tag_zeros }}"{% endif %} & packet_last & job_words({{ e.pair_at + 31 + e.pair_tag_bits }} downto {{ e.pair_at + 32 }});
+    {% if e.unit.signs.len() > 0 %}"{{ e.unit.unit_tag_zeros[1..] }}" & (packet_unfit or pose_unfit){% else %}"{{ e.unit.unit_tag_zeros }}"{% endif %} & packet_last & job_words({{ e.unit.pair_at + 31 + e.unit.pair_tag_bits }} downto {{ e.unit.pair_at + 32 }});
   packet_taken <= packet_valid and unit_ready;
 
   -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
-  -- The numbers of triangles are in the low bits of the first word, {{ e.triangle_number_bits }} of them.
-  numbers <= {{ e.number_above }}triangle_b({{ e.triangle_number_bits - 1 }} downto 0) & {{ e.number_above }}triangle_a({{ e.triangle_number_bits - 1 }} downto 0);
+  -- The numbers of triangles are in the low bits of the first word, {{ e.unit.triangle_number_bits }} of them.
+  numbers <= {{ e.unit.number_above }}triangle_b({{ e.unit.triangle_number_bits - 1 }} downto 0) & {{ e.unit.number_above }}triangle_a({{ e.unit.triangle_number_bits - 1 }} downto 0);
   bypass_free <= decided_ready or not bypassed_valid;
-{%- if e.paced %}
+{%- if e.unit.paced %}
   unit_valid <= (triangles_there and not leaves_only and not ending) or packet_valid;
   bypass_valid <= triangles_there and leaves_only and not ending;
   triangles_ready <= bypass_free and leaves_only;
@@ -455,40 +455,40 @@ begin
       in_valid => unit_valid,
       in_ready => unit_ready,
       in_tag => unit_tag,
-{%- for field in e.unit_inputs %}
+{%- for field in e.unit.unit_inputs %}
       {{ field.port }} => {{ field.value }},
 {%- endfor %}
       pose_valid => pose_valid,
       pose_ready => pose_ready,
-      pose_bypass => job_words({{ e.bypass_at }}),
+      pose_bypass => job_words({{ e.unit.bypass_at }}),
       out_valid => tested_valid,
       out_ready => tested_taken,
       out_verdict => tested_verdict,
       out_separated => tested_separated,
       out_overlapping => tested_overlapping,
-{%- if e.guarded %}
+{%- if e.unit.guarded %}
       out_outside => tested_outside,
 {%- endif %}
       out_tag => tested_numbers
     );
   tested_taken <= decided_ready and not leaves_only;
   decided_valid <= bypassed_valid when leaves_only = '1' else tested_valid;
-{%- if e.signs.len() > 0 %}
-  tested_unfit <= tested_numbers({{ e.pair_tag_bits + 1 }}) and not running;
+{%- if e.unit.signs.len() > 0 %}
+  tested_unfit <= tested_numbers({{ e.unit.pair_tag_bits + 1 }}) and not running;
   verdict <= "10" when leaves_only = '1' or tested_unfit = '1' else tested_verdict;
-  tested_flags <= (others => '0') when tested_unfit = '1' else "{{ e.flag_zeros }}" & tested_overlapping & tested_separated;
+  tested_flags <= (others => '0') when tested_unfit = '1' else "{{ e.unit.flag_zeros }}" & tested_overlapping & tested_separated;
   decided_outside <= (tested_outside or tested_unfit) and not running;
 {%- else %}
   verdict <= "10" when leaves_only = '1' else tested_verdict;
-  tested_flags <= "{{ e.flag_zeros }}" & tested_overlapping & tested_separated;
-{%- if e.guarded %}
+  tested_flags <= "{{ e.unit.flag_zeros }}" & tested_overlapping & tested_separated;
+{%- if e.unit.guarded %}
   decided_outside <= tested_outside and not running;
 {%- endif %}
 {%- endif %}
   decided_numbers <= bypassed_numbers when leaves_only = '1' else
     tested_numbers when running = '1' else
-    tested_flags & tested_numbers({{ e.pair_tag_bits - 1 }} downto 0);
-  decided_last <= tested_numbers({{ e.pair_tag_bits }}) and not running;
+    tested_flags & tested_numbers({{ e.unit.pair_tag_bits - 1 }} downto 0);
+  decided_last <= tested_numbers({{ e.unit.pair_tag_bits }}) and not running;
 
   -- ===== Answers =====
   answer : entity work.{{ prefix }}engine_answer
@@ -501,7 +501,7 @@ begin
       verdict => verdict,
       numbers => decided_numbers,
       last => decided_last,
-{%- if e.guarded %}
+{%- if e.unit.guarded %}
       outside => decided_outside,
 {%- endif %}
       dropping => dropping,
@@ -546,11 +546,11 @@ begin
       clk => aclk,
       reset => restart,
       write_valid => block_write,
-      write_line => write_line({{ e.block_line_bits - 1 }} downto 0),
+      write_line => write_line({{ e.memory.block_line_bits - 1 }} downto 0),
       write_place => write_place,
       write_data => write_data,
-      base_a => block_base_a({{ e.block_line_bits - 1 }} downto 0),
-      base_b => block_base_b({{ e.block_line_bits - 1 }} downto 0),
+      base_a => block_base_a({{ e.memory.block_line_bits - 1 }} downto 0),
+      base_b => block_base_b({{ e.memory.block_line_bits - 1 }} downto 0),
       request_valid => block_request,
       request_ready => block_accepted,
       request_a => request_a,
@@ -566,11 +566,11 @@ begin
       clk => aclk,
       reset => restart,
       write_valid => triangle_write,
-      write_line => write_line({{ e.triangle_line_bits - 1 }} downto 0),
+      write_line => write_line({{ e.memory.triangle_line_bits - 1 }} downto 0),
       write_place => write_place,
       write_data => write_data,
-      base_a => triangle_base_a({{ e.triangle_line_bits - 1 }} downto 0),
-      base_b => triangle_base_b({{ e.triangle_line_bits - 1 }} downto 0),
+      base_a => triangle_base_a({{ e.memory.triangle_line_bits - 1 }} downto 0),
+      base_b => triangle_base_b({{ e.memory.triangle_line_bits - 1 }} downto 0),
       request_valid => triangle_request,
       request_ready => triangle_accepted,
       request_a => leaf_a,
@@ -585,7 +585,7 @@ begin
   words_read <= '0';
 {%- else %}
   -- Bases are addresses / 64: control runs no query about a tree that ends beyond 2^32, so bits 31..26 are zero where a line is read.
-{%- for cache in e.caches %}
+{%- for cache in e.memory.caches %}
   {{ cache.label }} : entity work.{{ prefix }}{{ cache.entity }}
     port map (
       clk => aclk,

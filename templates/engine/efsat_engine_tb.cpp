@@ -21,7 +21,6 @@
 
 namespace {
 
-const uint64_t patience = {{ patience }};  // clocks without a transfer before giving up
 const uint64_t line_bytes = 64;
 {%- if axi %}
 const uint64_t word_bytes = {{ word_bytes }};  // of memory
@@ -197,8 +196,9 @@ int main(int argc, char **argv) {
   const auto write = [&](const uint64_t *words, size_t count) {
     answers.write(reinterpret_cast<const char *>(words), static_cast<std::streamsize>(8 * count));
   };
-  const bool gaps = number(argv[argc - 2]) != 0;
-  const uint64_t seed = number(argv[argc - 1]);
+  const bool gaps = number(argv[argc - 3]) != 0;
+  const uint64_t seed = number(argv[argc - 2]);
+  const uint64_t patience = number(argv[argc - 1]);  // clocks without a transfer before giving up
   Random random(seed + 1);
 {%- if axi %}
   Memory memory(read_words(argv[1]), packets, number(argv[4]), number(argv[5]), gaps, seed);

@@ -71,7 +71,7 @@ architecture simulation of {{ prefix }}efsat_engine_tb is
   signal arburst : std_logic_vector(1 downto 0);
   signal arvalid : std_logic;
   signal arready : std_logic := '0';
-  signal rdata : std_logic_vector({{ e.memory_width - 1 }} downto 0) := (others => '0');
+  signal rdata : std_logic_vector({{ e.memory.memory_width - 1 }} downto 0) := (others => '0');
   signal rresp : std_logic_vector(1 downto 0) := "00";
   signal rlast : std_logic := '0';
   signal rvalid : std_logic := '0';
@@ -229,7 +229,7 @@ begin
     -- Half of a word of 64 bits in 32-bit memories, else whole ones.
     procedure read_beat(from : in natural; number : in natural) is
     begin
-{%- if e.memory_width == 32 %}
+{%- if e.memory.memory_width == 32 %}
       place := from + number / 2;
       if place < size then
         word := words(place);
@@ -240,8 +240,8 @@ begin
         end if;
       end if;
 {%- else %}
-      for i in 0 to {{ e.memory_words - 1 }} loop
-        place := from + {{ e.memory_words }} * number + i;
+      for i in 0 to {{ e.memory.memory_words - 1 }} loop
+        place := from + {{ e.memory.memory_words }} * number + i;
         if place < size then
           rdata(64 * i + 63 downto 64 * i) <= words(place);
         end if;
@@ -312,10 +312,10 @@ begin
         if (arvalid and arready) = '1' then
           beats := to_integer(unsigned(arlen)) + 1;
           place := to_integer(unsigned(araddr(30 downto 3)));
-          if arburst /= "01" or arsize /= "{{ e.memory_size }}" or araddr(5 downto 0) /= "000000" or {{ e.memory_bytes }} * beats > 64 then
+          if arburst /= "01" or arsize /= "{{ e.memory.memory_size }}" or araddr(5 downto 0) /= "000000" or {{ e.memory.memory_bytes }} * beats > 64 then
             complain("a burst that is not within 64 bytes");
           end if;
-          for i in 0 to ({{ e.memory_bytes }} * beats + 7) / 8 - 1 loop
+          for i in 0 to ({{ e.memory.memory_bytes }} * beats + 7) / 8 - 1 loop
             if araddr(31) = '1' or place + i >= size then
               complain("a read outside the memory");
               exit;
@@ -540,7 +540,7 @@ begin
       if to_integer(unsigned(tail(7)(47 downto 32))) > greatest then
         greatest := to_integer(unsigned(tail(7)(47 downto 32)));
       end if;
-      if greatest > {{ e.stack }} then
+      if greatest > {{ e.traversal.stack }} then
         complain("the stack is too full");
       end if;
       if pass = 1 then
@@ -638,7 +638,7 @@ begin
               read_word(word_line, flag);
               s_tdata <= word;
               s_tlast <= flag(0);
-              stop_header := flag(0) = '1' and word(31 downto 0) = x"{{ e.stop_header }}";
+              stop_header := flag(0) = '1' and word(31 downto 0) = x"{{ e.query.stop_header }}";
               read_word(word_line, flag);
               stop_header := stop_header and flag(0) = '1';
               s_tkeep <= (others => '1');

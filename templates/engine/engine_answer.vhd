@@ -12,7 +12,7 @@
 --   4  blocks asked for, blocks read from memory
 --   5  triangles asked for, triangles read from memory
 --   6  words read from memory, clocks in which the volume unit waited for blocks
---   7  clocks in which survivors waited for the queue of pairs, 47..32 the most entries of the stack, at most {{ e.stack }}
+--   7  clocks in which survivors waited for the queue of pairs, 47..32 the most entries of the stack, at most {{ e.traversal.stack }}
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -29,7 +29,7 @@ entity {{ prefix }}engine_answer is
     verdict : in std_logic_vector(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
     numbers : in std_logic_vector(55 downto 0);  -- of A's triangle in the low half, of B's in the high one
     last : in std_logic;  -- the pair ends the answer
-{%- if e.guarded %}
+{%- if e.unit.guarded %}
     outside : in std_logic;  -- of a pair of a packet: a number of it, or of the pose, is outside its range
 {%- endif %}
     dropping : in std_logic;  -- pairs are dropped
@@ -77,7 +77,7 @@ architecture rtl of {{ prefix }}engine_answer is
   signal next_verdict : std_logic_vector(1 downto 0) := separate;
   signal next_numbers : std_logic_vector(55 downto 0) := (others => '0');
   signal next_last : std_logic := '0';
-{%- if e.guarded %}
+{%- if e.unit.guarded %}
   signal head_outside : std_logic := '0';
   signal next_outside : std_logic := '0';
 {%- endif %}
@@ -132,14 +132,14 @@ begin
         head_verdict <= verdict;
         head_numbers <= numbers;
         head_last <= last;
-{%- if e.guarded %}
+{%- if e.unit.guarded %}
         head_outside <= outside;
 {%- endif %}
         if next_valid = '1' then
           head_verdict <= next_verdict;
           head_numbers <= next_numbers;
           head_last <= next_last;
-{%- if e.guarded %}
+{%- if e.unit.guarded %}
           head_outside <= next_outside;
 {%- endif %}
         end if;
@@ -148,7 +148,7 @@ begin
         next_verdict <= verdict;
         next_numbers <= numbers;
         next_last <= last;
-{%- if e.guarded %}
+{%- if e.unit.guarded %}
         next_outside <= outside;
 {%- endif %}
       end if;
@@ -188,7 +188,7 @@ begin
         if report_due = '1' then
           offered_word <= report_word;
         else
-          offered_word <= head_numbers & {% if e.guarded %}"000" & head_outside & "00"{% else %}"000000"{% endif %} & head_verdict;
+          offered_word <= head_numbers & {% if e.unit.guarded %}"000" & head_outside & "00"{% else %}"000000"{% endif %} & head_verdict;
         end if;
         offered_last <= head_last;
         if report_due = '1' then

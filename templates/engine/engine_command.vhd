@@ -3,10 +3,10 @@
 {% endfor -%}
 --
 -- Packets in, words of 64 bits. The header is in the low 32 bits of the first word; its low byte is the kind of the packet:
---   1  pairs of triangles for the unit alone: {{ e.pair_words }} words for each
---   2  a pose for the pairs after it: {{ e.pose_words }} words
---   3  query: {{ e.query_words }} words with the header; above it the first has
---      {{ e.directions }} in bits 39..32, {{ e.offset_bits }} in 43..40, {{ e.factor_bits }} in 48..44, {{ e.origin_bits }} in 53..49, and zeros
+--   1  pairs of triangles for the unit alone: {{ e.unit.pair_words }} words for each
+--   2  a pose for the pairs after it: {{ e.unit.pose_words }} words
+--   3  query: {{ e.query.query_words }} words with the header; above it the first has
+--      {{ e.query.directions }} in bits 39..32, {{ e.blocks.offset_bits }} in 43..40, {{ e.blocks.factor_bits }} in 48..44, {{ e.blocks.origin_bits }} in 53..49, and zeros
 {%- if e.block_ram %}
 --   4  load: the second word is a byte address, a multiple of 64 in bits 31..0 below zeros; then words for the memory from there
 --      on, eight for each 64 bytes. Bit 31 of the address is 0 for blocks, 1 for triangles
@@ -40,21 +40,21 @@ entity {{ prefix }}engine_command is
     -- Of the report: 0 loaded, 6 unknown header, 7 too short, 8 too long. Of a short one: 0 pose taken, 1, 2, 3.
     job_reason : out std_logic_vector(4 downto 0);
     job_number : out std_logic_vector(23 downto 0);
-    job_words : out std_logic_vector({{ e.job_bits - 1 }} downto 0);  -- of the query without its header, the first in the low bits
-{%- if e.signs.len() > 0 %}
+    job_words : out std_logic_vector({{ e.query.job_bits - 1 }} downto 0);  -- of the query without its header, the first in the low bits
+{%- if e.unit.signs.len() > 0 %}
     job_unfit : out std_logic;  -- a number of the pose is no sign extension
 {%- endif %}
     busy : in std_logic;  -- a query runs, or something waits for its turn
-    pair_valid : out std_logic;  -- the last {{ e.pair_words }} words are a pair
+    pair_valid : out std_logic;  -- the last {{ e.unit.pair_words }} words are a pair
     pair_taken : in std_logic;
     pair_last : out std_logic;  -- the last of its packet
-{%- if e.signs.len() > 0 %}
+{%- if e.unit.signs.len() > 0 %}
     pair_unfit : out std_logic;  -- a number of the pair is no sign extension
 {%- endif %}
 {%- if e.block_ram %}
     block_write : out std_logic;
     triangle_write : out std_logic;
-    write_line : out std_logic_vector({{ e.load_bits - 1 }} downto 0);
+    write_line : out std_logic_vector({{ e.memory.load_bits - 1 }} downto 0);
     write_place : out std_logic_vector(2 downto 0);
     write_data : out std_logic_vector(63 downto 0);
 {%- endif %}
@@ -63,14 +63,14 @@ entity {{ prefix }}engine_command is
 end entity {{ prefix }}engine_command;
 
 architecture rtl of {{ prefix }}engine_command is
-  constant pairs_header : std_logic_vector(31 downto 0) := x"{{ e.pairs_header }}";
-  constant pose_header : std_logic_vector(31 downto 0) := x"{{ e.pose_header }}";
-  constant query_header : std_logic_vector(31 downto 0) := x"{{ e.query_header }}";
-  constant query_format : std_logic_vector(31 downto 0) := x"{{ e.query_format }}";
+  constant pairs_header : std_logic_vector(31 downto 0) := x"{{ e.unit.pairs_header }}";
+  constant pose_header : std_logic_vector(31 downto 0) := x"{{ e.unit.pose_header }}";
+  constant query_header : std_logic_vector(31 downto 0) := x"{{ e.query.query_header }}";
+  constant query_format : std_logic_vector(31 downto 0) := x"{{ e.query.query_format }}";
 {%- if e.block_ram %}
-  constant load_header : std_logic_vector(31 downto 0) := x"{{ e.load_header }}";
+  constant load_header : std_logic_vector(31 downto 0) := x"{{ e.query.load_header }}";
 {%- endif %}
-  constant stop_header : std_logic_vector(31 downto 0) := x"{{ e.stop_header }}";
+  constant stop_header : std_logic_vector(31 downto 0) := x"{{ e.query.stop_header }}";
   constant all_bytes : std_logic_vector(7 downto 0) := (others => '1');
   constant fine : std_logic_vector(4 downto 0) := "00000";
   constant unknown : std_logic_vector(4 downto 0) := "00110";
@@ -87,18 +87,18 @@ architecture rtl of {{ prefix }}engine_command is
 {%- if e.block_ram %}
   constant is_load : natural := 6;
 {%- endif %}
-  signal kind : std_logic_vector({{ e.kinds - 1 }} downto 0);
+  signal kind : std_logic_vector({{ e.query.kinds - 1 }} downto 0);
   signal running : std_logic := '0';
   signal head_valid : std_logic := '0';
   signal head : std_logic_vector(63 downto 0) := (others => '0');
   signal head_last : std_logic := '0';
   signal head_whole : std_logic := '0';
-  signal head_kind : std_logic_vector({{ e.kinds - 1 }} downto 0) := (others => '0');
+  signal head_kind : std_logic_vector({{ e.query.kinds - 1 }} downto 0) := (others => '0');
   signal next_valid : std_logic := '0';
   signal next_word : std_logic_vector(63 downto 0) := (others => '0');
   signal next_last : std_logic := '0';
   signal next_whole : std_logic := '0';
-  signal next_kind : std_logic_vector({{ e.kinds - 1 }} downto 0) := (others => '0');
+  signal next_kind : std_logic_vector({{ e.query.kinds - 1 }} downto 0) := (others => '0');
   signal ready : std_logic;
   signal arrives : std_logic;
   signal whole : std_logic;
@@ -125,18 +125,18 @@ architecture rtl of {{ prefix }}engine_command is
   signal posed_pending : std_logic := '0';
   signal short : std_logic := '0';  -- the packet is of kind 1 or 2
   signal last_pair : std_logic := '0';
-  signal words : std_logic_vector({{ e.job_bits - 1 }} downto 0) := (others => '0');
+  signal words : std_logic_vector({{ e.query.job_bits - 1 }} downto 0) := (others => '0');
   signal number : std_logic_vector(23 downto 0) := (others => '0');
-{%- if e.signs.len() > 0 %}
+{%- if e.unit.signs.len() > 0 %}
 
   -- Numbers that are not the sign extension of what the unit reads of them.
-  constant plus_signs : std_logic_vector({{ e.sign_high }} downto 0) := (others => '0');
-  constant minus_signs : std_logic_vector({{ e.sign_high }} downto 0) := (others => '1');
+  constant plus_signs : std_logic_vector({{ e.unit.sign_high }} downto 0) := (others => '0');
+  constant minus_signs : std_logic_vector({{ e.unit.sign_high }} downto 0) := (others => '1');
   signal word_unfit : std_logic;
   signal record_unfit : std_logic := '0';
 {%- endif %}
 {%- if e.block_ram %}
-  signal load_line : unsigned({{ e.load_bits }} downto 0) := (others => '0');
+  signal load_line : unsigned({{ e.memory.load_bits }} downto 0) := (others => '0');
   signal load_place : unsigned(2 downto 0) := "000";
   signal load_triangles : std_logic := '0';
   signal beyond : std_logic;  -- the line is outside the memory
@@ -204,17 +204,17 @@ begin
   unfit <= '1' when
     (at_options = '1' and head(39 downto 36) /= "0000") or
     (at_record = '1' and head(31) = '1') or
-    (at_rows = '1' and ({% for slot in e.checked_slots %}unsigned(head({{ slot.high }} downto {{ slot.low }})) >= {{ slot.count }} or {% endfor %}head(63 downto {{ e.row_bits }}) /= "{{ e.row_zeros }}"))
+    (at_rows = '1' and ({% for slot in e.query.checked_slots %}unsigned(head({{ slot.high }} downto {{ slot.low }})) >= {{ slot.count }} or {% endfor %}head(63 downto {{ e.query.row_bits }}) /= "{{ e.query.row_zeros }}"))
     else '0';
-{%- if e.signs.len() > 0 %}
+{%- if e.unit.signs.len() > 0 %}
   word_unfit <= '1' when
-{%- for sign in e.signs %}
+{%- for sign in e.unit.signs %}
     (head({{ sign.high }} downto {{ sign.low }}) /= plus_signs and head({{ sign.high }} downto {{ sign.low }}) /= minus_signs){% if !loop.last %} or{% endif %}
 {%- endfor %}
     else '0';
 {%- endif %}
 {%- if e.block_ram %}
-  beyond <= '1' when (load_triangles = '0' and load_line >= {{ e.blocks }}) or (load_triangles = '1' and load_line >= {{ e.triangles }}) else '0';
+  beyond <= '1' when (load_triangles = '0' and load_line >= {{ e.memory.blocks }}) or (load_triangles = '1' and load_line >= {{ e.memory.triangles }}) else '0';
   address_unfit <= '1' when head(63 downto 32) /= x"00000000" or head(5 downto 0) /= "000000" else '0';
 {%- endif %}
 
@@ -224,14 +224,14 @@ begin
   begin
     if rising_edge(clk) then
       if shifts = '1' then
-        words <= head & words({{ e.job_bits - 1 }} downto 64);
+        words <= head & words({{ e.query.job_bits - 1 }} downto 64);
       end if;
       stop <= '0';
 {%- if e.block_ram %}
       block_write <= '0';
       triangle_write <= '0';
       -- The bit above is set only beyond the memory, where nothing is written.
-      write_line <= std_logic_vector(load_line({{ e.load_bits - 1 }} downto 0));
+      write_line <= std_logic_vector(load_line({{ e.memory.load_bits - 1 }} downto 0));
       write_place <= std_logic_vector(load_place);
       write_data <= head;
 {%- endif %}
@@ -254,22 +254,22 @@ begin
         if taken = '1' or moving = '1' then
           place <= place + 1;
           at_options <= '0';
-          if place = {{ e.options_word - 1 }} then
+          if place = {{ e.query.options_word - 1 }} then
             at_options <= '1';
           end if;
           at_record <= '0';
-          if place = {{ e.pose_word - 1 }} and expectation = query_state then
+          if place = {{ e.query.pose_word - 1 }} and expectation = query_state then
             at_record <= '1';
           end if;
           at_record_end <= '0';
-          if place = {{ e.first_row - 2 }} then
+          if place = {{ e.query.first_row - 2 }} then
             at_record_end <= '1';
           end if;
-          if place = {{ e.first_row - 1 }} then
+          if place = {{ e.query.first_row - 1 }} then
             at_rows <= '1';
           end if;
           at_end <= '0';
-          if place = {{ e.query_words - 2 }} then
+          if place = {{ e.query.query_words - 2 }} then
             at_end <= '1';
           end if;
           if at_end = '1' then
@@ -294,7 +294,7 @@ begin
         if taken = '1' then
           found := fault;
           answer_short := short;
-{%- if e.signs.len() > 0 %}
+{%- if e.unit.signs.len() > 0 %}
           if gathers = '1' and at_record = '1' then
             record_unfit <= '0';
           elsif gathers = '1' and at_rows = '0' then
@@ -321,14 +321,14 @@ begin
               end if;
             elsif head_kind(is_pose) = '1' then
               expectation <= pose_state;
-              place <= to_unsigned({{ e.pose_word }}, 6);
+              place <= to_unsigned({{ e.query.pose_word }}, 6);
               at_record <= '1';
               if head_last = '1' then
                 found := too_short;
               end if;
             elsif head_kind(is_pairs) = '1' then
               expectation <= pair_state;
-              place <= to_unsigned({{ e.first_row - e.pair_words }}, 6);
+              place <= to_unsigned({{ e.query.first_row - e.unit.pair_words }}, 6);
               at_record <= '1';
               if head_last = '1' then
                 found := too_short;
@@ -383,14 +383,14 @@ begin
               gathers <= '0';
               occupied <= '1';
               last_pair <= head_last;
-              place <= to_unsigned({{ e.first_row - e.pair_words }}, 6);
+              place <= to_unsigned({{ e.query.first_row - e.unit.pair_words }}, 6);
               at_record <= '1';
               at_rows <= '0';
             end if;
 {%- if e.block_ram %}
           elsif expectation = address_state then
             expectation <= load_state;
-            load_line <= '0' & unsigned(head({{ e.load_bits + 5 }} downto 6));
+            load_line <= '0' & unsigned(head({{ e.memory.load_bits + 5 }} downto 6));
             load_place <= "000";
             load_triangles <= head(31);
             if head_whole = '0' or head_last = '1' then
@@ -399,8 +399,8 @@ begin
               found := unknown;
             end if;
             -- A line that has no number here is beyond both memories, as the one behind the last is.
-            if head(30 downto {{ e.load_bits + 6 }}) /= "{{ e.load_zeros }}" then
-              load_line({{ e.load_bits }}) <= '1';
+            if head(30 downto {{ e.memory.load_bits + 6 }}) /= "{{ e.memory.load_zeros }}" then
+              load_line({{ e.memory.load_bits }}) <= '1';
             end if;
           elsif expectation = load_state then
             load_place <= load_place + 1;
@@ -451,7 +451,7 @@ begin
   job_query <= query_pending;
   job_posed <= posed_pending;
   job_short <= short;
-{%- if e.signs.len() > 0 %}
+{%- if e.unit.signs.len() > 0 %}
   job_unfit <= record_unfit;
   pair_unfit <= record_unfit;
 {%- endif %}

@@ -25,8 +25,8 @@ entity {{ prefix }}engine_control is
     job_short : in std_logic;
     job_reason : in std_logic_vector(4 downto 0);
     job_number : in std_logic_vector(23 downto 0);
-    job_words : in std_logic_vector({{ e.job_bits - 1 }} downto 0);
-{%- if e.signs.len() > 0 %}
+    job_words : in std_logic_vector({{ e.query.job_bits - 1 }} downto 0);
+{%- if e.unit.signs.len() > 0 %}
     job_unfit : in std_logic;
     pose_unfit : out std_logic;  -- a number of the pose that holds is no sign extension
 {%- endif %}
@@ -53,10 +53,10 @@ entity {{ prefix }}engine_control is
     stop_at_contact : out std_logic;
     separate_too : out std_logic;  -- also while no query runs
     leaves_only : out std_logic;  -- no triangle test
-    query_pose : out std_logic_vector({{ e.pose_bits - 1 }} downto 0);
-    query_shift : out std_logic_vector({{ e.shift_bits - 1 }} downto 0);
+    query_pose : out std_logic_vector({{ e.query.pose_bits - 1 }} downto 0);
+    query_shift : out std_logic_vector({{ e.query.shift_bits - 1 }} downto 0);
     query_errors : out std_logic_vector(47 downto 0);
-    query_rows : out std_logic_vector({{ e.rows_bits - 1 }} downto 0);
+    query_rows : out std_logic_vector({{ e.query.rows_bits - 1 }} downto 0);
     -- How it goes.
     idle : in std_logic;  -- nothing is to be done any more
     contact : in std_logic;
@@ -103,9 +103,9 @@ architecture rtl of {{ prefix }}engine_control is
 {%- endif %}
   signal outside : std_logic_vector(3 downto 0) := "0000";  -- the memory ends before the range
   signal empty : std_logic := '0';  -- a tree without a root
-  type words is array (0 to 8) of std_logic_vector({{ e.number_bits - 1 }} downto 0);
+  type words is array (0 to 8) of std_logic_vector({{ e.query.number_bits - 1 }} downto 0);
   signal entry : words;
-  type matrix is array (0 to 8) of std_logic_vector({{ e.origin_bits - 1 }} downto 0);
+  type matrix is array (0 to 8) of std_logic_vector({{ e.blocks.origin_bits - 1 }} downto 0);
   signal saturated : matrix;
   signal options : std_logic_vector(63 downto 0) := (others => '0');
 begin
@@ -129,17 +129,17 @@ begin
   number <= number_now;
 
   -- Entries of the matrix: cut off and saturated.
-{%- for entry in e.matrix_entries %}
+{%- for entry in e.query.matrix_entries %}
   entry({{ loop.index0 }}) <= job_words({{ entry.from_high }} downto {{ entry.from_low }});
 {%- endfor %}
   entries : for i in 0 to 8 generate
-    signal cut : std_logic_vector({{ e.origin_bits - 1 }} downto 0);
-    signal above : std_logic_vector({{ e.above_bits - 1 }} downto 0);  -- sign bits, if it fits
+    signal cut : std_logic_vector({{ e.blocks.origin_bits - 1 }} downto 0);
+    signal above : std_logic_vector({{ e.query.above_bits - 1 }} downto 0);  -- sign bits, if it fits
   begin
-    cut <= entry(i)({{ e.cut_high }} downto {{ e.cut_low }});
-    above <= entry(i)({{ e.number_bits - 1 }} downto {{ e.cut_high }});
-    saturated(i) <= "{{ e.greatest_entry }}" when entry(i)({{ e.number_bits - 1 }}) = '0' and above /= "{{ e.above_zeros }}" else
-      "{{ e.least_entry }}" when entry(i)({{ e.number_bits - 1 }}) = '1' and (above /= "{{ e.above_ones }}" or cut = "{{ e.below_least }}") else
+    cut <= entry(i)({{ e.query.cut_high }} downto {{ e.query.cut_low }});
+    above <= entry(i)({{ e.query.number_bits - 1 }} downto {{ e.query.cut_high }});
+    saturated(i) <= "{{ e.query.greatest_entry }}" when entry(i)({{ e.query.number_bits - 1 }}) = '0' and above /= "{{ e.query.above_zeros }}" else
+      "{{ e.query.least_entry }}" when entry(i)({{ e.query.number_bits - 1 }}) = '1' and (above /= "{{ e.query.above_ones }}" or cut = "{{ e.query.below_least }}") else
       cut;
   end generate entries;
 
@@ -150,56 +150,56 @@ begin
         number_now <= job_number;
         short <= job_short;
       end if;
-{%- if e.signs.len() > 0 %}
+{%- if e.unit.signs.len() > 0 %}
       if reset = '1' then
         pose_unfit <= '0';
       elsif taken = '1' and job_posed = '1' then
         -- With the bypass the numbers are not read.
-        pose_unfit <= job_unfit and not job_words({{ e.bypass_at }});
+        pose_unfit <= job_unfit and not job_words({{ e.unit.bypass_at }});
       end if;
 {%- endif %}
       separate_too <= options(33) or not running_now;
       leaves_only <= options(34) and running_now;
       if taken = '1' and job_query = '1' then
-        bases(0) <= unsigned(job_words({{ e.word1 + 31 }} downto {{ e.word1 }}));
-        bases(1) <= unsigned(job_words({{ e.word1 + 63 }} downto {{ e.word1 + 32 }}));
-        bases(2) <= unsigned(job_words({{ e.word2 + 31 }} downto {{ e.word2 }})){% if e.block_ram %} xor x"02000000"{% endif %};
-        bases(3) <= unsigned(job_words({{ e.word2 + 63 }} downto {{ e.word2 + 32 }})){% if e.block_ram %} xor x"02000000"{% endif %};
-        counts(0) <= unsigned(job_words({{ e.word3 + 31 }} downto {{ e.word3 }}));
-        counts(1) <= unsigned(job_words({{ e.word3 + 63 }} downto {{ e.word3 + 32 }}));
-        counts(2) <= unsigned(job_words({{ e.word4 + 31 }} downto {{ e.word4 }}));
-        counts(3) <= unsigned(job_words({{ e.word4 + 63 }} downto {{ e.word4 + 32 }}));
-        options <= job_words({{ e.word5 + 63 }} downto {{ e.word5 }});
+        bases(0) <= unsigned(job_words({{ e.query.word1 + 31 }} downto {{ e.query.word1 }}));
+        bases(1) <= unsigned(job_words({{ e.query.word1 + 63 }} downto {{ e.query.word1 + 32 }}));
+        bases(2) <= unsigned(job_words({{ e.query.word2 + 31 }} downto {{ e.query.word2 }})){% if e.block_ram %} xor x"02000000"{% endif %};
+        bases(3) <= unsigned(job_words({{ e.query.word2 + 63 }} downto {{ e.query.word2 + 32 }})){% if e.block_ram %} xor x"02000000"{% endif %};
+        counts(0) <= unsigned(job_words({{ e.query.word3 + 31 }} downto {{ e.query.word3 }}));
+        counts(1) <= unsigned(job_words({{ e.query.word3 + 63 }} downto {{ e.query.word3 + 32 }}));
+        counts(2) <= unsigned(job_words({{ e.query.word4 + 31 }} downto {{ e.query.word4 }}));
+        counts(3) <= unsigned(job_words({{ e.query.word4 + 63 }} downto {{ e.query.word4 + 32 }}));
+        options <= job_words({{ e.query.word5 + 63 }} downto {{ e.query.word5 }});
         -- Word 6 ends with the three errors: the bits above are not read.
-        query_errors <= job_words({{ e.word6 + 47 }} downto {{ e.word6 }});
-{%- for entry in e.matrix_entries %}
+        query_errors <= job_words({{ e.query.word6 + 47 }} downto {{ e.query.word6 }});
+{%- for entry in e.query.matrix_entries %}
         query_pose({{ entry.high }} downto {{ entry.low }}) <= saturated({{ loop.index0 }});
 {%- endfor %}
         -- Of the shift the bits below s4.22 are cut off, of a row those above its rest are zero: the command has looked.
-{%- for slice in e.shift_slices %}
+{%- for slice in e.query.shift_slices %}
         query_shift({{ slice.high }} downto {{ slice.low }}) <= job_words({{ slice.from_high }} downto {{ slice.from_low }});
 {%- endfor %}
-{%- for slice in e.row_slices %}
+{%- for slice in e.query.row_slices %}
         query_rows({{ slice.high }} downto {{ slice.low }}) <= job_words({{ slice.from_high }} downto {{ slice.from_low }});
 {%- endfor %}
 {%- if e.axi %}
         moved <= '0';
-        if known = '0' or bases(0) /= unsigned(job_words({{ e.word1 + 31 }} downto {{ e.word1 }}))
-          or bases(1) /= unsigned(job_words({{ e.word1 + 63 }} downto {{ e.word1 + 32 }}))
-          or bases(2) /= unsigned(job_words({{ e.word2 + 31 }} downto {{ e.word2 }}))
-          or bases(3) /= unsigned(job_words({{ e.word2 + 63 }} downto {{ e.word2 + 32 }}))
-          or job_words({{ e.word5 + 35 }}) = '1' then
+        if known = '0' or bases(0) /= unsigned(job_words({{ e.query.word1 + 31 }} downto {{ e.query.word1 }}))
+          or bases(1) /= unsigned(job_words({{ e.query.word1 + 63 }} downto {{ e.query.word1 + 32 }}))
+          or bases(2) /= unsigned(job_words({{ e.query.word2 + 31 }} downto {{ e.query.word2 }}))
+          or bases(3) /= unsigned(job_words({{ e.query.word2 + 63 }} downto {{ e.query.word2 + 32 }}))
+          or job_words({{ e.query.word5 + 35 }}) = '1' then
           moved <= '1';
         end if;
 {%- endif %}
       end if;
       for i in 0 to 1 loop
         outside(i) <= '0';
-        if resize(bases(i), 33) + resize(counts(i), 33) > {{ e.block_lines }} then
+        if resize(bases(i), 33) + resize(counts(i), 33) > {{ e.memory.block_lines }} then
           outside(i) <= '1';
         end if;
         outside(i + 2) <= '0';
-        if resize(bases(i + 2), 33) + resize(counts(i + 2), 33) > {{ e.triangle_lines }} then
+        if resize(bases(i + 2), 33) + resize(counts(i + 2), 33) > {{ e.memory.triangle_lines }} then
           outside(i + 2) <= '1';
         end if;
       end loop;

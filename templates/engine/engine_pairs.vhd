@@ -2,7 +2,7 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Pairs of leaves between the traversal and their answers: a queue of {{ e.pairs }} pairs of numbers, the request of their
+-- Pairs of leaves between the traversal and their answers: a queue of {{ e.traversal.pairs }} pairs of numbers, the request of their
 -- triangles, and the count of pairs that are not answered yet. When the query ends early, pairs that have not reached the
 -- triangle unit are dropped.
 --------------------------------------------------------------------------------
@@ -33,11 +33,11 @@ entity {{ prefix }}engine_pairs is
 end entity {{ prefix }}engine_pairs;
 
 architecture rtl of {{ prefix }}engine_pairs is
-  type pairs is array (0 to {{ e.pairs - 1 }}) of std_logic_vector(55 downto 0);
+  type pairs is array (0 to {{ e.traversal.pairs - 1 }}) of std_logic_vector(55 downto 0);
   signal queue : pairs := (others => (others => '0'));
-  signal written : unsigned({{ e.pair_bits - 1 }} downto 0) := (others => '0');
-  signal fetched : unsigned({{ e.pair_bits - 1 }} downto 0) := (others => '0');
-  signal waiting : unsigned({{ e.pair_bits }} downto 0) := (others => '0');  -- in the queue
+  signal written : unsigned({{ e.traversal.pair_bits - 1 }} downto 0) := (others => '0');
+  signal fetched : unsigned({{ e.traversal.pair_bits - 1 }} downto 0) := (others => '0');
+  signal waiting : unsigned({{ e.traversal.pair_bits }} downto 0) := (others => '0');  -- in the queue
   signal full : std_logic := '0';
   signal head : std_logic_vector(55 downto 0) := (others => '0');
   signal head_valid : std_logic := '0';
@@ -47,7 +47,7 @@ architecture rtl of {{ prefix }}engine_pairs is
   signal opens : std_logic;  -- one pair more has to be answered
   signal drops : std_logic;
   signal asks : std_logic;
-  signal open_pairs : unsigned({{ e.open_bits - 1 }} downto 0) := (others => '0');
+  signal open_pairs : unsigned({{ e.traversal.open_bits - 1 }} downto 0) := (others => '0');
   signal idle_now : std_logic := '1';  -- clear as soon as a pair has come
 begin
   accepts <= pair_valid and not full;
@@ -118,7 +118,7 @@ begin
         end if;
         if accepts = '1' and fetches = '0' then
           waiting <= waiting + 1;
-          if waiting = {{ e.pairs - 1 }} then
+          if waiting = {{ e.traversal.pairs - 1 }} then
             full <= '1';
           end if;
         elsif accepts = '0' and fetches = '1' then

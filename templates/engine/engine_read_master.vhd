@@ -2,8 +2,8 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- AXI4 reads for four caches in turn: blocks of A, blocks of B ({{ e.block_words }} words each), triangles of A, triangles of B
--- ({{ e.triangle_words }} words). A burst begins at a multiple of 64 bytes and ends within 64 bytes, so it never crosses 4 KB. There
+-- AXI4 reads for four caches in turn: blocks of A, blocks of B ({{ e.memory.block_words }} words each), triangles of A, triangles of B
+-- ({{ e.memory.triangle_words }} words). A burst begins at a multiple of 64 bytes and ends within 64 bytes, so it never crosses 4 KB. There
 -- is one ID: answers come in order, and a queue notes for whom. The caches ask only for what they have places for, so
 -- RREADY is always set. An error in the response, and a last word too early or too late, end the work: nothing is asked any
 -- more, and bursts under way are taken and forgotten.
@@ -23,7 +23,7 @@ entity {{ prefix }}engine_read_master is
     ask_address_2 : in std_logic_vector(25 downto 0);
     ask_address_3 : in std_logic_vector(25 downto 0);
     fill_valid : out std_logic_vector(3 downto 0);
-    fill_data : out std_logic_vector({{ e.memory_width - 1 }} downto 0);
+    fill_data : out std_logic_vector({{ e.memory.memory_width - 1 }} downto 0);
     failed : out std_logic;  -- until reset
     quiet : out std_logic;  -- no burst is under way
     word_read : out std_logic;
@@ -33,7 +33,7 @@ entity {{ prefix }}engine_read_master is
     m_axi_arburst : out std_logic_vector(1 downto 0);
     m_axi_arvalid : out std_logic;
     m_axi_arready : in std_logic;
-    m_axi_rdata : in std_logic_vector({{ e.memory_width - 1 }} downto 0);
+    m_axi_rdata : in std_logic_vector({{ e.memory.memory_width - 1 }} downto 0);
     m_axi_rresp : in std_logic_vector(1 downto 0);
     m_axi_rlast : in std_logic;
     m_axi_rvalid : in std_logic;
@@ -43,8 +43,8 @@ end entity {{ prefix }}engine_read_master;
 
 architecture rtl of {{ prefix }}engine_read_master is
   constant nobody : std_logic_vector(3 downto 0) := "0000";
-  constant last_of_block : unsigned(3 downto 0) := to_unsigned({{ e.block_words - 1 }}, 4);
-  constant last_of_triangle : unsigned(3 downto 0) := to_unsigned({{ e.triangle_words - 1 }}, 4);
+  constant last_of_block : unsigned(3 downto 0) := to_unsigned({{ e.memory.block_words - 1 }}, 4);
+  constant last_of_triangle : unsigned(3 downto 0) := to_unsigned({{ e.memory.triangle_words - 1 }}, 4);
   signal picked : std_logic := '0';  -- somebody is to be served
   signal turn : unsigned(1 downto 0) := "00";  -- who is served next, or was last
   signal served : std_logic_vector(3 downto 0);
@@ -131,7 +131,7 @@ begin
   end process ask;
   m_axi_araddr <= offered_address & "000000";
   m_axi_arlen <= "0000" & std_logic_vector(last_of_triangle) when offered_triangle = '1' else "0000" & std_logic_vector(last_of_block);
-  m_axi_arsize <= "{{ e.memory_size }}";
+  m_axi_arsize <= "{{ e.memory.memory_size }}";
   m_axi_arburst <= "01";
   m_axi_arvalid <= offered;
 

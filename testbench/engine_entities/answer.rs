@@ -130,7 +130,7 @@ fn answer(entity: &mut Entity) -> Outcome {
         for step in 0..running {
             clock += 1;
             // The query has a reason to end.
-            options.dropping = round % 4 == 3 && step > running / 2;
+            options.dropping = round % 4 == 2 && step > running / 2;
             for ((port, most), count) in EVENTS.into_iter().zip(&mut counts) {
                 let value = rng.random_range(0..=most);
                 entity.set(port, value);
@@ -154,7 +154,7 @@ fn answer(entity: &mut Entity) -> Outcome {
         around.drain(entity, &mut rng, &mut clock, options)?;
 
         let (reason, number) = (round % 9, rng.random_range(0..1 << 24));
-        let (short, stack) = (seldom(&mut rng, 4), rng.random_range(0..1 << 10));
+        let (short, stack) = (round % 2 == 1, rng.random_range(0..1 << 10));
         for (port, value) in
             [("reason", reason), ("number", number), ("short", short.into()), ("greatest_stack", stack)]
         {
@@ -167,8 +167,8 @@ fn answer(entity: &mut Entity) -> Outcome {
             tested << 32 | expanded,
             paired << 32 | survived,
             around.unsure << 32 | around.certain,
-            blocks << 32 | 2 * expanded,
-            triangles << 32 | 2 * asked,
+            (blocks << 32) | (2 * expanded),
+            (triangles << 32) | (2 * asked),
             starved << 32 | words,
             stack << 32 | stalled,
         ];

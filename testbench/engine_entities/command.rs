@@ -92,6 +92,18 @@ impl Packets {
         words
     }
 
+    /// Headers with nothing behind them.
+    fn headers(&mut self) {
+        for command in [Command::Query, Command::Load] {
+            self.send(&[self.format.header(command)], None);
+            self.refused(Reason::TooShort);
+        }
+        for kind in [Kind::Pairs, Kind::Pose] {
+            self.send(&[self.format.stream.header(kind).into()], None);
+            self.report(short(Reason::TooShort), true);
+        }
+    }
+
     fn query(&mut self) {
         let format = self.format;
         let mut words = self.query_words();
@@ -151,7 +163,8 @@ impl Packets {
         let (mut reason, mut holed) = (Reason::Complete, None);
         match self.rng.random_range(0..8) {
             0 => {
-                words.truncate(self.rng.random_range(1..=last));
+                // The header alone, too.
+                words.truncate(if seldom(&mut self.rng, 2) { 1 } else { self.rng.random_range(1..=last) });
                 reason = Reason::TooShort;
             }
             1 => {
@@ -317,6 +330,7 @@ fn command(entity: &mut Entity) -> Outcome {
         stops: 0,
     };
     entity.reset();
+    packets.headers();
     (0..160).for_each(|_| packets.next());
     let (mut working, mut stops, mut quiet) = (0, 0, 0);
     // A word that was offered stays until it is taken.

@@ -38,9 +38,9 @@ impl Job {
         match rng.random_range(0..12) {
             0 => words[2] &= !0xffff_ffff,
             1 => words[2] &= 0xffff_ffff,
-            2 => words[1] = LINES - 400 | 7 << 32,
-            3 => words[1] = LINES - 399 | 7 << 32,
-            4 => words[0] = (LINES - 19) << 32,
+            2 => words[1] = (LINES - 400) | (7 << 32),
+            3 => words[1] = (LINES - 399) | (7 << 32),
+            4 => words[0] = (LINES - 20 + u64::from(seldom(rng, 2))) << 32,
             5 => words[0] = 0xffff_ffff,
             _ => {}
         }
@@ -51,6 +51,10 @@ impl Job {
             if seldom(rng, 2) {
                 *word = (*word & 0x1fff_ffff_1fff_ffff) ^ if seldom(rng, 2) { 0xf000_0000_f000_0000 } else { 0 };
             }
+        }
+        // One below the least, with digits that are cut off.
+        if seldom(rng, 3) {
+            words[8] = 0xf000_0000_f000_07ff;
         }
         let (number, short, reason) = (
             rng.random_range(0..QueryFlags::NUMBERS),
@@ -244,6 +248,7 @@ impl Control<'_> {
         self.expect(self.entity.is("running") && !self.entity.is("ending"), "a query that runs")?;
         job.is_held(self.entity, &self.format, self.clock)?;
         self.entity.set("idle", 0);
+        self.entity.settle();
         self.edge();
         for _ in 0..self.rng.random_range(1..8) {
             self.entity.settle();

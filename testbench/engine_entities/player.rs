@@ -64,7 +64,8 @@ fn testbench(name: &str, ports: &[Port], places: &HashMap<String, Place>) -> Str
         let name = &port.name;
         let _ = writeln!(signals, "  signal {name} : {kind};");
         let _ = match (port.input, port.unsigned) {
-            (true, _) => writeln!(wires, "  {name} <= {bits};"),
+            (true, true) => writeln!(wires, "  {name} <= unsigned({bits});"),
+            (true, false) => writeln!(wires, "  {name} <= {bits};"),
             (false, true) => writeln!(wires, "  {bits} <= std_logic_vector({name});"),
             (false, false) => writeln!(wires, "  {bits} <= {name};"),
         };

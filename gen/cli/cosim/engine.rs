@@ -11,7 +11,7 @@ use crate::cosim::Simulator;
 use crate::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
 use crate::design::top::DesignError;
 use crate::golden::engine::Query;
-use crate::host::engine::{Image, Layout, Meetings, Numbers, memory};
+use crate::host::engine::{Image, Images, Layout, Numbers, memory};
 use crate::params::engine::{Memory, QueryFlags};
 use crate::params::options::Choice;
 use crate::scene::Scene;
@@ -117,16 +117,16 @@ struct Asked {
 }
 
 /// The queries of a scene.
-fn queries(meetings: &Meetings, scene: &Scene, arguments: &Arguments) -> Asked {
+fn queries(images: &Images, scene: &Scene, arguments: &Arguments) -> Asked {
     let broad_phase = scene.broad_phase();
-    let (_, sides) = memory(&meetings.images.iter().collect::<Vec<_>>());
+    let (_, sides) = memory(&images.all());
     let frames = scene.frames();
     let bar = progress::bar("making queries", frames as u64, "poses", false);
     let made = (0..frames).into_par_iter().flat_map_iter(|frame| {
         bar.inc(1);
         let distance = scene.frame(frame).distance;
         let found = broad_phase.meetings(frame).into_iter();
-        found.map(|meeting| (distance, meetings.query(&meeting, &sides).ok())).collect::<Vec<_>>()
+        found.map(|meeting| (distance, images.query(meeting.meshes, &meeting.pose, &sides).ok())).collect::<Vec<_>>()
     });
     let made: Vec<(Option<f64>, Option<Query>)> = made.collect();
     bar.finish_and_clear();
@@ -219,11 +219,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let name = arguments.source.scene.as_deref().unwrap_or(HEADLIGHT);
     let scene = load_scene(name)?;
     let numbers = Numbers::new(&design.params, &design.unit.params).map_err(DesignError::from)?;
-    let meetings = Meetings::new(&scene, numbers).map_err(|e| Failure::Usage(format!("{name}: {e}")))?;
-    let images: Vec<&Image> = meetings.images.iter().collect();
+    let held = Images::new(&scene.meshes().0, numbers).map_err(|e| Failure::Usage(format!("{name}: {e}")))?;
+    let images = held.all();
     // Before the time that the queries take.
     Layout::new(&design.params, &design.format, &images).map_err(DesignError::from)?;
-    let asked = queries(&meetings, &scene, arguments);
+    let asked = queries(&held, &scene, arguments);
     let queries = &asked.queries;
     if queries.is_empty() {
         return Err(Failure::Usage(format!("{name}: expected two objects whose boxes overlap in a frame")));
@@ -242,6 +242,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         latency: options.latency.clone().map_or(usual.latency, |Latency(clocks)| clocks),
         gaps: options.gaps.is_some(),
         seed: options.gaps.unwrap_or(usual.seed),
+        ..usual
     };
     let spinner = progress::spinner("simulating queries");
     let replies = machine.run(&images, queries, &channel)?;
@@ -263,7 +264,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             first_mismatch: wrong.first().map(String::as_str),
         })?;
     } else {
-        print(&table(&measure, &machine, asked.refused))?;
+        print(&table(&measure, machine.design(), &machine.simulator, asked.refused))?;
     }
     match wrong.first() {
         None if arguments.json => Ok(()),
@@ -274,8 +275,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-fn table(measure: &Measure, machine: &Machine, refused: usize) -> String {
-    let design = machine.design();
+fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usize) -> String {
     let mut text = format!("{:<38}{:>14}{:>14}\n", "", "per query", "all");
     let mut row = |name: &str, count: u64| {
         let mean = count as f64 / measure.queries as f64;
@@ -305,7 +305,7 @@ fn table(measure: &Measure, machine: &Machine, refused: usize) -> String {
     let _ = writeln!(
         text,
         "{} queries, {refused} more for software; greatest stack {}; an expansion in {} clocks, a pair in {}; {}",
-        measure.queries, measure.greatest_stack, design.volume.interval, design.unit.interval, machine.simulator
+        measure.queries, measure.greatest_stack, design.volume.interval, design.unit.interval, simulator
     );
     text.push_str(
         "clocks are those from the first word in to the last word out; a query runs from its start to its report\n",
@@ -319,6 +319,29 @@ fn table(measure: &Measure, machine: &Machine, refused: usize) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::params::Params;
+    use crate::params::engine::{EngineParams, EngineReport};
+
+    /// What the clocks are is always said; that no pair of triangles was reached, if it was so.
+    #[test]
+    fn a_sample_without_a_pair_says_so() {
+        let design = EngineDesign::new(&EngineParams::default(), &Params::default()).unwrap();
+        let text = |leaf_pairs| {
+            let report = EngineReport { leaf_pairs, ..EngineReport::default() };
+            let measure = Measure::of(&design, &[Reply { answers: vec![], report, clocks: 100 }]);
+            table(&measure, &design, "a simulator", 2)
+        };
+        let [without, with] = [text(0), text(1)];
+        for text in [&without, &with] {
+            assert!(text.contains("1 queries, 2 more for software; greatest stack 0; "), "{text}");
+            assert!(
+                text.contains("a simulator\nclocks are those from the first word in to the last word out; "),
+                "{text}"
+            );
+        }
+        let said = "no query of this sample reaches a pair of triangles; a greater --limit takes more queries\n";
+        assert!(without.ends_with(said) && !with.contains(said), "{without}{with}");
+    }
 
     #[test]
     fn a_latency_is_a_number_or_a_range() {

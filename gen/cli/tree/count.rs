@@ -8,7 +8,7 @@ use crate::cli::progress;
 use crate::cli::source::load_scene;
 use crate::design::top::DesignError;
 use crate::golden::engine::{Model, Query, Side};
-use crate::host::engine::{Meetings, Numbers, memory};
+use crate::host::engine::{Images, Numbers, memory};
 use crate::params::engine::{EngineReport, FACTOR_BITS};
 use crate::params::{EngineParams, Params};
 use crate::scene::{BroadPhase, Meeting};
@@ -110,7 +110,7 @@ impl Add for Counts {
 struct Search<'a> {
     broad_phase: BroadPhase<'a>,
     model: Model,
-    meetings: Meetings,
+    images: Images,
     sides: Vec<Side>,
     memory: Vec<u64>,
     first_contact: bool,
@@ -118,7 +118,7 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn meeting(&self, meeting: &Meeting) -> Counts {
-        match self.meetings.query(meeting, &self.sides) {
+        match self.images.query(meeting.meshes, &meeting.pose, &self.sides) {
             Err(_) => Counts { queries: 1, answered_in_software: 1, ..Counts::default() },
             Ok(query) => {
                 let query = Query { first_contact: self.first_contact, ..query };
@@ -134,10 +134,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let unit = Params::default();
     let numbers = Numbers::new(&engine, &unit).map_err(DesignError::from)?;
     let model = Model::new(&engine, &unit).map_err(DesignError::from)?;
-    let meetings = Meetings::new(&scene, numbers).map_err(|e| Failure::Usage(format!("{}: {e}", arguments.file)))?;
-    let (memory, sides) = memory(&meetings.images.iter().collect::<Vec<_>>());
+    let images =
+        Images::new(&scene.meshes().0, numbers).map_err(|e| Failure::Usage(format!("{}: {e}", arguments.file)))?;
+    let (memory, sides) = memory(&images.all());
     let first_contact = arguments.first_contact;
-    let search = Search { broad_phase: scene.broad_phase(), model, meetings, sides, memory, first_contact };
+    let search = Search { broad_phase: scene.broad_phase(), model, images, sides, memory, first_contact };
     let frames = scene.frames();
     let bar = progress::bar("counting", frames as u64, "poses", false);
     let counted = (0..frames).into_par_iter().map(|frame| {

@@ -8,7 +8,7 @@ use crate::cli::params::{EngineArguments, ParamArguments};
 use crate::cli::source::load_scene;
 use crate::design::top::DesignError;
 use crate::golden::engine::Query;
-use crate::host::engine::{Image, Layout, Meetings, Numbers, memory};
+use crate::host::engine::{Images, Layout, Numbers, memory};
 use crate::params::engine::{Memory, QueryFlags};
 use std::path::PathBuf;
 
@@ -58,10 +58,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut out = Output::new(&arguments.out)?;
     let image = arguments.image.as_deref().map(Output::new).transpose()?;
     let numbers = Numbers::new(&design.params, &design.unit.params).map_err(DesignError::from)?;
-    let meetings = Meetings::new(&scene, numbers).map_err(|e| Failure::Usage(format!("{}: {e}", arguments.file)))?;
-    let images: Vec<&Image> = meetings.images.iter().collect();
-    let layout = Layout::new(&design.params, &design.format, &images).map_err(DesignError::from)?;
-    let (_, sides) = memory(&images);
+    let images =
+        Images::new(&scene.meshes().0, numbers).map_err(|e| Failure::Usage(format!("{}: {e}", arguments.file)))?;
+    let layout = Layout::new(&design.params, &design.format, &images.all()).map_err(DesignError::from)?;
+    let (_, sides) = memory(&images.all());
     let text = |words: &[u64]| hexadecimal(words).join(" ");
     out.write("frame,a,b,number,words\n")?;
     for load in &layout.loads {
@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let broad_phase = scene.broad_phase();
     for meeting in frames.flat_map(|frame| broad_phase.meetings(frame)) {
         let number = queries % QueryFlags::NUMBERS;
-        let words = meetings.query(&meeting, &sides).map(|query| {
+        let words = images.query(meeting.meshes, &meeting.pose, &sides).map(|query| {
             let query = Query { number, first_contact: arguments.first_contact, ..query };
             text(&layout.moved(&query, &sides).words(&design.format))
         });

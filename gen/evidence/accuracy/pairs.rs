@@ -46,8 +46,6 @@ struct Met {
     /// Rotation, row by row, and translation of B as seen from A.
     m: [[f64; 3]; 3],
     t: [f64; 3],
-    /// The meshes of A and of B.
-    meshes: [usize; 2],
     meeting: Meeting,
     range: Range<usize>,
 }
@@ -72,7 +70,7 @@ impl<'a> Pairs<'a> {
     /// # Errors
     /// A scene with too many pairs, if all are asked for.
     pub fn draw(scene: &'a Scene, amount: Amount, seed: u64) -> Result<Self, TooMany> {
-        let (meshes, mesh_of) = scene.meshes();
+        let (meshes, _) = scene.meshes();
         let points = |mesh: &&Mesh| mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect();
         let vertices: Vec<Vec<[f64; 3]>> = meshes.iter().map(points).collect();
         let broad_phase = scene.broad_phase();
@@ -94,7 +92,6 @@ impl<'a> Pairs<'a> {
             met.push(Met {
                 m: meeting.pose.rows(),
                 t: meeting.pose.translation.into(),
-                meshes: [meeting.a, meeting.b].map(|object| mesh_of[object]),
                 meeting,
                 range: begin..begin + group.len(),
             });
@@ -134,13 +131,13 @@ impl<'a> Pairs<'a> {
 
     fn vertices_of(&self, met: &Met, pair: usize) -> [[u32; 3]; 2] {
         let (a, b) = self.faces[pair];
-        [self.meshes[met.meshes[0]].faces[a as usize], self.meshes[met.meshes[1]].faces[b as usize]]
+        [self.meshes[met.meeting.meshes[0]].faces[a as usize], self.meshes[met.meeting.meshes[1]].faces[b as usize]]
     }
 
     /// The vertices of a pair as in the meshes, each triangle in its own frame.
     fn corners(&self, met: &Met, pair: usize) -> [[[f64; 3]; 3]; 2] {
         let of = self.vertices_of(met, pair);
-        [0, 1].map(|side| of[side].map(|vertex| self.vertices[met.meshes[side]][vertex as usize]))
+        [0, 1].map(|side| of[side].map(|vertex| self.vertices[met.meeting.meshes[side]][vertex as usize]))
     }
 
     /// The meeting that a pair belongs to.
@@ -177,7 +174,7 @@ pub(super) struct Asked<'a> {
 impl<'a> Asked<'a> {
     pub fn new(pairs: &'a Pairs<'a>, params: &Params) -> Self {
         let mut hosts = HashMap::new();
-        for &[a, b] in pairs.met.iter().map(|met| &met.meshes) {
+        for &[a, b] in pairs.met.iter().map(|met| &met.meeting.meshes) {
             hosts.entry([a, b]).or_insert_with(|| SceneHost::new(&pairs.vertices[a], &pairs.vertices[b], params));
         }
         Self { pairs, golden: Golden::new(params), hosts }
@@ -186,7 +183,7 @@ impl<'a> Asked<'a> {
     /// What `answer` makes of every pair, in order.
     pub fn all<T: Send>(&self, answer: impl Fn(Verdict, bool) -> T + Sync) -> Vec<T> {
         let of = |met: &Met| {
-            let posed = self.hosts[&met.meshes].pose(&met.m, &met.t);
+            let posed = self.hosts[&met.meeting.meshes].pose(&met.m, &met.t);
             let one = |pair| {
                 let [a, b] = self.pairs.vertices_of(met, pair);
                 match posed.pair(a, b) {
@@ -202,7 +199,7 @@ impl<'a> Asked<'a> {
     /// A pair as the unit reads it, and the pose; the pair alone if the host decides it.
     pub fn inputs(&self, pair: usize) -> (Pose, Host) {
         let met = self.pairs.met(pair);
-        let posed = self.hosts[&met.meshes].pose(&met.m, &met.t);
+        let posed = self.hosts[&met.meeting.meshes].pose(&met.m, &met.t);
         let [a, b] = self.pairs.vertices_of(met, pair);
         (posed.pose, posed.pair(a, b))
     }
@@ -210,7 +207,7 @@ impl<'a> Asked<'a> {
     /// The real numbers behind the inputs of a pair.
     pub fn numbers(&self, pair: usize) -> Numbers<Dyadic> {
         let met = self.pairs.met(pair);
-        self.hosts[&met.meshes].numbers(&met.m, &met.t, &self.pairs.corners(met, pair))
+        self.hosts[&met.meeting.meshes].numbers(&met.m, &met.t, &self.pairs.corners(met, pair))
     }
 
     /// What the unit says of a pair, with the flags of all axes; none if the host decides it.

@@ -124,13 +124,12 @@ pub fn run<E: Engine, F: From<E::Error>>(
     mut visit: impl FnMut(Row<EngineCounts>, &[Contact]) -> Result<(), F>,
 ) -> Result<(), F> {
     let scene = front.scene();
-    let (_, mesh_of) = scene.meshes();
     let mut number = 0;
     for batch in frames.chunks(BATCH) {
         let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.survivors.meetings(frame)).collect();
         let job = |(i, meeting): (usize, &Meeting)| -> Job<'_, '_> {
             let options = Options { number: (number + i as u32) % QueryFlags::NUMBERS, ..Options::default() };
-            objects.query([mesh_of[meeting.a], mesh_of[meeting.b]], &meeting.pose, options)
+            objects.query(meeting.meshes, &meeting.pose, options)
         };
         let jobs: Vec<Job<'_, '_>> = meetings.par_iter().enumerate().map(job).collect();
         number += jobs.len() as u32;

@@ -57,8 +57,8 @@ impl<'a> Front<'a> {
 
     /// Whether a triangle of a pair is degenerate.
     pub fn is_degenerate(&self, meeting: &Meeting, pair: (u32, u32)) -> bool {
-        let flag = |object: usize, face: u32| self.degenerate[self.mesh_of[object]][face as usize];
-        flag(meeting.a, pair.0) || flag(meeting.b, pair.1)
+        let [a, b] = meeting.meshes.map(|mesh| &self.degenerate[mesh]);
+        a[pair.0 as usize] || b[pair.1 as usize]
     }
 
     /// Whether a pair is answered here and does not go to the unit.

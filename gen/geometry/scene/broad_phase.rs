@@ -16,6 +16,8 @@ pub struct Meeting {
     pub a: usize,
     /// The other one, of a higher number.
     pub b: usize,
+    /// The meshes of both, by their places in [`Scene::meshes`].
+    pub meshes: [usize; 2],
     /// The pose of B as seen from A: its twelve doubles are the truth.
     pub pose: Pose,
 }
@@ -26,7 +28,6 @@ pub struct BroadPhase<'a> {
     scene: &'a Scene,
     meetings: Meetings<'a>,
     trees: Vec<Tree<'a>>,
-    mesh_of: Vec<usize>,
 }
 
 impl<'a> BroadPhase<'a> {
@@ -37,9 +38,9 @@ impl<'a> BroadPhase<'a> {
 
     /// Builds the trees.
     pub fn new(scene: &'a Scene) -> Self {
-        let (meshes, mesh_of) = scene.meshes();
+        let (meshes, _) = scene.meshes();
         let trees = meshes.par_iter().map(|mesh| Tree::new(mesh)).collect();
-        Self { scene, meetings: Meetings::new(scene), trees, mesh_of }
+        Self { scene, meetings: Meetings::new(scene), trees }
     }
 
     /// The objects that may touch in a frame, by sort and sweep over their boxes; ascending.
@@ -62,7 +63,7 @@ impl<'a> BroadPhase<'a> {
 
     /// The same pairs, to be handed on in pieces.
     pub fn candidates(&self, meeting: &Meeting) -> Candidates<'_> {
-        let [a, b] = [meeting.a, meeting.b].map(|object| &self.trees[self.mesh_of[object]]);
+        let [a, b] = meeting.meshes.map(|mesh| &self.trees[mesh]);
         Candidates::new(a, b, &meeting.pose)
     }
 

@@ -8,13 +8,14 @@ use crate::mesh::Bounds;
 pub(super) struct Meetings<'a> {
     scene: &'a Scene,
     boxes: Vec<Bounds>,
+    mesh_of: Vec<usize>,
 }
 
 impl<'a> Meetings<'a> {
     pub fn new(scene: &'a Scene) -> Self {
         let (meshes, mesh_of) = scene.meshes();
         let boxes: Vec<Bounds> = meshes.iter().map(|mesh| mesh.bounds()).collect();
-        Self { scene, boxes: mesh_of.into_iter().map(|mesh| boxes[mesh]).collect() }
+        Self { scene, boxes: mesh_of.iter().map(|&mesh| boxes[mesh]).collect(), mesh_of }
     }
 
     /// The objects that may touch, by sort and sweep over their boxes; ascending.
@@ -30,6 +31,10 @@ impl<'a> Meetings<'a> {
 
     fn of(&self, frame: usize, choose: impl Fn(&[super::Pose]) -> Vec<(usize, usize)>) -> Vec<Meeting> {
         let Frame { poses, .. } = self.scene.frame(frame);
-        choose(&poses).into_iter().map(|(a, b)| Meeting { frame, a, b, pose: poses[a].seen(&poses[b]) }).collect()
+        let meeting = |(a, b): (usize, usize)| {
+            let meshes = [a, b].map(|object| self.mesh_of[object]);
+            Meeting { frame, a, b, meshes, pose: poses[a].seen(&poses[b]) }
+        };
+        choose(&poses).into_iter().map(meeting).collect()
     }
 }

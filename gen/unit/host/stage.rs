@@ -18,9 +18,8 @@ pub struct Stage<'a> {
     params: Params,
     /// Finds the meetings and their candidate pairs.
     pub broad_phase: BroadPhase<'a>,
-    /// The vertices of the meshes, and which mesh each object has.
+    /// The vertices of the meshes.
     vertices: Vec<Vec<[f64; 3]>>,
-    mesh_of: Vec<usize>,
     /// Pairs of meshes that have met.
     hosts: Mutex<HashMap<[usize; 2], Arc<SceneHost>>>,
 }
@@ -37,11 +36,11 @@ pub struct Posed<'a> {
 impl<'a> Stage<'a> {
     /// Prepares a scene.
     pub fn new(scene: &'a Scene, params: &Params) -> Self {
-        let (meshes, mesh_of) = scene.meshes();
+        let (meshes, _) = scene.meshes();
         let points = |mesh: &&Mesh| mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect();
         let vertices = meshes.iter().map(points).collect();
         let params = params.clone();
-        Self { scene, params, broad_phase: scene.broad_phase(), vertices, mesh_of, hosts: Mutex::default() }
+        Self { scene, params, broad_phase: scene.broad_phase(), vertices, hosts: Mutex::default() }
     }
 
     /// The number of frames.
@@ -51,7 +50,7 @@ impl<'a> Stage<'a> {
 
     /// A meeting of the scene.
     pub fn posed(&'a self, meeting: &Meeting) -> Posed<'a> {
-        let meshes = [meeting.a, meeting.b].map(|object| self.mesh_of[object]);
+        let meshes = meeting.meshes;
         let vertices = meshes.map(|mesh| self.vertices[mesh].as_slice());
         let known = self.hosts.lock().unwrap_or_else(PoisonError::into_inner).get(&meshes).cloned();
         // Two threads may make the same one; it is made without the lock.

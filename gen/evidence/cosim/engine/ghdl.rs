@@ -10,8 +10,6 @@ use efsat_unit::params::engine::Memory;
 use std::fmt::Write;
 use std::path::Path;
 
-/// Clocks without a transfer before the testbench gives up: a query may work for long without an answer.
-const PATIENCE: u32 = 1_000_000_000;
 /// Seeds of the testbench.
 const SEEDS: u32 = 0xffff;
 
@@ -53,7 +51,7 @@ pub(super) fn exchange(
         format!("vectors={}", vectors.display()),
         format!("answers={}", answers.display()),
         "compared=false".to_owned(),
-        format!("patience={PATIENCE}"),
+        format!("patience={}", channel.patience),
         format!("seed={}", 1 + channel.seed % SEEDS),
         format!("first_pass={pass}"),
         format!("passes={pass}"),

@@ -33,12 +33,15 @@ pub struct Channel {
     pub gaps: bool,
     /// Chooses latencies and gaps.
     pub seed: u32,
+    /// Clocks without a transfer of the stream before it is given up.
+    pub patience: u32,
 }
 
 impl Default for Channel {
-    /// That of the figures in the documentation: 32 clocks, no gaps.
+    /// That of the figures in the documentation: 32 clocks, no gaps. A query may work for long without an answer; an expansion or
+    /// a pair takes some hundred clocks at most.
     fn default() -> Self {
-        Self { latency: 32..=32, gaps: false, seed: 1 }
+        Self { latency: 32..=32, gaps: false, seed: 1, patience: 100_000_000 }
     }
 }
 
@@ -84,7 +87,6 @@ struct Bench {
     word_size: u32,
     query_header: String,
     stop_header: String,
-    patience: usize,
     reset_clocks: usize,
     arguments: u32,
 }
@@ -102,10 +104,8 @@ impl Bench {
             word_size: word_bytes.ilog2(),
             query_header: header(Command::Query),
             stop_header: header(Command::Stop),
-            // A query may work for long without an answer; an expansion or a pair takes some hundred clocks at most.
-            patience: 100_000_000,
             reset_clocks: RESET_CLOCKS,
-            arguments: if axi { 8 } else { 6 },
+            arguments: if axi { 9 } else { 7 },
         }
     }
 }
@@ -210,7 +210,7 @@ impl Machine {
         if self.design.params.memory == Memory::Axi {
             arguments.extend([channel.latency.start(), channel.latency.end()].map(ToString::to_string));
         }
-        arguments.extend([u8::from(channel.gaps).to_string(), channel.seed.to_string()]);
+        arguments.extend([u32::from(channel.gaps), channel.seed, channel.patience].map(|number| number.to_string()));
         let said = call(&self.dir, &program.to_string_lossy(), &arguments, false)?;
         if !said.trim_end().ends_with(" clocks") {
             return Err(failed(said.trim().trim_start_matches("error: ")));

@@ -1,4 +1,4 @@
-//! The pairs of triangles that touch, exactly: traversal, a filter in floating point, and whole numbers for what that leaves.
+//! The pairs of triangles that touch: traversal, and a test of what it finds in blocks.
 
 use super::traverse::rank;
 use super::{DopTree, Scratch, Statistics, batches};
@@ -7,42 +7,72 @@ use crate::mesh::Mesh;
 use crate::scene::Pose;
 use crate::scene::enclosure;
 use crate::software::interval_axes::decide_moved;
+use crate::software::retest::retest_batch;
+use rayon::prelude::*;
 
-/// Pairs filtered at a time: small enough to stay in the first cache.
+/// Pairs tested at a time: small enough to stay in the first cache.
 const BLOCK: usize = 64;
 
-/// All pairs (triangle of A, triangle of B) that touch with B in `pose` as seen from A, in ascending order, and how they do. The
-/// twelve doubles of the pose are taken as they are.
+/// Pairs (triangle of A, triangle of B) that touch, in ascending order, and how they do; and what the traversal cost.
+pub type Contacts = (Vec<((u32, u32), Exact)>, Statistics);
+
+/// All pairs that touch with B in `pose` as seen from A. The twelve doubles of the pose are taken as they are: a filter in floating
+/// point knows how far the corners of B may be off, and whole numbers decide what it leaves, by all threads of the current pool,
+/// which takes long where very many pairs touch in planes.
 ///
 /// # Panics
 /// If the trees have different sets of directions, or are not those of the meshes.
-pub fn contacts(
+pub fn contacts(meshes: [&Mesh; 2], trees: [&DopTree; 2], pose: &Pose, scratch: &mut Scratch) -> Contacts {
+    let error = enclosure::error(&trees[1].farthest(), pose);
+    let (rows, translation) = (pose.rows(), pose.translation.into());
+    let exactly = |(p, q): (u32, u32)| {
+        let [a, b] =
+            [(meshes[0], p), (meshes[1], q)].map(|(mesh, face)| mesh.triangle(face as usize).map(<[f64; 3]>::from));
+        posed_pair(&a, &b, &rows, &translation)
+    };
+    let mut certain = [None; BLOCK];
+    search(meshes, trees, pose, scratch, |pairs, points, answers| {
+        let certain = &mut certain[..pairs.len()];
+        decide_moved(points, error, certain);
+        if !certain.contains(&None) {
+            return answers.extend(certain.iter().flatten());
+        }
+        let answer = |(&pair, certain): (&(u32, u32), &Option<Exact>)| certain.unwrap_or_else(|| exactly(pair));
+        answers.par_extend(pairs.par_iter().zip(&*certain).map(answer));
+    })
+}
+
+/// The same for corners of B that are rounded when they are moved, as other programs do it: the answers are exact for these.
+///
+/// # Panics
+/// If the trees have different sets of directions, or are not those of the meshes.
+pub fn rounded_contacts(meshes: [&Mesh; 2], trees: [&DopTree; 2], pose: &Pose, scratch: &mut Scratch) -> Contacts {
+    search(meshes, trees, pose, scratch, |_, points, answers| retest_batch(points, answers))
+}
+
+/// Finds pairs, and keeps those that touch by the answers that `test` appends for pairs and their rounded corners.
+fn search(
     [a, b]: [&Mesh; 2],
     trees: [&DopTree; 2],
     pose: &Pose,
     scratch: &mut Scratch,
-) -> (Vec<((u32, u32), Exact)>, Statistics) {
-    let error = enclosure::error(&trees[1].farthest(), pose);
-    let (rows, translation) = (pose.rows(), pose.translation.into());
-    let exactly = |(p, q): (u32, u32)| {
-        let corners = |mesh: &Mesh, face: u32| mesh.triangle(face as usize).map(<[f64; 3]>::from);
-        posed_pair(&corners(a, p), &corners(b, q), &rows, &translation)
-    };
+    mut test: impl FnMut(&[(u32, u32)], &[[[f64; 3]; 6]], &mut Vec<Exact>),
+) -> Contacts {
     let mut found = vec![];
-    let (mut points, mut answers) = ([[[0.0; 3]; 6]; BLOCK], [None; BLOCK]);
+    let (mut points, mut answers) = ([[[0.0; 3]; 6]; BLOCK], Vec::with_capacity(BLOCK));
     let statistics = batches(trees[0], trees[1], pose, scratch, |pairs| {
         for pairs in pairs.chunks(BLOCK) {
-            let (points, answers) = (&mut points[..pairs.len()], &mut answers[..pairs.len()]);
+            let points = &mut points[..pairs.len()];
             for (points, &(p, q)) in points.iter_mut().zip(pairs) {
                 let [p0, p1, p2] = a.triangle(p as usize);
                 let [q0, q1, q2] = b.triangle(q as usize);
                 let [q0, q1, q2] = [pose.image(&q0), pose.image(&q1), pose.image(&q2)];
                 *points = [p0.into(), p1.into(), p2.into(), q0.into(), q1.into(), q2.into()];
             }
-            decide_moved(points, error, answers);
-            let exact =
-                pairs.iter().zip(answers).map(|(&pair, answer)| (pair, answer.unwrap_or_else(|| exactly(pair))));
-            found.extend(exact.filter(|(_, exact)| *exact != Exact::Separate));
+            answers.clear();
+            test(pairs, points, &mut answers);
+            let answered = pairs.iter().copied().zip(answers.iter().copied());
+            found.extend(answered.filter(|(_, answer)| *answer != Exact::Separate));
         }
     });
     found.sort_unstable_by_key(|&(pair, _)| rank(pair));

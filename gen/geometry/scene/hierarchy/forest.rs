@@ -8,21 +8,20 @@ use rayon::prelude::*;
 #[derive(Clone, Debug)]
 pub struct Forest {
     trees: Vec<DopTree>,
-    mesh_of: Vec<usize>,
 }
 
 impl Forest {
     /// Builds the trees.
     pub fn new(scene: &Scene, directions: Directions) -> Self {
-        let (meshes, mesh_of) = scene.meshes();
-        Self { trees: meshes.par_iter().map(|mesh| DopTree::new(mesh, directions)).collect(), mesh_of }
+        let (meshes, _) = scene.meshes();
+        Self { trees: meshes.par_iter().map(|mesh| DopTree::new(mesh, directions)).collect() }
     }
 
     /// The trees of the two objects of a meeting.
     ///
     /// # Panics
-    /// If the meeting is one of another scene, of more objects.
+    /// If the meeting is one of another scene, of more meshes.
     pub fn trees(&self, meeting: &Meeting) -> [&DopTree; 2] {
-        [meeting.a, meeting.b].map(|object| &self.trees[self.mesh_of[object]])
+        meeting.meshes.map(|mesh| &self.trees[mesh])
     }
 }

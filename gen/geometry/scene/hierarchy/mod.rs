@@ -14,7 +14,7 @@ mod traverse;
 mod tree;
 
 pub use crate::directions::Directions;
-pub use contacts::contacts;
+pub use contacts::{Contacts, contacts, rounded_contacts};
 pub use forest::Forest;
 pub use local::{LocalBlock, LocalChild, LocalFormat, LocalTree};
 pub use placement::Placement;

@@ -4,7 +4,7 @@ use super::family::{Group, LANES, Members};
 use super::realign::Realignment;
 use super::tree::scaled;
 use super::*;
-use crate::exact::{Exact, posed_pair};
+use crate::exact::{Exact, pair, posed_pair};
 use crate::mesh::{Mesh, headlight};
 use crate::scene::pose::{Pose, axis_angle};
 use crate::scene::split::Node;
@@ -205,6 +205,13 @@ fn no_pair_of_touching_triangles_is_lost() {
             assert_eq!(statistics.pairs_tested, found.len() as u64);
             let touching = contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch);
             assert_eq!(touching, (exact.clone(), statistics), "round {round}, {set:?}");
+            let rounded = rounded_contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch).0;
+            let test = |&(p, q): &(u32, u32)| {
+                let y = corners(&b, q as usize).map(|x| pose.image(&x.into()).into());
+                let [[x0, x1, x2], [y0, y1, y2]] = [corners(&a, p as usize), y];
+                ((p, q), pair(&[x0, x1, x2, y0, y1, y2]))
+            };
+            assert!(found.iter().map(test).filter(|(_, exact)| *exact != Exact::Separate).eq(rounded));
             for pair in &expected {
                 assert!(found.binary_search(pair).is_ok(), "round {round}, {set:?}: {pair:?}");
             }

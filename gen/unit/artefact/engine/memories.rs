@@ -13,12 +13,14 @@ impl EngineDesign {
     pub fn block_rams(&self) -> u64 {
         let values = Values::new(self);
         let of = |places: u32, bits: u32| block_rams(places.into(), bits.into());
-        let stores = values.memories.iter().map(|lines| {
+        let stores = values.memory.memories.iter().map(|lines| {
             let banks = u64::from(lines.words_per_line) * of(lines.lines, lines.word_bits);
             // A cache for each of the two trees, with tags and a bit that says whether there is one, and words on their way.
             let around = || of(lines.lines, lines.tag_bits + 1) + of(lines.return_words, lines.word_bits);
             if values.axi { 2 * (banks + around()) } else { banks }
         });
-        stores.sum::<u64>() + of(values.stack_places, values.entry_bits) + of(values.pairs, PAIR_BITS)
+        stores.sum::<u64>()
+            + of(values.traversal.stack_places, values.traversal.entry_bits)
+            + of(values.traversal.pairs, PAIR_BITS)
     }
 }

@@ -160,7 +160,7 @@ pub fn engine_files(
     let mut files = vhdl_files(&design.unit, prefix, command_line)?;
     files.extend(volume_files(&design.volume, prefix)?);
     let mut add = |name: &str, text: String| files.push((format!("{}.vhd", prefix.of(name)), text));
-    for lines in &values.memories {
+    for lines in &values.memory.memories {
         let text = match design.params.memory {
             Memory::BlockRam => MemoryText { header: &header, prefix, m: lines }.render(),
             Memory::Axi => CacheText { header: &header, prefix, m: lines }.render(),

@@ -31,11 +31,11 @@ mod tests;
 #[cfg(feature = "scenes")]
 mod build;
 #[cfg(feature = "scenes")]
-mod meetings;
+mod images;
 #[cfg(feature = "scenes")]
 pub use build::BuildError;
 pub use image::{Header, Image, ImageError, memory};
-pub use layout::{Layout, TRIANGLES_AT};
 #[cfg(feature = "scenes")]
-pub use meetings::Meetings;
+pub use images::Images;
+pub use layout::{Layout, TRIANGLES_AT};
 pub use numbers::{Numbers, Refusal};

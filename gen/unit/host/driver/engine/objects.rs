@@ -2,7 +2,7 @@
 
 use super::{Contacts, Engine, EngineError, Job};
 use crate::golden::engine::Query;
-use crate::host::engine::{BuildError, Image, Layout, Numbers};
+use crate::host::engine::{BuildError, Images, Layout, Numbers};
 use crate::params::options::Choice;
 use crate::params::{EngineParams, Method, ParamError, Params};
 use efsat_geometry::mesh::Mesh;
@@ -39,9 +39,8 @@ pub struct Options {
 pub struct Objects<'a> {
     pub(super) engine: EngineParams,
     pub(super) unit: Params,
-    numbers: Numbers,
     pub(super) meshes: Vec<&'a Mesh>,
-    images: Vec<Image>,
+    images: Images,
     layout: Layout,
     /// For the software; none before it is needed.
     trees: Vec<OnceLock<DopTree>>,
@@ -60,11 +59,11 @@ impl<'a> Objects<'a> {
             let (found, legal) = (unit.method.name().to_owned(), legal.to_owned());
             return Err(ParamError { option: "method", found, legal }.into());
         }
-        let images = Image::build(meshes, numbers.format())?;
-        let layout = Layout::new(engine, numbers.format(), &images.iter().collect::<Vec<_>>())?;
+        let images = Images::new(meshes, numbers)?;
+        let layout = Layout::new(engine, images.numbers().format(), &images.all())?;
         let trees = meshes.iter().map(|_| OnceLock::new()).collect();
         let (engine, unit, meshes) = (engine.clone(), unit.clone(), meshes.to_vec());
-        Ok(Self { engine, unit, numbers, meshes, images, layout, trees })
+        Ok(Self { engine, unit, meshes, images, layout, trees })
     }
 
     /// What lies in the memory of an engine with an AXI4 read master, from address 0 on, as 64-bit words; empty for block RAM.
@@ -79,7 +78,7 @@ impl<'a> Objects<'a> {
 
     /// The number formats of queries and images.
     pub fn numbers(&self) -> &Numbers {
-        &self.numbers
+        self.images.numbers()
     }
 
     /// The job of finding the triangles that touch of two objects by their numbers, with the second one in `pose` as seen from
@@ -88,11 +87,10 @@ impl<'a> Objects<'a> {
     /// # Panics
     /// If there is no such object.
     pub fn query(&self, objects: [usize; 2], pose: &Pose, options: Options) -> Job<'_, 'a> {
-        let images = objects.map(|object| (&self.images[object], self.layout.sides[object]));
-        let query = self.numbers.query(images, &pose.rows(), &pose.translation.into());
+        let query = self.images.query(objects, pose, &self.layout.sides);
         let packet = query.map(|query| {
             let Options { first_contact, limit, empty_caches, number } = options;
-            Query { first_contact, limit, empty_caches, number, ..query }.words(self.numbers.format())
+            Query { first_contact, limit, empty_caches, number, ..query }.words(self.numbers().format())
         });
         Job { objects: self, pair: objects, pose: *pose, options, packet }
     }
