@@ -276,12 +276,18 @@ fn shards_merge_to_the_whole() {
     assert_eq!(untimed(&merged), untimed(&whole));
     assert!(number(&merged["rows"].as_array().unwrap().len().into()) > 5);
     assert_eq!(files(&dir.path().join("merged")), files(&dir.path().join("whole")));
+    // A name with an apostrophe is one word of the command.
+    let request = fs::read_to_string(dir.path().join("2/campaign.json")).unwrap();
+    let other = request.replace("few.toml", "it's few.toml");
+    ["1", "2"].iter().for_each(|part| fs::write(dir.path().join(part).join("campaign.json"), &other).unwrap());
+    let quoted = object(&succeeds(dir.path(), &["merge", "1", "2", "--out", "quoted", "--json"]));
+    let command = quoted["command"].as_str().unwrap();
+    assert!(command.contains(r"--scene 'it'\''s few.toml' --"), "{command}");
     // A part alone, and parts of different campaigns, are no whole.
     fails(dir.path(), &["merge", "1", "--out", "none"], "results are missing, the first is");
-    let request = fs::read_to_string(dir.path().join("2/campaign.json")).unwrap();
     fs::create_dir(dir.path().join("other")).unwrap();
     fs::copy(dir.path().join("2/points.jsonl"), dir.path().join("other/points.jsonl")).unwrap();
-    fs::write(dir.path().join("other/campaign.json"), request.replace("\"seed\": 1", "\"seed\": 2")).unwrap();
+    fs::write(dir.path().join("other/campaign.json"), other.replace("\"seed\": 1", "\"seed\": 2")).unwrap();
     fails(
         dir.path(),
         &["merge", "1", "other", "--out", "none"],
