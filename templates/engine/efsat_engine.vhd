@@ -380,15 +380,9 @@ begin
       request_ready => triangle_accepted,
       request_a => leaf_a,
       request_b => leaf_b,
-{%- if e.unit.paced %}
-      triangles_valid => triangles_there,
+      triangles_valid => triangles_{% if e.unit.paced %}there{% else %}valid{% endif %},
       triangles_ready => triangles_ready,
-      triangles_taken => triangles_passed,
-{%- else %}
-      triangles_valid => triangles_valid,
-      triangles_ready => triangles_ready,
-      triangles_taken => triangles_taken,
-{%- endif %}
+      triangles_taken => triangles_{% if e.unit.paced %}passed{% else %}taken{% endif %},
       sent => packet_taken,
       answered => pair_answered,
       idle => pairs_idle
@@ -413,9 +407,9 @@ begin
   -- The numbers of triangles are in the low bits of the first word, {{ e.unit.triangle_number_bits }} of them.
   numbers <= {{ e.unit.number_above }}triangle_b({{ e.unit.triangle_number_bits - 1 }} downto 0) & {{ e.unit.number_above }}triangle_a({{ e.unit.triangle_number_bits - 1 }} downto 0);
   bypass_free <= decided_ready or not bypassed_valid;
+  unit_valid <= (triangles_{% if e.unit.paced %}there{% else %}valid{% endif %} and not leaves_only and not ending) or packet_valid;
+  bypass_valid <= triangles_{% if e.unit.paced %}there{% else %}valid{% endif %} and leaves_only and not ending;
 {%- if e.unit.paced %}
-  unit_valid <= (triangles_there and not leaves_only and not ending) or packet_valid;
-  bypass_valid <= triangles_there and leaves_only and not ending;
   triangles_ready <= bypass_free and leaves_only;
   -- Whether the unit takes a pair is known late in a clock: the memory hears of it a clock later, which costs nothing, because the
   -- unit does not take the next one at once.
@@ -429,8 +423,6 @@ begin
     end if;
   end process send;
 {%- else %}
-  unit_valid <= (triangles_valid and not leaves_only and not ending) or packet_valid;
-  bypass_valid <= triangles_valid and leaves_only and not ending;
   triangles_ready <= bypass_free when leaves_only = '1' else unit_ready;
 {%- endif %}
 

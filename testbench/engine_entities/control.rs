@@ -170,6 +170,16 @@ impl Control<'_> {
         Err(format!("clock {}: never {port}", self.clock))
     }
 
+    /// Some clocks, with a look at each.
+    fn during(&mut self, clocks: usize, each: impl Fn(&mut Self) -> Outcome) -> Outcome {
+        for _ in 0..clocks {
+            self.entity.settle();
+            each(self)?;
+            self.edge();
+        }
+        Ok(())
+    }
+
     fn none_of(&self, ports: &[&str]) -> Outcome {
         ports.iter().try_for_each(|port| self.expect(!self.entity.is(port), port))
     }
@@ -188,17 +198,13 @@ impl Control<'_> {
         self.entity.set("stop", 0);
         self.entity.set("idle", 0);
         // Pairs of packets are in the unit for two clocks before the job comes.
-        for _ in 0..2 {
-            self.entity.settle();
-            self.edge();
-        }
+        self.during(2, |_| Ok(()))?;
         job.offer(self.entity);
-        for _ in 0..self.rng.random_range(0..4) {
-            self.entity.settle();
-            self.none_of(&["pose_valid", "job_taken", "start", "report_due"])?;
-            self.expect(self.entity.is("busy"), "busy")?;
-            self.edge();
-        }
+        let clocks = self.rng.random_range(0..4);
+        self.during(clocks, |control| {
+            control.none_of(&["pose_valid", "job_taken", "start", "report_due"])?;
+            control.expect(control.entity.is("busy"), "busy")
+        })?;
         self.entity.set("idle", 1);
         let mut given = 0;
         for _ in 0..PATIENCE {
@@ -236,11 +242,8 @@ impl Control<'_> {
             self.until("flush", |control| control.none_of(&["start", "report_due"]))?;
             self.edge();
             self.entity.set("flushing", 1);
-            for _ in 0..self.rng.random_range(1..5) {
-                self.entity.settle();
-                self.none_of(&["start", "report_due", "flush"])?;
-                self.edge();
-            }
+            let clocks = self.rng.random_range(1..5);
+            self.during(clocks, |control| control.none_of(&["start", "report_due", "flush"]))?;
             self.entity.set("flushing", 0);
         }
         self.until("start", |control| control.none_of(&["report_due", "flush"]))?;
@@ -248,13 +251,9 @@ impl Control<'_> {
         self.expect(self.entity.is("running") && !self.entity.is("ending"), "a query that runs")?;
         job.is_held(self.entity, &self.format, self.clock)?;
         self.entity.set("idle", 0);
-        self.entity.settle();
-        self.edge();
-        for _ in 0..self.rng.random_range(1..8) {
-            self.entity.settle();
-            self.none_of(&["start", "report_due", "ending", "dropping", "abort"])?;
-            self.edge();
-        }
+        self.during(1, |_| Ok(()))?;
+        let clocks = self.rng.random_range(1..8);
+        self.during(clocks, |control| control.none_of(&["start", "report_due", "ending", "dropping", "abort"]))?;
         self.end()
     }
 
@@ -268,31 +267,22 @@ impl Control<'_> {
             return Ok(0);
         };
         self.entity.set(port, 1);
-        self.entity.settle();
-        self.edge();
+        self.during(1, |_| Ok(()))?;
         self.entity.set(port, u64::from(port == "memory_error"));
         // A stop is known a clock later than what the query itself says.
-        for _ in 0..self.rng.random_range(2..8) {
-            self.entity.settle();
-            self.none_of(&["start", "report_due", "abort"])?;
-            self.edge();
-        }
+        let clocks = self.rng.random_range(2..8);
+        self.during(clocks, |control| control.none_of(&["start", "report_due", "abort"]))?;
         self.entity.settle();
         self.expect(self.entity.is("ending") && self.entity.is("dropping"), "a query that ends")?;
         // Another event does not change the reason.
         let other = ["contact", "bad_tree"][usize::from(port == "contact")];
         self.entity.set(other, 1);
-        self.entity.settle();
-        self.edge();
+        self.during(1, |_| Ok(()))?;
         self.entity.set(other, 0);
         if port == "memory_error" {
             // What is idle then does not count.
             self.entity.set("idle", u64::from(seldom(&mut self.rng, 2)));
-            for _ in 0..4 {
-                self.entity.settle();
-                self.none_of(&["report_due", "abort"])?;
-                self.edge();
-            }
+            self.during(4, |control| control.none_of(&["report_due", "abort"]))?;
             self.entity.set("memory_quiet", 1);
             self.until("abort", |control| control.none_of(&["report_due"]))?;
             self.edge();
