@@ -205,6 +205,15 @@ def colours(browser):
     }""")
 
 
+# What the legend says of a pair, by its verdict and by whether it is separate.
+KINDS = {
+    ("intersect", False): "intersect",
+    ("possibly incorrect", False): "possibly incorrect, touching",
+    ("possibly incorrect", True): "possibly incorrect, separate",
+    ("not asked", False): "degenerate, touching",
+}
+
+
 def scene(chromium, name, options):
     """The viewer of a scene run against what the run says of the same pairs."""
     with tempfile.TemporaryDirectory() as folder:
@@ -228,6 +237,13 @@ def scene(chromium, name, options):
                 for pair in pairs if int(pair["frame"]) == number)
             check(f"{name}: pairs that touch in pose {number}",
                   sorted((row[0].removeprefix("■ "), row[1], row[3]) for row in rows if row[3] != "separate"), touching)
+        # The legend has a row for each kind of pair that is in some pose, and none for another.
+        kinds = set()
+        for place in range(len(shown)):
+            browser.slide("step", place)
+            kinds |= {KINDS[row[2], row[3] == "separate"] for row in browser.rows("pairs")}
+        legend = browser.page.locator("#legend span").all_inner_texts()
+        check(f"{name}: kinds of pairs in the legend", {row.strip() for row in legend} & set(KINDS.values()), kinds)
         # Something is drawn, and turning, stepping and picking change it.
         browser.slide("step", 0)
         browser.page.wait_for_timeout(300)

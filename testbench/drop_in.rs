@@ -1,6 +1,6 @@
 //! The generated files in projects of others: names that do not meet those of other designs.
 
-use crate::tools::ghdl;
+use crate::tools::{CHECKED, ghdl};
 use efsat::params::options::Choice;
 use efsat::params::stream::{AnswerFields, Kind, StreamFormat, StreamWidth, StreamWord};
 use efsat::params::{Method, Params, Transform, Upper};
@@ -190,8 +190,17 @@ int main(void)
 "#;
 
 const IN_PYTHON: &str = r#"
+import random
 import sys
 import efsat as unit
+
+# What came back is taken word by word, or refused with a ValueError.
+rng, size = random.Random(7), unit.ANSWER_WORD_BITS // 8
+for length in range(4 * size):
+    try:
+        assert len(unit.answers(rng.randbytes(length))) * size == length
+    except ValueError:
+        assert length % size
 
 for line in sys.stdin:
     kind, *numbers = line.split()
@@ -281,8 +290,7 @@ fn host_files_in_c_and_python_pack_as_the_driver_does() {
         let python = IN_PYTHON.replace("if STICKY", &format!("if {}", said(is_sticky)));
         std::fs::write(host.join("test.py"), python.replace("if TAG", &format!("if {}", said(has_tag)))).unwrap();
         std::fs::write(host.join("asked"), asked).unwrap();
-        let warnings = ["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-o", "test", "test.c"];
-        run(&host, "cc", &warnings);
+        run(&host, "cc", &[CHECKED, &["-o", "test", "test.c"]].concat());
         let python = Command::new("python3").arg("--version").output().is_ok();
         if !python {
             eprintln!("skipped in part: Python is not installed");

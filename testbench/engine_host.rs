@@ -1,6 +1,7 @@
 //! The host side of a generated engine without Rust: `efsat tree query`, and the files in C and Python against the packing here.
 
 use crate::drop_in::run;
+use crate::tools::CHECKED;
 use efsat::golden::engine::{Model, Query, Row, Side};
 use efsat::golden::{Input, Pose};
 use efsat::number::Upper;
@@ -92,8 +93,32 @@ int main(void)
 "#;
 
 const IN_PYTHON: &str = r#"
+import random
 import sys
 import efsat_engine as engine
+
+# What is read is taken, or refused with a ValueError.
+rng = random.Random(6)
+report = engine.struct.pack("<8Q", engine.VERDICT_REPORT, *range(7))
+readers = [
+    engine.asked,
+    lambda data: engine.moved(data, 64),
+    engine.answer,
+    lambda data: engine.answer(data + report),
+    lambda data: engine.packets(["head", data.decode("latin-1")]),
+    lambda data: engine.packets(["head", "1,2," + " ".join(f"{byte:x}{rng.choice('0f -')}" * (byte % 20) for byte in data)]),
+]
+outcomes = [set() for _ in readers]
+for _ in range(400):
+    size = rng.choice([8 * engine.QUERY_WORDS, 8 * rng.randrange(20), rng.randrange(300)])
+    data = bytes(rng.choice([0, 0, 1, 3, rng.randrange(256)]) for _ in range(size))
+    for read, outcome in zip(readers, outcomes):
+        try:
+            read(data)
+            outcome.add("taken")
+        except ValueError:
+            outcome.add("refused")
+assert outcomes.count({"taken", "refused"}) == len(readers), outcomes
 
 def show(packet):
     return " ".join(f"{int.from_bytes(packet[i : i + 8], 'little'):016x}" for i in range(0, len(packet), 8))
@@ -279,7 +304,7 @@ fn files_in_c_and_python_pack_as_the_host_here_does() {
         let said = if format.sticky { "True" } else { "False" };
         fs::write(host.join("test.py"), IN_PYTHON.replace("STICKY", said)).unwrap();
         fs::write(host.join("asked"), asked).unwrap();
-        run(&host, "cc", &["-std=c99", "-Wall", "-Wextra", "-pedantic", "-Werror", "-o", "test", "test.c"]);
+        run(&host, "cc", &[CHECKED, &["-o", "test", "test.c"]].concat());
         let python = Command::new("python3").arg("--version").output().is_ok();
         if !python {
             eprintln!("skipped in part: Python is not installed");

@@ -27,6 +27,7 @@ mod hierarchy;
 mod house;
 mod mutation;
 mod operators;
+mod progress;
 mod proofs;
 mod protocol;
 mod readers;

@@ -193,6 +193,62 @@ fn a_pose_holds_for_pairs_accepted_in_a_later_clock() {
     }
 }
 
+/// How often an operand of a product changes while some pairs go through a unit, with so many slots from pair to pair, until the
+/// last one is decided; and whether all rest after that, whatever the inputs carry.
+fn changes_of_operands(params: &Params, slots: usize, drain: usize) -> (usize, bool) {
+    let mut unit = Unit::new(params);
+    let interval = unit.design.interval;
+    let mut rng = rand::rngs::ChaCha8Rng::seed_from_u64(5);
+    let mut pair = || sample::random_pair_under(&mut rng, params, &Pose::identity(params));
+    let (mut before, mut changes) = (unit.simulation.multiplied(), 0);
+    let mut clock = |unit: &mut Unit| {
+        unit.clock();
+        let now = unit.simulation.multiplied();
+        let changed = before.iter().zip(&now).filter(|(before, now)| before != now).count();
+        before = now;
+        changes += changed;
+        changed
+    };
+    unit.set("out_ready", 1);
+    for tag in 0..12 {
+        unit.offer(&pair(), tag);
+        unit.set("in_valid", 1);
+        while {
+            clock(&mut unit);
+            unit.get("in_ready") == 0
+        } {}
+        unit.set("in_valid", 0);
+        (0..(slots - 1) * interval).for_each(|_| {
+            clock(&mut unit);
+        });
+    }
+    (0..drain).for_each(|_| {
+        clock(&mut unit);
+    });
+    let rests = (0..3 * interval).all(|_| {
+        unit.offer(&pair(), 0);
+        clock(&mut unit) == 0
+    });
+    (changes, rests)
+}
+
+/// Slots without a pair cost no power in multipliers: nothing is captured, what selects rests, and when delay lines have run
+/// empty nothing moves, however long it takes until the next pair.
+#[test]
+fn products_rest_in_slots_without_a_pair() {
+    for params in units() {
+        let design = Design::new(&params, Probes::None).unwrap();
+        let latency = design.second.as_ref().map_or(design.latency, |second| second.latency);
+        let interval = params.exact_clocks.map_or(design.interval, |clocks| clocks as usize);
+        let (slots, drain) = (4 + latency / design.interval, latency + 12 * interval);
+        let found = [1, slots, 2 * slots].map(|slots| changes_of_operands(&params, slots, drain));
+        assert!(found.iter().all(|(_, rests)| *rests), "{params:?}");
+        let [dense, apart, farther] = found.map(|(changes, _)| changes);
+        assert_eq!(apart, farther, "{params:?}");
+        assert!(0 < dense, "{params:?}");
+    }
+}
+
 #[test]
 fn reset_empties_the_unit_and_restores_the_bypass() {
     for p in [Params::default(), determinants(1), determinants(2)] {

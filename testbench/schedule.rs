@@ -10,10 +10,11 @@ use efsat::schedule::linear_program::{Event, Held, LinearProgram, Reading, Strea
 use rayon::prelude::*;
 use std::collections::BTreeMap;
 
-/// Register bits of a module itself, without what only tells the phases apart, which no program counts.
+/// Register bits of a module itself, without what only tells phases and slots apart, which no program counts.
 fn own_bits(module: &Module) -> u64 {
     let bits = module.signals.iter().map(|s| match &s.driver {
         Driver::Register { op: Some(Comb::Lookup(..) | Comb::Equal(..)), .. } => 0,
+        Driver::Register { .. } if s.place.base == "strobe" || s.place.base.starts_with("busy_") => 0,
         Driver::Register { .. } => u64::from(s.ty.bits),
         _ => 0,
     });

@@ -8,6 +8,17 @@ pub fn replaced(text: &str, from: &str, to: &str) -> String {
     text.replace(from, to)
 }
 
+/// How files in C are compiled: as the standard has it, without a warning, and with a look at every access when they run.
+pub const CHECKED: &[&str] = &[
+    "-std=c99",
+    "-Wall",
+    "-Wextra",
+    "-pedantic",
+    "-Werror",
+    "-fsanitize=address,undefined",
+    "-fno-sanitize-recover=all",
+];
+
 /// The GHDL that compiles fastest; where none is installed none, which is said.
 pub fn ghdl() -> Option<&'static str> {
     let found = |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
@@ -16,4 +27,47 @@ pub fn ghdl() -> Option<&'static str> {
         eprintln!("skipped: GHDL is not installed");
     }
     command
+}
+
+/// Two runs would unpack the same folders, so the second waits for the first.
+#[test]
+fn one_run_of_the_set_up_waits_for_the_other() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    let (scripts, tools, log) = (dir.join("scripts"), dir.join("tools"), dir.join("log"));
+    std::fs::create_dir(&scripts).unwrap();
+    std::fs::create_dir(&tools).unwrap();
+    for script in ["setup", "unpack"] {
+        std::fs::copy(format!("scripts/{script}"), scripts.join(script)).unwrap();
+    }
+    for found in ["bash", "dirname", "flock", "head", "id", "mkdir", "sleep"] {
+        let path = ["/usr/bin", "/bin"].map(|folder| format!("{folder}/{found}"));
+        let Some(path) = path.iter().find(|path| std::path::Path::new(path).exists()) else {
+            eprintln!("skipped: {found} is not installed");
+            return;
+        };
+        std::os::unix::fs::symlink(path, tools.join(found)).unwrap();
+    }
+    let tool = |name: &str, text: &str| {
+        std::fs::write(tools.join(name), format!("#!{}/bash\n{text}\n", tools.display())).unwrap();
+        let mode = std::os::unix::fs::PermissionsExt::from_mode(0o755);
+        std::fs::set_permissions(tools.join(name), mode).unwrap();
+    };
+    for name in ["ghdl-llvm", "ghdl-mcode", "verilator", "g++", "make"] {
+        tool(name, ":");
+    }
+    // What a run starts while it has its turn. Without a way to nextpnr it fails after that.
+    tool("yosys", &format!("echo begins >>'{0}'; sleep 0.2; echo ends >>'{0}'", log.display()));
+    tool("python3", "exit 1");
+    let run = || {
+        let mut setup = Command::new(tools.join("bash"));
+        setup.arg(scripts.join("setup")).arg("--synth").env("PATH", &tools).output().unwrap()
+    };
+    let outputs = std::thread::scope(|scope| [(); 2].map(|()| scope.spawn(run)).map(|run| run.join().unwrap()));
+    for output in outputs {
+        assert_eq!(output.status.code(), Some(1));
+        let errors = String::from_utf8(output.stderr).unwrap();
+        assert!(errors.contains("could not be installed into target/tools"), "{errors}");
+    }
+    assert_eq!(std::fs::read_to_string(log).unwrap(), "begins\nends\n".repeat(2));
 }

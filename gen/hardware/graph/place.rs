@@ -50,6 +50,11 @@ impl Place {
         Self { suffix: format!("{}{separator}{suffix}", self.suffix), ..self.clone() }
     }
 
+    /// Whether both are elements of one bundle.
+    pub fn shares_bundle(&self, other: &Self) -> bool {
+        (&self.base, &self.suffix) == (&other.base, &other.suffix) && !self.path.is_empty()
+    }
+
     /// Whether there is no name yet.
     pub fn is_empty(&self) -> bool {
         self.base.is_empty()

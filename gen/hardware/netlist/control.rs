@@ -277,33 +277,29 @@ impl Module {
         let mut used: Vec<bool> = self.signals.iter().map(|s| matches!(s.driver, Driver::Port)).collect();
         let mut open: Vec<SignalId> = self.outputs.iter().map(|o| o.1).collect();
         let mut instances = vec![false; self.instances.len()];
-        while let Some(id) = open.pop() {
-            if std::mem::replace(&mut used[id.0], true) {
-                continue;
-            }
-            let driver = &self.signals[id.0].driver;
-            open.extend(driver.operands());
-            let Driver::Instance { instance, .. } = *driver else { continue };
-            if !std::mem::replace(&mut instances[instance], true) {
-                open.extend(&self.instances[instance].inputs);
-            }
-        }
-        assert!(instances.iter().all(|used| *used), "module {}: an instance is not used", self.name);
         // Flags that are printed as one vector stay together.
         let vector = |s: &Signal| s.ty.is_flag() && matches!(s.place.path[..], [Step::Index(_)]);
-        let bases: HashSet<String> = used
-            .iter()
-            .zip(&self.signals)
-            .filter(|(used, s)| **used && vector(s))
-            .map(|(_, s)| s.place.base.clone())
-            .collect();
-        let whole: Vec<usize> = (0..used.len())
-            .filter(|i| vector(&self.signals[*i]) && bases.contains(&self.signals[*i].place.base))
-            .collect();
-        for i in whole {
-            used[i] = true;
-            self.signals[i].driver.operands().iter().for_each(|o| used[o.0] = true);
+        while !open.is_empty() {
+            while let Some(id) = open.pop() {
+                if std::mem::replace(&mut used[id.0], true) {
+                    continue;
+                }
+                let driver = &self.signals[id.0].driver;
+                open.extend(driver.operands());
+                let Driver::Instance { instance, .. } = *driver else { continue };
+                if !std::mem::replace(&mut instances[instance], true) {
+                    open.extend(&self.instances[instance].inputs);
+                }
+            }
+            let elements = || self.signals.iter().enumerate().filter(|(_, s)| vector(s));
+            let bases: HashSet<&str> =
+                elements().filter(|(i, _)| used[*i]).map(|(_, s)| s.place.base.as_str()).collect();
+            open = elements()
+                .filter(|(i, s)| !used[*i] && bases.contains(s.place.base.as_str()))
+                .map(|(i, _)| SignalId(i))
+                .collect();
         }
+        assert!(instances.iter().all(|used| *used), "module {}: an instance is not used", self.name);
         // Outputs of instances stay, so that every port is connected.
         let mut place = vec![usize::MAX; self.signals.len()];
         let mut kept = vec![];

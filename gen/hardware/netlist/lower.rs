@@ -5,6 +5,9 @@
 //! `strobe`. A multiplexer that takes two clocks chooses among the operands of each group (`name_group_<g>`) by
 //! `select_in_group_at_<p>`, then among the groups by `select_group_at_<p>`.
 //!
+//! A slot without a pair leaves products at rest: what selects moves on only while `busy_<n>` is set, which is from the clock
+//! before clock n of a pair on, for a slot, and there are strobes only while some pair is in the data path.
+//!
 //! Where a multiplexer chooses among values captured of one stream, and the device has delay lines with a tap, it becomes such
 //! a line (`{name}_line`), which is read at `select_tap_at_<p>` clocks: one look-up table per bit in place of a register for
 //! each value and two or three tables.
@@ -16,10 +19,15 @@ use self::multiplexer::Digits;
 use super::module::{Driver, Instance, Module, Signal, SignalId};
 use crate::device::Device;
 use crate::graph::{Op, Place, Rate, Step, Unit};
-use crate::op::{Constant, Equal, Or, Type};
+use crate::op::{And, Comb, Constant, Equal, Or, Type};
 use crate::schedule::{Schedule, Scheduler};
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
+
+/// The port by which what has phases hears of them.
+pub const PHASE: &str = "phase";
+/// The port that tells which slots in flight hold a pair: element k of the slot that began k slots before the running one.
+pub const HOLDS: &str = "holds";
 
 /// A node brought out for comparison.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -72,7 +80,11 @@ impl<'a> Lowering<'a> {
             copies: BTreeMap::new(),
             strobes: vec![],
             selects: BTreeMap::new(),
+            read: BTreeMap::new(),
             phase: None,
+            holds: vec![],
+            busy: BTreeMap::new(),
+            either: BTreeMap::new(),
             instances: HashMap::new(),
             lines: &mut self.lines,
             taps: HashMap::new(),
@@ -93,7 +105,14 @@ struct Lowered<'a> {
     copies: BTreeMap<(SignalId, i32), SignalId>,
     strobes: Vec<SignalId>,
     selects: BTreeMap<(usize, i32, Digits), SignalId>,
+    /// The clocks in which the uses of what selects begin.
+    read: BTreeMap<SignalId, BTreeSet<i32>>,
     phase: Option<SignalId>,
+    /// Which slots in flight hold a pair, by their age.
+    holds: Vec<SignalId>,
+    /// Flags of pairs in the clocks from one on.
+    busy: BTreeMap<i32, SignalId>,
+    either: BTreeMap<[SignalId; 2], SignalId>,
     /// Number in the module of each instance.
     instances: HashMap<usize, usize>,
     lines: &'a mut HashMap<(bool, u32), Rc<Module>>,
@@ -109,9 +128,22 @@ impl Lowered<'_> {
     fn run(mut self, probed: bool) -> (Rc<Module>, Vec<Probe>) {
         let unit = Rc::clone(&self.unit);
         if unit.phased() {
-            let phase = self.push(Place::new("phase"), Type::index(unit.interval), Driver::Port);
-            self.out.signals[phase.0].comment = "phase of the slot: 0 in the first clock of the inputs".to_owned();
-            self.out.inputs.push(phase);
+            let latency = self.schedule.latency;
+            let mut port = |place: Place, ty, comment: &str| {
+                let port = self.push(place, ty, Driver::Port);
+                self.out.signals[port.0].comment = comment.to_owned();
+                self.out.inputs.push(port);
+                port
+            };
+            let phase = port(
+                Place::new(PHASE),
+                Type::index(unit.interval),
+                "phase of the slot: 0 in the first clock of the inputs",
+            );
+            let place = |age: i32| Place::at(HOLDS, &[Step::Index(age as usize)]);
+            let ages = 0..=latency / unit.interval as i32;
+            self.holds =
+                ages.map(|age| port(place(age), Type::FLAG, "whether the slot k slots ago holds a pair")).collect();
             self.phase = Some(phase);
         }
         for input in &unit.inputs {
@@ -136,6 +168,7 @@ impl Lowered<'_> {
             self.out.outputs.push((place.clone(), id));
         }
         let probes = if probed { self.probes() } else { vec![] };
+        self.rest();
         self.out.latency = Some(latency);
         (Rc::new(self.out.pruned()), probes)
     }
@@ -303,11 +336,17 @@ impl Lowered<'_> {
 
     /// The value of a node as it is in a clock.
     fn fetch(&mut self, i: usize, clock: i32) -> SignalId {
+        self.fetch_earlier(i, clock, 0)
+    }
+
+    /// The value of a node as it was some phases before a clock.
+    fn fetch_earlier(&mut self, i: usize, clock: i32, phases: usize) -> SignalId {
         let i = self.carrier(i);
         let slot = self.schedule.slots[i];
+        let (used, clock) = (clock, clock.saturating_add(phases as i32));
         match &self.unit.nodes[i].op {
-            Op::Phase(..) => return self.select(i, clock, Digits::All),
-            Op::Earlier(phases) => return self.fetch(self.unit.nodes[i].args[0].0, clock + *phases as i32),
+            Op::Phase(..) => return self.select(i, clock, used, Digits::All),
+            Op::Earlier(more) => return self.fetch_earlier(self.unit.nodes[i].args[0].0, used, phases + more),
             _ => {}
         }
         let base = self.base[i].expect("operands come first");
@@ -379,28 +418,106 @@ impl Lowered<'_> {
         }
     }
 
-    /// A flag set in the clocks congruent to `clock`; none if that is always.
+    /// A flag set in the clocks congruent to `clock` while a pair is in the data path; none if that is always.
     fn strobe(&mut self, clock: i32) -> Option<SignalId> {
-        let interval = self.interval();
-        if interval == 1 {
-            return None;
-        }
+        let (phase, interval) = (self.phase?, self.interval());
         if self.strobes.is_empty() {
+            let any = self.holds.clone().into_iter().reduce(|any, holds| self.combined(None, Or, vec![any, holds]));
+            // In the last phase it is not known yet whether the next slot holds a pair.
+            let last = self.last_phase();
+            let in_flight = self.combined(Some("in_flight".to_owned()), Or, any.into_iter().chain([last]).collect());
+            self.out.signals[in_flight.0].comment =
+                "a pair is in the data path, or may be in the next clock".to_owned();
             // One flag per phase, whether it is read or not, so that they are one vector.
-            let ty = Type::index(interval as usize);
             for at in 0..interval {
-                let before = i128::from((at - 1).rem_euclid(interval));
-                let number = Driver::Combinational { op: Constant(before, ty).into(), args: vec![] };
-                let number = self.push(Place::new("before_strobe"), ty, number);
-                let args = vec![self.phase_port(), number];
-                let driver = Driver::Register { op: Some(Equal.into()), args, enable: None, reset: None };
-                let place = Place::at("strobe", &[Step::Index(at as usize)]);
-                let id = self.push(place, Type::FLAG, driver);
+                let before = self.phase_is(None, phase, (at - 1).rem_euclid(interval));
+                let args = vec![before, in_flight];
+                let driver = Driver::Register { op: Some(And.into()), args, enable: None, reset: None };
+                let id = self.push(Place::at("strobe", &[Step::Index(at as usize)]), Type::FLAG, driver);
                 self.out.signals[id.0].comment = "one flag per phase".to_owned();
                 self.strobes.push(id);
             }
         }
         Some(self.strobes[clock.rem_euclid(interval) as usize])
+    }
+
+    /// What selects rests where no pair is: it loads only where the use of a pair goes on in the next clock.
+    fn rest(&mut self) {
+        let late = self.schedule.lag_clocks();
+        for (select, uses) in std::mem::take(&mut self.read) {
+            if uses.first().is_some_and(|clock| *clock < 0) {
+                // What is constant but for this is there at any time.
+                continue;
+            }
+            // Late phases are those of a pair of an earlier slot.
+            let clocks: BTreeSet<i32> = uses.iter().flat_map(|clock| [*clock, clock + late]).collect();
+            let flags: Vec<SignalId> = clocks.into_iter().map(|clock| self.busy(clock)).collect();
+            let any = flags.into_iter().reduce(|any, flag| self.either(any, flag));
+            if let Driver::Register { enable, .. } = &mut self.out.signals[select.0].driver {
+                *enable = any;
+            }
+        }
+    }
+
+    /// A flag set from the clock before a clock of a pair on, for a slot.
+    fn busy(&mut self, clock: i32) -> SignalId {
+        if let Some(known) = self.busy.get(&clock) {
+            return *known;
+        }
+        let phase = self.phase_port();
+        let flag = match clock {
+            0 => {
+                let last = self.last_phase();
+                self.either(self.holds[0], last)
+            }
+            1 => self.holds[0],
+            _ => {
+                let (age, at) = ((clock - 2) / self.interval(), (clock - 2) % self.interval());
+                let begins = self.phase_is(Some(format!("in_phase_{at}")), phase, at);
+                let place = Place::new(format!("busy_{clock}"));
+                let flag = self.register(place, Type::FLAG, self.holds[age as usize], Some(begins));
+                let last = clock + self.interval() - 2;
+                self.out.signals[flag.0].comment = format!("set in clocks {} to {last} of a pair", clock - 1);
+                flag
+            }
+        };
+        self.busy.insert(clock, flag);
+        flag
+    }
+
+    fn last_phase(&mut self) -> SignalId {
+        let (phase, last) = (self.phase_port(), self.interval() - 1);
+        self.phase_is(Some(format!("in_phase_{last}")), phase, last)
+    }
+
+    /// Whether the phase is that; a flag of that name is made once.
+    fn phase_is(&mut self, name: Option<String>, phase: SignalId, number: i32) -> SignalId {
+        let known = |signal: &Signal| signal.named && Some(signal.name()) == name;
+        if let Some(known) = self.out.signals.iter().position(known) {
+            return SignalId(known);
+        }
+        let ty = self.out.signal(phase).ty;
+        let constant = Driver::Combinational { op: Constant(number.into(), ty).into(), args: vec![] };
+        let number = self.push(Place::new("phase_number"), ty, constant);
+        self.combined(name, Equal, vec![phase, number])
+    }
+
+    fn either(&mut self, a: SignalId, b: SignalId) -> SignalId {
+        if let Some(known) = self.either.get(&[a, b]) {
+            return *known;
+        }
+        let [first, second] = [a, b].map(|id| self.out.signal(id).name());
+        let either = self.combined(Some(format!("{first}_or_{second}")), Or, vec![a, b]);
+        self.either.insert([a, b], either);
+        either
+    }
+
+    fn combined(&mut self, name: Option<String>, op: impl Into<Comb>, args: Vec<SignalId>) -> SignalId {
+        let named = name.is_some();
+        let driver = Driver::Combinational { op: op.into(), args };
+        let id = self.push(Place::new(name.unwrap_or("flag".to_owned())), Type::FLAG, driver);
+        self.out.signals[id.0].named = named;
+        id
     }
 
     fn phase_port(&self) -> SignalId {

@@ -126,7 +126,7 @@ pub struct Instance {
     pub inputs: Vec<SignalId>,
 }
 
-/// Registers in a row of which only the last is read: a shift register.
+/// Registers in a row of which only the last is read: a shift register. Flags of one vector are no line, but that vector.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct DelayLine {
     /// What is delayed.
@@ -216,7 +216,10 @@ impl Module {
     /// The delay lines of the module itself, in the order of their last registers.
     pub fn delay_lines(&self) -> Vec<DelayLine> {
         let copied = |id: SignalId| match &self.signal(id).driver {
-            Driver::Register { op: None, args, enable: None, reset: None } => Some(args[0]),
+            Driver::Register { op: None, args, enable: None, reset: None } => {
+                let [from, to] = [args[0], id].map(|id| self.signal(id));
+                (!to.ty.is_flag() || !to.place.shares_bundle(&from.place)).then_some(args[0])
+            }
             _ => None,
         };
         let mut reads = vec![0; self.signals.len()];

@@ -150,6 +150,16 @@ impl Simulation {
         self.lanes[self.outputs[port]].get(t)
     }
 
+    /// The operands of all products in the last clock of the block last run.
+    pub fn multiplied(&self) -> Vec<i128> {
+        let product = |cell: &&Cell| match &cell.action {
+            Action::Combinational(op) | Action::Register { op: Some(op), .. } => matches!(op, Comb::Multiply(_)),
+            _ => false,
+        };
+        let operands = self.cells.iter().filter(product).flat_map(|cell| &cell.args);
+        operands.map(|operand| self.lanes[*operand].get(self.block - 1)).collect()
+    }
+
     /// Runs one block of clocks.
     pub fn run(&mut self) {
         let components = std::mem::take(&mut self.components);
@@ -249,39 +259,51 @@ impl Simulation {
                     self.advance(cell, t);
                 }
             }
-            Action::Register { op, enable: None, reset: None } => {
-                // The operation for the block, shifted by one clock.
-                let op = op.clone();
-                let before = self.states[cell];
+            Action::Register { op, enable, reset } => {
+                // What it would load in each clock of the block, then what it shows.
+                let (op, enable, reset) = (op.clone(), *enable, *reset);
                 match &op {
                     None => self.copy(cell),
                     Some(op) => self.combinational(op, cell),
                 }
-                let last = self.lanes[cell].get(self.block - 1);
-                match &mut self.lanes[cell] {
-                    Lane::Narrow(v) => {
-                        v.rotate_right(1);
-                        v[0] = before as i64;
-                    }
-                    Lane::Wide(v) => {
-                        v.rotate_right(1);
-                        v[0] = before;
-                    }
-                }
-                self.states[cell] = last;
-            }
-            Action::Register { .. } => {
-                for t in 0..self.block {
-                    let state = self.states[cell];
-                    self.lanes[cell].set(t, state);
-                    self.advance(cell, t);
-                }
+                let state = self.states[cell];
+                self.states[cell] = match (enable, reset) {
+                    (None, None) => self.delay(cell, state),
+                    _ => self.load(cell, enable, reset, state),
+                };
             }
             Action::Combinational(op) => {
                 let op = op.clone();
                 self.combinational(&op, cell);
             }
         }
+    }
+
+    /// A register that always loads: what it loads becomes what it shows, a clock later. Gives its state after the block.
+    fn delay(&mut self, cell: usize, state: i128) -> i128 {
+        let last = self.lanes[cell].get(self.block - 1);
+        match &mut self.lanes[cell] {
+            Lane::Narrow(v) => v.rotate_right(1),
+            Lane::Wide(v) => v.rotate_right(1),
+        }
+        self.lanes[cell].set(0, state);
+        last
+    }
+
+    /// The same for a register with an enable or a reset.
+    fn load(&mut self, cell: usize, enable: Option<usize>, reset: Option<(usize, i128)>, mut state: i128) -> i128 {
+        let mut lane = std::mem::replace(&mut self.lanes[cell], Lane::Narrow(vec![]));
+        for t in 0..self.block {
+            let loaded = lane.get(t);
+            lane.set(t, state);
+            match reset {
+                Some((flag, value)) if self.lanes[flag].get(t) != 0 => state = value,
+                _ if enable.is_none_or(|flag| self.lanes[flag].get(t) != 0) => state = loaded,
+                _ => {}
+            }
+        }
+        self.lanes[cell] = lane;
+        state
     }
 
     /// A delay line outside any feedback, for all clocks of the block.

@@ -8,7 +8,7 @@ use super::view::View;
 use crate::expression::{Expression, loop_variable};
 use crate::graph::{Place, Step};
 use crate::netlist::{Driver, LINE_CLOCKS, Signal, SignalId};
-use crate::op::Range;
+use crate::op::{Comb, Range};
 use askama::Template;
 use statements::{condition, is, loop_label, note, sequential, wrapped};
 use std::collections::BTreeSet;
@@ -253,7 +253,7 @@ impl Printer<'_, '_> {
             if !free.is_empty() {
                 let label = match clock {
                     Some(c) => format!("clock_{c}"),
-                    None if lowered => "selectors".to_owned(),
+                    None if lowered => "strobes".to_owned(),
                     None => "registers".to_owned(),
                 };
                 self.process(&label, merged(free), &mut functions, &mut lines);
@@ -276,22 +276,33 @@ impl Printer<'_, '_> {
             }
             let heading = match clock {
                 Some(c) => format!("Clock {c}"),
-                None if lowered => "Selectors and strobes, set in the clock before their phase".to_owned(),
+                None if lowered => "Strobes, one per phase".to_owned(),
                 None => String::new(),
             };
             blocks.push(Block { heading, lines });
         }
-        let captured = self.view.statements(|id, s, name| match &s.driver {
-            Driver::Register { enable: Some(enable), reset: None, .. } => {
-                let assign = Statement::Assign(name.clone(), self.view.driven(id));
-                Some(Statement::If(self.view.value(*enable), vec![assign], vec![]))
+        // With an enable: a value of each phase, or one of each pair.
+        let enabled = |selects: bool| {
+            self.view.statements(|id, s, name| match &s.driver {
+                Driver::Register { op, enable: Some(enable), reset: None, .. }
+                    if matches!(op, Some(Comb::Lookup(..))) == selects =>
+                {
+                    let assign = Statement::Assign(name.clone(), self.view.driven(id));
+                    Some(Statement::If(self.view.value(*enable), vec![assign], vec![]))
+                }
+                _ => None,
+            })
+        };
+        for (selects, label, heading) in [
+            (true, "selectors", "Selectors, set in the clock before their phase"),
+            (false, "captures", "Registers that are loaded once per pair"),
+        ] {
+            let registers = enabled(selects);
+            if !registers.is_empty() {
+                let mut lines = vec![];
+                self.process(label, merged(registers), &mut functions, &mut lines);
+                blocks.push(Block { heading: heading.to_owned(), lines });
             }
-            _ => None,
-        });
-        if !captured.is_empty() {
-            let mut lines = vec![];
-            self.process("captures", merged(captured), &mut functions, &mut lines);
-            blocks.push(Block { heading: "Registers that are loaded once per pair".to_owned(), lines });
         }
         let mut rest = vec![];
         self.delay_lines(&mut functions, &mut rest);

@@ -104,8 +104,22 @@ fn joined(shapes: &dyn Shapes, whole: &Name, shape: &Shape, parts: &[(Sub, Vec<S
         [one] => Some((sub.clone(), one.clone())),
         _ => None,
     };
-    let parts: Option<Vec<(Sub, Statement)>> = parts.iter().map(single).collect();
-    join(shapes, whole, shape, &parts?).map(|one| vec![one])
+    let parts: Vec<(Sub, Statement)> = parts.iter().map(single).collect::<Option<_>>()?;
+    join(shapes, whole, shape, &parts).or_else(|| shifted(whole, shape, &parts)).map(|one| vec![one])
+}
+
+/// Flags of which each becomes the one before it: a shift register.
+fn shifted(whole: &Name, shape: &Shape, parts: &[(Sub, Statement)]) -> Option<Statement> {
+    let ((_, Statement::Assign(_, first)), others) = parts.split_first()? else { return None };
+    let before = |(i, (_, statement)): (usize, &(Sub, Statement))| {
+        let mut before = whole.clone();
+        before.subs.push(Sub::Index(Index::At(i)));
+        matches!(statement, Statement::Assign(_, Expression::Name(name)) if *name == before)
+    };
+    let shifts = shape.is_flags() && others.len() > 1 && others.iter().enumerate().all(before);
+    let high = others.len() as u32 - 1;
+    let value = || Expression::Name(whole.clone()).slice(high, 0).binary("&", first.clone());
+    shifts.then(|| Statement::Assign(whole.clone(), value()))
 }
 
 fn join(shapes: &dyn Shapes, whole: &Name, shape: &Shape, parts: &[(Sub, Statement)]) -> Option<Statement> {

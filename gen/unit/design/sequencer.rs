@@ -4,7 +4,8 @@
 //! is free for it, so whatever back-pressure there is, every verdict finds its place. Three pointers walk the queue:
 //! accepted, decided, taken.
 
-use efsat_hardware::graph::Place;
+use efsat_hardware::graph::{Place, Step};
+use efsat_hardware::netlist::lower::{HOLDS, PHASE};
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::op::{Concatenate, Equal, Lookup, Type};
 use std::rc::Rc;
@@ -83,7 +84,7 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
         let phase = m.register("phase", phases);
         let next = (0..interval as i128).map(|s| (s + 1) % interval as i128).collect();
         phase.loads(phase.apply(Lookup(next, phases), &[]), None, Some((reset, 0)));
-        phase.output("phase");
+        phase.output(PHASE);
         phase
     });
     let in_phase = |name: &str, s: usize| {
@@ -110,8 +111,12 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     // Which slots in flight hold a pair: one flag per slot, shifted as slots begin.
     let mut holds = accept;
     for age in 0..=latency as usize / interval {
-        let flag = m.register(Place::at("holds", &[efsat_hardware::graph::Step::Index(age)]), Type::FLAG);
+        let place = Place::at(HOLDS, &[Step::Index(age)]);
+        let flag = m.register(place.clone(), Type::FLAG);
         flag.loads(holds, phase.map(|_| last), Some((reset, 0)));
+        if phase.is_some() {
+            flag.output(place);
+        }
         holds = flag;
     }
     let decide = match phase {

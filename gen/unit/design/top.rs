@@ -333,7 +333,7 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
         .iter()
         .map(|id| {
             let place = &path.signal(*id).place;
-            if place.base == "phase" { of("phase") } else { inputs[place] }
+            inputs.get(place).copied().unwrap_or_else(|| of(&place.to_string()))
         })
         .collect();
     let results = m.instance("path", path, &given);

@@ -35,3 +35,23 @@ impl Legend {
         Self { lines }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_is_in_the_picture_has_a_row() {
+        let rows = |counts: [usize; 4]| -> Vec<String> {
+            let legend = Legend::new("gears", 3, "close", counts, vec![("wheel".to_owned(), [1, 2, 3])]);
+            legend.lines.into_iter().map(|(_, text)| text).collect()
+        };
+        for (kind, mark) in Mark::ALL.into_iter().enumerate() {
+            let mut counts = [0; 4];
+            counts[kind] = 1;
+            let row = format!("{}: 1 pair", mark.words());
+            assert_eq!(rows(counts), ["gears, frame 3: close", &row, "wheel"]);
+        }
+        assert_eq!(rows([0; 4]), ["gears, frame 3: close", "no pair touches or is possibly incorrect", "wheel"]);
+    }
+}

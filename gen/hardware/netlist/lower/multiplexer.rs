@@ -30,7 +30,7 @@ impl Lowered<'_> {
             (self.fetch(select, slot.start), operands)
         } else {
             let groups = self.groups(i, &operands);
-            (self.select(select, slot.from, Digits::Group), groups)
+            (self.select(select, slot.from, slot.from, Digits::Group), groups)
         };
         let args = std::iter::once(select).chain(operands).collect();
         self.out.signals[id.0].driver = Driver::Combinational { op: Select::default().into(), args };
@@ -45,7 +45,7 @@ impl Lowered<'_> {
             let (op, args) = if members.iter().all(|o| *o == members[0]) {
                 (None, vec![members[0]])
             } else {
-                let index = self.select(node.args[0].0, slot.start, Digits::InGroup);
+                let index = self.select(node.args[0].0, slot.start, slot.start, Digits::InGroup);
                 (Some(Select::default().into()), std::iter::once(index).chain(members.iter().copied()).collect())
             };
             let place = node.place.suffixed(&format!("group_{group}"));
@@ -95,20 +95,30 @@ impl Lowered<'_> {
         self.hold(arg, last - self.interval() + 1, first)
     }
 
-    /// A register with a value of each phase of the slot, for a use whose first phase is `at`.
-    pub(super) fn by_phase(&mut self, place: Place, ty: Type, at: i32, value: impl Fn(usize) -> i128) -> SignalId {
+    /// A register with a value of each phase of the slot, the first in phase `at`, for a use that starts in `used`.
+    pub(super) fn by_phase(
+        &mut self,
+        place: Place,
+        ty: Type,
+        at: i32,
+        used: i32,
+        value: impl Fn(usize) -> i128,
+    ) -> SignalId {
         let interval = self.interval();
         let table = (0..interval).map(|p| value((p + 1 - at).rem_euclid(interval) as usize)).collect();
         let (op, args) = (Some(Lookup(table, ty).into()), vec![self.phase_port()]);
-        self.push(place, ty, Driver::Register { op, args, enable: None, reset: None })
+        let id = self.push(place, ty, Driver::Register { op, args, enable: None, reset: None });
+        self.read.entry(id).or_default().insert(used);
+        id
     }
 
-    /// The values of a constant of each phase for a use that starts in `clock`.
-    pub(super) fn select(&mut self, i: usize, clock: i32, digits: Digits) -> SignalId {
+    /// The values of a constant of each phase, that of phase 0 in `clock`, for a use that starts in `used`.
+    pub(super) fn select(&mut self, i: usize, clock: i32, used: i32, digits: Digits) -> SignalId {
         let unit = Rc::clone(&self.unit);
         let at = clock.rem_euclid(self.interval());
-        if let Some(id) = self.selects.get(&(i, at, digits)) {
-            return *id;
+        if let Some(id) = self.selects.get(&(i, at, digits)).copied() {
+            self.read.entry(id).or_default().insert(used);
+            return id;
         }
         let node = &unit.nodes[i];
         let Op::Phase(values) = &node.op else { return self.base[i].expect("operands come first") };
@@ -127,7 +137,7 @@ impl Lowered<'_> {
                 Digits::Group => value / group,
             }
         };
-        let id = self.by_phase(node.place.suffixed(&format!("{part}at_{at}")), ty, at, value);
+        let id = self.by_phase(node.place.suffixed(&format!("{part}at_{at}")), ty, at, used, value);
         self.out.signals[id.0].comment.clone_from(&node.comment);
         self.selects.insert((i, at, digits), id);
         id

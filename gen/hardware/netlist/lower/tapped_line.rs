@@ -88,8 +88,9 @@ impl Lowered<'_> {
         let at = start.rem_euclid(self.interval());
         let taps: Vec<i32> = delays.iter().map(|delay| delay - before - 1).collect();
         let key = (select, at, taps.clone());
-        if let Some(known) = self.taps.get(&key) {
-            return *known;
+        if let Some(known) = self.taps.get(&key).copied() {
+            self.read.entry(known).or_default().insert(start);
+            return known;
         }
         // Elements of a bundle that were captured in different phases have taps of their own.
         let muxes = (0..self.unit.nodes.len()).filter(|i| self.unit.nodes[*i].args.first() == Some(&NodeId(select)));
@@ -100,7 +101,7 @@ impl Lowered<'_> {
         if all.len() > 1 {
             place.path.push(Step::Index(all.iter().position(|d| d == delays).unwrap_or(0)));
         }
-        let tap = self.by_phase(place, Type::index(LINE_CLOCKS), at, |phase| i128::from(taps[phase]));
+        let tap = self.by_phase(place, Type::index(LINE_CLOCKS), at, start, |phase| i128::from(taps[phase]));
         self.taps.insert(key, tap);
         tap
     }

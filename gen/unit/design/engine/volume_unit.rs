@@ -7,7 +7,7 @@ use crate::params::Params;
 use crate::params::engine::{BlockLayout, EngineFormat, EngineParams};
 use efsat_hardware::device::Device;
 use efsat_hardware::graph::{Place, Step, Unit};
-use efsat_hardware::netlist::lower::Lowering;
+use efsat_hardware::netlist::lower::{HOLDS, Lowering, PHASE};
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::op::{Concatenate, Lookup, Type};
 use efsat_hardware::schedule::{Schedule, Scheduler};
@@ -167,11 +167,22 @@ fn stage(path: &Rc<Module>, latency: usize, interval: usize) -> Rc<Module> {
     let accept = (in_valid & in_ready).named("accept");
     in_ready.output("in_ready");
 
+    // Which slots in flight hold an expansion: one flag per slot, shifted as slots begin.
+    let mut slots = vec![accept];
+    for age in 0..=latency / interval {
+        let flag = m.register(Place::at(HOLDS, &[Step::Index(age)]), Type::FLAG);
+        flag.loads(slots[age], phase.map(|_| last), Some((reset, 0)));
+        slots.push(flag);
+    }
+    let holds = &slots[1..];
+
     let given = |id: &_| {
         let signal = path.signal(*id);
         let place = signal.place.clone();
-        if place.base == "phase" {
-            return phase.expect("the path has phases");
+        match (place.base.as_str(), &place.path[..]) {
+            (PHASE, _) => return phase.expect("the path has phases"),
+            (HOLDS, [Step::Index(age)]) => return holds[*age],
+            _ => {}
         }
         let port = m.input(place.clone(), signal.ty);
         if place.base.starts_with("query_") {
@@ -184,14 +195,8 @@ fn stage(path: &Rc<Module>, latency: usize, interval: usize) -> Rc<Module> {
     let given: Vec<Wire> = path.inputs.iter().map(given).collect();
     let results = m.instance("path", path, &given);
 
-    // Which slots in flight hold an expansion: one flag per slot, shifted as slots begin.
-    let mut holds = accept;
-    for age in 0..=latency / interval {
-        let flag = m.register(Place::at("holds", &[Step::Index(age)]), Type::FLAG);
-        flag.loads(holds, phase.map(|_| last), Some((reset, 0)));
-        holds = flag;
-    }
-    let answers = if interval > 1 { holds & in_phase("answer_phase", latency % interval) } else { holds };
+    let oldest = slots[slots.len() - 1];
+    let answers = if interval > 1 { oldest & in_phase("answer_phase", latency % interval) } else { oldest };
     let valid = m.register("valid", Type::FLAG);
     valid.loads(answers.named("answers"), None, Some((reset, 0)));
     valid.output("out_valid");

@@ -110,7 +110,7 @@ pub fn stage(path: &Rc<Module>, latency: i32, clocks: u32, places: usize) -> Rc<
     let held: Vec<(Place, Wire)> = points.iter().map(held).collect();
     let given = |id: &_| {
         let place = &path.signal(*id).place;
-        held.iter().find(|(held, _)| held == place).map_or_else(|| of("phase"), |(_, wire)| *wire)
+        held.iter().find(|(held, _)| held == place).map_or_else(|| of(&place.to_string()), |(_, wire)| *wire)
     };
     let results = m.instance("path", path, &path.inputs.iter().map(given).collect::<Vec<_>>());
     let word = sequencer::result_word(path, &results, &["verdict", "separated", "overlapping"]);
