@@ -83,6 +83,7 @@ end entity efsat;
 
 architecture rtl of efsat is
   signal control_phase : std_logic;
+  signal control_holds : std_logic_vector(16 downto 0);
   signal control_accept : std_logic;
   signal control_decide : std_logic;
   signal control_take : std_logic;
@@ -121,14 +122,15 @@ begin
   offered_overlapping <= offered_word(19 downto 11);
   control : entity work.sequencer
     port map (clk => clk, reset => reset, in_valid => in_valid, pose_valid => pose_valid, out_ready => out_ready,
-              phase => control_phase, in_ready => in_ready, accept => control_accept, decide => control_decide,
-              out_valid => out_valid, take => control_take, accept_address => control_accept_address,
-              decide_address => control_decide_address, take_address => control_take_address,
-              pose_load => control_pose_load, pose_ready => pose_ready, pose_accept => control_pose_accept);
+              phase => control_phase, holds => control_holds, in_ready => in_ready, accept => control_accept,
+              decide => control_decide, out_valid => out_valid, take => control_take,
+              accept_address => control_accept_address, decide_address => control_decide_address,
+              take_address => control_take_address, pose_load => control_pose_load, pose_ready => pose_ready,
+              pose_accept => control_pose_accept);
   path : entity work.pair_pipeline
-    port map (clk => clk, phase => control_phase, in_v => pair_v, in_w => pair_w, pose_m => active_m,
-              pose_t => active_t, pose_bypass => active_bypass, verdict => path_verdict, separated => path_separated,
-              overlapping => path_overlapping);
+    port map (clk => clk, phase => control_phase, holds => control_holds, in_v => pair_v, in_w => pair_w,
+              pose_m => active_m, pose_t => active_t, pose_bypass => active_bypass, verdict => path_verdict,
+              separated => path_separated, overlapping => path_overlapping);
 
   -- Registers that are loaded once per pair
   captures : process (clk)

@@ -13,6 +13,7 @@ entity pair_pipeline is
   port (
     clk         : in  std_logic;
     phase       : in  std_logic;  -- phase of the slot: 0 in the first clock of the inputs
+    holds       : in  std_logic_vector(16 downto 0);  -- whether the slot k slots ago holds a pair
     in_v        : in  signed_32_vector_x3_t;  -- |.| <= 268435456
     in_w        : in  signed_32_vector_x3_t;  -- |.| <= 268435456
     pose_m      : in  signed_32_vector_x3_t;  -- |.| <= 268435456
@@ -34,6 +35,8 @@ architecture rtl of pair_pipeline is
   signal moved : signed_33_vector_t;  -- |.| <= 1342177272; t - V0, or - V0 with the bypass
   signal row_w : signed_32_vector_x3_t;  -- |.| <= 268435456
   signal row_m0_select_at_0 : std_logic := '0';
+  signal in_phase_1 : std_logic;
+  signal in_flight : std_logic;  -- a pair is in the data path, or may be in the next clock
   signal strobe : std_logic_vector(1 downto 0) := (others => '0');  -- one flag per phase
   signal moved_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
   signal moved_h4 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
@@ -466,6 +469,28 @@ architecture rtl of pair_pipeline is
   signal overlapping6_h1 : std_logic := '0';
   signal overlapping7_h1 : std_logic := '0';
   signal overlapping8_h1 : std_logic := '0';
+  signal holds0_or_in_phase_1 : std_logic;
+  signal in_phase_0 : std_logic;
+  signal busy_4 : std_logic := '0';  -- set in clocks 3 to 4 of a pair
+  signal busy_10 : std_logic := '0';  -- set in clocks 9 to 10 of a pair
+  signal busy_14 : std_logic := '0';  -- set in clocks 13 to 14 of a pair
+  signal busy_16 : std_logic := '0';  -- set in clocks 15 to 16 of a pair
+  signal busy_20 : std_logic := '0';  -- set in clocks 19 to 20 of a pair
+  signal busy_22 : std_logic := '0';  -- set in clocks 21 to 22 of a pair
+  signal holds0_or_in_phase_1_or_busy_4 : std_logic;
+  signal holds0_or_in_phase_1_or_busy_4_or_busy_10 : std_logic;
+  signal holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14 : std_logic;
+  signal holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16 : std_logic;
+  signal holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20 : std_logic;
+  signal holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20_or_busy_22 : std_logic;
+  signal busy_18 : std_logic := '0';  -- set in clocks 17 to 18 of a pair
+  signal busy_17 : std_logic := '0';  -- set in clocks 16 to 17 of a pair
+  signal busy_19 : std_logic := '0';  -- set in clocks 18 to 19 of a pair
+  signal busy_23 : std_logic := '0';  -- set in clocks 22 to 23 of a pair
+  signal busy_25 : std_logic := '0';  -- set in clocks 24 to 25 of a pair
+  signal busy_17_or_busy_19 : std_logic;
+  signal busy_17_or_busy_19_or_busy_23 : std_logic;
+  signal busy_17_or_busy_19_or_busy_23_or_busy_25 : std_logic;
   signal row_turned_unit_m : signed_32_vector_x5_t;
   signal row_turned_unit_w : signed_32_vector_x5_t;
   signal shift_unit_x : signed_33_x5_vector_t;
@@ -518,32 +543,35 @@ architecture rtl of pair_pipeline is
   signal verdict_unit_separated : std_logic_vector(8 downto 0);
   signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
 begin
-  -- Selectors and strobes, set in the clock before their phase
-  selectors : process (clk)
+  -- Strobes, one per phase
+  strobes : process (clk)
   begin
     if rising_edge(clk) then
-      if phase = '1' then
-        row_m0_select_at_0 <= '0';
-      else
-        row_m0_select_at_0 <= '1';
-      end if;
-      strobe(0) <= flag(phase = '1');
-      strobe(1) <= flag(phase = '0');
-      if phase = '1' then
-        too_great_0_so_far_select_at_0 <= '1';
-      else
-        too_great_0_so_far_select_at_0 <= '0';
-      end if;
-      if phase = '1' then
-        row_m0_select_at_1 <= '1';
-      else
-        row_m0_select_at_1 <= '0';
-      end if;
+      strobe(0) <= flag(phase = '1') and in_flight;
+      strobe(1) <= flag(phase = '0') and in_flight;
     end if;
-  end process selectors;
+  end process strobes;
+  in_phase_1 <= flag(phase = '1');
+  in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or holds(4) or holds(5) or holds(6) or holds(7) or holds(8)
+      or holds(9) or holds(10) or holds(11) or holds(12) or holds(13) or holds(14) or holds(15) or holds(16) or
+      in_phase_1;
   overlapping_i(0) <= '0';
   overlapping_i(1) <= '0';
   overlapping_i(2) <= '0';
+  holds0_or_in_phase_1 <= holds(0) or in_phase_1;
+  in_phase_0 <= flag(phase = '0');
+  holds0_or_in_phase_1_or_busy_4 <= holds0_or_in_phase_1 or busy_4;
+  holds0_or_in_phase_1_or_busy_4_or_busy_10 <= holds0_or_in_phase_1_or_busy_4 or busy_10;
+  holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14 <= holds0_or_in_phase_1_or_busy_4_or_busy_10 or busy_14;
+  holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16 <=
+      holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14 or busy_16;
+  holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20 <=
+      holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16 or busy_20;
+  holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20_or_busy_22 <=
+      holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20 or busy_22;
+  busy_17_or_busy_19 <= busy_17 or busy_19;
+  busy_17_or_busy_19_or_busy_23 <= busy_17_or_busy_19 or busy_23;
+  busy_17_or_busy_19_or_busy_23_or_busy_25 <= busy_17_or_busy_19_or_busy_23 or busy_25;
 
   -- Clock 0
   difference_v1_each : for i in 0 to 2 generate
@@ -1270,6 +1298,34 @@ begin
   verdict_unit : entity work.pair_verdict
     port map (separated => verdict_unit_separated, overlapping => verdict_unit_overlapping, verdict => verdict);
 
+  -- Selectors, set in the clock before their phase
+  selectors : process (clk)
+  begin
+    if rising_edge(clk) then
+      if holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20_or_busy_22 = '1' then
+        if phase = '1' then
+          row_m0_select_at_0 <= '0';
+        else
+          row_m0_select_at_0 <= '1';
+        end if;
+      end if;
+      if busy_18 = '1' then
+        if phase = '1' then
+          too_great_0_so_far_select_at_0 <= '1';
+        else
+          too_great_0_so_far_select_at_0 <= '0';
+        end if;
+      end if;
+      if busy_17_or_busy_19_or_busy_23_or_busy_25 = '1' then
+        if phase = '1' then
+          row_m0_select_at_1 <= '1';
+        else
+          row_m0_select_at_1 <= '0';
+        end if;
+      end if;
+    end if;
+  end process selectors;
+
   -- Registers that are loaded once per pair
   captures : process (clk)
   begin
@@ -1597,6 +1653,21 @@ begin
         overlapping6_h1 <= overlapping_i(6);
         overlapping7_h1 <= overlapping_i(7);
         overlapping8_h1 <= overlapping_i(8);
+      end if;
+      if in_phase_0 = '1' then
+        busy_4 <= holds(1);
+        busy_10 <= holds(4);
+        busy_14 <= holds(6);
+        busy_16 <= holds(7);
+        busy_20 <= holds(9);
+        busy_22 <= holds(10);
+        busy_18 <= holds(8);
+      end if;
+      if in_phase_1 = '1' then
+        busy_17 <= holds(7);
+        busy_19 <= holds(8);
+        busy_23 <= holds(10);
+        busy_25 <= holds(11);
       end if;
     end if;
   end process captures;

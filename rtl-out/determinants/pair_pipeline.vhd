@@ -443,7 +443,7 @@ architecture rtl of pair_pipeline is
   signal verdict_unit_separated : std_logic_vector(8 downto 0);
   signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
 begin
-  -- Selectors and strobes, set in the clock before their phase
+  -- Strobes, one per phase
   overlapping_i(0) <= '0';
   overlapping_i(1) <= '0';
   overlapping_i(2) <= '0';

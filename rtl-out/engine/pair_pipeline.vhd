@@ -12,6 +12,7 @@ entity pair_pipeline is
   port (
     clk         : in  std_logic;
     phase       : in  unsigned(3 downto 0);  -- phase of the slot: 0 in the first clock of the inputs
+    holds       : in  std_logic_vector(5 downto 0);  -- whether the slot k slots ago holds a pair
     in_v        : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 268435456
     in_w        : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 268435456
     pose_m      : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 268435456
@@ -59,6 +60,8 @@ architecture rtl of pair_pipeline is
   signal row_t_d1 : signed(31 downto 0) := (others => '0');  -- s4.28; |.| <= 1073741816
   signal pose_bypass_d1 : std_logic := '0';
   signal row : interval_32_t;  -- s4.28; |.| <= 1879048192
+  signal in_phase_10 : std_logic;
+  signal in_flight : std_logic;  -- a pair is in the data path, or may be in the next clock
   signal strobe : std_logic_vector(10 downto 0) := (others => '0');  -- one flag per phase
   signal b_lo : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28; |.| <= 1879048190; B's vertices in A's frame
   signal in_v0_h10 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 268435456
@@ -170,48 +173,44 @@ architecture rtl of pair_pipeline is
   signal verdict_and_second_not_first_h1 : std_logic := '0';
   signal separated0_h11 : std_logic := '0';
   signal overlapping0_h11 : std_logic := '0';
+  signal holds0_or_in_phase_10 : std_logic;
+  signal in_phase_8 : std_logic;
+  signal busy_10 : std_logic := '0';  -- set in clocks 9 to 19 of a pair
+  signal in_phase_9 : std_logic;
+  signal busy_11 : std_logic := '0';  -- set in clocks 10 to 20 of a pair
+  signal in_phase_1 : std_logic;
+  signal busy_25 : std_logic := '0';  -- set in clocks 24 to 34 of a pair
+  signal in_phase_6 : std_logic;
+  signal busy_30 : std_logic := '0';  -- set in clocks 29 to 39 of a pair
+  signal in_phase_3 : std_logic;
+  signal busy_38 : std_logic := '0';  -- set in clocks 37 to 47 of a pair
+  signal busy_43 : std_logic := '0';  -- set in clocks 42 to 52 of a pair
   signal lane_hi_choice_operand_line_x : signed_32_vector_t;
   signal lane_hi_choice_operand_line_tap : unsigned_4_vector_t;
   signal offset_unit_point : interval_32_vector_t;
   signal axis_separated_unit_has : flag_x2_x2_t;
 begin
-  -- Selectors and strobes, set in the clock before their phase
-  selectors : process (clk)
+  -- Strobes, one per phase
+  strobes : process (clk)
   begin
     if rising_edge(clk) then
-      row_t_pose_select_at_0 <= to_unsigned(row_t_pose_select_at_0_table(to_integer(phase)), 2);
-      row_diagonal_at_0(0) <= row_diagonal_at_0_0_table(to_integer(phase));
-      row_diagonal_at_0(1) <= row_diagonal_at_0_1_table(to_integer(phase));
-      row_diagonal_at_0(2) <= row_diagonal_at_0_2_table(to_integer(phase));
-      row_x_select_at_0 <= to_unsigned(row_x_select_at_0_table(to_integer(phase)), 2);
       for k in 0 to 10 loop
-        strobe(k) <= flag(phase = (k + 10) mod 11);
+        strobe(k) <= flag(phase = (k + 10) mod 11) and in_flight;
       end loop;
-      lane_select_at_10 <= to_unsigned(lane_select_at_10_table(to_integer(phase)), 3);
-      lane2_choice_operand_select_tap_at_10 <=
-          to_unsigned(lane2_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
-      lane1_choice_operand_select_tap_at_10 <=
-          to_unsigned(lane1_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
-      lane_from_input_at_10 <= lane_from_input_at_10_table(to_integer(phase));
-      lane_from_input_at_0 <= lane_from_input_at_0_table(to_integer(phase));
-      axis0_has_b2_at_0 <= axis0_has_b2_at_0_table(to_integer(phase));
-      lane_edge_rounding_at_3 <= lane_edge_rounding_at_3_table(to_integer(phase));
-      axis_e_select_tap_at_8 <= to_unsigned(axis_e_select_tap_at_8_table(to_integer(phase)), 4);
-      axis_f_select_tap_at_8 <= to_unsigned(axis_f_select_tap_at_8_table(to_integer(phase)), 4);
-      axis0_v0_select_at_5 <= axis0_v0_select_at_5_table(to_integer(phase));
-      axis0_v3_select_at_5 <= axis0_v3_select_at_5_table(to_integer(phase));
-      axis0_v1_1_select_tap_at_5 <= to_unsigned(axis0_v1_1_select_tap_at_5_table(to_integer(phase)), 4);
-      axis0_v2_1_select_tap_at_5 <= to_unsigned(axis0_v2_1_select_tap_at_5_table(to_integer(phase)), 4);
-      axis0_has_a1_at_10 <= axis0_has_a1_at_10_table(to_integer(phase));
-      axis0_has_a2_at_10 <= axis0_has_a2_at_10_table(to_integer(phase));
-      axis0_has_b1_at_10 <= axis0_has_b1_at_10_table(to_integer(phase));
-      axis0_has_b2_at_10 <= axis0_has_b2_at_10_table(to_integer(phase));
     end if;
-  end process selectors;
+  end process strobes;
+  in_phase_10 <= flag(phase = 10);
+  in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or holds(4) or holds(5) or in_phase_10;
   v0_lo_each : for i in 0 to 2 generate
     v0_lo(i) <= to_signed(0, 18);
     v0_case(i) <= to_unsigned(0, 2);
   end generate v0_lo_each;
+  holds0_or_in_phase_10 <= holds(0) or in_phase_10;
+  in_phase_8 <= flag(phase = 8);
+  in_phase_9 <= flag(phase = 9);
+  in_phase_1 <= flag(phase = 1);
+  in_phase_6 <= flag(phase = 6);
+  in_phase_3 <= flag(phase = 3);
 
   -- Clock 0
   row_t_pose <=
@@ -512,6 +511,51 @@ begin
   -- Clock 56
   verdict <= (verdict_and_second_not_first_h1 and not surely_h1) & (verdict_and_first_not_h1 and surely_h1);
 
+  -- Selectors, set in the clock before their phase
+  selectors : process (clk)
+  begin
+    if rising_edge(clk) then
+      if holds0_or_in_phase_10 = '1' then
+        row_t_pose_select_at_0 <= to_unsigned(row_t_pose_select_at_0_table(to_integer(phase)), 2);
+        row_diagonal_at_0(0) <= row_diagonal_at_0_0_table(to_integer(phase));
+        row_diagonal_at_0(1) <= row_diagonal_at_0_1_table(to_integer(phase));
+        row_diagonal_at_0(2) <= row_diagonal_at_0_2_table(to_integer(phase));
+        row_x_select_at_0 <= to_unsigned(row_x_select_at_0_table(to_integer(phase)), 2);
+      end if;
+      if busy_10 = '1' then
+        lane_select_at_10 <= to_unsigned(lane_select_at_10_table(to_integer(phase)), 3);
+        lane2_choice_operand_select_tap_at_10 <=
+            to_unsigned(lane2_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
+        lane1_choice_operand_select_tap_at_10 <=
+            to_unsigned(lane1_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
+        lane_from_input_at_10 <= lane_from_input_at_10_table(to_integer(phase));
+      end if;
+      if busy_11 = '1' then
+        lane_from_input_at_0 <= lane_from_input_at_0_table(to_integer(phase));
+        axis0_has_b2_at_0 <= axis0_has_b2_at_0_table(to_integer(phase));
+      end if;
+      if busy_25 = '1' then
+        lane_edge_rounding_at_3 <= lane_edge_rounding_at_3_table(to_integer(phase));
+      end if;
+      if busy_30 = '1' then
+        axis_e_select_tap_at_8 <= to_unsigned(axis_e_select_tap_at_8_table(to_integer(phase)), 4);
+        axis_f_select_tap_at_8 <= to_unsigned(axis_f_select_tap_at_8_table(to_integer(phase)), 4);
+      end if;
+      if busy_38 = '1' then
+        axis0_v0_select_at_5 <= axis0_v0_select_at_5_table(to_integer(phase));
+        axis0_v3_select_at_5 <= axis0_v3_select_at_5_table(to_integer(phase));
+        axis0_v1_1_select_tap_at_5 <= to_unsigned(axis0_v1_1_select_tap_at_5_table(to_integer(phase)), 4);
+        axis0_v2_1_select_tap_at_5 <= to_unsigned(axis0_v2_1_select_tap_at_5_table(to_integer(phase)), 4);
+      end if;
+      if busy_43 = '1' then
+        axis0_has_a1_at_10 <= axis0_has_a1_at_10_table(to_integer(phase));
+        axis0_has_a2_at_10 <= axis0_has_a2_at_10_table(to_integer(phase));
+        axis0_has_b1_at_10 <= axis0_has_b1_at_10_table(to_integer(phase));
+        axis0_has_b2_at_10 <= axis0_has_b2_at_10_table(to_integer(phase));
+      end if;
+    end if;
+  end process selectors;
+
   -- Registers that are loaded once per pair
   captures : process (clk)
   begin
@@ -628,6 +672,22 @@ begin
         pierced_edges_below(2)(0) <= axis0_below(3);
         separated_i(8) <= axis_separated;
         overlapping_i(8) <= axis_overlapping;
+      end if;
+      if in_phase_8 = '1' then
+        busy_10 <= holds(0);
+        busy_43 <= holds(3);
+      end if;
+      if in_phase_9 = '1' then
+        busy_11 <= holds(0);
+      end if;
+      if in_phase_1 = '1' then
+        busy_25 <= holds(2);
+      end if;
+      if in_phase_6 = '1' then
+        busy_30 <= holds(2);
+      end if;
+      if in_phase_3 = '1' then
+        busy_38 <= holds(3);
       end if;
     end if;
   end process captures;

@@ -15,6 +15,7 @@ entity sequencer is
     pose_valid     : in  std_logic;
     out_ready      : in  std_logic;
     phase          : out unsigned(3 downto 0);
+    holds          : out std_logic_vector(5 downto 0);
     in_ready       : out std_logic;
     accept         : out std_logic;
     decide         : out std_logic;
@@ -46,7 +47,7 @@ architecture rtl of sequencer is
   signal full : std_logic;
   signal accepts : std_logic;
   signal accept_pair : std_logic;
-  signal holds : std_logic_vector(5 downto 0) := (others => '0');
+  signal holds_i : std_logic_vector(5 downto 0) := (others => '0');
   signal decide_phase : std_logic := '0';  -- set in phase 1
   signal decide_pair : std_logic;
   signal empty_if_moved : std_logic := '1';
@@ -62,7 +63,7 @@ begin
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
   accepts <= running and last_phase and not full;
   accept_pair <= in_valid and accepts;
-  decide_pair <= holds(5) and decide_phase;
+  decide_pair <= holds_i(5) and decide_phase;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
   take_pair <= not empty and output_free;
@@ -124,21 +125,17 @@ begin
       end if;
       if reset = '1' then
         for k in 0 to 5 loop
-          holds(k) <= '0';
+          holds_i(k) <= '0';
         end loop;
       elsif last_phase = '1' then
-        holds(0) <= accept_pair;
-        holds(1) <= holds(0);
-        holds(2) <= holds(1);
-        holds(3) <= holds(2);
-        holds(4) <= holds(3);
-        holds(5) <= holds(4);
+        holds_i <= holds_i(4 downto 0) & accept_pair;
       end if;
     end if;
   end process state;
 
   -- Outputs
   phase <= phase_i;
+  holds <= holds_i;
   in_ready <= accepts;
   accept <= accept_pair;
   decide <= decide_pair;

@@ -13,6 +13,7 @@ entity volume_path is
   port (
     clk         : in  std_logic;
     phase       : in  unsigned(1 downto 0);  -- phase of the slot: 0 in the first clock of the inputs
+    holds       : in  std_logic_vector(3 downto 0);  -- whether the slot k slots ago holds a pair
     query_pose  : in  signed_18_vector_x3_t;  -- s1.17; |.| <= 131071
     query_shift : in  signed_26_vector_t;  -- s4.22; |.| <= 16777216
     query_error : in  unsigned_16_vector_t;
@@ -39,6 +40,8 @@ architecture rtl of volume_path is
   signal d_lane_m_select_at_0 : unsigned(1 downto 0) := (others => '0');
   signal d_lane_t : signed(25 downto 0);  -- s4.22; |.| <= 16777216
   signal d_lane_o_a : signed(17 downto 0);  -- s1.17; |.| <= 131072
+  signal in_phase_3 : std_logic;
+  signal in_flight : std_logic;  -- a pair is in the data path, or may be in the next clock
   signal strobe : std_logic_vector(3 downto 0) := (others => '0');  -- one flag per phase
   signal b_origin_h1 : signed_18_vector_t := zero_signed_18_vector;  -- s1.17; |.| <= 131072
   signal d_lane_m_d1 : signed_18_vector_t := zero_signed_18_vector;  -- s1.17; |.| <= 131071
@@ -112,28 +115,34 @@ architecture rtl of volume_path is
   signal survive_and_h12 : std_logic_vector(3 downto 0) := (others => '0');
   signal survive1_and_h13 : std_logic := '0';
   signal survive3_and_h13 : std_logic := '0';
+  signal holds0_or_in_phase_3 : std_logic;
+  signal in_phase_1 : std_logic;
+  signal busy_3 : std_logic := '0';  -- set in clocks 2 to 5 of a pair
+  signal in_phase_0 : std_logic;
+  signal busy_6 : std_logic := '0';  -- set in clocks 5 to 8 of a pair
   signal term0_unit_codes : signed_10_x6_x9_t;
   signal term1_unit_codes : signed_10_x6_x9_t;
   signal term2_unit_codes : signed_10_x6_x9_t;
   signal s_unit_codes : signed_10_x3_x9_t;
   signal apart_unit_bound : signed_28_x9_t;
 begin
-  -- Selectors and strobes, set in the clock before their phase
-  selectors : process (clk)
+  -- Strobes, one per phase
+  strobes : process (clk)
   begin
     if rising_edge(clk) then
-      d_lane_m_select_at_0 <= to_unsigned(d_lane_m_select_at_0_table(to_integer(phase)), 2);
       for k in 0 to 3 loop
-        strobe(k) <= flag(phase = (k + 3) mod 4);
+        strobe(k) <= flag(phase = (k + 3) mod 4) and in_flight;
       end loop;
-      b_chosen_select_at_3(0) <= b_chosen_select_at_3_0_table(to_integer(phase));
-      axis_bound_operand_select_at_2 <= axis_bound_operand_select_at_2_table(to_integer(phase));
-      axis_bound_operand_select_at_3 <= axis_bound_operand_select_at_3_table(to_integer(phase));
     end if;
-  end process selectors;
+  end process strobes;
+  in_phase_3 <= flag(phase = 3);
+  in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or in_phase_3;
   query_error_resized_each : for i in 0 to 2 generate
     query_error_resized(i) <= signed(resize(query_error(i), 26));
   end generate query_error_resized_each;
+  holds0_or_in_phase_3 <= holds(0) or in_phase_3;
+  in_phase_1 <= flag(phase = 1);
+  in_phase_0 <= flag(phase = 0);
 
   -- Clock 0
   d_lane_m <=
@@ -453,6 +462,23 @@ begin
   survive(1) <= survive1_and_h13 and not apart_found(0)(1);
   survive(3) <= survive3_and_h13 and not apart_found(1)(1);
 
+  -- Selectors, set in the clock before their phase
+  selectors : process (clk)
+  begin
+    if rising_edge(clk) then
+      if holds0_or_in_phase_3 = '1' then
+        d_lane_m_select_at_0 <= to_unsigned(d_lane_m_select_at_0_table(to_integer(phase)), 2);
+      end if;
+      if busy_3 = '1' then
+        b_chosen_select_at_3(0) <= b_chosen_select_at_3_0_table(to_integer(phase));
+        axis_bound_operand_select_at_3 <= axis_bound_operand_select_at_3_table(to_integer(phase));
+      end if;
+      if busy_6 = '1' then
+        axis_bound_operand_select_at_2 <= axis_bound_operand_select_at_2_table(to_integer(phase));
+      end if;
+    end if;
+  end process selectors;
+
   -- Registers that are loaded once per pair
   captures : process (clk)
   begin
@@ -508,6 +534,12 @@ begin
           end if;
         end loop;
       end loop;
+      if in_phase_1 = '1' then
+        busy_3 <= holds(0);
+      end if;
+      if in_phase_0 = '1' then
+        busy_6 <= holds(1);
+      end if;
     end if;
   end process captures;
 end architecture rtl;

@@ -252,6 +252,7 @@ architecture rtl of volume_stage is
   signal last_phase : std_logic := '0';  -- set in phase 3
   signal accepts : std_logic;
   signal accept : std_logic;
+  signal holds : std_logic_vector(3 downto 0) := (others => '0');
   signal held_a_origin : signed_18_vector_t := zero_signed_18_vector;  -- s1.17
   signal held_a_exponent : unsigned(3 downto 0) := (others => '0');
   signal held_a_code : signed_10_x18_x2_t := zero_signed_10_x18_x2;
@@ -261,7 +262,6 @@ architecture rtl of volume_stage is
   signal held_b_code : signed_10_x18_x2_t := zero_signed_10_x18_x2;
   signal held_b_take : std_logic_vector(1 downto 0) := (others => '0');
   signal path_survive : std_logic_vector(3 downto 0);
-  signal holds : std_logic_vector(3 downto 0) := (others => '0');
   signal answer_phase : std_logic := '0';  -- set in phase 1
   signal answers : std_logic;
   signal survive_word : unsigned(3 downto 0);
@@ -423,10 +423,11 @@ begin
   path_query_row(17).factor(2) <= unsigned(query_row17_factor2);
   path_query_row(17).rest <= unsigned(query_row17_rest);
   path : entity work.volume_path
-    port map (clk => clk, phase => phase, query_pose => path_query_pose, query_shift => path_query_shift,
-              query_error => path_query_error, query_row => path_query_row, a_origin => held_a_origin,
-              a_exponent => held_a_exponent, a_code => held_a_code, a_take => held_a_take, b_origin => held_b_origin,
-              b_exponent => held_b_exponent, b_code => held_b_code, b_take => held_b_take, survive => path_survive);
+    port map (clk => clk, phase => phase, holds => holds, query_pose => path_query_pose,
+              query_shift => path_query_shift, query_error => path_query_error, query_row => path_query_row,
+              a_origin => held_a_origin, a_exponent => held_a_exponent, a_code => held_a_code, a_take => held_a_take,
+              b_origin => held_b_origin, b_exponent => held_b_exponent, b_code => held_b_code, b_take => held_b_take,
+              survive => path_survive);
 
   -- Registers that are loaded once per pair
   captures : process (clk)
@@ -543,10 +544,7 @@ begin
           holds(k) <= '0';
         end loop;
       elsif last_phase = '1' then
-        holds(0) <= accept;
-        holds(1) <= holds(0);
-        holds(2) <= holds(1);
-        holds(3) <= holds(2);
+        holds <= holds(2 downto 0) & accept;
       end if;
     end if;
   end process state;

@@ -12,6 +12,7 @@ entity pair_pipeline is
   port (
     clk         : in  std_logic;
     phase       : in  unsigned(3 downto 0);  -- phase of the slot: 0 in the first clock of the inputs
+    holds       : in  std_logic_vector(4 downto 0);  -- whether the slot k slots ago holds a pair
     in_v        : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 268435456
     in_w        : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 268435456
     pose_m      : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 268435456
@@ -52,6 +53,8 @@ architecture rtl of pair_pipeline is
   signal row_t_d1 : signed(31 downto 0) := (others => '0');  -- s4.28; |.| <= 1073741816
   signal pose_bypass_d1 : std_logic := '0';
   signal row : interval_32_t;  -- s4.28; |.| <= 1879048192
+  signal in_phase_10 : std_logic;
+  signal in_flight : std_logic;  -- a pair is in the data path, or may be in the next clock
   signal strobe : std_logic_vector(10 downto 0) := (others => '0');  -- one flag per phase
   signal b_lo : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- s4.28; |.| <= 1879048190; B's vertices in A's frame
   signal in_v0_h10 : signed_32_vector_t := zero_signed_32_vector;  -- s4.28; |.| <= 268435456
@@ -135,42 +138,44 @@ architecture rtl of pair_pipeline is
   signal overlapping_i : std_logic_vector(10 downto 0) := (others => '0');
   signal separate : std_logic;
   signal surely : std_logic;
+  signal holds0_or_in_phase_10 : std_logic;
+  signal in_phase_8 : std_logic;
+  signal busy_10 : std_logic := '0';  -- set in clocks 9 to 19 of a pair
+  signal in_phase_9 : std_logic;
+  signal busy_11 : std_logic := '0';  -- set in clocks 10 to 20 of a pair
+  signal in_phase_1 : std_logic;
+  signal busy_25 : std_logic := '0';  -- set in clocks 24 to 34 of a pair
+  signal in_phase_6 : std_logic;
+  signal busy_30 : std_logic := '0';  -- set in clocks 29 to 39 of a pair
+  signal in_phase_7 : std_logic;
+  signal busy_31 : std_logic := '0';  -- set in clocks 30 to 40 of a pair
   signal lane_hi_choice_operand_line_x : signed_32_vector_t;
   signal lane_hi_choice_operand_line_tap : unsigned_4_vector_t;
   signal offset_unit_point : interval_32_vector_t;
   signal p_unit_v : interval_18_vector_x6_t;
   signal p_unit_v_case : unsigned_2_vector_x6_t;
 begin
-  -- Selectors and strobes, set in the clock before their phase
-  selectors : process (clk)
+  -- Strobes, one per phase
+  strobes : process (clk)
   begin
     if rising_edge(clk) then
-      row_t_pose_select_at_0 <= to_unsigned(row_t_pose_select_at_0_table(to_integer(phase)), 2);
-      row_diagonal_at_0(0) <= row_diagonal_at_0_0_table(to_integer(phase));
-      row_diagonal_at_0(1) <= row_diagonal_at_0_1_table(to_integer(phase));
-      row_diagonal_at_0(2) <= row_diagonal_at_0_2_table(to_integer(phase));
-      row_x_select_at_0 <= to_unsigned(row_x_select_at_0_table(to_integer(phase)), 2);
       for k in 0 to 10 loop
-        strobe(k) <= flag(phase = (k + 10) mod 11);
+        strobe(k) <= flag(phase = (k + 10) mod 11) and in_flight;
       end loop;
-      lane_select_at_10 <= to_unsigned(lane_select_at_10_table(to_integer(phase)), 3);
-      lane2_choice_operand_select_tap_at_10 <=
-          to_unsigned(lane2_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
-      lane1_choice_operand_select_tap_at_10 <=
-          to_unsigned(lane1_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
-      lane_from_input_at_10 <= lane_from_input_at_10_table(to_integer(phase));
-      lane_from_input_at_0 <= lane_from_input_at_0_table(to_integer(phase));
-      magnitude_so_far_select_at_0 <= magnitude_so_far_select_at_0_table(to_integer(phase));
-      lane_edge_rounding_at_3 <= lane_edge_rounding_at_3_table(to_integer(phase));
-      axis_e_select_tap_at_8 <= to_unsigned(axis_e_select_tap_at_8_table(to_integer(phase)), 4);
-      axis_f_select_tap_at_8 <= to_unsigned(axis_f_select_tap_at_8_table(to_integer(phase)), 4);
-      axis0_rounding_at_9 <= axis0_rounding_at_9_table(to_integer(phase));
     end if;
-  end process selectors;
+  end process strobes;
+  in_phase_10 <= flag(phase = 10);
+  in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or holds(4) or in_phase_10;
   v0_lo_each : for i in 0 to 2 generate
     v0_lo(i) <= to_signed(0, 18);
     v0_case(i) <= to_unsigned(0, 2);
   end generate v0_lo_each;
+  holds0_or_in_phase_10 <= holds(0) or in_phase_10;
+  in_phase_8 <= flag(phase = 8);
+  in_phase_9 <= flag(phase = 9);
+  in_phase_1 <= flag(phase = 1);
+  in_phase_6 <= flag(phase = 6);
+  in_phase_7 <= flag(phase = 7);
 
   -- Clock 0
   row_t_pose <=
@@ -422,6 +427,42 @@ begin
   surely <= not or_reduce(not unsigned(overlapping_i));
   verdict <= (not separate and not surely) & (not separate and surely);
 
+  -- Selectors, set in the clock before their phase
+  selectors : process (clk)
+  begin
+    if rising_edge(clk) then
+      if holds0_or_in_phase_10 = '1' then
+        row_t_pose_select_at_0 <= to_unsigned(row_t_pose_select_at_0_table(to_integer(phase)), 2);
+        row_diagonal_at_0(0) <= row_diagonal_at_0_0_table(to_integer(phase));
+        row_diagonal_at_0(1) <= row_diagonal_at_0_1_table(to_integer(phase));
+        row_diagonal_at_0(2) <= row_diagonal_at_0_2_table(to_integer(phase));
+        row_x_select_at_0 <= to_unsigned(row_x_select_at_0_table(to_integer(phase)), 2);
+      end if;
+      if busy_10 = '1' then
+        lane_select_at_10 <= to_unsigned(lane_select_at_10_table(to_integer(phase)), 3);
+        lane2_choice_operand_select_tap_at_10 <=
+            to_unsigned(lane2_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
+        lane1_choice_operand_select_tap_at_10 <=
+            to_unsigned(lane1_choice_operand_select_tap_at_10_table(to_integer(phase)), 4);
+        lane_from_input_at_10 <= lane_from_input_at_10_table(to_integer(phase));
+      end if;
+      if busy_11 = '1' then
+        lane_from_input_at_0 <= lane_from_input_at_0_table(to_integer(phase));
+        magnitude_so_far_select_at_0 <= magnitude_so_far_select_at_0_table(to_integer(phase));
+      end if;
+      if busy_25 = '1' then
+        lane_edge_rounding_at_3 <= lane_edge_rounding_at_3_table(to_integer(phase));
+      end if;
+      if busy_30 = '1' then
+        axis_e_select_tap_at_8 <= to_unsigned(axis_e_select_tap_at_8_table(to_integer(phase)), 4);
+        axis_f_select_tap_at_8 <= to_unsigned(axis_f_select_tap_at_8_table(to_integer(phase)), 4);
+      end if;
+      if busy_31 = '1' then
+        axis0_rounding_at_9 <= axis0_rounding_at_9_table(to_integer(phase));
+      end if;
+    end if;
+  end process selectors;
+
   -- Registers that are loaded once per pair
   captures : process (clk)
   begin
@@ -511,6 +552,21 @@ begin
       if strobe(8) = '1' then
         separated_i(10) <= axis_separated;
         overlapping_i(10) <= axis_overlapping;
+      end if;
+      if in_phase_8 = '1' then
+        busy_10 <= holds(0);
+      end if;
+      if in_phase_9 = '1' then
+        busy_11 <= holds(0);
+      end if;
+      if in_phase_1 = '1' then
+        busy_25 <= holds(2);
+      end if;
+      if in_phase_6 = '1' then
+        busy_30 <= holds(2);
+      end if;
+      if in_phase_7 = '1' then
+        busy_31 <= holds(2);
       end if;
     end if;
   end process captures;

@@ -34,7 +34,7 @@ architecture rtl of projection is
   signal exact : interval_38_t;  -- |.| <= 12885491712
   signal p_hi_constant : std_logic;
 begin
-  -- Selectors and strobes, set in the clock before their phase
+  -- Strobes, one per phase
   p_hi_constant <= '1';
 
   -- Clock 0

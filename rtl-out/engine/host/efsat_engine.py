@@ -154,6 +154,13 @@ def _words(data):
     return list(struct.unpack(f"<{len(data) // 8}Q", data))
 
 
+def _query(packet):
+    words = _words(packet)
+    if len(words) != QUERY_WORDS:
+        raise ValueError(f"{len(words)} words: expected the {QUERY_WORDS} of a query")
+    return words
+
+
 def _options(limit, flags, number):
     if flags & ~(FIRST_CONTACT | ALL_PAIRS | LEAF_PAIRS | EMPTY_CACHES):
         raise ValueError(f"flags {flags:#x}: expected an OR of FIRST_CONTACT, ALL_PAIRS, LEAF_PAIRS, EMPTY_CACHES")
@@ -201,7 +208,7 @@ def query(sides, errors, pose, rows, limit=0, flags=0, number=0):
 
 def asked(packet, limit=0, flags=0, number=0):
     """A query that asks for something else."""
-    words = _words(packet)
+    words = _query(packet)
     words[OPTIONS_WORD] = _options(limit, flags, number)
     return _bytes(words)
 
@@ -210,7 +217,7 @@ def moved(packet, by):
     """A query whose images have been moved by so many bytes, a multiple of 64."""
     if by % 64:
         raise ValueError(f"{by} bytes: expected a multiple of 64")
-    words = _words(packet)
+    words = _query(packet)
     for i in (1, 2):
         words[i] = _both("address", *((words[i] >> low) % (1 << 32) + by // 64 for low in (0, 32)))
     return _bytes(words)
@@ -224,7 +231,7 @@ def stop():
 def packets(lines):
     """The packets of a file that `efsat tree query` has written."""
     rows = [line.rstrip("\n").split(",") for line in lines]
-    return [_bytes([int(word, 16) for word in row[-1].split()]) for row in rows[1:] if row[-1]]
+    return [_bytes([_field("word", int(word, 16), 64) for word in row[-1].split()]) for row in rows[1:] if row[-1]]
 
 
 def answer(data):
