@@ -73,6 +73,7 @@ const RUNNING: &str = "pose_phase and last_phase are first set many clocks after
 const NOT_MOVED: &str = "after reset nothing has been taken, and either flag says that the queue is empty";
 const PRODUCT: &str = "the factors of a product exchanged";
 const ANY: &str = "any of some flags, in any order";
+const RESTS: &str = "what selects moves on where no pair is, too, and nobody reads what is selected there";
 const ALWAYS: &str = "the flag is the constant 1";
 
 /// Mutants of the generated VHDL.
@@ -133,6 +134,8 @@ const VHDL: &[Explanation] = &[
         "shows where one of two corners alone is V0, and the lines cross there",
     ),
     same("pair_pipeline:p_unit_v.lo:constant:v(0)(i) -> (0)", ORIGIN),
+    same_in_several("*:case:without the condition busy_*", RESTS),
+    same_in_several("*:case:without the condition holds0_or_*", RESTS),
     same_in_several("efsat:active_*:delay:a register too many*", POSE),
     same_in_one("efsat:pair_v:case:without the condition*", "what is not accepted is computed, but not taken over"),
     same_in_one("efsat:pair_w:case:without the condition*", "what is not accepted is computed, but not taken over"),
