@@ -428,7 +428,7 @@ fn traced(p: &Params, design: &Design, stimulus: &Stimulus) -> Vec<(usize, usize
 
 #[test]
 fn graph_equals_reference_model_in_every_inner_signal() {
-    let cases = share(3, [varied(&Params::default()), combined(20), others_than_axes()].concat());
+    let cases = share(5, [varied(&Params::default()), combined(20), others_than_axes()].concat());
     cases.par_iter().for_each(|(name, p)| {
         let design = Design::new(p, Probes::All).unwrap_or_else(|e| panic!("{name}: {e}"));
         let golden = Golden::new(p);
@@ -497,7 +497,7 @@ fn ghdl_agrees_in_option_values() {
     }
     // Narrow but for the widths under test: GHDL takes many times as long as the built-in simulator, which runs them all.
     let narrow = Params { width: 10, transform_width: 14, ..Params::default() };
-    all_hold(&share(8, [varied(&narrow), determinants(&narrow)].concat()), ghdl_equals_builtin);
+    all_hold(&share(12, [varied(&narrow), determinants(&narrow)].concat()), ghdl_equals_builtin);
 }
 
 #[test]

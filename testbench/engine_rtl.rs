@@ -131,7 +131,7 @@ fn answers_and_reports_equal_the_reference_models() {
         (EngineParams { directions: Directions::Fourteen, offset_bits: 9, ..axi() }, small(), &["-gpasses=3"]),
         (EngineParams { directions: Directions::Six, factor_bits: 10, ..block_ram() }, small(), &[]),
     ];
-    let wrong: Vec<String> = share(9, cases)
+    let wrong: Vec<String> = share(10, cases)
         .par_iter()
         .filter_map(|(engine, unit, options)| {
             let bench = Bench::new(ghdl, engine, unit);
@@ -146,7 +146,7 @@ fn answers_and_reports_equal_the_reference_models() {
 #[test]
 fn a_stop_ends_the_query_that_runs() {
     let Some(ghdl) = ghdl() else { return };
-    for engine in [block_ram(), axi()] {
+    for engine in share(2, [axi(), block_ram()]) {
         let bench = Bench::new(ghdl, &engine, &small());
         let numbers = Numbers::new(&engine, &small()).unwrap();
         let mesh = hills(8);
@@ -169,7 +169,7 @@ fn a_fault_of_memory_ends_the_query_and_the_next_is_right() {
     let Some(ghdl) = ghdl() else { return };
     let bench = Bench::new(ghdl, &axi(), &small());
     let (images, query) = crossing(&bench.design);
-    for kind in share(2, 1..=3) {
+    for kind in share(3, 1..=3) {
         let mut vectors = EngineVectors::new(&bench.design, &images.iter().collect::<Vec<_>>());
         let query = query(&vectors, &images);
         // The root's block of A, which every query reads, and a triangle of B.
@@ -452,7 +452,7 @@ fn caches_are_emptied() {
         ("engine_block_cache.vhd", "if looked = '1' and looked_at(", "if looked = '0' and looked_at("),
         ("engine_block_cache.vhd", "if judged = '1' and judged_at(", "if judged = '0' and judged_at("),
     ];
-    let unnoticed: Vec<&str> = share(3, changes)
+    let unnoticed: Vec<&str> = share(5, changes)
         .into_iter()
         .filter(|change| reads(&changed(&bench, *change, vectors.text(), &options)) == Some(due.clone()))
         .map(|(file, _, _)| file)

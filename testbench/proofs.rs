@@ -242,7 +242,7 @@ fn exact_pairs() {
         in_plane(&setting),
     ];
     claims.extend([Transform::Off, Transform::Translate].map(|transform| fits(&Setting::full(params(transform)))));
-    prove("Exact pairs", share(3, claims));
+    prove("Exact pairs", share(5, claims));
 }
 
 #[test]

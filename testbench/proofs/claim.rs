@@ -243,7 +243,7 @@ impl Claim {
             Some(_) => Some(format!("not refuted: {mutant:?}")),
             None => Some(format!("nothing to mutate: {mutant:?}")),
         };
-        let mutants = share(3, &self.mutants);
+        let mutants = share(6, &self.mutants);
         let alive: Vec<String> = mutants.iter().copied().filter_map(alive).collect();
         let refuted = [mutants.len() - alive.len(), mutants.len()];
         failures.extend(alive);
