@@ -13,13 +13,14 @@
 //! each value and two or three tables.
 
 mod multiplexer;
+mod phases;
 mod tapped_line;
 
 use self::multiplexer::Digits;
 use super::module::{Driver, Instance, Module, Signal, SignalId};
 use crate::device::Device;
 use crate::graph::{Op, Place, Rate, Step, Unit};
-use crate::op::{And, Comb, Constant, Equal, Or, Type};
+use crate::op::{Or, Type};
 use crate::schedule::{Schedule, Scheduler};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::rc::Rc;
@@ -416,111 +417,5 @@ impl Lowered<'_> {
             }
             (from, until) = (at, at + self.interval());
         }
-    }
-
-    /// A flag set in the clocks congruent to `clock` while a pair is in the data path; none if that is always.
-    fn strobe(&mut self, clock: i32) -> Option<SignalId> {
-        let (phase, interval) = (self.phase?, self.interval());
-        if self.strobes.is_empty() {
-            let any = self.holds.clone().into_iter().reduce(|any, holds| self.combined(None, Or, vec![any, holds]));
-            // In the last phase it is not known yet whether the next slot holds a pair.
-            let last = self.last_phase();
-            let in_flight = self.combined(Some("in_flight".to_owned()), Or, any.into_iter().chain([last]).collect());
-            self.out.signals[in_flight.0].comment =
-                "a pair is in the data path, or may be in the next clock".to_owned();
-            // One flag per phase, whether it is read or not, so that they are one vector.
-            for at in 0..interval {
-                let before = self.phase_is(None, phase, (at - 1).rem_euclid(interval));
-                let args = vec![before, in_flight];
-                let driver = Driver::Register { op: Some(And.into()), args, enable: None, reset: None };
-                let id = self.push(Place::at("strobe", &[Step::Index(at as usize)]), Type::FLAG, driver);
-                self.out.signals[id.0].comment = "one flag per phase".to_owned();
-                self.strobes.push(id);
-            }
-        }
-        Some(self.strobes[clock.rem_euclid(interval) as usize])
-    }
-
-    /// What selects rests where no pair is: it loads only where the use of a pair goes on in the next clock.
-    fn rest(&mut self) {
-        let late = self.schedule.lag_clocks();
-        for (select, uses) in std::mem::take(&mut self.read) {
-            if uses.first().is_some_and(|clock| *clock < 0) {
-                // What is constant but for this is there at any time.
-                continue;
-            }
-            // Late phases are those of a pair of an earlier slot.
-            let clocks: BTreeSet<i32> = uses.iter().flat_map(|clock| [*clock, clock + late]).collect();
-            let flags: Vec<SignalId> = clocks.into_iter().map(|clock| self.busy(clock)).collect();
-            let any = flags.into_iter().reduce(|any, flag| self.either(any, flag));
-            if let Driver::Register { enable, .. } = &mut self.out.signals[select.0].driver {
-                *enable = any;
-            }
-        }
-    }
-
-    /// A flag set from the clock before a clock of a pair on, for a slot.
-    fn busy(&mut self, clock: i32) -> SignalId {
-        if let Some(known) = self.busy.get(&clock) {
-            return *known;
-        }
-        let phase = self.phase_port();
-        let flag = match clock {
-            0 => {
-                let last = self.last_phase();
-                self.either(self.holds[0], last)
-            }
-            1 => self.holds[0],
-            _ => {
-                let (age, at) = ((clock - 2) / self.interval(), (clock - 2) % self.interval());
-                let begins = self.phase_is(Some(format!("in_phase_{at}")), phase, at);
-                let place = Place::new(format!("busy_{clock}"));
-                let flag = self.register(place, Type::FLAG, self.holds[age as usize], Some(begins));
-                let last = clock + self.interval() - 2;
-                self.out.signals[flag.0].comment = format!("set in clocks {} to {last} of a pair", clock - 1);
-                flag
-            }
-        };
-        self.busy.insert(clock, flag);
-        flag
-    }
-
-    fn last_phase(&mut self) -> SignalId {
-        let (phase, last) = (self.phase_port(), self.interval() - 1);
-        self.phase_is(Some(format!("in_phase_{last}")), phase, last)
-    }
-
-    /// Whether the phase is that; a flag of that name is made once.
-    fn phase_is(&mut self, name: Option<String>, phase: SignalId, number: i32) -> SignalId {
-        let known = |signal: &Signal| signal.named && Some(signal.name()) == name;
-        if let Some(known) = self.out.signals.iter().position(known) {
-            return SignalId(known);
-        }
-        let ty = self.out.signal(phase).ty;
-        let constant = Driver::Combinational { op: Constant(number.into(), ty).into(), args: vec![] };
-        let number = self.push(Place::new("phase_number"), ty, constant);
-        self.combined(name, Equal, vec![phase, number])
-    }
-
-    fn either(&mut self, a: SignalId, b: SignalId) -> SignalId {
-        if let Some(known) = self.either.get(&[a, b]) {
-            return *known;
-        }
-        let [first, second] = [a, b].map(|id| self.out.signal(id).name());
-        let either = self.combined(Some(format!("{first}_or_{second}")), Or, vec![a, b]);
-        self.either.insert([a, b], either);
-        either
-    }
-
-    fn combined(&mut self, name: Option<String>, op: impl Into<Comb>, args: Vec<SignalId>) -> SignalId {
-        let named = name.is_some();
-        let driver = Driver::Combinational { op: op.into(), args };
-        let id = self.push(Place::new(name.unwrap_or("flag".to_owned())), Type::FLAG, driver);
-        self.out.signals[id.0].named = named;
-        id
-    }
-
-    fn phase_port(&self) -> SignalId {
-        self.phase.expect("a unit with phases has the port")
     }
 }
