@@ -24,6 +24,7 @@ pub mod projection;
 pub mod renormalise;
 pub mod rounding;
 pub mod sequencer;
+mod slots;
 pub mod top;
 pub mod transform_row;
 

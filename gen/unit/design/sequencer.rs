@@ -4,10 +4,11 @@
 //! is free for it, so whatever back-pressure there is, every verdict finds its place. Three pointers walk the queue:
 //! accepted, decided, taken.
 
+use super::slots::Slots;
 use efsat_hardware::graph::{Place, Step};
 use efsat_hardware::netlist::lower::{HOLDS, PHASE};
 use efsat_hardware::netlist::{Control, Module, Wire};
-use efsat_hardware::op::{Concatenate, Equal, Lookup, Type};
+use efsat_hardware::op::{Concatenate, Equal, Type};
 use std::rc::Rc;
 
 /// Places in the result queue for a data path of that latency: enough for every pair in flight at full speed, and no fewer
@@ -70,31 +71,16 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     let pose = pose.map(|reading| (reading, m.input("pose_valid", Type::FLAG)));
     let out_ready = m.input("out_ready", Type::FLAG);
     let head_ready = waits.then(|| m.input("head_ready", Type::FLAG));
-    let one = || m.constant(1, Type::FLAG);
     let running = m.register("running", Type::FLAG);
     running.comment("clear in reset and in the first clock after: nothing is accepted").loads(
-        one(),
+        m.constant(1, Type::FLAG),
         None,
         Some((reset, 0)),
     );
-
-    // Phase of the slot, and flags of phases that are read all over the design, so they come from registers.
-    let phases = Type::index(interval);
-    let phase = (interval > 1).then(|| {
-        let phase = m.register("phase", phases);
-        let next = (0..interval as i128).map(|s| (s + 1) % interval as i128).collect();
-        phase.loads(phase.apply(Lookup(next, phases), &[]), None, Some((reset, 0)));
+    let slots = Slots::new(&m, reset, interval);
+    if let Some(phase) = slots.phase {
         phase.output(PHASE);
-        phase
-    });
-    let in_phase = |name: &str, s: usize| {
-        phase.map_or_else(one, |phase| {
-            let flag = m.register(name, Type::FLAG);
-            flag.loads(phase.is(((s + interval - 1) % interval) as i128), None, Some((reset, 0)));
-            flag.comment(&format!("set in phase {s}"))
-        })
-    };
-    let last = in_phase("last_phase", interval - 1);
+    }
 
     // Queue pointers, one bit longer than the address to tell full from empty.
     let ty = Type::unsigned(address + 1);
@@ -104,26 +90,15 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     // The accepted count at which every place is promised.
     let turned = taken.count.plus(1 << address).named("taken_turned");
     let full = accepted.meets("full", turned, (reset, 0));
-    let in_ready = (running & last & !full).named("accepts");
+    let in_ready = (running & slots.last & !full).named("accepts");
     let accept = (in_valid & in_ready).named("accept_pair");
     accepted.advance(accept, reset);
 
-    // Which slots in flight hold a pair: one flag per slot, shifted as slots begin.
-    let mut holds = accept;
-    for age in 0..=latency as usize / interval {
-        let place = Place::at(HOLDS, &[Step::Index(age)]);
-        let flag = m.register(place.clone(), Type::FLAG);
-        flag.loads(holds, phase.map(|_| last), Some((reset, 0)));
-        if phase.is_some() {
-            flag.output(place);
-        }
-        holds = flag;
+    let holds = slots.holds(accept, latency as usize);
+    if slots.phase.is_some() {
+        holds.iter().enumerate().for_each(|(age, flag)| flag.output(Place::at(HOLDS, &[Step::Index(age)])));
     }
-    let decide = match phase {
-        Some(_) => holds & in_phase("decide_phase", latency as usize % interval),
-        None => holds,
-    };
-    let decide = decide.named("decide_pair");
+    let decide = slots.leaves(&holds, "decide_phase", latency as usize).named("decide_pair");
     decided.loads(decided.plus(1), Some(decide), Some((reset, 0)));
 
     // The output register: filled from the queue when it is empty or just being taken.
@@ -145,9 +120,10 @@ pub fn module(sequencer: &Sequencer) -> Rc<Module> {
     taken.count.low(address).named("take_place").output("take_address");
     if let Some((reading, pose_valid)) = pose {
         let pose_ready = match reading {
-            PoseReading::NotLast => running & in_phase("pose_phase", interval - 2),
+            PoseReading::NotLast => running & slots.in_phase("pose_phase", interval - 2),
             PoseReading::Always => {
-                let last_next = phase.map_or_else(one, |phase| phase.is(interval as i128 - 2));
+                let one = || m.constant(1, Type::FLAG);
+                let last_next = slots.phase.map_or_else(one, |phase| phase.is(interval as i128 - 2));
                 pending_pose(&m, reset, running, pose_valid, last_next)
             }
         };

@@ -2,24 +2,25 @@
 
 use super::Lowered;
 use crate::graph::{Place, Step};
-use crate::netlist::module::{Driver, Signal, SignalId};
+use crate::netlist::module::{Driver, SignalId};
 use crate::op::{And, Comb, Constant, Equal, Or, Type};
 use std::collections::BTreeSet;
 
 impl Lowered<'_> {
     /// A flag set in the clocks congruent to `clock` while a pair is in the data path; none if that is always.
     pub(super) fn strobe(&mut self, clock: i32) -> Option<SignalId> {
-        let (phase, interval) = (self.phase?, self.interval());
+        self.phase?;
+        let interval = self.interval();
         if self.strobes.is_empty() {
             let any = self.holds.clone().into_iter().reduce(|any, holds| self.combined(None, Or, vec![any, holds]));
             // In the last phase it is not known yet whether the next slot holds a pair.
-            let last = self.last_phase();
+            let last = self.in_phase(-1);
             let in_flight = self.combined(Some("in_flight".to_owned()), Or, any.into_iter().chain([last]).collect());
             self.out.signals[in_flight.0].comment =
                 "a pair is in the data path, or may be in the next clock".to_owned();
             // One flag per phase, whether it is read or not, so that they are one vector.
             for at in 0..interval {
-                let before = self.phase_is(None, phase, (at - 1).rem_euclid(interval));
+                let before = self.phase_is(None, at - 1);
                 let args = vec![before, in_flight];
                 let driver = Driver::Register { op: Some(And.into()), args, enable: None, reset: None };
                 let id = self.push(Place::at("strobe", &[Step::Index(at as usize)]), Type::FLAG, driver);
@@ -53,16 +54,15 @@ impl Lowered<'_> {
         if let Some(known) = self.busy.get(&clock) {
             return *known;
         }
-        let phase = self.phase_port();
         let flag = match clock {
             0 => {
-                let last = self.last_phase();
+                let last = self.in_phase(-1);
                 self.either(self.holds[0], last)
             }
             1 => self.holds[0],
             _ => {
-                let (age, at) = ((clock - 2) / self.interval(), (clock - 2) % self.interval());
-                let begins = self.phase_is(Some(format!("in_phase_{at}")), phase, at);
+                let age = (clock - 2) / self.interval();
+                let begins = self.in_phase(clock - 2);
                 let place = Place::new(format!("busy_{clock}"));
                 let flag = self.register(place, Type::FLAG, self.holds[age as usize], Some(begins));
                 let last = clock + self.interval() - 2;
@@ -74,18 +74,17 @@ impl Lowered<'_> {
         flag
     }
 
-    fn last_phase(&mut self) -> SignalId {
-        let (phase, last) = (self.phase_port(), self.interval() - 1);
-        self.phase_is(Some(format!("in_phase_{last}")), phase, last)
+    /// A flag set in the clocks congruent to `clock`, with or without a pair.
+    fn in_phase(&mut self, clock: i32) -> SignalId {
+        let name = format!("in_phase_{}", clock.rem_euclid(self.interval()));
+        let known = self.out.signals.iter().position(|signal| signal.named && signal.name() == name);
+        known.map_or_else(|| self.phase_is(Some(name), clock), SignalId)
     }
 
-    /// Whether the phase is that; a flag of that name is made once.
-    fn phase_is(&mut self, name: Option<String>, phase: SignalId, number: i32) -> SignalId {
-        let known = |signal: &Signal| signal.named && Some(signal.name()) == name;
-        if let Some(known) = self.out.signals.iter().position(known) {
-            return SignalId(known);
-        }
-        let ty = self.out.signal(phase).ty;
+    /// Whether the phase is that of a clock.
+    fn phase_is(&mut self, name: Option<String>, clock: i32) -> SignalId {
+        let phase = self.phase_port();
+        let (number, ty) = (clock.rem_euclid(self.interval()), self.out.signal(phase).ty);
         let constant = Driver::Combinational { op: Constant(number.into(), ty).into(), args: vec![] };
         let number = self.push(Place::new("phase_number"), ty, constant);
         self.combined(name, Equal, vec![phase, number])

@@ -1,6 +1,7 @@
 //! The volume unit: the data path with registers for an expansion in front of it, and the handshakes.
 
 use super::super::sequencer::output;
+use super::super::slots::Slots;
 use super::super::top::{Design, DesignError};
 use super::volume_path::{self, PREFIX};
 use crate::params::Params;
@@ -9,7 +10,7 @@ use efsat_hardware::device::Device;
 use efsat_hardware::graph::{Place, Step, Unit};
 use efsat_hardware::netlist::lower::{HOLDS, Lowering, PHASE};
 use efsat_hardware::netlist::{Control, Module, Wire};
-use efsat_hardware::op::{Concatenate, Lookup, Type};
+use efsat_hardware::op::{Concatenate, Type};
 use efsat_hardware::schedule::{Schedule, Scheduler};
 use std::rc::Rc;
 
@@ -144,43 +145,21 @@ fn stage(path: &Rc<Module>, latency: usize, interval: usize) -> Rc<Module> {
     ];
     let m = Control::new(&format!("{PREFIX}stage"), doc.map(str::to_owned).to_vec());
     let [reset, in_valid] = ["reset", "in_valid"].map(|name| m.input(name, Type::FLAG));
-    let one = || m.constant(1, Type::FLAG);
     let running = m.register("running", Type::FLAG);
-    running.comment("clear in reset and in the first clock after").loads(one(), None, Some((reset, 0)));
-    let phases = Type::index(interval);
-    let phase = (interval > 1).then(|| {
-        let phase = m.register("phase", phases);
-        let next = (0..interval as i128).map(|s| (s + 1) % interval as i128).collect();
-        phase.loads(phase.apply(Lookup(next, phases), &[]), None, Some((reset, 0)));
-        phase
-    });
-    let in_phase = |name: &str, s: usize| {
-        phase.map_or_else(one, |phase| {
-            let flag = m.register(name, Type::FLAG);
-            flag.loads(phase.is(((s + interval - 1) % interval) as i128), None, Some((reset, 0)));
-            flag.comment(&format!("set in phase {s}"))
-        })
-    };
-    let last = in_phase("last_phase", interval - 1);
-    let in_ready = if interval > 1 { running & last } else { running };
+    let one = m.constant(1, Type::FLAG);
+    running.comment("clear in reset and in the first clock after").loads(one, None, Some((reset, 0)));
+    let slots = Slots::new(&m, reset, interval);
+    let in_ready = if interval > 1 { running & slots.last } else { running };
     let in_ready = in_ready.named("accepts");
     let accept = (in_valid & in_ready).named("accept");
     in_ready.output("in_ready");
-
-    // Which slots in flight hold an expansion: one flag per slot, shifted as slots begin.
-    let mut slots = vec![accept];
-    for age in 0..=latency / interval {
-        let flag = m.register(Place::at(HOLDS, &[Step::Index(age)]), Type::FLAG);
-        flag.loads(slots[age], phase.map(|_| last), Some((reset, 0)));
-        slots.push(flag);
-    }
-    let holds = &slots[1..];
+    let holds = slots.holds(accept, latency);
 
     let given = |id: &_| {
         let signal = path.signal(*id);
         let place = signal.place.clone();
         match (place.base.as_str(), &place.path[..]) {
-            (PHASE, _) => return phase.expect("the path has phases"),
+            (PHASE, _) => return slots.phase.expect("the path has phases"),
             (HOLDS, [Step::Index(age)]) => return holds[*age],
             _ => {}
         }
@@ -195,8 +174,7 @@ fn stage(path: &Rc<Module>, latency: usize, interval: usize) -> Rc<Module> {
     let given: Vec<Wire> = path.inputs.iter().map(given).collect();
     let results = m.instance("path", path, &given);
 
-    let oldest = slots[slots.len() - 1];
-    let answers = if interval > 1 { oldest & in_phase("answer_phase", latency % interval) } else { oldest };
+    let answers = slots.leaves(&holds, "answer_phase", latency);
     let valid = m.register("valid", Type::FLAG);
     valid.loads(answers.named("answers"), None, Some((reset, 0)));
     valid.output("out_valid");
