@@ -19,14 +19,14 @@ fn best(pairs: usize, mut round: impl FnMut()) -> f64 {
 fn main() {
     let Some(file) = std::env::args().skip(1).find(|argument| argument.ends_with(".f64")) else { return };
     let pairs = pair_file::read(&file).unwrap_or_else(|error| panic!("{error}"));
-    let intersecting = pairs.iter().filter(|p| exact::pair(p) != Exact::Separate).count();
+    let intersecting = pairs.iter().filter(|p| exact::pair(p).unwrap() != Exact::Separate).count();
     let mut answers = Vec::with_capacity(pairs.len());
     let batch = best(pairs.len(), || {
         answers.clear();
-        retest_batch(black_box(&pairs), &mut answers);
+        retest_batch(black_box(&pairs), &mut answers).unwrap();
     });
     let single = best(pairs.len(), || {
-        black_box(pairs.iter().filter(|p| retest(black_box(p)) != Exact::Separate).count());
+        black_box(pairs.iter().filter(|p| retest(black_box(p)).unwrap() != Exact::Separate).count());
     });
     println!("{intersecting} {batch:.0} {single:.0}");
 }

@@ -42,11 +42,13 @@ fn exact(c: &mut Criterion) {
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     let points: Vec<[[f64; 3]; 6]> = (0..PAIRS).map(|_| random_points(&mut rng)).collect();
     group.bench_function("exact::pair", |b| {
-        b.iter(|| points.iter().map(|p| efsat::exact::pair(black_box(p)) as u64).sum::<u64>());
+        b.iter(|| points.iter().map(|p| efsat::exact::pair(black_box(p)).unwrap() as u64).sum::<u64>());
     });
     let params = Params::default();
     group.bench_function("host::loose_pair", |b| {
-        b.iter(|| points.iter().filter(|p| matches!(loose_pair(black_box(p), &params), Host::Unit(_))).count());
+        b.iter(|| {
+            points.iter().filter(|p| matches!(loose_pair(black_box(p), &params).unwrap(), Host::Unit(_))).count()
+        });
     });
     group.finish();
 }

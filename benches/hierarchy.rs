@@ -33,19 +33,19 @@ fn bumpy_sphere() -> Mesh {
         [[p, q, r], [p, r, s]]
     };
     let faces = (0..rings).flat_map(|i| (0..sides).map(move |j| (i, j))).flat_map(square).collect();
-    Mesh { vertices, faces }
+    Mesh::new(vertices, faces).unwrap()
 }
 
 /// Ten distances, from just apart to well into each other.
 fn poses(mesh: &Mesh) -> Vec<Pose> {
     let distances: Vec<f64> = (0..10).map(|i| 2.0 - 0.1 * f64::from(i)).collect();
-    let scene = Scene::against_itself("sphere", mesh.clone(), (POSES / distances.len()) as u32, &distances);
+    let scene = Scene::against_itself("sphere", mesh.clone(), (POSES / distances.len()) as u32, &distances).unwrap();
     (0..scene.frames()).map(|frame| scene.frame(frame).poses[1]).collect()
 }
 
 fn query(c: &mut Criterion) {
     let mesh = bumpy_sphere();
-    assert_eq!(mesh.faces.len(), 20_000);
+    assert_eq!(mesh.faces().len(), 20_000);
     let poses = poses(&mesh);
     let mut group = c.benchmark_group("hierarchy");
     group.sample_size(10);

@@ -14,16 +14,16 @@ use std::time::Instant;
 fn emit(dir: &Path, meshes: &[&Mesh], meetings: &[Meeting], distances: &[f64]) -> std::io::Result<()> {
     let bytes = |numbers: Vec<f64>| numbers.iter().flat_map(|x| x.to_le_bytes()).collect::<Vec<u8>>();
     for (i, mesh) in meshes.iter().enumerate() {
-        let numbers = (0..mesh.faces.len()).flat_map(|face| mesh.triangle(face)).flat_map(|x| [x.x, x.y, x.z]);
+        let numbers = (0..mesh.faces().len()).flat_map(|face| mesh.triangle(face)).flat_map(|x| [x.x, x.y, x.z]);
         fs::write(dir.join(format!("mesh_{i}.f64")), bytes(numbers.collect()))?;
     }
     let numbers = meetings.iter().zip(distances).flat_map(|(Meeting { meshes, pose, .. }, distance)| {
-        let matrix = pose.rotation.transpose();
+        let matrix = pose.rotation().transpose();
         [*distance]
             .into_iter()
             .chain(meshes.map(|mesh| mesh as f64))
             .chain(matrix.iter().copied())
-            .chain(pose.translation.iter().copied())
+            .chain(pose.translation().iter().copied())
             .collect::<Vec<f64>>()
     });
     fs::write(dir.join("meetings.f64"), bytes(numbers.collect()))
@@ -54,7 +54,7 @@ fn main() {
             let start = Instant::now();
             let [a, b] = meeting.meshes;
             let (found, _) =
-                rounded_contacts([meshes[a], meshes[b]], [&trees[a], &trees[b]], &meeting.pose, &mut scratch);
+                rounded_contacts([meshes[a], meshes[b]], [&trees[a], &trees[b]], &meeting.pose, &mut scratch).unwrap();
             touching += found.len();
             *best = best.min(start.elapsed().as_secs_f64());
         }

@@ -101,17 +101,18 @@ fn segments(rng: &mut ChaCha8Rng) -> Points {
 fn scene_pairs() -> [Vec<Points>; 2] {
     let (scene, params) = (Scene::default_scene(), Params::default());
     let meshes = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
-    let [a, b] = meshes.map(|mesh| mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect::<Vec<_>>());
-    let (host, golden, broad_phase) = (SceneHost::new(&a, &b, &params), Golden::new(&params), scene.broad_phase());
+    let [a, b] = meshes.map(|mesh| mesh.vertices().iter().map(|v| [v.x, v.y, v.z]).collect::<Vec<_>>());
+    let (host, golden, broad_phase) =
+        (SceneHost::new(&a, &b, &params).unwrap(), Golden::new(&params), scene.broad_phase());
     let [mut all, mut undecided] = [vec![], vec![]];
     for meeting in (0..scene.frames()).step_by(POSE_STEP).flat_map(|frame| broad_phase.meetings(frame)) {
-        let m = meeting.pose.rotation;
+        let m = meeting.pose.rotation();
         let rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)]));
-        let posed = host.pose(&rows, &meeting.pose.translation.into());
+        let posed = host.pose(&rows, &meeting.pose.translation().into()).unwrap();
         for (of_a, of_b) in broad_phase.pairs(&meeting) {
-            let (of_a, of_b) = (meshes[0].faces[of_a as usize], meshes[1].faces[of_b as usize]);
+            let (of_a, of_b) = (meshes[0].faces()[of_a as usize], meshes[1].faces()[of_b as usize]);
             let [a0, a1, a2] = of_a.map(|i| a[i as usize]);
-            let [b0, b1, b2] = of_b.map(|i| meeting.pose.image(&meshes[1].vertices[i as usize]).into());
+            let [b0, b1, b2] = of_b.map(|i| meeting.pose.image(&meshes[1].vertices()[i as usize]).into());
             all.push([a0, a1, a2, b0, b1, b2]);
             let verdict = match posed.pair(of_a, of_b) {
                 Host::Unit(pair) => golden.verdict(&posed.pose, &pair),
@@ -152,7 +153,7 @@ fn bench(c: &mut Criterion) {
         group.bench_function(BenchmarkId::from_parameter("retest_batch"), |b| {
             b.iter(|| {
                 answers.clear();
-                retest_batch(black_box(pairs), &mut answers);
+                retest_batch(black_box(pairs), &mut answers).unwrap();
                 answers.len()
             });
         });
@@ -161,10 +162,10 @@ fn bench(c: &mut Criterion) {
                 b.iter(|| pairs.iter().filter(|p| test(black_box(p))).count());
             });
         };
-        single("retest", &|p| retest(p) != exact::Exact::Separate);
+        single("retest", &|p| retest(p).unwrap() != exact::Exact::Separate);
         single("robbins_whitesides", &robbins_whitesides::intersect);
-        single("separating axes, binary64, inexact", &|points| Test::SeparatingAxes11F64.intersect(points));
-        single("exact::pair", &|p| exact::pair(p) != exact::Exact::Separate);
+        single("separating axes, binary64, inexact", &|points| Test::SeparatingAxes11F64.intersect(points).unwrap());
+        single("exact::pair", &|p| exact::pair(p).unwrap() != exact::Exact::Separate);
         group.finish();
     }
 }

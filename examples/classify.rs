@@ -2,6 +2,7 @@
 //!
 //! `cargo run --release --example classify [FILE]` reads a file of pairs, or `examples/three_pairs.csv`.
 
+use efsat::NotFinite;
 use efsat::exact::Exact;
 use efsat::golden::{Golden, Pose, Verdict};
 use efsat::host::{Host, loose_pair};
@@ -27,14 +28,14 @@ pub fn answers(file: &str) -> Result<Vec<(Verdict, Exact)>, Box<dyn Error>> {
     let unit = Golden::new(&params);
     let pose = Pose::identity(&params);
     let pairs = pair_file::read(file)?;
-    let answer = |points: &[[f64; 3]; 6]| {
+    let answer = |points: &[[f64; 3]; 6]| -> Result<(Verdict, Exact), NotFinite> {
         // Each pair is moved and scaled into the range of the unit. What does not fit the host decides.
-        let verdict = match loose_pair(points, &params) {
+        let verdict = match loose_pair(points, &params)? {
             Host::Unit(pair) => unit.verdict(&pose, &pair),
             Host::Decided(verdict) => verdict,
         };
         // Needed only where the verdict is possibly incorrect: a definite verdict is never wrong.
-        (verdict, retest(points))
+        Ok((verdict, retest(points)?))
     };
-    Ok(pairs.iter().map(answer).collect())
+    Ok(pairs.iter().map(answer).collect::<Result<_, _>>()?)
 }

@@ -4,6 +4,7 @@
 //! copies `Objects::memory` to the memory of the engine (or sends `Objects::loads` where that is block RAM), sends the words of
 //! `Job::packet` through its DMA, and gives what comes back to `Job::finish`.
 
+use efsat::NotFinite;
 use efsat::host::driver::engine::{Contacts, Objects, Options, StandIn};
 use efsat::params::{EngineParams, Params};
 use efsat::scene::Scene;
@@ -28,8 +29,10 @@ pub fn contacts(frames: &[usize]) -> Result<Vec<(usize, Contacts)>, Box<dyn Erro
     let job = |&frame: &usize| {
         // The pose of the second object as seen from the first.
         let poses = scene.frame(frame).poses;
-        objects.query([mesh_of[0], mesh_of[1]], &poses[0].seen(&poses[1]), Options::default())
+        let seen = poses[0].seen(&poses[1])?;
+        Ok(objects.query([mesh_of[0], mesh_of[1]], &seen, Options::default()))
     };
-    let answers = objects.contacts(frames.iter().map(job).collect(), &mut stand_in)?;
+    let jobs = frames.iter().map(job).collect::<Result<_, NotFinite>>()?;
+    let answers = objects.contacts(jobs, &mut stand_in)?;
     Ok(frames.iter().copied().zip(answers).collect())
 }

@@ -48,7 +48,7 @@ fn lost(name: &str, meshes: [&Mesh; 2], pose: &Pose) -> (usize, usize, Vec<Strin
         let numbers = Numbers::new(&engine, &unit).unwrap();
         let images = Image::build(&meshes, numbers.format()).unwrap();
         let (memory, sides) = memory(&[&images[0], &images[1]]);
-        let Ok(query) = numbers.query([(&images[0], sides[0]), (&images[1], sides[1])], &m, &pose.translation.into())
+        let Ok(query) = numbers.query([(&images[0], sides[0]), (&images[1], sides[1])], &m, &pose.translation().into())
         else {
             continue;
         };
@@ -99,7 +99,7 @@ fn no_touching_pair_of_any_mesh_is_lost() {
     let mut cases: Vec<(String, Mesh, Mesh, Pose)> = vec![];
     for name in ["cad_headlight.stl", "m8_bolt.stl", "m8_nut.stl"] {
         let mesh = read(&scenes().join(name)).unwrap();
-        let scene = Scene::against_itself(name, mesh.clone(), 7, &[1.5, 0.4, 0.0]);
+        let scene = Scene::against_itself(name, mesh.clone(), 7, &[1.5, 0.4, 0.0]).unwrap();
         for frame in share(2, [0, 1, 4, 7, 9, 15, 17]) {
             cases.push((format!("{name}, frame {frame}"), mesh.clone(), mesh.clone(), scene.frame(frame).poses[1]));
         }

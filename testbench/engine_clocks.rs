@@ -65,7 +65,7 @@ fn pairs_and_poses(machine: &Machine, channels: &[Channel]) {
     let objects = Objects::new(&design.params, &design.unit.params, &[&meshes[0], &meshes[1]]).unwrap();
     let segments = Stimulus::random(&EngineFormat::packets(&design.unit.params), 208, 1).segments;
     let m = turn(2);
-    let near = Pose { rotation: Matrix3::from_fn(|i, j| m[i][j]), translation: [2.5, 1.0, -1.0].into() };
+    let near = Pose::new(Matrix3::from_fn(|i, j| m[i][j]), [2.5, 1.0, -1.0].into()).unwrap();
     let query = objects.query([0, 1], &near, Options::default()).packet().unwrap().to_vec();
     let mut packets: Vec<Vec<u64>> = objects.loads().to_vec();
     for (i, (pose, pairs)) in segments.iter().enumerate() {

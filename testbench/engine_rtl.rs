@@ -306,7 +306,7 @@ fn a_wrong_engine_is_noticed() {
     let bench = Bench::new(ghdl, &EngineParams { block_lines: 16, ..axi() }, &small());
     // One of two triangles alone is near the others, so that a leaf meets an inner node without the leaf beside it.
     let apart = |x: f64| [[x, 0.0, 0.0], [x + 1.0, 0.0, 0.0], [x, 1.0, 0.25]].map(Point3::from);
-    let two = Mesh { vertices: [apart(0.0), apart(6.0)].concat(), faces: vec![[0, 1, 2], [3, 4, 5]] };
+    let two = Mesh::new([apart(0.0), apart(6.0)].concat(), vec![[0, 1, 2], [3, 4, 5]]).unwrap();
     let images = Image::build(&[&hills(3), &cuboid(3, 4, 2), &two], &bench.design.format).unwrap();
     let mut vectors = EngineVectors::new(&bench.design, &images.iter().collect::<Vec<_>>());
     let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();

@@ -30,7 +30,7 @@ const RUNS: [(&str, &[&str]); 18] = [
     ("efsat soak", &["soak --pairs 32768 --family lattice-5 --width 12"]),
     ("efsat wall", &["wall edge-on-face --step 2^-11 --software moeller --out w"]),
     ("efsat synth", &["synth --predict", "synth --predict --engine"]),
-    ("efsat scene pairs", &["scene pairs s.toml", "scene pairs tumble.toml"]),
+    ("efsat scene pairs", &["scene pairs s.toml", "scene pairs tumble.toml", "scene pairs boxes.toml --containment"]),
     ("efsat scene plan", &["scene plan s.toml", "scene plan tumble.toml"]),
     ("efsat scene run", &["scene run s.toml --simulator builtin", "scene run tumble.toml --cosim none"]),
     ("efsat scene run --engine", &["scene run s.toml --engine model", "scene run tumble.toml --engine model"]),
@@ -147,6 +147,11 @@ fn objects_have_the_keys_of_the_page() {
         "s.toml",
         &format!("{objects}[[pose]]\naxis = [0, 0, 1]\nangle_degrees = 90\ntranslation = [0.25, 0.25, 0]\n"),
     );
+    let shells = "v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nf 1 2 3\nf 1 2 4\nf 1 3 4\nf 2 3 4\n";
+    write("outer.obj", shells);
+    write("inner.obj", &shells.replace('9', "1"));
+    let boxes = "name = \"boxes\"\n[a]\nmesh = \"outer.obj\"\n[b]\nmesh = \"inner.obj\"\n";
+    write("boxes.toml", &format!("{boxes}[[pose]]\ntranslation = [1, 1, 1]\n[[pose]]\ntranslation = [0, 0, 0]\n"));
     write("tumble.toml", &format!("{objects}[tumble]\nsteps = 3\ndistances = [0.1]\n"));
     let build = ["tree", "build", "m.obj", "--out", "m.tree"];
     let built = Command::new(env!("CARGO_BIN_EXE_efsat")).args(build).current_dir(dir).status().unwrap();

@@ -122,7 +122,7 @@ fn exact_answer(p: &Params, pose: &Pose, pair: &Pair) -> Exact {
     let shift = |i: usize| if moved { pose.t[i].lo } else { 0 };
     let a = pair.a.map(|v| [0, 1, 2].map(|i| v[i].lo as f64));
     let b = pair.b.map(|w| [0, 1, 2].map(|i| (w[i].lo + shift(i)) as f64));
-    exact::pair(&[a[0], a[1], a[2], b[0], b[1], b[2]])
+    exact::pair(&[a[0], a[1], a[2], b[0], b[1], b[2]]).unwrap()
 }
 
 /// Every word in one place: what is wrong about the answers, and how many of the definite ones changed to outside.

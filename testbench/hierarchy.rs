@@ -28,15 +28,15 @@ fn meshes() -> Vec<PathBuf> {
 /// Pairs of triangles that touch, exactly, by boxes sorted along x and no tree: boxes of the rounded images, widened by
 /// far more than the rounding.
 pub fn brute_force(a: &Mesh, b: &Mesh, pose: &Pose) -> Vec<(u32, u32)> {
-    let moved: Vec<_> = b.vertices.iter().map(|v| pose.image(v)).collect();
+    let moved: Vec<_> = b.vertices().iter().map(|v| pose.image(v)).collect();
     let size = a.bounds().half_size() + Bounds::of(&moved).half_size();
     let near = nalgebra::Vector3::repeat(1e-9 * size);
-    let of_a: Vec<Bounds> = (0..a.faces.len()).map(|face| Bounds::of(&a.triangle(face))).collect();
+    let of_a: Vec<Bounds> = (0..a.faces().len()).map(|face| Bounds::of(&a.triangle(face))).collect();
     let of_b = |face: &[u32; 3]| {
         let tight = Bounds::of(face.map(|v| &moved[v as usize]));
         Bounds { min: tight.min - near, max: tight.max + near }
     };
-    let mut of_b: Vec<(u32, Bounds)> = (0..).zip(b.faces.iter().map(of_b)).collect();
+    let mut of_b: Vec<(u32, Bounds)> = (0..).zip(b.faces().iter().map(of_b)).collect();
     of_b.sort_by(|x, y| x.1.min.x.total_cmp(&y.1.min.x));
     let m = pose.rows();
     let corners = |mesh: &Mesh, face: u32| mesh.triangle(face as usize).map(<[f64; 3]>::from);
@@ -45,7 +45,7 @@ pub fn brute_force(a: &Mesh, b: &Mesh, pose: &Pose) -> Vec<(u32, u32)> {
         let near = of_b[..end].iter().filter(|(_, there)| here.overlaps(there));
         let touch = |q: u32| {
             let (x, y) = (corners(a, p as u32), corners(b, q));
-            posed_pair(&x, &y, &m, &pose.translation.into()) != Exact::Separate
+            posed_pair(&x, &y, &m, &pose.translation().into()).unwrap() != Exact::Separate
         };
         near.filter(|(q, _)| touch(*q)).map(|(q, _)| (p as u32, *q)).collect()
     };
@@ -88,7 +88,7 @@ fn no_pair_of_any_mesh_is_lost() {
         let name = path.file_name().unwrap().to_string_lossy().into_owned();
         let mesh = read(&path).unwrap();
         // Four steps at each distance: a quarter turn among them, with entries 0 and 1, and others.
-        let scene = Scene::against_itself(name.as_str(), mesh.clone(), 7, &[1.5, 0.4, 0.0]);
+        let scene = Scene::against_itself(name.as_str(), mesh.clone(), 7, &[1.5, 0.4, 0.0]).unwrap();
         let poses: Vec<Pose> =
             share(2, [0, 1, 4, 7, 9, 15, 17]).into_iter().map(|frame| scene.frame(frame).poses[1]).collect();
         let (found, lost) = lost(&name, &mesh, &mesh, &poses);
@@ -171,6 +171,102 @@ fn rows_and_summaries_do_not_depend_on_the_number_of_threads() {
     assert!(lines.len() == 9 && lines[6].starts_with("5,\"distance 0.8 step 1\",1,"), "{rows}");
     let summary = succeeds(home.path(), "scene pairs s.toml --summary");
     assert!(summary.contains("1.5, mean") && summary.contains("0.8, greatest"), "{summary}");
+}
+
+/// Where the scenes and pairs of reports are.
+fn reported() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("testbench/reported")
+}
+
+/// Entries of the matrix add up beyond binary64 in one of two scenes that are the same over the reals.
+#[test]
+fn no_pair_is_lost_in_a_pose_at_the_end_of_the_numbers() {
+    for (scene, k) in
+        ["lost.toml", "same.toml"].into_iter().flat_map(|scene| ["6", "14", "18", "26"].map(|k| (scene, k)))
+    {
+        for options in ["", "--first-hit"] {
+            let report = object(&reported().join("lost"), &format!("scene pairs {scene} --k {k} --json {options}"));
+            assert_eq!(report["total"]["touching"], 1, "{scene}, k = {k} {options}");
+        }
+    }
+}
+
+#[test]
+fn solids_inside_others_are_found_if_they_are_asked_for() {
+    let dir = reported().join("scenes");
+    let command = "scene pairs fcl_inside_492.toml";
+    let report = object(&dir, &format!("{command} --containment --json"));
+    assert_eq!(report["total"]["touching"], 0);
+    let nested = serde_json::json!([{"a": "b", "component_a": 0, "b": "a", "component_b": 0, "relation": "in"}]);
+    assert_eq!(report["frames"][0]["containment"], nested);
+    assert_eq!((&report["objects"][0]["components"], &report["objects"][1]["components"]), (&1.into(), &1.into()));
+    let rows = succeeds(&dir, &format!("{command} --containment"));
+    assert!(
+        rows.lines().next().unwrap().ends_with(",touching,containment") && rows.ends_with(",0,\"b/0 in a/0\"\n"),
+        "{rows}"
+    );
+    assert!(object(&dir, &format!("{command} --json"))["frames"][0]["containment"].is_null());
+    for option in ["--first-hit", "--summary"] {
+        let (status, _, errors) = efsat(&dir, &format!("{command} --containment {option}"), "2");
+        assert!(status == Some(2) && errors.contains("cannot be used with"), "{errors}");
+    }
+
+    // Two boxes in one mesh, of which one is around a third, and touches a fourth; then the mesh without its last triangle.
+    let home = tempfile::tempdir().unwrap();
+    let at = |text: String, [x, y, z]: [f64; 3]| -> String {
+        let moved = |line: &str| {
+            let numbers: Vec<f64> = line.split(' ').skip(1).map(|x| x.parse().unwrap()).collect();
+            format!("v {} {} {}\n", numbers[0] + x, numbers[1] + y, numbers[2] + z)
+        };
+        text.lines().filter(|line| line.starts_with('v')).map(moved).collect()
+    };
+    let faces =
+        "f 1 3 4\nf 1 4 2\nf 5 6 8\nf 5 8 7\nf 1 2 6\nf 1 6 5\nf 3 7 8\nf 3 8 4\nf 1 5 7\nf 1 7 3\nf 2 4 8\nf 2 8 6\n";
+    let more = faces.lines().map(|line| {
+        let numbers = line.split(' ').skip(1).map(|x| (x.parse::<u32>().unwrap() + 8).to_string());
+        format!("f {}\n", numbers.collect::<Vec<_>>().join(" "))
+    });
+    let (small, large) = (block([1.0; 3]), block([9.0; 3]));
+    let vertices =
+        |first: [f64; 3], second: [f64; 3], other: &String| at(large.clone(), first) + &at(other.clone(), second);
+    let faces = faces.to_owned() + &more.collect::<String>();
+    fs::write(home.path().join("a.obj"), vertices([0.0; 3], [20.0, 0.0, 0.0], &large) + &faces).unwrap();
+    fs::write(home.path().join("b.obj"), vertices([2.5, 2.5, -4.5], [3.0, 4.0, 5.0], &small) + &faces).unwrap();
+    let scene = "name = \"c\"\n[a]\nmesh = \"a.obj\"\n[b]\nmesh = \"b.obj\"\n[[pose]]\naxis = [1, 1, 1]\nangle_degrees = 0.25\n\
+        [[pose]]\ntranslation = [20, 0, 0.1]\n[[pose]]\ntranslation = [0, 0, 100]\n";
+    fs::write(home.path().join("c.toml"), scene).unwrap();
+    let rows = succeeds(home.path(), "scene pairs c.toml --containment");
+    let ends: Vec<&str> = rows.lines().skip(1).map(|row| row.split(',').next_back().unwrap()).collect();
+    assert_eq!(ends, ["\"a/0 touches b/0; b/1 in a/0\"", "\"a/1 touches b/0; b/1 in a/1\"", "\"\""]);
+    let cut = faces.lines().take(23).map(|line| format!("{line}\n")).collect::<String>();
+    fs::write(home.path().join("b.obj"), vertices([2.5, 2.5, -4.5], [3.0, 4.0, 5.0], &small) + &cut).unwrap();
+    let (status, output, errors) = efsat(home.path(), "scene pairs c.toml --containment", "2");
+    assert_eq!((status, output.as_str()), (Some(2), ""), "{errors}");
+    let expected = "error: c.toml: object b: the mesh is open: the edge of triangle 16 from 4 4 5 to 4 4 6 borders 1 triangles, expected \
+        an even number; --containment expects closed meshes\n";
+    assert_eq!(errors, expected);
+}
+
+/// Two cones tip to tip: every triangle of one touches every one of the other, which no filter decides.
+#[test]
+fn many_triangles_at_one_point_take_no_time() {
+    let home = tempfile::tempdir().unwrap();
+    let cone = |height: f64, count: u32| -> String {
+        let corner = |i: u32| {
+            let angle = std::f64::consts::TAU * f64::from(i) / f64::from(count);
+            format!("v {} {} {height}\n", angle.cos(), angle.sin())
+        };
+        let face = |i: u32| format!("f 1 {} {}\n", i + 2, (i + 1) % count + 2);
+        "v 0 0 0\n".to_owned() + &(0..count).map(corner).collect::<String>() + &(0..count).map(face).collect::<String>()
+    };
+    for (name, height) in [("up.obj", 1.0), ("down.obj", -1.0)] {
+        fs::write(home.path().join(name), cone(height, 300)).unwrap();
+    }
+    let pose = "[[pose]]\ntranslation = [0, 0, 0]\n[[pose]]\nmatrix = [0, -1, 0, 1, 0, 0, 0, 0, 1]\n";
+    let scene = format!("name = \"cones\"\n[a]\nmesh = \"up.obj\"\n[b]\nmesh = \"down.obj\"\n{pose}");
+    fs::write(home.path().join("cones.toml"), scene).unwrap();
+    let report = object(home.path(), "scene pairs cones.toml --json");
+    assert_eq!(report["total"]["touching"], 2 * 300 * 300);
 }
 
 /// The eight corners of a box as an OBJ file, with its twelve triangles.

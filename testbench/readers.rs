@@ -194,10 +194,10 @@ fn read_pairs(path: &Path) -> Result<(), String> {
     for params in [Params::default(), Params::of(Method::Determinants), Params::of(Method::Exact)] {
         let (golden, pose) = (Golden::new(&params), Pose::identity(&params));
         for points in pairs.iter().take(4) {
-            if let Host::Unit(pair) = loose_pair(points, &params) {
+            if let Host::Unit(pair) = loose_pair(points, &params).unwrap() {
                 golden.verdict(&pose, &pair);
             }
-            exact::pair(points);
+            exact::pair(points).unwrap();
         }
     }
     Ok(())
@@ -206,9 +206,9 @@ fn read_pairs(path: &Path) -> Result<(), String> {
 fn read_mesh(path: &Path) -> Result<(), String> {
     let read = mesh::read(path).map_err(text);
     let (mesh, findings) = mesh::survey(path).map_err(text)?;
-    assert!(!mesh.faces.is_empty() && (read.is_err() == (findings.left_out() > 0)), "{findings}");
-    let finite = mesh.vertices.iter().all(|vertex| vertex.iter().all(|x| x.is_finite()));
-    assert!(finite && mesh.faces.iter().flatten().all(|vertex| (*vertex as usize) < mesh.vertices.len()));
+    assert!(!mesh.faces().is_empty() && (read.is_err() == (findings.left_out() > 0)), "{findings}");
+    let finite = mesh.vertices().iter().all(|vertex| vertex.iter().all(|x| x.is_finite()));
+    assert!(finite && mesh.faces().iter().flatten().all(|vertex| (*vertex as usize) < mesh.vertices().len()));
     scene::Tree::new(&mesh);
     if let Some(grid) = mesh::Snapped::finest(&mesh, 131_071.0)
         && mesh::Snapped::most(&mesh) / grid < 2f64.powi(53)

@@ -85,7 +85,7 @@ fn projection_policies_are_in_order() {
 
 /// A pose as the oracle takes it.
 fn twelve(pose: &efsat::scene::Pose) -> (Matrix, [f64; 3]) {
-    (pose.rows(), pose.translation.into())
+    (pose.rows(), pose.translation().into())
 }
 
 /// The meetings of all frames.
@@ -107,7 +107,7 @@ fn disagreements(scene: &Scene) -> (usize, Vec<(usize, Faces)>) {
         let pairs = trees.pairs(&meeting);
         let differ = |&pair: &Faces| {
             let (a, b) = triangles(trees.meshes(&meeting), pair);
-            posed_relation(&a, &b, &m, &t) != linear_programme::posed_relation(&a, &b, &m, &t)
+            posed_relation(&a, &b, &m, &t).unwrap() != linear_programme::posed_relation(&a, &b, &m, &t).unwrap()
         };
         (pairs.len(), pairs.into_iter().filter(differ).map(|pair| (meeting.frame, pair)).collect::<Vec<_>>())
     };
@@ -174,16 +174,16 @@ impl Weaker {
 fn weaker_on_scene(scene: &Scene, params: &Params) -> Weaker {
     let golden = Golden::new(params);
     let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
-    let vertices = [a, b].map(|mesh| mesh.vertices.iter().map(|&v| v.into()).collect::<Vec<[f64; 3]>>());
-    let host = SceneHost::new(&vertices[0], &vertices[1], params);
+    let vertices = [a, b].map(|mesh| mesh.vertices().iter().map(|&v| v.into()).collect::<Vec<[f64; 3]>>());
+    let host = SceneHost::new(&vertices[0], &vertices[1], params).unwrap();
     let trees = scene.broad_phase();
     let in_pose = |meeting: Meeting| {
         let (m, t) = twelve(&meeting.pose);
-        let posed = host.pose(&m, &t);
-        let of_pair = |pair: Faces| match posed.pair(a.faces[pair.0 as usize], b.faces[pair.1 as usize]) {
+        let posed = host.pose(&m, &t).unwrap();
+        let of_pair = |pair: Faces| match posed.pair(a.faces()[pair.0 as usize], b.faces()[pair.1 as usize]) {
             Host::Unit(unit) => Weaker::of(&golden, &posed.pose, &unit, || {
                 let (a, b) = triangles([a, b], pair);
-                posed_relation(&a, &b, &m, &t).class
+                posed_relation(&a, &b, &m, &t).unwrap().class
             }),
             Host::Decided(_) => Weaker::default(),
         };
@@ -196,7 +196,7 @@ fn weaker_on_random_pairs(count: usize, params: &Params) -> Weaker {
     let golden = Golden::new(params);
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     let sets: Vec<[[f64; 3]; 6]> = (0..count).map(|_| random_points(&mut rng)).collect();
-    let of_pair = |points: &[[f64; 3]; 6]| match loose_pair(points, params) {
+    let of_pair = |points: &[[f64; 3]; 6]| match loose_pair(points, params).unwrap() {
         Host::Unit(pair) => Weaker::of(&golden, &Pose::identity(params), &pair, || relation(points).class),
         Host::Decided(_) => Weaker::default(),
     };

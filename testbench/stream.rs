@@ -298,21 +298,25 @@ fn the_driver_gets_exact_answers_through_the_wrapper() {
         .flat_map_iter(|(params, width)| {
             let bench = Bench::new(ghdl, params, *width);
             let driver = Driver::new(params, *width).unwrap();
-            let meshes = driver.meshes(&a, &b);
+            let meshes = driver.meshes(&a, &b).unwrap();
             // One run for two jobs, the second under a pose.
-            let (first, second) = (driver.loose(&loose), meshes.pose(&m, &t, &triangles));
+            let (first, second) = (driver.loose(&loose).unwrap(), meshes.pose(&m, &t, &triangles).unwrap());
             let words = [first.transfers(), second.transfers()].concat();
             let answers = bench.through(&words);
             let stand_in = StandIn::new(params, *width).unwrap().answer(&words);
             let (to_first, to_second) = answers.split_at(first.answers_due());
             let corners = |mesh: &[[f64; 3]], triangle: [u32; 3]| triangle.map(|i| mesh[i as usize]);
-            let posed = |(i, j): &([u32; 3], [u32; 3])| exact::posed_pair(&corners(&a, *i), &corners(&b, *j), &m, &t);
+            let posed =
+                |(i, j): &([u32; 3], [u32; 3])| exact::posed_pair(&corners(&a, *i), &corners(&b, *j), &m, &t).unwrap();
             let (first, second) = (first.finish(to_first).unwrap(), second.finish(to_second).unwrap());
             let used = [first.statistics, second.statistics];
             let all = |count: fn(&Statistics) -> usize| used.iter().map(count).sum::<usize>() > 0;
             let checks = [
                 ("the stand-in answers as the wrapper", stand_in == answers),
-                ("loose pairs", first.answers == loose.iter().map(exact::pair).collect::<Vec<Exact>>()),
+                (
+                    "loose pairs",
+                    first.answers == loose.iter().map(|points| exact::pair(points).unwrap()).collect::<Vec<Exact>>(),
+                ),
                 ("posed pairs", second.answers == triangles.iter().map(posed).collect::<Vec<Exact>>()),
                 ("separate by the unit", all(|s| s.unit_separate)),
                 ("intersecting by the unit", all(|s| s.unit_intersect) || params.width < 12),

@@ -12,6 +12,7 @@ use crate::host::{Host, Stage, loose_pair};
 use crate::params::{Method, Params, Truth};
 use crate::sample::random_points;
 use crate::scene::{Meeting, Scene};
+use crate::software::retest::retest;
 use indicatif::ProgressBar;
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
@@ -231,23 +232,33 @@ struct Classifier {
 }
 
 impl Classifier {
-    fn answer(&self, pose: &Pose, pair: &Host, exact: impl FnOnce() -> Relation) -> Answer {
+    /// The answer for a pair: of the unit, then of `retest` if it is open and `--retest` was given; and of the oracle.
+    fn answer(
+        &self,
+        pose: &Pose,
+        pair: &Host,
+        retest: impl FnOnce() -> Exact,
+        exact: impl FnOnce() -> Relation,
+    ) -> Answer {
         let (verdict, host_decided, open) = match pair {
             Host::Unit(pair) => (self.golden.verdict(pose, pair), false, self.golden.is_open(pose, pair)),
             Host::Decided(verdict) => (*verdict, true, false),
         };
         let retested = self.retest && verdict == Verdict::PossiblyIncorrect;
-        let exact = (self.exact || retested).then(exact);
-        let verdict = match exact {
-            Some(exact) if retested && exact.class == Exact::Separate => Verdict::Separate,
-            Some(_) if retested => Verdict::Intersect,
-            _ => verdict,
+        let verdict = match retested.then(retest) {
+            Some(Exact::Separate) => Verdict::Separate,
+            Some(Exact::Touch | Exact::Intersect) => Verdict::Intersect,
+            None => verdict,
         };
-        Answer { verdict, host_decided, open, retested, exact: exact.filter(|_| self.exact), truths_differ: None }
+        Answer { verdict, host_decided, open, retested, exact: self.exact.then(exact), truths_differ: None }
     }
 
     fn loose(&self, points: &[Points]) -> Vec<Answer> {
-        let one = |p: &Points| self.answer(&self.identity, &loose_pair(p, &self.params), || exact::relation(p));
+        const FINITE: &str = "pairs are finite";
+        let one = |p: &Points| {
+            let pair = loose_pair(p, &self.params).expect(FINITE);
+            self.answer(&self.identity, &pair, || retest(p).expect(FINITE), || exact::relation(p).expect(FINITE))
+        };
         points.par_iter().map(one).collect()
     }
 
@@ -279,7 +290,8 @@ impl Classifier {
             let host = posed.host();
             let answer = |&pair: &(u32, u32)| {
                 let [a, b] = posed.faces(pair);
-                let answer = self.answer(&host.pose, &host.pair(a, b), || posed.relation(pair));
+                let (retest, exact) = (|| posed.class(pair), || posed.relation(pair));
+                let answer = self.answer(&host.pose, &host.pair(a, b), retest, exact);
                 let differs =
                     |exact: Relation| (exact.class == Exact::Separate) != (posed.given(pair) == Exact::Separate);
                 let snapped = answer.exact.filter(|_| self.params.truth == Truth::Snapped);

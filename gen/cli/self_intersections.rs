@@ -136,7 +136,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (csv, pairs, picture) = (csv?, pairs?, picture?);
     let params = Params { width: arguments.width, ..Params::of(Method::Exact) };
     let checker = Checker::new(&mesh, &params, arguments.exact);
-    let bar = progress::bar("finding intersections", mesh.faces.len() as u64, "triangles", false);
+    let bar = progress::bar("finding intersections", mesh.faces().len() as u64, "triangles", false);
     let mut found = Found { csv, pairs, counts: [0; Kind::ALL.len()], effort: Effort::default(), drawn: vec![] };
     found.begin()?;
     checker.candidates(|pairs| {
@@ -163,8 +163,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let count = |kind: Kind| counts[kind as usize];
     let summary = Summary {
         mesh: arguments.mesh.display().to_string(),
-        triangles: mesh.faces.len(),
-        vertices: mesh.vertices.len(),
+        triangles: mesh.faces().len(),
+        vertices: mesh.vertices().len(),
         left_out: findings.left_out(),
         grid,
         width: arguments.width,
@@ -237,5 +237,6 @@ fn drawn(path: &Path, mesh: &Mesh, defects: &[Defect]) -> Picture {
             exact: Some(if defect.kind == Kind::Touching { Exact::Touch } else { Exact::Intersect }),
         })
         .collect();
-    Picture::new(&Scene::at_rest(name, vec![object]), 0, &contacts)
+    let scene = Scene::at_rest(name, vec![object]).expect("one object at rest");
+    Picture::new(&scene, 0, &contacts)
 }

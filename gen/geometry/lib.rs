@@ -3,6 +3,7 @@
 
 pub mod directions;
 pub mod exact;
+pub mod finite;
 #[cfg(feature = "scenes")]
 pub mod mesh;
 pub mod pair_file;
@@ -11,5 +12,7 @@ pub mod sample;
 pub mod scene;
 pub mod software;
 
-/// A pair of triangles: a0 a1 a2 b0 b1 b2, each x y z, finite.
+pub use finite::NotFinite;
+
+/// A pair of triangles: a0 a1 a2 b0 b1 b2, each x y z. What takes one refuses numbers that are not finite.
 pub type Points = [[f64; 3]; 6];

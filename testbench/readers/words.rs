@@ -40,7 +40,7 @@ static PAIRS: LazyLock<[[[f64; 3]; 6]; 2]> = LazyLock::new(|| {
 });
 
 fn job() -> engine::Job<'static, 'static> {
-    let pose = Pose { rotation: Matrix3::identity(), translation: Vector3::new(0.25, -0.5, -0.5) };
+    let pose = Pose::new(Matrix3::identity(), Vector3::new(0.25, -0.5, -0.5)).unwrap();
     OBJECTS.query([0, 1], &pose, Options { limit: 5000, ..Options::default() })
 }
 

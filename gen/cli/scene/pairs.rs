@@ -7,22 +7,21 @@ use crate::cli::output::{failure, print};
 use crate::cli::progress;
 use crate::cli::source::load_scene;
 use crate::exact::Exact;
-use crate::golden::{Golden, Verdict};
-use crate::host::{Host, Posed, ScenePose, Stage};
-use crate::mesh::Findings;
-use crate::params::Params;
+use crate::mesh::{Findings, Mesh};
 use crate::scene::hierarchy::{Directions, Forest, Scratch, Statistics, batches, first_hit};
-use crate::scene::{Frame, Meeting, Object, Scene};
+use crate::scene::{BroadPhase, Components, Frame, Meeting, Nesting, Object, Scene, nestings};
+use crate::software::retest::retest_posed;
 use rayon::prelude::*;
 use serde::Serialize;
+use std::collections::HashSet;
+use std::fmt;
 use std::io::{self, BufWriter, StdoutLock, Write};
 
 /// Finds the pairs of triangles that a tree of k-DOPs cannot tell apart, frame by frame, and those of them that touch
 ///
 /// The rows count, for each frame: pairs of objects whose boxes overlap (sort and sweep); overlap tests of two k-DOPs;
-/// k-DOPs of B brought to the frame of A; pairs of nodes visited; pairs of triangles tested; and pairs that have a
-/// common point, exactly. The pairs of triangles are tested by the reference model and, where that leaves it open,
-/// exactly.
+/// k-DOPs of B brought to the frame of A; pairs of nodes visited; pairs of triangles tested, in software; and pairs that
+/// have a common point, exactly. A solid inside another one touches nothing: --containment finds it.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// A scene: a TOML file, or `headlight` for the built-in one
@@ -34,6 +33,10 @@ pub(super) struct Arguments {
     /// Stop at the first pair of triangles that touch, in every meeting of two objects
     #[arg(long)]
     first_hit: bool,
+    /// Adds to each row which connected components of closed meshes lie inside each other or touch, exactly; refuses
+    /// open meshes
+    #[arg(long, conflicts_with_all = ["first_hit", "summary"])]
+    containment: bool,
     /// Print the mean and the greatest row of each distance instead of the rows
     #[arg(long, conflicts_with = "json")]
     summary: bool,
@@ -51,6 +54,26 @@ struct Row {
     distance: Option<f64>,
     #[serde(flatten)]
     counts: Counts,
+    /// Of components that are not apart.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    containment: Option<Vec<Nested>>,
+}
+
+/// How two components of two objects lie.
+#[derive(Clone, Debug, Serialize)]
+struct Nested {
+    a: String,
+    component_a: u32,
+    b: String,
+    component_b: u32,
+    relation: &'static str,
+}
+
+impl fmt::Display for Nested {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { a, component_a, b, component_b, relation } = self;
+        write!(f, "{a}/{component_a} {relation} {b}/{component_b}")
+    }
 }
 
 #[derive(Clone, Copy, Debug, Default, Serialize)]
@@ -86,55 +109,92 @@ struct ObjectReport<'a> {
     name: &'a str,
     triangles: usize,
     findings: &'a Findings,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    components: Option<usize>,
 }
 
 /// What finds the pairs and tests them.
 struct Search<'a> {
-    stage: Stage<'a>,
     scene: &'a Scene,
+    broad_phase: BroadPhase<'a>,
     forest: Forest,
-    golden: Golden,
     first_hit: bool,
+    /// Those of the objects, if they are asked for.
+    components: Option<Vec<Components>>,
 }
 
 impl Search<'_> {
     fn row(&self, frame: usize, scratch: &mut Scratch) -> Row {
-        let meetings = self.stage.broad_phase.meetings(frame);
-        let counts = meetings.iter().fold(Counts::default(), |sum, meeting| sum.plus(&self.meeting(meeting, scratch)));
+        let mut counts = Counts::default();
+        let mut containment = self.components.as_ref().map(|_| vec![]);
+        for meeting in self.broad_phase.meetings(frame) {
+            let (found, nested) = self.meeting(&meeting, scratch);
+            counts = counts.plus(&found);
+            containment.iter_mut().for_each(|all| all.extend(nested.iter().cloned()));
+        }
         let Frame { label, distance, .. } = self.scene.frame(frame);
-        Row { frame, label, distance, counts }
+        Row { frame, label, distance, counts, containment }
     }
 
-    fn meeting(&self, meeting: &Meeting, scratch: &mut Scratch) -> Counts {
+    fn meeting(&self, meeting: &Meeting, scratch: &mut Scratch) -> (Counts, Vec<Nested>) {
         let [a, b] = self.forest.trees(meeting);
-        let posed = self.stage.posed(meeting);
-        let host = posed.host();
-        let touch = |pair: (u32, u32)| self.touch(&posed, &host, pair);
-        let (statistics, touching) = if self.first_hit {
+        let meshes = self.broad_phase.meshes(meeting);
+        let (m, t) = (meeting.pose.rows(), meeting.pose.translation().into());
+        let touch = |(p, q): (u32, u32)| {
+            let [p, q] = [(meshes[0], p), (meshes[1], q)].map(|(mesh, face)| corners(mesh, face));
+            retest_posed(&p, &q, &m, &t).expect("meshes and poses are finite") != Exact::Separate
+        };
+        if self.first_hit {
             let (hit, statistics) = first_hit(a, b, &meeting.pose, scratch, touch);
-            (statistics, u64::from(hit.is_some()))
-        } else {
+            return (Counts { meetings: 1, statistics, touching: u64::from(hit.is_some()) }, vec![]);
+        }
+        let Some(components) = self.components.as_ref().map(|all| [&all[meeting.a], &all[meeting.b]]) else {
             let mut touching = 0;
             let count = |pairs: &[(u32, u32)]| pairs.par_iter().filter(|pair| touch(**pair)).count() as u64;
             let statistics = batches(a, b, &meeting.pose, scratch, |pairs| touching += count(pairs));
-            (statistics, touching)
+            return (Counts { meetings: 1, statistics, touching }, vec![]);
         };
-        Counts { meetings: 1, statistics, touching }
+        let mut touching = 0;
+        let mut met = HashSet::new();
+        let statistics = batches(a, b, &meeting.pose, scratch, |pairs| {
+            let hits: Vec<&(u32, u32)> = pairs.par_iter().filter(|pair| touch(**pair)).collect();
+            touching += hits.len() as u64;
+            met.extend(hits.iter().map(|(p, q)| (components[0].of(*p), components[1].of(*q))));
+        });
+        let inside = nestings(meshes, components, &meeting.pose, &met).into_iter();
+        let mut nested: Vec<((u32, u32), Option<Nesting>)> =
+            inside.map(|(pair, nesting)| (pair, Some(nesting))).collect();
+        nested.extend(met.into_iter().map(|pair| (pair, None)));
+        nested.sort_unstable_by_key(|(pair, _)| *pair);
+        let named = |(pair, nesting)| self.nested(meeting, pair, nesting);
+        (Counts { meetings: 1, statistics, touching }, nested.into_iter().map(named).collect())
     }
 
-    /// Whether two triangles have a common point. A definite verdict of the reference model is right.
-    fn touch(&self, posed: &Posed<'_>, host: &ScenePose<'_>, pair: (u32, u32)) -> bool {
-        let [a, b] = posed.faces(pair);
-        let verdict = match host.pair(a, b) {
-            Host::Unit(unit) => self.golden.verdict(&host.pose, &unit),
-            Host::Decided(verdict) => verdict,
+    /// How two components lie, that inside named first.
+    fn nested(&self, meeting: &Meeting, (p, q): (u32, u32), nesting: Option<Nesting>) -> Nested {
+        let [a, b] =
+            [(meeting.a, p), (meeting.b, q)].map(|(object, part)| (self.scene.objects[object].name.clone(), part));
+        let (relation, ((a, component_a), (b, component_b))) = match nesting {
+            None => ("touches", (a, b)),
+            Some(Nesting::AInB) => ("in", (a, b)),
+            Some(Nesting::BInA) => ("in", (b, a)),
         };
-        match verdict {
-            Verdict::Separate => false,
-            Verdict::Intersect => true,
-            Verdict::PossiblyIncorrect => posed.relation(pair).class != Exact::Separate,
-        }
+        Nested { a, component_a, b, component_b, relation }
     }
+}
+
+fn corners(mesh: &Mesh, face: u32) -> [[f64; 3]; 3] {
+    mesh.triangle(face as usize).map(<[f64; 3]>::from)
+}
+
+/// The components of the meshes of all objects.
+fn components(file: &str, scene: &Scene) -> Result<Vec<Components>, Failure> {
+    let of = |object: &Object| {
+        let legal = "--containment expects closed meshes";
+        Components::new(&object.mesh)
+            .map_err(|e| Failure::Usage(format!("{file}: object {}: {e}; {legal}", object.name)))
+    };
+    scene.objects.iter().map(of).collect()
 }
 
 /// Takes rows in the order of the frames.
@@ -145,25 +205,30 @@ enum Sink {
 }
 
 impl Sink {
-    fn new(arguments: &Arguments, scene: &Scene) -> Result<Self, Failure> {
+    fn new(arguments: &Arguments, search: &Search<'_>) -> Result<Self, Failure> {
+        let scene = search.scene;
         if arguments.summary {
             return Ok(Self::Summary(Summary::new(Counts::COLUMNS)));
         }
         let mut out = BufWriter::new(io::stdout().lock());
         if arguments.json {
-            let object = |object: &Object| {
-                let report =
-                    ObjectReport { name: &object.name, triangles: object.mesh.faces.len(), findings: &object.findings };
-                json(&report)
+            let object = |(number, object): (usize, &Object)| {
+                json(&ObjectReport {
+                    name: &object.name,
+                    triangles: object.mesh.faces().len(),
+                    findings: &object.findings,
+                    components: search.components.as_ref().map(|all| all[number].len()),
+                })
             };
-            let objects: Vec<String> = scene.objects.iter().map(object).collect();
+            let objects: Vec<String> = scene.objects.iter().enumerate().map(object).collect();
             let (name, k, objects) = (json(&scene.name), arguments.k.count(), objects.join(","));
             let first_hit = arguments.first_hit;
             write!(out, r#"{{"scene":{name},"k":{k},"first_hit":{first_hit},"objects":[{objects}],"frames":["#)
                 .map_err(failure)?;
             return Ok(Self::Json(out, false));
         }
-        writeln!(out, "frame,label,{}", Counts::COLUMNS.join(",")).map_err(failure)?;
+        let more = if arguments.containment { ",containment" } else { "" };
+        writeln!(out, "frame,label,{}{more}", Counts::COLUMNS.join(",")).map_err(failure)?;
         Ok(Self::Csv(out))
     }
 
@@ -176,8 +241,13 @@ impl Sink {
             }
             Self::Csv(out) => {
                 let numbers = row.counts.list().map(|count| count.to_string()).join(",");
-                let label = row.label.replace('"', "\"\"");
-                writeln!(out, "{},\"{label}\",{numbers}", row.frame).map_err(failure)?;
+                let quoted = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+                write!(out, "{},{},{numbers}", row.frame, quoted(&row.label)).map_err(failure)?;
+                if let Some(list) = &row.containment {
+                    let list: Vec<String> = list.iter().map(Nested::to_string).collect();
+                    write!(out, ",{}", quoted(&list.join("; "))).map_err(failure)?;
+                }
+                writeln!(out).map_err(failure)?;
             }
         }
         Ok(())
@@ -200,17 +270,17 @@ fn json(value: &impl Serialize) -> String {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let scene = load_scene(&arguments.file)?;
-    let params = Params::default();
+    let components = arguments.containment.then(|| components(&arguments.file, &scene)).transpose()?;
     let search = Search {
-        stage: Stage::new(&scene, &params),
         scene: &scene,
+        broad_phase: scene.broad_phase(),
         forest: Forest::new(&scene, arguments.k),
-        golden: Golden::new(&params),
         first_hit: arguments.first_hit,
+        components,
     };
     let frames = scene.frames();
     let bar = progress::bar("finding pairs", frames as u64, "poses", !arguments.summary);
-    let mut sink = Sink::new(arguments, &scene)?;
+    let mut sink = Sink::new(arguments, &search)?;
     let mut total = Counts::default();
     // Some frames at a time, so that memory does not grow with their number.
     let batch = 4 * rayon::current_num_threads();

@@ -75,7 +75,7 @@ fn filter_ns(points: &[Points]) -> f64 {
 
 /// Name, description, answer, and how it is timed if not one by one.
 fn rungs() -> Vec<(&'static str, &'static str, Answer, Option<Batch>)> {
-    let test = |test: Test| -> Answer { Box::new(move |points| Some(test.intersect(points))) };
+    let test = |test: Test| -> Answer { Box::new(move |points| test.intersect(points).ok()) };
     let filter = || -> Answer { Box::new(|points| decide(points).map(|answer| answer != Exact::Separate)) };
     vec![
         ("f32", "11 separating axes in binary32", test(Test::SeparatingAxes11F32), None),
@@ -90,7 +90,12 @@ fn rungs() -> Vec<(&'static str, &'static str, Answer, Option<Batch>)> {
         ("predicates", "exact orientation predicates, adaptive", test(Test::RobbinsWhitesides), None),
         ("retest", "filter, then predicates, then integers: adaptive and exact", test(Test::Retest), None),
         ("retest, batch", "the same, several pairs at a time", test(Test::Retest), Some(batch_ns)),
-        ("rational", "integers of any length", Box::new(|points| Some(exact::pair(points) != Exact::Separate)), None),
+        (
+            "rational",
+            "integers of any length",
+            Box::new(|points| exact::pair(points).ok().map(|x| x != Exact::Separate)),
+            None,
+        ),
     ]
 }
 
@@ -102,7 +107,7 @@ impl Ladder {
         let timed: Vec<Points> = places.iter().map(|&place| pairs.points(place as usize)).collect();
         let apart = |place: usize| pairs.relation(place).class == Exact::Separate;
         let changed =
-            |&place: &u32| (exact::pair(&pairs.points(place as usize)) == Exact::Separate) != apart(place as usize);
+            |&place: &u32| (exact::pair(&pairs.points(place as usize)) == Ok(Exact::Separate)) != apart(place as usize);
         let rung = |(name, about, answer, batch): (&str, &str, Answer, Option<Batch>)| {
             let one = |&place: &u32| match answer(&pairs.points(place as usize)) {
                 None => [0, 0, 1],

@@ -15,6 +15,9 @@ use sha2::{Digest, Sha256};
 use std::collections::HashMap;
 use std::ops::Range;
 
+/// Why no number is refused.
+const FINITE: &str = "meshes and poses are finite";
+
 /// The most pairs that are kept: 24 bytes each.
 pub const MOST: u64 = 1 << 24;
 
@@ -71,7 +74,7 @@ impl<'a> Pairs<'a> {
     /// A scene with too many pairs, if all are asked for.
     pub fn draw(scene: &'a Scene, amount: Amount, seed: u64) -> Result<Self, TooMany> {
         let (meshes, _) = scene.meshes();
-        let points = |mesh: &&Mesh| mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect();
+        let points = |mesh: &&Mesh| mesh.vertices().iter().map(|v| [v.x, v.y, v.z]).collect();
         let vertices: Vec<Vec<[f64; 3]>> = meshes.iter().map(points).collect();
         let broad_phase = scene.broad_phase();
         let mut reservoir = Reservoir::new(amount, seed);
@@ -91,7 +94,7 @@ impl<'a> Pairs<'a> {
             let meeting = meetings[group[0].meeting as usize].clone();
             met.push(Met {
                 m: meeting.pose.rows(),
-                t: meeting.pose.translation.into(),
+                t: meeting.pose.translation().into(),
                 meeting,
                 range: begin..begin + group.len(),
             });
@@ -126,12 +129,12 @@ impl<'a> Pairs<'a> {
 
     fn relation_of(&self, met: &Met, pair: usize) -> Relation {
         let [a, b] = self.corners(met, pair);
-        exact::posed_relation(&a, &b, &met.m, &met.t)
+        exact::posed_relation(&a, &b, &met.m, &met.t).expect(FINITE)
     }
 
     fn vertices_of(&self, met: &Met, pair: usize) -> [[u32; 3]; 2] {
         let (a, b) = self.faces[pair];
-        [self.meshes[met.meeting.meshes[0]].faces[a as usize], self.meshes[met.meeting.meshes[1]].faces[b as usize]]
+        [self.meshes[met.meeting.meshes[0]].faces()[a as usize], self.meshes[met.meeting.meshes[1]].faces()[b as usize]]
     }
 
     /// The vertices of a pair as in the meshes, each triangle in its own frame.
@@ -175,7 +178,9 @@ impl<'a> Asked<'a> {
     pub fn new(pairs: &'a Pairs<'a>, params: &Params) -> Self {
         let mut hosts = HashMap::new();
         for &[a, b] in pairs.met.iter().map(|met| &met.meeting.meshes) {
-            hosts.entry([a, b]).or_insert_with(|| SceneHost::new(&pairs.vertices[a], &pairs.vertices[b], params));
+            hosts
+                .entry([a, b])
+                .or_insert_with(|| SceneHost::new(&pairs.vertices[a], &pairs.vertices[b], params).expect(FINITE));
         }
         Self { pairs, golden: Golden::new(params), hosts }
     }
@@ -183,7 +188,7 @@ impl<'a> Asked<'a> {
     /// What `answer` makes of every pair, in order.
     pub fn all<T: Send>(&self, answer: impl Fn(Verdict, bool) -> T + Sync) -> Vec<T> {
         let of = |met: &Met| {
-            let posed = self.hosts[&met.meeting.meshes].pose(&met.m, &met.t);
+            let posed = self.hosts[&met.meeting.meshes].pose(&met.m, &met.t).expect(FINITE);
             let one = |pair| {
                 let [a, b] = self.pairs.vertices_of(met, pair);
                 match posed.pair(a, b) {
@@ -199,7 +204,7 @@ impl<'a> Asked<'a> {
     /// A pair as the unit reads it, and the pose; the pair alone if the host decides it.
     pub fn inputs(&self, pair: usize) -> (Pose, Host) {
         let met = self.pairs.met(pair);
-        let posed = self.hosts[&met.meeting.meshes].pose(&met.m, &met.t);
+        let posed = self.hosts[&met.meeting.meshes].pose(&met.m, &met.t).expect(FINITE);
         let [a, b] = self.pairs.vertices_of(met, pair);
         (posed.pose, posed.pair(a, b))
     }
@@ -279,14 +284,14 @@ pub fn digest(scene: &Scene) -> String {
     let mut hash = Sha256::new();
     let (meshes, mesh_of) = scene.meshes();
     for mesh in meshes {
-        hash.update((mesh.vertices.len() as u64).to_le_bytes());
-        mesh.vertices.iter().flat_map(|v| v.iter()).for_each(|x| hash.update(x.to_le_bytes()));
-        mesh.faces.iter().flatten().for_each(|vertex| hash.update(vertex.to_le_bytes()));
+        hash.update((mesh.vertices().len() as u64).to_le_bytes());
+        mesh.vertices().iter().flat_map(|v| v.iter()).for_each(|x| hash.update(x.to_le_bytes()));
+        mesh.faces().iter().flatten().for_each(|vertex| hash.update(vertex.to_le_bytes()));
     }
     mesh_of.iter().for_each(|mesh| hash.update((*mesh as u64).to_le_bytes()));
     for frame in 0..scene.frames() {
         for pose in scene.frame(frame).poses {
-            pose.rotation.iter().chain(pose.translation.iter()).for_each(|x| hash.update(x.to_le_bytes()));
+            pose.rotation().iter().chain(pose.translation().iter()).for_each(|x| hash.update(x.to_le_bytes()));
         }
     }
     hex(hash)

@@ -113,7 +113,7 @@ impl Census {
 
     /// Counts the pose of a meeting, of which one surviving pair is given.
     fn pose(&mut self, stage: &Stage<'_>, meeting: &Meeting, pair: (u32, u32)) {
-        if meeting.pose.rotation != Matrix3::identity() {
+        if meeting.pose.rotation() != Matrix3::identity() {
             self.rotations += 1;
             return;
         }
@@ -162,7 +162,7 @@ impl<'a> Extent<'a> {
     fn prepare(&mut self) {
         if self.moved.is_empty() {
             let [a, b] = self.meshes;
-            self.moved = b.vertices.iter().map(|v| self.meeting.pose.image(v)).collect();
+            self.moved = b.vertices().iter().map(|v| self.meeting.pose.image(v)).collect();
             let reach = a.bounds().half_size().max(b.bounds().half_size());
             self.domain = 2.0 * reach.log2().ceil().exp2();
         }
@@ -171,7 +171,7 @@ impl<'a> Extent<'a> {
     /// The shortest side of the box of a pair; infinite if none counts.
     fn of(&self, pair: (u32, u32)) -> f64 {
         let [a, b] = self.meshes;
-        let corners = b.faces[pair.1 as usize].map(|v| self.moved[v as usize]);
+        let corners = b.faces()[pair.1 as usize].map(|v| self.moved[v as usize]);
         let bounds = efsat_geometry::mesh::Bounds::of(a.triangle(pair.0 as usize).iter().chain(&corners));
         let sides = (bounds.max - bounds.min) / self.domain;
         sides.iter().copied().filter(|side| *side >= self.ulp).fold(f64::INFINITY, f64::min)

@@ -32,7 +32,7 @@ impl<'a> Front<'a> {
         let survivors = Survivors::new(scene, software.broad_phase, software.hierarchy.then_some(directions));
         let (meshes, mesh_of) = scene.meshes();
         let flags = |mesh: &&efsat_geometry::mesh::Mesh| {
-            let mut flags = vec![false; mesh.faces.len()];
+            let mut flags = vec![false; mesh.faces().len()];
             mesh.degenerate().into_iter().for_each(|face| flags[face] = true);
             flags
         };

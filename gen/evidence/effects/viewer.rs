@@ -168,8 +168,8 @@ impl<'a, 'b> Viewer<'a, 'b> {
         let first = (0..self.frames.len()).rev().max_by_key(|i| touching(&self.frames[*i])).unwrap_or(0);
         let (meshes, mesh_of) = scene.meshes();
         let mesh = |mesh: &&efsat_geometry::mesh::Mesh| Mesh {
-            vertices: mesh.vertices.iter().flat_map(|v| [v.x as f32, v.y as f32, v.z as f32]).collect(),
-            faces: mesh.faces.iter().flatten().copied().collect(),
+            vertices: mesh.vertices().iter().flat_map(|v| [v.x as f32, v.y as f32, v.z as f32]).collect(),
+            faces: mesh.faces().iter().flatten().copied().collect(),
         };
         let kind = |mark: Mark| {
             let [red, green, blue] = mark.colour();
@@ -212,7 +212,7 @@ impl<'a, 'b> Viewer<'a, 'b> {
 }
 
 fn numbers(pose: &Pose) -> [f64; 12] {
-    let (m, t) = (&pose.rotation, &pose.translation);
+    let (m, t) = (pose.rotation(), pose.translation());
     std::array::from_fn(|i| if i < 9 { m[(i / 3, i % 3)] } else { t[i - 9] })
 }
 

@@ -19,6 +19,9 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 
+/// Why no number is refused.
+const FINITE: &str = "the pairs are finite";
+
 /// Cases of each family in a block, which is what a line of the log holds.
 pub const BLOCK: u64 = 1 << 14;
 /// One case of so many of a family is decided by the oracle too.
@@ -174,7 +177,7 @@ impl Read {
     fn new(pairs: &[Points], params: &Params) -> Self {
         let mut read = Self::default();
         for (i, points) in pairs.iter().enumerate() {
-            read.pairs.push(match loose_pair(points, params) {
+            read.pairs.push(match loose_pair(points, params).expect(FINITE) {
                 Host::Unit(pair) => pair,
                 Host::Decided(verdict) => {
                     read.decided.push((i, verdict));
@@ -242,7 +245,7 @@ impl Soak {
     fn share(&self, family: &Family, first: u64) -> (Tally, Vec<String>) {
         let pairs: Vec<Points> = (first..first + SHARE).map(|index| family.case(self.seed, index).0).collect();
         let mut truths = vec![];
-        retest_batch(&pairs, &mut truths);
+        retest_batch(&pairs, &mut truths).expect(FINITE);
         let (mut tally, mut faults) = (Tally::default(), vec![]);
         truths.iter().for_each(|truth| tally.count(*truth));
         let mut checked: Vec<usize> = (0..pairs.len()).filter(|i| (first + *i as u64).is_multiple_of(SAMPLE)).collect();
@@ -268,7 +271,8 @@ impl Soak {
         checked.dedup();
         for i in checked {
             tally.checked += 1;
-            let (facets, programme) = (exact::relation(&pairs[i]), linear_programme::relation(&pairs[i]));
+            let (facets, programme) =
+                (exact::relation(&pairs[i]).expect(FINITE), linear_programme::relation(&pairs[i]).expect(FINITE));
             if facets != programme || facets.class != truths[i] {
                 tally.disagreements += 1;
                 let index = first + i as u64;

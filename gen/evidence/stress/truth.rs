@@ -3,8 +3,11 @@
 use super::posed::Posed;
 use efsat_geometry::Points;
 use efsat_geometry::exact::{self, Exact, Relation, linear_programme};
-use efsat_geometry::software::retest::retest;
+use efsat_geometry::software::retest::{retest, retest_posed};
 use std::fmt;
+
+/// Why no number is refused.
+const FINITE: &str = "cases are finite";
 
 /// What each formulation says.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -13,8 +16,8 @@ pub struct Answers {
     pub facets: Relation,
     /// Its linear programme.
     pub programme: Relation,
-    /// The software retest, which takes pairs in one frame only.
-    pub retest: Option<Exact>,
+    /// The software retest.
+    pub retest: Exact,
 }
 
 impl Answers {
@@ -25,23 +28,22 @@ impl Answers {
 
     /// Whether all say the same.
     pub fn agree(&self) -> bool {
-        self.facets == self.programme && self.retest.is_none_or(|answer| answer == self.class())
+        self.facets == self.programme && self.retest == self.class()
     }
 }
 
 impl fmt::Display for Answers {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "facets {}, linear programme {}", self.facets, self.programme)?;
-        self.retest.map_or(Ok(()), |answer| write!(f, ", retest {answer}"))
+        write!(f, "facets {}, linear programme {}, retest {}", self.facets, self.programme, self.retest)
     }
 }
 
 /// All formulations for a pair in one frame.
 pub(super) fn loose(points: &Points) -> Answers {
     Answers {
-        facets: exact::relation(points),
-        programme: linear_programme::relation(points),
-        retest: Some(retest(points)),
+        facets: exact::relation(points).expect(FINITE),
+        programme: linear_programme::relation(points).expect(FINITE),
+        retest: retest(points).expect(FINITE),
     }
 }
 
@@ -49,8 +51,8 @@ pub(super) fn loose(points: &Points) -> Answers {
 pub(super) fn posed(posed: &Posed) -> Answers {
     let Posed { a, b, motion } = posed;
     Answers {
-        facets: exact::posed_relation(a, b, &motion.m, &motion.t),
-        programme: linear_programme::posed_relation(a, b, &motion.m, &motion.t),
-        retest: None,
+        facets: exact::posed_relation(a, b, &motion.m, &motion.t).expect(FINITE),
+        programme: linear_programme::posed_relation(a, b, &motion.m, &motion.t).expect(FINITE),
+        retest: retest_posed(a, b, &motion.m, &motion.t).expect(FINITE),
     }
 }

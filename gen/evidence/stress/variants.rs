@@ -160,8 +160,8 @@ mod tests {
         let orders = (0..ORDERS).map(|order| Variant::Written { order, turn: 0 });
         let bits = |v: Variant| v.of(&POINTS).map(|p| p.map(|x| (x + 0.0).to_bits()));
         assert_eq!(turns.chain(orders).map(bits).collect::<BTreeSet<_>>().len(), TURNS + ORDERS - 1);
-        let expected = exact::pair(&POINTS);
-        assert!(all.iter().all(|v| exact::pair(&v.of(&POINTS)) == expected));
+        let expected = exact::pair(&POINTS).unwrap();
+        assert!(all.iter().all(|v| exact::pair(&v.of(&POINTS)).unwrap() == expected));
     }
 
     #[test]

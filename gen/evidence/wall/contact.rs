@@ -153,7 +153,7 @@ mod tests {
     fn all_are_contacts() {
         for contact in &CONTACTS {
             let expected = if contact.name == "face-on-face" { Exact::Intersect } else { Exact::Touch };
-            assert_eq!(exact::pair(&contact.points()), expected, "{}", contact.name);
+            assert_eq!(exact::pair(&contact.points()).unwrap(), expected, "{}", contact.name);
             assert_eq!(Contact::named(contact.name), Some(contact));
         }
         assert_eq!(Contact::named("vertex"), None);

@@ -8,6 +8,9 @@ use efsat_unit::host::{Host, loose_pair};
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 
+/// Why no number is refused.
+const FINITE: &str = "the pairs are finite";
+
 /// The answers that appear on maps.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Answer {
@@ -55,7 +58,7 @@ impl Map {
     /// What the unit answers.
     pub fn verdicts(grid: &Grid, params: &Params) -> Self {
         let (golden, identity) = (Golden::new(params), Pose::identity(params));
-        Self::of(grid, |points| match loose_pair(points, params) {
+        Self::of(grid, |points| match loose_pair(points, params).expect(FINITE) {
             Host::Unit(pair) => golden.verdict(&identity, &pair).into(),
             Host::Decided(verdict) => verdict.into(),
         })
@@ -63,12 +66,13 @@ impl Map {
 
     /// What is true.
     pub fn exact(grid: &Grid) -> Self {
-        Self::of(grid, |points| exact::pair(points).into())
+        Self::of(grid, |points| exact::pair(points).expect(FINITE).into())
     }
 
     /// What a test in software answers; it knows `separate` and `intersect` alone.
     pub fn software(grid: &Grid, test: software::Test) -> Self {
-        Self::of(grid, |points| if test.intersect(points) { Answer::Intersect } else { Answer::Separate })
+        let answer = |meets| if meets { Answer::Intersect } else { Answer::Separate };
+        Self::of(grid, |points| answer(test.intersect(points).expect(FINITE)))
     }
 
     /// A map by row and column.

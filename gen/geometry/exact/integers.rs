@@ -4,9 +4,9 @@ use num_bigint::BigInt;
 
 use super::{Relation, minkowski};
 
-/// `mantissa * 2^exponent`, the mantissa odd or zero.
+/// `mantissa * 2^exponent`.
 #[derive(Clone, Debug)]
-struct Scaled {
+pub(crate) struct Scaled {
     mantissa: BigInt,
     exponent: i64,
 }
@@ -56,25 +56,47 @@ pub(super) fn decide(points: &[[f64; 3]; 6]) -> Relation {
 
 /// Decides the pair of A and the image of B, exactly.
 pub(super) fn decide_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Relation {
-    let exact = |x: &[f64; 3]| x.map(Scaled::from);
-    let (m, t) = (m.map(|row| exact(&row)), exact(t));
-    let image = |x: &[f64; 3]| {
-        let x = exact(x);
+    let motion = Motion::new(m, t);
+    let [a, b] = [a.map(|x| x.map(Scaled::from)), b.map(|x| motion.image(&x))];
+    let ([a0, a1, a2], [b0, b1, b2]) = (a, b);
+    from_a0([a0, a1, a2, b0, b1, b2])
+}
+
+/// x to M * x + t, exactly.
+pub(crate) struct Motion {
+    m: [[Scaled; 3]; 3],
+    t: [Scaled; 3],
+}
+
+impl Motion {
+    /// By a matrix, indexed `[row][column]`, and a translation.
+    pub fn new(m: &[[f64; 3]; 3], t: &[f64; 3]) -> Self {
+        Self { m: m.map(|row| row.map(Scaled::from)), t: t.map(Scaled::from) }
+    }
+
+    /// The image of a point.
+    pub fn image(&self, x: &[f64; 3]) -> [Scaled; 3] {
+        let x = x.map(Scaled::from);
         [0, 1, 2].map(|i| {
-            let terms: Vec<Scaled> = (0..3).map(|j| m[i][j].times(&x[j])).chain([t[i].clone()]).collect();
+            let terms: Vec<Scaled> = (0..3).map(|j| self.m[i][j].times(&x[j])).chain([self.t[i].clone()]).collect();
             let grid = grid(&terms);
             Scaled { mantissa: terms.iter().map(|term| term.at(grid)).sum(), exponent: grid }
         })
-    };
-    from_a0([exact(&a[0]), exact(&a[1]), exact(&a[2]), image(&b[0]), image(&b[1]), image(&b[2])])
+    }
 }
 
 /// Decides points relative to a0, which makes the numbers of a small pair far from the origin small.
 fn from_a0(points: [[Scaled; 3]; 6]) -> Relation {
-    let grid = grid(points.as_flattened());
-    let points = points.map(|point| point.map(|x| x.at(grid)));
-    let relative = |point: &[BigInt; 3]| [0, 1, 2].map(|i| &point[i] - &points[0][i]);
-    minkowski::decide(&[0, 1, 2, 3, 4, 5].map(|i| relative(&points[i])))
+    minkowski::decide(&relative(&points[0], &points))
+}
+
+/// Points relative to one of them, in units of one power of two.
+pub(super) fn relative<const COUNT: usize>(
+    origin: &[Scaled; 3],
+    points: &[[Scaled; 3]; COUNT],
+) -> [[BigInt; 3]; COUNT] {
+    let grid = grid(points.as_flattened()).min(grid(origin));
+    points.each_ref().map(|point| [0, 1, 2].map(|i| point[i].at(grid) - origin[i].at(grid)))
 }
 
 /// The least exponent of numbers other than zero.

@@ -30,19 +30,33 @@ use num_traits::float::FloatCore;
 
 use super::tableau::Tableau;
 use super::{Exact, Relation};
+use crate::finite::{self, NotFinite};
 
 /// Every finite binary64 number is an integer multiple of 2^-UNIT.
 const UNIT: i32 = 1075;
 
 type Point = [BigInt; 3];
 
-/// Decides the pair a0 a1 a2 b0 b1 b2 of finite points.
-pub fn relation(points: &[[f64; 3]; 6]) -> Relation {
-    solve(&points.map(|point| point.map(integer)))
+/// Decides the pair a0 a1 a2 b0 b1 b2.
+///
+/// # Errors
+/// If a number is not finite.
+pub fn relation(points: &[[f64; 3]; 6]) -> Result<Relation, NotFinite> {
+    finite::pair(points)?;
+    Ok(solve(&points.map(|point| point.map(integer))))
 }
 
-/// Decides the pair of A and the image of B under x to M * x + t, all numbers finite; `m` is indexed `[row][column]`.
-pub fn posed_relation(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Relation {
+/// Decides the pair of A and the image of B under x to M * x + t; `m` is indexed `[row][column]`.
+///
+/// # Errors
+/// If a number is not finite.
+pub fn posed_relation(
+    a: &[[f64; 3]; 3],
+    b: &[[f64; 3]; 3],
+    m: &[[f64; 3]; 3],
+    t: &[f64; 3],
+) -> Result<Relation, NotFinite> {
+    finite::posed(a, b, m, t)?;
     // A product of two numbers comes in squares of the unit, so single numbers are written in those as well.
     let fine = |x: f64| integer(x) << UNIT;
     let m = m.map(|row| row.map(integer));
@@ -50,7 +64,7 @@ pub fn posed_relation(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t
         let x = x.map(integer);
         [0, 1, 2].map(|i| fine(t[i]) + &m[i][0] * &x[0] + &m[i][1] * &x[1] + &m[i][2] * &x[2])
     };
-    solve(&[a[0].map(fine), a[1].map(fine), a[2].map(fine), image(&b[0]), image(&b[1]), image(&b[2])])
+    Ok(solve(&[a[0].map(fine), a[1].map(fine), a[2].map(fine), image(&b[0]), image(&b[1]), image(&b[2])]))
 }
 
 /// A finite number in units of 2^-UNIT.

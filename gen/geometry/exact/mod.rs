@@ -8,12 +8,20 @@
 mod integers;
 pub mod linear_programme;
 mod minkowski;
+#[cfg(feature = "scenes")]
+mod parity;
 mod round;
 mod tableau;
 #[cfg(test)]
 mod tests;
 
+#[cfg(feature = "scenes")]
+pub(crate) use integers::{Motion, Scaled};
+#[cfg(feature = "scenes")]
+pub(crate) use parity::crosses;
 pub use round::ceiling;
+
+use crate::finite::{self, NotFinite};
 
 use std::fmt;
 
@@ -55,22 +63,53 @@ impl fmt::Display for Relation {
     }
 }
 
-/// Decides the pair a0 a1 a2 b0 b1 b2 of finite points.
-pub fn relation(points: &[[f64; 3]; 6]) -> Relation {
-    integers::decide(points)
+/// Decides the pair a0 a1 a2 b0 b1 b2. It checks the faster [`retest`](crate::software::retest::retest), which is what programs
+/// ask.
+///
+/// # Errors
+/// If a number is not finite.
+pub fn relation(points: &[[f64; 3]; 6]) -> Result<Relation, NotFinite> {
+    finite::pair(points)?;
+    Ok(integers::decide(points))
 }
 
-/// Decides the pair of A and the image of B under x to M * x + t, all numbers finite; `m` is indexed `[row][column]`.
-pub fn posed_relation(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Relation {
-    integers::decide_posed(a, b, m, t)
+/// Decides the pair of A and the image of B under x to M * x + t; `m` is indexed `[row][column]`. It checks the faster
+/// [`retest_posed`](crate::software::retest::retest_posed), which is what programs ask.
+///
+/// # Errors
+/// If a number is not finite.
+pub fn posed_relation(
+    a: &[[f64; 3]; 3],
+    b: &[[f64; 3]; 3],
+    m: &[[f64; 3]; 3],
+    t: &[f64; 3],
+) -> Result<Relation, NotFinite> {
+    finite::posed(a, b, m, t)?;
+    Ok(integers::decide_posed(a, b, m, t))
 }
 
 /// The class of [`relation`].
-pub fn pair(points: &[[f64; 3]; 6]) -> Exact {
-    relation(points).class
+///
+/// # Errors
+/// If a number is not finite.
+pub fn pair(points: &[[f64; 3]; 6]) -> Result<Exact, NotFinite> {
+    relation(points).map(|relation| relation.class)
 }
 
 /// The class of [`posed_relation`].
-pub fn posed_pair(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
-    posed_relation(a, b, m, t).class
+///
+/// # Errors
+/// If a number is not finite.
+pub fn posed_pair(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Exact, NotFinite> {
+    posed_relation(a, b, m, t).map(|relation| relation.class)
+}
+
+/// [`pair`] of numbers that are known to be finite.
+pub(crate) fn decide(points: &[[f64; 3]; 6]) -> Exact {
+    integers::decide(points).class
+}
+
+/// [`posed_pair`] of numbers that are known to be finite.
+pub(crate) fn decide_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
+    integers::decide_posed(a, b, m, t).class
 }

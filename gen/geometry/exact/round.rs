@@ -7,12 +7,16 @@ use num_traits::ToPrimitive;
 /// Numbers of at most this many bits, of which there are at most 2^6, add up inside `i128`.
 const SMALL: i64 = 120;
 
-/// The least whole number not below 2^power times the sum of the numbers, if 64 bits hold it. Nothing is rounded before.
+/// The least whole number not below 2^power times the sum of the numbers, if 64 bits hold it: none if a number is not finite.
+/// Nothing is rounded before.
 ///
 /// # Panics
-/// If there are more than 64 numbers. All of them have to be finite.
+/// If there are more than 64 numbers.
 pub fn ceiling(numbers: &[f64], power: i32) -> Option<i64> {
     assert!(numbers.len() <= 64, "{} numbers", numbers.len());
+    if !numbers.iter().all(|x| x.is_finite()) {
+        return None;
+    }
     let parts = || numbers.iter().map(|&x| split(x)).filter(|(mantissa, _)| *mantissa != 0);
     let parts = || parts().map(|(mantissa, exponent)| (mantissa, exponent + i64::from(power)));
     // The last place of the sum, and the length of the longest number in it.
@@ -48,5 +52,6 @@ mod tests {
         assert_eq!(ceiling(&[2f64.powi(62), 2f64.powi(62)], 0), None);
         assert_eq!(ceiling(&[-(2f64.powi(62)), -(2f64.powi(62))], 0), Some(i64::MIN));
         assert_eq!(ceiling(&[1e300], 100), None);
+        assert_eq!([f64::NAN, f64::INFINITY].map(|x| ceiling(&[1.0, x], 0)), [None; 2]);
     }
 }

@@ -13,7 +13,7 @@ const ORDERS: [[usize; 3]; 6] = [[0, 1, 2], [0, 2, 1], [1, 0, 2], [1, 2, 0], [2,
 
 /// What both formulations say.
 fn agreed(points: &Points) -> Relation {
-    let [first, second] = [relation(points), linear_programme::relation(points)];
+    let [first, second] = [relation(points), linear_programme::relation(points)].map(Result::unwrap);
     assert_eq!(first, second, "{points:?}");
     first
 }
@@ -21,7 +21,8 @@ fn agreed(points: &Points) -> Relation {
 /// What both formulations say under a pose.
 fn agreed_posed(points: &Points, m: &Matrix, t: &[f64; 3]) -> Relation {
     let (a, b) = ([points[0], points[1], points[2]], [points[3], points[4], points[5]]);
-    let [first, second] = [posed_relation(&a, &b, m, t), linear_programme::posed_relation(&a, &b, m, t)];
+    let [first, second] =
+        [posed_relation(&a, &b, m, t), linear_programme::posed_relation(&a, &b, m, t)].map(Result::unwrap);
     assert_eq!(first, second, "{points:?} {m:?} {t:?}");
     first
 }

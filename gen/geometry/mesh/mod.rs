@@ -20,20 +20,69 @@ pub use error::MeshError;
 pub use findings::{Defect, Finding, Findings};
 pub use snapped::Snapped;
 
+use crate::finite::{NotFinite, Place};
 use error::Fault;
 use nalgebra::Point3;
 use std::path::Path;
 
-/// A triangle mesh with shared vertices, in the units of its file.
+/// A triangle mesh with shared vertices, in the units of its file. Its coordinates are finite and its indices are those of vertices:
+/// what takes a mesh need not look again.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Mesh {
-    /// Vertices; each of the three numbers is finite.
-    pub vertices: Vec<Point3<f64>>,
-    /// Triangles, as three indices into `vertices`.
-    pub faces: Vec<[u32; 3]>,
+    vertices: Vec<Point3<f64>>,
+    faces: Vec<[u32; 3]>,
+}
+
+/// Why a mesh cannot be made.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum InvalidMesh {
+    /// A coordinate that is infinite or no number.
+    #[error(transparent)]
+    NotFinite(#[from] NotFinite),
+    /// A triangle of a vertex that there is not.
+    #[error("triangle {face}: vertex {vertex}; expected one of {count} vertices, counted from 0")]
+    OutOfRange {
+        /// The triangle, counted from 0.
+        face: usize,
+        /// The vertex that it names.
+        vertex: u32,
+        /// How many vertices there are.
+        count: usize,
+    },
 }
 
 impl Mesh {
+    /// A mesh of vertices, and of triangles as three indices into these, counted from 0.
+    ///
+    /// # Errors
+    /// The first coordinate that is not finite, or the first triangle with an index out of range.
+    pub fn new(vertices: Vec<Point3<f64>>, faces: Vec<[u32; 3]>) -> Result<Self, InvalidMesh> {
+        for (vertex, point) in vertices.iter().enumerate() {
+            if let Some(axis) = (0..3).find(|&axis| !point[axis].is_finite()) {
+                return Err(NotFinite { place: Place::Vertex { vertex, axis }, value: point[axis] }.into());
+            }
+        }
+        let count = vertices.len();
+        for (face, corners) in faces.iter().enumerate() {
+            if let Some(&vertex) = corners.iter().find(|&&vertex| vertex as usize >= count) {
+                return Err(InvalidMesh::OutOfRange { face, vertex, count });
+            }
+        }
+        Ok(Self { vertices, faces })
+    }
+
+    /// The vertices.
+    #[inline]
+    pub fn vertices(&self) -> &[Point3<f64>] {
+        &self.vertices
+    }
+
+    /// The triangles, as three indices into the vertices.
+    #[inline]
+    pub fn faces(&self) -> &[[u32; 3]] {
+        &self.faces
+    }
+
     /// The three corners of triangle `face`.
     ///
     /// # Panics

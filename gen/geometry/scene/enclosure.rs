@@ -2,6 +2,7 @@
 
 use super::Pose;
 use crate::mesh::Bounds;
+use crate::software::affine::radius;
 use nalgebra::{Point3, Vector3};
 
 /// A box that surely holds the real point `m * x + t`.
@@ -20,15 +21,11 @@ pub(super) fn image(x: &Point3<f64>, pose: &Pose) -> Bounds {
     Bounds { min: bound(-1.0).into(), max: bound(1.0).into() }
 }
 
-/// r for S.
-fn radius(size: f64) -> f64 {
-    if size < f64::MAX / 4.0 { size * 2f64.powi(-50) + f64::MIN_POSITIVE } else { f64::INFINITY }
-}
-
 /// How far [`Pose::image`] is from the real point at most, in each coordinate, for points whose coordinates are at most as great as
 /// those of `reach`. It sums in the same way, and twice the radius makes up for roundings of `reach`.
 pub(super) fn error(reach: &Vector3<f64>, pose: &Pose) -> f64 {
-    2.0 * radius((pose.rotation.abs() * reach + pose.translation.abs()).max())
+    // A reach that overflows, times an entry of 0, is no number, which `max` may lose: the radius is taken first, and is infinite.
+    2.0 * (pose.rotation.abs() * reach + pose.translation.abs()).map(radius).max()
 }
 
 /// A box that surely holds the image of a box: an affine map keeps convex hulls, so the boxes of the corners do.

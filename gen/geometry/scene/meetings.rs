@@ -33,7 +33,8 @@ impl<'a> Meetings<'a> {
         let Frame { poses, .. } = self.scene.frame(frame);
         let meeting = |(a, b): (usize, usize)| {
             let meshes = [a, b].map(|object| self.mesh_of[object]);
-            Meeting { frame, a, b, meshes, pose: poses[a].seen(&poses[b]) }
+            let pose = poses[a].seen(&poses[b]).expect("the poses of a scene can be seen from each other");
+            Meeting { frame, a, b, meshes, pose }
         };
         choose(&poses).into_iter().map(meeting).collect()
     }

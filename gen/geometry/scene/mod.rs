@@ -6,6 +6,8 @@
 //! otherwise they are computed from both poses in binary64 ([`Pose::seen`]).
 
 mod broad_phase;
+mod check;
+mod containment;
 mod enclosure;
 mod file;
 pub mod hierarchy;
@@ -21,6 +23,8 @@ mod trajectory;
 mod tree;
 
 pub use broad_phase::{BroadPhase, Meeting};
+pub use check::InvalidScene;
+pub use containment::{Components, Nesting, OpenEdge, nestings};
 pub use file::{SceneError, load};
 pub use pose::Pose;
 pub use survivors::Survivors;

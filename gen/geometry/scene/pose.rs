@@ -1,19 +1,39 @@
 //! Poses: where an object stands, and the ways to say it.
 
+use crate::finite::{self, NotFinite};
 use crate::mesh::angle::sin_cos_degrees;
 use nalgebra::{Matrix3, Point3, Vector3};
 
 /// Where an object stands: `x_world = rotation * x + translation`, in the units of the scene; the twelve doubles are
-/// the truth, and the matrix need not be perfectly orthonormal.
+/// the truth, and the matrix need not be perfectly orthonormal. They are finite: what takes a pose need not look again.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {
-    /// The matrix.
-    pub rotation: Matrix3<f64>,
-    /// The translation.
-    pub translation: Vector3<f64>,
+    // Made in other ways only by the motions of a scene, which looks at all its frames when it is made.
+    pub(super) rotation: Matrix3<f64>,
+    pub(super) translation: Vector3<f64>,
 }
 
 impl Pose {
+    /// The pose of a matrix, which may be any, and a translation.
+    ///
+    /// # Errors
+    /// The first number that is not finite.
+    pub fn new(rotation: Matrix3<f64>, translation: Vector3<f64>) -> Result<Self, NotFinite> {
+        let pose = Self { rotation, translation };
+        finite::pose(&pose.rows(), &translation.into())?;
+        Ok(pose)
+    }
+
+    /// The matrix.
+    pub fn rotation(&self) -> Matrix3<f64> {
+        self.rotation
+    }
+
+    /// The translation.
+    pub fn translation(&self) -> Vector3<f64> {
+        self.translation
+    }
+
     /// As in the mesh file.
     pub fn identity() -> Self {
         Self { rotation: Matrix3::identity(), translation: Vector3::zeros() }
@@ -21,9 +41,12 @@ impl Pose {
 
     /// The pose of `other` as seen from an object in this pose, with the transpose for the inverse of this rotation,
     /// computed in binary64. Seen from the identity it is `other` itself, bit for bit but for the signs of zeros.
-    pub fn seen(&self, other: &Self) -> Self {
+    ///
+    /// # Errors
+    /// If a number of the result is too great for binary64.
+    pub fn seen(&self, other: &Self) -> Result<Self, NotFinite> {
         let back = self.rotation.transpose();
-        Self { rotation: back * other.rotation, translation: back * (other.translation - self.translation) }
+        Self::new(back * other.rotation, back * (other.translation - self.translation))
     }
 
     /// The matrix, indexed `[row][column]`.

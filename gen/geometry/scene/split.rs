@@ -34,10 +34,10 @@ impl Item {
 /// The nodes of a tree over the triangles of a mesh.
 pub(super) fn nodes(mesh: &Mesh) -> Vec<Node> {
     let item = |(triangle, face): (u32, &[u32; 3])| {
-        let bounds = Bounds::of(face.map(|v| &mesh.vertices[v as usize]));
+        let bounds = Bounds::of(face.map(|v| &mesh.vertices()[v as usize]));
         Item { triangle, bounds, centre: bounds.centre() }
     };
-    let mut items: Vec<Item> = (0..).zip(&mesh.faces).map(item).collect();
+    let mut items: Vec<Item> = (0..).zip(mesh.faces()).map(item).collect();
     let mut nodes = Vec::with_capacity(2 * items.len());
     if !items.is_empty() {
         split(&mut items, HEIGHT, &mut nodes);
@@ -53,7 +53,7 @@ pub(super) fn offsets(nodes: &[Node], mesh: &Mesh, of_vertices: &[i32], k: usize
         for index in 0..k {
             offsets[node * k + index] = match *kind {
                 Node::Leaf(triangle) => {
-                    let [p, q, r] = mesh.faces[triangle as usize].map(|v| of_vertices[v as usize * k + index]);
+                    let [p, q, r] = mesh.faces()[triangle as usize].map(|v| of_vertices[v as usize * k + index]);
                     p.max(q).max(r)
                 }
                 Node::Inner(right) => offsets[(node + 1) * k + index].max(offsets[right as usize * k + index]),
@@ -133,7 +133,7 @@ mod tests {
             .flat_map(|x| [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|[y, z]| Point3::new(x, 0.1 * y, 0.1 * z)))
             .collect();
         let faces = (0..vertices.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
-        Mesh { vertices, faces }
+        Mesh::new(vertices, faces).unwrap()
     }
 
     /// The triangles below a node in their order, and how far below it the deepest is.
@@ -153,17 +153,17 @@ mod tests {
     fn every_triangle_is_a_leaf_and_none_is_too_deep() {
         // Each place is far beyond all before it, so that without a bound the tree would be a list.
         let doubling = row((0..500).map(|i| 2f64.powi(i)));
-        let at_one_point = Mesh { vertices: vec![Point3::origin()], faces: vec![[0; 3]; 1000] };
+        let at_one_point = Mesh::new(vec![Point3::origin()], vec![[0; 3]; 1000]).unwrap();
         let beyond_areas = row((0..64).map(|i| 1e300 * f64::from(i)));
         for (mesh, least, most) in
             [(&doubling, 25, HEIGHT), (&at_one_point, 10, 10), (&beyond_areas, 6, 6), (&headlight(), 13, 25)]
         {
             let nodes = nodes(mesh);
             let (mut triangles, height) = leaves(&nodes, 0);
-            assert_eq!(nodes.len(), 2 * mesh.faces.len() - 1);
+            assert_eq!(nodes.len(), 2 * mesh.faces().len() - 1);
             assert!((least..=most).contains(&height), "{height}");
             triangles.sort_unstable();
-            assert!(triangles.into_iter().eq(0..mesh.faces.len() as u32));
+            assert!(triangles.into_iter().eq(0..mesh.faces().len() as u32));
         }
         assert!(nodes(&Mesh::default()).is_empty());
     }

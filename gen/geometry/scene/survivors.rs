@@ -42,7 +42,7 @@ impl<'a> Survivors<'a> {
 
     /// All pairs of triangles of a meeting, whether they survive or not.
     pub fn all_pairs(&self, meeting: &Meeting) -> u64 {
-        [meeting.a, meeting.b].map(|object| self.scene.objects[object].mesh.faces.len() as u64).iter().product()
+        [meeting.a, meeting.b].map(|object| self.scene.objects[object].mesh.faces().len() as u64).iter().product()
     }
 
     /// Calls `visit` with the surviving pairs of a meeting in ascending order, in one piece or several.
@@ -51,7 +51,7 @@ impl<'a> Survivors<'a> {
             let [a, b] = forest.trees(meeting);
             return pieces(a, b, &meeting.pose, scratch, visit);
         }
-        let [a, b] = [meeting.a, meeting.b].map(|object| self.scene.objects[object].mesh.faces.len() as u32);
+        let [a, b] = [meeting.a, meeting.b].map(|object| self.scene.objects[object].mesh.faces().len() as u32);
         let rows = MOST.div_ceil(b.max(1) as usize) as u32;
         for start in (0..a).step_by(rows as usize) {
             let block: Vec<(u32, u32)> =

@@ -41,7 +41,7 @@ fn the_default_scene_is_its_file() {
 fn a_mesh_against_itself_tumbles_like_the_default_scene() {
     let mesh = Mesh::clone(&mesh::headlight());
     assert_eq!(
-        Scene::against_itself("headlight", mesh, Scene::STEPS, &Scene::DISTANCES),
+        Scene::against_itself("headlight", mesh, Scene::STEPS, &Scene::DISTANCES).unwrap(),
         Scene::default_scene(),
         "scenes/headlight.toml has other steps, distances or another direction"
     );
@@ -64,7 +64,7 @@ fn the_centres_of_a_tumbling_turn_are_at_the_distance() {
 #[test]
 fn the_second_scene_is_read() {
     let scene = load(&scene_folder().join("bolt_nut.toml")).unwrap();
-    let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.faces.len());
+    let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.faces().len());
     assert_eq!((a, b, scene.frames()), (9320, 4218, 9));
 }
 
@@ -266,12 +266,13 @@ fn no_meeting_of_turned_objects_is_missed() {
         let found = sweep::overlapping(&boxes, &poses);
         for i in 0..count {
             for j in i + 1..count {
-                let seen = poses[i].seen(&poses[j]);
+                let seen = poses[i].seen(&poses[j]).unwrap();
                 let m = [0, 1, 2].map(|r| [0, 1, 2].map(|c| seen.rotation[(r, c)]));
                 let corners = |mesh: &Mesh, face: usize| mesh.triangle(face).map(<[f64; 3]>::from);
                 let touch = (0..4).any(|k| {
                     let (x, y) = (corners(&meshes[i], k / 2), corners(&meshes[j], k % 2));
-                    crate::exact::posed_pair(&x, &y, &m, &seen.translation.into()) != crate::exact::Exact::Separate
+                    crate::exact::posed_pair(&x, &y, &m, &seen.translation.into()).unwrap()
+                        != crate::exact::Exact::Separate
                 });
                 assert!(!touch || found.contains(&(i, j)), "round {round}: {i} and {j}");
                 met += usize::from(touch);
@@ -370,14 +371,14 @@ fn exact_boxes(mesh: &Mesh, pose: &Pose) -> Vec<[(BigInt, BigInt); 3]> {
         (least, greatest)
     };
     let corners = |face: usize, i: usize| mesh.triangle(face).map(|x| row(i, &x));
-    (0..mesh.faces.len()).map(|face| [0, 1, 2].map(|i| side(corners(face, i)))).collect()
+    (0..mesh.faces().len()).map(|face| [0, 1, 2].map(|i| side(corners(face, i)))).collect()
 }
 
 /// A mesh of `count` triangles with corners on a coarse grid, so that boxes often touch exactly.
 fn random_mesh(rng: &mut ChaCha8Rng, count: u32, scale: f64) -> Mesh {
     let mut corner = || Point3::from([0; 3].map(|_| f64::from(rng.random_range(-8..=8)) * scale));
     let vertices = (0..3 * count).map(|_| corner()).collect();
-    Mesh { vertices, faces: (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect() }
+    Mesh::new(vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).unwrap()
 }
 
 #[test]
@@ -422,9 +423,9 @@ fn the_tree_agrees_with_brute_force_on_the_headlight() {
     let meetings = (6 * 360..7 * 360).step_by(20).flat_map(|frame| broad_phase.meetings(frame));
     let meeting = meetings.max_by_key(|meeting| broad_phase.pairs(meeting).len()).unwrap();
     let [fixed, tumbling] = broad_phase.meshes(&meeting);
-    let vertices = tumbling.vertices.iter().map(|v| meeting.pose.image(v)).collect();
-    let moved = Mesh { vertices, faces: tumbling.faces.clone() };
-    let boxes = |mesh: &Mesh| (0..mesh.faces.len()).map(|i| mesh::Bounds::of(&mesh.triangle(i))).collect::<Vec<_>>();
+    let vertices = tumbling.vertices().iter().map(|v| meeting.pose.image(v)).collect();
+    let moved = Mesh::new(vertices, tumbling.faces().to_vec()).unwrap();
+    let boxes = |mesh: &Mesh| (0..mesh.faces().len()).map(|i| mesh::Bounds::of(&mesh.triangle(i))).collect::<Vec<_>>();
     let (a, b) = (boxes(fixed), boxes(&moved));
     // Every fifth triangle of A: the rest would only cost time.
     let tested = |p: usize| p.is_multiple_of(5);
@@ -480,14 +481,15 @@ fn pairs_that_are_too_many_come_in_pieces() {
     use std::convert::Infallible;
     // Triangles at one place, and some beside them: the former all meet, and the boxes of the latter meet some.
     let mut mesh = random_mesh(&mut ChaCha8Rng::seed_from_u64(9), 40, 1.0);
-    mesh.faces.extend(vec![[0, 1, 2]; 260]);
+    let faces = mesh.faces().iter().copied().chain(vec![[0, 1, 2]; 260]).collect();
+    mesh = Mesh::new(mesh.vertices().to_vec(), faces).unwrap();
     let tree = Tree::new(&mesh);
     let pose = Pose { rotation: Matrix3::identity(), translation: Vector3::repeat(0.5) };
     let all = Candidates::new(&tree, &tree, &pose);
     assert!(all.few().is_none());
     let (mut found, mut calls) = (vec![], 0);
     let Ok(()) = all.pieces(|pairs| {
-        assert!(pairs.len() < pieces::MOST + mesh.faces.len());
+        assert!(pairs.len() < pieces::MOST + mesh.faces().len());
         found.extend_from_slice(pairs);
         calls += 1;
         Ok::<(), Infallible>(())
@@ -495,7 +497,7 @@ fn pairs_that_are_too_many_come_in_pieces() {
     assert!(calls > 1 && found.len() > 260 * 260 && found.windows(2).all(|two| two[0] < two[1]));
     let boxes = [&Pose::identity(), &pose].map(|pose| exact_boxes(&mesh, pose));
     let meets = |p: usize, q: usize| boxes[0][p].iter().zip(&boxes[1][q]).all(|(x, y)| x.0 <= y.1 && y.0 <= x.1);
-    let triangles = mesh.faces.len();
+    let triangles = mesh.faces().len();
     let meeting = (0..triangles).flat_map(|p| (0..triangles).map(move |q| (p, q))).filter(|(p, q)| meets(*p, *q));
     assert_eq!(meeting.map(|(p, q)| (p as u32, q as u32)).collect::<Vec<_>>(), found, "each once, and no others");
 }

@@ -26,7 +26,7 @@ impl<'a> Tree<'a> {
     /// Builds the tree, split by the surface area heuristic.
     pub fn new(mesh: &'a Mesh) -> Self {
         let mut tree = Self { mesh, nodes: nodes(mesh), boxes: Vec::new() };
-        tree.boxes = tree.fit(&mesh.vertices.iter().map(|&v| Bounds { min: v, max: v }).collect::<Vec<_>>());
+        tree.boxes = tree.fit(&mesh.vertices().iter().map(|&v| Bounds { min: v, max: v }).collect::<Vec<_>>());
         tree
     }
 
@@ -35,7 +35,7 @@ impl<'a> Tree<'a> {
         let mut boxes = vec![Bounds::empty(); self.nodes.len()];
         for (index, node) in self.nodes.iter().enumerate().rev() {
             boxes[index] = match *node {
-                Node::Leaf(triangle) => self.mesh.faces[triangle as usize]
+                Node::Leaf(triangle) => self.mesh.faces()[triangle as usize]
                     .iter()
                     .fold(Bounds::empty(), |b, &v| b.union(&vertices[v as usize])),
                 Node::Inner(right) => boxes[index + 1].union(&boxes[right as usize]),
@@ -58,7 +58,7 @@ pub struct Candidates<'a> {
 impl<'a> Candidates<'a> {
     /// Brings the boxes of B to A's frame.
     pub fn new(a: &'a Tree<'a>, b: &'a Tree<'a>, pose: &Pose) -> Self {
-        let boxes = b.fit(&b.mesh.vertices.iter().map(|v| image(v, pose)).collect::<Vec<_>>());
+        let boxes = b.fit(&b.mesh.vertices().iter().map(|v| image(v, pose)).collect::<Vec<_>>());
         Self { a, b, boxes }
     }
 

@@ -82,9 +82,14 @@ const SHUFFLED: usize = 4;
 /// Lanes of the widest vector.
 const WIDEST: usize = 8;
 
-/// The answer for a pair a0 a1 a2 b0 b1 b2 of finite points, if it is certain; never `Touch`.
+/// The answer for a pair a0 a1 a2 b0 b1 b2, if it is certain; never `Touch`. Of numbers that are not finite nothing is.
 pub fn decide(points: &[[f64; 3]; 6]) -> Option<Exact> {
-    answer(evidence(Scalar, points, 0.0))
+    decide_off(points, 0.0)
+}
+
+/// The same for points b0 b1 b2 that are off by at most `error` in each coordinate.
+pub(super) fn decide_off(points: &[[f64; 3]; 6], error: f64) -> Option<Exact> {
+    answer(evidence(Scalar, points, error / U))
 }
 
 /// The answers for pairs as by [`decide`], several at a time where the processor has vectors for it.
@@ -192,6 +197,10 @@ fn evidence<S: Simd>(simd: S, points: &[Vector<S>; 6], wider: f64) -> S::f64s {
     let least = simd.splat_f64s((1.0 / GREATEST).max(16.0 * U * wider));
     let long = simd.greater_than_or_equal_f64s(simd.min_f64s(length_a, length_b), least);
     let legal = simd.and_m64s(long, simd.less_than_or_equal_f64s(reach, simd.splat_f64s(GREATEST)));
+    // The greater one of NaN and another number may be either. A sum with a term that is not finite is not finite.
+    let finite =
+        simd.less_than_f64s(simd.abs_f64s(sum(simd, &[e[0], e[1], f[0], f[1], d])), simd.splat_f64s(f64::INFINITY));
+    let legal = simd.and_m64s(legal, finite);
     let (near_a, near_b) = (simd.mul_f64s(length_a, reach), simd.mul_f64s(length_b, reach));
 
     let normal = cross(simd, &e[0], &e[1]);
@@ -283,6 +292,14 @@ fn minor<S: Simd>(simd: S, a: &Vector<S>, b: &Vector<S>, i: usize, j: usize) -> 
 #[inline(always)]
 fn dot<S: Simd>(simd: S, a: &Vector<S>, b: &Vector<S>) -> S::f64s {
     simd.mul_add_e_f64s(a[2], b[2], simd.mul_add_e_f64s(a[1], b[1], simd.mul_f64s(a[0], b[0])))
+}
+
+/// The sum of all components.
+#[inline(always)]
+fn sum<S: Simd>(simd: S, vectors: &[Vector<S>; 5]) -> S::f64s {
+    let add = |a, b| simd.add_f64s(a, b);
+    let [p, q, r, s, t] = vectors.map(|v| add(add(v[0], v[1]), v[2]));
+    add(add(add(p, q), add(r, s)), t)
 }
 
 /// The greatest magnitude of a component.

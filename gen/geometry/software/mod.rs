@@ -5,6 +5,7 @@
 //! [`robbins_whitesides`] is exact where no product leaves the range of binary64, [`retest`] everywhere: it is what becomes
 //! of pairs that the unit calls possibly incorrect.
 
+pub(crate) mod affine;
 mod guigue_devillers;
 mod held;
 pub mod interval_axes;
@@ -19,6 +20,7 @@ mod vector;
 
 use crate::Points;
 use crate::exact::Exact;
+use crate::finite::{self, NotFinite};
 
 /// The tests.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -84,7 +86,8 @@ impl Test {
             Self::Held => ("held", HELD, held::intersect),
             Self::GuigueDevillers => ("guigue-devillers", GUIGUE_DEVILLERS, guigue_devillers::intersect),
             Self::RobbinsWhitesides => ("robbins-whitesides", ROBBINS_WHITESIDES, robbins_whitesides::intersect),
-            Self::Retest => ("retest", RETEST, |points| retest::retest(points) != Exact::Separate),
+            // What is not finite has been refused.
+            Self::Retest => ("retest", RETEST, |points| retest::retest(points).is_ok_and(|x| x != Exact::Separate)),
         }
     }
 
@@ -99,7 +102,11 @@ impl Test {
     }
 
     /// Whether the closed triangles have a common point, as this test sees it.
-    pub fn intersect(self, points: &Points) -> bool {
-        self.row().2(points)
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn intersect(self, points: &Points) -> Result<bool, NotFinite> {
+        finite::pair(points)?;
+        Ok(self.row().2(points))
     }
 }

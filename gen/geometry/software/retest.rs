@@ -5,11 +5,17 @@
 //! determinants ([`robbins_whitesides`]), which decide all pairs whose products neither
 //! underflow nor overflow; and integers of any length ([`exact::pair`]). Every stage is exact where
 //! it answers, so the order changes the time and never the answer.
+//!
+//! Where B is moved by a pose, the filter is told what the rounded image may be off by. What it leaves is decided as a pair of points if
+//! the image is exact, and by integers if it is not.
+//!
+//! Numbers that are not finite never pass the filter, so that only what it leaves is looked at.
 
 use rayon::prelude::*;
 
-use super::{interval_axes, robbins_whitesides};
+use super::{affine, interval_axes, robbins_whitesides};
 use crate::exact::{self, Exact};
+use crate::finite::{self, NotFinite};
 
 /// Pairs filtered at a time: small enough to stay in the first cache.
 const BLOCK: usize = 64;
@@ -18,39 +24,95 @@ const SHARE: usize = 64 * BLOCK;
 
 /// How the closed triangles a0 a1 a2 and b0 b1 b2 lie to each other, exactly: any finite coordinates, segments, points
 /// and coplanar triangles included.
-pub fn retest(points: &[[f64; 3]; 6]) -> Exact {
-    interval_axes::decide(points).unwrap_or_else(|| close(points))
+///
+/// # Errors
+/// If a number is not finite.
+pub fn retest(points: &[[f64; 3]; 6]) -> Result<Exact, NotFinite> {
+    match interval_axes::decide(points) {
+        Some(answer) => Ok(answer),
+        None => close(points),
+    }
+}
+
+/// How a triangle A and the image of B under x to M * x + t lie to each other, as [`retest`] says it of points; `m` is indexed
+/// `[row][column]`. The image is not rounded.
+///
+/// # Errors
+/// If a number is not finite.
+pub fn retest_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Exact, NotFinite> {
+    finite::posed(a, b, m, t)?;
+    let ([b0, b1, b2], error) = affine::rounded(b, m, t);
+    let certain = interval_axes::decide_off(&[a[0], a[1], a[2], b0, b1, b2], error);
+    Ok(certain.unwrap_or_else(|| close_posed(a, b, m, t)))
 }
 
 /// Appends the answers of [`retest`] for many pairs, several times as fast.
-pub fn retest_batch(pairs: &[[[f64; 3]; 6]], answers: &mut Vec<Exact>) {
+///
+/// # Errors
+/// If a number is not finite; then nothing is appended.
+pub fn retest_batch(pairs: &[[[f64; 3]; 6]], answers: &mut Vec<Exact>) -> Result<(), NotFinite> {
+    let before = answers.len();
     answers.reserve(pairs.len());
     let mut certain = [None; BLOCK];
-    for block in pairs.chunks(BLOCK) {
+    let mut refused = None;
+    for (number, block) in pairs.chunks(BLOCK).enumerate() {
         let certain = &mut certain[..block.len()];
         interval_axes::decide_batch(block, certain);
-        answers.extend(block.iter().zip(certain).map(|(points, answer)| answer.unwrap_or_else(|| close(points))));
+        let answer = |(place, (points, answer)): (usize, (_, &mut Option<Exact>))| {
+            answer.unwrap_or_else(|| {
+                close(points).unwrap_or_else(|e| {
+                    refused.get_or_insert(e.of_pair(number * BLOCK + place));
+                    Exact::Separate
+                })
+            })
+        };
+        answers.extend(block.iter().zip(certain).enumerate().map(answer));
+        if let Some(refused) = refused {
+            answers.truncate(before);
+            return Err(refused);
+        }
     }
+    Ok(())
 }
 
 /// The answers of [`retest`] in the order of the pairs, by all threads of the current pool.
-pub fn retest_parallel(pairs: &[[[f64; 3]; 6]]) -> Vec<Exact> {
+///
+/// # Errors
+/// If a number is not finite: the first that is not.
+pub fn retest_parallel(pairs: &[[[f64; 3]; 6]]) -> Result<Vec<Exact>, NotFinite> {
     let mut answers = vec![Exact::Separate; pairs.len()];
-    answers.par_chunks_mut(SHARE).zip(pairs.par_chunks(SHARE)).for_each_init(Vec::new, |found, (answers, pairs)| {
+    let shares = answers.par_chunks_mut(SHARE).zip(pairs.par_chunks(SHARE)).enumerate();
+    let one = |found: &mut Vec<Exact>, (number, (answers, pairs)): (usize, (&mut [Exact], &[[[f64; 3]; 6]]))| {
         found.clear();
-        retest_batch(pairs, found);
+        retest_batch(pairs, found).map_err(|e| e.of_pair(number * SHARE))?;
         answers.copy_from_slice(found);
-    });
-    answers
+        Ok(())
+    };
+    // Of two errors that of the earlier share stays.
+    shares.map_init(Vec::new, one).reduce(|| Ok(()), Result::and)?;
+    Ok(answers)
 }
 
-/// Decides a pair that is too close to contact for the filter.
+/// Decides a pair that is too close to contact for the filter, or not finite.
 #[cold]
-fn close(points: &[[f64; 3]; 6]) -> Exact {
+fn close(points: &[[f64; 3]; 6]) -> Result<Exact, NotFinite> {
+    finite::pair(points)?;
+    Ok(close_points(points))
+}
+
+fn close_points(points: &[[f64; 3]; 6]) -> Exact {
     if boxes_apart(points) {
         return Exact::Separate;
     }
-    robbins_whitesides::decide(points).unwrap_or_else(|| exact::pair(points))
+    robbins_whitesides::decide(points).unwrap_or_else(|| exact::decide(points))
+}
+
+/// Decides a pair under a pose, all numbers finite, that is too close to contact for a filter that knows what rounding does.
+#[cold]
+pub(crate) fn close_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
+    let Some([b0, b1, b2]) = affine::exact(b, m, t) else { return exact::decide_posed(a, b, m, t) };
+    let points = [a[0], a[1], a[2], b0, b1, b2];
+    interval_axes::decide(&points).unwrap_or_else(|| close_points(&points))
 }
 
 /// Whether a coordinate separates the triangles. The filter has no such axes, which separate many coplanar pairs.

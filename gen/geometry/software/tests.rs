@@ -18,14 +18,14 @@ fn orders(p: &Points) -> impl Iterator<Item = Points> + '_ {
 }
 
 fn is_contact(points: &Points) -> bool {
-    exact::pair(points) != Exact::Separate
+    exact::pair(points).unwrap() != Exact::Separate
 }
 
 /// Missed contacts and false ones of a test.
 fn errors(test: Test, pairs: &[Points]) -> (usize, usize) {
     let (mut missed, mut wrongly_seen) = (0, 0);
     for points in pairs {
-        match (is_contact(points), test.intersect(points)) {
+        match (is_contact(points), test.intersect(points).unwrap()) {
             (true, false) => missed += 1,
             (false, true) => wrongly_seen += 1,
             _ => {}
@@ -91,7 +91,7 @@ fn touching_and_coplanar_pairs_on_a_grid() {
     let grid = |rng: &mut ChaCha8Rng| [(); 6].map(|()| [(); 3].map(|()| f64::from(rng.random_range(-2..=2))));
     let solid: Vec<Points> = pairs(3, 40_000, grid).into_iter().filter(is_proper).collect();
     let coplanar: Vec<Points> = pairs(4, 20_000, flat).into_iter().filter(is_proper).collect();
-    let count = |pairs: &[Points], class: Exact| pairs.iter().filter(|p| exact::pair(p) == class).count();
+    let count = |pairs: &[Points], class: Exact| pairs.iter().filter(|p| exact::pair(p).unwrap() == class).count();
     assert!(count(&solid, Exact::Touch) > 3000 && count(&coplanar, Exact::Separate) > 3000);
     assert!(count(&coplanar, Exact::Touch) > 300 && count(&coplanar, Exact::Intersect) > 3000);
     for test in [Test::SeparatingAxes17F64, Test::SeparatingAxes17F32, Test::GuigueDevillers] {
@@ -131,11 +131,11 @@ fn moellers_epsilon_takes_small_triangles_for_coplanar() {
     let points = [small[0], small[1], small[2], above[0], above[1], above[2]];
     assert!(!is_contact(&points));
     for test in Test::ALL.iter().copied() {
-        assert_eq!(test.intersect(&points), test == Test::MoellerEpsilon, "{}", test.name());
+        assert_eq!(test.intersect(&points).unwrap(), test == Test::MoellerEpsilon, "{}", test.name());
     }
     // A hundred times larger the same pair is right.
     let larger = points.map(|point| point.map(|x| 100.0 * x));
-    assert!(!Test::MoellerEpsilon.intersect(&larger));
+    assert!(!Test::MoellerEpsilon.intersect(&larger).unwrap());
     // At a thousandth of the size nearly all random pairs that are near each other are taken for contacts.
     let tiny: Vec<Points> = pairs(7, 3000, cube).into_iter().map(|p| p.map(|x| x.map(|x| x / 1024.0))).collect();
     let (missed, wrongly_seen) = errors(Test::MoellerEpsilon, &tiny);
@@ -153,7 +153,7 @@ fn binary32_does_not_see_what_binary64_sees() {
     for test in Test::ALL.iter().copied() {
         let is_f32 = [Test::SeparatingAxes11F32, Test::SeparatingAxes17F32].contains(&test);
         // Moeller's epsilon does not see it either.
-        assert_eq!(test.intersect(&points), is_f32 || test == Test::MoellerEpsilon, "{}", test.name());
+        assert_eq!(test.intersect(&points).unwrap(), is_f32 || test == Test::MoellerEpsilon, "{}", test.name());
     }
 }
 
@@ -226,7 +226,7 @@ fn hard_cases() {
             let ([a0, a1, a2], [b0, b1, b2]) = (triangle("a"), triangle("b"));
             let contact = case["closed"].as_bool().unwrap();
 
-            orders(&[a0, a1, a2, b0, b1, b2]).any(|points| test.intersect(&points) != contact)
+            orders(&[a0, a1, a2, b0, b1, b2]).any(|points| test.intersect(&points).unwrap() != contact)
         };
         cases.iter().filter(fails).map(|case| case["name"].as_str().unwrap()).collect()
     };

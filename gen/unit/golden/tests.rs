@@ -80,7 +80,7 @@ fn query(rng: &mut ChaCha8Rng, p: &Params) -> (Pose, Pair) {
 }
 
 fn unit_pair(points: &Points, p: &Params) -> Pair {
-    match loose_pair(points, p) {
+    match loose_pair(points, p).unwrap() {
         Host::Unit(pair) => pair,
         Host::Decided(verdict) => panic!("a loose pair fits: {verdict}"),
     }
@@ -206,7 +206,7 @@ fn strictness_saves_coplanar_pairs() {
     while tried < 200 {
         let points: Points =
             [(); 6].map(|()| [f64::from(rng.random_range(-16..16)), f64::from(rng.random_range(-16..16)), 3.0]);
-        if exact::pair(&points) != Exact::Separate {
+        if exact::pair(&points).unwrap() != Exact::Separate {
             continue;
         }
         tried += 1;
@@ -230,7 +230,7 @@ fn parallel_edges_are_decided_where_an_edge_passes() {
     let a = [[-3., -1., 0.], [3., -1., 0.], [0., 2., 4.]];
     let b = [[-3., -0.5, 1.], [3., -0.5, 1.], [0., 3., -1.]];
     let points: Points = [a[0], a[1], a[2], b[0], b[1], b[2]];
-    assert_eq!(exact::pair(&points), Exact::Intersect);
+    assert_eq!(exact::pair(&points).unwrap(), Exact::Intersect);
     let p = Params::default();
     assert_eq!(classified(&points, &p), Verdict::Intersect);
     for axes in [Axes::Eleven, Axes::Seventeen] {
@@ -384,7 +384,7 @@ fn point_sets(seed: u64, count: usize) -> Vec<Points> {
 #[test]
 fn definite_verdicts_are_right() {
     let sets = point_sets(9, 1500);
-    let answers: Vec<Exact> = sets.iter().map(exact::pair).collect();
+    let answers: Vec<Exact> = sets.iter().map(|points| exact::pair(points).unwrap()).collect();
     assert!(
         [Exact::Separate, Exact::Touch, Exact::Intersect]
             .iter()
@@ -410,14 +410,14 @@ fn definite_verdicts_under_poses_are_right() {
         let golden = Golden::new(&p);
         for points in &sets {
             let (a, b) = ([points[0], points[1], points[2]], [points[3], points[4], points[5]]);
-            let scene = SceneHost::new(&a, &b, &p);
+            let scene = SceneHost::new(&a, &b, &p).unwrap();
             let (m, t) = motion(&mut rng, points);
-            let posed = scene.pose(&m, &t);
+            let posed = scene.pose(&m, &t).unwrap();
             let verdict = match posed.pair([0, 1, 2], [0, 1, 2]) {
                 Host::Unit(pair) => golden.verdict(&posed.pose, &pair),
                 Host::Decided(verdict) => verdict,
             };
-            let answer = exact::posed_pair(&a, &b, &m, &t);
+            let answer = exact::posed_pair(&a, &b, &m, &t).unwrap();
             assert!(sound(verdict, answer), "{verdict} but {answer}: {points:?} {m:?} {t:?} {p:?}");
         }
     }

@@ -7,7 +7,8 @@ use super::{Host, grid};
 use crate::dyadic::Dyadic;
 use crate::golden::{Golden, Input, Numbers, Pair, Pose};
 use crate::params::{Method, Params, Transform, Truth};
-use efsat_geometry::exact;
+use efsat_geometry::finite::{self, NotFinite};
+use efsat_geometry::software::retest::{retest, retest_posed};
 use efsat_hardware::number::Interval;
 
 /// Two meshes, each centred on the exact midpoint of its own box and both scaled by the largest power of two with
@@ -69,13 +70,19 @@ impl OffGrid<'_> {
     /// The answer of the host.
     fn decided(&self, a: [usize; 3], b: [usize; 3]) -> Host {
         let [of_a, of_b] = &self.host.vertices;
-        Host::exactly(exact::posed_pair(&a.map(|i| of_a[i]), &b.map(|i| of_b[i]), &self.m, &self.t))
+        let answer = retest_posed(&a.map(|i| of_a[i]), &b.map(|i| of_b[i]), &self.m, &self.t);
+        Host::exactly(answer.expect("vertices and poses are finite"))
     }
 }
 
 impl SceneHost {
-    /// Normalises and quantises the vertices of the meshes A and B; all coordinates must be finite.
-    pub fn new(a: &[[f64; 3]], b: &[[f64; 3]], params: &Params) -> Self {
+    /// Normalises and quantises the vertices of the meshes A and B.
+    ///
+    /// # Errors
+    /// If a coordinate is not finite.
+    pub fn new(a: &[[f64; 3]], b: &[[f64; 3]], params: &Params) -> Result<Self, NotFinite> {
+        finite::vertices(a)?;
+        finite::vertices(b)?;
         let boxes = [a, b].map(bounds);
         let centres = boxes.map(|mesh| mesh.map(|[low, high]| (Dyadic::from(low) + Dyadic::from(high)).scaled(-1)));
         let half = |[low, high]: [f64; 2]| (Dyadic::from(high) - Dyadic::from(low)).scaled(-1);
@@ -93,17 +100,20 @@ impl SceneHost {
             };
             [a, b][side].iter().map(normalised).collect()
         });
-        Self { params: params.clone(), vertices: [a.to_vec(), b.to_vec()], centres, power, inputs }
+        Ok(Self { params: params.clone(), vertices: [a.to_vec(), b.to_vec()], centres, power, inputs })
     }
 
-    /// The scene with B at M * x + t in the frame of A, x a vertex as given; `m` is indexed `[row][column]`, all
-    /// numbers must be finite.
+    /// The scene with B at M * x + t in the frame of A, x a vertex as given; `m` is indexed `[row][column]`.
     ///
     /// In normalised coordinates the translation becomes t' = s (M c_B + t - c_A), exactly. A unit that cannot do the
     /// pose (no transform, or a translation only) gets vertices of B to which it has been applied, exactly, before
     /// quantisation. The exact unit gets every pair as [`loose_pair`](super::loose_pair) makes it, after the pose, unless
     /// it has a transform that rounds: then it gets what the other units get.
-    pub fn pose(&self, m: &[[f64; 3]; 3], t: &[f64; 3]) -> ScenePose<'_> {
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn pose(&self, m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<ScenePose<'_>, NotFinite> {
+        finite::pose(m, t)?;
         let motion = Motion { m: m.map(|row| row.map(Dyadic::from)), t: t.map(Dyadic::from) };
         let (way, shift) = self.way(m, &motion);
         let mut scene = ScenePose {
@@ -117,13 +127,13 @@ impl SceneHost {
         match (self.params.method, self.params.truth) {
             (Method::Exact, Truth::Given) => {
                 scene.outside = Outside::OffGrid(as_given());
-                return scene;
+                return Ok(scene);
             }
             (Method::Exact, Truth::Snapped) => scene.snapping = Some(Golden::new(&self.params)),
             (Method::Axes | Method::Determinants, _) => {}
         }
         match way {
-            Way::Host => return self.moved(&motion),
+            Way::Host => return Ok(self.moved(&motion)),
             Way::None => {}
             Way::Unit => match self.quantised(&motion.m, &shift) {
                 Some(pose) => scene.pose = pose,
@@ -131,7 +141,7 @@ impl SceneHost {
                 None => scene.outside = Outside::All(self.boxes(&self.images(&motion))),
             },
         }
-        scene
+        Ok(scene)
     }
 
     /// Whether the unit answers for geometry that is snapped to a grid.
@@ -246,7 +256,7 @@ impl ScenePose<'_> {
             Outside::All(boxes) => Host::Decided(boxes.verdict(a, b)),
             Outside::Vertices(marked, boxes) if b.iter().any(|&i| marked[i]) => Host::Decided(boxes.verdict(a, b)),
             _ => match self.snap(a, b) {
-                Some((points, false)) => Host::exactly(exact::pair(&points)),
+                Some((points, false)) => Host::exactly(retest(&points).expect("whole numbers are finite")),
                 _ => Host::Unit(self.read(a, b)),
             },
         }

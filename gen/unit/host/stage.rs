@@ -5,12 +5,12 @@ use crate::params::Params;
 use efsat_geometry::exact::{self, Exact, Relation};
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::{BroadPhase, Meeting, Scene};
-use efsat_geometry::software::retest::retest;
+use efsat_geometry::software::retest::{retest, retest_posed};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
 
-/// No rotation.
-const IDENTITY: [[f64; 3]; 3] = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+/// Why no number is refused.
+const FINITE: &str = "meshes and poses are finite";
 
 /// A scene made ready for its pairs: trees, and the meshes of every meeting normalised and quantised.
 pub struct Stage<'a> {
@@ -37,7 +37,7 @@ impl<'a> Stage<'a> {
     /// Prepares a scene.
     pub fn new(scene: &'a Scene, params: &Params) -> Self {
         let (meshes, _) = scene.meshes();
-        let points = |mesh: &&Mesh| mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect();
+        let points = |mesh: &&Mesh| mesh.vertices().iter().map(|v| [v.x, v.y, v.z]).collect();
         let vertices = meshes.iter().map(points).collect();
         let params = params.clone();
         Self { scene, params, broad_phase: scene.broad_phase(), vertices, hosts: Mutex::default() }
@@ -55,24 +55,24 @@ impl<'a> Stage<'a> {
         let known = self.hosts.lock().unwrap_or_else(PoisonError::into_inner).get(&meshes).cloned();
         // Two threads may make the same one; it is made without the lock.
         let host = known.unwrap_or_else(|| {
-            let made = Arc::new(SceneHost::new(vertices[0], vertices[1], &self.params));
+            let made = Arc::new(SceneHost::new(vertices[0], vertices[1], &self.params).expect(FINITE));
             let mut hosts = self.hosts.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::clone(hosts.entry(meshes).or_insert(made))
         });
         let m = meeting.pose.rows();
-        Posed { meshes: self.broad_phase.meshes(meeting), vertices, host, m, t: meeting.pose.translation.into() }
+        Posed { meshes: self.broad_phase.meshes(meeting), vertices, host, m, t: meeting.pose.translation().into() }
     }
 }
 
 impl Posed<'_> {
     /// What the unit loads, and the pairs as it reads them.
     pub fn host(&self) -> ScenePose<'_> {
-        self.host.pose(&self.m, &self.t)
+        self.host.pose(&self.m, &self.t).expect(FINITE)
     }
 
     /// The vertices of a pair of triangles by their indices.
     pub fn faces(&self, (a, b): (u32, u32)) -> [[u32; 3]; 2] {
-        [self.meshes[0].faces[a as usize], self.meshes[1].faces[b as usize]]
+        [self.meshes[0].faces()[a as usize], self.meshes[1].faces()[b as usize]]
     }
 
     /// The corners of a pair of triangles, each in the frame of its mesh.
@@ -82,19 +82,19 @@ impl Posed<'_> {
         [a.map(|vertex| of_a[vertex as usize]), b.map(|vertex| of_b[vertex as usize])]
     }
 
-    /// The exact answer for a pair of triangles: of the geometry that the unit answers for, which is the one given or, with
+    /// What the oracle says of a pair of triangles: of the geometry that the unit answers for, which is the one given or, with
     /// `--truth snapped`, [another](ScenePose::snapped).
     pub fn relation(&self, pair: (u32, u32)) -> Relation {
         if let Some(points) = self.snapped(pair) {
-            return exact::relation(&points);
+            return exact::relation(&points).expect(FINITE);
         }
         let [a, b] = self.corners(pair);
-        exact::posed_relation(&a, &b, &self.m, &self.t)
+        exact::posed_relation(&a, &b, &self.m, &self.t).expect(FINITE)
     }
 
-    /// The class of [`relation`](Self::relation), sooner where both triangles are in one frame.
+    /// The exact answer for the same geometry, by the fast test that decides for the host.
     pub fn class(&self, pair: (u32, u32)) -> Exact {
-        self.snapped(pair).map_or_else(|| self.given(pair), |points| retest(&points))
+        self.snapped(pair).map_or_else(|| self.given(pair), |points| retest(&points).expect(FINITE))
     }
 
     /// The points of a pair if the unit answers for others than those given.
@@ -103,12 +103,9 @@ impl Posed<'_> {
         self.host.snaps().then(|| self.host().snapped(a, b)).flatten()
     }
 
-    /// The exact class of a pair of triangles as they are given.
+    /// The exact answer for a pair of triangles as they are given, by the fast test.
     pub fn given(&self, pair: (u32, u32)) -> Exact {
-        let [[a0, a1, a2], [b0, b1, b2]] = self.corners(pair);
-        if self.m == IDENTITY && self.t == [0.0; 3] {
-            return retest(&[a0, a1, a2, b0, b1, b2]);
-        }
-        exact::posed_pair(&[a0, a1, a2], &[b0, b1, b2], &self.m, &self.t)
+        let [a, b] = self.corners(pair);
+        retest_posed(&a, &b, &self.m, &self.t).expect(FINITE)
     }
 }

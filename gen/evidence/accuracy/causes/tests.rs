@@ -26,7 +26,7 @@ fn settings() -> Vec<Params> {
 /// All stages rounded: every flag of every axis is the reference model's.
 #[test]
 fn rounded_is_the_reference_model() {
-    let scene = Scene::against_itself("headlight", (*efsat_geometry::mesh::headlight()).clone(), 4, &[1.45]);
+    let scene = Scene::against_itself("headlight", (*efsat_geometry::mesh::headlight()).clone(), 4, &[1.45]).unwrap();
     let pairs = Pairs::draw(&scene, Amount::Some(160), 3).unwrap();
     let mut wrong = vec![];
     let mut compared = 0;
@@ -52,7 +52,8 @@ fn rounded_is_the_reference_model() {
 /// definite answer is the exact one.
 #[test]
 fn exact_leaves_genuine_cases_alone() {
-    let turned = Scene::against_itself("headlight", (*efsat_geometry::mesh::headlight()).clone(), 4, &[1.45, 1.4]);
+    let turned =
+        Scene::against_itself("headlight", (*efsat_geometry::mesh::headlight()).clone(), 4, &[1.45, 1.4]).unwrap();
     let tumbling = Scene::default_scene();
     let (mut definite, mut genuine, mut wrong) = (0, Reasons::default(), vec![]);
     for (scene, amount) in [(&turned, 400), (&tumbling, 200)] {

@@ -94,7 +94,7 @@ impl Picture {
             segments.extend(segment(&corners(a, p), &corners(b, q)).filter(|_| contact.touches()));
         }
         let colour = |object: usize| OBJECTS[object % OBJECTS.len()];
-        let faces = |object: usize| 0..scene.objects[object].mesh.faces.len() as u32;
+        let faces = |object: usize| 0..scene.objects[object].mesh.faces().len() as u32;
         let body = |object: usize| (faces(object).map(|face| corners(object, face)).collect(), colour(object));
         let content = Content {
             bodies: (0..scene.objects.len()).map(body).collect(),

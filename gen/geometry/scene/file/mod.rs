@@ -6,7 +6,7 @@ mod objects;
 mod tables;
 
 use super::motion::Motion;
-use super::{Entry, Scene, sweep};
+use super::{Entry, Scene};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use tables::{Entries, SceneTable};
@@ -96,8 +96,7 @@ fn build(table: SceneTable, text: &str, folder: &Path) -> Result<Scene, Fault> {
     }
     let [effects, parameters] = [table.effects, table.parameters].map(|table| entries(table, text));
     let scene = Scene { name: table.name, objects, effects, parameters, motions };
-    check(&scene)?;
-    Ok(scene)
+    scene.checked().map_err(|e| Fault::whole(e.to_string()))
 }
 
 /// The entries of a table that is not for us.
@@ -107,35 +106,4 @@ fn entries(table: Entries, text: &str) -> Vec<Entry> {
         Entry { key: key.into_inner(), value, line }
     };
     table.into_iter().map(entry).collect()
-}
-
-/// What must hold in every frame.
-fn check(scene: &Scene) -> Result<(), Fault> {
-    let last = scene.objects.len() - 1;
-    let sound = |label: &str, object: usize, pose: &super::Pose| {
-        let name = &scene.objects[object].name;
-        if !pose.translation.iter().all(|x| x.abs() <= numbers::GREATEST) {
-            let legal = "expected smaller meshes or distances";
-            return Err(Fault::whole(format!("{label}: the translation of {name} overflows: {legal}")));
-        }
-        // The product may overflow to what is no number.
-        let turns = sweep::skew(&pose.rotation) <= sweep::SKEW;
-        if object < last && !turns {
-            let legal = "expected rotations to within 2^-20, and any matrix for the last object";
-            return Err(Fault::whole(format!("{label}: the matrix of {name} is no rotation: {legal}")));
-        }
-        Ok(())
-    };
-    for (number, object) in scene.objects.iter().enumerate() {
-        sound("placed", number, &object.placed)?;
-    }
-    for motion in &scene.motions {
-        for frame in 0..motion.frames() {
-            let change = motion.change(frame);
-            for (object, pose) in &change.poses {
-                sound(&change.label, *object, pose)?;
-            }
-        }
-    }
-    Ok(())
 }

@@ -6,9 +6,6 @@ use crate::scene::pose::{Pose, Rotation, about};
 use nalgebra::{Matrix3, Vector3};
 use toml::Spanned;
 
-/// The greatest translation: what is computed with two of them stays finite.
-pub(super) const GREATEST: f64 = 1e306;
-
 /// The numbers of a list, if they are all finite.
 pub(super) fn finite<'a, T: AsRef<[f64]>>(list: &'a Spanned<T>, key: &str) -> Result<&'a T, Fault> {
     match list.get_ref().as_ref().iter().find(|x| !x.is_finite()) {

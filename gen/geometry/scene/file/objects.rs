@@ -109,11 +109,7 @@ fn mesh_of(table: &ObjectTable, unit: Option<&Spanned<String>>, folder: &Path) -
 
 /// A mesh with its vertices multiplied, if they stay finite.
 fn times(mesh: &Mesh, factor: f64) -> Option<Mesh> {
-    let mut scaled = mesh.clone();
-    for vertex in &mut scaled.vertices {
-        *vertex *= factor;
-    }
-    scaled.vertices.iter().flat_map(|v| v.iter()).all(|x| x.is_finite()).then_some(scaled)
+    Mesh::new(mesh.vertices().iter().map(|vertex| vertex * factor).collect(), mesh.faces().to_vec()).ok()
 }
 
 fn scale_factor(scale: &Spanned<Scale>, mesh: &Mesh) -> Result<f64, Fault> {

@@ -2,12 +2,13 @@
 
 use super::traverse::rank;
 use super::{DopTree, Scratch, Statistics, batches};
-use crate::exact::{Exact, posed_pair};
+use crate::exact::Exact;
+use crate::finite::NotFinite;
 use crate::mesh::Mesh;
 use crate::scene::Pose;
 use crate::scene::enclosure;
 use crate::software::interval_axes::decide_moved;
-use crate::software::retest::retest_batch;
+use crate::software::retest::{close_posed, retest_batch};
 use rayon::prelude::*;
 
 /// Pairs tested at a time: small enough to stay in the first cache.
@@ -28,7 +29,7 @@ pub fn contacts(meshes: [&Mesh; 2], trees: [&DopTree; 2], pose: &Pose, scratch: 
     let exactly = |(p, q): (u32, u32)| {
         let [a, b] =
             [(meshes[0], p), (meshes[1], q)].map(|(mesh, face)| mesh.triangle(face as usize).map(<[f64; 3]>::from));
-        posed_pair(&a, &b, &rows, &translation)
+        close_posed(&a, &b, &rows, &translation)
     };
     let mut certain = [None; BLOCK];
     search(meshes, trees, pose, scratch, |pairs, points, answers| {
@@ -44,10 +45,24 @@ pub fn contacts(meshes: [&Mesh; 2], trees: [&DopTree; 2], pose: &Pose, scratch: 
 
 /// The same for corners of B that are rounded when they are moved, as other programs do it: the answers are exact for these.
 ///
+/// # Errors
+/// If a corner of B is moved to where it is no binary64 number.
+///
 /// # Panics
 /// If the trees have different sets of directions, or are not those of the meshes.
-pub fn rounded_contacts(meshes: [&Mesh; 2], trees: [&DopTree; 2], pose: &Pose, scratch: &mut Scratch) -> Contacts {
-    search(meshes, trees, pose, scratch, |_, points, answers| retest_batch(points, answers))
+pub fn rounded_contacts(
+    meshes: [&Mesh; 2],
+    trees: [&DopTree; 2],
+    pose: &Pose,
+    scratch: &mut Scratch,
+) -> Result<Contacts, NotFinite> {
+    let mut refused = None;
+    let found = search(meshes, trees, pose, scratch, |_, points, answers| {
+        if let Err(e) = retest_batch(points, answers) {
+            refused.get_or_insert(e);
+        }
+    });
+    refused.map_or(Ok(found), Err)
 }
 
 /// Finds pairs, and keeps those that touch by the answers that `test` appends for pairs and their rounded corners.

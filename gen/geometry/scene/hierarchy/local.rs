@@ -83,7 +83,7 @@ impl LocalTree {
             let x = [v.x, v.y, v.z];
             (0..k).map(move |index| placement.offset(x, directions.vector(index), grid_fraction))
         };
-        let of_vertices: Vec<i32> = mesh.vertices.iter().flat_map(of_vertex).collect();
+        let of_vertices: Vec<i32> = mesh.vertices().iter().flat_map(of_vertex).collect();
         offsets(&self.nodes, mesh, &of_vertices, k)
     }
 

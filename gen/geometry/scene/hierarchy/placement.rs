@@ -26,12 +26,12 @@ impl Placement {
 
     /// The placement of one mesh with the greatest scale.
     fn of(mesh: &Mesh) -> Self {
-        if mesh.vertices.is_empty() {
+        if mesh.vertices().is_empty() {
             return Self { centre: [0.0; 3], power: *POWERS.end() };
         }
         let centre: [f64; 3] = mesh.bounds().centre().into();
         // The greatest distance from the centre, rounded, tells the power but for one.
-        let far = mesh.vertices.iter().flat_map(|v| (0..3).map(|i| (v[i] - centre[i]).abs())).fold(0.0, f64::max);
+        let far = mesh.vertices().iter().flat_map(|v| (0..3).map(|i| (v[i] - centre[i]).abs())).fold(0.0, f64::max);
         let guess = (1 - ceil_log2(far)).clamp(*POWERS.start(), *POWERS.end());
         let powers = (*POWERS.start()..=guess).rev();
         let placements = powers.map(|power| Self { centre, power });
@@ -48,7 +48,7 @@ impl Placement {
             let at_most_one = |numbers: [f64; 2]| ceiling(&numbers, self.power).is_some_and(|number| number <= 1);
             at_most_one([x, -c]) && at_most_one([-x, c])
         };
-        mesh.vertices.iter().all(|v| (0..3).all(|axis| inside(v[axis], axis)))
+        mesh.vertices().iter().all(|v| (0..3).all(|axis| inside(v[axis], axis)))
     }
 
     /// The least whole number of steps of 2^-fraction not below n . y, y the image of x.

@@ -44,31 +44,38 @@ impl Realignment {
     pub fn new(a: &DopTree, b: &DopTree, pose: &Pose) -> Self {
         let Pose { rotation: m, translation: t } = pose;
         let directions = a.directions;
+        // The entries without the power of two of the greatest, so that no sum of them overflows. Of those that are less than 2^-969 of
+        // it the last bits may be lost, below 2^-1074, which `rest` allows for by far.
+        let power = ceil_log2(m.amax());
+        let unit = m.map(|x| scaled(x, -power));
         // Of each direction and its opposite, the first; what is a sum for one is, of opposites, a sum for the other.
         let axes = (0..directions.count()).step_by(2).map(|index| {
             let h = Vector3::from(directions.vector(index).map(f64::from));
-            let w = m.transpose() * h;
+            let w = unit.transpose() * h;
             (index, h, w, directions.combination(&w))
         });
         let axes: Vec<_> = axes.collect();
         let greatest = axes.iter().flat_map(|(_, _, _, terms)| terms).map(|(_, factor)| *factor).fold(0.0, f64::max);
         let places = FACTOR_BITS - ceil_log2(greatest);
-        // Where the centre of B is seen from that of A, and a bound of the error of that and of M^T h.
+        // Where the centre of B is seen from that of A, and a bound of the error of that. Where a sum overflows, so does the bound, and
+        // then the constant, which is infinite or no number, is far.
         let centre = m * b.centre.coords + t - a.centre.coords;
         let size = m.abs() * b.centre.coords.abs() + t.abs() + a.centre.coords.abs();
         let mut realignment = Self {
             terms: Default::default(),
             constants: Default::default(),
-            scale: scaled(1.0, (b.exponent - a.exponent - places).clamp(-SHIFTS, SHIFTS)),
+            scale: scaled(1.0, (power + b.exponent - a.exponent - places).clamp(-SHIFTS, SHIFTS)),
         };
         for (index, h, w, terms) in axes {
-            let terms = terms.map(|(index, factor)| (index, scaled(factor, places).round().clamp(0.0, MOST)));
+            // Poses and trees are finite, and so is every factor. If one were not, `max` would make it 0, and `rest`, of which it is a part
+            // through w, would make the constant far.
+            let terms = terms.map(|(index, factor)| (index, scaled(factor, places).round().clamp(0.0, MOST).max(0.0)));
             let kept = terms.map(|(index, factor)| (directions.vector(index), scaled(factor, -places)));
             let sum = |axis: usize| kept.iter().map(|(n, factor)| f64::from(n[axis]) * factor).sum::<f64>();
-            let scale = kept.iter().map(|(_, factor)| factor).sum::<f64>() + (m.abs().transpose() * h.abs()).max();
+            let scale = kept.iter().map(|(_, factor)| factor).sum::<f64>() + (unit.abs().transpose() * h.abs()).max();
             let rest = Vector3::new(sum(0), sum(1), sum(2)) - w;
             let rest = rest.abs().add_scalar(scale * 2f64.powi(-48));
-            let rest = scaled(rest.dot(&b.reach), b.exponent);
+            let rest = scaled(rest.dot(&b.reach), power + b.exponent);
             let error = h.abs().dot(&size) * 2f64.powi(-48);
             for (opposite, sign) in [(0, 1.0), (1, -1.0)] {
                 let shift = sign * h.dot(&centre) + error;
@@ -99,6 +106,8 @@ impl Realignment {
         let mut steps = [[0; LANES]; GROUPS];
         let lanes = sums.as_flattened().iter().zip(self.constants.as_flattened()).zip(steps.as_flattened_mut());
         for ((sum, constant), steps) in lanes {
+            // `clamp` keeps NaN, of which the conversion would make 0; but sums are whole numbers below 2^46, the scale is a normal number,
+            // and `upper` has made every constant finite.
             let sum = (sum * self.scale).ceil().clamp(LEAST_SUM, GREATEST_SUM);
             *steps = ((sum + constant).clamp(-FAR, FAR) + WHOLE).to_bits() as i32;
         }

@@ -37,7 +37,7 @@ fn power_of_two(exponent: i32) -> Rational {
 fn random_mesh(rng: &mut ChaCha8Rng, count: u32, scale: f64, centre: f64) -> Mesh {
     let mut corner = || Point3::from([0; 3].map(|_| (centre + f64::from(rng.random_range(-8..=8))) * scale));
     let vertices = (0..3 * count).map(|_| corner()).collect();
-    Mesh { vertices, faces: (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect() }
+    Mesh::new(vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).unwrap()
 }
 
 /// Quarter turns and any others, shears, and what no rotation is.
@@ -194,7 +194,7 @@ fn no_pair_of_touching_triangles_is_lost() {
         let all = (0..10u32).flat_map(|p| (0..10u32).map(move |q| (p, q)));
         let touch = |&(p, q): &(u32, u32)| {
             let (x, y) = (corners(&a, p as usize), corners(&b, q as usize));
-            posed_pair(&x, &y, &m, &pose.translation.into())
+            posed_pair(&x, &y, &m, &pose.translation.into()).unwrap()
         };
         let all = all.map(|pair| (pair, touch(&pair)));
         let exact: Vec<((u32, u32), Exact)> = all.filter(|(_, exact)| *exact != Exact::Separate).collect();
@@ -206,11 +206,11 @@ fn no_pair_of_touching_triangles_is_lost() {
             assert_eq!(statistics.pairs_tested, found.len() as u64);
             let touching = contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch);
             assert_eq!(touching, (exact.clone(), statistics), "round {round}, {set:?}");
-            let rounded = rounded_contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch).0;
+            let rounded = rounded_contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch).unwrap().0;
             let test = |&(p, q): &(u32, u32)| {
                 let y = corners(&b, q as usize).map(|x| pose.image(&x.into()).into());
                 let [[x0, x1, x2], [y0, y1, y2]] = [corners(&a, p as usize), y];
-                ((p, q), pair(&[x0, x1, x2, y0, y1, y2]))
+                ((p, q), pair(&[x0, x1, x2, y0, y1, y2]).unwrap())
             };
             assert!(found.iter().map(test).filter(|(_, exact)| *exact != Exact::Separate).eq(rounded));
             for pair in &expected {
@@ -239,9 +239,8 @@ fn what_rounding_of_the_pose_moves_is_known() {
         let corner = Point3::from(vector(&mut rng));
         let size = 2f64.powi(-20);
         let gap = Vector3::x() * f64::from(rng.random_range(-2..=2)) * f64::EPSILON;
-        let mesh = |corner: Point3<f64>, sides: [Vector3<f64>; 2]| Mesh {
-            vertices: vec![corner, corner + sides[0], corner + sides[1]],
-            faces: vec![[0, 1, 2]],
+        let mesh = |corner: Point3<f64>, sides: [Vector3<f64>; 2]| {
+            Mesh::new(vec![corner, corner + sides[0], corner + sides[1]], vec![[0, 1, 2]]).unwrap()
         };
         let sides = [[1.0, 0.5, 0.0], [1.0, -0.5, 0.25]].map(|side| Vector3::from(side) * size);
         let a = mesh(pose.image(&corner) + gap, sides);
@@ -249,7 +248,7 @@ fn what_rounding_of_the_pose_moves_is_known() {
             [[-1.0, 0.25, 0.5], [-1.0, -0.25, -0.75]].map(|side| rotation.transpose() * Vector3::from(side) * size);
         let b = mesh(corner, sides);
         let [x, y] = [&a, &b].map(|mesh| mesh.triangle(0).map(<[f64; 3]>::from));
-        let truth = posed_pair(&x, &y, &pose.rows(), &pose.translation.into());
+        let truth = posed_pair(&x, &y, &pose.rows(), &pose.translation.into()).unwrap();
         let trees = [&a, &b].map(|mesh| DopTree::new(mesh, Directions::Six));
         let found = contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch).0;
         let due: &[((u32, u32), Exact)] = if truth == Exact::Separate { &[] } else { &[((0, 0), truth)] };
@@ -281,7 +280,7 @@ fn the_first_hit_ends_the_query() {
 
 #[test]
 fn meshes_without_triangles_and_of_one_point_have_trees() {
-    let (empty, one) = (Mesh::default(), Mesh { vertices: vec![Point3::new(3.0, 0.1, -7.0)], faces: vec![[0; 3]] });
+    let (empty, one) = (Mesh::default(), Mesh::new(vec![Point3::new(3.0, 0.1, -7.0)], vec![[0; 3]]).unwrap());
     for set in Directions::ALL {
         let [none, point] = [&empty, &one].map(|mesh| DopTree::new(mesh, set));
         assert!(none.is_empty() && point.len() == 1);
@@ -293,4 +292,52 @@ fn meshes_without_triangles_and_of_one_point_have_trees() {
         let away = Pose { translation: Vector3::new(1e-9, 0.0, 0.0), ..Pose::identity() };
         assert_eq!(count(&point, &point, away), 0);
     }
+}
+
+/// Entries whose sums are beyond the numbers, beside entries of any size, and triangles of B that are as small as that takes. Every
+/// row may have a scale of its own, and so have A and the translation along that axis.
+#[test]
+fn no_pair_is_lost_where_sums_of_entries_overflow() {
+    let mut rng = ChaCha8Rng::seed_from_u64(3);
+    let mut scratch = Scratch::default();
+    let (mut touching, mut lost, mut overflowing) = (0, vec![], 0);
+    for round in 0..20_000 {
+        // B has a size of 2^-exponent, and M one of 2^exponent but for the factors of rows.
+        let exponent = [1023, 1022, 1000, 600, 0, -900][round % 6];
+        let rows = [0; 3].map(|_| if rng.random_range(0..4) == 0 { rng.random_range(-60..=0) } else { 0 });
+        let entry = |rng: &mut ChaCha8Rng, row: usize| match rng.random_range(0..8) {
+            0 => 0.0,
+            1 => scaled(1.0, rng.random_range(-1022..=exponent)),
+            _ => {
+                let sign = if rng.random() { 1.0 } else { -1.0 };
+                sign * scaled(rng.random_range(1.0..2.0), exponent + rows[row])
+            }
+        };
+        let rotation = Matrix3::from_fn(|row, _| entry(&mut rng, row));
+        let mut whole = |most: i32| f64::from(rng.random_range(-most..=most));
+        let translation = Vector3::from_fn(|row, _| scaled(whole(4), rows[row]));
+        let mesh = |corners: [Point3<f64>; 6]| Mesh::new(corners.into(), vec![[0, 1, 2], [3, 4, 5]]).unwrap();
+        let a = mesh([(); 6].map(|()| Point3::from([0, 1, 2].map(|row| scaled(whole(5), rows[row])))));
+        let b = mesh([(); 6].map(|()| Point3::from([0; 3].map(|_| scaled(whole(2), -exponent)))));
+        let pose = Pose { rotation, translation };
+        overflowing += usize::from(!(rotation.transpose().abs() * Vector3::repeat(1.0)).max().is_finite());
+        let due: Vec<((u32, u32), Exact)> = (0..4u32)
+            .map(|pair| (pair >> 1, pair & 1))
+            .map(|(p, q)| {
+                let [x, y] = [(&a, p), (&b, q)].map(|(mesh, face)| mesh.triangle(face as usize).map(<[f64; 3]>::from));
+                ((p, q), posed_pair(&x, &y, &pose.rows(), &pose.translation.into()).unwrap())
+            })
+            .filter(|(_, exact)| *exact != Exact::Separate)
+            .collect();
+        touching += due.len();
+        for set in Directions::ALL {
+            let trees = [&a, &b].map(|mesh| DopTree::new(mesh, set));
+            let found = contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch).0;
+            if found != due {
+                lost.push(format!("{set:?}, {pose:?}, {a:?}, {b:?}: {found:?}, expected {due:?}"));
+            }
+        }
+    }
+    assert!(touching > 5_000 && overflowing > 3_000, "{touching} pairs touch, {overflowing} poses overflow");
+    assert!(lost.is_empty(), "{} of 80,000 queries, the first: {}", lost.len(), lost[0]);
 }

@@ -39,7 +39,7 @@ impl DopTree {
     /// Builds the tree; nodes are split as those of the tree of boxes.
     pub fn new(mesh: &Mesh, directions: Directions) -> Self {
         let bounds = mesh.bounds();
-        let (centre, half) = match mesh.vertices.is_empty() {
+        let (centre, half) = match mesh.vertices().is_empty() {
             true => (Point3::origin(), 0.0),
             false => (bounds.centre(), bounds.half_size()),
         };
@@ -47,7 +47,7 @@ impl DopTree {
         // |v - c| <= half, give or take a rounding, so |y| <= 2^20 (1 + 2^-50) and each difference is wrong by at most
         // 2^-32 steps (the scaling is exact, but for results below 2^-1022).
         let steps = |v: &Point3<f64>| (v - centre).map(|x| scaled(x, -exponent));
-        let vertices: Vec<Vector3<f64>> = mesh.vertices.iter().map(steps).collect();
+        let vertices: Vec<Vector3<f64>> = mesh.vertices().iter().map(steps).collect();
         let reach = vertices.iter().fold(Vector3::zeros(), |reach, y| reach.sup(&y.abs())).add_scalar(SLACK);
         let (families, links, triangles) = (vec![], vec![], vec![]);
         let mut tree = Self { directions, nodes: nodes(mesh), families, links, triangles, centre, exponent, reach };

@@ -76,7 +76,7 @@ impl Query {
             (Transform::Translate, false) => (one, real(&self.t)),
             (Transform::On, false) => (triple(&self.m), real(&self.t)),
         };
-        exact::posed_pair(&triple(&self.a), &triple(&self.b), &m, &t)
+        exact::posed_pair(&triple(&self.a), &triple(&self.b), &m, &t).unwrap()
     }
 }
 

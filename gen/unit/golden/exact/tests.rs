@@ -22,7 +22,7 @@ fn read(points: &Points) -> Pair {
 
 /// What the oracle says.
 fn truth(points: &Points) -> Relation {
-    exact::relation(&points.map(|point| point.map(|x| x as f64)))
+    exact::relation(&points.map(|point| point.map(|x| x as f64))).unwrap()
 }
 
 fn params(width: u32) -> Params {

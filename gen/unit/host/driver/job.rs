@@ -5,7 +5,8 @@ use crate::golden::{Outcome, Pose, Verdict};
 use crate::host::{Host, SceneHost, ScenePose};
 use crate::params::Method;
 use crate::params::stream::Report;
-use efsat_geometry::exact::{self, Exact};
+use efsat_geometry::exact::Exact;
+use efsat_geometry::finite::NotFinite;
 use efsat_geometry::software::retest;
 use rayon::prelude::*;
 
@@ -24,17 +25,24 @@ impl<'a> Meshes<'a> {
     }
 
     /// The job of some pairs of triangles, given by vertex indices into A and B, with B at M * x + t in the frame of
-    /// A; `m` is indexed `[row][column]`, all numbers are finite. Memory grows with the number of pairs: give them in
-    /// batches.
+    /// A; `m` is indexed `[row][column]`. Memory grows with the number of pairs: give them in batches.
+    ///
+    /// # Errors
+    /// The first number of the pose that is not finite.
     ///
     /// # Panics
     /// If an index is outside its mesh.
-    pub fn pose(&'a self, m: &'a [[f64; 3]; 3], t: &'a [f64; 3], pairs: &'a [([u32; 3], [u32; 3])]) -> Job<'a> {
-        let posed = self.host.pose(m, t);
+    pub fn pose(
+        &'a self,
+        m: &'a [[f64; 3]; 3],
+        t: &'a [f64; 3],
+        pairs: &'a [([u32; 3], [u32; 3])],
+    ) -> Result<Job<'a>, NotFinite> {
+        let posed = self.host.pose(m, t)?;
         let normalised = pairs.iter().map(|&(a, b)| posed.pair(a, b));
         let (a, b) = (self.a, self.b);
         let geometry = Geometry::Posed { a, b, m, t, pairs, posed: Box::new(posed.clone()) };
-        Job::new(self.driver, &posed.pose, normalised, geometry)
+        Ok(Job::new(self.driver, &posed.pose, normalised, geometry))
     }
 }
 
@@ -59,14 +67,15 @@ impl Geometry<'_> {
         match self {
             Self::Loose(pairs) => {
                 let points: Vec<[[f64; 3]; 6]> = open.iter().map(|&i| pairs[i]).collect();
-                retest::retest_parallel(&points)
+                retest::retest_parallel(&points).expect("jobs are made of finite pairs")
             }
             Self::Posed { a, b, m, t, pairs, posed } => {
                 let corners = |mesh: &[[f64; 3]], triangle: [u32; 3]| triangle.map(|i| mesh[i as usize]);
                 let exact = |&i: &usize| match posed.snapped(pairs[i].0, pairs[i].1) {
-                    Some(points) => exact::pair(&points),
-                    None => exact::posed_pair(&corners(a, pairs[i].0), &corners(b, pairs[i].1), m, t),
+                    Some(points) => retest::retest(&points),
+                    None => retest::retest_posed(&corners(a, pairs[i].0), &corners(b, pairs[i].1), m, t),
                 };
+                let exact = |i: &usize| exact(i).expect("jobs are made of finite vertices and poses");
                 open.par_iter().map(exact).collect()
             }
         }

@@ -38,9 +38,10 @@ pub use job::{Job, Meshes, Results, Statistics};
 pub use stand_in::StandIn;
 
 use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
-use crate::host::{self, SceneHost};
+use crate::host::{self, Host, SceneHost};
 use crate::params::stream::{Kind, Report, StreamFormat, StreamWidth, StreamWord, verdict_status};
 use crate::params::{ParamError, Params, Transform};
+use efsat_geometry::finite::NotFinite;
 
 /// One word of a stream and its TLAST.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -235,15 +236,22 @@ impl Driver {
         Ok(packet(bytes.chunks(word).map(data).collect()))
     }
 
-    /// The job of loose pairs a0 a1 a2 b0 b1 b2, all coordinates finite, each normalised by itself. Memory grows with
-    /// the number of pairs: give them in batches.
-    pub fn loose<'a>(&'a self, pairs: &'a [[[f64; 3]; 6]]) -> Job<'a> {
-        let normalised = pairs.iter().map(|points| host::loose_pair(points, &self.params));
-        Job::new(self, &Pose::identity(&self.params), normalised, job::Geometry::Loose(pairs))
+    /// The job of loose pairs a0 a1 a2 b0 b1 b2, each normalised by itself. Memory grows with the number of pairs: give
+    /// them in batches.
+    ///
+    /// # Errors
+    /// The first number that is not finite.
+    pub fn loose<'a>(&'a self, pairs: &'a [[[f64; 3]; 6]]) -> Result<Job<'a>, NotFinite> {
+        let one = |(number, points)| host::loose_pair(points, &self.params).map_err(|e: NotFinite| e.of_pair(number));
+        let normalised = pairs.iter().enumerate().map(one).collect::<Result<Vec<Host>, NotFinite>>()?;
+        Ok(Job::new(self, &Pose::identity(&self.params), normalised.into_iter(), job::Geometry::Loose(pairs)))
     }
 
-    /// Two meshes by their vertices, normalised once for any number of jobs; all coordinates must be finite.
-    pub fn meshes<'a>(&'a self, a: &'a [[f64; 3]], b: &'a [[f64; 3]]) -> Meshes<'a> {
-        Meshes::new(self, SceneHost::new(a, b, &self.params), a, b)
+    /// Two meshes by their vertices, normalised once for any number of jobs.
+    ///
+    /// # Errors
+    /// The first coordinate that is not finite.
+    pub fn meshes<'a>(&'a self, a: &'a [[f64; 3]], b: &'a [[f64; 3]]) -> Result<Meshes<'a>, NotFinite> {
+        Ok(Meshes::new(self, SceneHost::new(a, b, &self.params)?, a, b))
     }
 }

@@ -33,11 +33,11 @@ fn final_answers_of_loose_pairs_are_exact() {
     for params in variants() {
         for width in WIDTHS {
             let driver = Driver::new(&params, width).unwrap();
-            let job = driver.loose(&pairs);
+            let job = driver.loose(&pairs).unwrap();
             let answers = StandIn::new(&params, width).unwrap().answer(job.transfers());
             assert_eq!(answers.len(), job.answers_due());
             let results = job.finish(&answers).unwrap();
-            let expected: Vec<Exact> = pairs.iter().map(exact::pair).collect();
+            let expected: Vec<Exact> = pairs.iter().map(|points| exact::pair(points).unwrap()).collect();
             assert_eq!(results.answers, expected, "{}", params.command_line());
             let s = results.statistics;
             assert_eq!((s.host_separate, s.unit_separate + s.unit_intersect + s.retested), (0, pairs.len()));
@@ -61,14 +61,15 @@ fn final_answers_of_posed_meshes_are_exact() {
     let mut host_separate = 0;
     for params in variants() {
         let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
-        let meshes = driver.meshes(&a, &b);
+        let meshes = driver.meshes(&a, &b).unwrap();
         let mut unit = StandIn::new(&params, StreamWidth::Bits64).unwrap();
         for (m, t) in &poses {
-            let job = meshes.pose(m, t, &triangles);
+            let job = meshes.pose(m, t, &triangles).unwrap();
             let answers = unit.answer(job.transfers());
             let results = job.finish(&answers).unwrap();
             let corners = |mesh: &[[f64; 3]], triangle: [u32; 3]| triangle.map(|i| mesh[i as usize]);
-            let exact = |(i, j): &([u32; 3], [u32; 3])| exact::posed_pair(&corners(&a, *i), &corners(&b, *j), m, t);
+            let exact =
+                |(i, j): &([u32; 3], [u32; 3])| exact::posed_pair(&corners(&a, *i), &corners(&b, *j), m, t).unwrap();
             assert_eq!(results.answers, triangles.iter().map(exact).collect::<Vec<_>>(), "{}", params.command_line());
             host_separate += results.statistics.host_separate;
         }
@@ -91,10 +92,10 @@ fn final_answers_of_the_exact_unit_are_exact() {
     ] {
         let params = Params { transform, exact_clocks, ..Params::of(Method::Exact) };
         let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
-        let job = driver.loose(&given);
+        let job = driver.loose(&given).unwrap();
         let answers = StandIn::new(&params, StreamWidth::Bits64).unwrap().answer(job.transfers());
         let results = job.finish(&answers).unwrap();
-        assert_eq!(results.answers, given.iter().map(exact::pair).collect::<Vec<_>>());
+        assert_eq!(results.answers, given.iter().map(|points| exact::pair(points).unwrap()).collect::<Vec<_>>());
         assert!(results.answers[..400].iter().filter(|answer| **answer == Exact::Touch).count() > 10);
         let s = results.statistics;
         assert_eq!((s.unit_separate + s.unit_intersect, s.host_separate + s.retested), (400, 50));
@@ -107,8 +108,8 @@ fn answers_that_do_not_fit_are_refused() {
     let width = StreamWidth::Bits64;
     let driver = Driver::new(&params, width).unwrap();
     let pairs = pairs(3);
-    let good = StandIn::new(&params, width).unwrap().answer(driver.loose(&pairs).transfers());
-    let finish = |answers: &[Transfer]| driver.loose(&pairs).finish(answers).map(|_| ());
+    let good = StandIn::new(&params, width).unwrap().answer(driver.loose(&pairs).unwrap().transfers());
+    let finish = |answers: &[Transfer]| driver.loose(&pairs).unwrap().finish(answers).map(|_| ());
     assert_eq!(finish(&good), Ok(()));
     assert_eq!(finish(&good[..3]), Err(DriverError::Count { expected: 4, found: 3 }));
     assert_eq!(finish(&[&good[..], &good[3..]].concat()), Err(DriverError::Count { expected: 4, found: 5 }));
@@ -123,7 +124,7 @@ fn answers_that_do_not_fit_are_refused() {
     assert!(matches!(finish(&unknown), Err(DriverError::Word { at: 1, .. })));
 
     // A word is lost on the way: the unit notices.
-    let mut lost = driver.loose(&pairs).transfers().to_vec();
+    let mut lost = driver.loose(&pairs).unwrap().transfers().to_vec();
     lost.remove(12);
     let answers = StandIn::new(&params, width).unwrap().answer(&lost);
     assert!(finish(&answers).is_err());
@@ -134,7 +135,7 @@ fn answers_that_do_not_fit_are_refused() {
 fn a_design_refuses_what_was_packed_for_another() {
     let pairs = pairs(2);
     for params in &variants()[1..] {
-        let packed = Driver::new(params, StreamWidth::Bits64).unwrap().loose(&pairs).transfers().to_vec();
+        let packed = Driver::new(params, StreamWidth::Bits64).unwrap().loose(&pairs).unwrap().transfers().to_vec();
         let driver = Driver::new(&Params::default(), StreamWidth::Bits64).unwrap();
         for answer in StandIn::new(&Params::default(), StreamWidth::Bits64).unwrap().answer(&packed) {
             assert_eq!(driver.unpack(answer.data), Some(Answer::Report(Report::UnknownHeader)));

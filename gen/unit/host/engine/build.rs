@@ -50,8 +50,8 @@ impl Image {
     /// The image of a mesh inside its cube.
     fn of(mesh: &Mesh, placement: &Placement, format: &EngineFormat) -> Result<Self, BuildError> {
         let most = 1 << format.triangle().number_bits;
-        if mesh.faces.len() > most {
-            return Err(BuildError::Triangles { found: mesh.faces.len(), most });
+        if mesh.faces().len() > most {
+            return Err(BuildError::Triangles { found: mesh.faces().len(), most });
         }
         let local = LocalFormat {
             directions: format.directions,
@@ -63,7 +63,7 @@ impl Image {
         let mut header = Header {
             format: *format,
             blocks: tree.block_count(),
-            triangles: mesh.faces.len() as u32,
+            triangles: mesh.faces().len() as u32,
             power: placement.power,
             height: tree.height(),
             centre: placement.centre,

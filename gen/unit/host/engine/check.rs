@@ -182,8 +182,8 @@ impl Image {
     pub fn verify(&self, mesh: &Mesh) -> Result<(), ImageError> {
         let header = &self.header;
         let placement = Placement { centre: header.centre, power: header.power };
-        if mesh.faces.len() != header.triangles as usize {
-            return Err(ImageError::new(20, "number of triangles", header.triangles, mesh.faces.len()));
+        if mesh.faces().len() != header.triangles as usize {
+            return Err(ImageError::new(20, "number of triangles", header.triangles, mesh.faces().len()));
         }
         if !placement.holds(mesh) {
             return Err(ImageError::new(
@@ -193,14 +193,14 @@ impl Image {
                 "none outside",
             ));
         }
-        let mut seen = vec![false; mesh.faces.len()];
+        let mut seen = vec![false; mesh.faces().len()];
         let mut faces = vec![];
         for number in 0..header.triangles {
             let triangle = self.triangle(number)?;
             let at = self.triangle_words(number).1;
             let face = triangle.number as usize;
             if seen.get_mut(face).is_none_or(|seen| std::mem::replace(seen, true)) {
-                let expected = format!("each number below {} once", mesh.faces.len());
+                let expected = format!("each number below {} once", mesh.faces().len());
                 return Err(ImageError::new(at, format!("triangle {number}: its number"), face, expected));
             }
             if triangle.corners != self.corners(mesh, face, &placement) {

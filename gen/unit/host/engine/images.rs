@@ -40,6 +40,6 @@ impl Images {
     /// If there is no such mesh.
     pub fn query(&self, meshes: [usize; 2], pose: &Pose, sides: &[Side]) -> Result<Query, Refusal> {
         let images = meshes.map(|mesh| (&self.images[mesh], sides[mesh]));
-        self.numbers.query(images, &pose.rows(), &pose.translation.into())
+        self.numbers.query(images, &pose.rows(), &pose.translation().into())
     }
 }

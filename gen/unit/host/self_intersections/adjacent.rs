@@ -77,7 +77,7 @@ fn parts(mesh: &Mesh, v: u32, triangle: &[u32]) -> Vec<Vec<u32>> {
 
 /// The difference of two vertices, in whole units.
 fn difference(mesh: &Mesh, from: u32, to: u32) -> [i128; 3] {
-    let [from, to] = [from, to].map(|vertex| mesh.vertices[vertex as usize]);
+    let [from, to] = [from, to].map(|vertex| mesh.vertices()[vertex as usize]);
     [0, 1, 2].map(|axis| to[axis] as i128 - from[axis] as i128)
 }
 

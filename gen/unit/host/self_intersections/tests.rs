@@ -69,14 +69,14 @@ fn extreme(a: [Vector; 3], b: [Vector; 3]) -> Vec<Fraction> {
 
 /// What is wrong with two faces, by that.
 fn expected(mesh: &Mesh, p: u32, q: u32) -> Option<Kind> {
-    let faces = [p, q].map(|face| mesh.faces[face as usize]);
-    let at = |vertex: u32| -> Vector { [0, 1, 2].map(|i| mesh.vertices[vertex as usize][i] as i128) };
+    let faces = [p, q].map(|face| mesh.faces()[face as usize]);
+    let at = |vertex: u32| -> Vector { [0, 1, 2].map(|i| mesh.vertices()[vertex as usize][i] as i128) };
     let [a, b] = faces.map(|face| face.map(at));
     let shared: Vec<Vector> = a.iter().copied().filter(|x| b.contains(x)).collect();
     let points = extreme(a, b);
     if shared.is_empty() {
-        let corners = faces.map(|face| face.map(|vertex| mesh.vertices[vertex as usize].into()));
-        let class = exact::pair(&[corners[0], corners[1]].concat().try_into().unwrap());
+        let corners = faces.map(|face| face.map(|vertex| mesh.vertices()[vertex as usize].into()));
+        let class = exact::pair(&[corners[0], corners[1]].concat().try_into().unwrap()).unwrap();
         assert_eq!(points.is_empty(), class == Exact::Separate);
         return [None, Some(Kind::Touching), Some(Kind::Crossing)][class as usize];
     }
@@ -103,14 +103,14 @@ fn every_pair_of_small_meshes_is_what_the_extreme_points_say() {
         let count = vertices.len() as u32;
         let faces: Vec<[u32; 3]> = (0..8).map(|_| [0; 3].map(|_: u32| rng.random_range(0..count))).collect();
         let vertices = vertices.iter().map(|x| Point3::from(x.map(|x| x as f64))).collect();
-        let mesh = Mesh { vertices, faces };
+        let mesh = Mesh::new(vertices, faces).unwrap();
         let checker = Checker::new(&mesh, &params, true);
         let pairs: Vec<(u32, u32)> = (0..8).flat_map(|q| (0..q).map(move |p| (p, q))).collect();
         let (defects, effort) = checker.check(&pairs);
         assert_eq!((effort.contradictions, effort.by_host), (0, 0));
         for pair in pairs {
             let found = defects.iter().find(|defect| defect.pair == pair).map(|defect| defect.kind);
-            let faces = [pair.0, pair.1].map(|face| mesh.faces[face as usize].map(|v| mesh.vertices[v as usize]));
+            let faces = [pair.0, pair.1].map(|face| mesh.faces()[face as usize].map(|v| mesh.vertices()[v as usize]));
             assert_eq!(found, expected(&mesh, pair.0, pair.1), "{faces:?}");
             counts[found.map_or(4, |kind| kind as usize)] += 1;
         }

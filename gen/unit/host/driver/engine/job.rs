@@ -4,9 +4,10 @@ use super::{EngineError, Objects, Options};
 use crate::golden::Verdict;
 use crate::host::engine::Refusal;
 use crate::params::engine::{Answer, EngineReport, Reason};
-use efsat_geometry::exact::{self, Exact};
+use efsat_geometry::exact::Exact;
 use efsat_geometry::scene::Pose;
 use efsat_geometry::scene::hierarchy::{Scratch, contacts, first_hit};
+use efsat_geometry::software::retest::retest_posed;
 use rayon::prelude::*;
 
 /// Why a query was answered in software.
@@ -119,7 +120,7 @@ impl Job<'_, '_> {
 
     /// The pairs of an answer, as many as the report counts.
     fn read(&self, words: &[u64], report: &EngineReport) -> Result<Vec<([u32; 2], Verdict)>, EngineError> {
-        let faces = self.pair.map(|object| self.objects.meshes[object].faces.len());
+        let faces = self.pair.map(|object| self.objects.meshes[object].faces().len());
         let pair = |(at, &word): (usize, &u64)| {
             let answer = Answer::of(word).filter(|answer| {
                 answer.triangles.iter().zip(faces).all(|(&triangle, count)| (triangle as usize) < count)
@@ -149,7 +150,8 @@ impl Job<'_, '_> {
     fn exact(&self, triangles: [u32; 2]) -> Exact {
         let corners =
             |side: usize| self.objects.meshes[self.pair[side]].triangle(triangles[side] as usize).map(<[f64; 3]>::from);
-        exact::posed_pair(&corners(0), &corners(1), &self.pose.rows(), &self.pose.translation.into())
+        let answer = retest_posed(&corners(0), &corners(1), &self.pose.rows(), &self.pose.translation().into());
+        answer.expect("meshes and poses are finite")
     }
 
     /// The answer of the software.

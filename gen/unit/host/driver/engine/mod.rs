@@ -21,7 +21,7 @@
 //!
 //! // The mesh against itself, in a pose in which few of its triangles touch, and in one in which none do.
 //! let near = Scene::default_scene().frame(823).poses[1];
-//! let far = Pose { translation: 100.0 * near.translation, ..near };
+//! let far = Pose::new(near.rotation(), 100.0 * near.translation())?;
 //! let jobs = [near, far].map(|pose| objects.query([0, 0], &pose, Options::default()));
 //! let contacts = objects.contacts(jobs.to_vec(), &mut stand_in)?;
 //! assert!(contacts[0].touching().count() == 22 && contacts[0].software.is_none());

@@ -18,14 +18,16 @@ use nalgebra::Matrix3;
 
 fn pose(axis: usize, translation: [f64; 3]) -> Pose {
     let m = turn(axis);
-    Pose { rotation: Matrix3::from_fn(|i, j| m[i][j]), translation: translation.into() }
+    Pose::new(Matrix3::from_fn(|i, j| m[i][j]), translation.into()).unwrap()
 }
 
 /// All pairs that touch, by brute force.
 fn touching(a: &Mesh, b: &Mesh, pose: &Pose) -> Vec<([u32; 2], Exact)> {
     let corners = |mesh: &Mesh, face: u32| mesh.triangle(face as usize).map(<[f64; 3]>::from);
-    let all = (0..a.faces.len() as u32).flat_map(|p| (0..b.faces.len() as u32).map(move |q| [p, q]));
-    let exact = |[p, q]: [u32; 2]| posed_pair(&corners(a, p), &corners(b, q), &pose.rows(), &pose.translation.into());
+    let all = (0..a.faces().len() as u32).flat_map(|p| (0..b.faces().len() as u32).map(move |q| [p, q]));
+    let exact = |[p, q]: [u32; 2]| {
+        posed_pair(&corners(a, p), &corners(b, q), &pose.rows(), &pose.translation().into()).unwrap()
+    };
     all.map(|pair| (pair, exact(pair))).filter(|(_, exact)| *exact != Exact::Separate).collect()
 }
 
@@ -41,7 +43,7 @@ struct Case {
 
 impl Case {
     fn new() -> Self {
-        let resting = Pose { translation: [1.0, 1.0, 0.0].into(), ..Pose::identity() };
+        let resting = Pose::new(Matrix3::identity(), [1.0, 1.0, 0.0].into()).unwrap();
         let crossing = pose(2, [2.5, 1.0, -1.0]);
         let poses = vec![crossing, pose(0, [-1.0, 2.0, 0.5]), resting, pose(1, [0.0, 0.0, 9.0])];
         Self { meshes: [hills(6), cuboid(3, 4, 2)], poses }
@@ -156,8 +158,8 @@ fn queries_that_the_engine_cannot_answer_are_answered_in_software() {
 
     // Twice as large, and far away.
     let objects = case.objects(&EngineParams::default(), &Params::default());
-    let double = Pose { rotation: Matrix3::identity() * 2.0, ..case.poses[0] };
-    let far = Pose { translation: [1e9, 0.0, 0.0].into(), ..case.poses[0] };
+    let double = Pose::new(Matrix3::identity() * 2.0, case.poses[0].translation()).unwrap();
+    let far = Pose::new(case.poses[0].rotation(), [1e9, 0.0, 0.0].into()).unwrap();
     for (pose, meet) in [(double, true), (far, false)] {
         let contacts = objects.query([0, 1], &pose, Options::default()).finish(&[]).unwrap();
         assert!(matches!(contacts.software, Some(Cause::Refused(Refusal::Entry { .. } | Refusal::Translation { .. }))));
