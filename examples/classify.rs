@@ -29,12 +29,12 @@ pub fn answers(file: &str) -> Result<Vec<(Verdict, Exact)>, Box<dyn Error>> {
     let pairs = pair_file::read(file)?;
     let answer = |points: &[[f64; 3]; 6]| {
         // Each pair is moved and scaled into the range of the unit. What does not fit the host decides.
-        let verdict = match loose_pair(points, &params) {
+        let verdict = match loose_pair(points, &params)? {
             Host::Unit(pair) => unit.verdict(&pose, &pair),
             Host::Decided(verdict) => verdict,
         };
         // Needed only where the verdict is possibly incorrect: a definite verdict is never wrong.
-        (verdict, retest(points))
+        Ok((verdict, retest(points)))
     };
-    Ok(pairs.iter().map(answer).collect())
+    pairs.iter().map(answer).collect()
 }

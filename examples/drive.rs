@@ -27,8 +27,8 @@ pub fn drive() -> Result<(Vec<Exact>, usize), Box<dyn Error>> {
     let half_turn = [[1.0, 0.0, 0.0], [0.0, -1.0, 0.0], [0.0, 0.0, -1.0]];
     let pairs = [([0, 1, 2], [0, 1, 2]), ([0, 1, 2], [3, 1, 2]), ([0, 1, 2], [4, 1, 2])];
 
-    let meshes = driver.meshes(&a, &b);
-    let job = meshes.pose(&half_turn, &[0.0; 3], &pairs);
+    let meshes = driver.meshes(&a, &b)?;
+    let job = meshes.pose(&half_turn, &[0.0; 3], &pairs)?;
     let sent = driver.bytes(job.transfers()).len();
     let received = unit.answer(job.transfers());
     let results = job.finish(&received)?;

@@ -30,6 +30,6 @@ pub fn contacts(frames: &[usize]) -> Result<Vec<(usize, Contacts)>, Box<dyn Erro
         let poses = scene.frame(frame).poses;
         objects.query([mesh_of[0], mesh_of[1]], &poses[0].seen(&poses[1]), Options::default())
     };
-    let answers = objects.contacts(frames.iter().map(job).collect(), &mut stand_in)?;
+    let answers = objects.contacts(frames.iter().map(job).collect::<Result<_, _>>()?, &mut stand_in)?;
     Ok(frames.iter().copied().zip(answers).collect())
 }

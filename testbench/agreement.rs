@@ -277,10 +277,10 @@ fn scene_segment(p: &Params) -> (Pose, Vec<Pair>) {
     });
     let points = |mesh: &Mesh| -> Vec<[f64; 3]> { mesh.vertices.iter().map(|v| [v.x, v.y, v.z]).collect() };
     let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
-    let host = SceneHost::new(&points(a), &points(b), p);
+    let host = SceneHost::new(&points(a), &points(b), p).unwrap();
     let pose = &meeting.pose;
     let m = pose.rows();
-    let placed = host.pose(&m, &[pose.translation.x, pose.translation.y, pose.translation.z]);
+    let placed = host.pose(&m, &[pose.translation.x, pose.translation.y, pose.translation.z]).unwrap();
     let unit = |(p, q): &(u32, u32)| match placed.pair(a.faces[*p as usize], b.faces[*q as usize]) {
         Host::Unit(pair) => Some(pair),
         Host::Decided(_) => None,

@@ -66,7 +66,7 @@ fn pairs_and_poses(machine: &Machine, channels: &[Channel]) {
     let segments = Stimulus::random(&EngineFormat::packets(&design.unit.params), 208, 1).segments;
     let m = turn(2);
     let near = Pose { rotation: Matrix3::from_fn(|i, j| m[i][j]), translation: [2.5, 1.0, -1.0].into() };
-    let query = objects.query([0, 1], &near, Options::default()).packet().unwrap().to_vec();
+    let query = objects.query([0, 1], &near, Options::default()).unwrap().packet().unwrap().to_vec();
     let mut packets: Vec<Vec<u64>> = objects.loads().to_vec();
     for (i, (pose, pairs)) in segments.iter().enumerate() {
         let pairs = unit.pairs((0..).zip(&pairs[..1 + i % 16])).unwrap();

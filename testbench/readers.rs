@@ -194,7 +194,7 @@ fn read_pairs(path: &Path) -> Result<(), String> {
     for params in [Params::default(), Params::of(Method::Determinants), Params::of(Method::Exact)] {
         let (golden, pose) = (Golden::new(&params), Pose::identity(&params));
         for points in pairs.iter().take(4) {
-            if let Host::Unit(pair) = loose_pair(points, &params) {
+            if let Host::Unit(pair) = loose_pair(points, &params).unwrap() {
                 golden.verdict(&pose, &pair);
             }
             exact::pair(points);

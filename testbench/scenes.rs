@@ -175,11 +175,11 @@ fn weaker_on_scene(scene: &Scene, params: &Params) -> Weaker {
     let golden = Golden::new(params);
     let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
     let vertices = [a, b].map(|mesh| mesh.vertices.iter().map(|&v| v.into()).collect::<Vec<[f64; 3]>>());
-    let host = SceneHost::new(&vertices[0], &vertices[1], params);
+    let host = SceneHost::new(&vertices[0], &vertices[1], params).unwrap();
     let trees = scene.broad_phase();
     let in_pose = |meeting: Meeting| {
         let (m, t) = twelve(&meeting.pose);
-        let posed = host.pose(&m, &t);
+        let posed = host.pose(&m, &t).unwrap();
         let of_pair = |pair: Faces| match posed.pair(a.faces[pair.0 as usize], b.faces[pair.1 as usize]) {
             Host::Unit(unit) => Weaker::of(&golden, &posed.pose, &unit, || {
                 let (a, b) = triangles([a, b], pair);
@@ -196,7 +196,7 @@ fn weaker_on_random_pairs(count: usize, params: &Params) -> Weaker {
     let golden = Golden::new(params);
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     let sets: Vec<[[f64; 3]; 6]> = (0..count).map(|_| random_points(&mut rng)).collect();
-    let of_pair = |points: &[[f64; 3]; 6]| match loose_pair(points, params) {
+    let of_pair = |points: &[[f64; 3]; 6]| match loose_pair(points, params).unwrap() {
         Host::Unit(pair) => Weaker::of(&golden, &Pose::identity(params), &pair, || relation(points).class),
         Host::Decided(_) => Weaker::default(),
     };

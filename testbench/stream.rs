@@ -298,9 +298,9 @@ fn the_driver_gets_exact_answers_through_the_wrapper() {
         .flat_map_iter(|(params, width)| {
             let bench = Bench::new(ghdl, params, *width);
             let driver = Driver::new(params, *width).unwrap();
-            let meshes = driver.meshes(&a, &b);
+            let meshes = driver.meshes(&a, &b).unwrap();
             // One run for two jobs, the second under a pose.
-            let (first, second) = (driver.loose(&loose), meshes.pose(&m, &t, &triangles));
+            let (first, second) = (driver.loose(&loose).unwrap(), meshes.pose(&m, &t, &triangles).unwrap());
             let words = [first.transfers(), second.transfers()].concat();
             let answers = bench.through(&words);
             let stand_in = StandIn::new(params, *width).unwrap().answer(&words);

@@ -247,7 +247,13 @@ impl Classifier {
     }
 
     fn loose(&self, points: &[Points]) -> Vec<Answer> {
-        let one = |p: &Points| self.answer(&self.identity, &loose_pair(p, &self.params), || exact::relation(p));
+        let one = |p: &Points| {
+            self.answer(
+                &self.identity,
+                &loose_pair(p, &self.params).expect("readers refuse what is not finite"),
+                || exact::relation(p),
+            )
+        };
         points.par_iter().map(one).collect()
     }
 

@@ -169,7 +169,15 @@ impl Comparison {
 
     /// Pairs in one frame, the first of which is number `first`.
     fn loose(&self, pairs: &[Points], first: u64) -> Tally {
-        let answer = |p: &Points| self.answer(&self.identity, &loose_pair(p, &self.params), p, exact::pair(p), None);
+        let answer = |p: &Points| {
+            self.answer(
+                &self.identity,
+                &loose_pair(p, &self.params).expect("readers refuse what is not finite"),
+                p,
+                exact::pair(p),
+                None,
+            )
+        };
         tally(pairs, first, answer)
     }
 

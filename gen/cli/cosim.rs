@@ -112,7 +112,10 @@ impl Job {
         let total = pairs.len() as u64;
         let mut job = Self::default();
         let chosen = spread(total, limit.unwrap_or(total));
-        job.segment(Pose::identity(params), chosen.map(|i| loose_pair(&pairs[i as usize], params)));
+        job.segment(
+            Pose::identity(params),
+            chosen.map(|i| loose_pair(&pairs[i as usize], params).expect("readers refuse what is not finite")),
+        );
         job
     }
 

@@ -175,7 +175,10 @@ impl<'a> Asked<'a> {
     pub fn new(pairs: &'a Pairs<'a>, params: &Params) -> Self {
         let mut hosts = HashMap::new();
         for &[a, b] in pairs.met.iter().map(|met| &met.meeting.meshes) {
-            hosts.entry([a, b]).or_insert_with(|| SceneHost::new(&pairs.vertices[a], &pairs.vertices[b], params));
+            hosts.entry([a, b]).or_insert_with(|| {
+                SceneHost::new(&pairs.vertices[a], &pairs.vertices[b], params)
+                    .expect("readers refuse what is not finite")
+            });
         }
         Self { pairs, golden: Golden::new(params), hosts }
     }
@@ -183,7 +186,8 @@ impl<'a> Asked<'a> {
     /// What `answer` makes of every pair, in order.
     pub fn all<T: Send>(&self, answer: impl Fn(Verdict, bool) -> T + Sync) -> Vec<T> {
         let of = |met: &Met| {
-            let posed = self.hosts[&met.meeting.meshes].pose(&met.m, &met.t);
+            let posed =
+                self.hosts[&met.meeting.meshes].pose(&met.m, &met.t).expect("readers refuse what is not finite");
             let one = |pair| {
                 let [a, b] = self.pairs.vertices_of(met, pair);
                 match posed.pair(a, b) {
@@ -199,7 +203,7 @@ impl<'a> Asked<'a> {
     /// A pair as the unit reads it, and the pose; the pair alone if the host decides it.
     pub fn inputs(&self, pair: usize) -> (Pose, Host) {
         let met = self.pairs.met(pair);
-        let posed = self.hosts[&met.meeting.meshes].pose(&met.m, &met.t);
+        let posed = self.hosts[&met.meeting.meshes].pose(&met.m, &met.t).expect("readers refuse what is not finite");
         let [a, b] = self.pairs.vertices_of(met, pair);
         (posed.pose, posed.pair(a, b))
     }

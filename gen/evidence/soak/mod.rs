@@ -174,7 +174,7 @@ impl Read {
     fn new(pairs: &[Points], params: &Params) -> Self {
         let mut read = Self::default();
         for (i, points) in pairs.iter().enumerate() {
-            read.pairs.push(match loose_pair(points, params) {
+            read.pairs.push(match loose_pair(points, params).expect("readers refuse what is not finite") {
                 Host::Unit(pair) => pair,
                 Host::Decided(verdict) => {
                     read.decided.push((i, verdict));

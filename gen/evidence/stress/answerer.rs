@@ -51,12 +51,12 @@ impl Model {
 
 impl Answerer for Model {
     fn loose(&self, points: &Points) -> Answer {
-        self.answer(&self.identity, &loose_pair(points, &self.params))
+        self.answer(&self.identity, &loose_pair(points, &self.params).expect("points are finite"))
     }
 
     fn posed(&self, posed: &Posed, orders: &[VertexOrder]) -> Vec<Answer> {
-        let host = SceneHost::new(&posed.a, &posed.b, &self.params);
-        let scene = host.pose(&posed.motion.m, &posed.motion.t);
+        let host = SceneHost::new(&posed.a, &posed.b, &self.params).expect("points are finite");
+        let scene = host.pose(&posed.motion.m, &posed.motion.t).expect("poses are finite");
         orders.iter().map(|&[a, b]| self.answer(&scene.pose, &scene.pair(a, b))).collect()
     }
 }

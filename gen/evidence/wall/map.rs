@@ -55,7 +55,7 @@ impl Map {
     /// What the unit answers.
     pub fn verdicts(grid: &Grid, params: &Params) -> Self {
         let (golden, identity) = (Golden::new(params), Pose::identity(params));
-        Self::of(grid, |points| match loose_pair(points, params) {
+        Self::of(grid, |points| match loose_pair(points, params).expect("points are finite") {
             Host::Unit(pair) => golden.verdict(&identity, &pair).into(),
             Host::Decided(verdict) => verdict.into(),
         })

@@ -114,7 +114,9 @@ fn packet(name: &str, what: &'static str, words: &[StreamWord], bits: u32) -> Pa
 
 fn bench(design: &Design, format: &StreamFormat, prefix: &Prefix, header: &[String]) -> String {
     let p = &design.params;
-    let Host::Unit(pair) = loose_pair(&POINTS, p) else { unreachable!("a loose pair is inside the declared ranges") };
+    let Ok(Host::Unit(pair)) = loose_pair(&POINTS, p) else {
+        unreachable!("a loose pair is inside the declared ranges")
+    };
     let pose = Pose::identity(p);
     let plain = |x: &Input| (x.lo, x.sticky);
     let header_word = |kind| StreamWord::from(u128::from(format.header(kind)));

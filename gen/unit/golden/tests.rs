@@ -80,7 +80,7 @@ fn query(rng: &mut ChaCha8Rng, p: &Params) -> (Pose, Pair) {
 }
 
 fn unit_pair(points: &Points, p: &Params) -> Pair {
-    match loose_pair(points, p) {
+    match loose_pair(points, p).unwrap() {
         Host::Unit(pair) => pair,
         Host::Decided(verdict) => panic!("a loose pair fits: {verdict}"),
     }
@@ -410,9 +410,9 @@ fn definite_verdicts_under_poses_are_right() {
         let golden = Golden::new(&p);
         for points in &sets {
             let (a, b) = ([points[0], points[1], points[2]], [points[3], points[4], points[5]]);
-            let scene = SceneHost::new(&a, &b, &p);
+            let scene = SceneHost::new(&a, &b, &p).unwrap();
             let (m, t) = motion(&mut rng, points);
-            let posed = scene.pose(&m, &t);
+            let posed = scene.pose(&m, &t).unwrap();
             let verdict = match posed.pair([0, 1, 2], [0, 1, 2]) {
                 Host::Unit(pair) => golden.verdict(&posed.pose, &pair),
                 Host::Decided(verdict) => verdict,

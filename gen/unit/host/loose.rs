@@ -3,20 +3,24 @@
 use num_bigint::BigInt;
 
 use super::whole::Whole;
-use super::{Host, grid};
+use super::{Host, NotFinite, grid};
 use crate::dyadic::decoded;
 use crate::golden::{Input, Pair};
 use crate::params::{Method, Params};
 use efsat_geometry::exact;
 
-/// Normalises and quantises the pair a0 a1 a2 b0 b1 b2 of finite points: centred on the exact midpoint of the joint
+/// Normalises and quantises the pair a0 a1 a2 b0 b1 b2: centred on the exact midpoint of the joint
 /// box, scaled by the largest power of two with all |coordinates| <= 1 (by 1 if all six points coincide).
 ///
 /// Such a pair is always inside the declared ranges and its pose is [`Pose::identity`](crate::golden::Pose::identity).
 ///
 /// For the exact unit the pair is moved to V0 instead and put on its own grid: scaled by the least power of two with
 /// which all differences are whole. One whose differences do not fit then is decided here.
-pub fn loose_pair(points: &[[f64; 3]; 6], params: &Params) -> Host {
+///
+/// # Errors
+/// A coordinate that is not finite.
+pub fn loose_pair(points: &[[f64; 3]; 6], params: &Params) -> Result<Host, NotFinite> {
+    NotFinite::check("coordinate", points.iter().flatten())?;
     let numbers = points.map(|point| point.map(decoded));
     let nonzero = || numbers.iter().flatten().filter(|(mantissa, _)| *mantissa != 0);
     let grid = nonzero().map(|&(_, exponent)| exponent).min().unwrap_or(0);
@@ -29,14 +33,14 @@ pub fn loose_pair(points: &[[f64; 3]; 6], params: &Params) -> Host {
         } else {
             grid::pair(&points_at::<BigInt>(&numbers, grid), params.grid_bits())
         };
-        return pair.map_or_else(|| Host::exactly(exact::pair(points)), Host::Unit);
+        return Ok(pair.map_or_else(|| Host::exactly(exact::pair(points)), Host::Unit));
     }
     let fraction = params.input().fraction;
-    Host::Unit(if short {
+    Ok(Host::Unit(if short {
         normalised::<i128>(&numbers, grid, fraction)
     } else {
         normalised::<BigInt>(&numbers, grid, fraction)
-    })
+    }))
 }
 
 /// Coordinates in units of 2^grid, none of them finer.

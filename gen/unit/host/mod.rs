@@ -41,6 +41,34 @@ pub enum Host {
     Decided(Verdict),
 }
 
+/// A number that is none: NaN or an infinity.
+#[derive(Clone, Copy, Debug, PartialEq, thiserror::Error)]
+#[error("{what} {index}: found {found}; expected a finite number")]
+pub struct NotFinite {
+    /// What it would be.
+    pub what: &'static str,
+    /// Its place among the numbers given of that kind, from 0, all of them in their order.
+    pub index: usize,
+    /// What was found.
+    pub found: f64,
+}
+
+impl NotFinite {
+    /// The first number that is none.
+    pub(crate) fn check<'a>(what: &'static str, numbers: impl IntoIterator<Item = &'a f64>) -> Result<(), Self> {
+        match numbers.into_iter().enumerate().find(|(_, x)| !x.is_finite()) {
+            Some((index, &found)) => Err(Self { what, index, found }),
+            None => Ok(()),
+        }
+    }
+
+    /// The same for the matrix and the translation of a pose.
+    pub(crate) fn check_pose(m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<(), Self> {
+        Self::check("entry of M", m.iter().flatten())?;
+        Self::check("entry of t", t)
+    }
+}
+
 impl Host {
     /// A pair that is decided here by its exact answer.
     fn exactly(answer: Exact) -> Self {

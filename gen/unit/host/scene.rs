@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 
 use super::boxes::Boxes;
-use super::{Host, grid};
+use super::{Host, NotFinite, grid};
 use crate::dyadic::Dyadic;
 use crate::golden::{Golden, Input, Numbers, Pair, Pose};
 use crate::params::{Method, Params, Transform, Truth};
@@ -74,8 +74,13 @@ impl OffGrid<'_> {
 }
 
 impl SceneHost {
-    /// Normalises and quantises the vertices of the meshes A and B; all coordinates must be finite.
-    pub fn new(a: &[[f64; 3]], b: &[[f64; 3]], params: &Params) -> Self {
+    /// Normalises and quantises the vertices of the meshes A and B.
+    ///
+    /// # Errors
+    /// A coordinate that is not finite.
+    pub fn new(a: &[[f64; 3]], b: &[[f64; 3]], params: &Params) -> Result<Self, NotFinite> {
+        NotFinite::check("coordinate of A", a.iter().flatten())?;
+        NotFinite::check("coordinate of B", b.iter().flatten())?;
         let boxes = [a, b].map(bounds);
         let centres = boxes.map(|mesh| mesh.map(|[low, high]| (Dyadic::from(low) + Dyadic::from(high)).scaled(-1)));
         let half = |[low, high]: [f64; 2]| (Dyadic::from(high) - Dyadic::from(low)).scaled(-1);
@@ -93,17 +98,20 @@ impl SceneHost {
             };
             [a, b][side].iter().map(normalised).collect()
         });
-        Self { params: params.clone(), vertices: [a.to_vec(), b.to_vec()], centres, power, inputs }
+        Ok(Self { params: params.clone(), vertices: [a.to_vec(), b.to_vec()], centres, power, inputs })
     }
 
-    /// The scene with B at M * x + t in the frame of A, x a vertex as given; `m` is indexed `[row][column]`, all
-    /// numbers must be finite.
+    /// The scene with B at M * x + t in the frame of A, x a vertex as given; `m` is indexed `[row][column]`.
     ///
     /// In normalised coordinates the translation becomes t' = s (M c_B + t - c_A), exactly. A unit that cannot do the
     /// pose (no transform, or a translation only) gets vertices of B to which it has been applied, exactly, before
     /// quantisation. The exact unit gets every pair as [`loose_pair`](super::loose_pair) makes it, after the pose, unless
     /// it has a transform that rounds: then it gets what the other units get.
-    pub fn pose(&self, m: &[[f64; 3]; 3], t: &[f64; 3]) -> ScenePose<'_> {
+    ///
+    /// # Errors
+    /// A number of the pose that is not finite.
+    pub fn pose(&self, m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<ScenePose<'_>, NotFinite> {
+        NotFinite::check_pose(m, t)?;
         let motion = Motion { m: m.map(|row| row.map(Dyadic::from)), t: t.map(Dyadic::from) };
         let (way, shift) = self.way(m, &motion);
         let mut scene = ScenePose {
@@ -117,13 +125,13 @@ impl SceneHost {
         match (self.params.method, self.params.truth) {
             (Method::Exact, Truth::Given) => {
                 scene.outside = Outside::OffGrid(as_given());
-                return scene;
+                return Ok(scene);
             }
             (Method::Exact, Truth::Snapped) => scene.snapping = Some(Golden::new(&self.params)),
             (Method::Axes | Method::Determinants, _) => {}
         }
         match way {
-            Way::Host => return self.moved(&motion),
+            Way::Host => return Ok(self.moved(&motion)),
             Way::None => {}
             Way::Unit => match self.quantised(&motion.m, &shift) {
                 Some(pose) => scene.pose = pose,
@@ -131,7 +139,7 @@ impl SceneHost {
                 None => scene.outside = Outside::All(self.boxes(&self.images(&motion))),
             },
         }
-        scene
+        Ok(scene)
     }
 
     /// Whether the unit answers for geometry that is snapped to a grid.

@@ -55,7 +55,9 @@ impl<'a> Stage<'a> {
         let known = self.hosts.lock().unwrap_or_else(PoisonError::into_inner).get(&meshes).cloned();
         // Two threads may make the same one; it is made without the lock.
         let host = known.unwrap_or_else(|| {
-            let made = Arc::new(SceneHost::new(vertices[0], vertices[1], &self.params));
+            let made = Arc::new(
+                SceneHost::new(vertices[0], vertices[1], &self.params).expect("readers refuse what is not finite"),
+            );
             let mut hosts = self.hosts.lock().unwrap_or_else(PoisonError::into_inner);
             Arc::clone(hosts.entry(meshes).or_insert(made))
         });
@@ -67,7 +69,7 @@ impl<'a> Stage<'a> {
 impl Posed<'_> {
     /// What the unit loads, and the pairs as it reads them.
     pub fn host(&self) -> ScenePose<'_> {
-        self.host.pose(&self.m, &self.t)
+        self.host.pose(&self.m, &self.t).expect("readers refuse what is not finite")
     }
 
     /// The vertices of a pair of triangles by their indices.

@@ -74,7 +74,7 @@ fn unit(host: Host) -> Pair {
 }
 
 fn check_loose(points: &[[f64; 3]; 6], p: &Params) {
-    let pair = unit(loose_pair(points, p));
+    let pair = unit(loose_pair(points, p).unwrap());
     let boxes = bounds(points);
     let scale = scale(&boxes.iter().map(half).max().unwrap());
     for (k, point) in points.iter().enumerate() {
@@ -154,8 +154,8 @@ fn poses_are_rewritten_exactly() {
             [(IDENTITY, [9.0, 9.1, 9.25], false), (IDENTITY, [9.0, 10.0, 9.0], false), (ODD, [2.0, 10.0, 3.0], true)]
         {
             let [a, b] = meshes(&mut rng);
-            let host = SceneHost::new(&a, &b, &p);
-            let scene = host.pose(&m, &t);
+            let host = SceneHost::new(&a, &b, &p).unwrap();
+            let scene = host.pose(&m, &t).unwrap();
             let on_host = transform == Transform::Off || transform == Transform::Translate && turned;
             assert_eq!(scene.pose.bypass, on_host);
             let boxes = [bounds(&a), bounds(&b)];
@@ -208,13 +208,13 @@ fn the_identity_is_bypassed() {
     let p = Params::default();
     let mesh = [[0.0, 0.0, 0.1], [1.0, 0.3, 0.0], [0.0, 2.0, 7.0]];
     for transform in [Transform::On, Transform::Translate, Transform::Off] {
-        let host = SceneHost::new(&mesh, &mesh, &Params { transform, ..p.clone() });
-        assert_eq!(host.pose(&IDENTITY, &[0.0; 3]).pose, Pose::identity(&p));
+        let host = SceneHost::new(&mesh, &mesh, &Params { transform, ..p.clone() }).unwrap();
+        assert_eq!(host.pose(&IDENTITY, &[0.0; 3]).unwrap().pose, Pose::identity(&p));
     }
     // Same orientation, other place: a translation in normalised coordinates.
-    let host = SceneHost::new(&mesh, &mesh.map(|x| [x[0] + 1.0, x[1], x[2]]), &p);
-    assert!(!host.pose(&IDENTITY, &[0.0; 3]).pose.bypass);
-    assert!(host.pose(&IDENTITY, &[-1.0, 0.0, 0.0]).pose.bypass);
+    let host = SceneHost::new(&mesh, &mesh.map(|x| [x[0] + 1.0, x[1], x[2]]), &p).unwrap();
+    assert!(!host.pose(&IDENTITY, &[0.0; 3]).unwrap().pose.bypass);
+    assert!(host.pose(&IDENTITY, &[-1.0, 0.0, 0.0]).unwrap().pose.bypass);
 }
 
 /// Out of range: strictly disjoint boxes are `separate`, all others `possibly-incorrect`, and touching is not disjoint.
@@ -224,7 +224,7 @@ fn pairs_outside_the_ranges_are_decided_by_their_boxes() {
         [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0], [100.0, 0.0, 0.0], [101.0, 0.0, 0.0], [100.0, 1.0, 1.0]];
     let decided = |transform, b: &[[f64; 3]], m: &[[f64; 3]; 3], t: [f64; 3], triangle: [u32; 3]| {
         let p = Params { transform, ..Params::default() };
-        SceneHost::new(&a, b, &p).pose(m, &t).pair(triangle, [0, 1, 2])
+        SceneHost::new(&a, b, &p).unwrap().pose(m, &t).unwrap().pair(triangle, [0, 1, 2])
     };
     let b = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0]];
     // A translation too long for the format.
@@ -244,11 +244,11 @@ fn pairs_outside_the_ranges_are_decided_by_their_boxes() {
     // The host has applied the pose, and one vertex of B left the range of the unit; others did not.
     let p = Params { transform: Transform::Translate, ..Params::default() };
     let b = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 1.0], [0.0, 80.0, 0.0]];
-    let host = SceneHost::new(&a, &b, &p);
+    let host = SceneHost::new(&a, &b, &p).unwrap();
     let turn = [[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]];
-    let scene = host.pose(&turn, &[50.0, 0.0, 0.0]);
+    let scene = host.pose(&turn, &[50.0, 0.0, 0.0]).unwrap();
     assert!(matches!(scene.pair([0, 1, 2], [0, 1, 2]), Host::Unit(_)));
-    let scene = host.pose(&turn, &[0.0, 0.0, 0.0]);
+    let scene = host.pose(&turn, &[0.0, 0.0, 0.0]).unwrap();
     assert_eq!(scene.pair([3, 4, 5], [0, 1, 3]), Host::Decided(Verdict::Separate));
     assert_eq!(scene.pair([0, 1, 2], [0, 1, 3]), Host::Decided(Verdict::PossiblyIncorrect));
     assert!(matches!(scene.pair([0, 1, 2], [0, 1, 2]), Host::Unit(_)));
@@ -258,12 +258,12 @@ fn pairs_outside_the_ranges_are_decided_by_their_boxes() {
 fn a_point_mesh_keeps_its_scale() {
     let p = Params::default();
     let point = [[3.0, 4.0, 5.0]];
-    let host = SceneHost::new(&point, &point, &p);
-    assert_eq!(unit(host.pose(&IDENTITY, &[0.0; 3]).pair([0; 3], [0; 3])), Pair::default());
-    let scene = host.pose(&IDENTITY, &[1.5, 0.0, 0.0]);
+    let host = SceneHost::new(&point, &point, &p).unwrap();
+    assert_eq!(unit(host.pose(&IDENTITY, &[0.0; 3]).unwrap().pair([0; 3], [0; 3])), Pair::default());
+    let scene = host.pose(&IDENTITY, &[1.5, 0.0, 0.0]).unwrap();
     assert_eq!(scene.pose.t[0], Input::exact(3 << 27));
     // Nothing to read from a mesh without vertices, but it can be posed.
-    assert!(SceneHost::new(&[], &[], &p).pose(&IDENTITY, &[0.0; 3]).pose.bypass);
+    assert!(SceneHost::new(&[], &[], &p).unwrap().pose(&IDENTITY, &[0.0; 3]).unwrap().pose.bypass);
 }
 
 /// What the host makes of a pair for the exact unit: the pair relative to V0 on its coarsest grid, if that fits.
@@ -312,8 +312,12 @@ fn the_exact_unit_gets_pairs_on_their_own_grid() {
                 5 => points = [points[0]; 6],
                 _ => {}
             }
-            fit +=
-                i32::from(check_grid(loose_pair(&points, &p), &points.map(|x| x.map(real)), exact::pair(&points), &p));
+            fit += i32::from(check_grid(
+                loose_pair(&points, &p).unwrap(),
+                &points.map(|x| x.map(real)),
+                exact::pair(&points),
+                &p,
+            ));
         }
         assert!((400..1400).contains(&fit), "{fit}");
     }
@@ -329,9 +333,9 @@ fn the_exact_unit_gets_scenes_after_their_pose() {
             let mut mesh = || (0..6).map(|_| [(); 3].map(|()| f64::from(rng.random_range(-200..200)) / 4.0)).collect();
             let [a, b]: [Vec<[f64; 3]>; 2] = [mesh(), mesh()];
             let t = [0.25, -1e3, 7.5].map(|x| if rng.random() { x } else { 0.0 });
-            let host = SceneHost::new(&a, &b, &p);
+            let host = SceneHost::new(&a, &b, &p).unwrap();
             for (m, fit) in [IDENTITY, turned, ODD].iter().zip(&mut fit) {
-                let scene = host.pose(m, &t);
+                let scene = host.pose(m, &t).unwrap();
                 assert!(scene.pose.bypass);
                 let image = |x: &[f64; 3]| {
                     [0, 1, 2].map(|i| (0..3).fold(real(t[i]), |sum, j| sum + real(m[i][j]) * real(x[j])))
@@ -364,9 +368,9 @@ fn a_mesh_is_snapped_as_a_whole() {
         let [a, b]: [Vec<[f64; 3]>; 2] = [mesh(), mesh()];
         let reach = [&a, &b].iter().flat_map(|mesh| bounds(mesh)).map(|x| half(&x)).max().unwrap();
         let to_ulps = scale(&reach) * two_to(i64::from(transform_width) - i64::from(p.int_bits));
-        let (host, golden) = (SceneHost::new(&a, &b, &p), Golden::new(&p));
+        let (host, golden) = (SceneHost::new(&a, &b, &p).unwrap(), Golden::new(&p));
         for (m, t) in [(IDENTITY, [0.0; 3]), (angle, [0.0; 3]), (angle, [0.25, -0.5, 0.125]), (ODD, [0.1, 0.0, 0.2])] {
-            let scene = host.pose(&m, &t);
+            let scene = host.pose(&m, &t).unwrap();
             let at = |i: usize, l: usize| scene.snapped([0, i as u32, 1], [l as u32, 2, 3]).unwrap();
             for (i, l) in (0..8).flat_map(|i| (0..8).map(move |l| (i, l))) {
                 assert_eq!([at(i, l)[1], at(i, l)[3]], [at(i, 0)[1], at(0, l)[3]]);

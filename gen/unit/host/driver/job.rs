@@ -2,7 +2,7 @@
 
 use super::{Answer, Driver, DriverError, Transfer};
 use crate::golden::{Outcome, Pose, Verdict};
-use crate::host::{Host, SceneHost, ScenePose};
+use crate::host::{Host, NotFinite, SceneHost, ScenePose};
 use crate::params::Method;
 use crate::params::stream::Report;
 use efsat_geometry::exact::{self, Exact};
@@ -24,17 +24,24 @@ impl<'a> Meshes<'a> {
     }
 
     /// The job of some pairs of triangles, given by vertex indices into A and B, with B at M * x + t in the frame of
-    /// A; `m` is indexed `[row][column]`, all numbers are finite. Memory grows with the number of pairs: give them in
-    /// batches.
+    /// A; `m` is indexed `[row][column]`. Memory grows with the number of pairs: give them in batches.
+    ///
+    /// # Errors
+    /// A number of the pose that is not finite.
     ///
     /// # Panics
     /// If an index is outside its mesh.
-    pub fn pose(&'a self, m: &'a [[f64; 3]; 3], t: &'a [f64; 3], pairs: &'a [([u32; 3], [u32; 3])]) -> Job<'a> {
-        let posed = self.host.pose(m, t);
+    pub fn pose(
+        &'a self,
+        m: &'a [[f64; 3]; 3],
+        t: &'a [f64; 3],
+        pairs: &'a [([u32; 3], [u32; 3])],
+    ) -> Result<Job<'a>, NotFinite> {
+        let posed = self.host.pose(m, t)?;
         let normalised = pairs.iter().map(|&(a, b)| posed.pair(a, b));
         let (a, b) = (self.a, self.b);
         let geometry = Geometry::Posed { a, b, m, t, pairs, posed: Box::new(posed.clone()) };
-        Job::new(self.driver, &posed.pose, normalised, geometry)
+        Ok(Job::new(self.driver, &posed.pose, normalised, geometry))
     }
 }
 
@@ -144,7 +151,7 @@ impl<'a> Job<'a> {
         self.transfers.iter().filter(|transfer| transfer.last).count().saturating_sub(1) + self.sent()
     }
 
-    fn sent(&self) -> usize {
+    pub(super) fn sent(&self) -> usize {
         self.decided.iter().filter(|decided| decided.is_none()).count()
     }
 

@@ -3,13 +3,22 @@
 use super::image::{Header, Image, LINE};
 use crate::golden::Input;
 use crate::golden::engine::{Block, Link, Triangle};
+use crate::host::NotFinite;
 use crate::params::EngineFormat;
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::hierarchy::{LocalBlock, LocalChild, LocalFormat, LocalTree, Placement};
 
 /// Why there is no image of a mesh.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BuildError {
+    /// A vertex that is none.
+    #[error("mesh {mesh}: {found}")]
+    NotFinite {
+        /// Which mesh.
+        mesh: usize,
+        /// Its first number that is not finite.
+        found: NotFinite,
+    },
     /// More triangles than numbers.
     #[error("{found} triangles: expected at most {most}, the numbers that answers carry")]
     Triangles {
@@ -30,8 +39,9 @@ impl Image {
     /// The images of meshes that meet in queries: all with one scale, the greatest with which they fit.
     ///
     /// # Errors
-    /// If a mesh is too large.
+    /// If a mesh is too large, or a coordinate is not finite.
     pub fn build(meshes: &[&Mesh], format: &EngineFormat) -> Result<Vec<Self>, BuildError> {
+        finite(meshes)?;
         let placements = Placement::common(meshes);
         meshes.iter().zip(&placements).map(|(mesh, placement)| Self::of(mesh, placement, format)).collect()
     }
@@ -39,11 +49,12 @@ impl Image {
     /// The first of the images of meshes that meet in queries.
     ///
     /// # Errors
-    /// If the mesh is too large.
+    /// If the mesh is too large, or a coordinate is not finite.
     ///
     /// # Panics
     /// If there is no mesh.
     pub fn build_first(meshes: &[&Mesh], format: &EngineFormat) -> Result<Self, BuildError> {
+        finite(meshes)?;
         Self::of(meshes[0], &Placement::common(meshes)[0], format)
     }
 
@@ -98,6 +109,15 @@ impl Image {
             })
         })
     }
+}
+
+/// Whether all coordinates are numbers.
+fn finite(meshes: &[&Mesh]) -> Result<(), BuildError> {
+    for (mesh, vertices) in meshes.iter().map(|mesh| &mesh.vertices).enumerate() {
+        let coordinates = vertices.iter().flat_map(|vertex| vertex.coords.as_slice());
+        NotFinite::check("coordinate", coordinates).map_err(|found| BuildError::NotFinite { mesh, found })?;
+    }
+    Ok(())
 }
 
 fn converted(block: LocalBlock) -> Block {

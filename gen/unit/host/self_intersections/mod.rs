@@ -172,7 +172,7 @@ impl<'a> Checker<'a> {
     /// How two triangles lie, which may be segments or points: as the unit says, or the host what does not fit it.
     fn answer(&self, faces: [[u32; 3]; 2], effort: &mut Effort) -> Exact {
         let points = self.points(faces);
-        let Host::Unit(pair) = loose_pair(&points, self.params) else {
+        let Host::Unit(pair) = loose_pair(&points, self.params).expect("readers refuse what is not finite") else {
             effort.by_host += 1;
             return exact::pair(&points);
         };

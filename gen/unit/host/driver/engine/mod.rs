@@ -23,7 +23,7 @@
 //! let near = Scene::default_scene().frame(823).poses[1];
 //! let far = Pose { translation: 100.0 * near.translation, ..near };
 //! let jobs = [near, far].map(|pose| objects.query([0, 0], &pose, Options::default()));
-//! let contacts = objects.contacts(jobs.to_vec(), &mut stand_in)?;
+//! let contacts = objects.contacts(jobs.into_iter().collect::<Result<_, _>>()?, &mut stand_in)?;
 //! assert!(contacts[0].touching().count() == 22 && contacts[0].software.is_none());
 //! // So far away that the words of a query do not hold it: the software has answered.
 //! assert!(contacts[1].touching().count() == 0 && contacts[1].software.is_some());
@@ -89,6 +89,12 @@ pub enum EngineError {
         at: usize,
         /// The word.
         word: u64,
+    },
+    /// A pair of triangles that is answered twice.
+    #[error("found triangles {} and {} twice; expected each pair once", triangles[0], triangles[1])]
+    Twice {
+        /// The faces of the two meshes.
+        triangles: [u32; 2],
     },
     /// The report counts other pairs than those that came.
     #[error("found {found} pairs; expected {expected}, as the report says")]
