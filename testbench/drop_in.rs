@@ -1,9 +1,12 @@
 //! The generated files in projects of others: names that do not meet those of other designs.
 
-use crate::tools::{CHECKED, ghdl};
+use crate::tools::{CHECKED, compiles_everywhere, ghdl};
+use efsat::golden::{Golden, Input, Pair, Pose};
+use efsat::host::driver::{Answer, Driver, DriverError, Transfer};
+use efsat::host::sample::{random_pair_under, random_pose};
 use efsat::params::options::Choice;
-use efsat::params::stream::{AnswerFields, Kind, StreamFormat, StreamWidth, StreamWord};
-use efsat::params::{Method, Params, Transform, Upper};
+use efsat::params::stream::{AnswerFields, Kind, Report, StreamFormat, StreamWidth, verdict_status};
+use efsat::params::{Method, Params, Quantity, Transform, Upper};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
@@ -140,8 +143,9 @@ fn what_is_around_the_wrapper_is_written_with_constants() {
     }
 }
 
-/// Packs the pairs and poses that it reads, and unpacks the answers.
+/// Packs the pairs and poses that it reads, and unpacks the answers; says what is refused.
 const IN_C: &str = r#"
+#include <inttypes.h>
 #include <stdio.h>
 #include "efsat.h"
 
@@ -152,39 +156,71 @@ static void print(const uint8_t *bytes, unsigned count)
   printf("\n");
 }
 
+static void print_answer(const struct efsat_answer *a)
+{
+  printf("%u %u %u %u %" PRIu64 " %" PRIu32 " %" PRIu32 "\n", a->verdict, a->reason, a->outside, a->malformed, a->tag,
+      a->separated, a->overlapping);
+}
+
 int main(void)
 {
   char kind;
   long long tag, sticky, number;
   while (scanf(" %c %lld %lld", &kind, &tag, &sticky) == 3) {
-    int64_t numbers[18] = {0};
-    uint8_t word[EFSAT_WORD_BYTES], pair[EFSAT_PAIR_BYTES], answer[EFSAT_ANSWER_BYTES];
+    int64_t numbers[200] = {0};
+    uint8_t word[EFSAT_WORD_BYTES], pair[EFSAT_PAIR_BYTES], answer[EFSAT_ANSWER_BYTES * 8];
+    char text[EFSAT_EXPLANATION];
+    struct efsat_refusal why;
+    const unsigned count = kind == 'd' ? (unsigned)(tag + sticky) : 18;
     (void)tag, (void)sticky;
-    for (unsigned i = 0; i < 18 && scanf("%lld", &number) == 1; i++)
+    for (unsigned i = 0; i < count && scanf("%lld", &number) == 1; i++)
       numbers[i] = number;
-    switch (kind) {
-    case 'p':
+    if (kind == 'p') {
+      if (efsat_put_pair(pair TAG STICKY, numbers, &why)) {
+        printf("%s\n", efsat_explain(&why, text));
+        continue;
+      }
       efsat_put_header(word, EFSAT_PAIRS_HEADER);
-      efsat_put_pair(pair TAG STICKY, numbers);
       print(word, sizeof word);
       print(pair, sizeof pair);
-      break;
+    }
 #ifdef EFSAT_POSE_WORDS
-    case 'm': {
+    if (kind == 'm') {
       uint8_t pose[EFSAT_POSE_BYTES];
+      if (efsat_put_pose(pose, tag == 1 STICKY, numbers, &why)) {
+        printf("%s\n", efsat_explain(&why, text));
+        continue;
+      }
       efsat_put_header(word, EFSAT_POSE_HEADER);
-      efsat_put_pose(pose, tag == 1 STICKY, numbers);
       print(word, sizeof word);
       print(pose, sizeof pose);
-      break;
     }
 #endif
-    case 'a':
-      for (unsigned i = 0; i < sizeof answer; i++)
+    if (kind == 'a') {
+      struct efsat_answer a;
+      for (unsigned i = 0; i < EFSAT_ANSWER_BYTES; i++)
         answer[i] = (uint8_t)numbers[i];
-      struct efsat_answer a = efsat_get_answer(answer);
-      printf("%u %u %u %u %llu %u %u\n", a.verdict, a.reason, a.outside, a.malformed, (unsigned long long)a.tag,
-          a.separated, a.overlapping);
+      if (efsat_get_answer(&a, answer, NULL))
+        printf("refused\n");
+      else
+        print_answer(&a);
+    }
+    if (kind == 'd') {
+      struct efsat_answer answers[8];
+      for (unsigned i = 0; i < sticky; i++)
+        answer[i] = (uint8_t)numbers[tag + i];
+#ifdef EFSAT_RECORD_TAG_LOW
+      uint64_t tags[8];
+      for (unsigned i = 0; i < tag; i++)
+        tags[i] = (uint64_t)numbers[i];
+      if (efsat_get_answers(answers, (uint32_t)tag, tags, answer, (size_t)sticky, &why))
+#else
+      if (efsat_get_answers(answers, (uint32_t)tag, answer, (size_t)sticky, &why))
+#endif
+        printf("refused\n");
+      else
+        for (unsigned i = 0; i < tag; i++)
+          print_answer(&answers[i]);
     }
   }
 }
@@ -201,7 +237,52 @@ for length in range(4 * size):
     try:
         assert len(unit.answers(rng.randbytes(length))) * size == length
     except ValueError:
-        assert length % size
+        pass
+
+
+class Other:
+    """A whole number of another type, as those of numpy are."""
+
+    def __init__(self, value):
+        self.value = value
+
+    def __index__(self):
+        return self.value
+
+
+def refused(error, made):
+    try:
+        made()
+    except error as said:
+        return str(said)
+    raise AssertionError("expected a refusal")
+
+
+def said(made):
+    try:
+        return made()
+    except ValueError as said:
+        return said
+
+
+zeros = [0] * unit.PAIR_NUMBERS
+assert unit.pair(map(Other, zeros)) == unit.pair(zeros)
+for wrong in (0.0, "0", None, [0]):
+    text = refused(TypeError, lambda: unit.pair([0, 0, wrong, *zeros[3:]]))
+    assert text.startswith(f"coordinate 2: found {wrong!r}; expected a whole number, {unit.COORDINATE_LEAST} to "), text
+assert refused(ValueError, lambda: unit.pair(zeros[1:])) == "numbers: found 17; expected 18"
+for big in (1 << 64, -(1 << 64), unit.COORDINATE_MOST + (1 << 32)):
+    text = refused(ValueError, lambda: unit.pair([*zeros[:17], Other(big)]))
+    assert text == f"coordinate 17: found {big}; expected {unit.COORDINATE_LEAST} to {unit.COORDINATE_MOST}", text
+if STICKY:
+    assert refused(ValueError, lambda: unit.pair(zeros, sticky=1 << 18)) == "sticky: found 262144; expected 0 to 262143"
+if TAG:
+    most = (1 << unit.TAG_BITS) - 1
+    assert refused(ValueError, lambda: unit.pair(zeros, most + 1)) == f"tag: found {most + 1}; expected 0 to {most}"
+assert refused(ValueError, lambda: unit.number(float("nan"))) == "found nan; expected a finite number"
+assert refused(ValueError, lambda: unit.number(float("-inf"))) == "found -inf; expected a finite number"
+one = 1 << unit.NUMBER_BITS - unit.INTEGRAL_BITS
+assert [unit.number(x) for x in (1, Other(-1), 0.75, -5e-324, 2**60 + 1)] == [one, -one, one * 3 // 4, -1, (2**60 + 1) * one]
 
 for line in sys.stdin:
     kind, *numbers = line.split()
@@ -209,77 +290,169 @@ for line in sys.stdin:
     more = {"sticky": sticky} if STICKY else {}
     named = {"tag": tag % (1 << 64)} if TAG else {}
     if kind == "p":
-        print(unit.pairs_packet([])[:].hex(), unit.pair(numbers, **named, **more).hex(), sep="\n")
+        record = said(lambda: unit.pair(numbers, **named, **more).hex())
+        print(*([record] if isinstance(record, ValueError) else [unit.pairs_packet([]).hex(), record]), sep="\n")
     elif kind == "m":
-        packet = unit.pose_packet(numbers[: unit.POSE_NUMBERS], tag == 1, **more)
         word = unit.WORD_BITS // 8
-        print(packet[:word].hex(), packet[word:].hex(), sep="\n")
+        packet = said(lambda: unit.pose_packet(numbers[: unit.POSE_NUMBERS], tag == 1, **more))
+        print(*([packet] if isinstance(packet, ValueError) else [packet[:word].hex(), packet[word:].hex()]), sep="\n")
+    elif kind == "a":
+        found = said(lambda: unit.answers(bytes(numbers[: unit.ANSWER_WORD_BITS // 8])))
+        print(*["refused"] if isinstance(found, ValueError) else map(int, found[0]))
     else:
-        [a] = unit.answers(bytes(numbers[: unit.ANSWER_WORD_BITS // 8]))
-        print(*map(int, a))
+        pairs = [(zeros, x % (1 << 64)) if TAG else (zeros,) for x in numbers[:tag]]
+        found = said(lambda: unit.answers_to(pairs, bytes(numbers[tag:])))
+        for answer in [["refused"]] if isinstance(found, ValueError) else found:
+            print(*answer if isinstance(answer, list) else map(int, answer))
 "#;
 
+/// An answer as both programs print it.
+fn told(driver: &Driver, word: u128) -> Option<String> {
+    let (verdict, reason, outside, malformed, tag, separated, overlapping) = match driver.unpack(word.into())? {
+        Answer::Pair { tag, outcome: o } => {
+            (o.verdict as u8, 0, u8::from(o.outside), 0, tag, o.separated, o.overlapping)
+        }
+        Answer::Report(report) => (3, report as u8, 0, u8::from(report != Report::PoseTaken), 0, 0, 0),
+    };
+    Some(format!("{verdict} {reason} {outside} {malformed} {tag} {separated} {overlapping}\n"))
+}
+
 #[test]
-fn host_files_in_c_and_python_pack_as_the_driver_does() {
+fn host_files_in_c_and_python_pack_and_refuse_as_the_driver_does() {
     let mut rng = ChaCha8Rng::seed_from_u64(4);
     let base = Params { width: 8, ..Params::default() };
     let designs = [
         (Params { transform_width: 10, ..base.clone() }, StreamWidth::Bits64),
-        (Params { transform_width: 40, tag_width: 64, upper: Upper::Sticky, ..base.clone() }, StreamWidth::Bits32),
+        (
+            Params { transform_width: 40, tag_width: 64, upper: Upper::Sticky, edge_test: false, ..base.clone() },
+            StreamWidth::Bits32,
+        ),
         (Params { transform: Transform::Translate, tag_width: 0, ..base.clone() }, StreamWidth::Bits128),
+        (Params { transform: Transform::Off, tag_width: 5, ..Params::of(Method::Determinants) }, StreamWidth::Bits64),
         (Params::of(Method::Exact), StreamWidth::Bits1024),
     ];
     for (params, width) in designs {
         let home = tempfile::tempdir().unwrap();
         let (dir, format) = (home.path(), StreamFormat::new(&params, width));
+        let (driver, golden) = (Driver::new(&params, width).unwrap(), Golden::new(&params));
         let command = params.command_line();
         let options = command.strip_prefix("efsat generate").unwrap();
         efsat(dir, &format!("generate --out rtl --stream-width {} {options}", width.name()));
         let (mut asked, mut expected) = (String::new(), String::new());
-        let hex = |words: &[StreamWord]| -> String {
-            let bytes = words.iter().flat_map(|word| word.bytes().take(width.bits() as usize / 8).collect::<Vec<_>>());
-            bytes.map(|byte| format!("{byte:02x}")).collect()
+        let hex = |words: &[Transfer]| -> String {
+            let bytes = driver.bytes(words);
+            bytes.iter().map(|byte| format!("{byte:02x}")).collect()
+        };
+        // The header and the record, or what is refused.
+        let due = |packed: Result<Vec<Transfer>, DriverError>| match packed {
+            Ok(words) => format!("{}\n{}\n", hex(&words[..1]), hex(&words[1..])),
+            Err(refused) => format!("{refused}\n"),
         };
         let mut ask = |kind: char, tag: u64, sticky: u32, numbers: &[i64]| {
             let numbers: String = numbers.iter().map(|x| format!(" {x}")).collect();
             writeln!(asked, "{kind} {} {sticky}{numbers}", tag as i64).unwrap();
         };
-        for _ in 0..40 {
-            let end = 1i64 << (params.transform_width - 1);
-            let numbers = [(); 18].map(|()| rng.random_range(-end..end));
+        let tag_of = |rng: &mut ChaCha8Rng| rng.random::<u64>() & (((1u128 << params.tag_width) - 1) as u64);
+        let mut refusals = 0;
+        for round in 0..200 {
+            // Inside, at an end, beyond it, beyond the word, and anything that 64 bits hold.
+            let mut number = |quantity: Quantity, far: bool| {
+                let [least, most] = params.declared(quantity);
+                match rng.random_range(0..if far { 60 } else { 2 }) {
+                    2 => least - 1,
+                    3 => most + 1,
+                    4 => most + (1 << 32),
+                    5 => rng.random(),
+                    1 => [least, most - 1][rng.random_range(0..2)],
+                    _ => rng.random_range(least..most),
+                }
+            };
+            let coordinates: [i64; 18] = std::array::from_fn(|_| number(Quantity::Coordinate, round % 2 == 1));
+            let count = format.numbers(Kind::Pose) as usize;
+            let of_pose = |i: usize| if i + 3 < count { Quantity::Entry } else { Quantity::Translation };
+            let pose: [i64; 18] = std::array::from_fn(|i| number(of_pose(i), round % 2 == 1));
             let sticky = if params.upper == Upper::Sticky { rng.random_range(0..1 << 18) } else { 0 };
-            let tag = rng.random::<u64>() & (((1u128 << params.tag_width) - 1) as u64);
-            let with_sticky = |i: usize| (numbers[i], sticky >> i & 1 == 1);
-            ask('p', tag, sticky, &numbers);
-            let header = |kind| hex(&[StreamWord::from(u128::from(format.header(kind)))]);
-            let record = format.pair_record(tag, (0..18).map(with_sticky));
-            writeln!(expected, "{}\n{}", header(Kind::Pairs), hex(&record)).unwrap();
+            let tag = tag_of(&mut rng);
+            let input = |lo, i: usize| Input { lo, sticky: sticky >> i & 1 == 1 };
+            let point = |k: usize| [0, 1, 2].map(|i| input(coordinates[3 * k + i], 3 * k + i));
+            let pair = Pair { a: [0, 1, 2].map(point), b: [3, 4, 5].map(point) };
+            ask('p', tag, sticky, &coordinates);
+            let packed = driver.pack_pairs([(tag, &pair)]);
+            refusals += usize::from(packed.is_err());
+            expected += &due(packed);
             if format.has_pose() {
-                let count = format.numbers(Kind::Pose) as usize;
                 let (bypass, sticky) = (rng.random(), sticky & ((1 << count) - 1));
-                ask('m', u64::from(bypass), sticky, &numbers);
-                let skipped = vec![(0, false); 12 - count].into_iter();
-                let record = format.pose_record(bypass, skipped.chain((0..count).map(with_sticky)));
-                writeln!(expected, "{}\n{}", header(Kind::Pose), hex(&record)).unwrap();
+                ask('m', u64::from(bypass), sticky, &pose);
+                let mut whole = Pose { bypass, ..Pose::identity(&params) };
+                let numbers = (0..count).map(|i| Input { lo: pose[i], sticky: sticky >> i & 1 == 1 });
+                let places = whole.m.iter_mut().flatten().chain(&mut whole.t).skip(12 - count);
+                places.zip(numbers).for_each(|(place, number)| *place = number);
+                expected += &due(driver.pack_pose(&whole));
             }
-            let flags = |rng: &mut ChaCha8Rng| rng.random_range(0..1 << format.flags);
-            let fields =
-                AnswerFields { status: rng.random(), tag, separated: flags(&mut rng), overlapping: flags(&mut rng) };
-            let bytes: Vec<i64> = format.answer(&fields).to_le_bytes().map(i64::from).to_vec();
-            ask('a', 0, 0, &[&bytes[..], &[0, 0]].concat());
-            let bit = |at: u32| fields.status >> at & 1;
-            let outside = if params.guarded() { bit(4) } else { 0 };
-            writeln!(
-                expected,
-                "{} {} {outside} {} {tag} {} {}",
-                fields.status & 3,
-                fields.status >> 2 & 3,
-                bit(7),
-                fields.separated,
-                fields.overlapping
-            )
-            .unwrap();
         }
+        let word = |rng: &mut ChaCha8Rng, tag: u64| {
+            let pose = random_pose(rng, &params);
+            let outcome = golden.outcome(&pose, &random_pair_under(rng, &params, &pose));
+            let status = verdict_status(outcome.verdict as u8, outcome.outside);
+            format.answer(&AnswerFields { status, tag, separated: outcome.separated, overlapping: outcome.overlapping })
+        };
+        let bytes = |word: u128| word.to_le_bytes()[..format.answer_width() as usize / 8].to_vec();
+        for round in 0..4_000 {
+            let tag = tag_of(&mut rng);
+            let mut answer = match round % 5 {
+                0 => format.answer(&AnswerFields::report(
+                    [Report::PoseTaken, Report::UnknownHeader, Report::TooShort, Report::TooLong][round / 5 % 4],
+                )),
+                // Flags of any kind, few of which go together.
+                1 => {
+                    let flags =
+                        |rng: &mut ChaCha8Rng| rng.random::<u32>() & rng.random::<u32>() & ((1 << format.flags) - 1);
+                    let (separated, overlapping) = (flags(&mut rng), flags(&mut rng));
+                    format.answer(&AnswerFields { status: rng.random_range(0..3), tag, separated, overlapping })
+                }
+                _ => word(&mut rng, tag),
+            };
+            if round % 5 >= 3 || round % 20 == 0 {
+                answer ^= 1 << rng.random_range(0..format.answer_width());
+            }
+            let mut numbers: Vec<i64> = answer.to_le_bytes().map(i64::from).to_vec();
+            numbers.resize(18, 0);
+            ask('a', 0, 0, &numbers);
+            expected += &told(&driver, answer).unwrap_or("refused\n".to_owned());
+        }
+        // Packets of answers, damaged: no wrong one is accepted.
+        let mut accepted = 0;
+        for round in 0..3_000 {
+            let tags: Vec<u64> =
+                (0..5).map(|i| (tag_of(&mut rng) & !7 | i) & (((1u128 << params.tag_width) - 1) as u64)).collect();
+            let good: Vec<u128> = tags.iter().map(|&tag| word(&mut rng, tag)).collect();
+            let mut answers = good.clone();
+            let [at, other] = [(); 2].map(|()| rng.random_range(0..answers.len()));
+            match round % 6 {
+                0 => answers[at] ^= 1 << rng.random_range(0..8),
+                1 => answers[at] = answers[other],
+                2 => answers.swap(at, other),
+                3 => _ = answers.remove(at),
+                4 => answers.insert(at, good[other]),
+                _ => {}
+            }
+            let said: Option<String> = answers.iter().map(|&word| told(&driver, word)).collect();
+            let in_order = answers.iter().zip(&tags).all(|(&word, tag)| {
+                matches!(driver.unpack(word.into()), Some(Answer::Pair { tag: found, .. }) if found == *tag)
+            });
+            let said = said.filter(|_| in_order && answers.len() == good.len());
+            accepted += usize::from(said.is_some());
+            let verdict = |word: &u128| word & 3;
+            assert!(
+                said.is_none() || params.tag_width < 3 || answers.iter().map(verdict).eq(good.iter().map(verdict)),
+                "round {round}: a wrong verdict is accepted"
+            );
+            let bytes: Vec<i64> = answers.iter().flat_map(|&word| bytes(word)).map(i64::from).collect();
+            let numbers: Vec<i64> = tags.iter().map(|&tag| tag as i64).chain(bytes.iter().copied()).collect();
+            ask('d', 5, bytes.len() as u32, &numbers);
+            expected += &said.unwrap_or("refused\n".to_owned());
+        }
+        assert!(refusals > 20 && accepted > 500, "{refusals} refused, {accepted} accepted");
         let (has_tag, is_sticky) = (params.tag_width > 0, params.upper == Upper::Sticky);
         let host = dir.join("rtl/host");
         let given = |there, text: &'static str| if there { text } else { "" };
@@ -291,15 +464,73 @@ fn host_files_in_c_and_python_pack_as_the_driver_does() {
         let python = IN_PYTHON.replace("if STICKY", &format!("if {}", said(is_sticky)));
         std::fs::write(host.join("test.py"), python.replace("if TAG", &format!("if {}", said(has_tag)))).unwrap();
         std::fs::write(host.join("asked"), asked).unwrap();
+        compiles_everywhere(&host.join("efsat.h"));
         run(&host, "cc", &[CHECKED, &["-o", "test", "test.c"]].concat());
         let python = Command::new("python3").arg("--version").output().is_ok();
         if !python {
             eprintln!("skipped in part: Python is not installed");
         }
         for command in ["./test < asked", "python3 -B test.py < asked"].iter().take(if python { 2 } else { 1 }) {
-            assert_eq!(run(&host, "sh", &["-c", command]), expected, "{command}: {params:?}");
+            let found = run(&host, "sh", &["-c", command]);
+            let differs = found.lines().zip(expected.lines()).position(|(found, due)| found != due);
+            let lines = differs.map(|at| (at, found.lines().nth(at), expected.lines().nth(at)));
+            assert_eq!((lines, found.lines().count()), (None, expected.lines().count()), "{command}: {params:?}");
         }
     }
+}
+
+/// The headers of the ready designs, in C and C++.
+#[test]
+fn ready_headers_compile_everywhere() {
+    let ready = Path::new(env!("CARGO_MANIFEST_DIR")).join("rtl-out");
+    let mut found = 0;
+    for design in std::fs::read_dir(ready).unwrap().map(|design| design.unwrap().path().join("host")) {
+        let files = design.is_dir().then(|| std::fs::read_dir(design).unwrap()).into_iter().flatten();
+        let headers = files.map(|file| file.unwrap().path()).filter(|file| file.extension().is_some_and(|e| e == "h"));
+        found += headers.inspect(|header| compiles_everywhere(header)).count();
+    }
+    assert!(found >= 6, "{found} headers");
+}
+
+/// Pairs of which B is far outside the range of the unit, turned by 45 degrees: a unit without a guard called 56 of these 200
+/// pairs intersecting, at a distance of 16.
+const FAR: &str = r#"
+import math
+import random
+import efsat as unit
+
+rng, half = random.Random(16), math.sqrt(0.5)
+turn = [half, -half, 0, half, half, 0, 0, 0, 1, 0, 0, 0]
+unit.pose_packet([unit.number(x) for x in turn])
+refused = 0
+for _ in range(200):
+    a = [rng.uniform(-0.1, 0.1) for _ in range(9)]
+    b = [rng.uniform(-0.1, 0.1) + place for _ in range(3) for place in (7.8, -7.8, 0)]
+    try:
+        unit.pairs_packet([([unit.number(x) for x in a + b], 0)])
+    except ValueError as error:
+        assert str(error).startswith("coordinate 9: found ") and str(error).endswith("; expected -268435456 to 268435456")
+        refused += 1
+print(refused)
+"#;
+
+#[test]
+fn pairs_far_outside_the_range_are_refused() {
+    if Command::new("python3").arg("--version").output().is_err() {
+        eprintln!("skipped: Python is not installed");
+        return;
+    }
+    let home = tempfile::tempdir().unwrap();
+    efsat(home.path(), "generate --out rtl");
+    let host = home.path().join("rtl/host");
+    std::fs::write(host.join("far.py"), FAR).unwrap();
+    assert_eq!(run(&host, "python3", &["-B", "far.py"]), "200\n");
+    // With a guard they can be sent as they are.
+    efsat(home.path(), "generate --out guarded --guard always");
+    let host = home.path().join("guarded/host");
+    std::fs::write(host.join("far.py"), FAR.replace("a + b], 0)])", "a + b], 0)], outside=True)")).unwrap();
+    assert_eq!(run(&host, "python3", &["-B", "far.py"]), "0\n");
+    compiles_everywhere(&host.join("efsat.h"));
 }
 
 #[test]

@@ -1,13 +1,13 @@
 //! The host side of a generated engine without Rust: `efsat tree query`, and the files in C and Python against the packing here.
 
 use crate::drop_in::run;
-use crate::tools::CHECKED;
+use crate::tools::{CHECKED, compiles_everywhere};
 use efsat::golden::engine::{Model, Query, Row, Side};
 use efsat::golden::{Input, Pose};
 use efsat::number::Upper;
 use efsat::params::engine::{Answer, EngineFormat, EngineReport, Memory, Reason};
 use efsat::params::options::Choice;
-use efsat::params::{EngineParams, Params};
+use efsat::params::{EngineParams, Params, Quantity};
 use efsat::scene::hierarchy::Directions;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -51,12 +51,12 @@ int main(void)
       }
       query.options.limit = (uint32_t)next();
       query.options.flags = (uint32_t)next();
-      query.options.number = (uint32_t)next();
+      uint32_t number = (uint32_t)next();
       for (unsigned i = 0; i < 3; i++)
         query.errors[i] = (uint32_t)next();
       STICKY;
       for (unsigned i = 0; i < 12; i++)
-        query.pose[i] = (int32_t)next();
+        query.pose[i] = next();
       for (unsigned i = 0; i < EFSAT_ENGINE_DIRECTIONS; i++) {
         for (unsigned slot = 0; slot < 3; slot++) {
           query.rows[i].choice[slot] = (uint32_t)next();
@@ -64,12 +64,32 @@ int main(void)
         }
         query.rows[i].rest = (uint32_t)next();
       }
-      efsat_engine_put_query(packet, &query);
+      char text[EFSAT_ENGINE_EXPLANATION];
+      struct efsat_engine_refusal why;
+      const uint32_t own = number;
+      if (efsat_engine_put_query(packet, &query, &number, &why)) {
+        printf("%s\n", efsat_engine_explain(&why, text));
+        continue;
+      }
       print(packet, EFSAT_ENGINE_QUERY_WORDS);
-      efsat_engine_move(packet, 640);
+      if (number != own + 1 || efsat_engine_move(packet, 640, &why))
+        return 1;
       print(packet + 1, 2);
+      if (!efsat_engine_move(packet, 63, &why) || !efsat_engine_move(packet, -(INT64_C(1) << 39), NULL))
+        return 1;
       uint64_t stop = efsat_engine_stop();
       print(&stop, 1);
+    } else if (kind == 'd') {
+      uint64_t packet[EFSAT_ENGINE_QUERY_WORDS] = {0}, words[64];
+      packet[EFSAT_ENGINE_TRIANGLES_WORD] = (uint64_t)next();
+      packet[EFSAT_ENGINE_OPTIONS_WORD] = (uint64_t)next();
+      const size_t count = (size_t)next();
+      struct efsat_engine_report report;
+      for (size_t i = 0; i < count; i++) {
+        uint64_t low = (uint64_t)next();
+        words[i] = low | (uint64_t)next() << 32;
+      }
+      printf("%s\n", efsat_engine_get_answer(&report, packet, words, count, NULL) ? "refused" : "taken");
     } else {
       uint64_t words[EFSAT_ENGINE_REPORT_WORDS];
       struct efsat_engine_pair pair = efsat_engine_get_pair((uint64_t)next());
@@ -99,12 +119,12 @@ import efsat_engine as engine
 
 # What is read is taken, or refused with a ValueError.
 rng = random.Random(6)
-report = engine.struct.pack("<8Q", engine.VERDICT_REPORT, *range(7))
+report = engine.struct.pack("<8Q", engine.VERDICT_REPORT, 0, 0, 1 << 32, *range(4))
 readers = [
     engine.asked,
     lambda data: engine.moved(data, 64),
     engine.answer,
-    lambda data: engine.answer(data + report),
+    lambda data: engine.answer(data[:8] + report),
     lambda data: engine.packets(["head", data.decode("latin-1")]),
     lambda data: engine.packets(["head", "1,2," + " ".join(f"{byte:x}{rng.choice('0f -')}" * (byte % 20) for byte in data)]),
 ]
@@ -119,6 +139,45 @@ for _ in range(400):
         except ValueError:
             outcome.add("refused")
 assert outcomes.count({"taken", "refused"}) == len(readers), outcomes
+
+
+class Other:
+    """A whole number of another type, as those of numpy are."""
+
+    def __init__(self, value):
+        self.value = value
+
+    def __index__(self):
+        return self.value
+
+
+def refused(error, **changes):
+    given = {"sides": [engine.Side(0, 64, 1, 1)] * 2, "errors": (1, 2, 3), "pose": [0] * 12}
+    given["rows"] = [engine.Row((0, 0, 0), (0, 0, 0), 0)] * engine.DIRECTIONS
+    plain = engine.query(**given, number=1)
+    wider = dict(given, errors=map(Other, (1, 2, 3)), pose=map(Other, [0] * 12), number=Other(1))
+    wider["rows"] = [engine.Row(*[[Other(0)] * 3] * 2, Other(0))] * engine.DIRECTIONS
+    assert engine.query(**wider) == plain
+    try:
+        engine.query(**dict(given, **changes))
+    except error as said:
+        return str(said)
+    raise AssertionError("expected a refusal")
+
+
+for wrong in [(1, 2), (1, 2, 3, 4), ()]:
+    assert refused(ValueError, errors=wrong) == f"errors of the shift: found {len(wrong)}; expected 3"
+assert refused(ValueError, errors=(0, Other(65536), 0)) == "error 1: found 65536; expected 0 to 65535"
+assert refused(TypeError, errors=(0, 0, 1.0)) == "error 2: found 1.0; expected a whole number, 0 to 65535"
+text = refused(ValueError, pose=[0] * 11 + [Other(1 << 40)])
+assert text == f"entry of t 11: found {1 << 40}; expected {engine.TRANSLATION_LEAST} to {engine.TRANSLATION_MOST}", text
+text = refused(ValueError, pose=[engine.ENTRY_MOST + 1] + [0] * 11)
+assert text.startswith(f"entry of M 0: found {engine.ENTRY_MOST + 1}; expected "), text
+assert refused(ValueError, sides=[engine.Side(0, 32, 1, 1)] * 2) == "address of side 0: found 32; expected a multiple of 64"
+rows = [engine.Row((0, 0), (0, 0, 0), 0)] * engine.DIRECTIONS
+assert refused(ValueError, rows=rows) == "choices of row 0: found 2; expected 3"
+numbers = {engine.asked(bytes(8 * engine.QUERY_WORDS)) for _ in range(100)}
+assert len(numbers) == 100, "each query has a number of its own"
 
 def show(packet):
     return " ".join(f"{int.from_bytes(packet[i : i + 8], 'little'):016x}" for i in range(0, len(packet), 8))
@@ -138,12 +197,27 @@ for line in sys.stdin:
             terms = take(6)
             rows.append(engine.Row(terms[::2], terms[1::2], next(rest)))
         more = {"sticky": sticky} if STICKY else {}
-        plain = engine.query(sides, errors, pose, rows, **more)
+        try:
+            plain = engine.query(sides, errors, pose, rows, **more)
+        except ValueError as said:
+            print(said)
+            continue
         packet = engine.asked(plain, limit, flags, number)
         assert packet == engine.query(sides, errors, pose, rows, limit, flags, number, **more)
         print(show(packet))
         print(show(engine.moved(packet, 640)[8:24]))
         print(show(engine.stop()))
+    elif kind == "d":
+        packet = [0] * engine.QUERY_WORDS
+        packet[engine.TRIANGLES_WORD], packet[engine.OPTIONS_WORD], count = take(3)
+        words = [low | high << 32 for low, high in zip(*[rest] * 2)]
+        assert len(words) == count
+        pack = lambda words: engine.struct.pack(f"<{len(words)}Q", *words)
+        try:
+            engine.answer(pack(words), pack(packet))
+            print("taken")
+        except ValueError:
+            print("refused")
     else:
         pair = next(rest)
         words = [low | high << 32 for low, high in zip(*[rest] * 2)]
@@ -153,11 +227,14 @@ for line in sys.stdin:
         print(*map(int, report))
 "#;
 
-/// A query of any numbers that its fields hold.
-fn random_query(rng: &mut ChaCha8Rng, format: &EngineFormat) -> Query {
-    let end = 1i64 << (format.transform_width - 1);
-    let mut input = || Input { lo: rng.random_range(-end..end), sticky: format.sticky && rng.random() };
-    let pose = Pose { m: [(); 3].map(|()| [(); 3].map(|()| input())), t: [(); 3].map(|()| input()), bypass: false };
+/// A query of any numbers that its fields hold, in its pose inside the declared ranges.
+fn random_query(rng: &mut ChaCha8Rng, format: &EngineFormat, unit: &Params) -> Query {
+    let mut input = |quantity| {
+        let [least, most] = unit.declared(quantity);
+        Input { lo: rng.random_range(least..most), sticky: format.sticky && rng.random() }
+    };
+    let m = [(); 3].map(|()| [(); 3].map(|()| input(Quantity::Entry)));
+    let pose = Pose { m, t: [(); 3].map(|()| input(Quantity::Translation)), bypass: false };
     let slots = format.directions.slots();
     let mut row = || Row {
         terms: slots.map(|slot| (rng.random_range(0..slot.len() as u32), rng.random_range(0..1 << format.factor_bits))),
@@ -185,7 +262,8 @@ fn random_query(rng: &mut ChaCha8Rng, format: &EngineFormat) -> Query {
     }
 }
 
-fn random_report(rng: &mut ChaCha8Rng) -> EngineReport {
+fn random_report(rng: &mut ChaCha8Rng, answer: &Answer) -> EngineReport {
+    let is = |verdict| u32::from(answer.verdict == verdict);
     EngineReport {
         reason: Reason::ALL[rng.random_range(0..Reason::ALL.len())],
         number: rng.random_range(0..1 << 24),
@@ -194,8 +272,8 @@ fn random_report(rng: &mut ChaCha8Rng) -> EngineReport {
         tests: rng.random(),
         survivors: rng.random(),
         leaf_pairs: rng.random(),
-        intersect: rng.random(),
-        possibly_incorrect: rng.random(),
+        intersect: is(1),
+        possibly_incorrect: is(2),
         blocks: rng.random(),
         triangles: rng.random(),
         words: rng.random(),
@@ -211,6 +289,14 @@ fn hex(words: &[u64]) -> String {
 
 /// The line that asks for a query, and the lines that are due.
 fn query_lines(query: &Query, format: &EngineFormat) -> [String; 2] {
+    let words = query.words(format);
+    let ten = |word: u64| word + (10 | 10 << 32);
+    let stop = format.header(efsat::params::engine::Command::Stop);
+    let due = format!("{}\n{}\n{stop:016x}", hex(&words), hex(&[ten(words[1]), ten(words[2])]));
+    [query_asked(query), due]
+}
+
+fn query_asked(query: &Query) -> String {
     let mut asked = "q".to_owned();
     let mut put = |x: i64| write!(asked, " {x}").unwrap();
     for side in query.sides {
@@ -227,10 +313,7 @@ fn query_lines(query: &Query, format: &EngineFormat) -> [String; 2] {
         row.terms.into_iter().flat_map(|(choice, factor)| [choice, factor]).for_each(|x| put(x.into()));
         put(row.rest.into());
     }
-    let words = query.words(format);
-    let ten = |word: u64| word + (10 | 10 << 32);
-    let stop = format.header(efsat::params::engine::Command::Stop);
-    [asked, format!("{}\n{}\n{stop:016x}", hex(&words), hex(&[ten(words[1]), ten(words[2])]))]
+    asked
 }
 
 fn answer_lines(answer: &Answer, report: &EngineReport) -> [String; 2] {
@@ -263,6 +346,60 @@ fn answer_lines(answer: &Answer, report: &EngineReport) -> [String; 2] {
     [format!("a {}{halves}", answer.word() as i64), due]
 }
 
+/// The line that asks whether an answer is one to a query for pairs of 50 and 60 triangles, and what is due. By what `damage` says it
+/// is damaged, in a way that can be recognised.
+fn damaged_lines(rng: &mut ChaCha8Rng, damage: u32) -> [String; 2] {
+    let (number, mut report) =
+        (rng.random_range(0..1u64 << 24), random_report(rng, &Answer { verdict: 0, triangles: [0; 2] }));
+    let mut words = std::collections::BTreeMap::new();
+    for _ in 0..rng.random_range(2..20) {
+        let triangles = [rng.random_range(0..50), rng.random_range(0..60)];
+        words.insert(triangles, Answer { verdict: rng.random_range(1..3), triangles });
+    }
+    let mut pairs: Vec<u64> = words.values().map(Answer::word).collect();
+    let count = |code| pairs.iter().filter(|word| **word & 3 == code).count() as u32;
+    (report.intersect, report.possibly_incorrect) = (count(1), count(2));
+    (report.reason, report.number) = (Reason::Complete, number as u32);
+    let (at, other) = (rng.random_range(0..pairs.len() - 1), pairs.len() - 1);
+    match damage {
+        // A pair twice, in place of one of the same verdict.
+        1 => pairs[at] = pairs[other] & !3 | pairs[at] & 3,
+        2 => pairs[at] ^= 1 << rng.random_range(0..8),
+        3 => _ = pairs.remove(at),
+        4 => pairs.push(rng.random_range(0..50) << 8 | 49 << 36 | 1),
+        5 => report.number ^= 1 << rng.random_range(0..24),
+        6 => pairs[at] = pairs[at] & !(0xfff << 8) | rng.random_range(50..4096) << 8,
+        7 => pairs[at] = pairs[at] & !(0xfff << 36) | rng.random_range(60..4096) << 36,
+        8 => report.reason = Reason::Contact,
+        9 => report.intersect ^= 1 << rng.random_range(0..32),
+        _ => {}
+    }
+    pairs.extend(report.words());
+    if damage == 10 {
+        // The report itself: no report, a reason that there is not, *incomplete* without one.
+        let head = pairs.len() - EngineReport::WORDS;
+        pairs[head] ^= 1 << [0, 1, 6, 7][rng.random_range(0..4)];
+    }
+    let halves: String = pairs.iter().map(|word| format!(" {} {}", word & u64::from(u32::MAX), word >> 32)).collect();
+    // In 63 bits, for programs that read signed numbers.
+    let asked = (number << 40) as i64;
+    let due = if damage == 0 { "taken" } else { "refused" };
+    [format!("d {} {asked} {}{halves}", 50u64 | 60 << 32, pairs.len()), due.to_owned()]
+}
+
+/// A query with one field beyond its range, and what is due.
+fn refused_lines(rng: &mut ChaCha8Rng, format: &EngineFormat, unit: &Params) -> [String; 2] {
+    let mut query = random_query(rng, format, unit);
+    let place = rng.random_range(0..12);
+    let quantity = if place < 9 { Quantity::Entry } else { Quantity::Translation };
+    let [least, end] = unit.declared(quantity);
+    let number = query.pose.m.iter_mut().flatten().chain(&mut query.pose.t).nth(place).unwrap();
+    let most = end - i64::from(number.sticky);
+    number.lo = [least - 1, most + 1, most + (1 << 32), i64::MIN, i64::MAX][rng.random_range(0..5)];
+    let due = format!("{} {place}: found {}; expected {least} to {most}", quantity.name(), number.lo);
+    [query_asked(&query), due]
+}
+
 fn efsat(dir: &Path, arguments: &str) -> (Option<i32>, String) {
     let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
     let output = command.args(arguments.split_whitespace()).current_dir(dir).output().unwrap();
@@ -291,12 +428,16 @@ fn files_in_c_and_python_pack_as_the_host_here_does() {
             due += &(lines + "\n");
         };
         for _ in 0..40 {
-            add(query_lines(&random_query(&mut rng, &format), &format));
+            add(query_lines(&random_query(&mut rng, &format, &unit), &format));
+            add(refused_lines(&mut rng, &format, &unit));
             let number = |rng: &mut ChaCha8Rng| rng.random_range(0..1 << 28);
             // A word of 63 bits, for programs that read signed numbers.
             let triangles = [number(&mut rng), number(&mut rng) >> 1];
             let answer = Answer { verdict: rng.random_range(0..3), triangles };
-            add(answer_lines(&answer, &random_report(&mut rng)));
+            add(answer_lines(&answer, &random_report(&mut rng, &answer)));
+        }
+        for round in 0..4_000 {
+            add(damaged_lines(&mut rng, round % 11));
         }
         let host = home.path().join("rtl/host");
         let given = if format.sticky { "query.sticky = (uint32_t)next()" } else { "(void)next()" };
@@ -304,6 +445,7 @@ fn files_in_c_and_python_pack_as_the_host_here_does() {
         let said = if format.sticky { "True" } else { "False" };
         fs::write(host.join("test.py"), IN_PYTHON.replace("STICKY", said)).unwrap();
         fs::write(host.join("asked"), asked).unwrap();
+        compiles_everywhere(&host.join("efsat_engine.h"));
         run(&host, "cc", &[CHECKED, &["-o", "test", "test.c"]].concat());
         let python = Command::new("python3").arg("--version").output().is_ok();
         if !python {

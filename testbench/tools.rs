@@ -1,6 +1,8 @@
 //! Tools that some tests need.
 
-use std::process::Command;
+use std::io::Write;
+use std::path::Path;
+use std::process::{Command, Stdio};
 
 /// A text with one place of it changed. A place that is not there, or there twice, is a mistake of the test.
 pub fn replaced(text: &str, from: &str, to: &str) -> String {
@@ -18,6 +20,35 @@ pub const CHECKED: &[&str] = &[
     "-fsanitize=address,undefined",
     "-fno-sanitize-recover=all",
 ];
+
+/// Compiles a header alone, as every version of C and C++ has it, with more warnings than users have, all of them errors. Where
+/// there is no compiler of C++ this is said.
+pub fn compiles_everywhere(header: &Path) {
+    let strict = ["-Wconversion", "-Wsign-conversion", "-Wshadow"];
+    let versions = |compiler, language, versions: &[u32]| {
+        let standard = |version: &u32| (compiler, language, format!("-std={language}{version:02}"));
+        versions.iter().map(standard).collect::<Vec<_>>()
+    };
+    let c = versions("cc", "c", &[99, 11, 17]);
+    let cpp = versions("c++", "c++", &[98, 11, 14, 17, 20]);
+    let compiled = if Command::new("c++").arg("--version").output().is_ok() {
+        [c, cpp].concat()
+    } else {
+        eprintln!("skipped in part: no compiler of C++ is installed");
+        c
+    };
+    for (compiler, language, standard) in compiled {
+        let mut command = Command::new(compiler);
+        command.args(["-x", language, &standard, "-fsyntax-only", "-Wall", "-Wextra", "-pedantic", "-Werror"]);
+        // A header that is compiled by itself would be warned of; this is all there is to the file.
+        let include = format!("#include \"{}\"\n", header.display());
+        let mut child = command.args(strict).arg("-").stdin(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
+        child.stdin.take().unwrap().write_all(include.as_bytes()).unwrap();
+        let output = child.wait_with_output().unwrap();
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "{compiler} {standard} {}:\n{said}", header.display());
+    }
+}
 
 /// The GHDL that compiles fastest; where none is installed none, which is said.
 pub fn ghdl() -> Option<&'static str> {

@@ -1,23 +1,30 @@
-{% for line in header -%}
+{% for line in h.header -%}
 /* {{ line }} */
 {% endfor -%}
 /*
- * The words of {{ prefix }}efsat_engine in C99: constants, packing of packets, unpacking of answers. A packet is words of 64 bits,
- * TLAST with the last one; on the wire their bytes are little-endian. Images of trees are made by `efsat tree build`, and the
+ * The words of {{ h.prefix }}efsat_engine in C99 and C++: constants, packing of packets, unpacking of answers. A packet is words of 64
+ * bits, TLAST with the last one; on the wire their bytes are little-endian. Images of trees are made by `efsat tree build`, and the
  * numbers and rows of a pose by `efsat tree query`.
+ *
+ * A function that returns int refuses what the engine makes no promise for, and answers that it cannot have given: it returns 0, or
+ * one of {{ h.upper }}_REFUSED_... and has then written nothing. `why`, if it is not null, gets the details, and
+ * {{ h.prefix }}efsat_engine_explain puts them into words.
  */
-#ifndef {{ upper }}_H
-#define {{ upper }}_H
+#ifndef {{ h.upper }}_H
+#define {{ h.upper }}_H
 
+#include <stddef.h>
 #include <stdint.h>
-{% for group in groups %}
+#include <stdlib.h>
+{% for group in h.groups %}
 /* {{ group.what }} */
 {%- for constant in group.constants %}
-#define {{ upper }}_{{ constant.upper() }} {{ constant.c() }} /* {{ constant.what }} */
+#define {{ h.upper }}_{{ constant.upper() }} {{ constant.c() }} /* {{ constant.what }} */
 {%- endfor %}
 {% endfor %}
+{% include "host/refusal.h" %}
 /* Where an object is in memory: addresses in bytes, multiples of 64, of its blocks and of its triangles, and how many there are. */
-struct {{ prefix }}efsat_engine_side {
+struct {{ h.prefix }}efsat_engine_side {
   uint64_t blocks_at;
   uint64_t triangles_at;
   uint32_t blocks;
@@ -25,43 +32,41 @@ struct {{ prefix }}efsat_engine_side {
 };
 
 /* A row of the realignment: three choices of a direction with their factors, and the rest. */
-struct {{ prefix }}efsat_engine_row {
+struct {{ h.prefix }}efsat_engine_row {
   uint32_t choice[3];
   uint32_t factor[3];
   uint32_t rest;
 };
 
-/* What is asked for: `flags` is an OR of {{ upper }}_FIRST_CONTACT and the like, `limit` the most expansions or 0, `number` returns
- * in the report. */
-struct {{ prefix }}efsat_engine_options {
+/* What is asked for: `flags` is an OR of {{ h.upper }}_FIRST_CONTACT and the like, `limit` the most expansions or 0. */
+struct {{ h.prefix }}efsat_engine_options {
   uint32_t limit;
   uint32_t flags;
-  uint32_t number;
 };
 
 /* A query: A and B, errors of the shift, the pose m00 m01 m02 m10 ... m22 t_x t_y t_z in units of
- * 2^({{ upper }}_INTEGRAL_BITS - {{ upper }}_TRANSFORM_BITS), a row for each direction.
-{%- if is_sticky %} Bit i of `sticky` is set if number i is greater than its lower bound.{% endif %} */
-struct {{ prefix }}efsat_engine_query {
-  struct {{ prefix }}efsat_engine_side sides[2];
-  struct {{ prefix }}efsat_engine_options options;
+ * 2^({{ h.upper }}_INTEGRAL_BITS - {{ h.upper }}_TRANSFORM_BITS), a row for each direction.
+{%- if h.is_sticky %} Bit i of `sticky` is set if number i is greater than its lower bound.{% endif %} */
+struct {{ h.prefix }}efsat_engine_query {
+  struct {{ h.prefix }}efsat_engine_side sides[2];
+  struct {{ h.prefix }}efsat_engine_options options;
   uint32_t errors[3];
-  int32_t pose[12];
-{%- if is_sticky %}
+  int64_t pose[12];
+{%- if h.is_sticky %}
   uint32_t sticky;
 {%- endif %}
-  struct {{ prefix }}efsat_engine_row rows[{{ upper }}_DIRECTIONS];
+  struct {{ h.prefix }}efsat_engine_row rows[{{ h.upper }}_DIRECTIONS];
 };
 
-/* A pair of triangles in an answer: one of {{ upper }}_VERDICT_..., and the faces of A and of B. */
-struct {{ prefix }}efsat_engine_pair {
+/* A pair of triangles in an answer: one of {{ h.upper }}_VERDICT_..., and the faces of A and of B. */
+struct {{ h.prefix }}efsat_engine_pair {
   unsigned verdict;
   uint32_t a;
   uint32_t b;
 };
 
 /* The end of an answer. If `incomplete` is set, pairs that touch may be missing: find them in software. */
-struct {{ prefix }}efsat_engine_report {
+struct {{ h.prefix }}efsat_engine_report {
   unsigned reason;
   unsigned incomplete;
   uint32_t number;
@@ -82,80 +87,140 @@ struct {{ prefix }}efsat_engine_report {
   uint32_t stack;
 };
 
-static inline uint64_t {{ prefix }}efsat_engine_both(uint64_t low, uint64_t high)
+static inline uint64_t {{ h.prefix }}efsat_engine_both(uint64_t low, uint64_t high)
 {
   return (low & UINT32_MAX) | high << 32;
 }
 
-/* The word of a query that says what is asked for, number {{ upper }}_OPTIONS_WORD of the packet. */
-static inline uint64_t {{ prefix }}efsat_engine_options_word(struct {{ prefix }}efsat_engine_options options)
+/* Asks in a packet of a query for something else. The query gets the number `*next`, which then is the next one, so that no two of the
+ * last 2^{{ h.upper }}_QUERY_NUMBER_BITS queries have the same; begin with any. The report of its answer has to return it. */
+{{ h.upper }}_CHECKED static inline int {{ h.prefix }}efsat_engine_ask(uint64_t packet[{{ h.upper }}_QUERY_WORDS], struct {{ h.prefix }}efsat_engine_options options, uint32_t *next,
+    struct {{ h.prefix }}efsat_engine_refusal *why)
 {
-  return (uint64_t)options.number << {{ upper }}_QUERY_NUMBER_LOW | {{ prefix }}efsat_engine_both(options.limit, options.flags);
+  const uint32_t known = {{ h.upper }}_QUERY_FLAGS;
+  if (options.flags & ~known)
+    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_FLAGS, {{ h.upper }}_NO_INDEX, options.flags, 0, known);
+  *next &= (UINT32_C(1) << {{ h.upper }}_QUERY_NUMBER_BITS) - 1;
+  packet[{{ h.upper }}_OPTIONS_WORD] = (uint64_t)*next << {{ h.upper }}_QUERY_NUMBER_LOW | {{ h.prefix }}efsat_engine_both(options.limit, options.flags);
+  ++*next;
+  return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }
 
-/* The packet of a query. */
-static inline void {{ prefix }}efsat_engine_put_query(uint64_t packet[{{ upper }}_QUERY_WORDS], const struct {{ prefix }}efsat_engine_query *query)
+/* Whether all fields of a query are inside their ranges, and the numbers of its pose inside the declared ones. */
+{{ h.upper }}_CHECKED static inline int {{ h.prefix }}efsat_engine_check_query(const struct {{ h.prefix }}efsat_engine_query *query, struct {{ h.prefix }}efsat_engine_refusal *why)
 {
-  const struct {{ prefix }}efsat_engine_side *a = &query->sides[0], *b = &query->sides[1];
+  static const uint32_t choices[3] = { {{ h.slots }} };
+  int refused = 0;
+  for (unsigned i = 0; i < 4 && !refused; i++) {
+    const struct {{ h.prefix }}efsat_engine_side *side = &query->sides[i / 2];
+    const uint64_t address = i % 2 ? side->triangles_at : side->blocks_at;
+    if (address % 64 || address >> 38)
+      refused = {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_ADDRESS, i, (int64_t)address, 0, (INT64_C(1) << 38) - 64);
+  }
+  for (unsigned i = 0; i < 3 && !refused; i++)
+    refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_ERROR, i, query->errors[i], 0, 65535);
+  for (unsigned i = 0; i < 12 && !refused; i++) {
+    const int64_t above = {% if h.is_sticky %}query->sticky >> i & 1{% else %}0{% endif %};
+    refused = i < 9
+        ? {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_ENTRY, i, query->pose[i], {{ h.upper }}_ENTRY_LEAST, {{ h.upper }}_ENTRY_MOST - above)
+        : {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_TRANSLATION, i, query->pose[i], {{ h.upper }}_TRANSLATION_LEAST, {{ h.upper }}_TRANSLATION_MOST - above);
+  }
+{%- if h.is_sticky %}
+  if (!refused)
+    refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_STICKY, {{ h.upper }}_NO_INDEX, query->sticky, 0, 4095);
+{%- endif %}
+  for (unsigned i = 0; i < {{ h.upper }}_DIRECTIONS && !refused; i++) {
+    const struct {{ h.prefix }}efsat_engine_row *row = &query->rows[i];
+    refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_REST, i, row->rest, 0, (INT64_C(1) << {{ h.upper }}_ROW_REST_BITS) - 1);
+    for (unsigned slot = 0; slot < 3 && !refused; slot++) {
+      refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_CHOICE, i, row->choice[slot], 0, choices[slot] - 1);
+      if (!refused)
+        refused = {{ h.prefix }}efsat_engine_range(why, {{ h.upper }}_REFUSED_FACTOR, i, row->factor[slot], 0, (INT64_C(1) << {{ h.upper }}_FACTOR_BITS) - 1);
+    }
+  }
+  return refused;
+}
+
+/* The packet of a query, with the number `*next` as `{{ h.prefix }}efsat_engine_ask` gives it. */
+{{ h.upper }}_CHECKED static inline int {{ h.prefix }}efsat_engine_put_query(uint64_t packet[{{ h.upper }}_QUERY_WORDS], const struct {{ h.prefix }}efsat_engine_query *query,
+    uint32_t *next, struct {{ h.prefix }}efsat_engine_refusal *why)
+{
+  const struct {{ h.prefix }}efsat_engine_side *a = &query->sides[0], *b = &query->sides[1];
   uint64_t *word = packet;
-  *word++ = {{ prefix }}efsat_engine_both({{ upper }}_QUERY_HEADER, {{ upper }}_QUERY_FORMAT);
-  *word++ = {{ prefix }}efsat_engine_both(a->blocks_at / 64, b->blocks_at / 64);
-  *word++ = {{ prefix }}efsat_engine_both(a->triangles_at / 64, b->triangles_at / 64);
-  *word++ = {{ prefix }}efsat_engine_both(a->blocks, b->blocks);
-  *word++ = {{ prefix }}efsat_engine_both(a->triangles, b->triangles);
-  *word++ = {{ prefix }}efsat_engine_options_word(query->options);
-  *word++ = {{ prefix }}efsat_engine_both(query->errors[0] | query->errors[1] << 16, query->errors[2]);
-  *word++ = {% if is_sticky %}query->sticky{% else %}0{% endif %};
+  int refused = {{ h.prefix }}efsat_engine_check_query(query, why);
+  if (!refused)
+    refused = {{ h.prefix }}efsat_engine_ask(packet, query->options, next, why);
+  if (refused)
+    return refused;
+  *word++ = {{ h.prefix }}efsat_engine_both({{ h.upper }}_QUERY_HEADER, {{ h.upper }}_QUERY_FORMAT);
+  *word++ = {{ h.prefix }}efsat_engine_both(a->blocks_at / 64, b->blocks_at / 64);
+  *word++ = {{ h.prefix }}efsat_engine_both(a->triangles_at / 64, b->triangles_at / 64);
+  *word++ = {{ h.prefix }}efsat_engine_both(a->blocks, b->blocks);
+  *word++ = {{ h.prefix }}efsat_engine_both(a->triangles, b->triangles);
+  word++;
+  *word++ = {{ h.prefix }}efsat_engine_both(query->errors[0] | query->errors[1] << 16, query->errors[2]);
+  *word++ = {% if h.is_sticky %}query->sticky{% else %}0{% endif %};
   for (unsigned i = 0; i < 12; i += 2)
-    *word++ = {{ prefix }}efsat_engine_both((uint32_t)query->pose[i], (uint32_t)query->pose[i + 1]);
-  for (unsigned i = 0; i < {{ upper }}_DIRECTIONS; i++) {
-    const struct {{ prefix }}efsat_engine_row *row = &query->rows[i];
-    *word = (uint64_t)row->rest << {{ upper }}_ROW_REST_LOW;
+    *word++ = {{ h.prefix }}efsat_engine_both((uint64_t)query->pose[i], (uint64_t)query->pose[i + 1]);
+  for (unsigned i = 0; i < {{ h.upper }}_DIRECTIONS; i++) {
+    const struct {{ h.prefix }}efsat_engine_row *row = &query->rows[i];
+    *word = (uint64_t)row->rest << {{ h.upper }}_ROW_REST_LOW;
     for (unsigned slot = 0; slot < 3; slot++)
-      *word |= ((uint64_t)row->factor[slot] << {{ upper }}_ROW_CHOICE_BITS | row->choice[slot]) << slot * {{ upper }}_ROW_SLOT_BITS;
+      *word |= ((uint64_t)row->factor[slot] << {{ h.upper }}_ROW_CHOICE_BITS | row->choice[slot]) << slot * {{ h.upper }}_ROW_SLOT_BITS;
     word++;
   }
+  return 0;
 }
 
 /* Moves the images of both objects of a query by so many bytes, a multiple of 64. */
-static inline void {{ prefix }}efsat_engine_move(uint64_t packet[{{ upper }}_QUERY_WORDS], int64_t bytes)
+{{ h.upper }}_CHECKED static inline int {{ h.prefix }}efsat_engine_move(uint64_t packet[{{ h.upper }}_QUERY_WORDS], int64_t bytes,
+    struct {{ h.prefix }}efsat_engine_refusal *why)
 {
-  const uint64_t lines = (uint64_t)(bytes / 64);
-  for (unsigned i = 1; i <= 2; i++)
-    packet[i] = {{ prefix }}efsat_engine_both((packet[i] & UINT32_MAX) + lines, (packet[i] >> 32) + lines);
+  int64_t lines[4];
+  for (unsigned i = 0; i < 4; i++) {
+    lines[i] = (int64_t)(packet[1 + i / 2] >> (32 * (i % 2)) & UINT32_MAX) + bytes / 64;
+    if (bytes % 64 || lines[i] < 0 || lines[i] > (int64_t)UINT32_MAX)
+      return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_MOVE, {{ h.upper }}_NO_INDEX, bytes, 0, 0);
+  }
+  for (unsigned i = 0; i < 2; i++)
+    packet[1 + i] = {{ h.prefix }}efsat_engine_both((uint64_t)lines[2 * i], (uint64_t)lines[2 * i + 1]);
+  return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }
-{% if block_ram %}
-/* The first two words of a packet that fills memory from a byte address on: 0 or more for blocks, {{ upper }}_TRIANGLES_AT or more
+{% if h.block_ram %}
+/* The first two words of a packet that fills memory from a byte address on: 0 or more for blocks, {{ h.upper }}_TRIANGLES_AT or more
  * for triangles. The words of the image follow, eight for each block or triangle. */
-static inline void {{ prefix }}efsat_engine_put_load(uint64_t words[2], uint32_t address)
+{{ h.upper }}_CHECKED static inline int {{ h.prefix }}efsat_engine_put_load(uint64_t words[2], uint64_t address, struct {{ h.prefix }}efsat_engine_refusal *why)
 {
-  words[0] = {{ upper }}_LOAD_HEADER;
+  if (address % 64 || address >> 32)
+    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_ADDRESS, {{ h.upper }}_NO_INDEX, (int64_t)address, 0, (INT64_C(1) << 32) - 64);
+  words[0] = {{ h.upper }}_LOAD_HEADER;
   words[1] = address;
+  return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }
 {% endif %}
 /* The only word of a packet that ends the query that runs. */
-static inline uint64_t {{ prefix }}efsat_engine_stop(void)
+static inline uint64_t {{ h.prefix }}efsat_engine_stop(void)
 {
-  return {{ upper }}_STOP_HEADER;
+  return {{ h.upper }}_STOP_HEADER;
 }
 
-/* A pair; with verdict {{ upper }}_VERDICT_REPORT the word is the first one of the report. */
-static inline struct {{ prefix }}efsat_engine_pair {{ prefix }}efsat_engine_get_pair(uint64_t word)
+/* A pair; with verdict {{ h.upper }}_VERDICT_REPORT the word is the first one of the report. */
+static inline struct {{ h.prefix }}efsat_engine_pair {{ h.prefix }}efsat_engine_get_pair(uint64_t word)
 {
-  struct {{ prefix }}efsat_engine_pair pair;
+  struct {{ h.prefix }}efsat_engine_pair pair;
   pair.verdict = (unsigned)(word & 3);
-  pair.a = (uint32_t)(word >> {{ upper }}_ANSWER_A_LOW & ((UINT32_C(1) << {{ upper }}_ANSWER_NUMBER_BITS) - 1));
-  pair.b = (uint32_t)(word >> {{ upper }}_ANSWER_B_LOW & ((UINT32_C(1) << {{ upper }}_ANSWER_NUMBER_BITS) - 1));
+  pair.a = (uint32_t)(word >> {{ h.upper }}_ANSWER_A_LOW & ((UINT32_C(1) << {{ h.upper }}_ANSWER_NUMBER_BITS) - 1));
+  pair.b = (uint32_t)(word >> {{ h.upper }}_ANSWER_B_LOW & ((UINT32_C(1) << {{ h.upper }}_ANSWER_NUMBER_BITS) - 1));
   return pair;
 }
 
-/* The last {{ upper }}_REPORT_WORDS words of an answer. */
-static inline struct {{ prefix }}efsat_engine_report {{ prefix }}efsat_engine_get_report(const uint64_t words[{{ upper }}_REPORT_WORDS])
+/* The last {{ h.upper }}_REPORT_WORDS words of an answer. */
+static inline struct {{ h.prefix }}efsat_engine_report {{ h.prefix }}efsat_engine_get_report(const uint64_t words[{{ h.upper }}_REPORT_WORDS])
 {
-  struct {{ prefix }}efsat_engine_report report;
-  report.reason = (unsigned)(words[0] >> {{ upper }}_REPORT_REASON_LOW & 31);
-  report.incomplete = (unsigned)(words[0] >> {{ upper }}_REPORT_INCOMPLETE & 1);
-  report.number = (uint32_t)words[0] >> {{ upper }}_REPORT_NUMBER_LOW;
+  struct {{ h.prefix }}efsat_engine_report report;
+  report.reason = (unsigned)(words[0] >> {{ h.upper }}_REPORT_REASON_LOW & 31);
+  report.incomplete = (unsigned)(words[0] >> {{ h.upper }}_REPORT_INCOMPLETE & 1);
+  report.number = (uint32_t)words[0] >> {{ h.upper }}_REPORT_NUMBER_LOW;
   report.clocks = (uint32_t)(words[0] >> 32);
   report.expansions = (uint32_t)words[1];
   report.tests = (uint32_t)(words[1] >> 32);
@@ -172,6 +237,56 @@ static inline struct {{ prefix }}efsat_engine_report {{ prefix }}efsat_engine_ge
   report.queue_waits = (uint32_t)words[7];
   report.stack = (uint32_t)(words[7] >> 32);
   return report;
+}
+
+static inline int {{ h.prefix }}efsat_engine_by_triangles(const void *one, const void *other)
+{
+  const uint64_t a = *(const uint64_t *)one >> 8, b = *(const uint64_t *)other >> 8;
+  return (a > b) - (a < b);
+}
+
+/* All words of the answer to a query: pairs, which are sorted in place, and the report, which is copied. Refuses an answer that is not
+ * that of this packet, or that the engine cannot have given: a report of another query, words that are no pairs of its objects, a pair
+ * twice, other pairs than the report counts. Of an incomplete answer the pairs are not looked at: they prove nothing. */
+{{ h.upper }}_CHECKED static inline int {{ h.prefix }}efsat_engine_get_answer(struct {{ h.prefix }}efsat_engine_report *report, const uint64_t packet[{{ h.upper }}_QUERY_WORDS],
+    uint64_t *words, size_t count, struct {{ h.prefix }}efsat_engine_refusal *why)
+{
+  const uint64_t options = packet[{{ h.upper }}_OPTIONS_WORD], counts = packet[{{ h.upper }}_TRIANGLES_WORD];
+  const uint64_t number = options >> {{ h.upper }}_QUERY_NUMBER_LOW & ((UINT64_C(1) << {{ h.upper }}_QUERY_NUMBER_BITS) - 1);
+  const uint32_t flags = (uint32_t)(options >> 32);
+  const size_t pairs = count < {{ h.upper }}_REPORT_WORDS ? 0 : count - {{ h.upper }}_REPORT_WORDS;
+  const uint64_t *last = words + pairs;
+  int64_t found[3] = {0, 0, 0};
+  if (count < {{ h.upper }}_REPORT_WORDS || (last[0] & 3) != {{ h.upper }}_VERDICT_REPORT)
+    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_NO_REPORT, {{ h.upper }}_NO_INDEX, (int64_t)count, 0, 0);
+  *report = {{ h.prefix }}efsat_engine_get_report(last);
+  if (report->reason > {{ h.upper }}_REASON_TOO_LONG || report->incomplete != (report->reason >= {{ h.upper }}_REASON_LIMIT) || report->stack > 65535)
+    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_NO_REPORT, {{ h.upper }}_NO_INDEX, (int64_t)count, 0, 0);
+  /* The report of a packet that was not read has no number. */
+  if (report->number != number && report->reason < {{ h.upper }}_REASON_UNKNOWN_HEADER)
+    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_ANSWER_NUMBER, {{ h.upper }}_NO_INDEX, report->number, (int64_t)number, (int64_t)number);
+  if (report->incomplete)
+    return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);
+  for (size_t i = 0; i < pairs; i++) {
+    const struct {{ h.prefix }}efsat_engine_pair pair = {{ h.prefix }}efsat_engine_get_pair(words[i]);
+    if (words[i] >> 2 & 63 || pair.verdict == {{ h.upper }}_VERDICT_REPORT || pair.a >= (counts & UINT32_MAX) || pair.b >= counts >> 32
+        || (pair.verdict == {{ h.upper }}_VERDICT_SEPARATE && !(flags & {{ h.upper }}_ALL_PAIRS)))
+      return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_PAIR, (uint32_t)i, (int64_t)words[i], 0, 0);
+    found[pair.verdict]++;
+  }
+  if (found[{{ h.upper }}_VERDICT_INTERSECT] != report->intersect)
+    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, found[{{ h.upper }}_VERDICT_INTERSECT], report->intersect, report->intersect);
+  if (found[{{ h.upper }}_VERDICT_POSSIBLY_INCORRECT] != report->possibly_incorrect)
+    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, found[{{ h.upper }}_VERDICT_POSSIBLY_INCORRECT],
+        report->possibly_incorrect, report->possibly_incorrect);
+  /* A contact ends a query only if one was asked for, and is among the pairs. */
+  if (report->reason == {{ h.upper }}_REASON_CONTACT && (!(flags & {{ h.upper }}_FIRST_CONTACT) || !report->intersect))
+    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_NO_REPORT, {{ h.upper }}_NO_INDEX, (int64_t)count, 0, 0);
+  qsort(words, pairs, sizeof *words, {{ h.prefix }}efsat_engine_by_triangles);
+  for (size_t i = 1; i < pairs; i++)
+    if (words[i - 1] >> 8 == words[i] >> 8)
+      return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_TWICE, (uint32_t)i, (int64_t)words[i], 0, 0);
+  return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }
 
 #endif

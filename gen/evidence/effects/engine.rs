@@ -7,7 +7,7 @@ use crate::cosim::CosimError;
 use crate::cosim::engine::{Channel, Machine};
 use efsat_geometry::scene::{Frame, Meeting};
 use efsat_unit::host::driver::engine::{Contacts, Engine, Job, Objects, Options, StandIn};
-use efsat_unit::params::engine::{EngineReport, QueryFlags};
+use efsat_unit::params::engine::EngineReport;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -124,15 +124,11 @@ pub fn run<E: Engine, F: From<E::Error>>(
     mut visit: impl FnMut(Row<EngineCounts>, &[Contact]) -> Result<(), F>,
 ) -> Result<(), F> {
     let scene = front.scene();
-    let mut number = 0;
     for batch in frames.chunks(BATCH) {
         let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.survivors.meetings(frame)).collect();
-        let job = |(i, meeting): (usize, &Meeting)| -> Job<'_, '_> {
-            let options = Options { number: (number + i as u32) % QueryFlags::NUMBERS, ..Options::default() };
-            objects.query(meeting.meshes, &meeting.pose, options)
-        };
-        let jobs: Vec<Job<'_, '_>> = meetings.par_iter().enumerate().map(job).collect();
-        number += jobs.len() as u32;
+        let job =
+            |meeting: &Meeting| -> Job<'_, '_> { objects.query(meeting.meshes, &meeting.pose, Options::default()) };
+        let jobs: Vec<Job<'_, '_>> = meetings.par_iter().map(job).collect();
         let answers = objects.contacts(jobs, engine)?;
         let mut answers = meetings.iter().zip(answers).peekable();
         for &frame in batch {

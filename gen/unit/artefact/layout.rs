@@ -4,10 +4,11 @@
 use super::{Prefix, origin, stream};
 use crate::design::Design;
 use crate::golden::Verdict;
+use crate::params::options::Choice;
 use crate::params::stream::{
     BYPASS_AT, Kind, MALFORMED, OUTSIDE, REASON_AT, REPORT, STATUS_BITS, StreamFormat, TAG_AT,
 };
-use crate::params::{Method, Transform, Upper};
+use crate::params::{Method, Params, Quantity, Transform, Upper};
 use askama::Template;
 
 /// A constant.
@@ -30,6 +31,11 @@ impl Constant {
     pub(super) fn word(name: &'static str, value: u32, what: &'static str) -> Self {
         Self { name, value: Value::Word(value), what }
     }
+
+    /// An end of a range, for hosts alone.
+    fn end(name: &'static str, value: i64, what: &'static str) -> Self {
+        Self { name, value: Value::End(value), what }
+    }
 }
 
 /// What a constant is.
@@ -39,6 +45,8 @@ pub(super) enum Value {
     Number(u32),
     /// 32 bits.
     Word(u32),
+    /// A signed number of up to 48 bits.
+    End(i64),
 }
 
 /// Constants under a heading.
@@ -47,6 +55,54 @@ pub(super) struct Group {
     pub what: &'static str,
     /// The constants.
     pub constants: Vec<Constant>,
+}
+
+/// The ranges that hosts keep to, of numbers that a pair has, and a pose if there is one with or without a matrix.
+pub(super) fn ranges(p: &Params) -> Group {
+    let both = |of, [least, most]: [&'static str; 2], what: [&'static str; 2]| {
+        let [from, to] = p.declared(of);
+        [Constant::end(least, from, what[0]), Constant::end(most, to, what[1])]
+    };
+    let mut constants = vec![];
+    constants.extend(both(
+        Quantity::Unread,
+        ["number_least", "number_most"],
+        ["the least number that a word holds", "the greatest"],
+    ));
+    constants.extend(both(
+        Quantity::Coordinate,
+        ["coordinate_least", "coordinate_most"],
+        ["the least coordinate that is declared", "the greatest"],
+    ));
+    if p.transform == Transform::On {
+        constants.extend(both(
+            Quantity::Entry,
+            ["entry_least", "entry_most"],
+            ["the least entry of M that is declared", "the greatest"],
+        ));
+    }
+    if p.transform != Transform::Off {
+        constants.extend(both(
+            Quantity::Translation,
+            ["translation_least", "translation_most"],
+            ["the least entry of t that is declared", "the greatest"],
+        ));
+    }
+    Group {
+        what: "Ranges of numbers; for others the unit makes no promise, and the functions below refuse them.",
+        constants,
+    }
+}
+
+/// Something that the functions in C refuse: the end of its name, and what explanations call it.
+pub(super) struct Refusal {
+    pub name: &'static str,
+    pub what: &'static str,
+}
+
+/// A list of refusals, in the order of their codes.
+pub(super) fn refusals<const N: usize>(list: [(&'static str, &'static str); N]) -> Vec<Refusal> {
+    list.map(|(name, what)| Refusal { name, what }).into()
 }
 
 /// All constants of a design with a stream of that format. What the design does not have is not among them.
@@ -155,6 +211,7 @@ impl Constant {
         match self.value {
             Value::Number(number) => number.to_string(),
             Value::Word(word) => format!("UINT32_C(0x{word:08x})"),
+            Value::End(end) => format!("INT64_C({end})"),
         }
     }
 
@@ -162,6 +219,7 @@ impl Constant {
         match self.value {
             Value::Number(number) => number.to_string(),
             Value::Word(word) => format!("0x{word:08x}"),
+            Value::End(end) => end.to_string(),
         }
     }
 
@@ -170,61 +228,85 @@ impl Constant {
         match self.value {
             Value::Number(number) => format!("natural := {number}"),
             Value::Word(word) => format!("std_logic_vector(31 downto 0) := x\"{word:08x}\""),
+            Value::End(_) => unreachable!("packages in VHDL have no ranges, which may be beyond its integers"),
         }
     }
 }
 
-/// The files of the host side, in C and in Python.
+/// What the files of the host side are made of.
+struct Host<'a> {
+    header: Vec<String>,
+    prefix: &'a Prefix,
+    /// The entity behind the words, and what stands before the names of constants.
+    base: &'static str,
+    upper: String,
+    groups: Vec<Group>,
+    refusals: Vec<Refusal>,
+    /// The first refusals that are about unsigned numbers, and that expect nothing in particular.
+    unsigned: &'static str,
+    unexpected: &'static str,
+    has_tag: bool,
+    is_sticky: bool,
+    has_pose: bool,
+    has_matrix: bool,
+    has_outside: bool,
+    /// Whether a guard takes numbers outside their ranges, and which functions there are for it.
+    has_guards: bool,
+    variants: &'static [bool],
+    method: &'static str,
+    edge_test: bool,
+}
+
+/// The file in C.
 #[derive(Template)]
 #[template(path = "host/efsat.h", escape = "none")]
 struct Header<'a> {
-    header: Vec<String>,
-    prefix: &'a Prefix,
-    /// Stands before the names of constants.
-    upper: String,
-    groups: Vec<Group>,
-    has_tag: bool,
-    is_sticky: bool,
-    has_pose: bool,
-    has_matrix: bool,
-    has_outside: bool,
+    h: &'a Host<'a>,
 }
 
+/// The file in Python.
 #[derive(Template)]
 #[template(path = "host/efsat.py", escape = "none")]
 struct Module<'a> {
-    header: Vec<String>,
-    prefix: &'a Prefix,
-    groups: Vec<Group>,
-    has_tag: bool,
-    is_sticky: bool,
-    has_pose: bool,
-    has_matrix: bool,
-    has_outside: bool,
+    h: &'a Host<'a>,
 }
 
 /// The host side in C and in Python: names and texts.
 pub(super) fn host(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [(String, String); 2] {
     let p = &design.params;
-    let (header, groups) = (origin, || groups(design, format));
-    let (has_tag, is_sticky) = (p.tag_width > 0, p.upper == Upper::Sticky);
-    let (has_pose, has_matrix) = (format.has_pose(), p.transform == Transform::On);
-    let has_outside = p.guarded();
-    let upper = prefix.of("efsat").to_uppercase();
-    let c = Header {
-        header: header(),
+    let mut groups = groups(design, format);
+    groups.insert(1, ranges(p));
+    let host = Host {
+        header: origin(),
         prefix,
-        upper,
-        groups: groups(),
-        has_tag,
-        is_sticky,
-        has_pose,
-        has_matrix,
-        has_outside,
+        base: "efsat",
+        upper: prefix.of("efsat").to_uppercase(),
+        groups,
+        refusals: refusals([
+            ("COORDINATE", Quantity::Coordinate.name()),
+            ("ENTRY", Quantity::Entry.name()),
+            ("TRANSLATION", Quantity::Translation.name()),
+            ("NUMBER", Quantity::Unread.name()),
+            ("STICKY", "sticky bits"),
+            ("TAG", "tag"),
+            ("ORDER", "tag of answer"),
+            ("SIZE", "bytes of the answer"),
+            ("REPORT", "a report in place of a verdict, answer"),
+            ("ANSWER", "a word that no unit of this design sends, answer"),
+        ]),
+        unsigned: "TAG",
+        unexpected: "REPORT",
+        has_tag: p.tag_width > 0,
+        is_sticky: p.upper == Upper::Sticky,
+        has_pose: format.has_pose(),
+        has_matrix: p.transform == Transform::On,
+        has_outside: p.guarded(),
+        has_guards: p.has_guards(),
+        variants: if p.has_guards() { &[false, true] } else { &[false] },
+        method: p.method.name(),
+        edge_test: p.edge_test,
     };
-    let python =
-        Module { header: header(), prefix, groups: groups(), has_tag, is_sticky, has_pose, has_matrix, has_outside };
-    let texts = [("efsat.h", c.render()), ("efsat.py", python.render())];
+    let texts = [("efsat.h", Header { h: &host }.render()), ("efsat.py", Module { h: &host }.render())];
     texts.map(|(name, text)| (format!("host/{}", prefix.of(name)), text.expect("the template renders")))
 }
 

@@ -24,7 +24,46 @@ impl Choice for Guard {
     }
 }
 
+/// What a number of a record is, by which its declared range is known.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// A coordinate of a triangle.
+    Coordinate,
+    /// An entry of M.
+    Entry,
+    /// An entry of t.
+    Translation,
+    /// Not read by the unit, so that it only has to fit its word.
+    Unread,
+}
+
+impl Quantity {
+    /// What messages call it.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Coordinate => "coordinate",
+            Self::Entry => "entry of M",
+            Self::Translation => "entry of t",
+            Self::Unread => "number",
+        }
+    }
+}
+
 impl Params {
+    /// The least and the greatest number of that kind that a host sends, as mantissas of [`Params::input`]; a number whose
+    /// sticky bit is set is below the greatest. The unit makes no promise for others, unless it has a guard.
+    pub fn declared(&self, quantity: Quantity) -> [i64; 2] {
+        let word = self.input();
+        let bound = match quantity {
+            _ if self.method == Method::Exact && self.truth == Truth::Given => None,
+            Quantity::Coordinate => Some(self.coordinate_bound()),
+            Quantity::Entry => Some(self.one()),
+            Quantity::Translation => Some(self.translation_bound()),
+            Quantity::Unread => None,
+        };
+        bound.map_or([word.min(), word.max()], |bound| [-bound, bound]).map(|x| x as i64)
+    }
+
     /// Whether the unit answers pairs outside the declared ranges itself, so that any word may come.
     pub fn guarded(&self) -> bool {
         self.has_guards() || self.method == Method::Exact
@@ -82,6 +121,19 @@ mod tests {
             assert!(guarded(Guard::LeftOut, transform, true));
         }
         assert!(guarded(Guard::LeftOut, Transform::On, false));
+    }
+
+    #[test]
+    fn declared_ranges_are_those_of_the_assumptions() {
+        let ranges = |p: &Params| {
+            [Quantity::Coordinate, Quantity::Entry, Quantity::Translation, Quantity::Unread].map(|of| p.declared(of))
+        };
+        let (one, t, end) = (1 << 28, 1_073_741_816, 1 << 31);
+        assert_eq!(ranges(&Params::default()), [[-one, one], [-one, one], [-t, t], [-end, end - 1]]);
+        // Any word: the exact unit flags what does not fit itself.
+        let exact = Params::of(Method::Exact);
+        let end = 1 << (exact.transform_width - 1);
+        assert_eq!(ranges(&exact), [[-end, end - 1]; 4]);
     }
 
     #[test]

@@ -13,7 +13,7 @@ pub mod stream;
 pub use efsat_hardware::number::Upper;
 pub use engine::{EngineFormat, EngineParams};
 pub use formats::{AxisKind, Clamp, Formats, Row};
-pub use guard::Guard;
+pub use guard::{Guard, Quantity};
 pub use method::{
     BELOW_GRID, Bound, CLOCKS_PER_PAIR, EXACT_CLOCKS, ErrorLevels, ExactClocks, LEVELS, Method, SPAN, Truth,
 };

@@ -1,35 +1,46 @@
 //! The host side of an engine: its constants in VHDL, C and Python, and the packing and unpacking of its words.
 
 use super::{EngineDesign, NAME};
-use crate::artefact::layout::{Constant, Group, constants_package};
+use crate::artefact::layout::{Constant, Group, Refusal, constants_package, ranges, refusals};
 use crate::artefact::{Prefix, origin};
 use crate::golden::Verdict;
 use crate::host::engine::TRIANGLES_AT;
+use crate::params::Quantity;
 use crate::params::engine::{Answer, Command, EngineFormat, EngineReport, Memory, QueryFlags, Reason};
 use crate::params::stream::REPORT;
 use askama::Template;
 
-#[derive(Template)]
-#[template(path = "host/efsat_engine.h", escape = "none")]
-struct Header<'a> {
+/// What the files of the host side are made of.
+struct Host<'a> {
     header: Vec<String>,
     prefix: &'a Prefix,
-    /// Stands before the names of constants.
+    /// The entity behind the words, and what stands before the names of constants.
+    base: &'static str,
     upper: String,
     groups: Vec<Group>,
+    refusals: Vec<Refusal>,
+    /// The first refusals that are about unsigned numbers, and that expect nothing in particular.
+    unsigned: &'static str,
+    unexpected: &'static str,
+    reasons: Vec<&'static str>,
+    /// How many directions each choice of a row has.
+    slots: String,
     is_sticky: bool,
     block_ram: bool,
 }
 
+/// The file in C.
+#[derive(Template)]
+#[template(path = "host/efsat_engine.h", escape = "none")]
+struct Header<'a> {
+    h: &'a Host<'a>,
+}
+
+/// The file in Python.
 #[derive(Template)]
 #[template(path = "host/efsat_engine.py", escape = "none")]
 struct Module<'a> {
-    header: Vec<String>,
-    prefix: &'a Prefix,
-    groups: Vec<Group>,
-    reasons: Vec<&'static str>,
-    is_sticky: bool,
-    block_ram: bool,
+    h: &'a Host<'a>,
 }
 
 /// The package of constants in VHDL: name and text.
@@ -40,15 +51,42 @@ pub(super) fn package(design: &EngineDesign, prefix: &Prefix) -> (String, String
 
 /// The files of the host side: names and texts.
 pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String); 2] {
-    let (is_sticky, block_ram) = (design.format.sticky, design.params.memory == Memory::BlockRam);
-    let (header, upper) = (origin(), prefix.of(NAME).to_uppercase());
-    let c = Header { header: header.clone(), prefix, upper, groups: groups(design), is_sticky, block_ram };
-    let reasons = Reason::ALL.map(|code| reason(code).1).into();
-    let python = Module { header, prefix, groups: groups(design), reasons, is_sticky, block_ram };
+    let mut groups = groups(design);
+    groups.insert(1, ranges(&design.unit.params));
+    let host = Host {
+        header: origin(),
+        prefix,
+        base: NAME,
+        upper: prefix.of(NAME).to_uppercase(),
+        groups,
+        refusals: refusals([
+            ("ENTRY", Quantity::Entry.name()),
+            ("TRANSLATION", Quantity::Translation.name()),
+            ("STICKY", "sticky bits"),
+            ("ERROR", "error of the shift"),
+            ("REST", "rest of row"),
+            ("CHOICE", "a choice of row"),
+            ("FACTOR", "a factor of row"),
+            ("FLAGS", "flags"),
+            ("ADDRESS", "no multiple of 64 in memory, address"),
+            ("ANSWER_NUMBER", "report of query"),
+            ("COUNT", "pairs of a verdict in the answer, as the report counts them"),
+            ("MOVE", "a way that is no multiple of 64 or leaves memory"),
+            ("NO_REPORT", "an answer without a report that is due at its end, words"),
+            ("PAIR", "a word that is no pair of the objects, word"),
+            ("TWICE", "a pair of triangles twice, word"),
+        ]),
+        unsigned: "PAIR",
+        unexpected: "MOVE",
+        reasons: Reason::ALL.map(|code| reason(code).1).into(),
+        slots: design.format.directions.slots().map(|slot| slot.len().to_string()).join(", "),
+        is_sticky: design.format.sticky,
+        block_ram: design.params.memory == Memory::BlockRam,
+    };
     let render = |text: Result<String, askama::Error>| text.expect("the template renders");
     [
-        (format!("host/{}.h", prefix.of(NAME)), render(c.render())),
-        (format!("host/{}.py", prefix.of(NAME)), render(python.render())),
+        (format!("host/{}.h", prefix.of(NAME)), render(Header { h: &host }.render())),
+        (format!("host/{}.py", prefix.of(NAME)), render(Module { h: &host }.render())),
     ]
 }
 
@@ -63,6 +101,7 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
         word("query_format", format.header_high(), "high half, which says the formats below"),
         word("stop_header", header(Command::Stop), "the only word of a stop"),
         number("query_words", format.query_words(), "words of a query"),
+        number("triangles_word", 4, "the word that says how many triangles the objects have"),
         number("options_word", 5, "the word that says what is asked for"),
     ];
     if block_ram {
@@ -72,6 +111,8 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
         packets.push(number("triangle_lines", params.triangle_lines, "triangles that memory holds"));
     }
     let flag = |at: u32| 1 << (at - u32::BITS);
+    let all = [QueryFlags::FIRST_CONTACT, QueryFlags::ALL_PAIRS, QueryFlags::LEAF_PAIRS, QueryFlags::EMPTY_CACHES];
+    let flags = all.into_iter().map(flag).sum();
     vec![
         Group { what: "The engine.", constants: of_engine(design) },
         Group { what: "Packets in.", constants: packets },
@@ -82,6 +123,7 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
                 number("all_pairs", flag(QueryFlags::ALL_PAIRS), "answer separate pairs too"),
                 number("leaf_pairs", flag(QueryFlags::LEAF_PAIRS), "no triangle test: all are possibly incorrect"),
                 number("empty_caches", flag(QueryFlags::EMPTY_CACHES), "empty the caches first"),
+                number("query_flags", flags, "all of them"),
                 number("query_number_low", QueryFlags::NUMBER_AT, "the number that the report returns"),
                 number("query_number_bits", QueryFlags::NUMBER_BITS, "its bits"),
             ],

@@ -153,7 +153,7 @@ impl<'a> Job<'a> {
         self.transfers.iter().filter(|transfer| transfer.last).count().saturating_sub(1) + self.sent()
     }
 
-    fn sent(&self) -> usize {
+    pub(super) fn sent(&self) -> usize {
         self.decided.iter().filter(|decided| decided.is_none()).count()
     }
 

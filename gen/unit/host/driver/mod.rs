@@ -18,7 +18,7 @@
 //!
 //! let params = Params::default();
 //! let driver = Driver::new(&params, StreamWidth::Bits64)?;
-//! let job = driver.loose(&pairs);
+//! let job = driver.loose(&pairs)?;
 //! let mut unit = StandIn::new(&params, StreamWidth::Bits64)?;
 //! let answers = unit.answer(job.transfers());
 //! let results = job.finish(&answers)?;
@@ -27,6 +27,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod contradiction;
 #[cfg(feature = "scenes")]
 pub mod engine;
 mod job;
@@ -40,7 +41,7 @@ pub use stand_in::StandIn;
 use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
 use crate::host::{self, Host, SceneHost};
 use crate::params::stream::{Kind, Report, StreamFormat, StreamWidth, StreamWord, verdict_status};
-use crate::params::{ParamError, Params, Transform};
+use crate::params::{ParamError, Params, Quantity, Transform, Upper};
 use efsat_geometry::finite::NotFinite;
 
 /// One word of a stream and its TLAST.
@@ -102,14 +103,23 @@ pub enum DriverError {
     /// A pose that the design has no ports for: it would be answered as another one.
     #[error("the design cannot do this pose: {0}")]
     Pose(&'static str),
-    /// A number that the words of the design do not hold.
-    #[error("the number {found} does not fit {bits} bits")]
+    /// A number outside its declared range, for which the unit makes no promise.
+    #[error("{} {index}: found {found}; expected {least} to {most}", quantity.name())]
     Number {
+        /// What it is.
+        quantity: Quantity,
+        /// Its place in the record.
+        index: usize,
         /// The number.
         found: i64,
-        /// Bits of a number in this design.
-        bits: u32,
+        /// The least number expected.
+        least: i64,
+        /// The greatest one; one less if its sticky bit is set.
+        most: i64,
     },
+    /// A unit that would answer for numbers outside their ranges.
+    #[error("the unit has no guard, and may answer wrongly for a number outside its range; expected --guard always")]
+    Unguarded,
     /// Bytes that are no whole words.
     #[error("found {found} bytes; expected a multiple of {word}")]
     Bytes {
@@ -125,6 +135,8 @@ pub enum DriverError {
 pub struct Driver {
     params: Params,
     format: StreamFormat,
+    /// Whether numbers outside their declared ranges are sent, too.
+    passes: bool,
 }
 
 fn number(x: &Input) -> (i64, bool) {
@@ -144,7 +156,16 @@ impl Driver {
     /// A parameter outside its range.
     pub fn new(params: &Params, width: StreamWidth) -> Result<Self, ParamError> {
         params.validate()?;
-        Ok(Self { params: params.clone(), format: StreamFormat::new(params, width) })
+        Ok(Self { params: params.clone(), format: StreamFormat::new(params, width), passes: false })
+    }
+
+    /// A driver that also packs numbers outside their declared ranges, as long as their words hold them: the guard answers
+    /// such pairs possibly incorrect.
+    ///
+    /// # Errors
+    /// A unit without a guard.
+    pub fn passing_all(self) -> Result<Self, DriverError> {
+        if self.params.guarded() { Ok(Self { passes: true, ..self }) } else { Err(DriverError::Unguarded) }
     }
 
     /// The format of the words.
@@ -155,7 +176,8 @@ impl Driver {
     /// The packet that loads a pose for the packets after it; no words for the identity in a design without a transform.
     ///
     /// # Errors
-    /// A pose that the design cannot do, or a number that its words do not hold.
+    /// A pose that the design cannot do, or a number outside its declared range. With the bypass numbers are not read, and
+    /// only have to fit their words.
     pub fn pack_pose(&self, pose: &Pose) -> Result<Vec<Transfer>, DriverError> {
         let identity = Pose::identity(&self.params);
         let (turned, moved) = (!pose.bypass && pose.m != identity.m, !pose.bypass && pose.t != identity.t);
@@ -165,7 +187,10 @@ impl Driver {
             Transform::Off => return Ok(vec![]),
             Transform::Translate | Transform::On => {}
         }
-        self.check(pose.m.iter().flatten().chain(&pose.t))?;
+        let unread = |quantity| if pose.bypass { Quantity::Unread } else { quantity };
+        let entries = if self.params.transform == Transform::On { 9 } else { 0 };
+        self.check(unread(Quantity::Entry), 0, pose.m.iter().flatten().take(entries))?;
+        self.check(unread(Quantity::Translation), entries, &pose.t)?;
         let mut words = vec![u128::from(self.format.header(Kind::Pose)).into()];
         words.extend(self.format.pose_record(pose.bypass, pose.m.iter().flatten().chain(&pose.t).map(number)));
         Ok(packet(words))
@@ -174,7 +199,7 @@ impl Driver {
     /// The packet of some pairs with their tags, of which the low bits travel; no words if there are no pairs.
     ///
     /// # Errors
-    /// A number that its words do not hold.
+    /// A coordinate outside its declared range.
     pub fn pack_pairs<'a>(
         &self,
         pairs: impl IntoIterator<Item = (u64, &'a Pair)>,
@@ -182,22 +207,33 @@ impl Driver {
         let mut words = vec![u128::from(self.format.header(Kind::Pairs)).into()];
         for (tag, pair) in pairs {
             let numbers = pair.a.iter().chain(&pair.b).flatten();
-            self.check(numbers.clone())?;
+            self.check(Quantity::Coordinate, 0, numbers.clone())?;
             words.extend(self.format.pair_record(tag, numbers.map(number)));
         }
         Ok(if words.len() == 1 { vec![] } else { packet(words) })
     }
 
-    /// Whether all numbers fit the words of the design; cut to them they would be others.
-    fn check<'a>(&self, mut numbers: impl Iterator<Item = &'a Input>) -> Result<(), DriverError> {
-        let (format, bits) = (self.params.input(), self.params.transform_width);
-        match numbers.find(|x| !(format.min()..=format.max()).contains(&i128::from(x.lo))) {
-            Some(x) => Err(DriverError::Number { found: x.lo, bits }),
-            None => Ok(()),
+    /// Whether numbers are inside their range, of which the first has the place `from` in its record.
+    fn check<'a>(
+        &self,
+        quantity: Quantity,
+        from: usize,
+        numbers: impl IntoIterator<Item = &'a Input>,
+    ) -> Result<(), DriverError> {
+        let quantity = if self.passes { Quantity::Unread } else { quantity };
+        let [least, end] = self.params.declared(quantity);
+        let sticky = self.params.upper == Upper::Sticky && quantity != Quantity::Unread;
+        for (index, x) in (from..).zip(numbers) {
+            let most = end - i64::from(sticky && x.sticky);
+            if !(least..=most).contains(&x.lo) {
+                return Err(DriverError::Number { quantity, index, found: x.lo, least, most });
+            }
         }
+        Ok(())
     }
 
-    /// What a word from the unit says; none if no unit of this design sends it.
+    /// What a word from the unit says; none if no unit of this design sends it: it has bits that no answer has, or its verdict
+    /// contradicts its flags.
     pub fn unpack(&self, data: StreamWord) -> Option<Answer> {
         let fields = self.format.answer_fields(data.low()).filter(|_| data == data.low())?;
         let silent = fields.separated == 0 && fields.overlapping == 0;
@@ -214,7 +250,8 @@ impl Driver {
             }
         };
         let outcome = Outcome { verdict, separated: fields.separated, overlapping: fields.overlapping, outside };
-        Some(Answer::Pair { tag: fields.tag, outcome })
+        let sound = !contradiction::contradicts(&self.params, &outcome);
+        sound.then_some(Answer::Pair { tag: fields.tag, outcome })
     }
 
     /// Words for the unit as little-endian bytes, as they lie in a buffer for DMA. Packet ends are not in it.

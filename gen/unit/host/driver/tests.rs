@@ -1,8 +1,8 @@
 //! The driver against the exact oracle, with the stand-in as the unit.
 
 use super::{Answer, Driver, DriverError, StandIn, Transfer};
-use crate::golden::{Input, Pair, Pose, Verdict};
-use crate::params::stream::{Report, StreamWidth};
+use crate::golden::{Golden, Input, Outcome, Pair, Pose, Verdict};
+use crate::params::stream::{AnswerFields, Report, StreamWidth, verdict_status};
 use crate::params::{Axes, Guard, Method, Params, Transform, Upper};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample;
@@ -175,18 +175,140 @@ fn poses_and_numbers_that_the_words_do_not_hold_are_refused() {
     let driver = driver(&Params { transform_width: 18, ..Params::default() });
     let mut pair = Pair::default();
     pair.b[2][1] = Input::exact(-(1 << 17));
+    assert!(driver.pack_pairs([(0, &pair)]).is_err(), "s4.14 holds it, but 1 is the end of the declared range");
+    pair.b[2][1].lo = 1 - (1 << 14);
     assert!(driver.pack_pairs([(0, &pair)]).is_ok());
-    pair.b[2][1].lo -= 1;
-    let error = DriverError::Number { found: -(1 << 17) - 1, bits: 18 };
-    assert_eq!(driver.pack_pairs([(0, &pair)]).unwrap_err(), error);
+    pair.b[2][1].lo -= 2;
+    let error = driver.pack_pairs([(0, &pair)]).unwrap_err().to_string();
+    assert_eq!(error, "coordinate 16: found -16385; expected -16384 to 16384");
+    moved.m = Pose::identity(&Params { transform_width: 18, ..Params::default() }).m;
+    moved.t[0].lo = 65_529;
+    let error = driver.pack_pose(&moved).unwrap_err().to_string();
+    assert_eq!(error, "entry of t 9: found 65529; expected -65528 to 65528");
+    moved.m[1][0].lo = -(1 << 14) - 1;
+    let error = driver.pack_pose(&moved).unwrap_err().to_string();
+    assert_eq!(error, "entry of M 3: found -16385; expected -16384 to 16384");
+    moved.bypass = true;
+    assert!(driver.pack_pose(&moved).is_ok(), "with the bypass the numbers are not read");
     moved.t[0].lo = 1 << 17;
-    assert!(driver.pack_pose(&moved).is_err());
+    assert!(driver.pack_pose(&moved).is_err(), "but are not cut, either");
+    assert_eq!(driver.passing_all().unwrap_err(), DriverError::Unguarded);
+
+    // A number above its lower bound is below the end.
+    let params = Params { upper: Upper::Sticky, ..Params::default() };
+    let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
+    let mut pair = Pair::default();
+    pair.a[0][2] = Input { lo: 1 << 28, sticky: false };
+    assert!(driver.pack_pairs([(0, &pair)]).is_ok());
+    pair.a[0][2].sticky = true;
+    let error = driver.pack_pairs([(0, &pair)]).unwrap_err().to_string();
+    assert_eq!(error, "coordinate 2: found 268435456; expected -268435456 to 268435455");
+}
+
+/// The units of all methods, with what changes the flags or the verdict.
+fn units() -> Vec<Params> {
+    let base = Params::default();
+    let exact = Params { transform: Transform::Translate, ..Params::of(Method::Exact) };
+    vec![
+        Params { axes: Axes::Seventeen, edge_test: false, ..base.clone() },
+        Params { axes: Axes::Seventeen, edge_test: true, upper: Upper::Sticky, ..base.clone() },
+        Params { guard: Guard::Always, width: 12, ..base },
+        Params::of(Method::Determinants),
+        Params { width: 10, transform: Transform::Translate, ..Params::of(Method::Determinants) },
+        exact.clone(),
+        Params { exact_clocks: Some(16), ..exact },
+    ]
+}
+
+/// No answer that a unit gives contradicts itself.
+#[test]
+fn answers_of_units_do_not_contradict_themselves() {
+    let mut rng = ChaCha8Rng::seed_from_u64(21);
+    for params in units() {
+        let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
+        let golden = Golden::new(&params);
+        let mut verdicts = [0; 3];
+        for _ in 0..60_000 {
+            let pose = crate::host::sample::random_pose(&mut rng, &params);
+            let pair = match rng.random_range(0..4) {
+                0 => crate::host::sample::corner_pair(&mut rng, &params),
+                _ => crate::host::sample::random_pair_under(&mut rng, &params, &pose),
+            };
+            let Outcome { verdict, separated, overlapping, outside } = golden.outcome(&pose, &pair);
+            let status = verdict_status(verdict as u8, outside);
+            let word = driver.format().answer(&AnswerFields { status, tag: 3, separated, overlapping });
+            assert!(driver.unpack(word.into()).is_some(), "{word:#x}: {}", params.command_line());
+            verdicts[verdict as usize] += 1;
+        }
+        assert!(verdicts.iter().all(|count| *count > 50), "{verdicts:?}: {}", params.command_line());
+    }
+}
+
+/// Words are changed on their way, in ways that can be recognised: no wrong answer is accepted.
+#[test]
+fn damage_that_can_be_recognised_is_never_accepted() {
+    let mut rng = ChaCha8Rng::seed_from_u64(22);
+    // Each unit gets pairs on a grid, too, which is all that the exact unit takes.
+    let mut given = pairs(40);
+    let mut lattice = || [(); 6].map(|()| [(); 3].map(|()| f64::from(rng.random_range(-3..=3)) / 8.0));
+    given.extend((0..40).map(|_| lattice()));
+    let expected: Vec<Exact> = given.iter().map(exact::pair).collect();
+    for params in units() {
+        let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
+        let job = || driver.loose(&given).unwrap();
+        let good = StandIn::new(&params, StreamWidth::Bits64).unwrap().answer(job().transfers());
+        let (mut refused, mut tried) = (0, 0);
+        let (first, rounds) = (good.len() - job().sent(), 4_000);
+        for round in 0..rounds {
+            let mut answers = good.clone();
+            let at = rng.random_range(first..good.len());
+            let other = rng.random_range(first..good.len());
+            match round % 5 {
+                0 => answers[at].data = answers[at].data.flipped(rng.random_range(0..8)),
+                1 => answers[at].data = answers[other].data,
+                2 => {
+                    (answers[at].data, answers[other].data) = (answers[other].data, answers[at].data);
+                }
+                3 => _ = answers.remove(at),
+                _ => answers.insert(at, answers[other]),
+            }
+            tried += usize::from(answers != good);
+            match job().finish(&answers) {
+                Ok(results) => assert_eq!(results.answers, expected, "round {round}: {}", params.command_line()),
+                Err(_) => refused += 1,
+            }
+        }
+        // What is accepted is *outside* in place of another *possibly incorrect*, which is retested as well.
+        assert!(refused > tried * 97 / 100 && tried > rounds / 2, "{refused} of {tried}: {}", params.command_line());
+    }
+}
+
+#[test]
+fn what_is_no_number_is_refused_with_its_place() {
+    let driver = Driver::new(&Params::default(), StreamWidth::Bits64).unwrap();
+    let mut given = pairs(2);
+    given[1][2][0] = f64::NAN;
+    assert_eq!(driver.loose(&given).unwrap_err().to_string(), "coordinate 24: found NaN; expected a finite number");
+    let mesh = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, f64::INFINITY]];
+    let refused = |a: &[[f64; 3]], b: &[[f64; 3]]| driver.meshes(a, b).unwrap_err().to_string();
+    assert_eq!(refused(&mesh, &mesh[..2]), "coordinate of A 8: found inf; expected a finite number");
+    assert_eq!(refused(&mesh[..2], &mesh), "coordinate of B 8: found inf; expected a finite number");
+    let meshes = driver.meshes(&mesh[..2], &mesh[..2]).unwrap();
+    let pairs = [([0, 0, 1], [0, 1, 1])];
+    let pose = |m: &[[f64; 3]; 3], t: &[f64; 3]| meshes.pose(m, t, &pairs).map(drop).map_err(|e| e.to_string());
+    let mut m = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    assert_eq!(pose(&m, &[0.0; 3]), Ok(()));
+    let refused = Err("entry of t 2: found -inf; expected a finite number".to_owned());
+    assert_eq!(pose(&m, &[0.0, 0.0, f64::NEG_INFINITY]), refused);
+    m[1][2] = f64::NAN;
+    assert_eq!(pose(&m, &[0.0; 3]), Err("entry of M 5: found NaN; expected a finite number".to_owned()));
 }
 
 #[test]
 fn a_pair_outside_is_told_and_never_definite() {
     let params = Params { transform: Transform::Translate, transform_width: 20, ..Params::default() };
-    let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
+    let strict = Driver::new(&params, StreamWidth::Bits64).unwrap();
+    let driver = strict.clone().passing_all().unwrap();
     let mut unit = StandIn::new(&params, StreamWidth::Bits64).unwrap();
     let one = params.one() as i64;
     // One above the other.
@@ -194,6 +316,7 @@ fn a_pair_outside_is_told_and_never_definite() {
     let pair = Pair { a: triangle(0), b: triangle(one) };
     let mut far = pair;
     far.b[1][2].lo += 1;
+    assert!(matches!(strict.pack_pairs([(2, &far)]), Err(DriverError::Number { index: 14, .. })));
     let answers = unit.answer(&driver.pack_pairs([(1, &pair), (2, &far)]).unwrap());
     let told: Vec<Answer> = answers.iter().map(|t| driver.unpack(t.data).unwrap()).collect();
     let outcomes = told.iter().map(|answer| match answer {

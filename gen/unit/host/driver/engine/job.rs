@@ -56,6 +56,7 @@ pub struct Job<'o, 'a> {
     pub(super) pair: [usize; 2],
     pub(super) pose: Pose,
     pub(super) options: Options,
+    pub(super) number: u32,
     pub(super) packet: Result<Vec<u64>, Refusal>,
 }
 
@@ -63,6 +64,11 @@ impl Job<'_, '_> {
     /// The words to send as one packet; none if the engine cannot answer the query.
     pub fn packet(&self) -> Option<&[u64]> {
         self.packet.as_deref().ok()
+    }
+
+    /// The number of the query, which its report returns: no two of the last 2^24 queries of the same objects have the same.
+    pub fn number(&self) -> u32 {
+        self.number
     }
 
     /// The exact answer, from the words that came back: none if none were sent. Pairs that are possibly incorrect are retested
@@ -87,6 +93,9 @@ impl Job<'_, '_> {
         }
         let mut answers = self.read(answers, &report)?;
         answers.sort_unstable_by_key(|(triangles, _)| *triangles);
+        if let Some(pair) = answers.windows(2).find(|pair| pair[0].0 == pair[1].0) {
+            return Err(EngineError::Twice { triangles: pair[0].0 });
+        }
         let contact = |&(triangles, verdict): &([u32; 2], Verdict)| {
             // Whatever the test, the relative interiors of two triangles meet if it says *intersect*.
             let exact = if verdict == Verdict::Intersect { Exact::Intersect } else { self.exact(triangles) };
@@ -110,7 +119,7 @@ impl Job<'_, '_> {
         let report = EngineReport::of(last).ok_or(none)?;
         // The report of a packet that was not read has no number.
         let read = !matches!(report.reason, Reason::UnknownHeader | Reason::TooShort | Reason::TooLong);
-        match self.options.number {
+        match self.number {
             expected if read && report.number != expected => {
                 Err(EngineError::Number { found: report.number, expected })
             }

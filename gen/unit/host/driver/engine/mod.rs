@@ -90,6 +90,12 @@ pub enum EngineError {
         /// The word.
         word: u64,
     },
+    /// A pair of triangles that is answered twice.
+    #[error("found triangles {} and {} twice; expected each pair once", triangles[0], triangles[1])]
+    Twice {
+        /// The faces of the two meshes.
+        triangles: [u32; 2],
+    },
     /// The report counts other pairs than those that came.
     #[error("found {found} pairs; expected {expected}, as the report says")]
     Count {

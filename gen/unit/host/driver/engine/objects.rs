@@ -3,12 +3,14 @@
 use super::{Contacts, Engine, EngineError, Job};
 use crate::golden::engine::Query;
 use crate::host::engine::{BuildError, Images, Layout, Numbers};
+use crate::params::engine::QueryFlags;
 use crate::params::options::Choice;
 use crate::params::{EngineParams, Method, ParamError, Params};
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::Pose;
 use efsat_geometry::scene::hierarchy::DopTree;
 use std::sync::OnceLock;
+use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Why meshes cannot be given to an engine.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
@@ -30,8 +32,6 @@ pub struct Options {
     pub limit: u32,
     /// Empty the caches first: needed by the first query after other images have been copied to the same addresses.
     pub empty_caches: bool,
-    /// A number that the report returns, 24 bits.
-    pub number: u32,
 }
 
 /// Meshes that meet in queries, made ready for one engine.
@@ -44,6 +44,8 @@ pub struct Objects<'a> {
     layout: Layout,
     /// For the software; none before it is needed.
     trees: Vec<OnceLock<DopTree>>,
+    /// The number of the next query.
+    next: AtomicU32,
 }
 
 impl<'a> Objects<'a> {
@@ -63,7 +65,7 @@ impl<'a> Objects<'a> {
         let layout = Layout::new(engine, images.numbers().format(), &images.all())?;
         let trees = meshes.iter().map(|_| OnceLock::new()).collect();
         let (engine, unit, meshes) = (engine.clone(), unit.clone(), meshes.to_vec());
-        Ok(Self { engine, unit, meshes, images, layout, trees })
+        Ok(Self { engine, unit, meshes, images, layout, trees, next: AtomicU32::new(0) })
     }
 
     /// What lies in the memory of an engine with an AXI4 read master, from address 0 on, as 64-bit words; empty for block RAM.
@@ -82,17 +84,18 @@ impl<'a> Objects<'a> {
     }
 
     /// The job of finding the triangles that touch of two objects by their numbers, with the second one in `pose` as seen from
-    /// the first; all its numbers are finite and taken as exact.
+    /// the first, taken as exact. Each query gets a number of its own.
     ///
     /// # Panics
     /// If there is no such object.
     pub fn query(&self, objects: [usize; 2], pose: &Pose, options: Options) -> Job<'_, 'a> {
+        let number = self.next.fetch_add(1, Ordering::Relaxed) % QueryFlags::NUMBERS;
         let query = self.images.query(objects, pose, &self.layout.sides);
         let packet = query.map(|query| {
-            let Options { first_contact, limit, empty_caches, number } = options;
+            let Options { first_contact, limit, empty_caches } = options;
             Query { first_contact, limit, empty_caches, number, ..query }.words(self.numbers().format())
         });
-        Job { objects: self, pair: objects, pose: *pose, options, packet }
+        Job { objects: self, pair: objects, pose: *pose, options, number, packet }
     }
 
     /// Sends the packets of jobs to an engine and finishes them.

@@ -8,13 +8,15 @@ use crate::golden::engine::Query;
 use crate::golden::{self, Golden, Verdict};
 use crate::host::driver::Answer;
 use crate::host::engine::Refusal;
-use crate::params::engine::{Command, EngineReport, Memory, Reason};
+use crate::params::engine::{Answer as Answered, Command, EngineReport, Memory, Reason};
 use crate::params::stream::Report;
 use crate::params::{EngineParams, Method, Params, Upper};
 use efsat_geometry::exact::{Exact, posed_pair};
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::Pose;
 use nalgebra::Matrix3;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 
 fn pose(axis: usize, translation: [f64; 3]) -> Pose {
     let m = turn(axis);
@@ -105,42 +107,38 @@ fn incomplete_queries_are_answered_in_software() {
     let case = Case::new();
     let (objects, pose, expected) = case.crossing();
     let format = *objects.numbers().format();
-    let job = |limit| objects.query([0, 1], &pose, Options { limit, number: 9, ..Options::default() });
-    let packet = job(0).packet().unwrap().to_vec();
-    let changed = |place: usize, change: fn(u64) -> u64| {
-        let mut words = packet.clone();
-        words[place] = change(words[place]);
-        words
-    };
+    let job =
+        |limit, first_contact| objects.query([0, 1], &pose, Options { limit, first_contact, ..Options::default() });
     let fair = StandIn::new(&objects).unwrap();
     let mut damaged = fair.clone();
     // The tag of the root's block.
     damaged.memory_mut()[8 + 1] ^= 1 << 60;
-    let stopped = EngineReport { reason: Reason::Stopped, number: 9, expansions: 1, ..EngineReport::default() };
-    let answer = |mut stand_in: StandIn, words: &[u64]| stand_in.packet(words);
-    let cases = [
-        (Reason::Limit, answer(fair.clone(), job(5).packet().unwrap())),
-        (Reason::BadTree, answer(damaged, &packet)),
-        (Reason::Memory, answer(fair.clone(), &changed(1, |word| word | 1 << 25))),
-        (Reason::Stopped, stopped.words().to_vec()),
-        (Reason::UnknownHeader, answer(fair.clone(), &changed(0, |word| word ^ 1 << 40))),
-        (Reason::TooShort, answer(fair.clone(), &packet[..packet.len() - 1])),
-        (Reason::TooLong, answer(fair, &[&packet[..], &[0]].concat())),
-    ];
-    assert_eq!(cases.each_ref().map(|(reason, _)| *reason), Reason::ALL[2..]);
-    for (reason, words) in cases {
-        for first_contact in [false, true] {
-            let options = Options { first_contact, number: 9, ..Options::default() };
-            let contacts = objects.query([0, 1], &pose, options).finish(&words).unwrap();
-            assert_eq!(contacts.software, Some(Cause::Incomplete(reason)));
-            assert!(contacts.pairs.iter().all(|pair| pair.verdict.is_none()));
-            match first_contact {
-                false => assert_eq!(exact(&contacts), expected, "{reason:?}"),
-                true => assert!(contacts.pairs.len() == 1 && expected.contains(&exact(&contacts)[0]), "{reason:?}"),
-            }
+    for (i, first_contact) in Reason::ALL[2..].iter().enumerate().flat_map(|(i, _)| [(i, false), (i, true)]) {
+        let reason = Reason::ALL[2 + i];
+        let job = job(if reason == Reason::Limit { 5 } else { 0 }, first_contact);
+        let mut packet = job.packet().unwrap().to_vec();
+        assert_eq!(format.header(Command::Query), packet[0]);
+        let mut stand_in = if reason == Reason::BadTree { damaged.clone() } else { fair.clone() };
+        match reason {
+            Reason::Memory => packet[1] |= 1 << 25,
+            Reason::UnknownHeader => packet[0] ^= 1 << 40,
+            Reason::TooShort => _ = packet.pop(),
+            Reason::TooLong => packet.push(0),
+            _ => {}
+        }
+        let stopped = EngineReport { reason, number: job.number(), expansions: 1, ..EngineReport::default() };
+        let words = match reason {
+            Reason::Stopped => stopped.words().to_vec(),
+            _ => stand_in.packet(&packet),
+        };
+        let contacts = job.finish(&words).unwrap();
+        assert_eq!(contacts.software, Some(Cause::Incomplete(reason)));
+        assert!(contacts.pairs.iter().all(|pair| pair.verdict.is_none()));
+        match first_contact {
+            false => assert_eq!(exact(&contacts), expected, "{reason:?}"),
+            true => assert!(contacts.pairs.len() == 1 && expected.contains(&exact(&contacts)[0]), "{reason:?}"),
         }
     }
-    assert_eq!(format.header(Command::Query), packet[0]);
 }
 
 /// What the words of a query do not hold is not sent.
@@ -195,8 +193,11 @@ fn a_contact_is_no_list() {
     let case = Case::new();
     let (objects, pose, expected) = case.crossing();
     let first = objects.query([0, 1], &pose, Options { first_contact: true, ..Options::default() });
-    let words = StandIn::new(&objects).unwrap().packet(first.packet().unwrap());
-    let contacts = objects.query([0, 1], &pose, Options::default()).finish(&words).unwrap();
+    let mut words = StandIn::new(&objects).unwrap().packet(first.packet().unwrap());
+    let all = objects.query([0, 1], &pose, Options::default());
+    let head = words.len() - EngineReport::WORDS;
+    words[head] ^= u64::from(first.number() ^ all.number()) << EngineReport::NUMBER_AT;
+    let contacts = all.finish(&words).unwrap();
     assert_eq!(contacts.software, Some(Cause::Incomplete(Reason::Contact)));
     assert_eq!(exact(&contacts), expected);
 }
@@ -205,7 +206,8 @@ fn a_contact_is_no_list() {
 fn answers_that_do_not_fit_are_refused() {
     let case = Case::new();
     let (objects, pose, expected) = case.crossing();
-    let job = || objects.query([0, 1], &pose, Options { number: 7, ..Options::default() });
+    let asked = objects.query([0, 1], &pose, Options::default());
+    let (number, job) = (asked.number(), || asked.clone());
     let good = StandIn::new(&objects).unwrap().packet(job().packet().unwrap());
     assert_eq!(job().finish(&good).map(|contacts| exact(&contacts)), Ok(expected));
     let pairs = good.len() - EngineReport::WORDS;
@@ -216,12 +218,16 @@ fn answers_that_do_not_fit_are_refused() {
     };
     assert_eq!(finish(&|words| words.truncate(7)), EngineError::NoReport { words: 7 });
     assert_eq!(finish(&|words| _ = words.pop()), EngineError::NoReport { words: pairs + 7 });
-    assert_eq!(finish(&|words| words[pairs] ^= 1 << 8), EngineError::Number { found: 6, expected: 7 });
+    assert_eq!(finish(&|words| words[pairs] ^= 1 << 8), EngineError::Number { found: number ^ 1, expected: number });
     // No mesh has this triangle; a verdict that was not asked for.
     let word = good[1] | 0xfff << 8;
     assert_eq!(finish(&|words| words[1] = word), EngineError::Word { at: 1, word });
     let word = good[1] & !3;
     assert_eq!(finish(&|words| words[1] = word), EngineError::Word { at: 1, word });
+    // A pair twice, in place of another one of the same verdict.
+    let certain: Vec<usize> = (0..pairs).filter(|&at| good[at] & 3 == 1).take(2).collect();
+    let Answered { triangles, .. } = Answered::of(good[certain[0]]).unwrap();
+    assert_eq!(finish(&|words| words[certain[1]] = words[certain[0]]), EngineError::Twice { triangles });
     // A pair is lost; a pair is called certain on the way.
     assert!(matches!(finish(&|words| _ = words.remove(0)), EngineError::Count { .. }));
     let open = good[..pairs].iter().position(|word| word & 3 == 2).unwrap();
@@ -240,6 +246,46 @@ fn answers_that_do_not_fit_are_refused() {
     }
     let error = objects.contacts(vec![job()], &mut Mute).unwrap_err();
     assert_eq!(error.to_string(), "found 0 answers; expected 1, one for each packet");
+}
+
+/// Words are changed on their way, in ways that can be recognised: no wrong answer is accepted.
+#[test]
+fn damage_that_can_be_recognised_is_never_accepted() {
+    let case = Case::new();
+    let objects = case.objects(&EngineParams::default(), &Params::default());
+    let mut stand_in = StandIn::new(&objects).unwrap();
+    let (mut rng, mut refused) = (ChaCha8Rng::seed_from_u64(9), 0);
+    let pairs = [[0, 1], [1, 0], [0, 0], [1, 1]];
+    let asked: Vec<_> = pairs.iter().flat_map(|pair| case.poses.iter().map(move |pose| (*pair, pose))).collect();
+    let answered = asked.iter().map(|(pair, pose)| {
+        let job = objects.query(*pair, pose, Options::default());
+        let words = stand_in.packet(job.packet().unwrap());
+        let expected = touching(&case.meshes[pair[0]], &case.meshes[pair[1]], pose);
+        (job, words, expected)
+    });
+    let answered: Vec<_> = answered.collect();
+    for round in 0..20_000 {
+        let chosen = rng.random_range(0..answered.len());
+        let (job, good, expected) = &answered[chosen];
+        let (mut words, pairs) = (good.clone(), good.len() - EngineReport::WORDS);
+        match round % 6 {
+            // The answer to another query, which may be one with as many pairs.
+            0 => words = answered[(chosen + rng.random_range(1..answered.len())) % answered.len()].1.clone(),
+            1 if pairs > 1 => {
+                let (from, to) = (rng.random_range(0..pairs), rng.random_range(0..pairs));
+                words[to] = words[from];
+            }
+            2 if pairs > 0 => words[rng.random_range(0..pairs)] ^= 1 << rng.random_range(0..8),
+            3 if pairs > 0 => _ = words.remove(rng.random_range(0..pairs)),
+            4 => words.insert(0, rng.random_range(0..words.len() as u64) << 8 | 1),
+            _ => words[pairs] ^= 1 << rng.random_range(0..32),
+        }
+        match job.clone().finish(&words) {
+            Ok(contacts) => assert_eq!(exact(&contacts), *expected, "round {round}"),
+            Err(_) => refused += 1,
+        }
+    }
+    assert!(refused > 15_000, "{refused} refused");
 }
 
 #[test]
