@@ -501,3 +501,52 @@ fn pairs_that_are_too_many_come_in_pieces() {
     let meeting = (0..triangles).flat_map(|p| (0..triangles).map(move |q| (p, q))).filter(|(p, q)| meets(*p, *q));
     assert_eq!(meeting.map(|(p, q)| (p as u32, q as u32)).collect::<Vec<_>>(), found, "each once, and no others");
 }
+
+#[test]
+fn what_is_not_finite_is_no_pose_and_no_mesh() {
+    for (index, value) in (0..12).flat_map(|index| [f64::NAN, f64::INFINITY, f64::NEG_INFINITY].map(|x| (index, x))) {
+        let mut numbers = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 2.0, 3.0, 4.0];
+        numbers[index] = value;
+        let error =
+            Pose::new(Matrix3::from_row_slice(&numbers[..9]), Vector3::from_row_slice(&numbers[9..])).unwrap_err();
+        let place = match index {
+            0..9 => format!("the entry in row {}, column {} of the matrix", index / 3, index % 3),
+            _ => format!("{} of the translation", ["x", "y", "z"][index - 9]),
+        };
+        assert_eq!(error.to_string(), format!("{place} is {value}: expected a finite number"));
+    }
+    let corner = |x| vec![Point3::origin(), Point3::new(0.0, 1.0, 2.0), Point3::new(3.0, 4.0, x)];
+    let refused = |x, face| Mesh::new(corner(x), vec![[0, 1, 2], face]).unwrap_err().to_string();
+    assert_eq!(refused(f64::NAN, [0, 1, 2]), "z of vertex 2 is NaN: expected a finite number");
+    assert_eq!(refused(5.0, [1, 3, 0]), "triangle 1: vertex 3; expected one of 3 vertices, counted from 0");
+    assert!(Mesh::new(corner(f64::MAX), vec![[0, 1, 2]]).is_ok());
+}
+
+#[test]
+fn poses_that_cannot_be_seen_from_each_other_are_refused() {
+    let huge = Pose::new(Matrix3::repeat(f64::MAX), Vector3::zeros()).unwrap();
+    let turned = Pose::new(pose::axis_angle(Vector3::z(), 30.0), Vector3::zeros()).unwrap();
+    assert_eq!(Pose::identity().seen(&huge), Ok(huge));
+    assert!(turned.seen(&huge).is_err());
+    let object = |name: &str, placed| Object {
+        name: name.to_owned(),
+        mesh: mesh::headlight(),
+        findings: Findings::default(),
+        placed,
+    };
+    let rest = |first, last| Scene::at_rest("x", vec![object("p", first), object("q", last)]);
+    let meetings = |scene: Scene| scene.broad_phase().meetings(0).len();
+    assert_eq!(rest(Pose::identity(), huge).map(meetings), Ok(1));
+    let error = rest(turned, huge).unwrap_err().to_string();
+    assert!(
+        error.starts_with("placed: an entry of the matrix of q is above 1e306, and another object is rotated"),
+        "{error}"
+    );
+    assert!(rest(huge, Pose::identity()).unwrap_err().to_string().contains("the matrix of p is no rotation"));
+    let distance =
+        |x| Scene::against_itself("x", (*mesh::headlight()).clone(), 3, &[1.0, x]).map(|scene| scene.frames());
+    assert_eq!(distance(2.0), Ok(6));
+    for x in [f64::NAN, f64::INFINITY, f64::MAX] {
+        assert!(distance(x).unwrap_err().to_string().contains("the translation of b overflows"));
+    }
+}
