@@ -24,10 +24,11 @@ PATIENCE = 50_000
 COUNTS = ("expansions", "tests", "survivors", "leaf_pairs", "intersect", "possibly_incorrect")
 
 
-def answer(received):
+def answer(received, packet):
     """The pairs and the report, if all of them are there."""
+    is_query = len(packet) == 8 * engine.QUERY_WORDS
     try:
-        return engine.answer(bytes(received))
+        return engine.answer(bytes(received), packet if is_query else None)
     except ValueError:
         return None
 
@@ -43,7 +44,7 @@ async def pins(dut):
     async def ask(packet):
         await send(packet)
         waited = 0
-        while (found := answer(received)) is None:
+        while (found := answer(received, packet)) is None:
             before = len(received)
             await Timer(20 * bit, "ps")
             waited = waited + 20 if len(received) == before else 0

@@ -26,6 +26,8 @@ import efsat as unit  # noqa: E402
 # Tags of any value: no two neighbours have the same.
 TAGS = 1 << unit.TAG_BITS
 STEP = 40503
+# The vectors of a design with a guard have numbers outside their ranges.
+ANY = {"outside": True} if unit.pairs_packet.__kwdefaults__ else {}
 
 
 def fields(word, count):
@@ -60,7 +62,7 @@ def packets(rng, most, cut):
     def flush():
         if not pairs:
             return
-        packet = unit.pairs_packet([(numbers, tag) for numbers, tag, _ in pairs])
+        packet = unit.pairs_packet([(numbers, tag) for numbers, tag, _ in pairs], **ANY)
         answers = [(*answer[:1], 0, False, tag, *answer[1:]) for _, tag, answer in pairs]
         if cut and rng.random() < 0.2:
             # The last record loses its last word: no verdict for it, but a report.
@@ -73,7 +75,7 @@ def packets(rng, most, cut):
     for pose, numbers, answer in vectors():
         if pose is not None:
             flush()
-            sent.append(unit.pose_packet(*pose))
+            sent.append(unit.pose_packet(*pose, **ANY))
             due.append([(unit.VERDICT_REPORT, unit.REASONS.index("pose taken"), False, 0, 0, 0)])
         tag = (tag + STEP) % TAGS
         pairs.append((numbers, tag, answer))
@@ -193,7 +195,8 @@ async def board_decides_pairs_of_real_numbers(dut):
     verdicts = [verdict for _, verdict in rows("EFSAT_VERDICTS")[1:]]
     assert len(pairs) == len(verdicts) > 0
     await exchange(unit.pose_packet([0] * unit.POSE_NUMBERS, bypass=True), 1)
-    answers = unit.answers(await exchange(unit.pairs_packet([(p, i) for i, p in enumerate(pairs)]), len(pairs)))
+    tagged = [(pair, i) for i, pair in enumerate(pairs)]
+    answers = unit.answers_to(tagged, await exchange(unit.pairs_packet(tagged), len(tagged)))
     found = [(answer.tag, names[answer.verdict]) for answer in answers]
     assert found == list(enumerate(verdicts)), f"{found}, expected {verdicts}"
     dut._log.info(f"{len(pairs)} pairs, {len(set(verdicts))} kinds of verdicts, all as `efsat classify` says")

@@ -217,7 +217,7 @@ int main(void)
 #else
       if (efsat_get_answers(answers, (uint32_t)tag, answer, (size_t)sticky, &why))
 #endif
-        printf("refused\n");
+        printf("%s\n", answers[0].verdict == EFSAT_VERDICT_REPORT && answers[tag - 1].malformed ? "refused" : "left over");
       else
         for (unsigned i = 0; i < tag; i++)
           print_answer(&answers[i]);

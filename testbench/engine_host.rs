@@ -119,11 +119,11 @@ import efsat_engine as engine
 
 # What is read is taken, or refused with a ValueError.
 rng = random.Random(6)
-report = engine.struct.pack("<8Q", engine.VERDICT_REPORT, 0, 0, 1 << 32, *range(4))
+report = engine.struct.pack("<8Q", engine.VERDICT_REPORT, 0, 0, 1, *range(4))
 readers = [
     engine.asked,
     lambda data: engine.moved(data, 64),
-    engine.answer,
+    lambda data: engine.answer(data[:1] + engine.struct.pack("<8Q", engine.VERDICT_REPORT, *[0] * 7)[1:]),
     lambda data: engine.answer(data[:8] + report),
     lambda data: engine.packets(["head", data.decode("latin-1")]),
     lambda data: engine.packets(["head", "1,2," + " ".join(f"{byte:x}{rng.choice('0f -')}" * (byte % 20) for byte in data)]),
@@ -352,7 +352,8 @@ fn damaged_lines(rng: &mut ChaCha8Rng, damage: u32) -> [String; 2] {
     let (number, mut report) =
         (rng.random_range(0..1u64 << 24), random_report(rng, &Answer { verdict: 0, triangles: [0; 2] }));
     let mut words = std::collections::BTreeMap::new();
-    for _ in 0..rng.random_range(2..20) {
+    let count = rng.random_range(2..20);
+    while words.len() < count {
         let triangles = [rng.random_range(0..50), rng.random_range(0..60)];
         words.insert(triangles, Answer { verdict: rng.random_range(1..3), triangles });
     }

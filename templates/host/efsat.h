@@ -227,6 +227,14 @@ static inline int {{ h.prefix }}efsat_contradicts(const struct {{ h.prefix }}efs
 {%- endif %}
 }
 
+/* An answer that nobody can take for a verdict. */
+static inline void {{ h.prefix }}efsat_void(struct {{ h.prefix }}efsat_answer *answer)
+{
+  memset(answer, 0, sizeof *answer);
+  answer->verdict = {{ h.upper }}_VERDICT_REPORT;
+  answer->malformed = 1;
+}
+
 /* An answer, of any packet. Refuses a word that no unit of this design sends. */
 {{ h.upper }}_CHECKED static inline int {{ h.prefix }}efsat_get_answer(struct {{ h.prefix }}efsat_answer *answer, const uint8_t word[{{ h.upper }}_ANSWER_BYTES],
     struct {{ h.prefix }}efsat_refusal *why)
@@ -249,10 +257,7 @@ static inline int {{ h.prefix }}efsat_contradicts(const struct {{ h.prefix }}efs
   answer->overlapping = (uint32_t){{ h.prefix }}efsat_get(word, {{ h.upper }}_ANSWER_OVERLAPPING_LOW, {{ h.upper }}_FLAG_BITS);
   if (!spare && !{{ h.prefix }}efsat_contradicts(answer))
     return {{ h.prefix }}efsat_refuse(why, 0, 0, 0, 0, 0);
-  /* Not to be taken for a verdict. */
-  memset(answer, 0, sizeof *answer);
-  answer->verdict = {{ h.upper }}_VERDICT_REPORT;
-  answer->malformed = 1;
+  {{ h.prefix }}efsat_void(answer);
   return {{ h.prefix }}efsat_refuse(why, {{ h.upper }}_REFUSED_ANSWER, 0, (int64_t){{ h.prefix }}efsat_get(word, 0, {{ h.upper }}_ANSWER_WORD_BITS < 64 ? {{ h.upper }}_ANSWER_WORD_BITS : 64), 0, 0);
 }
 
@@ -262,21 +267,23 @@ static inline int {{ h.prefix }}efsat_contradicts(const struct {{ h.prefix }}efs
     const uint8_t *bytes, size_t size, struct {{ h.prefix }}efsat_refusal *why)
 {
   const size_t due = (size_t)count * {{ h.upper }}_ANSWER_BYTES;
-  for (uint32_t i = 0; i < count && (size_t)i * {{ h.upper }}_ANSWER_BYTES + {{ h.upper }}_ANSWER_BYTES <= size; i++) {
-    const int refused = {{ h.prefix }}efsat_get_answer(&answers[i], bytes + (size_t)i * {{ h.upper }}_ANSWER_BYTES, why);
-    if (refused) {
-      if (why)
-        why->index = i;
-      return refused;
-    }
-    if (answers[i].verdict == {{ h.upper }}_VERDICT_REPORT)
-      return {{ h.prefix }}efsat_refuse(why, {{ h.upper }}_REFUSED_REPORT, i, (int64_t)answers[i].reason, 0, 0);
+  int refused = 0;
+  for (uint32_t i = 0; i < count && !refused && ((size_t)i + 1) * {{ h.upper }}_ANSWER_BYTES <= size; i++) {
+    refused = {{ h.prefix }}efsat_get_answer(&answers[i], bytes + (size_t)i * {{ h.upper }}_ANSWER_BYTES, why);
+    if (refused && why)
+      why->index = i;
+    if (!refused && answers[i].verdict == {{ h.upper }}_VERDICT_REPORT)
+      refused = {{ h.prefix }}efsat_refuse(why, {{ h.upper }}_REFUSED_REPORT, i, (int64_t)answers[i].reason, 0, 0);
 {%- if h.has_tag %}
-    if (answers[i].tag != tags[i])
-      return {{ h.prefix }}efsat_refuse(why, {{ h.upper }}_REFUSED_ORDER, i, (int64_t)answers[i].tag, (int64_t)tags[i], (int64_t)tags[i]);
+    if (!refused && answers[i].tag != tags[i])
+      refused = {{ h.prefix }}efsat_refuse(why, {{ h.upper }}_REFUSED_ORDER, i, (int64_t)answers[i].tag, (int64_t)tags[i], (int64_t)tags[i]);
 {%- endif %}
   }
-  return {{ h.prefix }}efsat_refuse(why, size == due ? 0 : {{ h.upper }}_REFUSED_SIZE, {{ h.upper }}_NO_INDEX, (int64_t)size, (int64_t)due, (int64_t)due);
+  if (!refused)
+    refused = {{ h.prefix }}efsat_refuse(why, size == due ? 0 : {{ h.upper }}_REFUSED_SIZE, {{ h.upper }}_NO_INDEX, (int64_t)size, (int64_t)due, (int64_t)due);
+  for (uint32_t i = 0; i < count && refused; i++)
+    {{ h.prefix }}efsat_void(&answers[i]);
+  return refused;
 }
 
 #endif

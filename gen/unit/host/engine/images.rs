@@ -16,7 +16,7 @@ impl Images {
     /// Builds the images of meshes.
     ///
     /// # Errors
-    /// If a mesh is too large.
+    /// If a mesh is too large, or a coordinate is not finite.
     pub fn new(meshes: &[&Mesh], numbers: Numbers) -> Result<Self, BuildError> {
         Ok(Self { images: Image::build(meshes, numbers.format())?, numbers })
     }
@@ -34,7 +34,7 @@ impl Images {
     /// The query for all contacts of two meshes, whose images lie at `sides`, with the second one in `pose` as seen from the first.
     ///
     /// # Errors
-    /// If the engine cannot answer it, which software then has to do.
+    /// If the engine cannot answer it, which software then has to do, or if a number is not finite.
     ///
     /// # Panics
     /// If there is no such mesh.
