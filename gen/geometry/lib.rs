@@ -9,6 +9,8 @@ pub mod pair_file;
 pub mod sample;
 #[cfg(feature = "scenes")]
 pub mod scene;
+#[cfg(feature = "scenes")]
+pub mod self_intersections;
 pub mod software;
 
 /// A pair of triangles: a0 a1 a2 b0 b1 b2, each x y z, finite.
