@@ -47,6 +47,8 @@
 pub mod cli;
 
 pub use efsat_evidence::{accuracy, cosim, effects, mutation, process, soak, stress, synth, times, wall};
-pub use efsat_geometry::{NotFinite, Points, directions, exact, finite, mesh, pair_file, sample, scene, software};
+pub use efsat_geometry::{
+    NotFinite, Points, directions, exact, finite, mesh, pair_file, sample, scene, self_intersections, software,
+};
 pub use efsat_hardware::{cells, device, diagram, estimate, graph, netlist, number, op, schedule, vhdl};
 pub use efsat_unit::{artefact, design, golden, host, params};

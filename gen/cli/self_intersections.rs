@@ -10,39 +10,42 @@ use crate::effects::picture::Picture;
 use crate::effects::{Contact, Place};
 use crate::exact::Exact;
 use crate::golden::Verdict;
-use crate::host::self_intersections::{Checker, Defect, Effort, Kind};
+use crate::host::self_intersections::{Asked, Checker};
 use crate::mesh::{Findings, Mesh, Snapped};
 use crate::params::{Method, Params};
 use crate::scene::{Object, Pose, Scene};
+use crate::self_intersections::{Defect, Effort, Kind, Search};
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-/// Finds all pairs of triangles of a mesh that intersect, on a grid, by answers of the exact unit
+/// Finds all pairs of triangles of a mesh that intersect, exactly, for the coordinates of the file
 ///
-/// Vertices are moved to the nearest points of the grid, and equal ones become one. Pairs of triangles whose boxes overlap go to
-/// the reference model of the unit that `efsat generate --method exact` makes. A common vertex or edge alone is no defect.
+/// Vertices of equal coordinates are one. A common vertex or edge alone is no defect. With --grid or --width the mesh is first moved to
+/// a grid, and its pairs are answered by the reference model of the unit that `efsat generate --method exact` makes: the list is
+/// then that of the moved mesh, and a line says how far it moved.
 /// Exit status 0 whether or not there are defects; 1 if --exact finds an answer wrong.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// Mesh file (.stl, .obj or .ply), or builtin:NAME
     #[arg(value_name = "MESH")]
     mesh: PathBuf,
-    /// Bits of a difference of coordinates in the unit, 6 to 32
-    #[arg(long, value_name = "N", default_value_t = 18, value_parser = whole(6..=32), allow_negative_numbers = true)]
-    width: u32,
-    /// Distance of two points of the grid, in units of the mesh; by default the finest power of two on which the mesh fits N bits
+    /// Move vertices to a grid, for a unit with N bits for a difference of coordinates, 6 to 32; 18 if only --grid is given
+    #[arg(long, value_name = "N", value_parser = whole(6..=32), allow_negative_numbers = true)]
+    width: Option<u32>,
+    /// Move vertices to a grid: the distance of two of its points, in units of the mesh; with --width alone the finest power of two on
+    /// which the mesh fits N bits
     #[arg(long, value_name = "SIZE", value_parser = size, allow_negative_numbers = true)]
     grid: Option<f64>,
-    /// Ask the exact oracle about every pair too
+    /// Compare every answer with that of the exact oracle, for the mesh that is answered
     #[arg(long)]
     exact: bool,
     /// Write the defects, one row for each: numbers of the two triangles, kind
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
-    /// Write all pairs that are asked about to a .csv file, as `efsat cosim --method exact --pairs FILE` reads them: for two
-    /// triangles one row, two if they have one common vertex, none if they are duplicates
+    /// With --grid or --width, write all pairs that the unit is asked about to a .csv file, as `efsat cosim --method exact --pairs
+    /// FILE` reads them: for two triangles one row, two if they have one common vertex, none if they are duplicates
     #[arg(long, value_name = "FILE", value_parser = file::rows)]
     pairs: Option<PathBuf>,
     /// Draw the mesh with its defects, as .svg or .png
@@ -65,8 +68,8 @@ struct Summary<'a> {
     triangles: usize,
     vertices: usize,
     left_out: u64,
-    grid: f64,
-    width: u32,
+    #[serde(flatten)]
+    moved: Option<Moved>,
     degenerate: usize,
     #[serde(flatten)]
     effort: &'a Effort,
@@ -77,15 +80,54 @@ struct Summary<'a> {
     duplicate: u64,
 }
 
+/// What the grid did to the mesh, and what the unit was asked.
+#[derive(Serialize)]
+struct Moved {
+    grid: f64,
+    width: u32,
+    moved: f64,
+    merged: usize,
+    #[serde(flatten)]
+    asked: Asked,
+}
+
+/// What answers.
+enum Answers {
+    /// Software, for the coordinates as given.
+    Given(Search),
+    /// The exact unit, for a mesh on a grid.
+    Grid(Snapped, Params),
+}
+
+impl Answers {
+    fn mesh(&self) -> &Mesh {
+        match self {
+            Self::Given(search) => search.mesh(),
+            Self::Grid(snapped, _) => &snapped.mesh,
+        }
+    }
+
+    fn degenerate(&self) -> usize {
+        match self {
+            Self::Given(search) => search.degenerate(),
+            Self::Grid(snapped, _) => snapped.mesh.degenerate().len(),
+        }
+    }
+}
+
+/// Bits of the unit where only a grid is given.
+const WIDTH: u32 = 18;
+
 /// Self-intersections that a picture shows.
 const MOST_DRAWN: usize = 100_000;
 
-/// Takes candidate pairs piece by piece: what is found is counted and written, and what a picture shows is kept.
+/// Takes defects piece by piece: what is found is counted and written, and what a picture shows is kept.
 struct Found {
     csv: Option<Output>,
     pairs: Option<Output>,
     counts: [u64; Kind::ALL.len()],
     effort: Effort,
+    asked: Asked,
     drawn: Vec<Defect>,
 }
 
@@ -94,10 +136,9 @@ impl Found {
         self.csv.as_mut().map_or(Ok(()), |csv| csv.write("first,second,kind\n"))
     }
 
-    fn take(&mut self, checker: &Checker<'_>, pairs: &[(u32, u32)]) -> Result<(), Failure> {
-        let (defects, effort) = checker.check(pairs);
-        self.effort.add(&effort);
-        for defect @ Defect { pair: (p, q), kind } in &defects {
+    fn take(&mut self, defects: &[Defect], effort: &Effort) -> Result<(), Failure> {
+        self.effort.add(effort);
+        for defect @ Defect { pair: (p, q), kind } in defects {
             self.counts[*kind as usize] += 1;
             if let Some(csv) = &mut self.csv {
                 csv.write(format!("{p},{q},{}\n", kind.name()))?;
@@ -106,6 +147,14 @@ impl Found {
                 self.drawn.push(*defect);
             }
         }
+        Ok(())
+    }
+
+    /// Takes pairs that the unit answers.
+    fn check(&mut self, checker: &Checker<'_>, pairs: &[(u32, u32)]) -> Result<(), Failure> {
+        let (defects, effort, asked) = checker.check(pairs);
+        self.asked.add(&asked);
+        self.take(&defects, &effort)?;
         if let Some(file) = &mut self.pairs {
             for points in pairs.iter().flat_map(|pair| checker.asked(*pair)) {
                 let numbers: Vec<String> = points.as_flattened().iter().map(f64::to_string).collect();
@@ -116,39 +165,60 @@ impl Found {
     }
 }
 
+/// What answers for a mesh, as the arguments say.
+fn answers(arguments: &Arguments, mesh: &Mesh) -> Result<Answers, Failure> {
+    let Some(width) = arguments.width.or(arguments.grid.map(|_| WIDTH)) else {
+        if arguments.pairs.is_some() {
+            let message = "--pairs: these are the pairs of the exact unit; expected --grid or --width with it";
+            return Err(Failure::Usage(message.to_owned()));
+        }
+        return Ok(Answers::Given(Search::new(mesh, arguments.exact)));
+    };
+    let most = f64::from((1u32 << (width - 1)) - 1);
+    let grid = arguments.grid.or_else(|| Snapped::finest(mesh, most)).ok_or_else(|| {
+        let why = "no power of two is a grid for a mesh as large or as small as this; expected --grid STEP";
+        Failure::Usage(format!("{}: {why}", arguments.mesh.display()))
+    })?;
+    if Snapped::most(mesh) / grid >= 2f64.powi(53) {
+        let message = format!("--grid {grid:e}: a coordinate has 2^53 units or more; expected a coarser grid");
+        return Err(Failure::Usage(message));
+    }
+    Ok(Answers::Grid(Snapped::new(mesh, grid), Params { width, ..Params::of(Method::Exact) }))
+}
+
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outputs = [&arguments.csv, &arguments.pairs, &arguments.picture];
     let (original, findings) = load_mesh(&arguments.mesh)?;
     // The mesh is not overwritten either.
     let mesh = Some(arguments.mesh.as_path()).filter(|mesh| mesh.exists());
     file::distinct(mesh.into_iter().chain(outputs.into_iter().flatten().map(PathBuf::as_path)))?;
-    let most = f64::from((1u32 << (arguments.width - 1)) - 1);
-    let grid = arguments.grid.or_else(|| Snapped::finest(&original, most)).ok_or_else(|| {
-        let why = "no power of two is a grid for a mesh as large or as small as this; expected --grid STEP";
-        Failure::Usage(format!("{}: {why}", arguments.mesh.display()))
-    })?;
-    if Snapped::most(&original) / grid >= 2f64.powi(53) {
-        let message = format!("--grid {grid:e}: a coordinate has 2^53 units or more; expected a coarser grid");
-        return Err(Failure::Usage(message));
-    }
-    let Snapped { mesh, .. } = Snapped::new(&original, grid);
+    let answers = answers(arguments, &original)?;
     let [csv, pairs, picture] = outputs.map(|path| path.as_deref().map(Output::new).transpose());
     let (csv, pairs, picture) = (csv?, pairs?, picture?);
-    let params = Params { width: arguments.width, ..Params::of(Method::Exact) };
-    let checker = Checker::new(&mesh, &params, arguments.exact);
+    let mesh = answers.mesh();
     let bar = progress::bar("finding intersections", mesh.faces().len() as u64, "triangles", false);
-    let mut found = Found { csv, pairs, counts: [0; Kind::ALL.len()], effort: Effort::default(), drawn: vec![] };
+    let (counts, effort, asked) = ([0; Kind::ALL.len()], Effort::default(), Asked::default());
+    let mut found = Found { csv, pairs, counts, effort, asked, drawn: vec![] };
     found.begin()?;
-    checker.candidates(|pairs| {
-        bar.set_position(pairs.last().map_or(0, |(first, _)| u64::from(*first)));
-        found.take(&checker, pairs)
-    })?;
+    match &answers {
+        Answers::Given(search) => search.each(|done, defects, effort| {
+            bar.set_position(done as u64);
+            found.take(defects, effort)
+        })?,
+        Answers::Grid(snapped, params) => {
+            let checker = Checker::new(&snapped.mesh, params, arguments.exact);
+            checker.candidates(|pairs| {
+                bar.set_position(pairs.last().map_or(0, |(first, _)| u64::from(*first)));
+                found.check(&checker, pairs)
+            })?;
+        }
+    }
     bar.finish_and_clear();
-    let Found { csv, pairs, counts, effort, drawn } = found;
+    let Found { csv, pairs, counts, effort, asked, drawn } = found;
     csv.into_iter().chain(pairs).try_for_each(Output::finish)?;
     if let Some(mut file) = picture {
         let png = arguments.picture.as_ref().is_some_and(|path| path.extension().is_some_and(|e| e == "png"));
-        let picture = self::drawn(&arguments.mesh, &mesh, &drawn);
+        let picture = self::drawn(&arguments.mesh, mesh, &drawn);
         if png {
             file.write(picture.png())?;
         } else {
@@ -166,9 +236,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         triangles: mesh.faces().len(),
         vertices: mesh.vertices().len(),
         left_out: findings.left_out(),
-        grid,
-        width: arguments.width,
-        degenerate: mesh.degenerate().len(),
+        moved: match &answers {
+            Answers::Given(_) => None,
+            Answers::Grid(Snapped { grid, moved, merged, .. }, Params { width, .. }) => {
+                Some(Moved { grid: *grid, width: *width, moved: *moved, merged: *merged, asked })
+            }
+        },
+        degenerate: answers.degenerate(),
         effort: &effort,
         defects,
         crossing: count(Kind::Crossing),
@@ -181,10 +255,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         print(&table(&summary, arguments.exact))?;
     }
-    if summary.degenerate == summary.triangles {
+    if let (Some(Moved { grid, .. }), true) = (&summary.moved, summary.degenerate == summary.triangles) {
         warn(&format!(
             "every triangle is a segment or a point on a grid of {}; expected a finer --grid",
-            readable(grid)
+            readable(*grid)
         ));
     }
     if effort.contradictions > 0 {
@@ -194,21 +268,37 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn table(summary: &Summary<'_>, exact: bool) -> String {
-    let Summary { mesh, triangles, vertices, left_out, grid, width, degenerate, effort, .. } = summary;
-    let mut text =
-        format!("{mesh}: {triangles} triangles, {vertices} vertices on a grid of {}, {width} bits\n", readable(*grid));
+    let Summary { mesh, triangles, vertices, left_out, moved, degenerate, effort, .. } = summary;
+    let mut text = format!("{mesh}: {triangles} triangles, {vertices} vertices");
+    if let Some(Moved { grid, width, moved, merged, .. }) = moved {
+        let _ = writeln!(text, " on a grid of {}, {width} bits", readable(*grid));
+        let _ = if *moved == 0.0 {
+            writeln!(text, "no vertex moved: the list is that of the file")
+        } else {
+            let merged = if *merged == 0 { "none".to_owned() } else { merged.to_string() };
+            writeln!(
+                text,
+                "vertices moved by up to {moved:.2e}, {merged} merged with others: the list is that of the moved mesh, not of the file"
+            )
+        };
+    } else {
+        text += ", coordinates as given\n";
+    }
     if *left_out > 0 {
         let _ = writeln!(text, "faces of the file that cannot be used and are left out: {left_out}");
     }
-    let _ = writeln!(text, "triangles that are segments or points on this grid: {degenerate}");
+    let on_grid = if moved.is_some() { " on this grid" } else { "" };
+    let _ = writeln!(text, "triangles that are segments or points{on_grid}: {degenerate}");
     let mut row = |what: &str, count: u64| {
         let _ = writeln!(text, "{what:<44}{count:>12}");
     };
     row("pairs of triangles whose boxes overlap", effort.candidates);
     row("  of these with a common vertex or edge", effort.neighbours);
-    row("pairs asked about, as --pairs writes them", effort.asked + effort.by_host);
-    row("  decided by the unit", effort.asked);
-    row("  that do not fit it, decided by the host", effort.by_host);
+    if let Some(Moved { asked: Asked { asked, by_host }, .. }) = moved {
+        row("pairs asked about, as --pairs writes them", asked + by_host);
+        row("  decided by the unit", *asked);
+        row("  that do not fit it, decided by the host", *by_host);
+    }
     if exact {
         row("answers that are not the oracle's", effort.contradictions);
     }

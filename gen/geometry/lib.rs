@@ -10,6 +10,8 @@ pub mod pair_file;
 pub mod sample;
 #[cfg(feature = "scenes")]
 pub mod scene;
+#[cfg(feature = "scenes")]
+pub mod self_intersections;
 pub mod software;
 
 pub use finite::NotFinite;

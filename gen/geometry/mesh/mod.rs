@@ -23,6 +23,7 @@ pub use snapped::Snapped;
 use crate::finite::{NotFinite, Place};
 use error::Fault;
 use nalgebra::Point3;
+use std::collections::HashMap;
 use std::path::Path;
 
 /// A triangle mesh with shared vertices, in the units of its file. Its coordinates are finite and its indices are those of vertices:
@@ -96,6 +97,23 @@ impl Mesh {
     /// is decided exactly, short of numbers whose products leave the range of binary64.
     pub fn degenerate(&self) -> Vec<usize> {
         findings::degenerate(self)
+    }
+
+    /// The same faces on vertices no two of which are equal as numbers; each is at the place of the first, and no zero is negative.
+    pub fn welded(&self) -> Self {
+        let mut numbers: HashMap<[u64; 3], u32> = HashMap::with_capacity(self.vertices.len());
+        let mut vertices = vec![];
+        let mut number = |vertex: &Point3<f64>| {
+            // Adding zero makes one of the two zeros.
+            let vertex = vertex.map(|x| x + 0.0);
+            *numbers.entry(vertex.map(f64::to_bits).into()).or_insert_with(|| {
+                vertices.push(vertex);
+                vertices.len() as u32 - 1
+            })
+        };
+        let of_old: Vec<u32> = self.vertices.iter().map(&mut number).collect();
+        let faces = self.faces.iter().map(|face| face.map(|vertex| of_old[vertex as usize])).collect();
+        Self { vertices, faces }
     }
 
     /// The exact bounding box of the vertices (empty for a mesh without any).

@@ -2,7 +2,6 @@
 
 use super::Mesh;
 use nalgebra::Point3;
-use std::collections::HashMap;
 
 /// A mesh on a grid. Its faces are those of the mesh that it was made of, in their order; equal vertices are one.
 #[derive(Clone, Debug)]
@@ -11,6 +10,10 @@ pub struct Snapped {
     pub grid: f64,
     /// The same mesh in units of the grid: every coordinate is a whole number, and no two vertices are equal.
     pub mesh: Mesh,
+    /// How far the vertex that moved farthest is from where it was, in units of the given mesh, rounded to binary64.
+    pub moved: f64,
+    /// How many fewer vertices there are than different ones were given.
+    pub merged: usize,
 }
 
 impl Snapped {
@@ -20,19 +23,18 @@ impl Snapped {
     /// If the grid is not positive, or a coordinate has 2^53 units of it or more, which binary64 cannot count.
     pub fn new(mesh: &Mesh, grid: f64) -> Self {
         assert!(grid > 0.0 && Self::most(mesh) / grid < 2f64.powi(53), "expected a grid that binary64 can count");
-        let mut numbers: HashMap<[i64; 3], u32> = HashMap::new();
-        let mut vertices = vec![];
-        let mut number = |vertex: &Point3<f64>| {
-            let units = [0, 1, 2].map(|axis| (vertex[axis] / grid).round());
-            *numbers.entry(units.map(|x| x as i64)).or_insert_with(|| {
-                // Not -0.
-                vertices.push(Point3::from(units.map(|x| x + 0.0)));
-                vertices.len() as u32 - 1
-            })
+        let units = |vertex: &Point3<f64>| vertex.map(|x| (x / grid).round());
+        let vertices: Vec<Point3<f64>> = mesh.vertices.iter().map(units).collect();
+        // A fused product shows whether a vertex moved at all; scaled, no square underflows.
+        let length = |(given, units): (&Point3<f64>, &Point3<f64>)| {
+            let by = given.coords.zip_map(&units.coords, |given: f64, units: f64| units.mul_add(grid, -given));
+            let most = by.amax();
+            if most == 0.0 { 0.0 } else { most * (by / most).norm() }
         };
-        let of_old: Vec<u32> = mesh.vertices.iter().map(&mut number).collect();
-        let faces = mesh.faces.iter().map(|face| face.map(|vertex| of_old[vertex as usize])).collect();
-        Self { grid, mesh: Mesh { vertices, faces } }
+        let moved = mesh.vertices.iter().zip(&vertices).map(length).fold(0.0, f64::max);
+        let snapped = Mesh { vertices, faces: mesh.faces.clone() }.welded();
+        let merged = mesh.welded().vertices.len() - snapped.vertices.len();
+        Self { grid, mesh: snapped, moved, merged }
     }
 
     /// The finest grid of a power of two on which no two vertices of a mesh are more than `most` units apart along an axis; 1
@@ -69,10 +71,19 @@ mod tests {
     fn vertices_go_to_the_nearest_points_and_equal_ones_become_one() {
         let vertices = [[0.26, -0.26, 0.0], [0.24, 0.1, -0.2], [-0.1, 0.24, 1.0], [0.75, 0.0, 0.0]].map(Point3::from);
         let mesh = Mesh { vertices: vertices.into(), faces: vec![[0, 1, 2], [3, 1, 0]] };
-        let Mesh { vertices, faces } = Snapped::new(&mesh, 0.5).mesh;
+        let Snapped { mesh: Mesh { vertices, faces }, moved, merged, .. } = Snapped::new(&mesh, 0.5);
         assert_eq!(vertices, [[1.0, -1.0, 0.0], [0.0; 3], [0.0, 0.0, 2.0], [2.0, 0.0, 0.0]].map(Point3::from));
         assert_eq!(faces, [[0, 1, 2], [3, 1, 0]]);
-        assert_eq!(Snapped::new(&mesh, 2.0).mesh.faces, [[0, 0, 1], [0, 0, 0]]);
+        // The first one farthest, to (0.5, -0.5, 0).
+        assert!((moved - 0.24f64.hypot(0.24)).abs() < 1e-12 && merged == 0, "{moved} {merged}");
+        let whole = Mesh { vertices, faces };
+        let Snapped { moved, merged, .. } = Snapped::new(&whole, 0.5);
+        assert_eq!((moved, merged), (0.0, 0));
+        // By less than a square can show.
+        let tiny = Mesh { vertices: vec![Point3::new(3e-200, 0.0, 0.0)], faces: vec![] };
+        assert_eq!(Snapped::new(&tiny, 1.0).moved, 3e-200);
+        let coarse = Snapped::new(&mesh, 2.0);
+        assert_eq!((coarse.mesh.faces, coarse.merged), (vec![[0, 0, 1], [0, 0, 0]], 2));
         assert_eq!(Snapped::finest(&mesh, 131_071.0), Some(2f64.powi(-16)));
     }
 

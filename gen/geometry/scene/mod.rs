@@ -29,7 +29,7 @@ pub use file::{SceneError, load};
 pub use pose::Pose;
 pub use survivors::Survivors;
 pub use toml::Value;
-pub use tree::{Candidates, Tree};
+pub use tree::{Candidates, Overlaps, Tree};
 
 use crate::mesh::{Findings, Mesh};
 use motion::Motion;

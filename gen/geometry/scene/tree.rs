@@ -11,7 +11,7 @@
 use super::Pose;
 use super::enclosure::image;
 use super::pieces::{MOST, rows};
-use super::split::{Node, nodes};
+use super::split::{Node, halves, nodes};
 use crate::mesh::{Bounds, Mesh};
 
 /// A binary tree of axis-aligned boxes over the triangles of a mesh, one triangle to a leaf.
@@ -25,7 +25,11 @@ pub struct Tree<'a> {
 impl<'a> Tree<'a> {
     /// Builds the tree, split by the surface area heuristic.
     pub fn new(mesh: &'a Mesh) -> Self {
-        let mut tree = Self { mesh, nodes: nodes(mesh), boxes: Vec::new() };
+        Self::of(mesh, nodes(mesh))
+    }
+
+    fn of(mesh: &'a Mesh, nodes: Vec<Node>) -> Self {
+        let mut tree = Self { mesh, nodes, boxes: Vec::new() };
         tree.boxes = tree.fit(&mesh.vertices().iter().map(|&v| Bounds { min: v, max: v }).collect::<Vec<_>>());
         tree
     }
@@ -118,6 +122,44 @@ impl<'a> Candidates<'a> {
                     let (right, other) = (right as usize, other as usize);
                     stack.extend([(i + 1, j + 1), (i + 1, other), (right, j + 1), (right, other)]);
                 }
+            }
+        }
+    }
+}
+
+/// The pairs of triangles of one mesh whose boxes overlap, triangle by triangle.
+#[derive(Clone, Debug)]
+pub struct Overlaps {
+    nodes: Vec<Node>,
+    boxes: Vec<Bounds>,
+    /// The greatest number of a triangle below each node.
+    last: Vec<u32>,
+}
+
+impl Overlaps {
+    /// Builds the tree of a mesh.
+    pub fn new(mesh: &Mesh) -> Self {
+        let Tree { nodes, boxes, .. } = Tree::of(mesh, halves(mesh));
+        let mut last = vec![0; nodes.len()];
+        for (index, node) in nodes.iter().enumerate().rev() {
+            last[index] = match *node {
+                Node::Leaf(triangle) => triangle,
+                Node::Inner(right) => last[index + 1].max(last[right as usize]),
+            };
+        }
+        Self { nodes, boxes, last }
+    }
+
+    /// Calls `visit` with all triangles of a greater number than `triangle` whose boxes overlap `bounds`, in any order.
+    pub fn after(&self, triangle: u32, bounds: &Bounds, mut visit: impl FnMut(u32)) {
+        let mut stack = vec![0];
+        while let Some(index) = stack.pop() {
+            if self.last.get(index).is_none_or(|last| *last <= triangle) || !self.boxes[index].overlaps(bounds) {
+                continue;
+            }
+            match self.nodes[index] {
+                Node::Leaf(other) => visit(other),
+                Node::Inner(right) => stack.extend([right as usize, index + 1]),
             }
         }
     }

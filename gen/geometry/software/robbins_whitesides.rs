@@ -53,8 +53,12 @@ pub fn intersect(points: &[Point; 6]) -> bool {
 
 /// How the triangles lie to each other; none if a coordinate is outside the range of [`intersect`].
 pub fn decide(points: &[Point; 6]) -> Option<Exact> {
-    let legal = |x: &f64| *x == 0.0 || (1.0 / GREATEST..=GREATEST).contains(&x.abs());
-    points.as_flattened().iter().all(legal).then(|| class(points))
+    points.iter().all(is_in_range).then(|| class(points))
+}
+
+/// Whether all coordinates of a point are in the range of [`intersect`], where the signs of [`volume`] and [`area`] are exact.
+pub(crate) fn is_in_range(point: &Point) -> bool {
+    point.iter().all(|x| *x == 0.0 || (1.0 / GREATEST..=GREATEST).contains(&x.abs()))
 }
 
 fn class(points: &[Point; 6]) -> Exact {
@@ -194,7 +198,7 @@ fn ends<const N: usize>(points: &[[f64; N]]) -> [[f64; N]; 2] {
 }
 
 /// The sign of det(q - p, r - p, s - p), which is that of the height of s above the plane of p, q, r.
-fn volume(p: &Point, q: &Point, r: &Point, s: &Point) -> i8 {
+pub(crate) fn volume(p: &Point, q: &Point, r: &Point, s: &Point) -> i8 {
     // The predicate takes most time to find a zero; common vertices are its most frequent cause.
     if p == s || q == s || r == s || p == q || p == r || q == r {
         return 0;
@@ -204,7 +208,7 @@ fn volume(p: &Point, q: &Point, r: &Point, s: &Point) -> i8 {
 }
 
 /// The sign of det(q - p, r - p): positive if r is to the left of the line from p to q.
-fn area(p: &[f64; 2], q: &[f64; 2], r: &[f64; 2]) -> i8 {
+pub(crate) fn area(p: &[f64; 2], q: &[f64; 2], r: &[f64; 2]) -> i8 {
     let [p, q, r] = [p, q, r].map(|&[x, y]| Coord { x, y });
     sign(orient2d(p, q, r))
 }
