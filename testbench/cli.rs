@@ -446,36 +446,6 @@ fn the_ready_designs_are_current() {
 }
 
 #[test]
-fn self_intersections_of_a_mesh() {
-    let dir = tempfile::tempdir().unwrap();
-    let mesh = concat!(env!("CARGO_MANIFEST_DIR"), "/scenes/m8_nut.stl");
-    let told = succeeds(
-        dir.path(),
-        &format!("self-intersections {mesh} --exact --json --csv d.csv --pairs p.csv --picture p.png"),
-    );
-    let told: Value = serde_json::from_str(&told).unwrap();
-    let numbers =
-        ["triangles", "defects", "crossing", "contradictions", "by_host"].map(|key| told[key].as_u64().unwrap());
-    assert_eq!(numbers, [4218, 588, 214, 0, 0]);
-    let rows = fs::read_to_string(dir.path().join("d.csv")).unwrap();
-    assert_eq!((rows.lines().next(), rows.lines().count()), (Some("first,second,kind"), 589));
-    assert!(fs::read(dir.path().join("p.png")).unwrap().starts_with(b"\x89PNG"));
-    let pairs = fs::read_to_string(dir.path().join("p.csv")).unwrap();
-    assert_eq!(pairs.lines().count() as u64, told["asked"].as_u64().unwrap());
-    let some: Vec<&str> = pairs.lines().step_by(500).collect();
-    fs::write(dir.path().join("some.csv"), some.join("\n")).unwrap();
-    succeeds(dir.path(), "cosim --method exact --simulator builtin --pairs some.csv");
-    // A coarser unit has a coarser grid; on a finer one some pairs do not fit, and the host decides them.
-    let told = succeeds(dir.path(), "self-intersections builtin:gear --width 12 --grid 0.001 --exact");
-    let of_host = told.lines().find(|line| line.contains("by the host")).unwrap();
-    assert!(!of_host.ends_with(" 0"), "{of_host}");
-    let count = |part: &str| told.lines().find(|line| line.contains(part)).unwrap().rsplit(' ').next().unwrap();
-    let [all, unit, host] =
-        ["asked about", "by the unit", "by the host"].map(|part| count(part).parse::<u64>().unwrap());
-    assert_eq!(all, unit + host);
-}
-
-#[test]
 fn rows_say_which_pairs_the_host_decided() {
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();

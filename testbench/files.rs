@@ -234,6 +234,7 @@ fn memory_does_not_grow_with_the_number_of_pairs() {
     limited("scene pairs many.toml --first-hit --json", "\"touching\":1");
     limited("cosim --scene many.toml --limit 3 --simulator builtin --json", "\"vectors\":3");
     limited("self-intersections many.obj", "12497500");
+    limited("self-intersections many.obj --width 18", "12497500");
     // So many that they come in pieces, in which none is lost.
     many_times(dir, 300);
     limited("classify many.toml --summary", " 90000   100.00 %");

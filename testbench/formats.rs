@@ -34,7 +34,7 @@ const RUNS: [(&str, &[&str]); 18] = [
     ("efsat scene plan", &["scene plan s.toml", "scene plan tumble.toml"]),
     ("efsat scene run", &["scene run s.toml --simulator builtin", "scene run tumble.toml --cosim none"]),
     ("efsat scene run --engine", &["scene run s.toml --engine model", "scene run tumble.toml --engine model"]),
-    ("efsat self-intersections", &["self-intersections m.obj --exact"]),
+    ("efsat self-intersections", &["self-intersections m.obj --exact", "self-intersections m.obj --width 18"]),
     ("efsat accuracy", &["accuracy --pairs 50 --sweep width=12 --multipliers 72 --out c"]),
     ("efsat tree inspect", &["tree inspect m.tree"]),
     ("efsat tree answer", &["tree answer m.tree m.tree --pose 1,0,0,0,1,0,0,0,1,0.25,0,0"]),

@@ -33,6 +33,7 @@ mod protocol;
 mod readers;
 mod scenes;
 mod schedule;
+mod self_intersections;
 mod soak;
 mod stream;
 mod stress;

@@ -143,8 +143,12 @@ fn mistakes_about_self_intersections() {
     expect("builtin:gear --width 5", "expected a whole number from 6 to 32");
     expect("builtin:gear --grid 1e-300", "--grid 1e-300: a coordinate has 2^53 units or more");
     expect("builtin:gear --pairs x.f64", "expected a name that ends in .csv");
+    expect(
+        "builtin:gear --pairs x.csv",
+        "--pairs: these are the pairs of the exact unit; expected --grid or --width with it",
+    );
     expect("builtin:gear --picture x.txt", "expected a name that ends in .svg or .png");
-    expect("builtin:gear --csv x.csv --pairs x.csv", "x.csv");
+    expect("builtin:gear --width 18 --csv x.csv --pairs x.csv", "x.csv");
     fs::write(dir.path().join("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
     expect("m.obj --csv ./m.obj", "found twice; expected two different files");
 }
@@ -163,6 +167,7 @@ fn what_does_not_fit_is_said() {
     let coarse = warns(dir, "self-intersections builtin:gear --grid 1000");
     assert_eq!(coarse, "warning: every triangle is a segment or a point on a grid of 1000; expected a finer --grid\n");
     assert_eq!(warns(dir, "self-intersections builtin:gear"), "");
+    assert_eq!(warns(dir, "self-intersections builtin:gear --width 18"), "");
     assert_eq!(warns(dir, "generate --engine --out small"), "");
     let large = "--memory block-ram --block-lines 16384 --triangle-lines 16384";
     let said = warns(dir, &format!("generate --engine --out large {large}"));

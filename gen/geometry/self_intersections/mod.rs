@@ -190,7 +190,7 @@ impl Search {
 
     /// What the oracle says of two triangles.
     fn expected(&self, faces: Faces) -> Option<Kind> {
-        Question::of(&self.mesh, faces).kind(|faces| exact::pair(&points(&self.mesh, faces)))
+        Question::of(&self.mesh, faces).kind(|faces| exact::pair(&points(&self.mesh, faces)).expect("meshes are finite"))
     }
 }
 

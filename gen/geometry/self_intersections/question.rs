@@ -90,7 +90,7 @@ pub fn points(mesh: &Mesh, faces: Faces) -> Points {
 
 /// How two faces lie to each other, exactly.
 pub(super) fn answer(mesh: &Mesh, faces: Faces) -> Exact {
-    retest(&points(mesh, faces))
+    retest(&points(mesh, faces)).expect("meshes are finite")
 }
 
 /// Whether the corners of a face are on one line, exactly.

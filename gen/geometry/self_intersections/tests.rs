@@ -101,7 +101,7 @@ fn expected(a: &[Vector; 3], b: &[Vector; 3], corners: &Points) -> Option<Kind> 
     let points = extreme(a, b);
     match shared[..] {
         [] => {
-            let class = exact::pair(corners);
+            let class = exact::pair(corners).unwrap();
             assert_eq!(points.is_empty(), class == Exact::Separate);
             [None, Some(Kind::Touching), Some(Kind::Crossing)][class as usize]
         }
