@@ -11,7 +11,7 @@ use crate::effects::{Contact, Place};
 use crate::exact::Exact;
 use crate::golden::Verdict;
 use crate::host::self_intersections::{Checker, Defect, Effort, Kind};
-use crate::mesh::{Findings, Mesh, Snapped};
+use crate::mesh::{Findings, Mesh, Numbers, Snapped};
 use crate::params::{Method, Params};
 use crate::scene::{Object, Pose, Scene};
 use serde::Serialize;
@@ -26,7 +26,7 @@ use std::sync::Arc;
 /// Exit status 0 whether or not there are defects; 1 if --exact finds an answer wrong.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Mesh file (.stl, .obj or .ply), or builtin:NAME
+    /// Mesh file (.stl, .obj, .ply or .off), or builtin:NAME
     #[arg(value_name = "MESH")]
     mesh: PathBuf,
     /// Bits of a difference of coordinates in the unit, 6 to 32
@@ -38,7 +38,8 @@ pub(super) struct Arguments {
     /// Ask the exact oracle about every pair too
     #[arg(long)]
     exact: bool,
-    /// Write the defects, one row for each: numbers of the two triangles, kind
+    /// Write the defects, one row for each: numbers of the two faces in the file, from 0, and kind; if faces are more than one
+    /// triangle, also which triangle of its face each one is, from 0
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
     /// Write all pairs that are asked about to a .csv file, as `efsat cosim --method exact --pairs FILE` reads them: for two
@@ -65,6 +66,7 @@ struct Summary<'a> {
     triangles: usize,
     vertices: usize,
     left_out: u64,
+    findings: &'a Findings,
     grid: f64,
     width: u32,
     degenerate: usize,
@@ -83,6 +85,7 @@ const MOST_DRAWN: usize = 100_000;
 /// Takes candidate pairs piece by piece: what is found is counted and written, and what a picture shows is kept.
 struct Found {
     csv: Option<Output>,
+    numbers: Numbers,
     pairs: Option<Output>,
     counts: [u64; Kind::ALL.len()],
     effort: Effort,
@@ -91,7 +94,12 @@ struct Found {
 
 impl Found {
     fn begin(&mut self) -> Result<(), Failure> {
-        self.csv.as_mut().map_or(Ok(()), |csv| csv.write("first,second,kind\n"))
+        self.csv.as_mut().map_or(Ok(()), |csv| {
+            csv.write(match self.numbers.are_split() {
+                false => "first,second,kind\n",
+                true => "first,second,kind,first_part,second_part\n",
+            })
+        })
     }
 
     fn take(&mut self, checker: &Checker<'_>, pairs: &[(u32, u32)]) -> Result<(), Failure> {
@@ -100,7 +108,9 @@ impl Found {
         for defect @ Defect { pair: (p, q), kind } in &defects {
             self.counts[*kind as usize] += 1;
             if let Some(csv) = &mut self.csv {
-                csv.write(format!("{p},{q},{}\n", kind.name()))?;
+                let ([p, part], [q, other]) = (self.numbers.of(*p), self.numbers.of(*q));
+                let parts = if self.numbers.are_split() { format!(",{part},{other}") } else { String::new() };
+                csv.write(format!("{p},{q},{}{parts}\n", kind.name()))?;
             }
             if self.drawn.len() < MOST_DRAWN {
                 self.drawn.push(*defect);
@@ -137,7 +147,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = Params { width: arguments.width, ..Params::of(Method::Exact) };
     let checker = Checker::new(&mesh, &params, arguments.exact);
     let bar = progress::bar("finding intersections", mesh.faces.len() as u64, "triangles", false);
-    let mut found = Found { csv, pairs, counts: [0; Kind::ALL.len()], effort: Effort::default(), drawn: vec![] };
+    let numbers = findings.numbers.clone();
+    let (counts, effort) = ([0; Kind::ALL.len()], Effort::default());
+    let mut found = Found { csv, numbers, pairs, counts, effort, drawn: vec![] };
     found.begin()?;
     checker.candidates(|pairs| {
         bar.set_position(pairs.last().map_or(0, |(first, _)| u64::from(*first)));
@@ -166,6 +178,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         triangles: mesh.faces.len(),
         vertices: mesh.vertices.len(),
         left_out: findings.left_out(),
+        findings: &findings,
         grid,
         width: arguments.width,
         degenerate: mesh.degenerate().len(),
@@ -198,7 +211,8 @@ fn table(summary: &Summary<'_>, exact: bool) -> String {
     let mut text =
         format!("{mesh}: {triangles} triangles, {vertices} vertices on a grid of {}, {width} bits\n", readable(*grid));
     if *left_out > 0 {
-        let _ = writeln!(text, "faces of the file that cannot be used and are left out: {left_out}");
+        let _ =
+            writeln!(text, "faces of the file that cannot be used and are left out: {left_out}; {}", summary.findings);
     }
     let _ = writeln!(text, "triangles that are segments or points on this grid: {degenerate}");
     let mut row = |what: &str, count: u64| {
