@@ -156,7 +156,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         found.take(&checker, pairs)
     })?;
     bar.finish_and_clear();
-    let Found { csv, pairs, counts, effort, drawn } = found;
+    let Found { csv, pairs, counts, effort, drawn, .. } = found;
     csv.into_iter().chain(pairs).try_for_each(Output::finish)?;
     if let Some(mut file) = picture {
         let png = arguments.picture.as_ref().is_some_and(|path| path.extension().is_some_and(|e| e == "png"));

@@ -325,7 +325,9 @@ fn damaged_files_never_panic() {
         }
         bytes.truncate(rng.random_range(0..=2 * bytes.len()));
         for parse in [stl::parse, obj::parse, ply::parse, off::parse] {
-            if let Ok(Parsed { mesh, faults, .. }) = parse(&bytes) {
+            if let Ok(Parsed { mesh, faults, numbers, remarks }) = parse(&bytes) {
+                let findings = Findings::of(&mesh, &faults, remarks, numbers);
+                assert!(!findings.to_string().contains(char::is_control));
                 assert!(mesh.vertices.iter().all(|v| v.iter().all(|x| x.is_finite())));
                 assert!(!mesh.faces.is_empty() || !faults.0.is_empty());
                 assert!(mesh.faces.iter().flatten().all(|&v| (v as usize) < mesh.vertices.len()));
