@@ -200,7 +200,7 @@ fn wrong_command_lines_and_files_are_one_line_and_status_2() {
         ("broken.toml", "broken.toml:1:"),
         ("--scene absent.toml", "absent.toml"),
         ("--mesh absent.stl", "absent.stl: cannot be read"),
-        ("--mesh pairs.csv", "expected .stl, .obj or .ply"),
+        ("--mesh pairs.csv", "expected .stl, .obj, .ply or .off"),
         ("--mesh broken.stl", "broken.stl:"),
         ("--mesh broken.obj", "broken.obj:2:"),
         ("--mesh", "a value is required"),

@@ -34,7 +34,10 @@ const RUNS: [(&str, &[&str]); 18] = [
     ("efsat scene plan", &["scene plan s.toml", "scene plan tumble.toml"]),
     ("efsat scene run", &["scene run s.toml --simulator builtin", "scene run tumble.toml --cosim none"]),
     ("efsat scene run --engine", &["scene run s.toml --engine model", "scene run tumble.toml --engine model"]),
-    ("efsat self-intersections", &["self-intersections m.obj --exact", "self-intersections m.obj --width 18"]),
+    (
+        "efsat self-intersections",
+        &["self-intersections m.obj --exact", "self-intersections m.obj --width 18", "self-intersections t.obj"],
+    ),
     ("efsat accuracy", &["accuracy --pairs 50 --sweep width=12 --multipliers 72 --out c"]),
     ("efsat tree inspect", &["tree inspect m.tree"]),
     ("efsat tree answer", &["tree answer m.tree m.tree --pose 1,0,0,0,1,0,0,0,1,0.25,0,0"]),
@@ -139,8 +142,8 @@ fn objects_have_the_keys_of_the_page() {
     let dir = home.path();
     let write = |name: &str, text: &str| fs::write(dir.join(name), text).unwrap();
     write("pairs.csv", include_str!("../examples/three_pairs.csv"));
-    // Two triangles that cross, and a face that cannot be used; a mesh of two triangles that cross.
-    write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\nf 1 2 9\n");
+    // A triangle, a face that cannot be used and a line that is not read; a mesh of two triangles that cross.
+    write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\nf 1 2 9\nsurf\n");
     write("m.obj", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 -1\nv 1 1 1\nv 2 1 1\nf 1 2 3\nf 4 5 6\n");
     let objects = "name = \"s\"\n[a]\nmesh = \"t.obj\"\n[b]\nmesh = \"t.obj\"\n";
     write(

@@ -19,9 +19,8 @@ const STRANGERS: [(&str, &[&str]); 4] = [
 /// Only these print: the command line, and the binary that calls it.
 const PRINTERS: [&str; 2] = ["gen/cli/", "gen/main.rs"];
 
-/// Packages that whoever generates VHDL does not compile: meshes, pictures, progress, terminals.
-const NOT_FOR_GENERATORS: [&str; 8] =
-    ["tobj", "stl_io", "ply-rs-bw", "indicatif", "ctrlc", "png", "console", "anstream"];
+/// Packages that whoever generates VHDL does not compile: pictures, progress, terminals.
+const NOT_FOR_GENERATORS: [&str; 5] = ["indicatif", "ctrlc", "png", "console", "anstream"];
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))

@@ -31,6 +31,7 @@ mod progress;
 mod proofs;
 mod protocol;
 mod readers;
+mod reported;
 mod scenes;
 mod schedule;
 mod self_intersections;

@@ -306,6 +306,8 @@ const STL: &str = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex
 const PLY: &str = "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty float x\nproperty double y\nproperty float z\n\
                    property uchar red\nelement face 2\nproperty list uchar int vertex_indices\nend_header\n\
                    0 0 0 9\n1 0 0 9\n0 1 0.5 9\n1 1 1 9\n3 0 1 2\n4 0 1 3 2\n";
+const OFF: &str = "OFF # c\n5 3 0\n0 0 0\n4 0 0\n4 4 0\n1 1 0\n0 4 1e-3\n5 0 1 2 3 4 255 0 0\n3 0 1 2\n4 0 1 2 3\n";
+
 const SCENE: &str = "name = \"s\"\nunit = \"mm\"\n[[object]]\nname = \"a\"\nmesh = \"t.obj\"\nscale = 2.5\n[[object]]\nname = \"b\"\n\
                      mesh = \"builtin:plate\"\nunit = \"cm\"\n[object.placed]\naxis = [0, 0, 1]\nangle_degrees = 30\n\
                      translation = [0.5, 0, 0]\n[tumble]\nsteps = 4\ndistances = [1.5, 1.4]\ndirection = [1, 0, 0]\n[[pose]]\n\
@@ -405,6 +407,7 @@ fn readers() -> Vec<Reader> {
         ),
         of("pairs.f64", raw.to_vec(), read_pairs),
         of("mesh.obj", vec![OBJ.into()], read_mesh),
+        of("mesh.off", vec![OFF.into()], read_mesh),
         of("mesh.stl", vec![STL.into(), binary_stl()], read_mesh),
         of("mesh.ply", vec![PLY.into(), binary_ply(false), binary_ply(true)], read_mesh),
         of("scene.toml", vec![SCENE.into()], read_scene),

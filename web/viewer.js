@@ -66,6 +66,7 @@
   let frame = null;
   let picked = null;
   const kind = (contact) => data.kinds[contact.kind];
+  const called = (object, face) => `${data.objects[object].name} ${data.objects[object].triangles[face] ?? face}`;
   const corner = (object, mesh, face, k) => {
     const { vertices, faces } = data.meshes[mesh];
     const i = faces[3 * face + k];
@@ -114,7 +115,7 @@
     replace(segments, { position: points(ends) });
     const rows = frame.contacts.map((contact, i) => {
       const swatch = element("i", { style: `color:${kind(contact).colour}` }, "■ ");
-      const row = element("tr", { tabindex: "0" }, element("td", {}, swatch, `${data.objects[contact.a].name} ${contact.p}`), element("td", {}, `${data.objects[contact.b].name} ${contact.q}`), element("td", {}, kind(contact).verdict), element("td", {}, contact.exact));
+      const row = element("tr", { tabindex: "0" }, element("td", {}, swatch, called(contact.a, contact.p)), element("td", {}, called(contact.b, contact.q)), element("td", {}, kind(contact).verdict), element("td", {}, contact.exact));
       row.addEventListener("click", () => pick(i));
       row.addEventListener("keydown", (event) => event.key === "Enter" && pick(i));
       return row;
@@ -165,7 +166,7 @@
       $("pairs").tBodies[0].rows[number].scrollIntoView({ block: "nearest" });
       const facts = element("dl", {});
       const fact = (name, text) => facts.append(element("dt", {}, name), element("dd", {}, text));
-      fact("triangles", `${data.objects[contact.a].name} ${contact.p}, ${data.objects[contact.b].name} ${contact.q}`);
+      fact("triangles", `${called(contact.a, contact.p)}, ${called(contact.b, contact.q)}`);
       fact("unit’s answer", kind(contact).verdict);
       fact("exact answer", contact.exact);
       box.replaceChildren(element("h2", {}, kind(contact).words), facts, ...why(contact));

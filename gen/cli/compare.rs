@@ -6,12 +6,11 @@ use super::error::Failure;
 use super::output::{print, print_json};
 use super::params::{ParamArguments, whole};
 use super::progress;
-use super::source::{Source, SourceArguments};
+use super::source::{Source, SourceArguments, load_mesh};
 use crate::Points;
 use crate::exact::{self, Exact};
 use crate::golden::{Golden, Pose};
 use crate::host::{Host, Stage, loose_pair};
-use crate::mesh;
 use crate::params::{Params, Truth};
 use crate::sample::random_points;
 use crate::scene::Scene;
@@ -46,7 +45,7 @@ pub(super) struct Arguments {
     file: Option<String>,
     #[command(flatten)]
     source: SourceArguments,
-    /// A mesh against itself, .stl, .obj or .ply, tumbling like the built-in scene
+    /// A mesh against itself, .stl, .obj, .ply or .off, tumbling like the built-in scene
     #[arg(long, value_name = "FILE", conflicts_with_all = NO_MESH)]
     mesh: Option<PathBuf>,
     /// Steps in a full turn of the mesh
@@ -134,7 +133,7 @@ impl Arguments {
 
     fn tumbling_mesh(&self) -> Result<Scene, Failure> {
         let path = self.mesh.as_deref().unwrap_or("".as_ref());
-        let mesh = mesh::read(path).map_err(|e| Failure::Usage(e.to_string()))?;
+        let (mesh, _) = load_mesh(path)?;
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         Scene::against_itself(name, mesh, self.steps, &self.distances).map_err(|e| Failure::Usage(e.to_string()))
     }

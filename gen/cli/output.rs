@@ -3,6 +3,7 @@
 use super::error::Failure;
 use crate::golden::Verdict;
 use serde::Serialize;
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 /// Verdicts as counts.
@@ -76,7 +77,20 @@ pub(super) fn warn(message: &str) {
 pub(super) fn tell(kind: &str, message: &str) {
     // Names of files may hold anything; the message is one line.
     let line: String = message.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let line = line.split(' ').map(|word| cut(word, 512)).collect::<Vec<_>>().join(" ");
+    let line = cut(&line, 8192);
     let _ = io::stderr().write_all(format!("{kind}: {line}\n").as_bytes());
+}
+
+/// A text that a file or a command line may have made long, without its middle if it has more than `most` characters.
+fn cut(text: &str, most: usize) -> Cow<'_, str> {
+    let count = text.chars().count();
+    if count <= most {
+        return text.into();
+    }
+    let (begin, end) = (most * 3 / 4, most / 4);
+    let part = |skip: usize, take: usize| text.chars().skip(skip).take(take).collect::<String>();
+    format!("{}...{}", part(0, begin), part(count - end, end)).into()
 }
 
 /// Prints a value as one line of JSON.

@@ -11,7 +11,7 @@ use crate::effects::{Contact, Place};
 use crate::exact::Exact;
 use crate::golden::Verdict;
 use crate::host::self_intersections::{Asked, Checker};
-use crate::mesh::{Findings, Mesh, Snapped};
+use crate::mesh::{Findings, Mesh, Numbers, Snapped};
 use crate::params::{Method, Params};
 use crate::scene::{Object, Pose, Scene};
 use crate::self_intersections::{Defect, Effort, Kind, Search};
@@ -28,7 +28,7 @@ use std::sync::Arc;
 /// Exit status 0 whether or not there are defects; 1 if --exact finds an answer wrong.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Mesh file (.stl, .obj or .ply), or builtin:NAME
+    /// Mesh file (.stl, .obj, .ply or .off), or builtin:NAME
     #[arg(value_name = "MESH")]
     mesh: PathBuf,
     /// Move vertices to a grid, for a unit with N bits for a difference of coordinates, 6 to 32; 18 if only --grid is given
@@ -41,7 +41,8 @@ pub(super) struct Arguments {
     /// Compare every answer with that of the exact oracle, for the mesh that is answered
     #[arg(long)]
     exact: bool,
-    /// Write the defects, one row for each: numbers of the two triangles, kind
+    /// Write the defects, one row for each: numbers of the two faces in the file, from 0, and kind; if faces are more than one
+    /// triangle, also which triangle of its face each one is, from 0
     #[arg(long, value_name = "FILE")]
     csv: Option<PathBuf>,
     /// With --grid or --width, write all pairs that the unit is asked about to a .csv file, as `efsat cosim --method exact --pairs
@@ -68,6 +69,7 @@ struct Summary<'a> {
     triangles: usize,
     vertices: usize,
     left_out: u64,
+    findings: &'a Findings,
     #[serde(flatten)]
     moved: Option<Moved>,
     degenerate: usize,
@@ -124,6 +126,7 @@ const MOST_DRAWN: usize = 100_000;
 /// Takes defects piece by piece: what is found is counted and written, and what a picture shows is kept.
 struct Found {
     csv: Option<Output>,
+    numbers: Numbers,
     pairs: Option<Output>,
     counts: [u64; Kind::ALL.len()],
     effort: Effort,
@@ -133,7 +136,12 @@ struct Found {
 
 impl Found {
     fn begin(&mut self) -> Result<(), Failure> {
-        self.csv.as_mut().map_or(Ok(()), |csv| csv.write("first,second,kind\n"))
+        self.csv.as_mut().map_or(Ok(()), |csv| {
+            csv.write(match self.numbers.are_split() {
+                false => "first,second,kind\n",
+                true => "first,second,kind,first_part,second_part\n",
+            })
+        })
     }
 
     fn take(&mut self, defects: &[Defect], effort: &Effort) -> Result<(), Failure> {
@@ -141,7 +149,9 @@ impl Found {
         for defect @ Defect { pair: (p, q), kind } in defects {
             self.counts[*kind as usize] += 1;
             if let Some(csv) = &mut self.csv {
-                csv.write(format!("{p},{q},{}\n", kind.name()))?;
+                let ([p, part], [q, other]) = (self.numbers.of(*p), self.numbers.of(*q));
+                let parts = if self.numbers.are_split() { format!(",{part},{other}") } else { String::new() };
+                csv.write(format!("{p},{q},{}{parts}\n", kind.name()))?;
             }
             if self.drawn.len() < MOST_DRAWN {
                 self.drawn.push(*defect);
@@ -197,8 +207,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (csv, pairs, picture) = (csv?, pairs?, picture?);
     let mesh = answers.mesh();
     let bar = progress::bar("finding intersections", mesh.faces().len() as u64, "triangles", false);
+    let numbers = findings.numbers.clone();
     let (counts, effort, asked) = ([0; Kind::ALL.len()], Effort::default(), Asked::default());
-    let mut found = Found { csv, pairs, counts, effort, asked, drawn: vec![] };
+    let mut found = Found { csv, numbers, pairs, counts, effort, asked, drawn: vec![] };
     found.begin()?;
     match &answers {
         Answers::Given(search) => search.each(|done, defects, effort| {
@@ -214,7 +225,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     }
     bar.finish_and_clear();
-    let Found { csv, pairs, counts, effort, asked, drawn } = found;
+    let Found { csv, pairs, counts, effort, asked, drawn, .. } = found;
     csv.into_iter().chain(pairs).try_for_each(Output::finish)?;
     if let Some(mut file) = picture {
         let png = arguments.picture.as_ref().is_some_and(|path| path.extension().is_some_and(|e| e == "png"));
@@ -236,6 +247,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         triangles: mesh.faces().len(),
         vertices: mesh.vertices().len(),
         left_out: findings.left_out(),
+        findings: &findings,
         moved: match &answers {
             Answers::Given(_) => None,
             Answers::Grid(Snapped { grid, moved, merged, .. }, Params { width, .. }) => {
@@ -285,7 +297,8 @@ fn table(summary: &Summary<'_>, exact: bool) -> String {
         text += ", coordinates as given\n";
     }
     if *left_out > 0 {
-        let _ = writeln!(text, "faces of the file that cannot be used and are left out: {left_out}");
+        let _ =
+            writeln!(text, "faces of the file that cannot be used and are left out: {left_out}; {}", summary.findings);
     }
     let on_grid = if moved.is_some() { " on this grid" } else { "" };
     let _ = writeln!(text, "triangles that are segments or points{on_grid}: {degenerate}");

@@ -63,10 +63,15 @@ impl Source {
     }
 }
 
-/// Reads a mesh file, or takes one that is built in, and says what was found in it.
+/// Reads a mesh file, or takes one that is built in. What of the file is not in the mesh as it stands there is said on
+/// standard error.
 pub(super) fn load_mesh(path: &Path) -> Result<(Mesh, Findings), Failure> {
     let Some(name) = path.to_str().and_then(|name| name.strip_prefix("builtin:")) else {
-        return mesh::survey(path).map_err(|e| Failure::Usage(e.to_string()));
+        let (mesh, findings) = mesh::survey(path).map_err(|e| Failure::Usage(e.to_string()))?;
+        if findings.must_be_said() {
+            warn(&format!("{}: {findings}", path.display()));
+        }
+        return Ok((mesh, findings));
     };
     let found = mesh::builtin(name).ok_or_else(|| {
         Failure::Usage(format!("builtin:{name}: no such mesh; expected builtin: and one of {}", BUILTIN.join(", ")))
@@ -84,8 +89,8 @@ pub(super) fn load_scene(name: &str) -> Result<Scene, Failure> {
     Ok(scene)
 }
 
-/// Reads a scene with its settings, or takes the built-in one. Faces that cannot be used are left out, which is said on
-/// standard error.
+/// Reads a scene with its settings, or takes the built-in one. What of the mesh files is not in the meshes as it stands
+/// there is said on standard error.
 pub(super) fn load_planned(name: &str) -> Result<(Scene, Settings), Failure> {
     if name == HEADLIGHT {
         return Ok((Scene::default_scene(), Settings::default()));
@@ -96,7 +101,7 @@ pub(super) fn load_planned(name: &str) -> Result<(Scene, Settings), Failure> {
     }
     let scene = scene::load(path)?;
     let settings = Settings::of(&scene, name.as_ref())?;
-    for object in scene.objects.iter().filter(|object| object.findings.left_out() > 0) {
+    for object in scene.objects.iter().filter(|object| object.findings.must_be_said()) {
         warn(&format!("{name}: object {}: {}", object.name, object.findings));
     }
     Ok((scene, settings))

@@ -136,7 +136,7 @@ fn mistakes_about_self_intersections() {
     let dir = tempfile::tempdir().unwrap();
     let expect = |arguments: &str, part: &str| fails(dir.path(), &format!("self-intersections {arguments}"), 2, part);
     expect("absent.stl", "expected a readable file");
-    expect("part.txt", "expected .stl, .obj or .ply");
+    expect("part.txt", "expected .stl, .obj, .ply or .off");
     expect("builtin:teapot", "one of headlight, gear");
     expect("builtin:gear --grid 0", "expected a positive number");
     expect("builtin:gear --grid 1e-30", "expected a coarser grid");
@@ -195,7 +195,7 @@ fn errors_name_what_was_typed() {
     for command in ["tree inspect empty", "tree verify empty"] {
         fails(dir, command, 1, "empty: byte 0: end of the file: 0 of 64 bytes; expected a header of 64 bytes");
     }
-    says("tree build nofile --out t", "nofile: not found: expected a file that ends in .stl, .obj or .ply");
+    says("tree build nofile --out t", "nofile: not found: expected a file that ends in .stl, .obj, .ply or .off");
     says("tree build builtin:gear --beside nofile --out t", "nofile: not found");
     says("generate --unit nope", "--unit nope: expected one of multiply_18_18");
     says("generate --unit projection", "--unit projection alone: expected --dot FILE or --svg FILE with it");

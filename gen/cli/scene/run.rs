@@ -239,7 +239,8 @@ impl<'a> Sinks<'a> {
             csv.write(report::heads::<C>())?;
         }
         if let Some(pairs) = &mut pairs {
-            pairs.write("frame,a,b,triangle_a,triangle_b,verdict,exact\n")?;
+            let parts = if are_split(scene) { ",part_a,part_b" } else { "" };
+            pairs.write(format!("frame,a,b,triangle_a,triangle_b,verdict,exact{parts}\n"))?;
         }
         Ok(Self { scene, report, csv, pairs, viewer })
     }
@@ -274,13 +275,20 @@ impl<'a> Sinks<'a> {
     }
 }
 
-/// A row of the file of pairs.
+/// Whether a face of a mesh file is more than one triangle, so that its number does not name one.
+fn are_split(scene: &Scene) -> bool {
+    scene.objects.iter().any(|object| object.findings.numbers.are_split())
+}
+
+/// A row of the file of pairs, with the numbers of the faces in their files.
 fn pair(scene: &Scene, contact: &Contact) -> String {
     let Place { frame, objects: (a, b), pair: (p, q) } = contact.place;
+    let [[p, part], [q, other]] = [(a, p), (b, q)].map(|(object, p)| scene.objects[object].findings.numbers.of(p));
+    let parts = if are_split(scene) { format!(",{part},{other}") } else { String::new() };
     let [a, b] = [a, b].map(|object| quoted(&scene.objects[object].name));
     let verdict = contact.verdict.map_or("software".to_owned(), |verdict: Verdict| verdict.to_string());
     let exact = contact.exact.map_or(String::new(), |exact| exact.to_string());
-    format!("{frame},{a},{b},{p},{q},{verdict},{exact}\n")
+    format!("{frame},{a},{b},{p},{q},{verdict},{exact}{parts}\n")
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {

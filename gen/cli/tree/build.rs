@@ -8,22 +8,26 @@ use crate::cli::params::{choice, whole};
 use crate::cli::source::load_mesh;
 use crate::design::top::DesignError;
 use crate::host::engine::Image;
-use crate::mesh::Mesh;
+use crate::mesh::{Findings, Mesh};
 use crate::number::Upper;
 use crate::params::engine::FACTOR_BITS;
 use crate::params::options::{INT_BITS, TRANSFORM_WIDTH, WIDTH};
 use crate::params::{EngineParams, Params};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Builds the image of a mesh: its tree of local blocks and its triangles, as the engine reads them
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Mesh file (.stl, .obj or .ply), or builtin:NAME
+    /// Mesh file (.stl, .obj, .ply or .off), or builtin:NAME
     #[arg(value_name = "MESH")]
     mesh: PathBuf,
     /// The image
     #[arg(long, value_name = "FILE")]
     out: PathBuf,
+    /// The faces of the mesh file, one row for each triangle of the image: its number there, the number of the face, from 0,
+    /// and which triangle of the face it is, from 0
+    #[arg(long, value_name = "FILE")]
+    faces: Option<PathBuf>,
     /// Another mesh that this one meets in queries: all get one scale. Give every image of a scene the same meshes
     #[arg(long, value_name = "MESH")]
     beside: Vec<PathBuf>,
@@ -40,23 +44,22 @@ pub(super) struct Arguments {
     upper: Upper,
 }
 
-/// Reads a mesh and tells what was left out.
-fn mesh(path: &Path) -> Result<Mesh, Failure> {
-    let (mesh, findings) = load_mesh(path)?;
-    if findings.left_out() > 0 {
-        warn(&format!("{}: {findings}; triangles are numbered without them", path.display()));
-    }
-    Ok(mesh)
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let paths = || std::iter::once(&arguments.mesh).chain(&arguments.beside);
     // A mesh may be named twice, but is not overwritten.
     for mesh in paths().filter(|mesh| mesh.exists()) {
-        file::distinct([mesh.as_path(), &arguments.out].into_iter())?;
+        file::distinct([mesh.as_path(), &arguments.out].into_iter().chain(arguments.faces.as_deref()))?;
     }
+    file::distinct(std::iter::once(arguments.out.as_path()).chain(arguments.faces.as_deref()))?;
     let mut out = Output::new(&arguments.out)?;
-    let meshes = paths().map(|path| mesh(path)).collect::<Result<Vec<Mesh>, Failure>>()?;
+    let faces = arguments.faces.as_deref().map(Output::new).transpose()?;
+    let (meshes, findings): (Vec<Mesh>, Vec<Findings>) =
+        paths().map(|path| load_mesh(path)).collect::<Result<Vec<_>, Failure>>()?.into_iter().unzip();
+    let numbers = &findings[0].numbers;
+    if !numbers.are_plain() && faces.is_none() {
+        let why = "the image numbers triangles from 0, which are not the numbers of the faces in the file";
+        warn(&format!("{}: {why}: --faces FILE lists both", arguments.mesh.display()));
+    }
     let unit = Params {
         // The width of the unit behind the engine is not in an image.
         width: Params::default().width.min(arguments.transform_width),
@@ -72,6 +75,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         .map_err(|e| Failure::Usage(format!("{}: {e}", arguments.mesh.display())))?;
     let header = *image.header();
     out.write(image.bytes())?;
+    if let Some(mut faces) = faces {
+        faces.write("triangle,face,part\n")?;
+        for triangle in 0..meshes[0].faces.len() as u32 {
+            let [face, part] = numbers.of(triangle);
+            faces.write(format!("{triangle},{face},{part}\n"))?;
+        }
+        faces.finish()?;
+    }
     out.finish()?;
     let file = arguments.out.display();
     let (triangles, size, height, power) =

@@ -54,6 +54,8 @@ struct Mesh {
 struct Object<'a> {
     name: &'a str,
     mesh: usize,
+    /// What its triangles are called; empty if by their numbers in the mesh.
+    triangles: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -182,9 +184,18 @@ impl<'a, 'b> Viewer<'a, 'b> {
             }
         };
         let objects = scene.objects.iter().zip(mesh_of);
+        let triangles = |object: &efsat_geometry::scene::Object| match &object.findings.numbers {
+            numbers if numbers.are_plain() => vec![],
+            numbers => (0..object.mesh.faces.len() as u32).map(|triangle| numbers.name(triangle)).collect(),
+        };
+        let object = |(object, mesh): (&'a efsat_geometry::scene::Object, usize)| Object {
+            name: &object.name,
+            mesh,
+            triangles: triangles(object),
+        };
         let data = Data {
             meshes: meshes.iter().map(mesh).collect(),
-            objects: objects.map(|(object, mesh)| Object { name: &object.name, mesh }).collect(),
+            objects: objects.map(object).collect(),
             frames: &self.frames,
             first,
             kinds: Mark::ALL.map(kind),

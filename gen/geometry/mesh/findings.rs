@@ -1,11 +1,12 @@
 //! What was found wrong with the faces of a mesh.
 
 use super::Mesh;
-use super::error::Fault;
+use super::build::Faults;
 use robust::{Coord, orient2d};
 use serde::Serialize;
 use std::collections::HashSet;
 use std::fmt;
+use std::sync::Arc;
 
 /// What can be wrong with a face.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -17,6 +18,10 @@ pub enum Defect {
     OutOfRange,
     /// A coordinate that is infinite or no number: left out.
     NonFinite,
+    /// A polygon that is not simple along any coordinate axis: left out.
+    NotSimple,
+    /// A polygon whose corners are not exactly in one plane: kept, as triangles that its corners do not settle.
+    NotPlanar,
     /// Corners on one line, exactly: kept, as the segment or point that it is.
     Degenerate,
     /// The same three corners as an earlier face, in any order: kept.
@@ -25,11 +30,19 @@ pub enum Defect {
 
 impl Defect {
     /// All of them; those whose faces are left out come first.
-    pub const ALL: [Self; 5] = [Self::FewCorners, Self::OutOfRange, Self::NonFinite, Self::Degenerate, Self::Duplicate];
+    pub const ALL: [Self; 7] = [
+        Self::FewCorners,
+        Self::OutOfRange,
+        Self::NonFinite,
+        Self::NotSimple,
+        Self::NotPlanar,
+        Self::Degenerate,
+        Self::Duplicate,
+    ];
 
     /// Whether a face of that kind stays in the mesh.
     pub fn is_kept(self) -> bool {
-        matches!(self, Self::Degenerate | Self::Duplicate)
+        matches!(self, Self::NotPlanar | Self::Degenerate | Self::Duplicate)
     }
 
     /// What a count of such faces is called.
@@ -38,6 +51,8 @@ impl Defect {
             Self::FewCorners => "with fewer than three corners",
             Self::OutOfRange => "with a vertex out of range",
             Self::NonFinite => "with a coordinate that is not finite",
+            Self::NotSimple => "with a polygon that is not simple",
+            Self::NotPlanar => "not exactly in one plane",
             Self::Degenerate => "degenerate",
             Self::Duplicate => "duplicate",
         }
@@ -55,35 +70,102 @@ pub struct Finding {
     pub first: String,
 }
 
-/// Everything found wrong with a mesh; it prints as one line.
+/// What a reader did not take as part of the mesh, or took otherwise than the file says: how often, and where first.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Remark {
+    /// What it is.
+    pub what: &'static str,
+    /// How often it was found.
+    pub count: u64,
+    /// The first of them: line and text.
+    pub first: String,
+}
+
+/// The triangles of a mesh by the faces of its file: which face each one is of, and which triangle of that face.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Numbers {
+    /// Face and part of each triangle; empty if every triangle is the face of its own number.
+    list: Arc<Vec<[u32; 2]>>,
+    /// Whether a face is more than one triangle.
+    split: bool,
+}
+
+impl Numbers {
+    /// The number of the face in its file, counted from 0 and with the faces that were left out, and which of its triangles
+    /// it is, counted from 0: 0 for a face that is a triangle.
+    pub fn of(&self, triangle: u32) -> [u32; 2] {
+        self.list.get(triangle as usize).copied().unwrap_or([triangle, 0])
+    }
+
+    /// Whether every triangle is the face of its own number.
+    pub fn are_plain(&self) -> bool {
+        self.list.is_empty()
+    }
+
+    /// Whether a face is more than one triangle.
+    pub fn are_split(&self) -> bool {
+        self.split
+    }
+
+    /// A triangle as text: the number of its face, behind a point that of its part if faces are split.
+    pub fn name(&self, triangle: u32) -> String {
+        let [face, part] = self.of(triangle);
+        if self.are_split() { format!("{face}.{part}") } else { face.to_string() }
+    }
+
+    /// The face and part of triangle number `triangle`, the next one.
+    pub(super) fn push(&mut self, triangle: usize, face: u32, part: u32) {
+        if self.list.is_empty() && triangle as u32 == face && part == 0 {
+            return;
+        }
+        self.split |= part > 0;
+        let list = Arc::make_mut(&mut self.list);
+        list.extend((list.len() as u32..triangle as u32).map(|plain| [plain, 0]));
+        list.push([face, part]);
+    }
+}
+
+/// Everything found in a mesh file that its triangles do not show; it prints as one line.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Findings {
     /// One entry for each defect that was found, in the order of [`Defect::ALL`].
     pub list: Vec<Finding>,
+    /// What else there is to say.
+    pub remarks: Vec<Remark>,
+    /// The faces that the triangles are of.
+    #[serde(skip)]
+    pub numbers: Numbers,
 }
 
 impl Findings {
-    /// Looks at the faces of a mesh, and takes the faults of those left out.
-    pub(super) fn of(mesh: &Mesh, faults: &[(Defect, Fault)]) -> Self {
-        let places = |defect: Defect| -> Vec<String> {
-            let face = |index: usize| format!("triangle {index}");
+    /// Looks at the faces of a mesh, and takes the faults that its reader found.
+    pub(super) fn of(mesh: &Mesh, faults: &Faults, remarks: Vec<Remark>, numbers: Numbers) -> Self {
+        let found = |defect: Defect| {
+            let listed = |list: Vec<usize>| {
+                let first = format!("triangle {}", numbers.name(*list.first()? as u32));
+                Some(Finding { defect, count: list.len() as u64, first })
+            };
             match defect {
-                Defect::Degenerate => degenerate(mesh).into_iter().map(face).collect(),
-                Defect::Duplicate => duplicates(mesh).into_iter().map(face).collect(),
-                _ => faults.iter().filter(|(d, _)| *d == defect).map(|(_, fault)| fault.brief()).collect(),
+                Defect::Degenerate => listed(degenerate(mesh)),
+                Defect::Duplicate => listed(duplicates(mesh)),
+                _ => {
+                    let (_, count, fault) = faults.0.iter().find(|(known, ..)| *known == defect)?;
+                    Some(Finding { defect, count: *count, first: fault.brief() })
+                }
             }
         };
-        let found = |defect: Defect| {
-            let places = places(defect);
-            let count = places.len() as u64;
-            places.into_iter().next().map(|first| Finding { defect, count, first })
-        };
-        Self { list: Defect::ALL.into_iter().filter_map(found).collect() }
+        Self { list: Defect::ALL.into_iter().filter_map(found).collect(), remarks, numbers }
     }
 
     /// Looks at the faces of a mesh that was not read from a file.
     pub fn of_mesh(mesh: &Mesh) -> Self {
-        Self::of(mesh, &[])
+        Self::of(mesh, &Faults::default(), vec![], Numbers::default())
+    }
+
+    /// Whether the mesh is not simply what the faces of the file say, so that a command has to say so.
+    pub fn must_be_said(&self) -> bool {
+        let is_said = |finding: &Finding| !finding.defect.is_kept() || finding.defect == Defect::NotPlanar;
+        !self.remarks.is_empty() || self.list.iter().any(is_said)
     }
 
     /// How many faces were left out.
@@ -101,7 +183,12 @@ impl fmt::Display for Findings {
             (!list.is_empty()).then(|| format!("{word}: {}", list.join(", ")))
         };
         let parts = [part(false, "faces left out"), part(true, "faces kept")];
-        f.write_str(&parts.into_iter().flatten().collect::<Vec<_>>().join("; "))
+        let remark = |Remark { what, count, first }: &Remark| match count {
+            1 => format!("{what} ({first})"),
+            _ => format!("{what}, {count} times (first: {first})"),
+        };
+        let parts: Vec<String> = parts.into_iter().flatten().chain(self.remarks.iter().map(remark)).collect();
+        f.write_str(&parts.join("; "))
     }
 }
 

@@ -1,26 +1,31 @@
-//! Triangle meshes: what they are, how they are read from STL, OBJ and PLY files, and those that are built in.
+//! Triangle meshes: what they are, how they are read from STL, OBJ, PLY and OFF files, and those that are built in.
 //!
 //! Reading keeps every triangle of a file, degenerate ones included, in the order of the file; nothing is repaired,
-//! scaled or moved. Of STL files, vertices that are equal bit for bit are stored once.
+//! scaled or moved. Of STL files, vertices that are equal bit for bit are stored once. Polygons become triangles that tile
+//! them. What is read and what is refused is described in `docs/formats.md`.
 
 pub mod angle;
 mod bounds;
+mod build;
 mod builtin;
 mod error;
 mod findings;
-mod lines;
 mod obj;
+mod off;
 mod ply;
+mod polygon;
 mod snapped;
 mod stl;
+mod text;
 
 pub use bounds::Bounds;
 pub use builtin::{BUILTIN, builtin, headlight};
 pub use error::MeshError;
-pub use findings::{Defect, Finding, Findings};
+pub use findings::{Defect, Finding, Findings, Numbers, Remark};
 pub use snapped::Snapped;
 
 use crate::finite::{NotFinite, Place};
+use build::Faults;
 use error::Fault;
 use nalgebra::Point3;
 use std::collections::HashMap;
@@ -122,88 +127,116 @@ impl Mesh {
     }
 }
 
-/// A mesh file as read: the faces that can be used, and the faults of those that cannot.
+/// A mesh file as read: the faces that can be used, the faults of the others, and what else there is to say.
 struct Parsed {
     mesh: Mesh,
-    faults: Vec<(Defect, Fault)>,
+    numbers: Numbers,
+    faults: Faults,
+    remarks: Vec<Remark>,
 }
 
-/// Reads a mesh all of whose faces can be used; the extension of the file name says which format it has: `.stl`
-/// (binary or ASCII, told apart by the content), `.obj` or `.ply` (ASCII or binary); polygons become triangle fans.
+/// Reads a mesh all of whose faces can be used; the extension of the file name says which format it has: `.stl`, `.obj`,
+/// `.ply` or `.off`, the content whether it is binary. Polygons become triangles.
 ///
 /// # Errors
 /// One line with the file, the line where it can be known, what was found and what was expected.
 pub fn read(path: &Path) -> Result<Mesh, MeshError> {
-    let Parsed { mesh, faults } = parsed(path)?;
-    match faults.into_iter().next() {
-        Some((_, fault)) => Err(fault.of(path)),
+    let Parsed { mesh, faults, .. } = parsed(path)?;
+    match faults.0.into_iter().find(|(defect, ..)| !defect.is_kept()) {
+        Some((.., fault)) => Err(fault.of(path)),
         None => Ok(mesh),
     }
 }
 
 /// Reads a mesh as [`read`] does, leaves out the faces that cannot be used (fewer than three corners, vertices that
-/// are not in the file or not finite), and says what was found, also of the faces that stay.
+/// are not in the file or not finite, polygons that are not simple), and says what was found, also of the faces that stay,
+/// and which faces of the file the triangles are.
 ///
 /// # Errors
 /// As [`read`], for files that are broken as a whole and for those without a face that can be used.
 pub fn survey(path: &Path) -> Result<(Mesh, Findings), MeshError> {
-    let Parsed { mesh, faults } = parsed(path)?;
+    let Parsed { mesh, numbers, faults, remarks } = parsed(path)?;
     if mesh.faces.is_empty() {
-        if let Some((_, fault)) = faults.into_iter().next() {
+        if let Some((.., fault)) = faults.0.into_iter().next() {
             return Err(fault.of(path));
         }
         return Err(Fault::new("no face", "expected at least one").of(path));
     }
-    let findings = Findings::of(&mesh, &faults);
+    let findings = Findings::of(&mesh, &faults, remarks, numbers);
     Ok((mesh, findings))
+}
+
+/// The formats of mesh files.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Stl,
+    Obj,
+    Ply,
+    Off,
+}
+
+impl Format {
+    const LEGAL: &str = "expected .stl, .obj, .ply or .off";
+
+    fn of_extension(extension: &str) -> Option<Self> {
+        match extension {
+            "stl" => Some(Self::Stl),
+            "obj" => Some(Self::Obj),
+            "ply" => Some(Self::Ply),
+            "off" => Some(Self::Off),
+            _ => None,
+        }
+    }
+
+    /// What a file surely is by its content; an OBJ file is never sure.
+    fn of_content(bytes: &[u8]) -> Option<Self> {
+        let text = text::without_mark(bytes);
+        let begins = |word: &[u8]| text.starts_with(word) && text.get(word.len()).is_none_or(u8::is_ascii_whitespace);
+        if begins(b"ply") {
+            Some(Self::Ply)
+        } else if off::KEYWORDS.iter().any(|word| begins(word.as_bytes())) {
+            Some(Self::Off)
+        } else {
+            stl::is_surely(bytes).then_some(Self::Stl)
+        }
+    }
+
+    fn parse(self, bytes: &[u8]) -> Result<Parsed, Fault> {
+        match self {
+            Self::Stl => stl::parse(bytes),
+            Self::Obj => obj::parse(bytes),
+            Self::Ply => ply::parse(bytes),
+            Self::Off => off::parse(bytes),
+        }
+    }
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Stl => "STL",
+            Self::Obj => "OBJ",
+            Self::Ply => "PLY",
+            Self::Off => "OFF",
+        }
+    }
 }
 
 fn parsed(path: &Path) -> Result<Parsed, MeshError> {
     let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    let parse = match extension.as_str() {
-        "stl" => stl::parse,
-        "obj" => obj::parse,
-        "ply" => ply::parse,
-        "" if !path.exists() => {
-            return Err(Fault::new("not found", "expected a file that ends in .stl, .obj or .ply").of(path));
+    let format = Format::of_extension(&extension).ok_or_else(|| {
+        if extension.is_empty() && !path.exists() {
+            return Fault::new("not found", "expected a file that ends in .stl, .obj, .ply or .off").of(path);
         }
-        _ => return Err(Fault::new(format!("extension '{extension}'"), "expected .stl, .obj or .ply").of(path)),
-    };
+        Fault::new(format!("extension '{extension}'"), Format::LEGAL).of(path)
+    })?;
     let bytes = std::fs::read(path)
         .map_err(|e| Fault::new(format!("cannot be read ({e})"), "expected a readable file").of(path))?;
-    parse(&bytes).map_err(|fault| fault.of(path))
-}
-
-impl Parsed {
-    /// Leaves out the faces that use a vertex that is not finite, with a fault for each vertex of that kind, and those
-    /// vertices.
-    fn without_non_finite(self, fault: impl Fn(usize) -> Fault) -> Self {
-        let Self { mesh: Mesh { vertices, faces }, mut faults } = self;
-        let is_finite = |v: &Point3<f64>| v.iter().all(|x| x.is_finite());
-        if vertices.iter().all(is_finite) {
-            return Self { mesh: Mesh { vertices, faces }, faults };
-        }
-        let mut kept = Mesh::default();
-        let moved: Vec<Option<u32>> = vertices
-            .into_iter()
-            .map(|vertex| {
-                is_finite(&vertex).then(|| {
-                    kept.vertices.push(vertex);
-                    kept.vertices.len() as u32 - 1
-                })
-            })
-            .collect();
-        for face in faces {
-            match face.map(|v| moved[v as usize]) {
-                [Some(p), Some(q), Some(r)] => kept.faces.push([p, q, r]),
-                corners => {
-                    let blamed = corners.iter().position(Option::is_none).map_or(0, |corner| face[corner] as usize);
-                    faults.push((Defect::NonFinite, fault(blamed)));
-                }
-            }
-        }
-        Self { mesh: kept, faults }
+    let content = Format::of_content(&bytes).unwrap_or(format);
+    let mut parsed = content.parse(&bytes).map_err(|fault| fault.of(path))?;
+    if content != format {
+        let first = format!("{}, not {}", content.name(), format.name());
+        parsed.remarks.push(Remark { what: "read as what its content is", count: 1, first });
     }
+    Ok(parsed)
 }
 
 #[cfg(test)]

@@ -1,92 +1,153 @@
-//! Wavefront OBJ with the crate `tobj`: vertices and faces; everything else in such a file is skipped.
+//! Wavefront OBJ: vertices and faces. Other statements of the format that make no faces are skipped in silence; what makes
+//! surfaces of another kind, or is no statement of the format, is skipped and said.
 
+use super::build::Builder;
 use super::error::Fault;
-use super::lines::{LineReader, line_before};
-use super::{Defect, Mesh, Parsed};
-use nalgebra::Point3;
-use std::cell::{Cell, OnceCell};
-use std::io::BufReader;
+use super::text::{Line, Lines, number, quoted, uncommented};
+use super::{Defect, Parsed};
 
-const VERTEX: &str = "expected 'v x y z' in finite numbers, then nothing, a weight other than 0, or a colour";
+const VERTEX: &str = "expected 'v x y z' in decimal numbers, then nothing, a weight other than 0, or a colour";
 const FACE: &str = "expected 'f' and three or more vertices of the file, counted from 1, or back from -1";
 
-/// Reads the bytes of an OBJ file. A face of more than three corners becomes the triangle fan of its first one.
+/// Statements without faces.
+const SKIPPED: [&str; 26] = [
+    "vt",
+    "vn",
+    "vp",
+    "g",
+    "o",
+    "s",
+    "mg",
+    "p",
+    "l",
+    "usemtl",
+    "mtllib",
+    "usemap",
+    "maplib",
+    "bevel",
+    "c_interp",
+    "d_interp",
+    "lod",
+    "shadow_obj",
+    "trace_obj",
+    "cstype",
+    "deg",
+    "bmat",
+    "step",
+    "ctech",
+    "stech",
+    "end",
+];
+/// Statements that end in names or paths, where a backslash at the end belongs to the name.
+const NAMED: [&str; 8] = ["g", "o", "usemtl", "mtllib", "usemap", "maplib", "shadow_obj", "trace_obj"];
+
+/// Reads the bytes of an OBJ file: first all vertices, then all faces, which may stand before their vertices.
 pub(super) fn parse(bytes: &[u8]) -> Result<Parsed, Fault> {
     if bytes.is_empty() {
         return Err(Fault::new("empty file", "expected an OBJ file with at least one face"));
     }
-    let source = String::from_utf8_lossy(bytes);
-    let (text, faults) = geometry(&source);
-    let position = Cell::new(0);
-    let mut reader = BufReader::new(LineReader::new("", &text, &position));
-    let options = tobj::LoadOptions { triangulate: true, ..Default::default() };
-    let loaded = tobj::load_obj_buf(&mut reader, &options, |_| Err(tobj::LoadError::GenericFailure));
-    let (models, _) = loaded.map_err(|e| {
-        let line = line_before(&text, position.get());
-        let legal = if keyword(&text, line) == Some("v") { VERTEX } else { FACE };
-        Fault::new(e.to_string(), legal).at(line)
-    })?;
-    // Without `o`, `g` and `usemtl` lines there is one model; none if there is no face.
-    let Some(model) = models.into_iter().map(|m| m.mesh).find(|m| !m.indices.is_empty()) else {
-        return match faults.is_empty() {
-            true => Err(Fault::new("no face", "expected at least one line 'f'")),
-            false => Ok(Parsed { mesh: Mesh::default(), faults }),
-        };
-    };
-    let vertices = model.positions.chunks_exact(3).map(Point3::from_slice).collect();
-    let faces = model.indices.chunks_exact(3).map(|f| [f[0], f[1], f[2]]).collect();
-    let blamed = OnceCell::new();
-    let parsed = Parsed { mesh: Mesh { vertices, faces }, faults };
-    Ok(parsed.without_non_finite(|_| blamed.get_or_init(|| non_finite(&text)).clone()))
-}
-
-/// The lines that carry geometry, every other one blank so that line numbers stay: vertices without colours, faces
-/// without references to texture coordinates and normals (the crate computes with those unchecked), whose vertices
-/// are checked here, where the line is known; and the faults of the faces left out.
-fn geometry(source: &str) -> (String, Vec<(Defect, Fault)>) {
-    let vertices = source.lines().filter(|line| line.split_whitespace().next() == Some("v")).count() as i64;
-    let mut seen = 0;
-    let mut text = String::with_capacity(source.len());
-    let mut faults = vec![];
-    for (number, line) in source.lines().enumerate() {
-        let words: Vec<&str> = line.split('#').next().unwrap_or_default().split_whitespace().collect();
-        match words[..] {
-            ["v", x, y, z, _, _, _] => text.extend(["v ", x, " ", y, " ", z]),
-            ["v", ..] => text.push_str(&words.join(" ")),
-            ["f", ref corners @ ..] => {
-                let index = |corner: &&str| corner.split('/').next().unwrap_or_default().parse::<i64>().ok();
-                let legal = |i: i64| (1..=vertices).contains(&i) || (-seen..0).contains(&i);
-                let bad = corners.iter().find(|corner| !index(corner).is_some_and(legal));
-                let fault = |found: String| Fault::new(found, FACE).at(number + 1);
-                if corners.len() < 3 {
-                    faults.push((Defect::FewCorners, fault(format!("a face of {} vertices", corners.len()))));
-                } else if let Some(corner) = bad {
-                    faults.push((Defect::OutOfRange, fault(format!("vertex '{corner}' in a file of {vertices}"))));
-                } else {
-                    text.push('f');
-                    text.extend(corners.iter().filter_map(index).map(|i| format!(" {i}")));
-                }
-            }
-            _ => {}
+    let mut builder = Builder::new(1);
+    statements(bytes, |line, words| match words {
+        ["v", numbers @ ..] => builder.vertex(vertex(numbers).map_err(|fault| fault.at(line))?, Some(line)),
+        [word @ ("V" | "F"), ..] => {
+            let found = format!("'{word}' in '{}'", quoted(&words.join(" ")));
+            Err(Fault::new(found, "expected 'v' and 'f' in small letters").at(line))
         }
-        seen += i64::from(words.first() == Some(&"v"));
-        text.push('\n');
+        _ => Ok(()),
+    })?;
+    let (mut seen, mut faces) = (0, 0u64);
+    statements(bytes, |line, words| {
+        match words {
+            [] => {}
+            ["v", ..] => seen += 1,
+            ["f", corners @ ..] => {
+                faces += 1;
+                face(&mut builder, seen, line, corners)?;
+            }
+            [word, ..] if SKIPPED.contains(word) => {}
+            _ => builder.remark("lines not read", || format!("line {line}: '{}'", quoted(&words.join(" ")))),
+        }
+        Ok(())
+    })?;
+    if faces == 0 {
+        return Err(Fault::new("no face", "expected at least one line 'f'"));
     }
-    (text, faults)
+    Ok(builder.finish())
 }
 
-/// The first word of line `number`, counted from 1.
-fn keyword(text: &str, number: usize) -> Option<&str> {
-    text.lines().nth(number.saturating_sub(1))?.split_whitespace().next()
+/// Every statement with its line: without a comment, and with the lines that follow a backslash at its end.
+fn statements(bytes: &[u8], mut each: impl FnMut(usize, &[&str]) -> Result<(), Fault>) -> Result<(), Fault> {
+    let mut lines = Lines::new(bytes)?;
+    while let Some(Line { number, text }) = lines.next() {
+        let (text, mut is_comment) = uncommented(&text);
+        let mut statement = text.to_owned();
+        let is_named = statement.split_whitespace().next().is_some_and(|word| NAMED.contains(&word));
+        while !is_comment && !is_named && statement.trim_end().ends_with('\\') {
+            statement.truncate(statement.trim_end().len() - 1);
+            let Some(next) = lines.next() else { break };
+            let (text, ends) = uncommented(&next.text);
+            is_comment = ends;
+            statement.push(' ');
+            statement.push_str(text);
+        }
+        each(number, &statement.split_whitespace().collect::<Vec<_>>())?;
+    }
+    Ok(())
 }
 
-/// The fault of a file one of whose vertices is not finite: the line to blame is sought only now.
-fn non_finite(text: &str) -> Fault {
-    let is_bad = |word: &str| word.parse().is_ok_and(|x: f64| !x.is_finite());
-    let blamed = text.lines().enumerate().find(|(_, l)| l.starts_with("v ") && l.split_whitespace().any(is_bad));
-    match blamed {
-        Some((number, line)) => Fault::new(format!("'{line}'"), VERTEX).at(number + 1),
-        // The quotient of a coordinate and its weight.
-        None => Fault::new("a coordinate that overflows when divided by its weight", VERTEX),
+/// The point of the numbers behind `v`.
+fn vertex(words: &[&str]) -> Result<[f64; 3], Fault> {
+    let shown = || quoted(&words.join(" "));
+    let number = |word: &str| {
+        number(word).map_err(|wrong| Fault::new(format!("{wrong} in 'v {}' is no number", shown()), VERTEX))
+    };
+    // A colour is not read. With seven numbers it has an opacity.
+    if !matches!(words.len(), 3 | 4 | 6 | 7) {
+        return Err(Fault::new(format!("{} numbers in 'v {}'", words.len(), shown()), VERTEX));
     }
+    let [x, y, z] = [number(words[0])?, number(words[1])?, number(words[2])?];
+    let weight = if words.len() == 4 { number(words[3])? } else { 1.0 };
+    if weight == 0.0 || weight.is_nan() {
+        return Err(Fault::new(format!("the weight '{}' in 'v {}'", quoted(words[3]), shown()), VERTEX));
+    }
+    let point = [x / weight, y / weight, z / weight];
+    if [x, y, z]
+        .iter()
+        .zip(&point)
+        .any(|(x, quotient)| *x != 0.0 && *quotient == 0.0 || x.is_finite() && !quotient.is_finite())
+    {
+        let found = format!("'v {}': a coordinate divided by its weight leaves the range of binary64", shown());
+        return Err(Fault::new(found, VERTEX));
+    }
+    Ok(point)
+}
+
+/// Takes a face of which each corner is a number of a vertex, or several with slashes between them, of which the first counts.
+fn face(builder: &mut Builder, seen: i64, line: usize, corners: &[&str]) -> Result<(), Fault> {
+    let vertices = builder.vertices() as i64;
+    let mut places = Vec::with_capacity(corners.len());
+    let mut bad = None;
+    for corner in corners {
+        let index = corner.split('/').next().and_then(|word| word.parse::<i64>().ok());
+        match index {
+            Some(0) => {
+                let found = format!("vertex 0 in 'f {}'", quoted(&corners.join(" ")));
+                let legal =
+                    "expected vertices counted from 1: counted from 0, every face of the file would be one vertex off";
+                return Err(Fault::new(found, legal).at(line));
+            }
+            Some(i) if (1..=vertices).contains(&i) => places.push((i - 1) as u32),
+            Some(i) if (-seen..0).contains(&i) => places.push((seen + i) as u32),
+            _ => bad = bad.or(Some(corner)),
+        }
+    }
+    let fault = |found: String| Fault::new(found, FACE).at(line);
+    if corners.len() < 3 {
+        builder.left_out(Defect::FewCorners, fault(format!("a face of {} vertices", corners.len())));
+    } else if let Some(corner) = bad {
+        builder.left_out(Defect::OutOfRange, fault(format!("vertex '{}' in a file of {vertices}", quoted(corner))));
+    } else {
+        builder.face(&places, Some(line))?;
+    }
+    Ok(())
 }

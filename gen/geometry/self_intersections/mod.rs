@@ -190,7 +190,8 @@ impl Search {
 
     /// What the oracle says of two triangles.
     fn expected(&self, faces: Faces) -> Option<Kind> {
-        Question::of(&self.mesh, faces).kind(|faces| exact::pair(&points(&self.mesh, faces)).expect("meshes are finite"))
+        Question::of(&self.mesh, faces)
+            .kind(|faces| exact::pair(&points(&self.mesh, faces)).expect("meshes are finite"))
     }
 }
 
@@ -220,7 +221,7 @@ impl<'a> Share<'a> {
     /// Looks at the pairs of a triangle with all later ones.
     fn take(&mut self, triangle: u32) {
         let search = self.search;
-        let Mesh { vertices, faces } = &search.mesh;
+        let (vertices, faces) = (search.mesh.vertices(), search.mesh.faces());
         let face = faces[triangle as usize];
         let bounds = Bounds::of(face.map(|vertex| &vertices[vertex as usize]));
         search.overlaps.after(triangle, &bounds, |other| {
@@ -243,7 +244,7 @@ impl<'a> Share<'a> {
     /// Decides the pairs that wait.
     fn flush(&mut self) {
         self.answers.clear();
-        retest_batch(&self.points, &mut self.answers);
+        retest_batch(&self.points, &mut self.answers).expect("meshes are finite");
         for index in 0..self.apart.len() {
             self.settle(self.apart[index], Kind::apart(self.answers[index]));
         }

@@ -51,7 +51,7 @@ pub fn load(path: &Path) -> Result<Scene, SceneError> {
     let extension = path.extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
     let hint = match extension.as_str() {
         "csv" | "f64" => "pairs of triangles",
-        "stl" | "obj" | "ply" => "a mesh, which a scene file names",
+        "stl" | "obj" | "ply" | "off" => "a mesh, which a scene file names",
         _ => "",
     };
     if !hint.is_empty() {

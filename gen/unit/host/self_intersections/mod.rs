@@ -44,6 +44,9 @@ pub struct Checker<'a> {
 /// Why no number is refused.
 const FINITE: &str = "meshes are finite";
 
+/// Why no number is refused.
+const FINITE: &str = "meshes are finite";
+
 /// Pairs that are looked at in one go.
 const BATCH: usize = 4096;
 
@@ -102,7 +105,7 @@ impl<'a> Checker<'a> {
     /// How two triangles lie, which may be segments or points: as the unit says, or the host what does not fit it.
     fn answer(&self, faces: Faces, effort: &mut Effort, asked: &mut Asked) -> Exact {
         let points = pairs::points(self.mesh, faces);
-        let answer = if let Host::Unit(pair) = loose_pair(&points, self.params) {
+        let answer = if let Host::Unit(pair) = loose_pair(&points, self.params).expect(FINITE) {
             asked.asked += 1;
             let outcome = self.golden.outcome(&Pose::identity(self.params), &pair);
             match outcome.verdict {
@@ -112,7 +115,7 @@ impl<'a> Checker<'a> {
             }
         } else {
             asked.by_host += 1;
-            retest(&points)
+            retest(&points).expect(FINITE)
         };
         effort.contradictions += u64::from(self.oracle && exact::pair(&points) != Ok(answer));
         answer

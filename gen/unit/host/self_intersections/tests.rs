@@ -26,7 +26,7 @@ fn the_unit_finds_what_the_software_finds() {
         // Odd numbers keep the unit's own grid from being coarser.
         let place = |x: i64| if unit > 1.0 && x > 0 { unit * x as f64 + 1.0 } else { x as f64 };
         let vertices = vertices.iter().map(|x| Point3::from(x.map(place))).collect();
-        let mesh = Mesh { vertices, faces };
+        let mesh = Mesh::new(vertices, faces).unwrap();
         let mut expected = vec![];
         let Ok(()) = Search::new(&mesh, false).each(|_, defects, _| {
             expected.extend_from_slice(defects);
