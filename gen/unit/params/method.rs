@@ -2,6 +2,7 @@
 //! (docs/exact.md).
 
 use super::options::Choice;
+use super::{Params, Transform};
 use std::ops::RangeInclusive;
 
 /// How a pair is decided.
@@ -86,3 +87,63 @@ pub const CLOCKS_PER_PAIR: &[u32] = &[1, 2, 3, 6, 11];
 pub const SPAN: &[u32] = &[0, 1, 3];
 /// Greatest error levels.
 pub const LEVELS: &[u32] = &[0, 2, 6];
+
+/// The error of the coordinates of a determinant unit, told in levels: a coordinate of level e is wrong by at most
+/// 1/2 + 2^(e-3) (section 3 of docs/determinants.md).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ErrorLevels {
+    /// The bits that are dropped of a difference at least, so that no level is above [`Params::levels`].
+    pub least: u32,
+    /// An axis that drops d bits has level fine - d.
+    pub fine: u32,
+    /// The greatest level that there is where nothing is dropped, and so nothing is rounded.
+    pub greatest: u32,
+}
+
+impl Params {
+    /// A bound of the error of a difference in ulps of the input format, which no difference reaches (section 7.1 of
+    /// docs/determinants.md).
+    pub const fn difference_error(&self) -> u32 {
+        match self.transform {
+            Transform::On => 5,
+            Transform::Translate => 2,
+            Transform::Off => 1,
+        }
+    }
+
+    /// The error levels that follow from the error of a difference.
+    pub fn error_levels(&self) -> ErrorLevels {
+        let error = self.difference_error();
+        // The least with error <= 2^(fine-3), and the least with error <= 1/2 + 2^(greatest-3).
+        let fine = error.next_power_of_two().ilog2() + 3;
+        let greatest = (2 * error - 1).next_power_of_two().ilog2() + 2;
+        let least = if self.levels >= greatest { 0 } else { fine.saturating_sub(self.levels) };
+        ErrorLevels { least, fine, greatest }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The table of section 3 of docs/determinants.md, and what section 7.1 needs of it: the error behind d dropped bits is
+    /// within that of the level.
+    #[test]
+    fn levels_cover_the_error_of_a_difference() {
+        let expected = [(Transform::On, [6, 6]), (Transform::Translate, [4, 4]), (Transform::Off, [3, 2])];
+        for (transform, table) in expected {
+            for &levels in LEVELS {
+                let p = Params { transform, levels, ..Params::of(Method::Determinants) };
+                let ErrorLevels { least, fine, greatest } = p.error_levels();
+                assert_eq!([fine, greatest], table);
+                for d in least..10 {
+                    let level = fine.saturating_sub(d).min(greatest);
+                    assert!(level <= levels, "{p:?}");
+                    let halves = |x: f64| if d > 0 { x + 0.5 } else { x };
+                    let error = halves(f64::from(p.difference_error()) / f64::from(d).exp2());
+                    assert!(error <= 0.5 + (f64::from(level) - 3.0).exp2(), "{transform:?}, {d} bits dropped");
+                }
+            }
+        }
+    }
+}

@@ -14,7 +14,9 @@ pub use efsat_hardware::number::Upper;
 pub use engine::{EngineFormat, EngineParams};
 pub use formats::{AxisKind, Clamp, Formats, Row};
 pub use guard::Guard;
-pub use method::{BELOW_GRID, Bound, CLOCKS_PER_PAIR, EXACT_CLOCKS, ExactClocks, LEVELS, Method, SPAN, Truth};
+pub use method::{
+    BELOW_GRID, Bound, CLOCKS_PER_PAIR, EXACT_CLOCKS, ErrorLevels, ExactClocks, LEVELS, Method, SPAN, Truth,
+};
 pub use options::Params;
 
 use std::ops::RangeInclusive;
@@ -313,8 +315,8 @@ mod tests {
                 "--clocks-per-pair 2: expected --method determinants or exact, which has this option",
             ),
             (
-                |p| (*p, p.guard) = (Params::of(Method::Exact), Guard::Always),
-                "--guard always: expected --method axes or determinants, which has this option",
+                |p| (*p, p.guard) = (Params::of(Method::Exact), Guard::LeftOut),
+                "--guard left-out: expected --method axes or determinants, which has this option",
             ),
             (
                 |p| (*p, p.transform) = (Params::of(Method::Exact), Transform::On),

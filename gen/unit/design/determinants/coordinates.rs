@@ -4,7 +4,7 @@
 use super::super::axis_shift::steps;
 use super::super::guard::any;
 use super::{Points, constant, shared, table, traced, word};
-use crate::params::{Params, Transform};
+use crate::params::{ErrorLevels, Params};
 use efsat_hardware::entity;
 use efsat_hardware::graph::{Sig, Signals, Top, Vec3};
 use efsat_hardware::op::{Range, Select, Type};
@@ -55,12 +55,7 @@ pub struct Scale {
 impl Scale {
     /// For differences within a range.
     pub fn new(p: &Params, range: Range) -> Self {
-        let (fine, greatest): (u32, u32) = match p.transform {
-            Transform::On => (6, 6),
-            Transform::Translate => (4, 4),
-            Transform::Off => (3, 2),
-        };
-        let least = if p.levels >= greatest { 0 } else { fine.saturating_sub(p.levels) };
+        let ErrorLevels { least, fine, greatest } = p.error_levels();
         let reach = 128 - range.1.max(-1 - range.0).leading_zeros();
         let most = (reach + 1).saturating_sub(p.width).max(least);
         Self { width: p.width, reach, least, most, fine, greatest: greatest.min(fine - least) }

@@ -4,18 +4,13 @@
 use super::differences::Points;
 use super::number::round;
 use crate::golden::interval::three;
-use crate::params::{Params, Transform};
+use crate::params::{ErrorLevels, Params};
 
 /// The second stage of one parameter set.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Scaling {
     width: u32,
-    /// The bits that are dropped at least.
-    least: u32,
-    /// The error level of differences of which nothing is dropped.
-    fine: u32,
-    /// The greatest level there is.
-    greatest: u32,
+    levels: ErrorLevels,
 }
 
 /// The five points in the working width.
@@ -30,14 +25,7 @@ pub(super) struct Coordinates {
 
 impl Scaling {
     pub fn new(p: &Params) -> Self {
-        // Differences are wrong by less than 5, 2 and 1 ulp; see section 7.1.
-        let (fine, greatest): (u32, u32) = match p.transform {
-            Transform::On => (6, 6),
-            Transform::Translate => (4, 4),
-            Transform::Off => (3, 2),
-        };
-        let least = if p.levels >= greatest { 0 } else { fine.saturating_sub(p.levels) };
-        Self { width: p.width, least, fine, greatest }
+        Self { width: p.width, levels: p.error_levels() }
     }
 
     /// The coordinates along one axis, all in [-(R-1), R-1] with R = 2^(N-1), and the bits dropped for that.
@@ -45,7 +33,7 @@ impl Scaling {
     fn axis(&self, x: [i64; 5]) -> ([i64; 5], u32) {
         let all = x.iter().fold(0, |all, x| all | x.unsigned_abs());
         let length = u64::BITS - all.leading_zeros();
-        let dropped = (length + 1).saturating_sub(self.width).max(self.least);
+        let dropped = (length + 1).saturating_sub(self.width).max(self.levels.least);
         let y = x.map(|x| round(x, dropped));
         // Rounding can carry a coordinate up to R, but not beyond.
         let carried = y.iter().fold(0, |all, y| all | y.abs()) >> (self.width - 1) != 0;
@@ -57,7 +45,7 @@ impl Scaling {
     pub fn coordinates(&self, differences: &Points) -> Coordinates {
         let axes = three(|j| self.axis(differences.along(j)));
         let dropped = three(|j| axes[j].1);
-        let level = |d: u32| self.fine.saturating_sub(d).min(self.greatest);
+        let level = |d: u32| self.levels.fine.saturating_sub(d).min(self.levels.greatest);
         Coordinates {
             points: Points::new(three(|j| axes[j].0)),
             dropped,

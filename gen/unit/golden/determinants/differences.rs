@@ -126,3 +126,104 @@ impl Differences {
         ((sum + N::from(1 << (self.fraction + 1))) >> (self.fraction + 2)).narrow()
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Method;
+    use rand::rngs::ChaCha8Rng;
+    use rand::{RngExt, SeedableRng};
+
+    /// The ends of the true numbers of a floor x, which keep to the declared range.
+    fn ends(x: i64, one: i64) -> [i128; 2] {
+        [x, (x + 1).min(one)].map(i128::from)
+    }
+
+    /// The greatest error of a row of M times a vertex, plus t, less V0, in ulps: of some words, and any numbers behind them.
+    /// The error of a product is linear in each of its factors, and so is greatest at ends of both. t - V0 is off by less
+    /// than 1, up or down.
+    fn error_of_row(differences: &Differences, one: i64, words: &[(i64, i64); 3]) -> f64 {
+        let products = words.map(|(m, b)| {
+            let corners = ends(m, one).map(|m| ends(b, one).map(|b| m * b)).concat();
+            [corners.iter().min(), corners.iter().max()].map(|end| *end.expect("four corners"))
+        });
+        let middle = |x: i64| 2 * x + 1;
+        let row = differences.row::<i128>(&words.map(|w| middle(w.0)), &words.map(|w| middle(w.1)));
+        let found = i128::from(row) << differences.fraction;
+        let most = [0, 1].map(|end| (products.iter().map(|ends| ends[end]).sum::<i128>() - found).abs());
+        1.0 + most[0].max(most[1]) as f64 / one as f64
+    }
+
+    fn determinants(transform: Transform, width: u32, transform_width: u32) -> Params {
+        Params { transform, width, transform_width, ..Params::of(Method::Determinants) }
+    }
+
+    /// That the bound is above 4 is needed: with 4 in its place, levels would be one less.
+    fn between_four_and_its_bound(p: &Params, greatest: f64) {
+        assert!(4.0 < greatest && greatest < f64::from(p.difference_error()), "{greatest}: {p:?}");
+    }
+
+    /// All words of the narrowest format.
+    #[test]
+    fn rows_of_all_words_keep_to_the_error_of_a_difference() {
+        let p = determinants(Transform::On, 6, 6);
+        let (differences, one) = (Differences::new(&p), p.one() as i64);
+        let all: Vec<(i64, i64)> = (-one..=one).flat_map(|m| (-one..=one).map(move |b| (m, b))).collect();
+        let mut greatest = 0.0f64;
+        for x in &all {
+            for y in &all {
+                for z in &all {
+                    greatest = greatest.max(error_of_row(&differences, one, &[*x, *y, *z]));
+                }
+            }
+        }
+        between_four_and_its_bound(&p, greatest);
+    }
+
+    /// Words near the ends of their ranges, where errors are greatest, of formats that leave products out and of others.
+    #[test]
+    fn rows_keep_to_the_error_of_a_difference() {
+        let mut rng = ChaCha8Rng::seed_from_u64(71);
+        for transform_width in [8, 16, 19, 20, 24, 32, 35, 48] {
+            let p = determinants(Transform::On, 6, transform_width);
+            let (differences, one) = (Differences::new(&p), p.one() as i64);
+            let mut greatest = 0.0f64;
+            for _ in 0..100_000 {
+                let mut word = || {
+                    let reach = 1 << rng.random_range(1..10);
+                    let off = rng.random_range(0..one.min(reach));
+                    if rng.random() { one - off } else { off - one }
+                };
+                let words = [(); 3].map(|()| (word(), word()));
+                greatest = greatest.max(error_of_row(&differences, one, &words));
+            }
+            between_four_and_its_bound(&p, greatest);
+        }
+    }
+
+    /// Without M the error is that of floors: reached but for less than any number.
+    #[test]
+    fn sums_of_floors_keep_to_the_error_of_a_difference() {
+        for transform in [Transform::Translate, Transform::Off] {
+            let p = determinants(transform, 6, 8);
+            let differences = Differences::new(&p);
+            let mut greatest = 0;
+            for code in 0..512 {
+                let digit = |place: u32| (code >> (3 * place)) % 4 - 2;
+                let [b, t, origin] = [0, 1, 2].map(digit);
+                let input = |lo: i64| [Input { lo, sticky: true }; 3];
+                let pose = Pose { t: input(t), bypass: false, ..Pose::identity(&p) };
+                let pair = Pair { a: [input(origin); 3], b: [input(b); 3] };
+                let found = differences.points(&differences.frame(&pose), &pair).w[0][0];
+                // Ends of the three true numbers; without a translation there is no t.
+                let moved = if transform == Transform::Off { 0..=0 } else { t..=t + 1 };
+                for t in moved {
+                    for (b, origin) in [(b, origin), (b + 1, origin), (b, origin + 1), (b + 1, origin + 1)] {
+                        greatest = greatest.max((b + t - origin - found).abs());
+                    }
+                }
+            }
+            assert_eq!(greatest, i64::from(p.difference_error()));
+        }
+    }
+}
