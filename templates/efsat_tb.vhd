@@ -346,9 +346,9 @@ begin
     write(message, string'(" total "));
     write(message, clock);
     writeline(output, message);
-    assert mismatches = 0 report "{{ prefix }}efsat_tb: the unit and the reference model differ" severity error;
-    assert interval = 0 or interval = {{ interval }} report "{{ prefix }}efsat_tb: initiation interval is not {{ interval }}" severity error;
-    assert latency {% if two_stages %}>{% endif %}= {{ latency }} report "{{ prefix }}efsat_tb: latency is not {{ latency }}" severity error;
+    assert mismatches = 0 report "{{ prefix }}efsat_tb: the unit and the reference model differ" severity failure;
+    assert interval = 0 or interval = {{ interval }} report "{{ prefix }}efsat_tb: initiation interval is not {{ interval }}" severity failure;
+    assert latency {% if two_stages %}>{% endif %}= {{ latency }} report "{{ prefix }}efsat_tb: latency is not {{ latency }}" severity failure;
     done <= true;
     wait;
   end process main;

@@ -684,7 +684,7 @@ begin
     write(message, string'(" total "));
     write(message, clock);
     writeline(output, message);
-    assert mismatches = 0 report "{{ prefix }}efsat_engine_tb: the engine and the reference model differ" severity error;
+    assert mismatches = 0 report "{{ prefix }}efsat_engine_tb: the engine and the reference model differ" severity failure;
     done <= true;
     wait;
   end process main;

@@ -157,6 +157,7 @@ begin
     write(message, mismatches);
     write(message, string'(" mismatches"));
     writeline(output, message);
+    assert mismatches = 0 report "{{ prefix }}volume_unit_tb: the unit and the reference model differ" severity failure;
     done <= true;
     wait;
   end process main;
