@@ -18,6 +18,13 @@ package {{ name }} is
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
 {%- endif %}
+{%- if functions.contains("known") %}
+
+  -- x, to be compared or to be an index. In simulation it can have no value yet as long as time is 0, before the registers
+  -- have reached what is behind them; it is zero then. Later that is worth a warning.
+  impure function known(x : signed) return signed;
+  impure function known(x : unsigned) return unsigned;
+{%- endif %}
 {%- if functions.contains("less") %}
 
   -- Whether x < y, two numbers of one length: the sign of the difference.
@@ -72,6 +79,29 @@ package body {{ name }} is
       return '0';
     end if;
   end function flag;
+{% endif %}
+{%- if functions.contains("known") %}
+  impure function known(x : signed) return signed is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison" severity warning;
+      return to_signed(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
+
+  impure function known(x : unsigned) return unsigned is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison or an index" severity warning;
+      return to_unsigned(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
 {% endif %}
 {%- if functions.contains("less") %}
   function less(x, y : signed) return std_logic is

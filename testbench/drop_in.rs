@@ -6,6 +6,7 @@ use efsat::params::stream::{AnswerFields, Kind, StreamFormat, StreamWidth, Strea
 use efsat::params::{Method, Params, Transform, Upper};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
+use rayon::prelude::*;
 use std::fmt::Write;
 use std::path::Path;
 use std::process::Command;
@@ -76,7 +77,7 @@ fn two_named_designs_and_those_of_the_user_share_a_library() {
             let entity = format!("{name}_{bench}");
             run(dir, ghdl, &["-e", "--std=93", &entity]);
             let vectors = format!("-gvectors={name}/{entity}.vec");
-            let said = run(dir, ghdl, &["-r", "--std=93", &entity, "--ieee-asserts=disable-at-0", &vectors]);
+            let said = run(dir, ghdl, &["-r", "--std=93", &entity, &vectors]);
             assert!(said.contains(&format!("{entity}: ")) && said.contains(" mismatches 0 "), "{said}");
         }
     }
@@ -123,7 +124,7 @@ fn what_is_around_the_wrapper_is_written_with_constants() {
         let files: Vec<&str> = files.iter().map(String::as_str).chain(["around.vhd"]).collect();
         run(dir, ghdl, &[&["-a", "--std=93", "--warn-error"][..], &files].concat());
         run(dir, ghdl, &["-e", "--std=93", "around"]);
-        run(dir, ghdl, &["-r", "--std=93", "around", "--ieee-asserts=disable-at-0", "--stop-time=1ns"]);
+        run(dir, ghdl, &["-r", "--std=93", "around", "--stop-time=1ns"]);
         // The same numbers as in the manifest.
         let manifest = std::fs::read_to_string(dir.join("rtl/manifest.json")).unwrap();
         let manifest: serde_json::Value = serde_json::from_str(&manifest).unwrap();
@@ -353,7 +354,7 @@ fn the_top_of_a_board_elaborates_with_a_stand_in_for_its_pll() {
         run(&rtl, ghdl, &[&["-a", "--std=93", "--warn-error", &work][..], &files].concat());
         let top = format!("{prefix}efsat_{board}");
         run(&rtl, ghdl, &["-e", "--std=93", &work, &top]);
-        run(&rtl, ghdl, &["-r", "--std=93", &work, &top, "--ieee-asserts=disable-at-0", "--stop-time=1us"]);
+        run(&rtl, ghdl, &["-r", "--std=93", &work, &top, "--stop-time=1us"]);
         std::fs::remove_dir_all(rtl).unwrap();
     }
 }
@@ -463,4 +464,122 @@ fn without_ghdl_there_is_no_verilog_and_no_half_of_a_design() {
     assert!(said.contains("no --out: expected --out DIR"), "{said}");
     let said = refused(&["generate", "--verilog", "--ready", "--out", "rtl"]);
     assert!(said.contains("cannot be used with"), "{said}");
+}
+
+/// A file of vectors with a bit of its first answer changed. `V` is followed by a pair and its answer, `O` by an answer.
+fn with_a_wrong_answer(vectors: &str) -> String {
+    let place = |line: &str| match line.split(' ').next() {
+        Some("V") => Some(2),
+        Some("O") => Some(1),
+        _ => None,
+    };
+    let mut lines: Vec<String> = vectors.lines().map(str::to_owned).collect();
+    let (line, place) = lines.iter_mut().find_map(|line| place(line).map(|place| (line, place))).unwrap();
+    let mut fields: Vec<String> = line.split(' ').map(str::to_owned).collect();
+    let digit = fields[place].pop().and_then(|digit| digit.to_digit(16)).unwrap();
+    let _ = write!(fields[place], "{:x}", digit ^ 1);
+    *line = fields.join(" ");
+    lines.join("\n") + "\n"
+}
+
+/// The testbench of the example has the bytes that it expects in its text: the same with the last bit of an answer changed.
+fn with_a_wrong_byte(bench: &str) -> String {
+    let answer = bench.find("constant pair_answer").unwrap();
+    let digit = answer + bench[answer..].find("x\"").unwrap() + 3;
+    let other = u32::from_str_radix(&bench[digit..=digit], 16).unwrap() ^ 1;
+    format!("{}{other:x}{}", &bench[..digit], &bench[digit + 1..])
+}
+
+/// What a testbench counts.
+fn mismatches(said: &str) -> u32 {
+    let count = said.split(" mismatches ").nth(1).and_then(|rest| rest.split_whitespace().next());
+    count.and_then(|count| count.parse().ok()).unwrap_or_else(|| panic!("no count: {said}"))
+}
+
+/// Run as any simulator runs it, a testbench prints its one line, without a metavalue on the way; that a mismatch was
+/// counted is told by the exit status too.
+#[test]
+fn a_testbench_says_one_line_and_fails_after_a_mismatch() {
+    let Some(ghdl) = ghdl() else { return };
+    let cases: Vec<(&str, bool)> = vec![
+        ("--width 8 --transform-width 10", true),
+        ("--method determinants --width 7 --transform-width 9 --clocks-per-pair 6", true),
+        ("--method exact --width 8 --stream-width 128 --exact-clocks 16", true),
+        ("", false),
+        ("--like-paper --upper sticky", false),
+        ("--method determinants --stream-width 1024", false),
+        ("--method determinants --clocks-per-pair 2 --stream-width 512", false),
+        ("--method exact --stream-width 1024", false),
+    ];
+    cases.par_iter().for_each(|(options, broken)| {
+        let home = tempfile::tempdir().unwrap();
+        let dir = home.path();
+        efsat(dir, &format!("generate --out rtl {options}"));
+        let path = |file: &str| dir.join("rtl").join(file);
+        let list = std::fs::read_to_string(path("files.txt")).unwrap();
+        let files: Vec<String> = list.lines().map(|file| format!("rtl/{file}")).collect();
+        let files: Vec<&str> = files.iter().map(String::as_str).collect();
+        run(dir, ghdl, &[&["-a", "--std=93"][..], &files].concat());
+        let simulate = |bench: &str, vectors: &str| {
+            run(dir, ghdl, &["-e", "--std=93", bench]);
+            let vectors = format!("-gvectors={vectors}");
+            let uart = bench == "efsat_uart_tb";
+            let arguments = [&["-r", "--std=93", bench][..], if uart { &[] } else { &[&vectors] }].concat();
+            let output = Command::new(ghdl).args(arguments).current_dir(dir).output().unwrap();
+            let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+            (output.status.success(), text)
+        };
+        for bench in ["efsat_tb", "efsat_stream_tb", "efsat_uart_tb"] {
+            let (fine, said) = simulate(bench, &format!("rtl/{bench}.vec"));
+            assert!(fine && mismatches(&said) == 0, "{options}: {said}");
+            assert_eq!(said.lines().count(), 1, "{options}: {said}");
+        }
+        if !broken {
+            return;
+        }
+        for bench in ["efsat_tb", "efsat_stream_tb"] {
+            let vectors = std::fs::read_to_string(path(&format!("{bench}.vec"))).unwrap();
+            std::fs::write(dir.join("wrong.vec"), with_a_wrong_answer(&vectors)).unwrap();
+            let (fine, said) = simulate(bench, "wrong.vec");
+            assert!(!fine && mismatches(&said) > 0, "{options}: {said}");
+        }
+        let bench = std::fs::read_to_string(path("example/efsat_uart_tb.vhd")).unwrap();
+        std::fs::write(dir.join("wrong.vhd"), with_a_wrong_byte(&bench)).unwrap();
+        run(dir, ghdl, &["-a", "--std=93", "wrong.vhd"]);
+        let (fine, said) = simulate("efsat_uart_tb", "");
+        assert!(!fine && mismatches(&said) > 0, "{options}: {said}");
+    });
+}
+
+/// The scripts for ISE and Vivado in a Tcl that knows the tools' commands, but for what they do.
+#[test]
+fn scripts_for_tools_fail_when_the_tool_fails() {
+    if !Command::new("tclsh").arg("/dev/null").output().is_ok_and(|output| output.status.success()) {
+        return eprintln!("skipped: tclsh is not installed");
+    }
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    for (device, script, commands, result) in [
+        (
+            "xc2v6000-4",
+            "ise/project.tcl",
+            "project xfile",
+            ["proc process args { return 1 }", "proc process args { return 0 }"],
+        ),
+        (
+            "xc7a200t-1",
+            "vivado/project.tcl",
+            "create_project add_files get_files set_property current_fileset get_runs launch_runs wait_on_run open_run \
+             report_utilization report_timing_summary",
+            ["proc get_property args { return 100% }", "proc get_property args { return 40% }"],
+        ),
+    ] {
+        efsat(dir, &format!("generate --out {device} --device {device} --width 8 --transform-width 10"));
+        let known: String = commands.split_whitespace().map(|name| format!("proc {name} args {{}}\n")).collect();
+        let ends = result.map(|result| {
+            std::fs::write(dir.join("around.tcl"), format!("{known}{result}\nsource {device}/{script}\n")).unwrap();
+            Command::new("tclsh").arg("around.tcl").current_dir(dir).output().unwrap().status.success()
+        });
+        assert_eq!(ends, [true, false], "{script}");
+    }
 }

@@ -79,7 +79,7 @@ impl Bench {
     fn run(&self, entity: &str, options: &[&str]) -> String {
         let (fine, text) = self.call(&["-e", "--std=93", entity]);
         assert!(fine, "{text}");
-        self.call(&[&["-r", "--std=93", entity, "--ieee-asserts=disable-at-0"], options].concat()).1
+        self.call(&[&["-r", "--std=93", entity], options].concat()).1
     }
 
     /// Runs the stream testbench on other vectors, at full speed only.

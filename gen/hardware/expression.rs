@@ -110,6 +110,12 @@ impl Expression {
         Self::Binary(Box::new(self), operator, Box::new(other))
     }
 
+    /// What is compared, or is an index: in simulation a signal may have no value before the first clock.
+    pub fn known(self, ty: Type) -> Self {
+        let constant = matches!(self, Self::Number(..) | Self::Count(..));
+        if ty.is_flag() || constant { self } else { Self::call("known", [self]) }
+    }
+
     /// A unary expression.
     pub fn unary(operator: &'static str, x: Self) -> Self {
         Self::Unary(operator, Box::new(x))
@@ -303,7 +309,7 @@ impl Display for Expression {
             Self::Slice(a, high, low) => write!(f, "{a}({high} downto {low})"),
             Self::Bit(a, i) => write!(f, "{a}({i})"),
             Self::Table { name, ty, index, .. } => {
-                let entry = format!("{name}(to_integer({}))", index.value);
+                let entry = format!("{name}(to_integer({}))", index.value.clone().known(index.ty));
                 match (ty.is_flag(), ty.signed) {
                     (true, _) => write!(f, "{entry}"),
                     (false, true) => write!(f, "to_signed({entry}, {})", ty.bits),

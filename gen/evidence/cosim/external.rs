@@ -186,18 +186,17 @@ pub(super) fn build(command: &str, names: &[String], top: &str) -> Vec<Vec<Strin
     vec![analyse, elaborate]
 }
 
-/// The call that runs a testbench, with some options more; metavalue warnings are let through from the first clock on.
+/// The call that runs a testbench, with some options more; every metavalue warning is let through.
 pub(super) fn simulate(command: &str, top: &str, options: impl IntoIterator<Item = String>) -> Vec<String> {
     let name = top.to_owned();
     let mut args;
     if command == "nvc" {
-        args = words("--std=1993 -r --ieee-warnings=off-at-0");
+        args = words("--std=1993 -r");
         args.extend(options);
         args.push(name);
     } else {
         args = words("-r --std=93");
         args.push(name);
-        args.push("--ieee-asserts=disable-at-0".to_owned());
         args.extend(options);
     }
     args
@@ -254,7 +253,8 @@ pub(super) fn parse(text: &str, command: &str) -> Result<Run, CosimError> {
     run.total = number("total")?;
     let mismatch = text.lines().find_map(|l| l.split_once("efsat_tb: mismatch at ").map(|x| x.1));
     run.first = mismatch.map(str::to_owned);
-    let complaint = text.lines().find(|l| l.contains("assertion error") || l.contains("Error:"));
+    let complaints = ["assertion error", "assertion failure", "Error:", "Failure:"];
+    let complaint = text.lines().find(|line| complaints.iter().any(|word| line.contains(word)));
     if let (0, Some(line)) = (run.mismatches, complaint) {
         return Err(failed(line));
     }

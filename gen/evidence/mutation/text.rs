@@ -48,7 +48,7 @@ pub struct Name<'a> {
 #[derive(Debug)]
 pub struct Source<'a> {
     pub text: &'a str,
-    /// Where words, numbers, literals and signs are; comments are left out.
+    /// Where words, numbers, literals and signs are; comments are left out, and what no synthesis tool reads.
     tokens: Vec<Range<usize>>,
     /// Names of the entity at 0, then those of each function of a package.
     pub scopes: Vec<HashMap<&'a str, Name<'a>>>,
@@ -63,6 +63,9 @@ fn tokens(text: &str) -> Vec<Range<usize>> {
         let rest = &text[at..];
         let comment = rest.starts_with("--");
         let length = match first {
+            _ if rest.starts_with("-- synthesis translate_off") => {
+                rest.find("-- synthesis translate_on").unwrap_or(rest.len())
+            }
             _ if comment => rest.find('\n').unwrap_or(rest.len()),
             c if word(c) => rest.find(|c| !word(c)).unwrap_or(rest.len()),
             '"' => rest[1..].find('"').map_or(rest.len(), |end| end + 2),

@@ -147,6 +147,15 @@ impl<'m> Wire<'m> {
         self
     }
 
+    /// Makes an input port of the top one that may be left open: each of its bits has this value then.
+    pub fn or(self, bit: bool) -> Self {
+        let mut module = self.control.module.borrow_mut();
+        let name = module.signals[self.id.0].name();
+        module.optional.insert(name, bit);
+        drop(module);
+        self
+    }
+
     /// Makes it an output port.
     pub fn output(self, place: impl Into<Place>) {
         self.control.module.borrow_mut().outputs.push((place.into(), self.id));

@@ -7,7 +7,7 @@
 use crate::device::SHORTEST_PRODUCT;
 use crate::graph::Place;
 use crate::op::{Comb, Range, Type};
-use std::collections::HashSet;
+use std::collections::{HashMap, HashSet};
 use std::rc::Rc;
 
 /// A signal of a module.
@@ -152,6 +152,8 @@ pub struct Module {
     pub signals: Vec<Signal>,
     /// Input ports, in order (clock excepted).
     pub inputs: Vec<SignalId>,
+    /// Names of the input ports of a top that may be left open, and the value of each of their bits then.
+    pub optional: HashMap<String, bool>,
     /// Output ports: name and the signal behind it.
     pub outputs: Vec<(Place, SignalId)>,
     /// Instances.
@@ -171,7 +173,8 @@ impl Module {
     /// An empty module.
     pub(super) fn new(name: &str, doc: Vec<String>) -> Self {
         let (signals, inputs, outputs, instances) = (vec![], vec![], vec![], vec![]);
-        Self { name: name.to_owned(), doc, signals, inputs, outputs, instances, latency: None }
+        let optional = HashMap::new();
+        Self { name: name.to_owned(), doc, signals, inputs, optional, outputs, instances, latency: None }
     }
 
     /// A signal.

@@ -40,7 +40,7 @@ impl Operation for Equal {
         let bits = args[0].ty.bits.max(args[1].ty.bits);
         let joint = Type { bits, ..args[0].ty };
         let [a, b] = [args[0].resized(joint), args[1].resized(joint)];
-        Expression::call("flag", [a.binary("=", b)])
+        Expression::call("flag", [a.known(joint).binary("=", b.known(joint))])
     }
 
     fn picture(&self, args: &[String]) -> (Kind, String, String) {

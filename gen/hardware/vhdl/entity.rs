@@ -103,7 +103,14 @@ impl Printer<'_, '_> {
         };
         for object in &self.view.objects {
             if self.is_port(object) {
-                ports.push((object.name.clone(), "in", port_type(&object.shape), self.describe(object)));
+                let optional = self.view.module.optional.get(&object.name);
+                let bit = optional.map(|bit| format!("'{}'", u8::from(*bit)));
+                let value = bit.map(|bit| match object.shape {
+                    Shape::Flag => format!(" := {bit}"),
+                    _ => format!(" := (others => {bit})"),
+                });
+                let ty = port_type(&object.shape) + &value.unwrap_or_default();
+                ports.push((object.name.clone(), "in", ty, self.describe(object)));
             }
         }
         for object in &self.view.outputs {
@@ -306,13 +313,13 @@ impl Printer<'_, '_> {
         }
         let mut rest = vec![];
         self.delay_lines(&mut functions, &mut rest);
-        self.tapped_lines(&mut rest);
+        self.tapped_lines(&mut functions, &mut rest);
         if !rest.is_empty() {
             blocks.push(Block { heading: "Delay lines".to_owned(), lines: rest });
         }
         let mut state = vec![];
         self.state(&mut functions, &mut state);
-        self.memories(&mut state);
+        self.memories(&mut functions, &mut state);
         if !state.is_empty() {
             blocks.push(Block { heading: "State".to_owned(), lines: state });
         }
@@ -389,33 +396,35 @@ impl Printer<'_, '_> {
         }
     }
 
-    fn memories(&self, lines: &mut Vec<String>) {
+    fn memories(&self, functions: &mut BTreeSet<&'static str>, lines: &mut Vec<String>) {
         for object in &self.view.objects {
             let [(id, _)] = object.members[..] else { continue };
             let Driver::Memory { write, address, data, read, .. } = &self.view.module.signal(id).driver else {
                 continue;
             };
             let (name, value) = (&object.name, |id: &SignalId| self.view.value(*id));
+            functions.insert("known");
             lines.extend([
                 format!("write_{name} : process (clk)"),
                 "begin".to_owned(),
                 "  if rising_edge(clk) then".to_owned(),
                 format!("    if {} then", condition(&value(write))),
-                format!("      {name}_words(to_integer({})) <= {};", value(address), value(data)),
+                format!("      {name}_words(to_integer(known({}))) <= {};", value(address), value(data)),
                 "    end if;".to_owned(),
                 "  end if;".to_owned(),
                 format!("end process write_{name};"),
-                format!("{name} <= {name}_words(to_integer({}));", value(read)),
+                format!("{name} <= {name}_words(to_integer(known({})));", value(read)),
             ]);
         }
     }
 
     /// Delay lines with a tap.
-    fn tapped_lines(&self, lines: &mut Vec<String>) {
+    fn tapped_lines(&self, functions: &mut BTreeSet<&'static str>, lines: &mut Vec<String>) {
         for object in &self.view.objects {
             let [(id, _)] = object.members[..] else { continue };
             let Driver::Line { data, tap } = &self.view.module.signal(id).driver else { continue };
             let (name, value) = (&object.name, |id: &SignalId| self.view.value(*id));
+            functions.insert("known");
             lines.extend([
                 format!("shift_{name} : process (clk)"),
                 "begin".to_owned(),
@@ -423,7 +432,7 @@ impl Printer<'_, '_> {
                 format!("    {name}_line <= {} & {name}_line(0 to {});", value(data), LINE_CLOCKS - 2),
                 "  end if;".to_owned(),
                 format!("end process shift_{name};"),
-                format!("{name} <= {name}_line(to_integer({}));", value(tap)),
+                format!("{name} <= {name}_line(to_integer(known({})));", value(tap)),
             ]);
         }
     }

@@ -14,7 +14,7 @@ mod view;
 pub use entity::generated_instance;
 pub use names::{Clash, fault};
 
-use crate::netlist::Module;
+use crate::netlist::{Module, SignalId};
 use entity::Entity;
 use std::collections::{BTreeSet, HashSet};
 use std::rc::Rc;
@@ -48,6 +48,14 @@ pub fn print(top: &Rc<Module>, prefix: &str, package: &str, origin: &[String]) -
     let text = package::text(package, &types, &functions, &files);
     files.insert(0, (package.to_owned(), text));
     Ok(files)
+}
+
+/// What the text of a module declares: the name of each signal or output port, and the signals of the netlist in it.
+pub fn declared(top: &Rc<Module>, module: &Rc<Module>) -> Vec<(String, Vec<SignalId>)> {
+    let records = shape::Records::of(&top.hierarchy());
+    let view = view::View::new(module, &records, Rc::ptr_eq(module, top));
+    let objects = view.objects.into_iter().chain(view.outputs);
+    objects.map(|object| (object.name, object.members.iter().map(|member| member.0).collect())).collect()
 }
 
 /// What the text calls the numbers at the ports of a module below a top: its inputs, and its outputs, in their order.

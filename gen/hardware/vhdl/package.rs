@@ -13,7 +13,8 @@ struct Package<'a> {
 }
 
 /// Functions that only designs that call them have.
-pub(super) const FUNCTIONS: [&str; 7] = ["flag", "less", "choose", "negated_if", "abs_of", "append", "or_reduce"];
+pub(super) const FUNCTIONS: [&str; 8] =
+    ["flag", "known", "less", "choose", "negated_if", "abs_of", "append", "or_reduce"];
 
 /// All names that the package may declare.
 pub(super) fn names(types: &Types) -> Vec<String> {

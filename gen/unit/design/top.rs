@@ -294,17 +294,20 @@ fn top(p: &Params, path: &Rc<Module>, latency: i32, places: usize, second: Optio
     let waits = second.is_some();
     let control = sequencer::module(&Sequencer { name: "sequencer", interval, latency, places, pose: reading, waits });
     let m = Control::new("efsat", header(p, latency as usize + 4, places));
-    let reset = m.input("reset", Type::FLAG);
+    let reset = m.input("reset", Type::FLAG).comment("synchronous, active high");
     let in_valid = m.input("in_valid", Type::FLAG);
-    let tag = (p.tag_width > 0).then(|| m.input("in_tag", Type::unsigned(p.tag_width)));
+    let tag = (p.tag_width > 0).then(|| m.input("in_tag", Type::unsigned(p.tag_width)).or(false));
     let ports = |words: Vec<(String, Place, Type)>| -> Vec<(Place, Wire)> {
         words.into_iter().map(|(port, place, ty)| (place, m.input(port.as_str(), ty))).collect()
     };
     let pair = ports(words(p, pair_numbers()));
-    let pose_valid = has_pose.then(|| m.input("pose_valid", Type::FLAG));
-    let pose = ports(words(p, pose_numbers(p)));
-    let bypass = has_pose.then(|| m.input("pose_bypass", Type::FLAG));
-    let out_ready = m.input("out_ready", Type::FLAG);
+    // Without poses B = B~ stays as it is after reset.
+    let pose_valid = has_pose.then(|| m.input("pose_valid", Type::FLAG).or(false));
+    let pose: Vec<(Place, Wire)> =
+        ports(words(p, pose_numbers(p))).into_iter().map(|(place, x)| (place, x.or(false))).collect();
+    let bypass = has_pose.then(|| m.input("pose_bypass", Type::FLAG).or(false));
+    // Without it every answer is taken in the clock in which it is offered.
+    let out_ready = m.input("out_ready", Type::FLAG).or(true);
     let head_ready = waits.then(|| m.later(Type::FLAG));
     let control_inputs: Vec<Wire> =
         [reset, in_valid].into_iter().chain(pose_valid).chain([out_ready]).chain(head_ready).collect();
@@ -486,7 +489,7 @@ fn header(p: &Params, latency: usize, places: usize) -> Vec<String> {
             "with out_outside set and all other flags clear.",
         ]
     } else {
-        &["The host keeps to it: the unit has no guard."]
+        &["The unit has no guard: what it answers outside these ranges can be wrong, so the host has to keep to them."]
     }));
     lines.extend(text(&["", "reset is synchronous; it empties the unit."]));
     lines

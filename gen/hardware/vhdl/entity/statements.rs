@@ -94,7 +94,8 @@ fn simple(shapes: &dyn Shapes, target: &Name, legs: &[Expression]) -> bool {
 
 /// `index = i`, as a condition.
 pub(super) fn is(index: &crate::op::Operand, i: usize) -> String {
-    if index.ty.is_flag() { format!("{} = '{i}'", index.value) } else { format!("{} = {i}", index.value) }
+    let value = index.value.clone().known(index.ty);
+    if index.ty.is_flag() { format!("{value} = '{i}'") } else { format!("{value} = {i}") }
 }
 
 /// A flag as a condition.
@@ -118,6 +119,9 @@ pub(super) fn note(value: &Expression, functions: &mut BTreeSet<&'static str>) {
         }
         Expression::Select(index, legs) if legs.len() == 2 && index.ty.is_flag() => {
             functions.insert("choose");
+        }
+        Expression::Select(index, _) | Expression::Table { index, .. } if !index.ty.is_flag() => {
+            functions.insert("known");
         }
         _ => {}
     }

@@ -89,7 +89,7 @@ fn is_name(token: &str) -> bool {
     token.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_')
 }
 
-/// Splits a text; comments are dropped.
+/// Splits a text; comments are dropped, and what synthesis tools are told to skip.
 fn tokens(text: &str) -> Vec<(&str, usize)> {
     let (mut tokens, mut at, mut line) = (vec![], 0, 1);
     while at < text.len() {
@@ -112,6 +112,9 @@ fn length(before: &str, rest: &str) -> usize {
     match chars.next() {
         Some(c) if in_word(c) => until(&|c| !in_word(c)),
         Some(c) if c.is_whitespace() => until(&|c| !c.is_whitespace()),
+        Some('-') if rest.starts_with("-- synthesis translate_off\n") => {
+            rest.find("-- synthesis translate_on\n").unwrap_or_else(|| until(&|c| c == '\n'))
+        }
         Some('-') if rest.starts_with("--") => until(&|c| c == '\n'),
         Some('"') => rest[1..].find(['"', '\n']).map_or(rest.len(), |i| i + 2),
         // Right after a name or a parenthesis a tick is an attribute or a qualified expression.

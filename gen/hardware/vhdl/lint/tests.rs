@@ -140,6 +140,16 @@ fn good_files_pass_and_every_rule_catches_its_bad_examples() {
 }
 
 #[test]
+fn what_synthesis_skips_is_not_looked_at_if_it_ends() {
+    let (off, on) = ("-- synthesis translate_off\n  ", "  -- synthesis translate_on\n  p <= product;");
+    let delayed = "p <= product after 1 ns;\n";
+    assert_eq!(findings("p <= product;", &format!("{off}{delayed}{on}")), []);
+    for wrong in [format!("{off}{delayed}"), format!("{off}{on} {delayed}")] {
+        assert!(findings("p <= product;", &wrong).iter().any(|found| found.rule == "constructs"), "{wrong}");
+    }
+}
+
+#[test]
 fn a_finding_is_told_by_file_line_and_what_is_expected() {
     let found = findings("hi : signed(7 downto 0)", "hi : signed").remove(0);
     assert_eq!(found.to_string(), "types_pkg.vhd:5: signed without a range; expected a range");
