@@ -4,7 +4,8 @@ use super::{FileSet, stream};
 use crate::design::Design;
 use crate::params::Params;
 use crate::params::stream::{Kind, StreamFormat};
-use efsat_hardware::op::Type;
+use efsat_hardware::op::{Range, Type};
+use efsat_hardware::vhdl;
 use serde::Serialize;
 use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
@@ -79,20 +80,40 @@ struct Port {
     format: String,
 }
 
-/// A row of the table of formats. Bounds are mantissas: units in the last place of the format.
+/// A signal of a data path, which may be an array or a record: numbers of one format, and the greatest magnitude of them in
+/// units of its last place.
 #[derive(Serialize)]
 struct Row {
-    name: &'static str,
+    entity: String,
+    signal: String,
     format: String,
     bound: i128,
-    clamp: Option<Clamp>,
-    derivation: String,
 }
 
-#[derive(Serialize)]
-struct Clamp {
-    bound: i128,
-    lemma: &'static str,
+/// The signals of the data paths that the reference model knows too: those that a probed design brings out.
+fn formats(design: &Design) -> Vec<Row> {
+    let modules = design.top.hierarchy();
+    let mut rows = vec![];
+    for path in std::iter::once(&design.pipeline).chain(design.second.as_ref().map(|second| &second.pipeline)) {
+        let Some(module) = modules.iter().find(|module| module.name == path.name) else { continue };
+        let known: BTreeSet<&str> = path.probes.iter().map(|probe| path.node(probe.node).place.base.as_str()).collect();
+        for (name, signals) in vhdl::declared(&design.top, module) {
+            let numbers: Vec<_> = signals.iter().map(|id| module.signal(*id)).filter(|s| !s.ty.is_flag()).collect();
+            // What stands later in the data path is a copy.
+            if !numbers.iter().any(|signal| known.contains(&*signal.place.base) && signal.place.suffix.is_empty()) {
+                continue;
+            }
+            let bound = |(least, most): Range| most.max(-least);
+            let types: BTreeSet<String> = numbers.iter().map(|signal| signal.ty.to_string()).collect();
+            rows.extend(types.into_iter().map(|format| {
+                let ranges =
+                    numbers.iter().filter(|s| s.ty.to_string() == format).map(|s| s.range.unwrap_or(s.ty.limits()));
+                let bound = ranges.map(bound).max().unwrap_or(0);
+                Row { entity: module.name.clone(), signal: name.clone(), format, bound }
+            }));
+        }
+    }
+    rows
 }
 
 /// Ports of the top, in order; the clock is the one that no module lists.
@@ -140,18 +161,7 @@ pub(super) fn text(design: &Design, format: Option<&StreamFormat>, command_line:
         assumptions: design.params.assumptions(),
         stream: format.map(|format| Stream::new(&design.params, format)),
         ports: ports(design),
-        formats: design
-            .params
-            .formats()
-            .rows()
-            .map(|row| Row {
-                name: row.name,
-                format: row.format.to_string(),
-                bound: row.bound,
-                clamp: row.clamp.map(|clamp| Clamp { bound: clamp.bound, lemma: clamp.lemma }),
-                derivation: row.derivation.clone(),
-            })
-            .collect(),
+        formats: formats(design),
         files: files.iter().map(|(name, text)| (name, digest(text))).collect(),
     };
     serde_json::to_string_pretty(&manifest).expect("keys are strings and numbers are finite")
@@ -171,6 +181,8 @@ pub(super) fn files(text: &str) -> Option<BTreeSet<String>> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::params::Method;
+    use crate::params::options::Choice;
     use crate::params::stream::StreamWidth;
 
     #[test]
@@ -191,22 +203,32 @@ mod tests {
             (&10.into(), &11.into())
         );
         assert_eq!(manifest["ports"][0]["name"], "clk");
-        assert_eq!(manifest["guard"], false);
+        assert_eq!(manifest["guard"], true);
         assert_eq!(manifest["assumptions"][0], "input: |coordinate| <= 268435456 ulp");
-        assert_eq!(manifest["formats"][0]["format"], "s2.16");
         let sum = "edeaaff3f1774ad2888673770c6d64097e391bc362d7d6fb34982ddf0efd18cb";
         assert_eq!(manifest["files"]["a.txt"], sum, "SHA-256 of abc and a line feed");
         assert_eq!(files(&text).unwrap().into_iter().collect::<Vec<_>>(), ["a.txt"]);
     }
 
+    /// Every method lists signals of its own, and each is declared in the text of its entity.
     #[test]
-    fn negative_fraction_bits_are_printed_so() {
-        let params = Params { width: 6, ..Params::default() };
-        let design = Design::new(&params, false).unwrap();
-        let text = text(&design, None, "", &FileSet::default());
-        let manifest: serde_json::Value = serde_json::from_str(&text).unwrap();
-        let formats: Vec<&str> =
-            manifest["formats"].as_array().unwrap().iter().filter_map(|row| row["format"].as_str()).collect();
-        assert!(formats.iter().any(|format| format.contains(".-")), "{formats:?}");
+    fn formats_are_those_of_signals_in_the_text() {
+        let cascade = Params { exact_clocks: Some(16), ..Params::of(Method::Exact) };
+        let sets = Method::ALL.iter().map(|method| Params::of(*method)).chain([Params::snapped(), cascade]);
+        for (params, expected) in sets.zip(["v0_lo", "moment_m0", "moment_m0", "moment_m0", "moment_m0"]) {
+            let design = Design::new(&params, false).unwrap();
+            let texts = vhdl::print(&design.top, "", "efsat_types", &[]).unwrap();
+            let rows = formats(&design);
+            assert!(rows.iter().any(|row| row.signal == expected), "{params:?}");
+            for Row { entity, signal, format, bound } in rows {
+                let (_, text) = texts.iter().find(|(name, _)| *name == entity).unwrap();
+                let declared = |line: &str| {
+                    let name = line.trim_start().trim_start_matches("signal ").split([' ', ':']).next();
+                    name == Some(&signal) && line.contains(" : ")
+                };
+                assert!(text.lines().any(declared), "{entity}: {signal}");
+                assert!(bound >= 0 && !format.is_empty(), "{entity}: {signal}: {format}, {bound}");
+            }
+        }
     }
 }
