@@ -294,7 +294,7 @@ fn the_manifest_has_the_fields_of_the_contract() {
     assert_eq!((&manifest["initiation_interval"], &manifest["multipliers"]), (&Value::from(11), &Value::from(48)));
     assert!(manifest["latency"].as_u64().unwrap() > 0);
     assert_eq!(manifest["parameters"].as_object().unwrap().len(), 16);
-    assert_eq!(manifest["guard"], false);
+    assert_eq!(manifest["guard"], true);
     assert!(manifest["assumptions"][0].as_str().unwrap().starts_with("input: |coordinate| <= "));
     let port = |name: &str| manifest["ports"].as_array().unwrap().iter().find(|port| port["name"] == name).unwrap();
     assert_eq!(port("in_v0_x")["format"], "s4.28");

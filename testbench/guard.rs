@@ -13,7 +13,7 @@ use efsat::graph::{Library, Signals, Unit};
 use efsat::host::sample;
 use efsat::op::Type;
 use efsat::params::options::Choice;
-use efsat::params::{Guard, Params, Transform, Upper};
+use efsat::params::{Guard, Method, Params, Transform, Upper};
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
@@ -240,11 +240,16 @@ fn the_costs_are_as_recorded() {
         .collect();
     let recorded: Vec<String> = rows.iter().map(|row| row[2..=4].join(", ")).collect();
     let base = Params::default();
+    let determinants = |clocks_per_pair| Params { clocks_per_pair, ..Params::of(Method::Determinants) };
     let sets = [
         base.clone(),
         Params { upper: Upper::Sticky, ..base.clone() },
         Params { axes_per_clock: 3, ..base.clone() },
         Params { axes_per_clock: 11, ..base.clone() },
+        Params::paper(),
+        determinants(1),
+        determinants(2),
+        determinants(11),
     ];
     let costs = sets.iter().map(|p| {
         let [without, with] = [Guard::LeftOut, Guard::Always].map(|guard| predicted(&Params { guard, ..p.clone() }));

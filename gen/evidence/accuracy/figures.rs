@@ -64,7 +64,8 @@ fn about(results: &Results, row: &Row) -> String {
 
 /// What the point around which the sweep goes is called.
 fn point_name(results: &Results) -> String {
-    let is = |params: Params| results.base().point.options == super::options(&params);
+    // A guard changes no answer to a pair of a scene.
+    let is = |params: Params| results.base().point.differs_only_in(&super::options(&params), &["guard"]);
     if is(Params::paper()) {
         "the paper's point"
     } else if is(Params::default()) {

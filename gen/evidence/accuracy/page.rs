@@ -204,7 +204,8 @@ fn dot<'a>(results: &'a Results, row: &'a Row) -> Dot<'a> {
         wrong: point.answers.wrong,
         retest: if point.answers.retest.is_some() { row.cost_ns - results.transfer_ns } else { 0.0 },
         whole: point.option("transform") == results.base().point.option("transform"),
-        line: point.differs_only_in(&plain, &["width"]),
+        // With or without a guard the answers are the same.
+        line: point.differs_only_in(&plain, &["width", "guard"]),
         options: command_options(&point.options),
     }
 }

@@ -6,7 +6,8 @@ use super::{Method, Params, Transform, Truth};
 /// Which units carry the guard (section 10 of the contract).
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Guard {
-    /// Those generated without a stage: no frame transform, a translation only, or no re-normalisation.
+    /// Those generated without a stage: no frame transform, a translation only, or no re-normalisation. The others answer
+    /// a pair outside the declared ranges anyhow, definitely and wrongly too.
     LeftOut,
     /// All.
     Always,

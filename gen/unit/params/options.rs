@@ -280,8 +280,8 @@ options! {
     "transform" transform: Transform = Transform::On, Verdicts, [Axes Determinants Exact],
         [value_name = "KIND", value_parser = choice::<Transform>(),
             default_value_ifs([("truth", "snapped", "on"), ("method", "exact", "off")])];
-    /// Which units answer a pair outside the declared ranges possibly-incorrect: those generated without a stage, or all
-    "guard" guard: Guard = Guard::LeftOut, Outside, [Axes Determinants],
+    /// Which units answer a pair outside the declared ranges possibly-incorrect: all, or left-out: only those generated without a stage; the others then may answer it wrongly
+    "guard" guard: Guard = Guard::Always, Outside, [Axes Determinants],
         [value_name = "UNITS", value_parser = choice::<Guard>()];
     /// Part whose delays decide the pipelining, and for which cells are predicted
     "device" device: String = "xc2v6000-4".to_owned(), Hardware, [Axes Determinants Exact],
@@ -380,7 +380,7 @@ mod tests {
         assert_eq!(
             Params::default().command_line(),
             "efsat generate --width 18 --int-bits 4 --transform-width 32 --axes 11 --axes-per-clock 1 --projections skip \
-             --projection-width +4 --axis-shift 7 --edge-test on --upper implied --renormalise on --transform on --guard left-out --device xc2v6000-4 --frequency 100 --tag-width 16"
+             --projection-width +4 --axis-shift 7 --edge-test on --upper implied --renormalise on --transform on --guard always --device xc2v6000-4 --frequency 100 --tag-width 16"
         );
     }
 
@@ -390,7 +390,7 @@ mod tests {
         assert_eq!(
             params.command_line(),
             "efsat generate --method determinants --width 18 --int-bits 4 --transform-width 32 --clocks-per-pair 1 --span 3 \
-             --levels 6 --bound moments --boxes on --transform on --guard left-out --device xc2v6000-4 --frequency 100 \
+             --levels 6 --bound moments --boxes on --transform on --guard always --device xc2v6000-4 --frequency 100 \
              --tag-width 16"
         );
         let differences = params.differences(&Params::default());

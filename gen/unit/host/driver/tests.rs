@@ -3,7 +3,7 @@
 use super::{Answer, Driver, DriverError, StandIn, Transfer};
 use crate::golden::{Input, Pair, Pose, Verdict};
 use crate::params::stream::{Report, StreamWidth};
-use crate::params::{Axes, Method, Params, Transform, Upper};
+use crate::params::{Axes, Guard, Method, Params, Transform, Upper};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample;
 use rand::rngs::ChaCha8Rng;
@@ -203,7 +203,8 @@ fn a_pair_outside_is_told_and_never_definite() {
     assert_eq!(outcomes.collect::<Vec<_>>(), expected);
     // No unit says so of a definite verdict, and none without a guard at all.
     assert_eq!(driver.unpack(answers[0].data.flipped(4)), None);
-    let complete = Driver::new(&Params { transform_width: 20, ..Params::default() }, StreamWidth::Bits64).unwrap();
+    let complete = Params { transform_width: 20, guard: Guard::LeftOut, ..Params::default() };
+    let complete = Driver::new(&complete, StreamWidth::Bits64).unwrap();
     assert_eq!(complete.unpack(answers[1].data), None);
     // A number that is cut to another one on its way: its field is more than the unit reads. The first word after the
     // header has flags and tag, the next one the first number.
