@@ -44,9 +44,6 @@ pub struct Checker<'a> {
 /// Why no number is refused.
 const FINITE: &str = "meshes are finite";
 
-/// Why no number is refused.
-const FINITE: &str = "meshes are finite";
-
 /// Pairs that are looked at in one go.
 const BATCH: usize = 4096;
 
