@@ -252,7 +252,7 @@ fn damage_that_can_be_recognised_is_never_accepted() {
     let mut given = pairs(40);
     let mut lattice = || [(); 6].map(|()| [(); 3].map(|()| f64::from(rng.random_range(-3..=3)) / 8.0));
     given.extend((0..40).map(|_| lattice()));
-    let expected: Vec<Exact> = given.iter().map(exact::pair).collect();
+    let expected: Vec<Exact> = given.iter().map(|points| exact::pair(points).unwrap()).collect();
     for params in units() {
         let driver = Driver::new(&params, StreamWidth::Bits64).unwrap();
         let job = || driver.loose(&given).unwrap();
