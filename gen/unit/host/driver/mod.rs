@@ -18,7 +18,7 @@
 //!
 //! let params = Params::default();
 //! let driver = Driver::new(&params, StreamWidth::Bits64)?;
-//! let job = driver.loose(&pairs);
+//! let job = driver.loose(&pairs)?;
 //! let mut unit = StandIn::new(&params, StreamWidth::Bits64)?;
 //! let answers = unit.answer(job.transfers());
 //! let results = job.finish(&answers)?;
