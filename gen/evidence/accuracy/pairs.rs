@@ -212,7 +212,8 @@ impl<'a> Asked<'a> {
     /// The real numbers behind the inputs of a pair.
     pub fn numbers(&self, pair: usize) -> Numbers<Dyadic> {
         let met = self.pairs.met(pair);
-        self.hosts[&met.meeting.meshes].numbers(&met.m, &met.t, &self.pairs.corners(met, pair))
+        let numbers = self.hosts[&met.meeting.meshes].numbers(&met.m, &met.t, &self.pairs.corners(met, pair));
+        numbers.expect(FINITE)
     }
 
     /// What the unit says of a pair, with the flags of all axes; none if the host decides it.

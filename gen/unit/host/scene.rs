@@ -165,7 +165,17 @@ impl SceneHost {
 
     /// The real numbers that stand behind the inputs of a pair of triangles with these vertices: [`pose`](Self::pose)
     /// without the quantisation.
-    pub fn numbers(&self, m: &[[f64; 3]; 3], t: &[f64; 3], [a, b]: &[[[f64; 3]; 3]; 2]) -> Numbers<Dyadic> {
+    ///
+    /// # Errors
+    /// If a number is not finite.
+    pub fn numbers(
+        &self,
+        m: &[[f64; 3]; 3],
+        t: &[f64; 3],
+        [a, b]: &[[[f64; 3]; 3]; 2],
+    ) -> Result<Numbers<Dyadic>, NotFinite> {
+        finite::pose(m, t)?;
+        finite::pair(&[a[0], a[1], a[2], b[0], b[1], b[2]])?;
         let motion = Motion { m: m.map(|row| row.map(Dyadic::from)), t: t.map(Dyadic::from) };
         let (way, shift) = self.way(m, &motion);
         let fraction = self.params.input().fraction.into();
@@ -180,11 +190,11 @@ impl SceneHost {
             Way::Host => self.normalised(motion.apply(&vertex.map(Dyadic::from))),
             Way::None | Way::Unit => centred(vertex, 1),
         });
-        Numbers {
+        Ok(Numbers {
             a: a.each_ref().map(|vertex| centred(vertex, 0).map(exact)),
             b: b.map(|vertex| vertex.map(exact)),
             pose: matches!(way, Way::Unit).then(|| (motion.m.map(|row| row.map(exact)), shift.map(exact))),
-        }
+        })
     }
 
     /// The pose as the unit reads it, if it is inside the declared ranges.

@@ -396,3 +396,27 @@ fn a_mesh_is_snapped_as_a_whole() {
     }
     assert!(by_host > 100, "{by_host}");
 }
+
+#[test]
+fn numbers_that_are_not_finite_are_refused() {
+    let triangle = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+    for (value, index) in
+        [f64::NAN, f64::INFINITY].into_iter().flat_map(|value| (0..9).map(move |index| (value, index)))
+    {
+        let mut other = triangle;
+        other.as_flattened_mut()[index] = value;
+        for method in [Method::Axes, Method::Determinants, Method::Exact] {
+            let params = Params::of(method);
+            let [a0, a1, a2, b0, b1, b2] = [triangle, other].concat().try_into().unwrap();
+            assert!(loose_pair(&[a0, a1, a2, b0, b1, b2], &params).is_err());
+            assert!(
+                SceneHost::new(&triangle, &other, &params).is_err()
+                    && SceneHost::new(&other, &triangle, &params).is_err()
+            );
+            let host = SceneHost::new(&triangle, &triangle, &params).unwrap();
+            assert!(host.pose(&other, &[0.0; 3]).is_err() && host.pose(&IDENTITY, &other[index / 3]).is_err());
+            assert!(host.numbers(&IDENTITY, &other[index / 3], &[triangle; 2]).is_err());
+            assert!(host.numbers(&IDENTITY, &[0.0; 3], &[triangle, other]).is_err());
+        }
+    }
+}

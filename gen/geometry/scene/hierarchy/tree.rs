@@ -123,6 +123,8 @@ impl DopTree {
         // upper bound before it is rounded up.
         let offset = |y: &Vector3<f64>, n: [i8; 3]| {
             let projection: f64 = n.iter().zip(y.iter()).map(|(&n, &y)| f64::from(n) * y).sum();
+            // The conversion makes 0 of NaN; but the coordinates of a mesh are finite, and so are their differences from the centre of
+            // their box, which are at most its half-size.
             (projection + SLACK).ceil() as i32
         };
         let of_vertices: Vec<i32> = vertices

@@ -11,6 +11,9 @@ use nalgebra::{Matrix3, Vector3};
 /// Why a query is answered in software.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum Refusal {
+    /// A number of the pose that is infinite or no number.
+    #[error(transparent)]
+    NotFinite(#[from] NotFinite),
     /// An image that was made for another engine.
     #[error("image {side}: another format than the engine's; expected one that was built for it")]
     Format {
@@ -104,10 +107,10 @@ impl Numbers {
     }
 
     /// The query for all contacts of two images, with B at M x + t in the frame of A; `m` is indexed `[row][column]`, all in
-    /// the coordinates of the meshes and taken as exact. Both may be the same image.
+    /// the coordinates of the meshes, and taken as exact. Both may be the same image.
     ///
     /// # Errors
-    /// If the engine cannot answer it, which software then has to do, or if a number is not finite.
+    /// If a number is not finite; or if the engine cannot answer the query, which software then has to do.
     pub fn query(&self, images: [(&Image, Side); 2], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Query, Refusal> {
         finite::pose(m, t)?;
         let headers = images.map(|(image, _)| image.header());
