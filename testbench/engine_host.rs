@@ -68,8 +68,8 @@ int main(void)
       print(packet, EFSAT_ENGINE_QUERY_WORDS);
       efsat_engine_move(packet, 640);
       print(packet + 1, 2);
-      uint64_t stop = efsat_engine_stop();
-      print(&stop, 1);
+      uint64_t orders[2] = {efsat_engine_stop(0xabcdef), efsat_engine_reset(7)};
+      print(orders, 2);
     } else {
       uint64_t words[EFSAT_ENGINE_REPORT_WORDS];
       struct efsat_engine_pair pair = efsat_engine_get_pair((uint64_t)next());
@@ -143,7 +143,7 @@ for line in sys.stdin:
         assert packet == engine.query(sides, errors, pose, rows, limit, flags, number, **more)
         print(show(packet))
         print(show(engine.moved(packet, 640)[8:24]))
-        print(show(engine.stop()))
+        print(show(engine.stop(0xABCDEF) + engine.reset(7)))
     else:
         pair = next(rest)
         words = [low | high << 32 for low, high in zip(*[rest] * 2)]
@@ -177,7 +177,7 @@ fn random_query(rng: &mut ChaCha8Rng, format: &EngineFormat) -> Query {
         first_contact: rng.random(),
         all_pairs: rng.random(),
         leaf_pairs: rng.random(),
-        empty_caches: rng.random(),
+        keep_caches: rng.random(),
         number: rng.random_range(0..1 << 24),
         errors: [(); 3].map(|()| rng.random_range(0..1 << 16)),
         pose,
@@ -216,7 +216,7 @@ fn query_lines(query: &Query, format: &EngineFormat) -> [String; 2] {
     for side in query.sides {
         [side.blocks_at, side.triangles_at, side.blocks, side.triangles].into_iter().for_each(|x| put(x.into()));
     }
-    let flags = [query.first_contact, query.all_pairs, query.leaf_pairs, query.empty_caches];
+    let flags = [query.first_contact, query.all_pairs, query.leaf_pairs, query.keep_caches];
     let flags: i64 = flags.into_iter().enumerate().map(|(i, flag)| i64::from(flag) << i).sum();
     [query.limit.into(), flags, query.number.into()].into_iter().for_each(&mut put);
     query.errors.into_iter().for_each(|error| put(error.into()));
@@ -229,8 +229,8 @@ fn query_lines(query: &Query, format: &EngineFormat) -> [String; 2] {
     }
     let words = query.words(format);
     let ten = |word: u64| word + (10 | 10 << 32);
-    let stop = format.header(efsat::params::engine::Command::Stop);
-    [asked, format!("{}\n{}\n{stop:016x}", hex(&words), hex(&[ten(words[1]), ten(words[2])]))]
+    let orders = hex(&[format.order(Command::Stop, 0xabcdef), format.order(Command::Reset, 7)]);
+    [asked, format!("{}\n{}\n{orders}", hex(&words), hex(&[ten(words[1]), ten(words[2])]))]
 }
 
 fn answer_lines(answer: &Answer, report: &EngineReport) -> [String; 2] {

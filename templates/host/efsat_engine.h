@@ -32,7 +32,8 @@ struct {{ prefix }}efsat_engine_row {
 };
 
 /* What is asked for: `flags` is an OR of {{ upper }}_FIRST_CONTACT and the like, `limit` the most expansions or 0, `number` returns
- * in the report. */
+ * in the report, and names the query in a stop. Without {{ upper }}_KEEP_CACHES the engine reads again what the query needs; with it
+ * the answer is right only if no image has been written to since the last query without it. */
 struct {{ prefix }}efsat_engine_options {
   uint32_t limit;
   uint32_t flags;
@@ -133,10 +134,17 @@ static inline void {{ prefix }}efsat_engine_put_load(uint64_t words[2], uint32_t
   words[1] = address;
 }
 {% endif %}
-/* The only word of a packet that ends the query that runs. */
-static inline uint64_t {{ prefix }}efsat_engine_stop(void)
+/* The only word of a packet that ends the query with a number, if it runs or waits; it has no answer of its own. */
+static inline uint64_t {{ prefix }}efsat_engine_stop(uint32_t number)
 {
-  return {{ upper }}_STOP_HEADER;
+  return (uint64_t)number << {{ upper }}_QUERY_NUMBER_LOW | {{ upper }}_STOP_HEADER;
+}
+
+/* The only word of a packet after which nothing that was sent before has another answer than the report to this: its reason is
+ * {{ upper }}_REASON_RESET, its number the given one, and words before it in its packet mean nothing. */
+static inline uint64_t {{ prefix }}efsat_engine_reset(uint32_t number)
+{
+  return (uint64_t)number << {{ upper }}_QUERY_NUMBER_LOW | {{ upper }}_RESET_HEADER;
 }
 
 /* A pair; with verdict {{ upper }}_VERDICT_REPORT the word is the first one of the report. */

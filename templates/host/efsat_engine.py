@@ -102,8 +102,8 @@ def _query(packet):
 
 
 def _options(limit, flags, number):
-    if flags & ~(FIRST_CONTACT | ALL_PAIRS | LEAF_PAIRS | EMPTY_CACHES):
-        raise ValueError(f"flags {flags:#x}: expected an OR of FIRST_CONTACT, ALL_PAIRS, LEAF_PAIRS, EMPTY_CACHES")
+    if flags & ~(FIRST_CONTACT | ALL_PAIRS | LEAF_PAIRS | KEEP_CACHES):
+        raise ValueError(f"flags {flags:#x}: expected an OR of FIRST_CONTACT, ALL_PAIRS, LEAF_PAIRS, KEEP_CACHES")
     return _both("limit", limit, flags) | _field("number", number, QUERY_NUMBER_BITS) << QUERY_NUMBER_LOW
 
 
@@ -119,7 +119,9 @@ def _row(row):
 def query(sides, errors, pose, rows, limit=0, flags=0, number=0{% if is_sticky %}, sticky=0{% endif %}):
     """The packet of a query: two Sides, three errors of the shift, m00 m01 m02 m10 ... m22 t_x t_y t_z, a Row for each direction.
 
-    `flags` is an OR of FIRST_CONTACT and the like, `limit` the most expansions or 0, `number` returns in the report.
+    `flags` is an OR of FIRST_CONTACT and the like, `limit` the most expansions or 0, `number` returns in the report, and names the
+    query in a stop. Without KEEP_CACHES the engine reads again what the query needs; with it the answer is right only if no image
+    has been written to since the last query without it.
 {%- if is_sticky %}
     Bit i of `sticky`: number i is greater than its lower bound.
 {%- endif %}
@@ -173,9 +175,21 @@ def load(address, data):
     return _bytes([LOAD_HEADER, _field("address", address, 32)]) + data
 {% endif %}
 
-def stop():
-    """The packet that ends the query that runs."""
-    return _bytes([STOP_HEADER])
+def _order(header, number):
+    return _bytes([header | _field("number", number, QUERY_NUMBER_BITS) << QUERY_NUMBER_LOW])
+
+
+def stop(number):
+    """The packet that ends the query with a number, if it runs or waits; it has no answer of its own."""
+    return _order(STOP_HEADER, number)
+
+
+def reset(number=0):
+    """The packet of a soft reset: nothing that was sent before has another answer than the report to this.
+
+    Its reason is REASON_RESET and its number the given one; pairs before it in its packet mean nothing.
+    """
+    return _order(RESET_HEADER, number)
 
 
 def packets(lines):

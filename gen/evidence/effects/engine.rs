@@ -128,7 +128,9 @@ pub fn run<E: Engine, F: From<E::Error>>(
     for batch in frames.chunks(BATCH) {
         let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.survivors.meetings(frame)).collect();
         let job = |(i, meeting): (usize, &Meeting)| -> Job<'_, '_> {
-            let options = Options { number: (number + i as u32) % QueryFlags::NUMBERS, ..Options::default() };
+            // The memory stays as it is.
+            let number = (number + i as u32) % QueryFlags::NUMBERS;
+            let options = Options { number, keep_caches: true, ..Options::default() };
             objects.query(meeting.meshes, &meeting.pose, options)
         };
         let jobs: Vec<Job<'_, '_>> = meetings.par_iter().enumerate().map(job).collect();

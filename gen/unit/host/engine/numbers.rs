@@ -117,7 +117,7 @@ impl Numbers {
             first_contact: false,
             all_pairs: false,
             leaf_pairs: false,
-            empty_caches: false,
+            keep_caches: false,
             number: 0,
             errors: [0, 1, 2].map(|axis| self.shift_error(&fine[axis], &matrix[axis])),
             pose,
