@@ -5,7 +5,7 @@ use crate::tools::CHECKED;
 use efsat::golden::engine::{Model, Query, Row, Side};
 use efsat::golden::{Input, Pose};
 use efsat::number::Upper;
-use efsat::params::engine::{Answer, EngineFormat, EngineReport, Memory, Reason};
+use efsat::params::engine::{Answer, Command as Order, EngineFormat, EngineReport, Memory, Reason};
 use efsat::params::options::Choice;
 use efsat::params::{EngineParams, Params};
 use efsat::scene::hierarchy::Directions;
@@ -229,7 +229,7 @@ fn query_lines(query: &Query, format: &EngineFormat) -> [String; 2] {
     }
     let words = query.words(format);
     let ten = |word: u64| word + (10 | 10 << 32);
-    let orders = hex(&[format.order(Command::Stop, 0xabcdef), format.order(Command::Reset, 7)]);
+    let orders = hex(&[format.order(Order::Stop, 0xabcdef), format.order(Order::Reset, 7)]);
     [asked, format!("{}\n{}\n{orders}", hex(&words), hex(&[ten(words[1]), ten(words[2])]))]
 }
 
