@@ -61,10 +61,11 @@ architecture simulation of {{ prefix }}efsat_engine_tb is
   signal done : boolean := false;
   signal aresetn : std_logic := '0';
   signal soft_reset : std_logic := '0';
-  signal s_tdata : word_64 := (others => '0');
-  signal s_tkeep : std_logic_vector(7 downto 0) := (others => '1');
+  -- Nothing is known of a word that is not there.
+  signal s_tdata : word_64 := (others => 'X');
+  signal s_tkeep : std_logic_vector(7 downto 0) := (others => 'X');
   signal s_tvalid : std_logic := '0';
-  signal s_tlast : std_logic := '0';
+  signal s_tlast : std_logic := 'X';
   signal s_tready : std_logic;
   signal m_tdata : word_64;
   signal m_tkeep : std_logic_vector(7 downto 0);
@@ -662,6 +663,9 @@ begin
         if (s_tvalid and s_tready) = '1' then
           quiet := 0;
           s_tvalid <= '0';
+          s_tdata <= (others => 'X');
+          s_tkeep <= (others => 'X');
+          s_tlast <= 'X';
           if s_tlast = '1' and not stop_header then
             packets_in := packets_in + 1;
             if reset_header then

@@ -50,10 +50,10 @@ entity {{ prefix }}engine_control is
     block_base_b : out std_logic_vector(31 downto 0);
     triangle_base_a : out std_logic_vector(31 downto 0);
     triangle_base_b : out std_logic_vector(31 downto 0);
-    block_count_a : out std_logic_vector(31 downto 0);
-    block_count_b : out std_logic_vector(31 downto 0);
-    triangle_count_a : out std_logic_vector(31 downto 0);
-    triangle_count_b : out std_logic_vector(31 downto 0);
+    block_count_a : out std_logic_vector(31 downto 0) := (others => '0');
+    block_count_b : out std_logic_vector(31 downto 0) := (others => '0');
+    triangle_count_a : out std_logic_vector(31 downto 0) := (others => '0');
+    triangle_count_b : out std_logic_vector(31 downto 0) := (others => '0');
     most_expansions : out std_logic_vector(31 downto 0);
     stop_at_contact : out std_logic;
     separate_too : out std_logic;  -- also while no query runs
