@@ -112,7 +112,7 @@ async def engine_reports_what_is_no_query(dut):
         pairs, report = await ask(what)
         assert not pairs and report.incomplete and engine.REASONS[report.reason] == reason, f"{report}, expected {reason}"
     # A stop without a query is not answered, and the next packet is.
-    await send(engine.stop())
+    await send(engine.stop(0))
     await silence()
     pairs, report = await ask(packet[:16])
     assert not pairs and engine.REASONS[report.reason] == "packet too short", report

@@ -10,7 +10,7 @@ use efsat::host::driver::engine::{Objects, Options, StandIn, UnitPackets};
 use efsat::host::engine::{Image, Images, Numbers, memory};
 use efsat::params::Params;
 use efsat::params::engine::{EngineFormat, EngineParams, EngineReport, Memory};
-use efsat::scene::{Pose, Scene};
+use efsat::scene::{Meeting, Pose, Scene};
 use nalgebra::Matrix3;
 
 /// So many queries of the default scene, evenly spread over its 1,282.
@@ -32,7 +32,9 @@ fn queries(design: &EngineDesign) -> (Images, Vec<Query>) {
     let broad_phase = scene.broad_phase();
     let found: Vec<_> = (0..scene.frames()).flat_map(|frame| broad_phase.meetings(frame)).collect();
     let chosen = (0..QUERIES).map(|i| &found[i * found.len() / QUERIES]);
-    let queries = chosen.map(|meeting| images.query(meeting.meshes, &meeting.pose, &sides).unwrap()).collect();
+    // As `efsat cosim --engine` asks.
+    let query = |meeting: &Meeting| images.query(meeting.meshes, &meeting.pose, &sides).unwrap();
+    let queries = chosen.map(|meeting| Query { keep_caches: true, ..query(meeting) }).collect();
     (images, queries)
 }
 

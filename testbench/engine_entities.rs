@@ -34,6 +34,7 @@ fn small(memory: Memory) -> EngineDesign {
         stack: 40,
         tree_height: 10,
         pair_queue: 16,
+        watchdog: 300,
         ..EngineParams::default()
     };
     EngineDesign::new(&engine, &Params::default()).unwrap()

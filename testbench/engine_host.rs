@@ -5,7 +5,7 @@ use crate::tools::{CHECKED, compiles_everywhere};
 use efsat::golden::engine::{Model, Query, Row, Side};
 use efsat::golden::{Input, Pose};
 use efsat::number::Upper;
-use efsat::params::engine::{Answer, EngineFormat, EngineReport, Memory, Reason};
+use efsat::params::engine::{Answer, Command as Order, EngineFormat, EngineReport, Memory, Reason};
 use efsat::params::options::Choice;
 use efsat::params::{EngineParams, Params, Quantity};
 use efsat::scene::hierarchy::Directions;
@@ -77,8 +77,8 @@ int main(void)
       print(packet + 1, 2);
       if (!efsat_engine_move(packet, 63, &why) || !efsat_engine_move(packet, -(INT64_C(1) << 39), NULL))
         return 1;
-      uint64_t stop = efsat_engine_stop();
-      print(&stop, 1);
+      uint64_t orders[2] = {efsat_engine_stop(0xabcdef), efsat_engine_reset(7)};
+      print(orders, 2);
     } else if (kind == 'd') {
       uint64_t packet[EFSAT_ENGINE_QUERY_WORDS] = {0}, words[64];
       packet[EFSAT_ENGINE_TRIANGLES_WORD] = (uint64_t)next();
@@ -89,7 +89,8 @@ int main(void)
         uint64_t low = (uint64_t)next();
         words[i] = low | (uint64_t)next() << 32;
       }
-      printf("%s\n", efsat_engine_get_answer(&report, packet, words, count, NULL) ? "refused" : "taken");
+      printf("%s
+", efsat_engine_get_answer(&report, packet, words, count, NULL) ? "refused" : "taken");
     } else {
       uint64_t words[EFSAT_ENGINE_REPORT_WORDS];
       struct efsat_engine_pair pair = efsat_engine_get_pair((uint64_t)next());
@@ -206,7 +207,7 @@ for line in sys.stdin:
         assert packet == engine.query(sides, errors, pose, rows, limit, flags, number, **more)
         print(show(packet))
         print(show(engine.moved(packet, 640)[8:24]))
-        print(show(engine.stop()))
+        print(show(engine.stop(0xABCDEF) + engine.reset(7)))
     elif kind == "d":
         packet = [0] * engine.QUERY_WORDS
         packet[engine.TRIANGLES_WORD], packet[engine.OPTIONS_WORD], count = take(3)
@@ -254,7 +255,7 @@ fn random_query(rng: &mut ChaCha8Rng, format: &EngineFormat, unit: &Params) -> Q
         first_contact: rng.random(),
         all_pairs: rng.random(),
         leaf_pairs: rng.random(),
-        empty_caches: rng.random(),
+        keep_caches: rng.random(),
         number: rng.random_range(0..1 << 24),
         errors: [(); 3].map(|()| rng.random_range(0..1 << 16)),
         pose,
@@ -291,8 +292,8 @@ fn hex(words: &[u64]) -> String {
 fn query_lines(query: &Query, format: &EngineFormat) -> [String; 2] {
     let words = query.words(format);
     let ten = |word: u64| word + (10 | 10 << 32);
-    let stop = format.header(efsat::params::engine::Command::Stop);
-    let due = format!("{}\n{}\n{stop:016x}", hex(&words), hex(&[ten(words[1]), ten(words[2])]));
+    let orders = hex(&[format.order(Order::Stop, 0xabcdef), format.order(Order::Reset, 7)]);
+    let due = format!("{}\n{}\n{orders}", hex(&words), hex(&[ten(words[1]), ten(words[2])]));
     [query_asked(query), due]
 }
 
@@ -302,7 +303,7 @@ fn query_asked(query: &Query) -> String {
     for side in query.sides {
         [side.blocks_at, side.triangles_at, side.blocks, side.triangles].into_iter().for_each(|x| put(x.into()));
     }
-    let flags = [query.first_contact, query.all_pairs, query.leaf_pairs, query.empty_caches];
+    let flags = [query.first_contact, query.all_pairs, query.leaf_pairs, query.keep_caches];
     let flags: i64 = flags.into_iter().enumerate().map(|(i, flag)| i64::from(flag) << i).sum();
     [query.limit.into(), flags, query.number.into()].into_iter().for_each(&mut put);
     query.errors.into_iter().for_each(|error| put(error.into()));

@@ -4,11 +4,11 @@ use crate::tools::replaced;
 use efsat::artefact::Prefix;
 use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::artefact::engine::{EngineDesign, engine_files};
-use efsat::cosim::engine::{Channel, Machine};
+use efsat::cosim::engine::{Channel, Machine, Packet, Step};
 use efsat::golden::engine::Query;
 use efsat::host::engine::{Image, Numbers, memory};
 use efsat::params::Params;
-use efsat::params::engine::EngineParams;
+use efsat::params::engine::{Command, EngineParams, EngineReport, Reason};
 
 /// Signals between the entities and the ports of the top, and what breaks the rules in a query by its number.
 const SIGNALS: &str = "  signal raw_araddr : std_logic_vector(31 downto 0);
@@ -146,4 +146,130 @@ fn every_check_of_the_protocols_complains() {
     };
     let Some(offers) = machine(offers) else { return };
     assert!(complaint(&offers, 0, false).unwrap_or_default().contains("a handshake in reset"));
+}
+
+/// The engine with the smallest caches, one pair in flight, and a query about two boxes that cross.
+struct Alone {
+    machine: Machine,
+    memory: Vec<u64>,
+    query: Query,
+}
+
+/// What comes back for the query: pairs in ascending order, and what does not depend on time of the report.
+type Due = (Vec<u64>, [u64; 4]);
+
+impl Alone {
+    fn new() -> Option<Self> {
+        let unit = Params { width: 10, transform_width: 26, ..Params::default() };
+        let engine = EngineParams {
+            block_lines: 16,
+            triangle_lines: 16,
+            in_flight: 1,
+            stack: 3 * 10 + 2,
+            tree_height: 10,
+            ..EngineParams::default()
+        };
+        let design = EngineDesign::new(&engine, &unit).unwrap();
+        let numbers = Numbers::new(&engine, &unit).unwrap();
+        let image = Image::build(&[&cuboid(1, 1, 1)], &design.format).unwrap().remove(0);
+        let (memory, sides) = memory(&[&image]);
+        let query = numbers.query([(&image, sides[0]); 2], &turn(2), &[0.25, 0.5, 0.5]).unwrap();
+        let files = engine_files(&design, &Prefix::default(), "efsat generate --engine").unwrap();
+        match Machine::of(design, &files, None) {
+            Ok(machine) => Some(Self { machine, memory, query }),
+            Err(error) if error.to_string().contains("is not installed") => {
+                eprintln!("skipped: {error}");
+                None
+            }
+            Err(error) => panic!("{error}"),
+        }
+    }
+
+    fn ask(&self, number: u32) -> Step {
+        Step::Packet(Query { number, ..self.query.clone() }.words(&self.machine.design().format))
+    }
+
+    fn play(&self, latency: u32, steps: &[Step]) -> Vec<Packet> {
+        let channel = Channel { latency: latency..=latency, patience: 400_000, ..Channel::default() };
+        self.machine.play(&self.memory, steps, &channel).unwrap()
+    }
+
+    /// Reason, number, and what is due, of an answer.
+    fn read(packet: &Packet) -> (Reason, u32, Due) {
+        let (pairs, report) = packet.words.split_last_chunk::<{ EngineReport::WORDS }>().unwrap();
+        let mut pairs = pairs.to_vec();
+        pairs.sort_unstable();
+        let EngineReport { reason, number, .. } = EngineReport::of(report).unwrap();
+        (reason, number, (pairs, [report[0] & 0xff, report[1], report[2], report[3]]))
+    }
+}
+
+/// The engine alone is reset at every clock of a query, or at some of many clocks, while memory goes on: by the stream and by the
+/// port, also between the words of a packet. Every query that follows is right. A stop around the end of the first of two queries
+/// never ends the second.
+#[test]
+#[ignore = "compiles an engine: scripts/test full"]
+fn every_query_after_a_reset_or_a_stop_is_right() {
+    let Some(alone) = Alone::new() else { return };
+    let format = alone.machine.design().format;
+    let order = |command, number| Step::Packet(vec![format.order(command, number)]);
+    for (latency, most) in [(1, usize::MAX), (30, 400), (60, 400), (160, 300), (400, 200), (1200, 100)] {
+        let first = alone.play(latency, &[alone.ask(1)]);
+        let (reason, _, due) = Alone::read(&first[0]);
+        assert!(reason == Reason::Complete && due.0.len() > 5, "{first:?}");
+        let clocks = first[0].clock as usize + 40;
+        let mut steps = vec![];
+        let resets: Vec<usize> = (0..clocks).step_by(clocks.div_ceil(most)).collect();
+        for (i, &clock) in resets.iter().enumerate() {
+            let number = i as u32 & 0xffff;
+            let Step::Packet(words) = alone.ask(2) else { unreachable!() };
+            steps.extend([alone.ask(1), Step::Pause(clock as u32)]);
+            match i % 3 {
+                0 => steps.push(Step::SoftReset),
+                1 => steps.push(order(Command::Reset, number)),
+                _ => {
+                    let (begun, rest) = words.split_at(1 + i % (words.len() - 1));
+                    steps.extend([Step::Begin(begun.to_vec()), Step::SoftReset, Step::Packet(rest.to_vec())]);
+                }
+            }
+            steps.extend([alone.ask(3), Step::Wait]);
+        }
+        let answers = alone.play(latency, &steps);
+        let mut answers = answers.iter().map(Alone::read).peekable();
+        let mut early = 0;
+        for (i, clock) in resets.into_iter().enumerate() {
+            let at = format!("latency {latency}, reset {i} at clock {clock}");
+            if let Some(before) = answers.next_if(|(_, number, _)| *number == 1) {
+                assert_eq!(before, (Reason::Complete, 1, due.clone()), "{at}");
+                early += 1;
+            }
+            let (reason, number, _) = answers.next().expect(&at);
+            let sent = if i % 3 == 1 { i as u32 & 0xffff } else { 0 };
+            assert_eq!((reason, number), (Reason::Reset, sent), "{at}");
+            assert_eq!(answers.next(), Some((Reason::Complete, 3, due.clone())), "{at}");
+        }
+        assert_eq!(answers.next(), None);
+        assert!(early > 0, "no reset came behind the answer");
+    }
+
+    let first = alone.play(30, &[alone.ask(5), alone.ask(6)]);
+    let due: Vec<Due> = first.iter().map(|packet| Alone::read(packet).2).collect();
+    // Counted from the last word of the second query.
+    let clocks = first[0].clock as u32;
+    let sent = 2 * format.query_words();
+    let pauses = clocks - sent - 100..clocks - sent + 60;
+    let steps: Vec<Step> = pauses
+        .flat_map(|pause| [alone.ask(5), alone.ask(6), Step::Pause(pause), order(Command::Stop, 5), Step::Wait])
+        .collect();
+    let mut stopped = [0; 2];
+    for pair in alone.play(30, &steps).chunks(2) {
+        let [(reason, 5, words), second] = [0, 1].map(|i| Alone::read(&pair[i])) else { panic!("{pair:?}") };
+        assert_eq!(second, (Reason::Complete, 6, due[1].clone()));
+        match reason {
+            Reason::Complete => assert_eq!(words, due[0]),
+            other => assert_eq!(other, Reason::Stopped),
+        }
+        stopped[usize::from(reason == Reason::Stopped)] += 1;
+    }
+    assert!(stopped.iter().all(|&count| count > 10), "{stopped:?}");
 }

@@ -9,19 +9,31 @@ use ieee.numeric_std.all;
 entity {{ prefix }}efsat_engine is
   port (
     aclk : in std_logic;
-    aresetn : in std_logic;  -- synchronous, active low
+    -- Synchronous, active low; hold it for at least 16 clocks. It forgets everything{% if e.axi %}, also the bursts that are under way: reset the
+    -- memory and what is between with it, or use soft_reset{% endif %}.
+    aresetn : in std_logic;
+    -- Forgets all work at any time, for as long as it is set, {% if e.axi %}and drops what memory still answers{% else %}and keeps the memory{% endif %}; then a report says so.
+    soft_reset : in std_logic := '0';
     s_axis_tdata : in std_logic_vector(63 downto 0);
-    s_axis_tkeep : in std_logic_vector(7 downto 0);  -- ones where the source has none
+    s_axis_tkeep : in std_logic_vector(7 downto 0) := (others => '1');
     s_axis_tvalid : in std_logic;
     s_axis_tlast : in std_logic;  -- last word of a packet
     s_axis_tready : out std_logic;
 {%- if e.axi %}
+{%- if e.memory.axi_id_bits > 0 %}
+    m_axi_arid : out std_logic_vector({{ e.memory.axi_id_bits - 1 }} downto 0);  -- always 0
+{%- endif %}
     m_axi_araddr : out std_logic_vector(31 downto 0);
     m_axi_arlen : out std_logic_vector(7 downto 0);  -- beats of the burst less one
     m_axi_arsize : out std_logic_vector(2 downto 0);  -- always whole words
     m_axi_arburst : out std_logic_vector(1 downto 0);  -- always INCR
+    m_axi_arcache : out std_logic_vector(3 downto 0);  -- always 0011: normal, not cacheable, bufferable
+    m_axi_arprot : out std_logic_vector(2 downto 0);  -- always 000: data, secure, not privileged
     m_axi_arvalid : out std_logic;
     m_axi_arready : in std_logic;
+{%- if e.memory.axi_id_bits > 0 %}
+    m_axi_rid : in std_logic_vector({{ e.memory.axi_id_bits - 1 }} downto 0) := (others => '0');  -- not read: with one ID words come in order
+{%- endif %}
     m_axi_rdata : in std_logic_vector({{ e.memory.memory_width - 1 }} downto 0);
     m_axi_rresp : in std_logic_vector(1 downto 0);
     m_axi_rlast : in std_logic;
@@ -38,6 +50,9 @@ end entity {{ prefix }}efsat_engine;
 
 architecture rtl of {{ prefix }}efsat_engine is
   signal reset : std_logic;
+  signal reset_word : std_logic;  -- a soft reset by the stream
+  signal forget : std_logic;  -- a soft reset
+  signal forget_number : std_logic_vector(23 downto 0);  -- for its report
   signal restart : std_logic;  -- all that works on a query forgets it
 
   -- Jobs and the running query
@@ -58,6 +73,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal packet_taken : std_logic;
   signal packet_last : std_logic;
   signal stop : std_logic;
+  signal stop_number : std_logic_vector(23 downto 0);  -- of the query that a stop means, or that comes with a reset word
   signal pose_valid : std_logic;
   signal pose_ready : std_logic;
   signal busy : std_logic;
@@ -191,7 +207,8 @@ architecture rtl of {{ prefix }}efsat_engine is
 
   -- Memory: blocks of A, blocks of B, triangles of A, triangles of B
   signal memory_error : std_logic;
-  signal memory_quiet : std_logic;
+  signal memory_draining : std_logic;
+  signal memory_silent : std_logic;
   signal flush : std_logic;
   signal flushing : std_logic;
   signal busy_caches : std_logic_vector(3 downto 0);
@@ -211,7 +228,9 @@ architecture rtl of {{ prefix }}efsat_engine is
 {%- endif %}
 begin
   reset <= not aresetn;
-  restart <= reset or abort;
+  forget <= soft_reset or reset_word;
+  forget_number <= stop_number when reset_word = '1' else (others => '0');
+  restart <= reset or forget or abort;
   idle <= traverse_idle and pairs_idle;
 
   -- ===== Queries =====
@@ -219,6 +238,7 @@ begin
     port map (
       clk => aclk,
       reset => reset,
+      soft_reset => soft_reset,
       s_axis_tdata => s_axis_tdata,
       s_axis_tkeep => s_axis_tkeep,
       s_axis_tvalid => s_axis_tvalid,
@@ -249,13 +269,17 @@ begin
       write_place => write_place,
       write_data => write_data,
 {%- endif %}
-      stop => stop
+      stop => stop,
+      reset_word => reset_word,
+      stop_number => stop_number
     );
 
   control : entity work.{{ prefix }}engine_control
     port map (
       clk => aclk,
       reset => reset,
+      forget => forget,
+      forget_number => forget_number,
       job_valid => job_valid,
       job_taken => job_taken,
       job_query => job_query,
@@ -269,6 +293,7 @@ begin
       pose_unfit => pose_unfit,
 {%- endif %}
       stop => stop,
+      stop_number => stop_number,
       pose_valid => pose_valid,
       pose_ready => pose_ready,
       busy => busy,
@@ -299,7 +324,8 @@ begin
       bad_tree => bad_tree,
 {%- if e.axi %}
       memory_error => memory_error,
-      memory_quiet => memory_quiet,
+      memory_draining => memory_draining,
+      memory_silent => memory_silent,
       flush => flush,
       flushing => flushing,
 {%- endif %}
@@ -614,7 +640,8 @@ begin
   read_master : entity work.{{ prefix }}engine_read_master
     port map (
       clk => aclk,
-      reset => restart,
+      reset => reset,
+      restart => restart,
       ask_valid => ask_valid,
       ask_ready => ask_ready,
       ask_address_0 => ask_address_0,
@@ -624,7 +651,8 @@ begin
       fill_valid => fill_valid,
       fill_data => fill_data,
       failed => memory_error,
-      quiet => memory_quiet,
+      draining => memory_draining,
+      silent => memory_silent,
       word_read => words_read,
       m_axi_araddr => m_axi_araddr,
       m_axi_arlen => m_axi_arlen,
@@ -638,5 +666,10 @@ begin
       m_axi_rvalid => m_axi_rvalid,
       m_axi_rready => m_axi_rready
     );
+{%- if e.memory.axi_id_bits > 0 %}
+  m_axi_arid <= (others => '0');
+{%- endif %}
+  m_axi_arcache <= "0011";
+  m_axi_arprot <= "000";
 {%- endif %}
 end architecture rtl;

@@ -3,8 +3,8 @@
 // {{ line }}
 {%- endfor %}
 //
-// Arguments: three files of 64-bit words, little-endian: memory from address 0; packets, each its length and its words;
-// answers, to be written, each the clock of its last word, its length and its words. Then{% if axi %} the least and the most clocks from
+// Arguments: three files of 64-bit words, little-endian: memory from address 0; steps, each its kind, its length and its words:
+// 0 a packet, 1 clocks to pass, 2 a soft reset by the port, 3 words of a packet that goes on, 4 until all is answered; answers, to be written, each the clock of its last word, its length and its words. Then{% if axi %} the least and the most clocks from
 // an address to its first word,{% endif %} 1 for gaps on all sides or 0, and a seed.
 #include "V{{ top }}.h"
 #include "verilated.h"
@@ -62,21 +62,27 @@ private:
   uint64_t state;
 };
 
-struct Packet {
+enum Kind { whole_packet, pass_clocks, reset_port, begin_packet, wait_answers };
+
+struct Step {
+  Kind kind;
   std::vector<uint64_t> words;
-  bool answered;  // a stop is not
+  bool order(uint64_t header) const { return kind == whole_packet && words.size() == 1 && (words[0] & 0xffffffffff) == header; }
+  bool stops() const { return order(0x{{ stop_header }}); }
+  bool resets() const { return kind == reset_port || order(0x{{ reset_header }}); }
+  bool sends() const { return kind == whole_packet || kind == begin_packet; }
 };
 
-std::vector<Packet> read_packets(const std::string &name) {
+std::vector<Step> read_steps(const std::string &name) {
   const std::vector<uint64_t> words = read_words(name);
-  std::vector<Packet> packets;
-  for (size_t i = 0; i < words.size(); i += 1 + words[i]) {
-    if (words[i] == 0 || words[i] >= words.size() - i)
-      fail(name + " is no list of packets");
-    const auto first = words.begin() + i + 1;
-    packets.push_back({std::vector<uint64_t>(first, first + words[i]), words[i] != 1 || uint32_t(*first) != 0x{{ stop_header }}});
+  std::vector<Step> steps;
+  for (size_t i = 0; i < words.size(); i += 2 + words[i + 1]) {
+    if (words.size() - i < 2 || words[i] > wait_answers || words[i + 1] > words.size() - i - 2)
+      fail(name + " is no list of steps");
+    const auto first = words.begin() + i + 2;
+    steps.push_back({Kind(words[i]), std::vector<uint64_t>(first, first + words[i + 1])});
   }
-  return packets;
+  return steps;
 }
 
 // Signals that stay as they are from when they are offered until they are taken.
@@ -113,14 +119,14 @@ struct Address {
 // One channel of memory, in order.
 class Memory {
 public:
-  Memory(std::vector<uint64_t> words, const std::vector<Packet> &packets, uint64_t least, uint64_t most, bool gaps, uint64_t seed)
+  Memory(std::vector<uint64_t> words, const std::vector<Step> &steps, uint64_t least, uint64_t most, bool gaps, uint64_t seed)
       : words(std::move(words)), readable(this->words.size() * 8 / line_bytes), least(least), most(most), gaps(gaps), random(seed) {
     // What may be read: the ranges of queries.
-    for (const Packet &packet : packets) {
-      if (packet.words.size() < 5 || uint32_t(packet.words[0]) != 0x{{ query_header }})
+    for (const Step &step : steps) {
+      if (step.words.size() < 5 || uint32_t(step.words[0]) != 0x{{ query_header }})
         continue;
       for (int part = 0; part < 4; part++) {
-        const auto half = [&](int place) { return packet.words[place + part / 2] >> (part % 2 ? 32 : 0) & 0xffffffff; };
+        const auto half = [&](int place) { return step.words[place + part / 2] >> (part % 2 ? 32 : 0) & 0xffffffff; };
         for (uint64_t i = half(1); i < half(1) + half(3) && i < readable.size(); i++)
           readable[i] = true;
       }
@@ -137,6 +143,8 @@ public:
     if (!asked)
       return;
     const uint64_t bytes = address.beats * word_bytes, line = address.byte / line_bytes;
+    if (top.m_axi_arcache != 3 || top.m_axi_arprot != 0)
+      fail("another kind of access");
     if (top.m_axi_arburst != 1 || top.m_axi_arsize != {{ word_size }})
       fail("a burst that is not of whole words one after the other");
     if (address.byte % line_bytes != 0 || bytes > line_bytes || address.byte % 4096 + bytes > 4096)
@@ -191,7 +199,7 @@ private:
 int main(int argc, char **argv) {
   if (argc != {{ arguments }})
     fail("wrong arguments");
-  const std::vector<Packet> packets = read_packets(argv[2]);
+  const std::vector<Step> steps = read_steps(argv[2]);
   std::ofstream answers(argv[3], std::ios::binary);
   const auto write = [&](const uint64_t *words, size_t count) {
     answers.write(reinterpret_cast<const char *>(words), static_cast<std::streamsize>(8 * count));
@@ -201,12 +209,9 @@ int main(int argc, char **argv) {
   const uint64_t patience = number(argv[argc - 1]);  // clocks without a transfer before giving up
   Random random(seed + 1);
 {%- if axi %}
-  Memory memory(read_words(argv[1]), packets, number(argv[4]), number(argv[5]), gaps, seed);
+  // No reset of the engine is one of memory: what was asked for is answered.
+  Memory memory(read_words(argv[1]), steps, number(argv[4]), number(argv[5]), gaps, seed);
 {%- endif %}
-  size_t due = 0;
-  for (const Packet &packet : packets)
-    due += packet.answered;
-
   const auto context = std::make_unique<VerilatedContext>();
   const auto top = std::make_unique<V{{ top }}>(context.get());
   const auto edge = [&] {
@@ -232,9 +237,12 @@ int main(int argc, char **argv) {
 
   Steady<Offer> steady("an answer");
   std::vector<uint64_t> answer;
-  size_t packet = 0, word = 0;
-  uint64_t quiet = 0;
-  while (due > 0) {
+  // Packets sent that are to be answered, those up to the last soft reset, and those that are answered.
+  size_t sent = 0, sent_before = 0, answered = 0;
+  size_t step = 0, word = 0;
+  uint64_t quiet = 0, passed = 0;
+  bool in_packet = false;
+  while (step < steps.size() || answered < sent) {
     const bool takes = top->s_axis_tvalid && top->s_axis_tready;
     const bool gives = top->m_axis_tvalid && top->m_axis_tready;
     const Offer offer = {top->m_axis_tdata, top->m_axis_tlast != 0};
@@ -253,21 +261,48 @@ int main(int argc, char **argv) {
         const uint64_t head[] = {clock_now, answer.size()};
         write(head, 2);
         write(answer.data(), answer.size());
+        // A report with reason 10 is the answer to all before it.
+        const bool reset = answer.size() >= 8 && (answer[answer.size() - 8] & 0xff) == 0xab;
+        answered = reset ? sent_before : answered + 1;
         answer.clear();
-        due--;
       }
     }
     if (takes) {
       top->s_axis_tvalid = 0;
-      if (++word == packets[packet].words.size()) {
+      passed = 0;
+      if (++word == steps[step].words.size()) {
+        const Step &done = steps[step++];
         word = 0;
-        packet++;
+        in_packet = done.kind == begin_packet;
+        sent += !in_packet && !done.stops();
+        if (done.resets())
+          sent_before = sent;
       }
     }
-    if (!top->s_axis_tvalid && packet < packets.size() && (!gaps || random(2) == 0)) {
-      top->s_axis_tvalid = 1;
-      top->s_axis_tdata = packets[packet].words[word];
-      top->s_axis_tlast = word + 1 == packets[packet].words.size();
+    top->soft_reset = 0;
+    if (!top->s_axis_tvalid && step < steps.size()) {
+      const Step &next = steps[step];
+      if (next.sends()) {
+        if (!gaps || random(2) == 0) {
+          top->s_axis_tvalid = 1;
+          top->s_axis_tdata = next.words[word];
+          top->s_axis_tlast = next.kind == whole_packet && word + 1 == next.words.size();
+        }
+      } else if (next.kind == pass_clocks) {
+        quiet = 0;
+        if (passed++ >= next.words[0]) {
+          step++;
+          passed = 0;
+        }
+      } else if (next.kind == reset_port) {
+        top->soft_reset = 1;
+        step++;
+        // The rest of a packet is dropped: the report stands for it, too.
+        sent += !in_packet;
+        sent_before = sent + in_packet;
+      } else if (answered == sent) {
+        step++;
+      }
     }
     top->m_axis_tready = !gaps || random(4) > 0;
 {%- if axi %}

@@ -38,7 +38,9 @@ struct {{ h.prefix }}efsat_engine_row {
   uint32_t rest;
 };
 
-/* What is asked for: `flags` is an OR of {{ h.upper }}_FIRST_CONTACT and the like, `limit` the most expansions or 0. */
+/* What is asked for: `flags` is an OR of {{ h.upper }}_FIRST_CONTACT and the like, `limit` the most expansions or 0. Without
+ * {{ h.upper }}_KEEP_CACHES the engine reads again what the query needs; with it the answer is right only if no image has been written
+ * to since the last query without it. */
 struct {{ h.prefix }}efsat_engine_options {
   uint32_t limit;
   uint32_t flags;
@@ -198,10 +200,18 @@ static inline uint64_t {{ h.prefix }}efsat_engine_both(uint64_t low, uint64_t hi
   return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }
 {% endif %}
-/* The only word of a packet that ends the query that runs. */
-static inline uint64_t {{ h.prefix }}efsat_engine_stop(void)
+/* The only word of a packet that ends the query with a number (its lower {{ h.upper }}_QUERY_NUMBER_BITS bits count), if it runs or
+ * waits; it has no answer of its own. */
+static inline uint64_t {{ h.prefix }}efsat_engine_stop(uint32_t number)
 {
-  return {{ h.upper }}_STOP_HEADER;
+  return (uint64_t)number << {{ h.upper }}_QUERY_NUMBER_LOW | {{ h.upper }}_STOP_HEADER;
+}
+
+/* The only word of a packet after which nothing that was sent before has another answer than the report to this: its reason is
+ * {{ h.upper }}_REASON_RESET, its number the given one, and words before it in its packet mean nothing. */
+static inline uint64_t {{ h.prefix }}efsat_engine_reset(uint32_t number)
+{
+  return (uint64_t)number << {{ h.upper }}_QUERY_NUMBER_LOW | {{ h.upper }}_RESET_HEADER;
 }
 
 /* A pair; with verdict {{ h.upper }}_VERDICT_REPORT the word is the first one of the report. */
@@ -260,10 +270,10 @@ static inline int {{ h.prefix }}efsat_engine_by_triangles(const void *one, const
   if (count < {{ h.upper }}_REPORT_WORDS || (last[0] & 3) != {{ h.upper }}_VERDICT_REPORT)
     return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_NO_REPORT, {{ h.upper }}_NO_INDEX, (int64_t)count, 0, 0);
   *report = {{ h.prefix }}efsat_engine_get_report(last);
-  if (report->reason > {{ h.upper }}_REASON_TOO_LONG || report->incomplete != (report->reason >= {{ h.upper }}_REASON_LIMIT) || report->stack > 65535)
+  if (report->reason > {{ h.upper }}_REASON_RESET || report->incomplete != (report->reason >= {{ h.upper }}_REASON_LIMIT) || report->stack > 65535)
     return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_NO_REPORT, {{ h.upper }}_NO_INDEX, (int64_t)count, 0, 0);
-  /* The report of a packet that was not read has no number. */
-  if (report->number != number && report->reason < {{ h.upper }}_REASON_UNKNOWN_HEADER)
+  /* The report of a packet that was not read has no number, that of a soft reset one of its own. */
+  if (report->number != number && (report->reason < {{ h.upper }}_REASON_UNKNOWN_HEADER || report->reason == {{ h.upper }}_REASON_SILENT))
     return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_ANSWER_NUMBER, {{ h.upper }}_NO_INDEX, report->number, (int64_t)number, (int64_t)number);
   if (report->incomplete)
     return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);

@@ -143,8 +143,9 @@ def _address(what, at):
 def query(sides, errors, pose, rows, limit=0, flags=0, number=None{% if h.is_sticky %}, sticky=0{% endif %}):
     """The packet of a query: two Sides, three errors of the shift, m00 m01 m02 m10 ... m22 t_x t_y t_z, a Row for each direction.
 
-    `flags` is an OR of FIRST_CONTACT and the like, `limit` the most expansions or 0. `number` returns in the report; without it
-    each query gets the next one.
+    `flags` is an OR of FIRST_CONTACT and the like, `limit` the most expansions or 0. `number` returns in the report, and names the
+    query in a stop; without it each query gets the next one. Without KEEP_CACHES the engine reads again what the query needs; with it
+    the answer is right only if no image has been written to since the last query without it.
 {%- if h.is_sticky %}
     Bit i of `sticky`: number i is greater than its lower bound.
 {%- endif %}
@@ -202,9 +203,21 @@ def load(address, data):
     return _bytes([LOAD_HEADER, _field("address", address, 32)]) + data
 {% endif %}
 
-def stop():
-    """The packet that ends the query that runs."""
-    return _bytes([STOP_HEADER])
+def _order(header, number):
+    return _bytes([header | _field("number", number, QUERY_NUMBER_BITS) << QUERY_NUMBER_LOW])
+
+
+def stop(number):
+    """The packet that ends the query with a number, if it runs or waits; it has no answer of its own."""
+    return _order(STOP_HEADER, number)
+
+
+def reset(number=0):
+    """The packet of a soft reset: nothing that was sent before has another answer than the report to this.
+
+    Its reason is REASON_RESET and its number the given one; pairs before it in its packet mean nothing.
+    """
+    return _order(RESET_HEADER, number)
 
 
 def packets(lines):
@@ -249,7 +262,7 @@ def _belongs(pairs, report, query):
     options, counts = query[OPTIONS_WORD], query[TRIANGLES_WORD]
     number, flags = options >> QUERY_NUMBER_LOW, options >> 32
     # The report of a packet that was not read has no number.
-    if report.number != number and report.reason < REASON_UNKNOWN_HEADER:
+    if report.number != number and (report.reason < REASON_UNKNOWN_HEADER or report.reason == REASON_SILENT):
         raise ValueError(f"found the report of query {report.number}; expected that of query {number}")
     if report.incomplete:
         return

@@ -153,7 +153,7 @@ fn answer(entity: &mut Entity) -> Outcome {
         entity.set("stalled", 0);
         around.drain(entity, &mut rng, &mut clock, options)?;
 
-        let (reason, number) = (round % 9, rng.random_range(0..1 << 24));
+        let (reason, number) = (round % 11, rng.random_range(0..1 << 24));
         let (short, stack) = (round % 2 == 1, rng.random_range(0..1 << 10));
         for (port, value) in
             [("reason", reason), ("number", number), ("short", short.into()), ("greatest_stack", stack)]
@@ -175,6 +175,26 @@ fn answer(entity: &mut Entity) -> Outcome {
         let words = if short { 1 } else { EngineReport::WORDS };
         around.due.extend(report[..words].iter().enumerate().map(|(i, &word)| (word, i + 1 == words)));
         entity.set("report_due", 1);
+        if round % 3 == 1 {
+            // It begins again after a restart; what is offered stays until it is taken.
+            let whole = around.due.len();
+            for _ in 0..round {
+                clock += 1;
+                around.clock(entity, &mut rng, clock, None, options)?;
+            }
+            entity.set("restart", 1);
+            for _ in 0..1 + round % 2 {
+                clock += 1;
+                around.clock(entity, &mut rng, clock, None, options)?;
+            }
+            entity.set("restart", 0);
+            let taken = whole - around.due.len();
+            let offered = around.offered.into_iter();
+            let words = if short { 1 } else { EngineReport::WORDS };
+            let again = (0..words).map(|i| (report[i], i + 1 == words));
+            expect(taken <= words, clock, "more than a report")?;
+            around.due = offered.chain(again).collect();
+        }
         let mut done = false;
         for _ in 0..100 {
             clock += 1;
@@ -199,6 +219,9 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
         ("counts <= taken and not dropping;", "counts <= taken;"),
         ("reason = \"00001\" and short = '0'", "reason = \"00001\""),
         ("offered_last <= ends;", "offered_last <= '0';"),
+        // A restart takes back what is offered, or lets a report go on.
+        ("offered <= offered and not free;", "offered <= '0';"),
+        ("elsif restart = '1' then\n        place <= \"000\";", "elsif restart = '1' then"),
         ("counter(survivors_at) + unsigned(survived)", "counter(survivors_at) + unsigned(survived(0 downto 0))"),
     ];
     tried(&small(Memory::Axi), "engine_answer", &changes, answer);

@@ -28,6 +28,8 @@ enum Work {
         place: u64,
         word: u64,
     },
+    /// A soft reset by the stream, with its number.
+    Reset(u64),
 }
 
 /// A word of the stream: data, whether all its bytes are there, whether it is the last.
@@ -39,8 +41,12 @@ struct Packets {
     /// Lines of each memory.
     lines: u64,
     words: VecDeque<Word>,
-    due: VecDeque<Work>,
+    /// Each with the number of its packet.
+    due: VecDeque<(usize, Work)>,
+    /// Numbers of queries in stops, each with the number of its packet.
+    stopped: VecDeque<(usize, u64)>,
     stops: usize,
+    packets: usize,
 }
 
 /// The report of one word that a packet of pairs or a pose has.
@@ -60,13 +66,18 @@ impl Packets {
     /// Sends a packet; the word at one place may lack bytes.
     fn send(&mut self, words: &[u64], holed: Option<usize>) {
         let end = words.len() - 1;
+        self.packets += 1;
         self.words.extend(words.iter().enumerate().map(|(i, &word)| (word, holed != Some(i), i == end)));
+    }
+
+    fn due(&mut self, work: Work) {
+        self.due.push_back((self.packets, work));
     }
 
     /// The report of a packet, of one word or of eight.
     fn report(&mut self, reason: u64, short: bool) {
         let words = (0, vec![]);
-        self.due.push_back(Work::Job { query: false, posed: false, short, reason, number: 0, words, stops: 0 });
+        self.due(Work::Job { query: false, posed: false, short, reason, number: 0, words, stops: 0 });
     }
 
     fn refused(&mut self, reason: Reason) {
@@ -152,7 +163,7 @@ impl Packets {
             return self.refused(reason);
         }
         let (number, words) = (words[5] >> QueryFlags::NUMBER_AT, (0, words[1..].to_vec()));
-        self.due.push_back(Work::Job { query: true, posed: true, short: false, reason: 0, number, words, stops: 0 });
+        self.due(Work::Job { query: true, posed: true, short: false, reason: 0, number, words, stops: 0 });
     }
 
     fn pose(&mut self) {
@@ -186,7 +197,7 @@ impl Packets {
             return self.report(short(reason), true);
         }
         let words = (EngineFormat::POSE_AT as usize - 1, record);
-        self.due.push_back(Work::Job { query: false, posed: true, short: true, reason: 0, number: 0, words, stops: 0 });
+        self.due(Work::Job { query: false, posed: true, short: true, reason: 0, number: 0, words, stops: 0 });
     }
 
     fn pairs(&mut self) {
@@ -209,7 +220,7 @@ impl Packets {
         }
         self.send(&words, holed);
         for (i, pair) in records.chunks(length).enumerate().take(whole) {
-            self.due.push_back(Work::Pair { words: pair.to_vec(), last: i + 1 == count });
+            self.due(Work::Pair { words: pair.to_vec(), last: i + 1 == count });
         }
         if whole < count {
             self.report(short(Reason::TooShort), true);
@@ -249,31 +260,64 @@ impl Packets {
         }
         self.send(&[vec![self.format.header(Command::Load), address], data.clone()].concat(), holed);
         for (i, &word) in (0..).zip(&data[..written]) {
-            self.due.push_back(Work::Write { triangles, line: line + i / 8, place: i % 8, word });
+            self.due(Work::Write { triangles, line: line + i / 8, place: i % 8, word });
         }
         self.refused(reason);
     }
 
     fn stop(&mut self) {
-        let header = self.format.header(Command::Stop);
+        let number = self.rng.random_range(0..QueryFlags::NUMBERS);
+        let header = self.format.order(Command::Stop, number);
         if seldom(&mut self.rng, 4) {
             self.send(&[header, 0], None);
             return self.refused(Reason::TooLong);
         }
         self.send(&[header], None);
         self.stops += 1;
-        if let Some(Work::Job { stops, .. }) = self.due.back_mut() {
+        self.stopped.push_back((self.packets, header >> QueryFlags::NUMBER_AT));
+        if let Some((_, Work::Job { stops, .. })) = self.due.back_mut() {
             *stops = self.stops;
         }
     }
 
+    /// Headers of stops and soft resets that are none are of no kind.
+    fn reset(&mut self) {
+        let number = self.rng.random_range(0..QueryFlags::NUMBERS);
+        let header = self.format.order(Command::Reset, number);
+        match self.rng.random_range(0..4) {
+            0 => {
+                self.send(&[header, 0], None);
+                self.refused(Reason::TooLong);
+            }
+            1 => {
+                let command = [Command::Stop, Command::Reset][self.rng.random_range(0..2)];
+                let spare = self.rng.random_range(32..QueryFlags::NUMBER_AT);
+                self.send(&[self.format.order(command, number) | 1 << spare], None);
+                self.refused(Reason::UnknownHeader);
+            }
+            _ => {
+                self.send(&[header], None);
+                self.due(Work::Reset(number.into()));
+            }
+        }
+    }
+
+    /// Everything of packets up to a number is forgotten; how many stops that are.
+    fn forget(&mut self, packet: usize) -> usize {
+        self.due.retain(|(of, _)| *of > packet);
+        let before = self.stopped.len();
+        self.stopped.retain(|(of, _)| *of > packet);
+        before - self.stopped.len()
+    }
+
     fn next(&mut self) {
-        match self.rng.random_range(0..12) {
+        match self.rng.random_range(0..13) {
             0..4 => self.query(),
             4 | 5 => self.pose(),
             6 | 7 => self.pairs(),
             8 => self.load(),
             9 | 10 => self.stop(),
+            11 => self.reset(),
             _ => {
                 let words = self.random(3);
                 // Of no kind that there is.
@@ -289,7 +333,7 @@ impl Packets {
         let writes = [entity.is("block_write"), entity.is("triangle_write")];
         let job_words = || entity.words("job_words");
         if writes != [false; 2] {
-            let Some(Work::Write { triangles, line, place, word }) = self.due.pop_front() else {
+            let Some((_, Work::Write { triangles, line, place, word })) = self.due.pop_front() else {
                 return Err(format!("clock {clock}: a word is written from nowhere"));
             };
             expect(writes == [!triangles, triangles], clock, "which memory")?;
@@ -297,14 +341,15 @@ impl Packets {
             expect(found == [line, place, word], clock, "what is written")?;
         }
         if takes_pair {
-            let Some(Work::Pair { words, last }) = self.due.pop_front() else {
+            let Some((_, Work::Pair { words, last })) = self.due.pop_front() else {
                 return Err(format!("clock {clock}: a pair from nowhere"));
             };
             expect(job_words().ends_with(&words), clock, "words of a pair")?;
             expect(entity.is("pair_last") == last, clock, "pair_last")?;
         }
         if takes_job {
-            let Some(Work::Job { query, posed, short, reason, number, words: (at, words), .. }) = self.due.pop_front()
+            let Some((_, Work::Job { query, posed, short, reason, number, words: (at, words), .. })) =
+                self.due.pop_front()
             else {
                 return Err(format!("clock {clock}: a job from nowhere"));
             };
@@ -327,12 +372,18 @@ fn command(entity: &mut Entity) -> Outcome {
         lines,
         words: VecDeque::new(),
         due: VecDeque::new(),
+        stopped: VecDeque::new(),
         stops: 0,
+        packets: 0,
     };
     entity.reset();
     packets.headers();
-    (0..160).for_each(|_| packets.next());
+    (0..400).for_each(|_| packets.next());
     let (mut working, mut stops, mut quiet) = (0, 0, 0);
+    // Packets of which a word was taken, and whether the next word is the first of one.
+    let (mut begun, mut first, mut resets) = (0, true, 0);
+    // Clocks in which nothing is taken, so that a soft reset is seen to overtake what waits, and how often it does.
+    let (mut hold, mut waited, mut overtakes) = (0u32, false, 0);
     // A word that was offered stays until it is taken.
     let mut offered = false;
     for clock in 0.. {
@@ -346,27 +397,59 @@ fn command(entity: &mut Entity) -> Outcome {
         entity.settle();
         // Something runs from the job on; what is below depends on it.
         let (job, pair) = (entity.is("job_valid"), entity.is("pair_valid"));
-        let held = matches!(packets.due.front(), Some(Work::Job { stops: first, .. }) if stops < *first);
-        let takes_job = job && working == 0 && !held && seldom(&mut packets.rng, 3);
-        let takes_pair = pair && seldom(&mut packets.rng, 3);
-        for (port, value) in [("job_taken", takes_job), ("pair_taken", takes_pair), ("busy", job || working > 0)] {
+        let held = matches!(packets.due.front(), Some((_, Work::Job { stops: first, .. })) if stops < *first);
+        let soft = seldom(&mut packets.rng, if clock % 2000 < 1000 { 100 } else { 1000 });
+        let is_reset = word
+            .is_some_and(|(word, whole, last)| first && whole && last && packets.format.is_order(Command::Reset, word));
+        hold = if is_reset { 30 } else { hold.saturating_sub(1) };
+        let soft = soft && hold == 0;
+        let takes_job = job && working == 0 && !held && !soft && hold == 0 && seldom(&mut packets.rng, 3);
+        let takes_pair = pair && !soft && hold == 0 && seldom(&mut packets.rng, 3);
+        for (port, value) in
+            [("soft_reset", soft), ("job_taken", takes_job), ("pair_taken", takes_pair), ("busy", job || working > 0)]
+        {
             entity.set(port, value.into());
         }
         entity.settle();
         expect(working == 0 || !(pair || entity.is("block_write") || entity.is("triangle_write")), clock, "busy")?;
-        stops += usize::from(entity.is("stop"));
+        if entity.is("stop") {
+            stops += 1;
+            let due = packets.stopped.pop_front().map(|(_, number)| number);
+            expect(due == Some(entity.get("stop_number")), clock, "stop_number")?;
+        }
+        let mut forgets = soft;
+        if entity.is("reset_word") {
+            // What comes before it is forgotten.
+            let at = packets.due.iter().position(|(_, work)| matches!(work, Work::Reset(_)));
+            let Some((_, Work::Reset(number))) = at.and_then(|at| packets.due.drain(..=at).next_back()) else {
+                return Err(format!("clock {clock}: a soft reset from nowhere"));
+            };
+            expect(entity.get("stop_number") == number, clock, "number of a soft reset")?;
+            expect(!entity.is("pair_valid"), clock, "a pair from before a soft reset")?;
+            forgets = true;
+            resets += 1;
+            overtakes += usize::from(waited && hold > 0);
+        }
+        waited = job || pair;
         packets.given(entity, clock, [takes_job, takes_pair])?;
         working = if takes_job { packets.rng.random_range(0..120) } else { u32::saturating_sub(working, 1) };
         let arrives = word.is_some() && entity.is("s_axis_tready");
         if arrives {
             packets.words.pop_front();
             offered = false;
+            begun += usize::from(first);
+            first = last;
         }
+        if soft {
+            // The rest of a packet too, which is not answered.
+            stops += packets.forget(begun);
+        }
+        working = if forgets { 0 } else { working };
         quiet = if arrives || takes_job || takes_pair || working > 0 { 0 } else { quiet + 1 };
         entity.clock();
         if quiet > 100 {
             let done = packets.words.is_empty() && packets.due.is_empty() && stops == packets.stops;
-            return expect(done, clock, "a packet without its answer");
+            return expect(done && resets > 5 && overtakes > 2, clock, "a packet without its answer");
         }
     }
     Ok(())
@@ -378,6 +461,28 @@ fn every_packet_becomes_what_it_is() {
         ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_load)"),
         ("busy and (head_kind(is_load) or head_kind(is_pairs))", "busy and head_kind(is_pairs)"),
         ("(head_kind(is_stop) or not waits)", "not waits"),
+        // Soft resets: by a word that waits, that has bits which mean nothing, that leaves a job or a pair; by the port, with
+        // packets that go on or words that are held.
+        (
+            "(head_kind(is_reset) or (not occupied",
+            "((not occupied and not waits and head_kind(is_reset)) or (not occupied",
+        ),
+        (
+            "when s_axis_tdata(39 downto 0) = reset_header else '0';\n  kind(is_long",
+            "when s_axis_tdata(31 downto 0) = reset_header(31 downto 0) else '0';\n  kind(is_long",
+        ),
+        ("              reset_word <= '1';\n              pending <= '0';", "              reset_word <= '1';"),
+        ("              occupied <= '0';\n              moving <= '0';", "              moving <= '0';"),
+        ("if stays_within = '1' then", "if within_packet = '1' then"),
+        ("if (reset or soft_reset) = '1' then", "if reset = '1' then"),
+        (
+            "          pending <= '0';\n          query_pending <= '0';\n          posed_pending <= '0';\n          fault <= fine;",
+            "          fault <= fine;",
+        ),
+        (
+            "          fault <= fine;\n          gathers <= '0';\n          occupied <= '0';\n          moving <= '0';\n          stop <=",
+            "          fault <= fine;\n          stop <=",
+        ),
         ("    (at_options = '1' and head(39 downto 36) /= \"0000\") or\n", ""),
         ("    (at_record = '1' and head(31) = '1') or\n", ""),
         ("answer_short := head_kind(is_short);", "answer_short := '0';"),

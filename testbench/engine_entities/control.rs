@@ -44,8 +44,8 @@ impl Job {
             5 => words[0] = 0xffff_ffff,
             _ => {}
         }
-        words[4] &= !(1 << QueryFlags::EMPTY_CACHES);
-        words[4] |= u64::from(seldom(rng, 6)) << QueryFlags::EMPTY_CACHES;
+        words[4] &= !(1 << QueryFlags::KEEP_CACHES);
+        words[4] |= u64::from(!seldom(rng, 6)) << QueryFlags::KEEP_CACHES;
         // Entries of the matrix that fit, and some that do not.
         for word in &mut words[7..13] {
             if seldom(rng, 2) {
@@ -185,11 +185,13 @@ impl Control<'_> {
     }
 
     /// A job is taken when nothing is under way, and its pose is given away once, before.
-    fn take(&mut self, job: &Job) -> Outcome {
+    /// Whether it is to be stopped.
+    fn take(&mut self, job: &Job) -> Result<bool, String> {
         for _ in 0..self.rng.random_range(0..6) {
-            // A stop has nothing to end.
+            // A stop has nothing to end, whatever its number.
             let stop = u64::from(seldom(&mut self.rng, 3));
             self.entity.set("stop", stop);
+            self.entity.set("stop_number", job.number);
             self.entity.settle();
             self.none_of(&["busy", "running", "start", "report_due", "pose_valid", "job_taken", "dropping"])?;
             self.expect(self.entity.is("ending") && self.entity.is("separate_too"), "while no query runs")?;
@@ -206,10 +208,16 @@ impl Control<'_> {
             control.expect(control.entity.is("busy"), "busy")
         })?;
         self.entity.set("idle", 1);
-        let mut given = 0;
+        let (mut given, mut stopped) = (0, false);
         for _ in 0..PATIENCE {
             let ready = u64::from(seldom(&mut self.rng, 3));
             self.entity.set("pose_ready", ready);
+            // For the job that waits, or for another one.
+            let own = job.query && seldom(&mut self.rng, 30);
+            let other = job.number ^ 1 << self.rng.random_range(0..QueryFlags::NUMBER_BITS);
+            self.entity.set("stop", u64::from(own || seldom(&mut self.rng, 4)));
+            self.entity.set("stop_number", if own { job.number } else { other });
+            stopped |= own;
             self.entity.settle();
             self.expect(self.entity.is("busy"), "busy")?;
             self.none_of(&["start", "report_due", "running"])?;
@@ -217,10 +225,11 @@ impl Control<'_> {
                 self.expect(given == u32::from(job.posed), "the pose is given once")?;
                 self.edge();
                 self.entity.set("pose_ready", 0);
+                self.entity.set("stop", 0);
                 // The next job is shifted into the same register.
                 self.entity.set("job_valid", 0);
                 self.entity.set_words("job_words", &vec![0x5555_5555_5555_5555; job.words.len()]);
-                return Ok(());
+                return Ok(stopped);
             }
             given += u32::from(self.entity.is("pose_valid") && ready == 1);
             self.edge();
@@ -229,7 +238,7 @@ impl Control<'_> {
     }
 
     /// A query from its check to its end; the reason.
-    fn query(&mut self, job: &Job) -> Result<u64, String> {
+    fn query(&mut self, job: &Job, stopped: bool) -> Result<u64, String> {
         self.entity.set("idle", 1);
         if let Some(reason) = job.refused() {
             self.until("report_due", |control| control.none_of(&["start", "flush", "abort"]))?;
@@ -237,13 +246,27 @@ impl Control<'_> {
             self.known = None;
             return Ok(reason as u64);
         }
-        let flushes = self.known != Some(job.bases()) || job.words[4] >> QueryFlags::EMPTY_CACHES & 1 == 1;
+        let flushes = self.known != Some(job.bases()) || job.words[4] >> QueryFlags::KEEP_CACHES & 1 == 0;
         if flushes {
             self.until("flush", |control| control.none_of(&["start", "report_due"]))?;
             self.edge();
             self.entity.set("flushing", 1);
             let clocks = self.rng.random_range(1..5);
             self.during(clocks, |control| control.none_of(&["start", "report_due", "flush"]))?;
+            // Old bursts may be under way for longer than the caches take, and for ever.
+            if self.known.is_none() && seldom(&mut self.rng, 2) {
+                self.entity.set("memory_draining", 1);
+                self.entity.set("flushing", 0);
+                self.during(5, |control| control.none_of(&["start", "report_due", "flush"]))?;
+                if seldom(&mut self.rng, 2) {
+                    self.entity.set("memory_silent", 1);
+                    self.until("report_due", |control| control.none_of(&["start", "flush", "abort"]))?;
+                    self.entity.set("memory_silent", 0);
+                    self.entity.set("memory_draining", 0);
+                    return Ok(Reason::Silent as u64);
+                }
+                self.entity.set("memory_draining", 0);
+            }
             self.entity.set("flushing", 0);
         }
         self.until("start", |control| control.none_of(&["report_due", "flush"]))?;
@@ -252,14 +275,33 @@ impl Control<'_> {
         job.is_held(self.entity, &self.format, self.clock)?;
         self.entity.set("idle", 0);
         self.during(1, |_| Ok(()))?;
+        if stopped {
+            self.until("ending", |control| control.none_of(&["report_due"]))?;
+            self.entity.set("idle", 1);
+            self.until("report_due", |control| control.none_of(&["abort"]))?;
+            return Ok(Reason::Stopped as u64);
+        }
+        // A stop for another query, which may be that which waits behind this one.
+        self.entity.set("stop_number", job.number ^ 1 << self.rng.random_range(0..QueryFlags::NUMBER_BITS));
+        self.entity.set("stop", 1);
+        self.during(1, |_| Ok(()))?;
+        self.entity.set("stop", 0);
         let clocks = self.rng.random_range(1..8);
         self.during(clocks, |control| control.none_of(&["start", "report_due", "ending", "dropping", "abort"]))?;
+        self.entity.set("stop_number", job.number);
         self.end()
     }
 
     /// Ends the query that runs.
     fn end(&mut self) -> Result<u64, String> {
-        let events = [("contact", 1), ("limit_reached", 2), ("bad_tree", 3), ("stop", 5), ("memory_error", 4)];
+        let events = [
+            ("contact", 1),
+            ("limit_reached", 2),
+            ("bad_tree", 3),
+            ("stop", 5),
+            ("memory_error", 4),
+            ("memory_silent", 9),
+        ];
         let event = self.rng.random_range(0..=events.len());
         let Some(&(port, reason)) = events.get(event) else {
             self.entity.set("idle", 1);
@@ -267,8 +309,20 @@ impl Control<'_> {
             return Ok(0);
         };
         self.entity.set(port, 1);
+        if port.starts_with("memory") {
+            // What is idle then does not count, and what memory still owes is not waited for.
+            self.entity.set("idle", u64::from(seldom(&mut self.rng, 2)));
+            self.until("abort", |control| control.none_of(&["report_due"]))?;
+            self.edge();
+            self.entity.set(port, 0);
+            self.entity.settle();
+            self.none_of(&["abort"])?;
+            self.known = None;
+            self.until("report_due", |control| control.none_of(&["abort"]))?;
+            return Ok(reason);
+        }
         self.during(1, |_| Ok(()))?;
-        self.entity.set(port, u64::from(port == "memory_error"));
+        self.entity.set(port, 0);
         // A stop is known a clock later than what the query itself says.
         let clocks = self.rng.random_range(2..8);
         self.during(clocks, |control| control.none_of(&["start", "report_due", "abort"]))?;
@@ -279,22 +333,26 @@ impl Control<'_> {
         self.entity.set(other, 1);
         self.during(1, |_| Ok(()))?;
         self.entity.set(other, 0);
-        if port == "memory_error" {
-            // What is idle then does not count.
-            self.entity.set("idle", u64::from(seldom(&mut self.rng, 2)));
-            self.during(4, |control| control.none_of(&["report_due", "abort"]))?;
-            self.entity.set("memory_quiet", 1);
-            self.until("abort", |control| control.none_of(&["report_due"]))?;
-            self.edge();
-            self.entity.set("memory_error", 0);
-            self.entity.set("memory_quiet", 0);
-            self.entity.settle();
-            self.none_of(&["abort"])?;
-            self.known = None;
-        }
         self.entity.set("idle", 1);
         self.until("report_due", |control| control.none_of(&["abort"]))?;
         Ok(reason)
+    }
+
+    /// A soft reset, in whatever phase: then its report.
+    fn forget(&mut self) -> Outcome {
+        let number = self.rng.random_range(0..u64::from(QueryFlags::NUMBERS));
+        self.entity.set("forget", 1);
+        self.entity.set("forget_number", number);
+        self.during(1, |_| Ok(()))?;
+        for port in ["forget", "forget_number", "flushing", "stop", "pose_ready", "job_valid"] {
+            self.entity.set(port, 0);
+        }
+        self.known = None;
+        self.entity.set("idle", 1);
+        self.until("report_due", |_| Err("something else than a report".to_owned()))?;
+        let (query, posed, short) = (false, false, false);
+        let report = Job { query, posed, short, reason: 0, number, words: vec![] };
+        self.report(&report, Reason::Reset as u64)
     }
 
     /// The report of a job, until it is done.
@@ -322,8 +380,20 @@ fn control(entity: &mut Entity) -> Outcome {
     let mut control = Control { entity, rng: random(12), format, clock: 0, known: None };
     for _ in 0..150 {
         let job = Job::new(&mut control.rng, length);
-        control.take(&job)?;
-        let reason = if job.query { control.query(&job)? } else { job.reason };
+        if seldom(&mut control.rng, 4) {
+            // At some clock of the job.
+            job.offer(control.entity);
+            control.entity.set("pose_ready", 1);
+            control.entity.set("flushing", u64::from(seldom(&mut control.rng, 2)));
+            control.entity.set("stop_number", job.number);
+            control.entity.set("stop", u64::from(seldom(&mut control.rng, 2)));
+            let clocks = control.rng.random_range(0..14);
+            control.during(clocks, |_| Ok(()))?;
+            control.forget()?;
+            continue;
+        }
+        let stopped = control.take(&job)?;
+        let reason = if job.query { control.query(&job, stopped)? } else { job.reason };
         control.until("report_due", |_| Ok(()))?;
         control.report(&job, reason)?;
     }
@@ -339,10 +409,19 @@ fn a_job_is_checked_and_run_and_reported() {
         ("if counts(0) = 0 or counts(1) = 0 then", "if counts(0) = 0 then"),
         ("if flush_now = '0' and flushing = '0' then", "if flushing = '0' then"),
         ("        if known = '0' or bases(0) /=", "        if bases(0) /="),
-        ("          stopped <= '0';  -- there is", "          -- there is"),
+        // A stop is for whatever runs, or waits; it is forgotten, or outlives its query.
+        ("stop and running_now when number_now = stop_number else '0'", "stop and running_now"),
+        ("not stops_running when job_number = stop_number else '0'", "not stops_running"),
+        ("stopped <= stopped_waiting or stops_waiting;", "stopped <= stops_waiting;"),
+        ("          stopped_waiting <= '0';\n        end if;", "        end if;"),
+        // What memory owes is not waited for, or without end; a soft reset keeps the caches.
+        ("if memory_draining = '1' then", "if memory_draining = '1' and flushing = '1' then"),
+        ("            if memory_silent = '1' then\n", "            if flushing = '1' then\n"),
+        ("if (memory_error or memory_silent) = '1' then", "if memory_error = '1' then"),
+        ("next_reason := \"01010\";\n        known <= '0';", "next_reason := \"01010\";"),
+        ("number_now <= forget_number;", "number_now <= job_number;"),
         ("above /= \"1111\" or cut = \"100000000000000000\"", "above /= \"1111\""),
         ("if ending_now = '0' then", "if running_now = '1' then"),
-        ("if memory_quiet = '1' then", "if idle = '1' then"),
     ];
     tried(&small(Memory::Axi), "engine_control", &changes, control);
 }

@@ -40,6 +40,9 @@ pub(super) struct EngineRun {
     /// Stop each query at the first certain contact
     #[arg(long)]
     first_contact: bool,
+    /// Empty the caches before each query, as a host does that writes to memory between queries; else they are kept
+    #[arg(long)]
+    empty_caches: bool,
     #[command(flatten)]
     params: EngineArguments,
 }
@@ -50,6 +53,7 @@ impl EngineRun {
         let own = [
             ("gaps", self.gaps.map(|seed| seed.to_string())),
             ("first-contact", self.first_contact.then(String::new)),
+            ("empty-caches", self.empty_caches.then(String::new)),
             ("latency", self.latency.as_ref().map(ToString::to_string)),
         ];
         match own.into_iter().find_map(|(option, value)| Some((option, value?))) {
@@ -140,8 +144,8 @@ fn queries(images: &Images, scene: &Scene, arguments: &Arguments) -> Asked {
             continue;
         };
         let number = asked.queries.len() as u32 % QueryFlags::NUMBERS;
-        let first_contact = arguments.engine.first_contact;
-        asked.queries.push(Query { number, first_contact, ..query.clone() });
+        let EngineRun { first_contact, empty_caches, .. } = arguments.engine;
+        asked.queries.push(Query { number, first_contact, keep_caches: !empty_caches, ..query.clone() });
         asked.distances.push(*distance);
     }
     asked
@@ -165,8 +169,11 @@ fn by_distance(design: &EngineDesign, distances: &[Option<f64>], replies: &[Repl
 /// Options that the simulation of an engine does not have.
 fn refuse(arguments: &Arguments) -> Result<(), Failure> {
     let options = &arguments.engine;
-    if options.params.params().memory == Memory::BlockRam && options.latency.is_some() {
-        return Err(Failure::Usage("--latency with --memory block-ram: expected --memory axi".to_owned()));
+    let behind_axi = [("latency", options.latency.is_some()), ("empty-caches", options.empty_caches)];
+    if let Some((option, _)) = behind_axi.into_iter().find(|(_, given)| *given)
+        && options.params.params().memory == Memory::BlockRam
+    {
+        return Err(Failure::Usage(format!("--{option} with --memory block-ram: expected --memory axi")));
     }
     match arguments.simulator {
         None | Some(Simulator::Verilator(_) | Simulator::Ghdl) => Ok(()),
@@ -174,6 +181,7 @@ fn refuse(arguments: &Arguments) -> Result<(), Failure> {
             let own = [
                 ("latency", options.latency.is_some()),
                 ("gaps", options.gaps.is_some()),
+                ("empty-caches", options.empty_caches),
                 ("keep", arguments.keep.is_some()),
             ];
             match own.into_iter().find(|(_, given)| *given) {

@@ -126,8 +126,9 @@ pub fn run<E: Engine, F: From<E::Error>>(
     let scene = front.scene();
     for batch in frames.chunks(BATCH) {
         let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.survivors.meetings(frame)).collect();
-        let job =
-            |meeting: &Meeting| -> Job<'_, '_> { objects.query(meeting.meshes, &meeting.pose, Options::default()) };
+        // The memory stays as it is.
+        let options = Options { keep_caches: true, ..Options::default() };
+        let job = |meeting: &Meeting| -> Job<'_, '_> { objects.query(meeting.meshes, &meeting.pose, options) };
         let jobs: Vec<Job<'_, '_>> = meetings.par_iter().map(job).collect();
         let answers = objects.contacts(jobs, engine)?;
         let mut answers = meetings.iter().zip(answers).peekable();

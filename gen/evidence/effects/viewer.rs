@@ -186,7 +186,7 @@ impl<'a, 'b> Viewer<'a, 'b> {
         let objects = scene.objects.iter().zip(mesh_of);
         let triangles = |object: &efsat_geometry::scene::Object| match &object.findings.numbers {
             numbers if numbers.are_plain() => vec![],
-            numbers => (0..object.mesh.faces.len() as u32).map(|triangle| numbers.name(triangle)).collect(),
+            numbers => (0..object.mesh.faces().len() as u32).map(|triangle| numbers.name(triangle)).collect(),
         };
         let object = |(object, mesh): (&'a efsat_geometry::scene::Object, usize)| Object {
             name: &object.name,

@@ -43,6 +43,10 @@ pub const STACK: RangeInclusive<u32> = 8..=4096;
 pub const TREE_HEIGHT: RangeInclusive<u32> = 1..=62;
 /// Legal capacities of the queue of leaf pairs.
 pub const PAIR_QUEUE: &[u32] = &[16, 32, 64, 128, 256, 512, 1024];
+/// Legal clocks of the watchdog: 0 is none.
+pub const WATCHDOG: RangeInclusive<u32> = 0..=1 << 24;
+/// Legal bits of an ID of AXI.
+pub const AXI_ID_BITS: RangeInclusive<u32> = 0..=16;
 /// Bits of an address of AXI, in units of 64 bytes.
 pub const ADDRESS_BITS: u32 = 26;
 /// Legal bits of the number of a block.
@@ -137,6 +141,12 @@ options! {
     /// Bits of a word of memory
     "memory-width" memory_width: u32 = 64,
         [value_name = "N", value_parser = one_of(MEMORY_WIDTH), allow_negative_numbers = true];
+    /// Clocks without a word of memory, while a read is under way, after which a query ends with a reason of its own; 0 for never
+    "watchdog" watchdog: u32 = 65_536,
+        [value_name = "CLOCKS", value_parser = whole(WATCHDOG), allow_negative_numbers = true];
+    /// Bits of ARID and RID of the AXI4 read port, 0 to 16; 0 for none. The ID is always 0
+    "axi-id-bits" axi_id_bits: u32 = 0,
+        [value_name = "N", value_parser = whole(AXI_ID_BITS), allow_negative_numbers = true];
     /// Lines of the caches of blocks, half for each tree; with --memory block-ram the blocks of both trees
     "block-lines" block_lines: u32 = 512,
         [value_name = "N", value_parser = one_of(LINES), allow_negative_numbers = true];
@@ -245,6 +255,8 @@ impl EngineParams {
             ("stack", self.stack, STACK),
             ("tree-height", self.tree_height, TREE_HEIGHT),
             ("block-number-bits", self.block_number_bits, BLOCK_NUMBER_BITS),
+            ("watchdog", self.watchdog, WATCHDOG),
+            ("axi-id-bits", self.axi_id_bits, AXI_ID_BITS),
         ];
         let outside = ranges.into_iter().find(|(_, found, legal)| !legal.contains(found));
         if let Some((option, found, legal)) = outside {

@@ -45,6 +45,35 @@ impl Default for Channel {
     }
 }
 
+/// What is done to an engine, one step after the other.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Step {
+    /// A packet is sent.
+    Packet(Vec<u64>),
+    /// So many clocks pass before the next step.
+    Pause(u32),
+    /// A soft reset by the port, one clock long; also between the words of a packet that [`Step::Begin`] has sent.
+    SoftReset,
+    /// Words of a packet that goes on with the next step.
+    Begin(Vec<u64>),
+    /// All answers come before the next step.
+    Wait,
+}
+
+impl Step {
+    /// Numbers for the program that Verilator has made: kind, length, words.
+    fn words(&self) -> Vec<u64> {
+        let (kind, words) = match self {
+            Self::Packet(words) => (0, words.clone()),
+            Self::Pause(clocks) => (1, vec![u64::from(*clocks)]),
+            Self::SoftReset => (2, vec![]),
+            Self::Begin(words) => (3, words.clone()),
+            Self::Wait => (4, vec![]),
+        };
+        [vec![kind, words.len() as u64], words].concat()
+    }
+}
+
 /// A packet that the engine has answered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Packet {
@@ -87,6 +116,7 @@ struct Bench {
     word_size: u32,
     query_header: String,
     stop_header: String,
+    reset_header: String,
     reset_clocks: usize,
     arguments: u32,
 }
@@ -104,6 +134,7 @@ impl Bench {
             word_size: word_bytes.ilog2(),
             query_header: header(Command::Query),
             stop_header: header(Command::Stop),
+            reset_header: header(Command::Reset),
             reset_clocks: RESET_CLOCKS,
             arguments: if axi { 9 } else { 7 },
         }
@@ -195,6 +226,32 @@ impl Machine {
                 return self.counted(answers, packets);
             }
         };
+        let steps: Vec<Step> = packets.iter().cloned().map(Step::Packet).collect();
+        self.counted(self.played(program, memory, &steps, channel)?, packets)
+    }
+
+    /// As [`Machine::exchange`], in Verilator, of any steps. What was not answered at a soft reset has no answer but its report, and
+    /// words before that in its packet.
+    ///
+    /// # Errors
+    /// As there.
+    ///
+    /// # Panics
+    /// If the engine does not run in Verilator.
+    pub fn play(&self, memory: &[u64], steps: &[Step], channel: &Channel) -> Result<Vec<Packet>, CosimError> {
+        match &self.runner {
+            Runner::Verilator(program) => self.played(program, memory, steps, channel),
+            Runner::Ghdl(_) => panic!("expected Verilator"),
+        }
+    }
+
+    fn played(
+        &self,
+        program: &Path,
+        memory: &[u64],
+        steps: &[Step],
+        channel: &Channel,
+    ) -> Result<Vec<Packet>, CosimError> {
         let io = Scratch::new().map_err(file_error(&std::env::temp_dir()))?;
         let [memory_file, packet_file, answer_file] =
             ["memory.bin", "packets.bin", "answers.bin"].map(|name| io.path().join(name));
@@ -203,8 +260,7 @@ impl Machine {
             std::fs::write(path, bytes).map_err(file_error(path))
         };
         write(&memory_file, &mut memory.iter().copied())?;
-        let with_length = |packet: &Vec<u64>| [vec![packet.len() as u64], packet.clone()].concat();
-        write(&packet_file, &mut packets.iter().flat_map(with_length))?;
+        write(&packet_file, &mut steps.iter().flat_map(Step::words))?;
         let mut arguments: Vec<String> =
             [&memory_file, &packet_file, &answer_file].map(|path| path.to_string_lossy().into_owned()).into();
         if self.design.params.memory == Memory::Axi {
@@ -221,12 +277,13 @@ impl Machine {
         while let (Some(clock), Some(length)) = (words.next(), words.next()) {
             answers.push(Packet { clock, words: words.by_ref().take(length as usize).collect() });
         }
-        self.counted(answers, packets)
+        Ok(answers)
     }
 
     /// Answers, if there is one for every packet but stops.
     fn counted(&self, answers: Vec<Packet>, packets: &[Vec<u64>]) -> Result<Vec<Packet>, CosimError> {
-        let stops = packets.iter().filter(|packet| **packet == [self.design.format.header(Command::Stop)]).count();
+        let is_stop = |packet: &Vec<u64>| packet.len() == 1 && self.design.format.is_order(Command::Stop, packet[0]);
+        let stops = packets.iter().filter(|packet| is_stop(packet)).count();
         match answers.len() + stops == packets.len() {
             true => Ok(answers),
             false => Err(failed(format!("{} answers to {} packets", answers.len(), packets.len()))),

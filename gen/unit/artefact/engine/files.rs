@@ -62,12 +62,16 @@ struct Manifest<'a> {
     query_header: String,
     load_header: Option<String>,
     stop_header: String,
+    reset_header: String,
     files: BTreeMap<&'a str, String>,
 }
 
 /// What the entities of the engine are for, in the order of the data.
 const ENTITIES: [(&str, &str); 9] = [
-    ("engine_command", "Packets in: pairs, poses, queries, loads and stops; what is none of them is reported."),
+    (
+        "engine_command",
+        "Packets in: pairs, poses, queries, loads, stops and soft resets; what is none of them is reported.",
+    ),
     ("engine_control", "The query that runs: its registers, its phases, and why it ends."),
     ("engine_traverse", "The traversal of both trees: issue, pairs in flight, survivors."),
     ("engine_stack", "The stack of pairs that are still to be opened."),
@@ -242,6 +246,7 @@ fn manifest(design: &EngineDesign, command_line: &str, files: &FileSet) -> Strin
         query_header: header(Command::Query),
         load_header: load,
         stop_header: header(Command::Stop),
+        reset_header: header(Command::Reset),
         files: files.iter().map(|(name, text)| (name, digest(text))).collect(),
     };
     let text = serde_json::to_string_pretty(&manifest).expect("texts and numbers");

@@ -99,7 +99,12 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
     let mut packets = vec![
         word("query_header", header(Command::Query), "low half of the first word of a query"),
         word("query_format", format.header_high(), "high half, which says the formats below"),
-        word("stop_header", header(Command::Stop), "the only word of a stop"),
+        word("stop_header", header(Command::Stop), "the only word of a stop, without the number of its query"),
+        word(
+            "reset_header",
+            header(Command::Reset),
+            "the only word of a soft reset, without the number for its report",
+        ),
         number("query_words", format.query_words(), "words of a query"),
         number("triangles_word", 4, "the word that says how many triangles the objects have"),
         number("options_word", 5, "the word that says what is asked for"),
@@ -111,7 +116,7 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
         packets.push(number("triangle_lines", params.triangle_lines, "triangles that memory holds"));
     }
     let flag = |at: u32| 1 << (at - u32::BITS);
-    let all = [QueryFlags::FIRST_CONTACT, QueryFlags::ALL_PAIRS, QueryFlags::LEAF_PAIRS, QueryFlags::EMPTY_CACHES];
+    let all = [QueryFlags::FIRST_CONTACT, QueryFlags::ALL_PAIRS, QueryFlags::LEAF_PAIRS, QueryFlags::KEEP_CACHES];
     let flags = all.into_iter().map(flag).sum();
     vec![
         Group { what: "The engine.", constants: of_engine(design) },
@@ -122,9 +127,13 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
                 number("first_contact", flag(QueryFlags::FIRST_CONTACT), "stop at the first certain contact"),
                 number("all_pairs", flag(QueryFlags::ALL_PAIRS), "answer separate pairs too"),
                 number("leaf_pairs", flag(QueryFlags::LEAF_PAIRS), "no triangle test: all are possibly incorrect"),
-                number("empty_caches", flag(QueryFlags::EMPTY_CACHES), "empty the caches first"),
+                number("keep_caches", flag(QueryFlags::KEEP_CACHES), "no image has changed since the last query"),
                 number("query_flags", flags, "all of them"),
-                number("query_number_low", QueryFlags::NUMBER_AT, "the number that the report returns"),
+                number(
+                    "query_number_low",
+                    QueryFlags::NUMBER_AT,
+                    "the number that the report returns; also in stop and reset",
+                ),
                 number("query_number_bits", QueryFlags::NUMBER_BITS, "its bits"),
             ],
         },
@@ -198,6 +207,8 @@ fn reason(reason: Reason) -> (Constant, &'static str) {
         Reason::Stopped => ("reason_stopped", "stopped by the host", "stopped by the host"),
         Reason::UnknownHeader => ("reason_unknown_header", "no query for this engine", "unknown header"),
         Reason::TooShort => ("reason_too_short", "the packet was too short", "packet too short"),
+        Reason::Silent => ("reason_silent", "the memory does not answer", "memory does not answer"),
+        Reason::Reset => ("reason_reset", "soft reset; nothing before it has another answer", "soft reset"),
         Reason::TooLong => ("reason_too_long", "the packet was too long", "packet too long"),
     };
     (Constant::number(name, reason as u32, what), called)

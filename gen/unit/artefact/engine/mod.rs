@@ -216,7 +216,7 @@ fn description(design: &EngineDesign) -> Vec<String> {
         "  3, 4   number of blocks of A and B, of triangles of A and B".to_owned(),
         "  5      most expansions 31..0 (0: 2^32); 32 stop at the first certain contact; 33 answer separate pairs too;"
             .to_owned(),
-        "         34 leaf pairs only, no triangle test; 35 empty the caches; 63..40 number that the report returns"
+        "         34 leaf pairs only, no triangle test; 35 keep the caches; 63..40 number that the report returns"
             .to_owned(),
         "  6      errors of the shift 15..0, 31..16, 47..32".to_owned(),
         "  7 ...  pose, as in packets of the stream wrapper; then a row for each direction".to_owned(),

@@ -88,14 +88,14 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
     vectors.query(&Query { number: 3, ..make(0, 0, 1, [0.5, 0.0, 3.0]) });
     // Apart; the same object twice; answers for separate pairs, and without the unit.
     vectors.query(&Query { number: 4, ..make(0, 1, 0, [0.0, 0.0, 9.0]) });
-    vectors.query(&Query { number: 5, empty_caches: true, ..make(1, 1, 2, [0.0, 0.0, 0.0]) });
+    vectors.query(&Query { number: 5, ..make(1, 1, 2, [0.0, 0.0, 0.0]) });
     vectors.query(&Query { number: 6, all_pairs: true, ..crossing.clone() });
-    vectors.query(&Query { number: 7, leaf_pairs: true, ..crossing.clone() });
+    vectors.query(&Query { number: 7, leaf_pairs: true, keep_caches: true, ..crossing.clone() });
     vectors.pairs(&pairs[20..23]);
     vectors.pose(&segments[1].0);
     vectors.pairs(&pairs[23..26]);
     // Ends of every kind.
-    vectors.query(&Query { number: 8, first_contact: true, ..crossing.clone() });
+    vectors.query(&Query { number: 8, first_contact: true, keep_caches: true, ..crossing.clone() });
     vectors.pairs(&pairs[..2]);
     vectors.query(&Query { number: 9, limit: 5, ..crossing.clone() });
     vectors.unusual_pairs(&pairs[0], &segments[2].0);
@@ -109,7 +109,10 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
     vectors.malformed(&whole(&words[..1]), Reason::TooShort);
     vectors.malformed(&whole(&words[..words.len() - 1]), Reason::TooShort);
     vectors.malformed(&whole(&[words.clone(), vec![0]].concat()), Reason::TooLong);
-    vectors.malformed(&whole(&[design.format.header(Command::Stop), 0]), Reason::TooLong);
+    vectors.malformed(&whole(&[design.format.order(Command::Stop, 7), 0]), Reason::TooLong);
+    vectors.malformed(&whole(&[design.format.order(Command::Reset, 7), 0]), Reason::TooLong);
+    vectors.malformed(&whole(&[design.format.order(Command::Stop, 7) | 1 << 32]), Reason::UnknownHeader);
+    vectors.malformed(&whole(&[design.format.order(Command::Reset, 7) | 1 << 39]), Reason::UnknownHeader);
     if design.params.memory == Memory::BlockRam {
         refused_loads(&mut vectors, design);
     }
@@ -147,8 +150,18 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
     vectors.query(&Query { number: 13, ..crossing.clone() });
     // A stop without a query does nothing.
     vectors.wait();
-    vectors.stop(40);
+    vectors.stop(40, 14);
     vectors.query(&Query { number: 14, ..make(1, 0, 1, [1.0, 1.0, 1.0]) });
+    // Soft resets: while nothing is to be done, while a query runs and others wait, in the midst of answers.
+    vectors.wait();
+    vectors.reset(40, Some(15));
+    vectors.pairs(&pairs[5..7]);
+    for clocks in [150, 600, 1000, 1500] {
+        vectors.query(&Query { number: 16, ..crossing.clone() });
+        vectors.query(&Query { number: 17, ..crossing.clone() });
+        vectors.reset(clocks, (clocks < 1000).then_some(clocks));
+        vectors.query(&Query { number: 18, ..crossing.clone() });
+    }
     Ok(vectors.text().to_owned())
 }
 

@@ -128,8 +128,9 @@ impl<'a> EngineVectors<'a> {
     /// If the model has another reason. It knows queries of whole words alone.
     pub fn malformed(&mut self, words: &[(u64, bool)], reason: Reason) {
         let end = words.len() - 1;
-        let others = [Command::Load, Command::Stop].map(|command| self.design.format.header(command));
-        if words.iter().all(|(_, whole)| *whole) && !others.contains(&words[0].0) {
+        let others = [Command::Load, Command::Stop, Command::Reset];
+        let other = others.iter().any(|&command| self.design.format.is_order(command, words[0].0));
+        if words.iter().all(|(_, whole)| *whole) && !other {
             let packet: Vec<u64> = words.iter().map(|(word, _)| *word).collect();
             assert_eq!(self.model.run(&self.memory, &packet).report.reason, reason, "{packet:x?}");
         }
@@ -174,10 +175,39 @@ impl<'a> EngineVectors<'a> {
         }
     }
 
-    /// Stops what runs then, so many clocks after the words before.
-    pub fn stop(&mut self, clocks: u32) {
+    /// Stops the query with a number, so many clocks after the words before.
+    pub fn stop(&mut self, clocks: u32, number: u32) {
+        self.pause(clocks);
+        self.word_in(self.design.format.order(Command::Stop, number), true, true);
+    }
+
+    /// A soft reset so many clocks after the words before: by the stream, with a number, or by the port. Packets before it that are not
+    /// answered then have no other answer. The next words come when it is answered.
+    pub fn reset(&mut self, clocks: u32, number: Option<u32>) {
+        self.pause(clocks);
+        match number {
+            Some(number) => self.word_in(self.design.format.order(Command::Reset, number), true, true),
+            None => self.text.push_str("S\n"),
+        }
+        self.text.push_str("Z\n");
+        self.unit.pose = Pose::identity(&self.design.unit.params);
+        self.wait();
+    }
+
+    /// A word of memory is written behind the answers to all packets before. Passes after the first begin with it.
+    ///
+    /// # Panics
+    /// If the memory is block RAM.
+    pub fn rewrite(&mut self, address: usize, word: u64) {
+        assert_eq!(self.design.params.memory, Memory::Axi);
+        self.memory[address] = word;
+        self.wait();
+        writeln!(self.text, "N {address:08x} {word:016x}").expect("a string takes text");
+    }
+
+    /// The next words come so many clocks later.
+    pub fn pause(&mut self, clocks: u32) {
         writeln!(self.text, "D {clocks:08x}").expect("a string takes text");
-        self.word_in(self.design.format.header(Command::Stop), true, true);
     }
 
     /// The next words come when all packets are answered.
@@ -185,7 +215,8 @@ impl<'a> EngineVectors<'a> {
         self.text.push_str("W\n");
     }
 
-    /// A fault of memory, once in a run: 1 error response, 2 last word too early, 3 too late. Address in units of 64 bytes.
+    /// A fault of memory, once in a run: 1 error response, 2 last word too early, 3 too late, 4 a long time without an answer, 5 no
+    /// last word. Address in units of 64 bytes.
     pub fn fault(&mut self, address: u32, kind: u8) {
         writeln!(self.text, "X {address:08x} {kind:x}").expect("a string takes text");
     }

@@ -32,8 +32,8 @@ pub struct Query {
     pub all_pairs: bool,
     /// Whether to answer leaf pairs possibly incorrect, without a triangle test.
     pub leaf_pairs: bool,
-    /// Whether to empty the caches first.
-    pub empty_caches: bool,
+    /// Whether to keep the caches of the query before.
+    pub keep_caches: bool,
     /// The number that the report returns, 24 bits.
     pub number: u32,
     /// The error of the shift for each axis of A, in steps of the grid.
@@ -58,7 +58,7 @@ impl Query {
             (QueryFlags::FIRST_CONTACT, self.first_contact),
             (QueryFlags::ALL_PAIRS, self.all_pairs),
             (QueryFlags::LEAF_PAIRS, self.leaf_pairs),
-            (QueryFlags::EMPTY_CACHES, self.empty_caches),
+            (QueryFlags::KEEP_CACHES, self.keep_caches),
         ];
         let flags: u64 = flags.into_iter().map(|(at, flag)| u64::from(flag) << at).sum();
         let mut errors = 0;
@@ -110,7 +110,7 @@ impl Query {
         };
         let flag = |at: u32| words[5] >> at & 1 == 1;
         let spare =
-            field(&words[5..6], QueryFlags::EMPTY_CACHES + 1, QueryFlags::NUMBER_AT - QueryFlags::EMPTY_CACHES - 1);
+            field(&words[5..6], QueryFlags::KEEP_CACHES + 1, QueryFlags::NUMBER_AT - QueryFlags::KEEP_CACHES - 1);
         let record = &words[EngineFormat::POSE_AT as usize..format.row_at(0) as usize];
         if spare != 0 || field(record, BYPASS_AT, 1) != 0 {
             return Err(Reason::UnknownHeader);
@@ -145,7 +145,7 @@ impl Query {
             first_contact: flag(QueryFlags::FIRST_CONTACT),
             all_pairs: flag(QueryFlags::ALL_PAIRS),
             leaf_pairs: flag(QueryFlags::LEAF_PAIRS),
-            empty_caches: flag(QueryFlags::EMPTY_CACHES),
+            keep_caches: flag(QueryFlags::KEEP_CACHES),
             number: (words[5] >> QueryFlags::NUMBER_AT) as u32,
             errors: [0, 1, 2].map(error),
             pose,

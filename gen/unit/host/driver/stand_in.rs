@@ -50,6 +50,12 @@ impl StandIn {
         self.pose_unfit = false;
     }
 
+    /// The unit after reset.
+    #[cfg(feature = "scenes")]
+    pub(super) fn reset(&mut self) {
+        self.set_pose(Pose::identity(&self.params));
+    }
+
     /// The answers to whole packets; a packet that does not end is not answered.
     pub fn answer(&mut self, transfers: &[Transfer]) -> Vec<Transfer> {
         let mut answers = vec![];

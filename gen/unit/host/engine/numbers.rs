@@ -43,9 +43,6 @@ pub enum Refusal {
         /// How many there may be.
         most: u32,
     },
-    /// A number of the pose that is none; no software answers it.
-    #[error(transparent)]
-    NotFinite(#[from] NotFinite),
     /// A matrix entry outside the declared range.
     #[error("entry {row}, {column} of the matrix: {found}; expected -1 to 1")]
     Entry {
@@ -125,7 +122,7 @@ impl Numbers {
             first_contact: false,
             all_pairs: false,
             leaf_pairs: false,
-            empty_caches: false,
+            keep_caches: false,
             number: 0,
             errors: [0, 1, 2].map(|axis| self.shift_error(&fine[axis], &matrix[axis])),
             pose,

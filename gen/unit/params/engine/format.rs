@@ -94,8 +94,8 @@ impl QueryFlags {
     pub const ALL_PAIRS: u32 = 33;
     /// No triangle test: leaf pairs are answered possibly incorrect.
     pub const LEAF_PAIRS: u32 = 34;
-    /// Empty the caches before the query.
-    pub const EMPTY_CACHES: u32 = 35;
+    /// Keep the caches of the query before: the images are still what they were.
+    pub const KEEP_CACHES: u32 = 35;
     /// Place of the number that the report returns.
     pub const NUMBER_AT: u32 = 40;
     /// Its bits.
@@ -138,8 +138,10 @@ pub enum Command {
     Query = 3,
     /// Fill memory in block RAM.
     Load = 4,
-    /// End the query that is running.
+    /// End a query that runs or waits.
     Stop = 5,
+    /// Forget all work.
+    Reset = 6,
 }
 
 impl EngineFormat {
@@ -267,6 +269,17 @@ impl EngineFormat {
         let high = if command == Command::Query { self.header_high() } else { 0 };
         let low = self.stream.header(Kind::Pose) - Kind::Pose as u32 + command as u32;
         u64::from(low) | u64::from(high) << 32
+    }
+
+    /// The word of a stop or of a soft reset: the number of the query that is to end, or of the report of the reset, is where a
+    /// query has its own.
+    pub fn order(&self, command: Command, number: u32) -> u64 {
+        self.header(command) | u64::from(number % QueryFlags::NUMBERS) << QueryFlags::NUMBER_AT
+    }
+
+    /// Whether a word is that of a stop or of a soft reset, whatever its number.
+    pub fn is_order(&self, command: Command, word: u64) -> bool {
+        word & ((1 << QueryFlags::NUMBER_AT) - 1) == self.header(command)
     }
 
     /// The upper half of a query's header word: directions in bits 7..0, bits of a code in 11..8, of a factor in 16..12, of an

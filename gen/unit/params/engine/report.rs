@@ -26,11 +26,15 @@ pub enum Reason {
     TooShort = 7,
     /// The packet was too long.
     TooLong = 8,
+    /// The memory does not answer.
+    Silent = 9,
+    /// A soft reset: all that was asked for before has no other answer.
+    Reset = 10,
 }
 
 impl Reason {
     /// All reasons by their code.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Complete,
         Self::Contact,
         Self::Limit,
@@ -40,6 +44,8 @@ impl Reason {
         Self::UnknownHeader,
         Self::TooShort,
         Self::TooLong,
+        Self::Silent,
+        Self::Reset,
     ];
 
     /// Whether pairs that touch may be missing from the answer.

@@ -23,6 +23,7 @@ pub(in super::super) struct Query {
     pub query_format: String,
     pub load_header: String,
     pub stop_header: String,
+    pub reset_header: String,
     pub options_word: u32,
     pub pose_word: u32,
     pub first_row: u32,
@@ -71,12 +72,13 @@ impl Query {
         Self {
             directions: k,
             query_words: format.query_words(),
-            kinds: if memory == Memory::BlockRam { 7 } else { 6 },
+            kinds: if memory == Memory::BlockRam { 8 } else { 7 },
             job_bits: WORD * (format.query_words() - 1),
             query_header: header(Command::Query),
             query_format: format!("{:08x}", format.header_high()),
             load_header: header(Command::Load),
             stop_header: header(Command::Stop),
+            reset_header: header(Command::Reset),
             options_word: 5,
             pose_word: EngineFormat::POSE_AT,
             first_row: format.row_at(0),
@@ -117,6 +119,6 @@ const _: () = assert!(
     QueryFlags::FIRST_CONTACT == 32
         && QueryFlags::ALL_PAIRS == 33
         && QueryFlags::LEAF_PAIRS == 34
-        && QueryFlags::EMPTY_CACHES == 35
+        && QueryFlags::KEEP_CACHES == 35
         && QueryFlags::NUMBER_AT == 40
 );

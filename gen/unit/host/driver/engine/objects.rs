@@ -3,7 +3,7 @@
 use super::{Contacts, Engine, EngineError, Job};
 use crate::golden::engine::Query;
 use crate::host::engine::{BuildError, Images, Layout, Numbers};
-use crate::params::engine::QueryFlags;
+use crate::params::engine::{Command, QueryFlags};
 use crate::params::options::Choice;
 use crate::params::{EngineParams, Method, ParamError, Params};
 use efsat_geometry::mesh::Mesh;
@@ -30,8 +30,9 @@ pub struct Options {
     pub first_contact: bool,
     /// The most expansions, 0 for as many as it takes; the software answers a query that needs more.
     pub limit: u32,
-    /// Empty the caches first: needed by the first query after other images have been copied to the same addresses.
-    pub empty_caches: bool,
+    /// Keep the caches of the query before, which saves reading the same again: right only if nothing that this query reads has been
+    /// written to memory since the last query that did not keep them. A change of addresses empties the caches anyway.
+    pub keep_caches: bool,
 }
 
 /// Meshes that meet in queries, made ready for one engine.
@@ -92,10 +93,22 @@ impl<'a> Objects<'a> {
         let number = self.next.fetch_add(1, Ordering::Relaxed) % QueryFlags::NUMBERS;
         let query = self.images.query(objects, pose, &self.layout.sides);
         let packet = query.map(|query| {
-            let Options { first_contact, limit, empty_caches } = options;
-            Query { first_contact, limit, empty_caches, number, ..query }.words(self.numbers().format())
+            let Options { first_contact, limit, keep_caches } = options;
+            Query { first_contact, limit, keep_caches, number, ..query }.words(self.numbers().format())
         });
         Job { objects: self, pair: objects, pose: *pose, options, number, packet }
+    }
+
+    /// The only word of the packet that ends the query with a number, if it runs or waits. It has no answer of its own; the query's
+    /// report says whether it was stopped.
+    pub fn stop(&self, number: u32) -> u64 {
+        self.numbers().format().order(Command::Stop, number)
+    }
+
+    /// The only word of the packet of a soft reset: it is answered by a report with reason [`Reset`](crate::params::engine::Reason)
+    /// and this number, and nothing that was sent before it has another answer.
+    pub fn reset(&self, number: u32) -> u64 {
+        self.numbers().format().order(Command::Reset, number)
     }
 
     /// Sends the packets of jobs to an engine and finishes them.

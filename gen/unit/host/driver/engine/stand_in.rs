@@ -5,7 +5,7 @@ use super::{Engine, EngineError, Objects};
 use crate::golden::engine::{Model, Query, Side};
 use crate::host::engine::TRIANGLES_AT;
 use crate::params::ParamError;
-use crate::params::engine::{Answer, Command, EngineFormat, EngineReport, Memory, Reason};
+use crate::params::engine::{Answer, Command, EngineFormat, EngineReport, Memory, QueryFlags, Reason};
 use crate::params::stream::{Kind, StreamWidth};
 use rayon::prelude::*;
 
@@ -52,7 +52,7 @@ impl StandIn {
         &mut self.memory
     }
 
-    /// The words of the answer to a packet; a stop has none, and nothing to end.
+    /// The words of the answer to a packet; a stop has none, and nothing to end. A soft reset finds nothing to forget but the pose.
     pub fn packet(&mut self, words: &[u64]) -> Vec<u64> {
         match self.block_ram {
             _ if for_unit(words) => {
@@ -69,8 +69,11 @@ impl StandIn {
         }
     }
 
-    /// The unit keeps the pose of a query.
+    /// The unit keeps the pose of a query; a soft reset takes it away.
     fn pose_of(&mut self, words: &[u64]) {
+        if self.orders(words, Command::Reset) && words.len() == 1 {
+            self.unit.reset();
+        }
         if let Ok(query) = Query::of(words, self.model.format()) {
             self.unit.set_pose(query.pose);
         }
@@ -79,8 +82,14 @@ impl StandIn {
     /// The same for a packet that is no load and not for the unit alone.
     fn read_only(&self, words: &[u64]) -> Vec<u64> {
         match self.block_ram {
-            _ if self.begins(words, Command::Stop) && words.len() == 1 => vec![],
-            _ if self.begins(words, Command::Stop) => report(Reason::TooLong),
+            _ if self.orders(words, Command::Stop) && words.len() == 1 => vec![],
+            _ if self.orders(words, Command::Reset) && words.len() == 1 => {
+                let number = (words[0] >> QueryFlags::NUMBER_AT) as u32;
+                EngineReport { reason: Reason::Reset, number, ..EngineReport::default() }.words().to_vec()
+            }
+            _ if [Command::Stop, Command::Reset].iter().any(|&order| self.orders(words, order)) => {
+                report(Reason::TooLong)
+            }
             Some(lines) if self.begins(words, Command::Query) => match self.placed(words, lines) {
                 Ok(words) => self.query(&words),
                 Err(answer) => answer,
@@ -91,6 +100,10 @@ impl StandIn {
 
     fn begins(&self, words: &[u64], command: Command) -> bool {
         words.first() == Some(&self.model.format().header(command))
+    }
+
+    fn orders(&self, words: &[u64], command: Command) -> bool {
+        words.first().is_some_and(|&word| self.model.format().is_order(command, word))
     }
 
     fn query(&self, words: &[u64]) -> Vec<u64> {
