@@ -754,8 +754,10 @@ fn a_testbench_says_one_line_and_fails_after_a_mismatch() {
         let simulate = |bench: &str, vectors: &str| {
             run(dir, ghdl, &["-e", "--std=93", bench]);
             let vectors = format!("-gvectors={vectors}");
-            let uart = bench == "efsat_uart_tb";
-            let arguments = [&["-r", "--std=93", bench][..], if uart { &[] } else { &[&vectors] }].concat();
+            let mut arguments = vec!["-r", "--std=93", bench];
+            if bench != "efsat_uart_tb" {
+                arguments.push(&vectors);
+            }
             let output = Command::new(ghdl).args(arguments).current_dir(dir).output().unwrap();
             let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
             (output.status.success(), text)

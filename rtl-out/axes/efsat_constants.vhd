@@ -13,7 +13,7 @@ package efsat_constants is
   constant tag_bits : natural := 16;  -- bits of the tag of a pair
   constant flag_bits : natural := 11;  -- flags of each kind, one for each axis
   constant clocks_per_pair : natural := 11;  -- clocks from pair to pair, the initiation interval
-  constant latency : natural := 60;  -- clocks from a pair taken to its verdict
+  constant latency : natural := 62;  -- clocks from a pair taken to its verdict
   constant clock_mhz : natural := 100;  -- the target clock in MHz
 
   -- Verdicts: out_verdict, and the low bits of an answer.
@@ -42,6 +42,7 @@ package efsat_constants is
   -- Bits of an answer.
   constant answer_verdict_low : natural := 0;  -- verdict, two bits
   constant answer_reason_low : natural := 2;  -- of a report: its reason, two bits
+  constant answer_outside : natural := 4;  -- a number is outside its declared range
   constant answer_malformed : natural := 7;  -- of a report: the packet was malformed
   constant answer_tag_low : natural := 8;  -- tag of the pair
   constant answer_separated_low : natural := 24;  -- out_separated

@@ -26,18 +26,19 @@ entity efsat_stream_tb is
 end entity efsat_stream_tb;
 
 architecture simulation of efsat_stream_tb is
-  constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11 tag 16 stream 64 to 64";
-  constant patience : natural := 4336;  -- clocks without a transfer before giving up
-  constant full_after : natural := 150;  -- clocks of refusal after which the unit is full
+  constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11 guard tag 16 stream 64 to 64";
+  constant patience : natural := 4344;  -- clocks without a transfer before giving up
+  constant full_after : natural := 152;  -- clocks of refusal after which the unit is full
   constant begun : natural := 21;  -- words before the reset between passes: a pair in the unit, one that waits
 
   signal clk : std_logic := '0';
   signal done : boolean := false;
   signal aresetn : std_logic := '0';
-  signal s_tdata : std_logic_vector(63 downto 0) := (others => '0');
-  signal s_tkeep : std_logic_vector(7 downto 0) := (others => '1');
+  -- Without TVALID nobody may look at the others.
+  signal s_tdata : std_logic_vector(63 downto 0) := (others => 'X');
+  signal s_tkeep : std_logic_vector(7 downto 0) := (others => 'X');
   signal s_tvalid : std_logic := '0';
-  signal s_tlast : std_logic := '0';
+  signal s_tlast : std_logic := 'X';
   signal s_tready : std_logic;
   signal m_tdata : std_logic_vector(63 downto 0);
   signal m_tkeep : std_logic_vector(7 downto 0);
@@ -188,6 +189,14 @@ begin
       find_line(wanted, 'O', answer_line, more_answers);
     end procedure rewind;
 
+    procedure no_word is
+    begin
+      s_tvalid <= '0';
+      s_tdata <= (others => 'X');
+      s_tkeep <= (others => 'X');
+      s_tlast <= 'X';
+    end procedure no_word;
+
     procedure next_word is
     begin
       read_word(word_line, word);
@@ -211,7 +220,7 @@ begin
         next_word;
         wait until rising_edge(clk) and s_tready = '1' for patience * 5000 ps;
       end loop;
-      s_tvalid <= '0';
+      no_word;
       aresetn <= '0';
       wait until rising_edge(clk);
       for i in 1 to 4 loop
@@ -297,7 +306,7 @@ begin
           if first_word < 0 then
             first_word := clock;
           end if;
-          s_tvalid <= '0';
+          no_word;
           if s_tlast = '1' then
             packets_in := packets_in + 1;
           end if;
@@ -356,7 +365,7 @@ begin
     write(message, string'(" total "));
     write(message, clock);
     writeline(output, message);
-    assert mismatches = 0 report "efsat_stream_tb: the wrapper and the reference model differ" severity error;
+    assert mismatches = 0 report "efsat_stream_tb: the wrapper and the reference model differ" severity failure;
     done <= true;
     wait;
   end process main;

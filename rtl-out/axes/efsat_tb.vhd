@@ -20,15 +20,15 @@ entity efsat_tb is
 end entity efsat_tb;
 
 architecture simulation of efsat_tb is
-  constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11";
+  constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11 guard";
   constant paced : natural := 96;  -- pairs of the second pass
-  constant patience : natural := 4336;  -- clocks without an answer before giving up
+  constant patience : natural := 4344;  -- clocks without an answer before giving up
   constant in_flight : natural := 4096;  -- answers awaited at most
-  constant full_after : natural := 86;  -- clocks of refusal after which the unit is full
+  constant full_after : natural := 88;  -- clocks of refusal after which the unit is full
 
   subtype pair_word is std_logic_vector(575 downto 0);
   subtype pose_word is std_logic_vector(384 downto 0);
-  subtype answer_word is std_logic_vector(23 downto 0);
+  subtype answer_word is std_logic_vector(24 downto 0);
   type pair_list is array (0 to in_flight - 1) of pair_word;
   type answer_list is array (0 to in_flight - 1) of answer_word;
 
@@ -145,7 +145,8 @@ begin
       out_tag => out_tag,
       out_verdict => answer(1 downto 0),
       out_separated => answer(12 downto 2),
-      out_overlapping => answer(23 downto 13)
+      out_overlapping => answer(23 downto 13),
+      out_outside => answer(24)
     );
 
   main : process
@@ -326,9 +327,9 @@ begin
     write(message, string'(" total "));
     write(message, clock);
     writeline(output, message);
-    assert mismatches = 0 report "efsat_tb: the unit and the reference model differ" severity error;
-    assert interval = 0 or interval = 11 report "efsat_tb: initiation interval is not 11" severity error;
-    assert latency = 60 report "efsat_tb: latency is not 60" severity error;
+    assert mismatches = 0 report "efsat_tb: the unit and the reference model differ" severity failure;
+    assert interval = 0 or interval = 11 report "efsat_tb: initiation interval is not 11" severity failure;
+    assert latency = 62 report "efsat_tb: latency is not 62" severity failure;
     done <= true;
     wait;
   end process main;

@@ -47,6 +47,7 @@ package efsat_types is
     lo : signed(31 downto 0);
     hi : signed(31 downto 0);
   end record interval_32_t;
+  constant zero_interval_32 : interval_32_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_33_t is record
     lo : signed(32 downto 0);
     hi : signed(32 downto 0);
@@ -71,6 +72,8 @@ package efsat_types is
     hi : signed(38 downto 0);
   end record interval_39_t;
   constant zero_interval_39 : interval_39_t := (lo => (others => '0'), hi => (others => '0'));
+  type signed_32_x3_t is array (0 to 2) of signed(31 downto 0);
+  constant zero_signed_32_x3 : signed_32_x3_t := (others => (others => '0'));
   type unsigned_2_vector_t is array (0 to 2) of unsigned(1 downto 0);
   constant zero_unsigned_2_vector : unsigned_2_vector_t := (others => (others => '0'));
   type unsigned_4_vector_t is array (0 to 2) of unsigned(3 downto 0);
@@ -111,6 +114,7 @@ package efsat_types is
   type interval_25_vector_t is array (0 to 2) of interval_25_t;
   constant zero_interval_25_vector : interval_25_vector_t := (others => zero_interval_25);
   type interval_32_vector_t is array (0 to 2) of interval_32_t;
+  constant zero_interval_32_vector : interval_32_vector_t := (others => zero_interval_32);
   type interval_33_vector_t is array (0 to 2) of interval_33_t;
   constant zero_interval_33_vector : interval_33_vector_t := (others => zero_interval_33);
   type interval_36_vector_t is array (0 to 2) of interval_36_t;
@@ -127,6 +131,11 @@ package efsat_types is
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
 
+  -- x, to be compared or to be an index. In simulation it can have no value yet as long as time is 0, before the registers
+  -- have reached what is behind them; it is zero then. Later that is worth a warning.
+  impure function known(x : signed) return signed;
+  impure function known(x : unsigned) return unsigned;
+
   -- Whether x < y, two numbers of one length: the sign of the difference.
   function less(x, y : signed) return std_logic;
 
@@ -134,9 +143,6 @@ package efsat_types is
   function choose(condition : std_logic; if_set, if_clear : std_logic) return std_logic;
   function choose(condition : std_logic; if_set, if_clear : signed) return signed;
   function choose(condition : std_logic; if_set, if_clear : unsigned) return unsigned;
-
-  -- A flag as a number, 0 or 1.
-  function to_signed(set : std_logic; bits : positive) return signed;
   function to_unsigned(set : std_logic; bits : positive) return unsigned;
 
   -- -x where the flag is set, else x: complement and carry, one look-up table per bit.
@@ -162,6 +168,28 @@ package body efsat_types is
       return '0';
     end if;
   end function flag;
+
+  impure function known(x : signed) return signed is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison" severity warning;
+      return to_signed(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
+
+  impure function known(x : unsigned) return unsigned is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison or an index" severity warning;
+      return to_unsigned(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
 
   function less(x, y : signed) return std_logic is
     variable difference : signed(x'length downto 0);
@@ -196,13 +224,6 @@ package body efsat_types is
       return if_clear;
     end if;
   end function choose;
-
-  function to_signed(set : std_logic; bits : positive) return signed is
-    variable number : signed(bits - 1 downto 0) := (others => '0');
-  begin
-    number(0) := set;
-    return number;
-  end function to_signed;
 
   function to_unsigned(set : std_logic; bits : positive) return unsigned is
     variable number : unsigned(bits - 1 downto 0) := (others => '0');

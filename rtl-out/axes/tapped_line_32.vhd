@@ -28,7 +28,7 @@ begin
       tapped_line <= x & tapped_line(0 to 14);
     end if;
   end process shift_tapped;
-  tapped <= tapped_line(to_integer(tap));
+  tapped <= tapped_line(to_integer(known(tap)));
 
   -- Outputs
   y <= tapped;

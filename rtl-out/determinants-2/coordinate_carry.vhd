@@ -17,9 +17,9 @@ end entity coordinate_carry;
 architecture rtl of coordinate_carry is
 begin
   -- Clock 0
-  carried <= or_reduce((flag(cut(4) = to_signed(-262144, 19)) or flag(cut(4) = 262143)) &
-      (flag(cut(3) = to_signed(-262144, 19)) or flag(cut(3) = 262143)) &
-      (flag(cut(2) = to_signed(-262144, 19)) or flag(cut(2) = 262143)) &
-      (flag(cut(1) = to_signed(-262144, 19)) or flag(cut(1) = 262143)) &
-      (flag(cut(0) = to_signed(-262144, 19)) or flag(cut(0) = 262143)));
+  carried <= or_reduce((flag(known(cut(4)) = to_signed(-262144, 19)) or flag(known(cut(4)) = 262143)) &
+      (flag(known(cut(3)) = to_signed(-262144, 19)) or flag(known(cut(3)) = 262143)) &
+      (flag(known(cut(2)) = to_signed(-262144, 19)) or flag(known(cut(2)) = 262143)) &
+      (flag(known(cut(1)) = to_signed(-262144, 19)) or flag(known(cut(1)) = 262143)) &
+      (flag(known(cut(0)) = to_signed(-262144, 19)) or flag(known(cut(0)) = 262143)));
 end architecture rtl;

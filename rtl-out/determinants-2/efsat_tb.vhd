@@ -20,15 +20,15 @@ entity efsat_tb is
 end entity efsat_tb;
 
 architecture simulation of efsat_tb is
-  constant formats : string := "efsat vectors 1: determinants input s4.28 transform on width 18 span 1 levels 6 bound moments boxes on";
+  constant formats : string := "efsat vectors 1: determinants input s4.28 transform on width 18 span 1 levels 6 bound moments boxes on guard";
   constant paced : natural := 96;  -- pairs of the second pass
-  constant patience : natural := 4244;  -- clocks without an answer before giving up
+  constant patience : natural := 4252;  -- clocks without an answer before giving up
   constant in_flight : natural := 4096;  -- answers awaited at most
-  constant full_after : natural := 45;  -- clocks of refusal after which the unit is full
+  constant full_after : natural := 47;  -- clocks of refusal after which the unit is full
 
   subtype pair_word is std_logic_vector(575 downto 0);
   subtype pose_word is std_logic_vector(384 downto 0);
-  subtype answer_word is std_logic_vector(19 downto 0);
+  subtype answer_word is std_logic_vector(20 downto 0);
   type pair_list is array (0 to in_flight - 1) of pair_word;
   type answer_list is array (0 to in_flight - 1) of answer_word;
 
@@ -145,7 +145,8 @@ begin
       out_tag => out_tag,
       out_verdict => answer(1 downto 0),
       out_separated => answer(10 downto 2),
-      out_overlapping => answer(19 downto 11)
+      out_overlapping => answer(19 downto 11),
+      out_outside => answer(20)
     );
 
   main : process
@@ -326,9 +327,9 @@ begin
     write(message, string'(" total "));
     write(message, clock);
     writeline(output, message);
-    assert mismatches = 0 report "efsat_tb: the unit and the reference model differ" severity error;
-    assert interval = 0 or interval = 2 report "efsat_tb: initiation interval is not 2" severity error;
-    assert latency = 37 report "efsat_tb: latency is not 37" severity error;
+    assert mismatches = 0 report "efsat_tb: the unit and the reference model differ" severity failure;
+    assert interval = 0 or interval = 2 report "efsat_tb: initiation interval is not 2" severity failure;
+    assert latency = 39 report "efsat_tb: latency is not 39" severity failure;
     done <= true;
     wait;
   end process main;

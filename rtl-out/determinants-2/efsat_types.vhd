@@ -37,6 +37,8 @@ package efsat_types is
   constant zero_signed_18_x3 : signed_18_x3_t := (others => (others => '0'));
   type signed_19_x3_t is array (0 to 2) of signed(18 downto 0);
   type signed_30_x3_t is array (0 to 2) of signed(29 downto 0);
+  type signed_32_x3_t is array (0 to 2) of signed(31 downto 0);
+  constant zero_signed_32_x3 : signed_32_x3_t := (others => (others => '0'));
   type signed_38_x3_t is array (0 to 2) of signed(37 downto 0);
   constant zero_signed_38_x3 : signed_38_x3_t := (others => (others => '0'));
   type signed_39_x3_t is array (0 to 2) of signed(38 downto 0);
@@ -50,7 +52,6 @@ package efsat_types is
   constant zero_unsigned_28_x4 : unsigned_28_x4_t := (others => (others => '0'));
   type signed_19_x4_t is array (0 to 3) of signed(18 downto 0);
   type signed_32_x4_t is array (0 to 3) of signed(31 downto 0);
-  constant zero_signed_32_x4 : signed_32_x4_t := (others => (others => '0'));
   type unsigned_21_x5_t is array (0 to 4) of unsigned(20 downto 0);
   type unsigned_22_x5_t is array (0 to 4) of unsigned(21 downto 0);
   constant zero_unsigned_22_x5 : unsigned_22_x5_t := (others => (others => '0'));
@@ -58,6 +59,7 @@ package efsat_types is
   type unsigned_31_x5_t is array (0 to 4) of unsigned(30 downto 0);
   type signed_19_x5_t is array (0 to 4) of signed(18 downto 0);
   type signed_32_x5_t is array (0 to 4) of signed(31 downto 0);
+  constant zero_signed_32_x5 : signed_32_x5_t := (others => (others => '0'));
   type signed_33_x5_t is array (0 to 4) of signed(32 downto 0);
   type signed_34_x5_t is array (0 to 4) of signed(33 downto 0);
   type signed_38_x5_t is array (0 to 4) of signed(37 downto 0);
@@ -110,6 +112,8 @@ package efsat_types is
   type signed_32_vector_x3_t is array (0 to 2) of signed_32_vector_t;
   constant zero_signed_32_vector_x3 : signed_32_vector_x3_t := (others => zero_signed_32_vector);
   type signed_33_vector_x3_t is array (0 to 2) of signed_33_vector_t;
+  type signed_32_vector_x4_t is array (0 to 3) of signed_32_vector_t;
+  constant zero_signed_32_vector_x4 : signed_32_vector_x4_t := (others => zero_signed_32_vector);
   type signed_18_vector_x5_t is array (0 to 4) of signed_18_vector_t;
   type signed_19_vector_x5_t is array (0 to 4) of signed_19_vector_t;
   constant zero_signed_19_vector_x5 : signed_19_vector_x5_t := (others => zero_signed_19_vector);
@@ -125,6 +129,11 @@ package efsat_types is
 
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
+
+  -- x, to be compared or to be an index. In simulation it can have no value yet as long as time is 0, before the registers
+  -- have reached what is behind them; it is zero then. Later that is worth a warning.
+  impure function known(x : signed) return signed;
+  impure function known(x : unsigned) return unsigned;
 
   -- Whether x < y, two numbers of one length: the sign of the difference.
   function less(x, y : signed) return std_logic;
@@ -157,6 +166,28 @@ package body efsat_types is
       return '0';
     end if;
   end function flag;
+
+  impure function known(x : signed) return signed is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison" severity warning;
+      return to_signed(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
+
+  impure function known(x : unsigned) return unsigned is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison or an index" severity warning;
+      return to_unsigned(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
 
   function less(x, y : signed) return std_logic is
     variable difference : signed(x'length downto 0);

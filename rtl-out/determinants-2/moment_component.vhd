@@ -66,6 +66,6 @@ begin
       cut <= cut_d1;
     end if;
   end process clock_3;
-  too_great <= not (flag(high_0_d1 = too_great_or_equal_first_constant) or
-      flag(high_0_d1 = too_great_or_equal_second_constant));
+  too_great <= not (flag(known(high_0_d1) = known(too_great_or_equal_first_constant)) or
+      flag(known(high_0_d1) = known(too_great_or_equal_second_constant)));
 end architecture rtl;

@@ -2,7 +2,7 @@
 -- The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with
 -- bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is
 -- named after what it is; later copies end in _h<clocks>.
--- Latency: 33 clocks.
+-- Latency: 35 clocks.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -13,13 +13,14 @@ entity pair_pipeline is
   port (
     clk         : in  std_logic;
     phase       : in  std_logic;  -- phase of the slot: 0 in the first clock of the inputs
-    holds       : in  std_logic_vector(16 downto 0);  -- whether the slot k slots ago holds a pair
-    in_v        : in  signed_32_vector_x3_t;  -- |.| <= 268435456
-    in_w        : in  signed_32_vector_x3_t;  -- |.| <= 268435456
-    pose_m      : in  signed_32_vector_x3_t;  -- |.| <= 268435456
-    pose_t      : in  signed_32_vector_t;  -- s4.28; |.| <= 1073741816
+    holds       : in  std_logic_vector(17 downto 0);  -- whether the slot k slots ago holds a pair
+    in_v        : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 2147483648
+    in_w        : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 2147483648
+    pose_m      : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 2147483648
+    pose_t      : in  signed_32_vector_t;  -- s4.28; |.| <= 2147483648
     pose_bypass : in  std_logic;
     verdict     : out unsigned(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
+    outside     : out std_logic := '0';
     separated   : out std_logic_vector(8 downto 0);
     overlapping : out std_logic_vector(8 downto 0)
   );
@@ -30,53 +31,85 @@ architecture rtl of pair_pipeline is
   constant axis_level_1_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
   constant axis_level_2_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
   constant boxes_wrong_table : numbers_t(0 to 7) := (1, 1, 2, 3, 5, 9, 17, others => 0);
+  signal in_v0_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_v0_outside : std_logic_vector(2 downto 0);
+  signal in_v1_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_v1_outside : std_logic_vector(2 downto 0);
+  signal in_v2_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_v2_outside : std_logic_vector(2 downto 0);
+  signal in_w0_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_w0_outside : std_logic_vector(2 downto 0);
+  signal in_w1_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_w1_outside : std_logic_vector(2 downto 0);
+  signal in_w2_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_w2_outside : std_logic_vector(2 downto 0);
   signal difference_v1 : signed_33_vector_t;  -- |.| <= 536870912
   signal difference_v2 : signed_33_vector_t;  -- |.| <= 536870912
-  signal moved : signed_33_vector_t;  -- |.| <= 1342177272; t - V0, or - V0 with the bypass
-  signal row_w : signed_32_vector_x3_t;  -- |.| <= 268435456
-  signal row_m0_select_at_0 : std_logic := '0';
   signal in_phase_1 : std_logic;
   signal in_flight : std_logic;  -- a pair is in the data path, or may be in the next clock
   signal strobe : std_logic_vector(1 downto 0) := (others => '0');  -- one flag per phase
-  signal moved_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
-  signal moved_h4 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
-  signal in_w_h2 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- |.| <= 268435456
-  signal in_w_h4 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- |.| <= 268435456
+  signal pose_t_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_t_inside : signed_32_x3_t;  -- |.| <= 1073741816
+  signal pose_t_outside : std_logic_vector(2 downto 0);
+  signal moved : signed_33_vector_t;  -- |.| <= 1342177272; t - V0, or - V0 with the bypass
+  signal pose_m0_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m0_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal pose_m0_outside : std_logic_vector(2 downto 0);
+  signal pose_m1_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m1_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal pose_m1_outside : std_logic_vector(2 downto 0);
+  signal pose_m2_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m2_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal pose_m2_outside : std_logic_vector(2 downto 0);
+  signal in_w1_inside_h2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal row_w : signed_32_vector_x4_t;  -- |.| <= 268435456
+  signal row_m0_select_at_0 : std_logic := '0';
+  signal moved_h1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal moved_h3 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal moved_h5 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal in_w0_inside_h2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w0_inside_h4 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w0_inside_h6 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w1_inside_h4 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w1_inside_h6 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal row_same : signed_32_x4_t;  -- |.| <= 268435456
-  signal pose_m_d1 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- |.| <= 268435456
-  signal row_w_d1 : signed_32_vector_x3_t := zero_signed_32_vector_x3;  -- |.| <= 268435456
+  signal row_m0_select_at_1 : std_logic := '0';
+  signal pose_m0_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal row_w_d1 : signed_32_vector_x4_t := zero_signed_32_vector_x4;  -- |.| <= 268435456
   signal row_turned : signed_32_x5_t;  -- |.| <= 805306372
   signal pose_bypass_h2 : std_logic := '0';
   signal pose_bypass_h4 : std_logic := '0';
-  signal pose_bypass_h4_d1 : std_logic := '0';
-  signal row_same_d1 : signed_32_x4_t := zero_signed_32_x4;  -- |.| <= 268435456
-  signal row0_choice_d1 : signed(31 downto 0) := (others => '0');  -- |.| <= 805306372
-  signal row1_choice_d1 : signed(31 downto 0) := (others => '0');  -- |.| <= 805306372
-  signal row2_choice_d1 : signed(31 downto 0) := (others => '0');  -- |.| <= 805306372
-  signal row3_choice_d1 : signed(31 downto 0) := (others => '0');  -- |.| <= 805306372
-  signal row4_choice_d1 : signed(31 downto 0) := (others => '0');  -- |.| <= 805306372
-  signal moved_h4_d1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
-  signal moved_h4_d2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
+  signal pose_bypass_h6 : std_logic := '0';
+  signal pose_bypass_h7 : std_logic := '0';
+  signal row_choice_d1 : signed_32_x5_t := zero_signed_32_x5;  -- |.| <= 805306372
+  signal moved_h5_d1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 1342177272
   signal row : signed_34_x5_t;  -- |.| <= 2147483644
   signal difference : signed_34_x9_t := zero_signed_34_x9;  -- |.| <= 2147483644
+  signal pose_m1_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal pose_m2_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal row_m3 : signed_32_vector_t;  -- |.| <= 268435456
+  signal in_w2_inside_h2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal row_moved3 : signed(32 downto 0);  -- |.| <= 1342177272
+  signal in_w2_inside_h4 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w2_inside_h6 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal row_m3_d1 : signed_32_vector_t := zero_signed_32_vector;  -- |.| <= 268435456
-  signal in_w2_d1 : signed_32_vector_t := zero_signed_32_vector;  -- |.| <= 268435456
   signal row_moved3_d1 : signed(32 downto 0) := (others => '0');  -- |.| <= 1342177272
-  signal row_moved3_d2 : signed(32 downto 0) := (others => '0');  -- |.| <= 1342177272
+  signal in_w2_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal difference_w0 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w1 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w2 : signed_33_vector_t;  -- |.| <= 2147483644
-  signal difference4_h2 : signed(33 downto 0) := (others => '0');  -- |.| <= 2147483644
+  signal outside_flags : unsigned(29 downto 0);
+  signal outside_i : std_logic;  -- a number of the pair or its pose is outside its declared range
   signal difference_v1_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal difference_v1_h4 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal difference_v1_h6 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal difference_v1_h8 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v1_h9 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal difference_v2_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal difference_v2_h4 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal difference_v2_h6 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal difference_v2_h8 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
+  signal difference_v2_h9 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal shift : flag_x4_vector_t;
   signal difference_v1_h10 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal difference_w1_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
@@ -88,6 +121,7 @@ architecture rtl of pair_pipeline is
   signal difference_v2_h10 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 536870912
   signal difference_w2_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
   signal difference_w2_x_h4 : signed(32 downto 0) := (others => '0');  -- |.| <= 2147483644
+  signal difference_w2_z_h4 : signed(32 downto 0) := (others => '0');  -- |.| <= 2147483644
   signal difference_w0_h2 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
   signal difference_w0_h2_d1 : signed_33_vector_t := zero_signed_33_vector;  -- |.| <= 2147483644
   signal carried : std_logic_vector(2 downto 0);
@@ -152,7 +186,6 @@ architecture rtl of pair_pipeline is
   signal coordinate_w0_h8 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
   signal moment_m1_h2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
   signal dot_m : signed_18_vector_t;  -- |.| <= 131072
-  signal row_m0_select_at_1 : std_logic := '0';
   signal coordinate_w0_h8_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
   signal coordinate_w0_h8_d2 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
   signal dot_m_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131072
@@ -404,7 +437,7 @@ architecture rtl of pair_pipeline is
   signal coordinate_w0_y_h4_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 131071
   signal coordinate_w1_y_h4_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 131071
   signal coordinate_w2_y_h4_d1 : signed(17 downto 0) := (others => '0');  -- |.| <= 131071
-  signal separated_i : std_logic_vector(8 downto 0);
+  signal boxes_apart : std_logic;
   signal compared3_sign0_h2 : std_logic := '0';
   signal compared3_sign1_h2 : std_logic := '0';
   signal compared4_sign0_h1 : std_logic := '0';
@@ -415,7 +448,18 @@ architecture rtl of pair_pipeline is
   signal compared7_sign1_h1 : std_logic := '0';
   signal compared8_sign0_h1 : std_logic := '0';
   signal compared8_sign1_h1 : std_logic := '0';
-  signal overlapping_i : std_logic_vector(8 downto 0);
+  signal separated3_result : std_logic;
+  signal separated4_result : std_logic;
+  signal separated5_result : std_logic;
+  signal separated6_result : std_logic;
+  signal separated7_result : std_logic;
+  signal separated8_result : std_logic;
+  signal overlapping3_result : std_logic;
+  signal overlapping4_result : std_logic;
+  signal overlapping5_result : std_logic;
+  signal overlapping6_result : std_logic;
+  signal overlapping7_result : std_logic;
+  signal overlapping8_result : std_logic;
   signal compared5_sign0_h1 : std_logic := '0';
   signal compared5_sign1_h1 : std_logic := '0';
   signal compared9_sign0_h1 : std_logic := '0';
@@ -448,6 +492,167 @@ architecture rtl of pair_pipeline is
   signal compared2_sign0_h3 : std_logic := '0';
   signal compared2_sign1_h2 : std_logic := '0';
   signal compared2_sign1_h3 : std_logic := '0';
+  signal overlapping0_constant : std_logic;
+  signal overlapping1_constant : std_logic;
+  signal overlapping2_constant : std_logic;
+  signal separated_not_h1 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h3 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h5 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h7 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h9 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h11 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h13 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h15 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h17 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h19 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h21 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated_not_h23 : std_logic_vector(8 downto 0) := (others => '0');
+  signal separated0_not_h24 : std_logic := '0';
+  signal separated_i : std_logic_vector(8 downto 0);
+  signal separated1_or_h1 : std_logic := '0';
+  signal separated2_or_h1 : std_logic := '0';
+  signal separated1_not_h25 : std_logic := '0';
+  signal separated2_not_h25 : std_logic := '0';
+  signal separated3_not_h25 : std_logic := '0';
+  signal separated4_not_h25 : std_logic := '0';
+  signal separated5_not_h25 : std_logic := '0';
+  signal separated6_not_h25 : std_logic := '0';
+  signal separated7_not_h25 : std_logic := '0';
+  signal separated8_not_h25 : std_logic := '0';
+  signal separated1_not_h27 : std_logic := '0';
+  signal separated2_not_h27 : std_logic := '0';
+  signal separated3_not_h27 : std_logic := '0';
+  signal separated4_not_h27 : std_logic := '0';
+  signal separated5_not_h27 : std_logic := '0';
+  signal separated6_not_h27 : std_logic := '0';
+  signal separated7_not_h27 : std_logic := '0';
+  signal separated8_not_h27 : std_logic := '0';
+  signal separated1_not_h29 : std_logic := '0';
+  signal separated2_not_h29 : std_logic := '0';
+  signal separated3_not_h29 : std_logic := '0';
+  signal separated4_not_h29 : std_logic := '0';
+  signal separated5_not_h29 : std_logic := '0';
+  signal separated6_not_h29 : std_logic := '0';
+  signal separated7_not_h29 : std_logic := '0';
+  signal separated8_not_h29 : std_logic := '0';
+  signal separated1_not_h30 : std_logic := '0';
+  signal separated2_not_h31 : std_logic := '0';
+  signal separated3_not_h31 : std_logic := '0';
+  signal separated4_not_h31 : std_logic := '0';
+  signal separated5_not_h31 : std_logic := '0';
+  signal separated6_not_h31 : std_logic := '0';
+  signal separated7_not_h31 : std_logic := '0';
+  signal separated8_not_h31 : std_logic := '0';
+  signal separated2_not_h32 : std_logic := '0';
+  signal separated3_not_h32 : std_logic := '0';
+  signal separated4_not_h32 : std_logic := '0';
+  signal separated5_not_h32 : std_logic := '0';
+  signal separated6_not_h32 : std_logic := '0';
+  signal separated7_not_h32 : std_logic := '0';
+  signal separated8_not_h32 : std_logic := '0';
+  signal overlapping_i : std_logic_vector(8 downto 0);
+  signal overlapping3_not_h1 : std_logic := '0';
+  signal overlapping4_not_h1 : std_logic := '0';
+  signal overlapping5_not_h1 : std_logic := '0';
+  signal overlapping6_not_h1 : std_logic := '0';
+  signal overlapping7_not_h1 : std_logic := '0';
+  signal overlapping8_not_h1 : std_logic := '0';
+  signal overlapping3_not_h3 : std_logic := '0';
+  signal overlapping4_not_h3 : std_logic := '0';
+  signal overlapping5_not_h3 : std_logic := '0';
+  signal overlapping6_not_h3 : std_logic := '0';
+  signal overlapping7_not_h3 : std_logic := '0';
+  signal overlapping8_not_h3 : std_logic := '0';
+  signal overlapping3_not_h5 : std_logic := '0';
+  signal overlapping4_not_h5 : std_logic := '0';
+  signal overlapping5_not_h5 : std_logic := '0';
+  signal overlapping6_not_h5 : std_logic := '0';
+  signal overlapping7_not_h5 : std_logic := '0';
+  signal overlapping8_not_h5 : std_logic := '0';
+  signal overlapping3_not_h7 : std_logic := '0';
+  signal overlapping4_not_h7 : std_logic := '0';
+  signal overlapping5_not_h7 : std_logic := '0';
+  signal overlapping6_not_h7 : std_logic := '0';
+  signal overlapping7_not_h7 : std_logic := '0';
+  signal overlapping8_not_h7 : std_logic := '0';
+  signal overlapping3_not_h9 : std_logic := '0';
+  signal overlapping4_not_h9 : std_logic := '0';
+  signal overlapping5_not_h9 : std_logic := '0';
+  signal overlapping6_not_h9 : std_logic := '0';
+  signal overlapping7_not_h9 : std_logic := '0';
+  signal overlapping8_not_h9 : std_logic := '0';
+  signal overlapping3_not_h11 : std_logic := '0';
+  signal overlapping4_not_h11 : std_logic := '0';
+  signal overlapping5_not_h11 : std_logic := '0';
+  signal overlapping6_not_h11 : std_logic := '0';
+  signal overlapping7_not_h11 : std_logic := '0';
+  signal overlapping8_not_h11 : std_logic := '0';
+  signal overlapping3_not_h13 : std_logic := '0';
+  signal overlapping4_not_h13 : std_logic := '0';
+  signal overlapping5_not_h13 : std_logic := '0';
+  signal overlapping6_not_h13 : std_logic := '0';
+  signal overlapping7_not_h13 : std_logic := '0';
+  signal overlapping8_not_h13 : std_logic := '0';
+  signal overlapping3_not_h15 : std_logic := '0';
+  signal overlapping4_not_h15 : std_logic := '0';
+  signal overlapping5_not_h15 : std_logic := '0';
+  signal overlapping6_not_h15 : std_logic := '0';
+  signal overlapping7_not_h15 : std_logic := '0';
+  signal overlapping8_not_h15 : std_logic := '0';
+  signal overlapping3_not_h17 : std_logic := '0';
+  signal overlapping4_not_h17 : std_logic := '0';
+  signal overlapping5_not_h17 : std_logic := '0';
+  signal overlapping6_not_h17 : std_logic := '0';
+  signal overlapping7_not_h17 : std_logic := '0';
+  signal overlapping8_not_h17 : std_logic := '0';
+  signal overlapping3_not_h19 : std_logic := '0';
+  signal overlapping4_not_h19 : std_logic := '0';
+  signal overlapping5_not_h19 : std_logic := '0';
+  signal overlapping6_not_h19 : std_logic := '0';
+  signal overlapping7_not_h19 : std_logic := '0';
+  signal overlapping8_not_h19 : std_logic := '0';
+  signal overlapping3_not_h21 : std_logic := '0';
+  signal overlapping4_not_h21 : std_logic := '0';
+  signal overlapping5_not_h21 : std_logic := '0';
+  signal overlapping6_not_h21 : std_logic := '0';
+  signal overlapping7_not_h21 : std_logic := '0';
+  signal overlapping8_not_h21 : std_logic := '0';
+  signal overlapping3_not_h23 : std_logic := '0';
+  signal overlapping4_not_h23 : std_logic := '0';
+  signal overlapping5_not_h23 : std_logic := '0';
+  signal overlapping6_not_h23 : std_logic := '0';
+  signal overlapping7_not_h23 : std_logic := '0';
+  signal overlapping8_not_h23 : std_logic := '0';
+  signal overlapping3_not_h25 : std_logic := '0';
+  signal overlapping4_not_h25 : std_logic := '0';
+  signal overlapping5_not_h25 : std_logic := '0';
+  signal overlapping6_not_h25 : std_logic := '0';
+  signal overlapping7_not_h25 : std_logic := '0';
+  signal overlapping8_not_h25 : std_logic := '0';
+  signal overlapping3_not_h27 : std_logic := '0';
+  signal overlapping4_not_h27 : std_logic := '0';
+  signal overlapping5_not_h27 : std_logic := '0';
+  signal overlapping6_not_h27 : std_logic := '0';
+  signal overlapping7_not_h27 : std_logic := '0';
+  signal overlapping8_not_h27 : std_logic := '0';
+  signal overlapping3_not_h29 : std_logic := '0';
+  signal overlapping4_not_h29 : std_logic := '0';
+  signal overlapping5_not_h29 : std_logic := '0';
+  signal overlapping6_not_h29 : std_logic := '0';
+  signal overlapping7_not_h29 : std_logic := '0';
+  signal overlapping8_not_h29 : std_logic := '0';
+  signal overlapping3_not_h31 : std_logic := '0';
+  signal overlapping4_not_h31 : std_logic := '0';
+  signal overlapping5_not_h31 : std_logic := '0';
+  signal overlapping6_not_h31 : std_logic := '0';
+  signal overlapping7_not_h31 : std_logic := '0';
+  signal overlapping8_not_h31 : std_logic := '0';
+  signal overlapping3_not_h32 : std_logic := '0';
+  signal overlapping4_not_h32 : std_logic := '0';
+  signal overlapping5_not_h32 : std_logic := '0';
+  signal overlapping6_not_h32 : std_logic := '0';
+  signal overlapping7_not_h32 : std_logic := '0';
+  signal overlapping8_not_h32 : std_logic := '0';
   signal separated0_h1 : std_logic := '0';
   signal separated2_h1 : std_logic := '0';
   signal separated3_h1 : std_logic := '0';
@@ -457,40 +662,98 @@ architecture rtl of pair_pipeline is
   signal separated7_h1 : std_logic := '0';
   signal separated8_h1 : std_logic := '0';
   signal separated0_h3 : std_logic := '0';
+  signal separated1_h3 : std_logic := '0';
   signal separated0_h5 : std_logic := '0';
   signal separated0_h7 : std_logic := '0';
   signal separated0_h9 : std_logic := '0';
   signal separated1_h2 : std_logic := '0';
-  signal separated2_h2 : std_logic := '0';
-  signal separated1_h4 : std_logic := '0';
-  signal overlapping3_h1 : std_logic := '0';
-  signal overlapping4_h1 : std_logic := '0';
-  signal overlapping5_h1 : std_logic := '0';
-  signal overlapping6_h1 : std_logic := '0';
-  signal overlapping7_h1 : std_logic := '0';
-  signal overlapping8_h1 : std_logic := '0';
-  signal holds0_or_in_phase_1 : std_logic;
+  signal overlapping_h1 : std_logic_vector(8 downto 0) := (others => '0');
+  signal overlapping0_h3 : std_logic := '0';
+  signal overlapping1_h3 : std_logic := '0';
+  signal overlapping2_h3 : std_logic := '0';
+  signal overlapping0_h5 : std_logic := '0';
+  signal overlapping1_h5 : std_logic := '0';
+  signal overlapping2_h5 : std_logic := '0';
+  signal overlapping0_h7 : std_logic := '0';
+  signal overlapping1_h7 : std_logic := '0';
+  signal overlapping2_h7 : std_logic := '0';
+  signal overlapping0_h9 : std_logic := '0';
+  signal overlapping1_h9 : std_logic := '0';
+  signal overlapping2_h9 : std_logic := '0';
+  signal overlapping0_h11 : std_logic := '0';
+  signal overlapping1_h11 : std_logic := '0';
+  signal overlapping2_h11 : std_logic := '0';
+  signal overlapping0_h13 : std_logic := '0';
+  signal overlapping1_h13 : std_logic := '0';
+  signal overlapping2_h13 : std_logic := '0';
+  signal overlapping0_h15 : std_logic := '0';
+  signal overlapping1_h15 : std_logic := '0';
+  signal overlapping2_h15 : std_logic := '0';
+  signal overlapping0_h17 : std_logic := '0';
+  signal overlapping1_h17 : std_logic := '0';
+  signal overlapping2_h17 : std_logic := '0';
+  signal overlapping0_h19 : std_logic := '0';
+  signal overlapping1_h19 : std_logic := '0';
+  signal overlapping2_h19 : std_logic := '0';
+  signal overlapping0_h21 : std_logic := '0';
+  signal overlapping1_h21 : std_logic := '0';
+  signal overlapping2_h21 : std_logic := '0';
+  signal overlapping0_h23 : std_logic := '0';
+  signal overlapping1_h23 : std_logic := '0';
+  signal overlapping2_h23 : std_logic := '0';
+  signal overlapping0_h25 : std_logic := '0';
+  signal overlapping1_h25 : std_logic := '0';
+  signal overlapping2_h25 : std_logic := '0';
+  signal overlapping0_h27 : std_logic := '0';
+  signal overlapping1_h27 : std_logic := '0';
+  signal overlapping2_h27 : std_logic := '0';
+  signal overlapping0_h29 : std_logic := '0';
+  signal overlapping1_h29 : std_logic := '0';
+  signal overlapping2_h29 : std_logic := '0';
+  signal overlapping0_h31 : std_logic := '0';
+  signal overlapping1_h31 : std_logic := '0';
+  signal overlapping2_h31 : std_logic := '0';
+  signal overlapping0_h33 : std_logic := '0';
+  signal overlapping1_h33 : std_logic := '0';
+  signal overlapping2_h33 : std_logic := '0';
+  signal outside_h1 : std_logic := '0';
+  signal outside_h3 : std_logic := '0';
+  signal outside_h5 : std_logic := '0';
+  signal outside_h7 : std_logic := '0';
+  signal outside_h9 : std_logic := '0';
+  signal outside_h11 : std_logic := '0';
+  signal outside_h13 : std_logic := '0';
+  signal outside_h15 : std_logic := '0';
+  signal outside_h17 : std_logic := '0';
+  signal outside_h19 : std_logic := '0';
+  signal outside_h21 : std_logic := '0';
+  signal outside_h23 : std_logic := '0';
+  signal outside_h25 : std_logic := '0';
+  signal outside_h27 : std_logic := '0';
+  signal outside_h29 : std_logic := '0';
+  signal outside_h31 : std_logic := '0';
   signal in_phase_0 : std_logic;
-  signal busy_4 : std_logic := '0';  -- set in clocks 3 to 4 of a pair
-  signal busy_10 : std_logic := '0';  -- set in clocks 9 to 10 of a pair
-  signal busy_14 : std_logic := '0';  -- set in clocks 13 to 14 of a pair
+  signal busy_2 : std_logic := '0';  -- set in clocks 1 to 2 of a pair
+  signal busy_12 : std_logic := '0';  -- set in clocks 11 to 12 of a pair
   signal busy_16 : std_logic := '0';  -- set in clocks 15 to 16 of a pair
-  signal busy_20 : std_logic := '0';  -- set in clocks 19 to 20 of a pair
-  signal busy_22 : std_logic := '0';  -- set in clocks 21 to 22 of a pair
-  signal holds0_or_in_phase_1_or_busy_4 : std_logic;
-  signal holds0_or_in_phase_1_or_busy_4_or_busy_10 : std_logic;
-  signal holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14 : std_logic;
-  signal holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16 : std_logic;
-  signal holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20 : std_logic;
-  signal holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20_or_busy_22 : std_logic;
   signal busy_18 : std_logic := '0';  -- set in clocks 17 to 18 of a pair
-  signal busy_17 : std_logic := '0';  -- set in clocks 16 to 17 of a pair
+  signal busy_22 : std_logic := '0';  -- set in clocks 21 to 22 of a pair
+  signal busy_24 : std_logic := '0';  -- set in clocks 23 to 24 of a pair
+  signal busy_2_or_busy_12 : std_logic;
+  signal busy_2_or_busy_12_or_busy_16 : std_logic;
+  signal busy_2_or_busy_12_or_busy_16_or_busy_18 : std_logic;
+  signal busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22 : std_logic;
+  signal busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22_or_busy_24 : std_logic;
+  signal busy_7 : std_logic := '0';  -- set in clocks 6 to 7 of a pair
   signal busy_19 : std_logic := '0';  -- set in clocks 18 to 19 of a pair
-  signal busy_23 : std_logic := '0';  -- set in clocks 22 to 23 of a pair
+  signal busy_21 : std_logic := '0';  -- set in clocks 20 to 21 of a pair
   signal busy_25 : std_logic := '0';  -- set in clocks 24 to 25 of a pair
-  signal busy_17_or_busy_19 : std_logic;
-  signal busy_17_or_busy_19_or_busy_23 : std_logic;
-  signal busy_17_or_busy_19_or_busy_23_or_busy_25 : std_logic;
+  signal busy_27 : std_logic := '0';  -- set in clocks 26 to 27 of a pair
+  signal busy_7_or_busy_19 : std_logic;
+  signal busy_7_or_busy_19_or_busy_21 : std_logic;
+  signal busy_7_or_busy_19_or_busy_21_or_busy_25 : std_logic;
+  signal busy_7_or_busy_19_or_busy_21_or_busy_25_or_busy_27 : std_logic;
+  signal busy_20 : std_logic := '0';  -- set in clocks 19 to 20 of a pair
   signal row_turned_unit_m : signed_32_vector_x5_t;
   signal row_turned_unit_w : signed_32_vector_x5_t;
   signal shift_unit_x : signed_33_x5_vector_t;
@@ -528,18 +791,18 @@ architecture rtl of pair_pipeline is
   signal compared14_sign0_unit_sign : std_logic_vector(1 downto 0);
   signal boxes_lane_unit_v : signed_18_x2_x2_t;
   signal boxes_lane_unit_w : signed_18_x3_x2_t;
-  signal separated3_unit_ends : flag_x2_x2_t;
-  signal separated3_unit_sides : flag_x2_x3_t;
-  signal separated4_unit_ends : flag_x2_x2_t;
-  signal separated4_unit_sides : flag_x2_x3_t;
-  signal separated5_unit_ends : flag_x2_x2_t;
-  signal separated5_unit_sides : flag_x2_x3_t;
-  signal separated6_unit_ends : flag_x2_x2_t;
-  signal separated6_unit_sides : flag_x2_x3_t;
-  signal separated7_unit_ends : flag_x2_x2_t;
-  signal separated7_unit_sides : flag_x2_x3_t;
-  signal separated8_unit_ends : flag_x2_x2_t;
-  signal separated8_unit_sides : flag_x2_x3_t;
+  signal separated3_result_unit_ends : flag_x2_x2_t;
+  signal separated3_result_unit_sides : flag_x2_x3_t;
+  signal separated4_result_unit_ends : flag_x2_x2_t;
+  signal separated4_result_unit_sides : flag_x2_x3_t;
+  signal separated5_result_unit_ends : flag_x2_x2_t;
+  signal separated5_result_unit_sides : flag_x2_x3_t;
+  signal separated6_result_unit_ends : flag_x2_x2_t;
+  signal separated6_result_unit_sides : flag_x2_x3_t;
+  signal separated7_result_unit_ends : flag_x2_x2_t;
+  signal separated7_result_unit_sides : flag_x2_x3_t;
+  signal separated8_result_unit_ends : flag_x2_x2_t;
+  signal separated8_result_unit_sides : flag_x2_x3_t;
   signal verdict_unit_separated : std_logic_vector(8 downto 0);
   signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
 begin
@@ -554,133 +817,165 @@ begin
   in_phase_1 <= flag(phase = '1');
   in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or holds(4) or holds(5) or holds(6) or holds(7) or holds(8)
       or holds(9) or holds(10) or holds(11) or holds(12) or holds(13) or holds(14) or holds(15) or holds(16) or
-      in_phase_1;
-  overlapping_i(0) <= '0';
-  overlapping_i(1) <= '0';
-  overlapping_i(2) <= '0';
-  holds0_or_in_phase_1 <= holds(0) or in_phase_1;
+      holds(17) or in_phase_1;
+  overlapping0_constant <= '0';
+  overlapping1_constant <= '0';
+  overlapping2_constant <= '0';
   in_phase_0 <= flag(phase = '0');
-  holds0_or_in_phase_1_or_busy_4 <= holds0_or_in_phase_1 or busy_4;
-  holds0_or_in_phase_1_or_busy_4_or_busy_10 <= holds0_or_in_phase_1_or_busy_4 or busy_10;
-  holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14 <= holds0_or_in_phase_1_or_busy_4_or_busy_10 or busy_14;
-  holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16 <=
-      holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14 or busy_16;
-  holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20 <=
-      holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16 or busy_20;
-  holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20_or_busy_22 <=
-      holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20 or busy_22;
-  busy_17_or_busy_19 <= busy_17 or busy_19;
-  busy_17_or_busy_19_or_busy_23 <= busy_17_or_busy_19 or busy_23;
-  busy_17_or_busy_19_or_busy_23_or_busy_25 <= busy_17_or_busy_19_or_busy_23 or busy_25;
+  busy_2_or_busy_12 <= busy_2 or busy_12;
+  busy_2_or_busy_12_or_busy_16 <= busy_2_or_busy_12 or busy_16;
+  busy_2_or_busy_12_or_busy_16_or_busy_18 <= busy_2_or_busy_12_or_busy_16 or busy_18;
+  busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22 <= busy_2_or_busy_12_or_busy_16_or_busy_18 or busy_22;
+  busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22_or_busy_24 <= busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22
+      or busy_24;
+  busy_7_or_busy_19 <= busy_7 or busy_19;
+  busy_7_or_busy_19_or_busy_21 <= busy_7_or_busy_19 or busy_21;
+  busy_7_or_busy_19_or_busy_21_or_busy_25 <= busy_7_or_busy_19_or_busy_21 or busy_25;
+  busy_7_or_busy_19_or_busy_21_or_busy_25_or_busy_27 <= busy_7_or_busy_19_or_busy_21_or_busy_25 or busy_27;
 
   -- Clock 0
-  difference_v1_each : for i in 0 to 2 generate
-    difference_v1(i) <= resize(in_v(1)(i), 33) - resize(in_v(0)(i), 33);
-    difference_v2(i) <= resize(in_v(2)(i), 33) - resize(in_v(0)(i), 33);
-    moved(i) <= resize(choose(pose_bypass, to_signed(0, 32), pose_t(i)), 33) - resize(in_v(0)(i), 33);
-  end generate difference_v1_each;
-  row_w_each : for k in 0 to 2 generate
-    row_w(k) <= in_w(1) when row_m0_select_at_0 = '1' else in_w(0);
-  end generate row_w_each;
-  row_m3 <= pose_m(1) when row_m0_select_at_0 = '1' else pose_m(0);
+  in_v0_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_v(0)(k), passed => in_v0_inside(k), outside => in_v0_outside(k));
+  end generate in_v0_inside_unit;
+  in_v1_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_v(1)(k), passed => in_v1_inside(k), outside => in_v1_outside(k));
+  end generate in_v1_inside_unit;
+  in_v2_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_v(2)(k), passed => in_v2_inside(k), outside => in_v2_outside(k));
+  end generate in_v2_inside_unit;
+  in_w0_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_w(0)(k), passed => in_w0_inside(k), outside => in_w0_outside(k));
+  end generate in_w0_inside_unit;
+  in_w1_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_w(1)(k), passed => in_w1_inside(k), outside => in_w1_outside(k));
+  end generate in_w1_inside_unit;
+  in_w2_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_w(2)(k), passed => in_w2_inside(k), outside => in_w2_outside(k));
+  end generate in_w2_inside_unit;
 
   -- Clock 1
-  clock_1 : process (clk)
+  difference_v1_each : for i in 0 to 2 generate
+    difference_v1(i) <= resize(in_v1_inside(i), 33) - resize(in_v0_inside(i), 33);
+    difference_v2(i) <= resize(in_v2_inside(i), 33) - resize(in_v0_inside(i), 33);
+  end generate difference_v1_each;
+  pose_t_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_translation
+      port map (clk => clk, number => pose_t_inside_number_h1(k), passed => pose_t_inside(k),
+                outside => pose_t_outside(k));
+  end generate pose_t_inside_unit;
+  pose_m0_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => pose_m0_inside_number_h1(k), passed => pose_m0_inside(k),
+                outside => pose_m0_outside(k));
+  end generate pose_m0_inside_unit;
+  pose_m1_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => pose_m1_inside_number_h1(k), passed => pose_m1_inside(k),
+                outside => pose_m1_outside(k));
+  end generate pose_m1_inside_unit;
+  pose_m2_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => pose_m2_inside_number_h1(k), passed => pose_m2_inside(k),
+                outside => pose_m2_outside(k));
+  end generate pose_m2_inside_unit;
+
+  -- Clock 2
+  moved_each : for i in 0 to 2 generate
+    moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v0_inside(i), 33);
+    row_w(0)(i) <= in_w1_inside_h2(i) when row_m0_select_at_0 = '1' else in_w0_inside(i);
+    row_w(1)(i) <= in_w1_inside_h2(i) when row_m0_select_at_0 = '1' else in_w0_inside(i);
+    row_w(2)(i) <= in_w1_inside_h2(i) when row_m0_select_at_0 = '1' else in_w0_inside(i);
+    row_w(3)(i) <= in_w2_inside_h2(i) when row_m0_select_at_0 = '1' else in_w2_inside(i);
+    row_m3(i) <= pose_m1_inside(i) when row_m0_select_at_0 = '1' else pose_m0_inside(i);
+  end generate moved_each;
+  outside_flags <= unsigned(pose_m2_outside) & unsigned(pose_m1_outside) & unsigned(pose_m0_outside) &
+      unsigned(pose_t_outside) & unsigned(in_w2_outside) & unsigned(in_w1_outside) & unsigned(in_w0_outside) &
+      unsigned(in_v2_outside) & unsigned(in_v1_outside) & unsigned(in_v0_outside);
+  outside_i <= or_reduce(outside_flags);
+  overlapping_i(0) <= overlapping0_constant and not outside_i;
+  overlapping_i(1) <= overlapping1_constant and not outside_i;
+  overlapping_i(2) <= overlapping2_constant and not outside_i;
+
+  -- Clock 3
+  clock_3 : process (clk)
   begin
     if rising_edge(clk) then
-      pose_m_d1 <= pose_m;
+      pose_m0_inside_d1 <= pose_m0_inside;
       row_w_d1 <= row_w;
+      pose_m1_inside_d1 <= pose_m1_inside;
+      pose_m2_inside_d1 <= pose_m2_inside;
       row_m3_d1 <= row_m3;
-      in_w2_d1 <= in_w(2);
+      in_w2_inside_d1 <= in_w2_inside;
     end if;
-  end process clock_1;
-  row_turned_unit_m(0) <= pose_m_d1(0);
-  row_turned_unit_m(1) <= pose_m_d1(1);
-  row_turned_unit_m(2) <= pose_m_d1(2);
+  end process clock_3;
+  row_turned_unit_m_0_each : for i in 0 to 2 generate
+    row_turned_unit_m(0)(i) <= pose_m0_inside_d1(i);
+    row_turned_unit_m(1)(i) <= pose_m1_inside_d1(i);
+    row_turned_unit_m(2)(i) <= pose_m2_inside_d1(i);
+  end generate row_turned_unit_m_0_each;
   row_turned_unit_m(3) <= row_m3_d1;
-  row_turned_unit_m(4) <= pose_m(2);
+  row_turned_unit_m_4_each : for i in 0 to 2 generate
+    row_turned_unit_m(4)(i) <= pose_m2_inside_d1(i);
+  end generate row_turned_unit_m_4_each;
   row_turned_unit_w(0) <= row_w_d1(0);
   row_turned_unit_w(1) <= row_w_d1(1);
   row_turned_unit_w(2) <= row_w_d1(2);
-  row_turned_unit_w(3) <= in_w2_d1;
-  row_turned_unit_w(4) <= in_w(2);
+  row_turned_unit_w(3) <= row_w_d1(3);
+  row_turned_unit_w_4_each : for i in 0 to 2 generate
+    row_turned_unit_w(4)(i) <= in_w2_inside_d1(i);
+  end generate row_turned_unit_w_4_each;
   row_turned_unit : for k in 0 to 4 generate
     unit : entity work.difference_row
       port map (clk => clk, m => row_turned_unit_m(k), w => row_turned_unit_w(k), turned => row_turned(k));
   end generate row_turned_unit;
 
-  -- Clock 4
-  row_same(0) <= in_w_h4(1)(0) when row_m0_select_at_0 = '1' else in_w_h4(0)(0);
-  row_same(1) <= in_w_h4(1)(1) when row_m0_select_at_0 = '1' else in_w_h4(0)(1);
-  row_same(2) <= in_w_h4(1)(2) when row_m0_select_at_0 = '1' else in_w_h4(0)(2);
-  row_same(3) <= in_w_h4(2)(1) when row_m0_select_at_0 = '1' else in_w_h4(2)(0);
-  row_moved3 <= moved_h4(1) when row_m0_select_at_0 = '1' else moved_h4(0);
+  -- Clock 7
+  row_same(0) <= in_w1_inside_h6(0) when row_m0_select_at_1 = '1' else in_w0_inside_h6(0);
+  row_same(1) <= in_w1_inside_h6(1) when row_m0_select_at_1 = '1' else in_w0_inside_h6(1);
+  row_same(2) <= in_w1_inside_h6(2) when row_m0_select_at_1 = '1' else in_w0_inside_h6(2);
+  row_same(3) <= in_w2_inside_h6(1) when row_m0_select_at_1 = '1' else in_w2_inside_h6(0);
+  row_moved3 <= moved_h5(1) when row_m0_select_at_1 = '1' else moved_h5(0);
 
-  -- Clock 5
-  clock_5 : process (clk)
+  -- Clock 8
+  clock_8 : process (clk)
   begin
     if rising_edge(clk) then
-      pose_bypass_h4_d1 <= pose_bypass_h4;
-      row_same_d1 <= row_same;
-      if pose_bypass_h4 = '1' then
-        row4_choice_d1 <= in_w_h4(2)(2);
-      else
-        row4_choice_d1 <= row_turned(4);
-      end if;
-      moved_h4_d1 <= moved_h4;
+      row_choice_d1(0) <= choose(pose_bypass_h7, row_same(0), row_turned(0));
+      row_choice_d1(1) <= choose(pose_bypass_h7, row_same(1), row_turned(1));
+      row_choice_d1(2) <= choose(pose_bypass_h7, row_same(2), row_turned(2));
+      row_choice_d1(3) <= choose(pose_bypass_h7, row_same(3), row_turned(3));
+      row_choice_d1(4) <= choose(pose_bypass_h7, in_w2_inside_h6(2), row_turned(4));
+      moved_h5_d1 <= moved_h5;
       row_moved3_d1 <= row_moved3;
     end if;
-  end process clock_5;
-  row(4) <= resize(row4_choice_d1, 34) + resize(moved_h4_d1(2), 34);
+  end process clock_8;
+  row(0) <= resize(row_choice_d1(0), 34) + resize(moved_h5_d1(0), 34);
+  row(1) <= resize(row_choice_d1(1), 34) + resize(moved_h5_d1(1), 34);
+  row(2) <= resize(row_choice_d1(2), 34) + resize(moved_h5_d1(2), 34);
+  row(3) <= resize(row_choice_d1(3), 34) + resize(row_moved3_d1, 34);
+  row(4) <= resize(row_choice_d1(4), 34) + resize(moved_h5_d1(2), 34);
 
-  -- Clock 6
-  clock_6 : process (clk)
-  begin
-    if rising_edge(clk) then
-      if pose_bypass_h4_d1 = '1' then
-        row0_choice_d1 <= row_same_d1(0);
-      else
-        row0_choice_d1 <= row_turned(0);
-      end if;
-      if pose_bypass_h4_d1 = '1' then
-        row1_choice_d1 <= row_same_d1(1);
-      else
-        row1_choice_d1 <= row_turned(1);
-      end if;
-      if pose_bypass_h4_d1 = '1' then
-        row2_choice_d1 <= row_same_d1(2);
-      else
-        row2_choice_d1 <= row_turned(2);
-      end if;
-      if pose_bypass_h4_d1 = '1' then
-        row3_choice_d1 <= row_same_d1(3);
-      else
-        row3_choice_d1 <= row_turned(3);
-      end if;
-      moved_h4_d2 <= moved_h4_d1;
-      row_moved3_d2 <= row_moved3_d1;
-    end if;
-  end process clock_6;
-  row(0) <= resize(row0_choice_d1, 34) + resize(moved_h4_d2(0), 34);
-  row(1) <= resize(row1_choice_d1, 34) + resize(moved_h4_d2(1), 34);
-  row(2) <= resize(row2_choice_d1, 34) + resize(moved_h4_d2(2), 34);
-  row(3) <= resize(row3_choice_d1, 34) + resize(row_moved3_d2, 34);
-
-  -- Clock 7
+  -- Clock 9
   difference_w0_each : for i in 0 to 2 generate
     difference_w0(i) <= difference(i)(32 downto 0);
   end generate difference_w0_each;
   difference_w2(0) <= difference(3)(32 downto 0);
+  difference_w2(2) <= difference(4)(32 downto 0);
 
-  -- Clock 8
+  -- Clock 10
   difference_w1_each : for i in 0 to 2 generate
     difference_w1(i) <= difference(i + 5)(32 downto 0);
   end generate difference_w1_each;
   difference_w2(1) <= difference(8)(32 downto 0);
-  difference_w2(2) <= difference4_h2(32 downto 0);
   shift_unit_x_0_each : for i in 0 to 2 generate
-    shift_unit_x(i)(0) <= difference_v1_h8(i);
-    shift_unit_x(i)(1) <= difference_v2_h8(i);
+    shift_unit_x(i)(0) <= difference_v1_h9(i);
+    shift_unit_x(i)(1) <= difference_v2_h9(i);
     shift_unit_x(i)(2) <= difference_w0(i);
     shift_unit_x(i)(3) <= difference_w1(i);
     shift_unit_x(i)(4) <= difference_w2(i);
@@ -690,20 +985,20 @@ begin
       port map (clk => clk, x => shift_unit_x(i), shift => shift(i));
   end generate shift_unit;
 
-  -- Clock 10
+  -- Clock 12
   lane(0) <= difference_w1_h2 when row_m0_select_at_0 = '1' else difference_v1_h10;
   lane(1)(0) <= difference_w2_x_h4 when row_m0_select_at_0 = '1' else difference_v2_h10(0);
   lane(1)(1) <= difference_w2_h2(1) when row_m0_select_at_0 = '1' else difference_v2_h10(1);
-  lane(1)(2) <= difference_w2_h2(2) when row_m0_select_at_0 = '1' else difference_v2_h10(2);
+  lane(1)(2) <= difference_w2_z_h4 when row_m0_select_at_0 = '1' else difference_v2_h10(2);
 
-  -- Clock 11
-  clock_11 : process (clk)
+  -- Clock 13
+  clock_13 : process (clk)
   begin
     if rising_edge(clk) then
       lane_d1 <= lane;
       difference_w0_h2_d1 <= difference_w0_h2;
     end if;
-  end process clock_11;
+  end process clock_13;
   lane_shifted_unit_x(0) <= lane_d1(0);
   lane_shifted_unit_x(1) <= lane_d1(1);
   lane_shifted_unit_x(2) <= difference_w0_h2_d1;
@@ -712,7 +1007,7 @@ begin
       port map (x => lane_shifted_unit_x(k), shift => shift_h1, cut => lane_shifted(k));
   end generate lane_shifted_unit;
 
-  -- Clock 13
+  -- Clock 15
   taken_x <= carried(0) & unsigned(shift_h3(0));
   taken_y <= carried(1) & unsigned(shift_h3(1));
   taken_z <= carried(2) & unsigned(shift_h3(2));
@@ -726,10 +1021,10 @@ begin
       port map (cut => carried_unit_cut(i), carried => carried(i));
   end generate carried_unit;
 
-  -- Clock 14
-  axis_level(0) <= to_unsigned(axis_level_0_table(to_integer(taken_x_h1)), 3);
-  axis_level(1) <= to_unsigned(axis_level_1_table(to_integer(taken_y_h1)), 3);
-  axis_level(2) <= to_unsigned(axis_level_2_table(to_integer(taken_z_h1)), 3);
+  -- Clock 16
+  axis_level(0) <= to_unsigned(axis_level_0_table(to_integer(known(taken_x_h1))), 3);
+  axis_level(1) <= to_unsigned(axis_level_1_table(to_integer(known(taken_y_h1))), 3);
+  axis_level(2) <= to_unsigned(axis_level_2_table(to_integer(known(taken_z_h1))), 3);
   axis_level0_resized_less_choice <= axis_level(1) when
       less(signed(resize(axis_level(0), 4)), signed(resize(axis_level(1), 4))) = '1' else axis_level(0);
   moment_plus(0)(0) <= coordinate_w2(1) when row_m0_select_at_0 = '1' else coordinate_w0(1);
@@ -763,14 +1058,14 @@ begin
   coordinate_w2_unit : entity work.coordinate_round
     port map (cut => coordinate_cut4_h1, carried => carried_h1, y => coordinate_w2);
 
-  -- Clock 15
-  clock_15 : process (clk)
+  -- Clock 17
+  clock_17 : process (clk)
   begin
     if rising_edge(clk) then
       moment_plus_d1 <= moment_plus;
       moment_minus_d1 <= moment_minus;
     end if;
-  end process clock_15;
+  end process clock_17;
   coordinate_v1_unit : entity work.coordinate_round
     port map (cut => coordinate_cut0_h3, carried => carried_h2, y => coordinate_v1);
   coordinate_v2_unit : entity work.coordinate_round
@@ -781,7 +1076,7 @@ begin
                 too_great => moment_too_great(k)(0));
   end generate moment_lane_cut_unit;
 
-  -- Clock 16
+  -- Clock 18
   e_a1_each : for i in 0 to 2 generate
     e_a1(i) <= resize(coordinate_v2_h1(i), 19) - resize(coordinate_v1_h1(i), 19);
   end generate e_a1_each;
@@ -795,8 +1090,8 @@ begin
   norm_x_z(1) <= e_b(0)(2) when row_m0_select_at_0 = '1' else resize(coordinate_v2(2), 19);
   norm_x_z(3) <= e_b(2)(2) when row_m0_select_at_0 = '1' else norm_x3_resized_h2(2);
 
-  -- Clock 17
-  clock_17 : process (clk)
+  -- Clock 19
+  clock_19 : process (clk)
   begin
     if rising_edge(clk) then
       norm_x0_d1(0) <= norm_x_x(0);
@@ -810,7 +1105,7 @@ begin
       norm_x3_d1(2) <= norm_x_z(3);
       norm_x4_resized_h2_d1 <= norm_x4_resized_h2;
     end if;
-  end process clock_17;
+  end process clock_19;
   e_b_0_each : for i in 0 to 2 generate
     e_b(0)(i) <= resize(coordinate_w1_h3(i), 19) - resize(coordinate_w0_h3(i), 19);
     e_b(1)(i) <= resize(coordinate_w2_h3(i), 19) - resize(coordinate_w1_h3(i), 19);
@@ -829,35 +1124,35 @@ begin
       port map (clk => clk, x => norm_lane_unit_x(k), norm => norm_lane(k));
   end generate norm_lane_unit;
 
-  -- Clock 18
-  clock_18 : process (clk)
+  -- Clock 20
+  clock_20 : process (clk)
   begin
     if rising_edge(clk) then
       norm_x2_d1(0) <= norm_x_x(2);
       norm_x2_d1(1) <= norm_x_y(2);
       norm_x2_d1(2) <= norm_x_z(2);
     end if;
-  end process clock_18;
+  end process clock_20;
   too_great_0_found <= or_reduce(unsigned(moment_too_great(5)) & unsigned(moment_too_great(4)) &
       unsigned(moment_too_great(3)) & unsigned(moment_too_great(2)) & unsigned(moment_too_great(1)) &
       unsigned(moment_too_great(0)));
 
-  -- Clock 19
-  clock_19 : process (clk)
+  -- Clock 21
+  clock_21 : process (clk)
   begin
     if rising_edge(clk) then
       too_great_0_found_d1 <= too_great_0_found;
     end if;
-  end process clock_19;
+  end process clock_21;
   level <= axis_level2_h5 when level_less_h4 = '1' else axis_level0_resized_less_choice_h5;
   too_great_0_so_far <= too_great_0_found_d1 or too_great_0_so_far_before;
   rest_of_level <=
-    to_unsigned(64, 15) when level = 0 else
-    to_unsigned(64, 15) when level = 1 else
-    to_unsigned(64, 15) when level = 2 else
-    to_unsigned(256, 15) when level = 3 else
-    to_unsigned(1024, 15) when level = 4 else
-    to_unsigned(4096, 15) when level = 5 else
+    to_unsigned(64, 15) when known(level) = 0 else
+    to_unsigned(64, 15) when known(level) = 1 else
+    to_unsigned(64, 15) when known(level) = 2 else
+    to_unsigned(256, 15) when known(level) = 3 else
+    to_unsigned(1024, 15) when known(level) = 4 else
+    to_unsigned(4096, 15) when known(level) = 5 else
     to_unsigned(16384, 15);
   rest_of_level_aligned <= append(rest_of_level, 1);
   boxes_v(0) <= coordinate_v1_h4(2) when row_m0_select_at_1 = '1' else coordinate_v1_h4(0);
@@ -866,20 +1161,20 @@ begin
   boxes_w(1) <= coordinate_w1_h6(2) when row_m0_select_at_1 = '1' else coordinate_w1_h4(0);
   boxes_w(2) <= coordinate_w2_h6(2) when row_m0_select_at_1 = '1' else coordinate_w2_h4(0);
 
-  -- Clock 20
-  clock_20 : process (clk)
+  -- Clock 22
+  clock_22 : process (clk)
   begin
     if rising_edge(clk) then
       boxes_v_d1 <= boxes_v;
       boxes_w_d1 <= boxes_w;
-      boxes_wrong_d1 <= to_unsigned(boxes_wrong_table(to_integer(level)), 5);
+      boxes_wrong_d1 <= to_unsigned(boxes_wrong_table(to_integer(known(level))), 5);
       coordinate_v1_y_h4_d1 <= coordinate_v1_h4(1);
       coordinate_v2_y_h4_d1 <= coordinate_v2_h4(1);
       coordinate_w0_y_h4_d1 <= coordinate_w0_h4(1);
       coordinate_w1_y_h4_d1 <= coordinate_w1_h4(1);
       coordinate_w2_y_h4_d1 <= coordinate_w2_h4(1);
     end if;
-  end process clock_20;
+  end process clock_22;
   moment_exact_0_each : for i in 0 to 2 generate
     moment_exact(0)(i) <= moment_cut(i + 6) when row_m0_select_at_0 = '1' else moment_cut(i);
     moment_exact(1)(i) <= moment_cut(i + 9) when row_m0_select_at_0 = '1' else moment_cut(i + 3);
@@ -897,13 +1192,13 @@ begin
                 apart => boxes_lane(k));
   end generate boxes_lane_unit;
 
-  -- Clock 21
-  clock_21 : process (clk)
+  -- Clock 23
+  clock_23 : process (clk)
   begin
     if rising_edge(clk) then
       moment_exact_d1 <= moment_exact;
     end if;
-  end process clock_21;
+  end process clock_23;
   places <= '1' when places_captured = '1' else '0';
   rest <= resize(rest_of_level_aligned_h2, 17) when places = '1' else rest_aligned_second_h2;
   moment_lane_unit : for k in 0 to 1 generate
@@ -911,13 +1206,13 @@ begin
       port map (cut => moment_exact_d1(k), places => places, moment => moment_lane(k));
   end generate moment_lane_unit;
 
-  -- Clock 22
-  clock_22 : process (clk)
+  -- Clock 24
+  clock_24 : process (clk)
   begin
     if rising_edge(clk) then
       places_d1 <= places;
     end if;
-  end process clock_22;
+  end process clock_24;
   dot_x1 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
   dot_x2 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
   dot_x3 <= coordinate_v2_h8 when row_m0_select_at_0 = '1' else coordinate_v1_h6;
@@ -925,8 +1220,8 @@ begin
   moment_norm_x(0) <= moment_m2 when row_m0_select_at_0 = '1' else moment_m0;
   moment_norm_x(1) <= moment_n when row_m0_select_at_0 = '1' else moment_m1;
 
-  -- Clock 23
-  clock_23 : process (clk)
+  -- Clock 25
+  clock_25 : process (clk)
   begin
     if rising_edge(clk) then
       coordinate_w0_h8_d1 <= coordinate_w0_h8;
@@ -939,7 +1234,7 @@ begin
       places_d2 <= places_d1;
       moment_norm_x_d1 <= moment_norm_x;
     end if;
-  end process clock_23;
+  end process clock_25;
   dot_m <= moment_m1_h2 when row_m0_select_at_1 = '1' else moment_n;
   length_x(0) <= length_measure_h4(5) when row_m0_select_at_1 = '1' else length_measure_h4(0);
   length_x(1) <= length_measure_h2(6) when row_m0_select_at_1 = '1' else length_measure_h4(1);
@@ -955,8 +1250,8 @@ begin
       port map (clk => clk, x => moment_norm_x_d1(k), norm => moment_norm_lane(k));
   end generate moment_norm_lane_unit;
 
-  -- Clock 24
-  clock_24 : process (clk)
+  -- Clock 26
+  clock_26 : process (clk)
   begin
     if rising_edge(clk) then
       coordinate_w0_h8_d2 <= coordinate_w0_h8_d1;
@@ -968,8 +1263,9 @@ begin
       length_times_g_d1 <= length_times_g;
       level_h4_d1 <= level_h4;
     end if;
-  end process clock_24;
-  separated_i(0) <= or_reduce(unsigned(boxes_apart_along));
+  end process clock_26;
+  boxes_apart <= or_reduce(unsigned(boxes_apart_along));
+  separated_i(0) <= boxes_apart and separated0_not_h24;
   dot_lane_unit_x(0) <= coordinate_w0_h8_d2;
   dot_lane_unit_x(1) <= dot_x1_d1;
   dot_lane_unit_x(2) <= dot_x2_d1;
@@ -989,13 +1285,13 @@ begin
       port map (x => length_times_g_d1(k), by => level_h4_d1, first_order => length_first(k));
   end generate length_first_unit;
 
-  -- Clock 25
-  clock_25 : process (clk)
+  -- Clock 27
+  clock_27 : process (clk)
   begin
     if rising_edge(clk) then
       level_h4_d2 <= level_h4_d1;
     end if;
-  end process clock_25;
+  end process clock_27;
   moment_measure(0) <= resize(norm_of_moment(0), 21);
   moment_measure(1) <= resize(norm_of_moment(1), 21);
   moment_x_each : for k in 0 to 1 generate
@@ -1031,14 +1327,14 @@ begin
               plane_a => length_measure0_plane_a0_unit_plane_a, plane_b => length_measure0_plane_a0_unit_plane_b,
               ends => length_measure0_plane_a0_unit_ends, middle => length_measure0_plane_a0_unit_middle);
 
-  -- Clock 26
-  clock_26 : process (clk)
+  -- Clock 28
+  clock_28 : process (clk)
   begin
     if rising_edge(clk) then
       moment_x_d1 <= moment_x;
       level_h4_d3 <= level_h4_d2;
     end if;
-  end process clock_26;
+  end process clock_28;
   moment_measure(2) <= resize(norm_of_moment(2), 21);
   moment_measure(3) <= resize(norm_of_moment(3), 21);
   moment_first_unit : for k in 0 to 1 generate
@@ -1046,13 +1342,13 @@ begin
       port map (x => moment_x_d1(k), by => level_h4_d3, first_order => moment_first(k));
   end generate moment_first_unit;
 
-  -- Clock 27
+  -- Clock 29
   compared(0) <= resize(determinant_plane_a0, 41);
   compared(1) <= resize(determinant_plane_a1, 41);
   compared(12) <= resize(determinant_side20, 41);
   compared(13) <= resize(determinant_side21, 41);
 
-  -- Clock 28
+  -- Clock 30
   compared(2) <= resize(determinant_plane_a2, 41);
   compared(3) <= resize(determinant_plane_b0, 41);
   compared(14) <= resize(determinant_side22, 41);
@@ -1107,7 +1403,7 @@ begin
     port map (clk => clk, a => compared_unit_a, d => compared_unit_d, v => determinant_plane_b0,
               plane_b => compared_unit_plane_b, side0 => compared_unit_side0, side1 => compared_unit_side1);
 
-  -- Clock 29
+  -- Clock 31
   bound_corner <= resize(bound_corner_aligned_h1, 32) + resize(bound_corner_sum_h3, 32);
   bound_plane_b0 <= resize(bound_all_m_h1, 31) + resize(length_measure0_plane_a0_h3, 31);
   bound_plane_b1 <= resize(bound_corner, 33) + resize(bound_plane_b1_result_h3, 33);
@@ -1121,8 +1417,6 @@ begin
   compared_bound(9) <= signed(resize(bound_side10(32 downto 3), 31));
   compared_bound(10) <= signed(resize(bound_side11(32 downto 3), 31));
   compared_bound(11) <= signed(resize(bound_side12(32 downto 3), 31));
-  separated_i(1) <= (compared0_sign0 and compared1_sign0 and compared2_sign0) or
-      (compared0_sign1 and compared1_sign1 and compared2_sign1);
   compared0_sign0 <= compared0_sign0_unit_sign(0);
   compared0_sign1 <= compared0_sign0_unit_sign(1);
   compared1_sign0 <= compared1_sign0_unit_sign(0);
@@ -1148,21 +1442,20 @@ begin
   compared14_sign0_unit : entity work.certain_sign
     port map (x => compared14_h1, bound => compared_bound14_h1, sign => compared14_sign0_unit_sign);
 
-  -- Clock 30
+  -- Clock 32
   compared(6) <= resize(determinant_side00, 41);
   compared(7) <= resize(determinant_side01, 41);
   compared(8) <= resize(determinant_side02, 41);
   compared(9) <= resize(determinant_side10, 41);
   compared(10) <= resize(determinant_side11, 41);
   compared(11) <= resize(determinant_side12, 41);
+  separated_i(1) <= separated1_or_h1 and separated1_not_h30;
   compared3_sign0 <= compared3_sign0_unit_sign(0);
   compared3_sign1 <= compared3_sign0_unit_sign(1);
   compared3_sign0_unit : entity work.certain_sign
     port map (x => compared3_h2, bound => compared_bound3_h1, sign => compared3_sign0_unit_sign);
 
-  -- Clock 31
-  separated_i(2) <= (compared3_sign0 and compared4_sign0 and compared5_sign0) or
-      (compared3_sign1 and compared4_sign1 and compared5_sign1);
+  -- Clock 33
   compared4_sign0 <= compared4_sign0_unit_sign(0);
   compared4_sign1 <= compared4_sign0_unit_sign(1);
   compared5_sign0 <= compared5_sign0_unit_sign(0);
@@ -1196,105 +1489,118 @@ begin
   compared11_sign0_unit : entity work.certain_sign
     port map (x => compared11_h1, bound => compared_bound11_h2, sign => compared11_sign0_unit_sign);
 
-  -- Clock 32
-  separated3_unit_ends(0)(0) <= compared3_sign0_h2;
-  separated3_unit_ends(0)(1) <= compared3_sign1_h2;
-  separated3_unit_ends(1)(0) <= compared4_sign0_h1;
-  separated3_unit_ends(1)(1) <= compared4_sign1_h1;
-  separated3_unit_sides(0)(0) <= compared6_sign0_h1;
-  separated3_unit_sides(0)(1) <= compared6_sign1_h1;
-  separated3_unit_sides(1)(0) <= compared7_sign0_h1;
-  separated3_unit_sides(1)(1) <= compared7_sign1_h1;
-  separated3_unit_sides(2)(0) <= compared8_sign0_h1;
-  separated3_unit_sides(2)(1) <= compared8_sign1_h1;
-  separated4_unit_ends(0)(0) <= compared4_sign0_h1;
-  separated4_unit_ends(0)(1) <= compared4_sign1_h1;
-  separated4_unit_ends(1)(0) <= compared5_sign0_h1;
-  separated4_unit_ends(1)(1) <= compared5_sign1_h1;
-  separated4_unit_sides(0)(0) <= compared9_sign0_h1;
-  separated4_unit_sides(0)(1) <= compared9_sign1_h1;
-  separated4_unit_sides(1)(0) <= compared10_sign0_h1;
-  separated4_unit_sides(1)(1) <= compared10_sign1_h1;
-  separated4_unit_sides(2)(0) <= compared11_sign0_h1;
-  separated4_unit_sides(2)(1) <= compared11_sign1_h1;
-  separated5_unit_ends(0)(0) <= compared5_sign0_h1;
-  separated5_unit_ends(0)(1) <= compared5_sign1_h1;
-  separated5_unit_ends(1)(0) <= compared3_sign0_h2;
-  separated5_unit_ends(1)(1) <= compared3_sign1_h2;
-  separated5_unit_sides(0)(0) <= compared12_sign0_h3;
-  separated5_unit_sides(0)(1) <= compared12_sign1_h3;
-  separated5_unit_sides(1)(0) <= compared13_sign0_h3;
-  separated5_unit_sides(1)(1) <= compared13_sign1_h3;
-  separated5_unit_sides(2)(0) <= compared14_sign0_h3;
-  separated5_unit_sides(2)(1) <= compared14_sign1_h3;
-  separated6_unit_ends(0)(0) <= compared0_sign0_h3;
-  separated6_unit_ends(0)(1) <= compared0_sign1_h3;
-  separated6_unit_ends(1)(0) <= compared1_sign0_h3;
-  separated6_unit_ends(1)(1) <= compared1_sign1_h3;
-  separated6_unit_sides(0)(0) <= compared6_sign0_h1;
-  separated6_unit_sides(0)(1) <= compared6_sign1_h1;
-  separated6_unit_sides(1)(0) <= compared9_sign0_h1;
-  separated6_unit_sides(1)(1) <= compared9_sign1_h1;
-  separated6_unit_sides(2)(0) <= compared12_sign0_h3;
-  separated6_unit_sides(2)(1) <= compared12_sign1_h3;
-  separated7_unit_ends(0)(0) <= compared1_sign0_h3;
-  separated7_unit_ends(0)(1) <= compared1_sign1_h3;
-  separated7_unit_ends(1)(0) <= compared2_sign0_h3;
-  separated7_unit_ends(1)(1) <= compared2_sign1_h3;
-  separated7_unit_sides(0)(0) <= compared7_sign0_h1;
-  separated7_unit_sides(0)(1) <= compared7_sign1_h1;
-  separated7_unit_sides(1)(0) <= compared10_sign0_h1;
-  separated7_unit_sides(1)(1) <= compared10_sign1_h1;
-  separated7_unit_sides(2)(0) <= compared13_sign0_h3;
-  separated7_unit_sides(2)(1) <= compared13_sign1_h3;
-  separated8_unit_ends(0)(0) <= compared2_sign0_h3;
-  separated8_unit_ends(0)(1) <= compared2_sign1_h3;
-  separated8_unit_ends(1)(0) <= compared0_sign0_h3;
-  separated8_unit_ends(1)(1) <= compared0_sign1_h3;
-  separated8_unit_sides(0)(0) <= compared8_sign0_h1;
-  separated8_unit_sides(0)(1) <= compared8_sign1_h1;
-  separated8_unit_sides(1)(0) <= compared11_sign0_h1;
-  separated8_unit_sides(1)(1) <= compared11_sign1_h1;
-  separated8_unit_sides(2)(0) <= compared14_sign0_h3;
-  separated8_unit_sides(2)(1) <= compared14_sign1_h3;
-  separated3_unit : entity work.edge_verdict
-    port map (ends => separated3_unit_ends, sides => separated3_unit_sides, missed => separated_i(3),
-              pierces => overlapping_i(3));
-  separated4_unit : entity work.edge_verdict
-    port map (ends => separated4_unit_ends, sides => separated4_unit_sides, missed => separated_i(4),
-              pierces => overlapping_i(4));
-  separated5_unit : entity work.edge_verdict
-    port map (ends => separated5_unit_ends, sides => separated5_unit_sides, missed => separated_i(5),
-              pierces => overlapping_i(5));
-  separated6_unit : entity work.edge_verdict
-    port map (ends => separated6_unit_ends, sides => separated6_unit_sides, missed => separated_i(6),
-              pierces => overlapping_i(6));
-  separated7_unit : entity work.edge_verdict
-    port map (ends => separated7_unit_ends, sides => separated7_unit_sides, missed => separated_i(7),
-              pierces => overlapping_i(7));
-  separated8_unit : entity work.edge_verdict
-    port map (ends => separated8_unit_ends, sides => separated8_unit_sides, missed => separated_i(8),
-              pierces => overlapping_i(8));
+  -- Clock 34
+  separated_i(2) <= separated2_or_h1 and separated2_not_h32;
+  separated_i(3) <= separated3_result and separated3_not_h32;
+  separated_i(4) <= separated4_result and separated4_not_h32;
+  separated_i(5) <= separated5_result and separated5_not_h32;
+  separated_i(6) <= separated6_result and separated6_not_h32;
+  separated_i(7) <= separated7_result and separated7_not_h32;
+  separated_i(8) <= separated8_result and separated8_not_h32;
+  overlapping_i(3) <= overlapping3_result and overlapping3_not_h32;
+  overlapping_i(4) <= overlapping4_result and overlapping4_not_h32;
+  overlapping_i(5) <= overlapping5_result and overlapping5_not_h32;
+  overlapping_i(6) <= overlapping6_result and overlapping6_not_h32;
+  overlapping_i(7) <= overlapping7_result and overlapping7_not_h32;
+  overlapping_i(8) <= overlapping8_result and overlapping8_not_h32;
+  separated3_result_unit_ends(0)(0) <= compared3_sign0_h2;
+  separated3_result_unit_ends(0)(1) <= compared3_sign1_h2;
+  separated3_result_unit_ends(1)(0) <= compared4_sign0_h1;
+  separated3_result_unit_ends(1)(1) <= compared4_sign1_h1;
+  separated3_result_unit_sides(0)(0) <= compared6_sign0_h1;
+  separated3_result_unit_sides(0)(1) <= compared6_sign1_h1;
+  separated3_result_unit_sides(1)(0) <= compared7_sign0_h1;
+  separated3_result_unit_sides(1)(1) <= compared7_sign1_h1;
+  separated3_result_unit_sides(2)(0) <= compared8_sign0_h1;
+  separated3_result_unit_sides(2)(1) <= compared8_sign1_h1;
+  separated4_result_unit_ends(0)(0) <= compared4_sign0_h1;
+  separated4_result_unit_ends(0)(1) <= compared4_sign1_h1;
+  separated4_result_unit_ends(1)(0) <= compared5_sign0_h1;
+  separated4_result_unit_ends(1)(1) <= compared5_sign1_h1;
+  separated4_result_unit_sides(0)(0) <= compared9_sign0_h1;
+  separated4_result_unit_sides(0)(1) <= compared9_sign1_h1;
+  separated4_result_unit_sides(1)(0) <= compared10_sign0_h1;
+  separated4_result_unit_sides(1)(1) <= compared10_sign1_h1;
+  separated4_result_unit_sides(2)(0) <= compared11_sign0_h1;
+  separated4_result_unit_sides(2)(1) <= compared11_sign1_h1;
+  separated5_result_unit_ends(0)(0) <= compared5_sign0_h1;
+  separated5_result_unit_ends(0)(1) <= compared5_sign1_h1;
+  separated5_result_unit_ends(1)(0) <= compared3_sign0_h2;
+  separated5_result_unit_ends(1)(1) <= compared3_sign1_h2;
+  separated5_result_unit_sides(0)(0) <= compared12_sign0_h3;
+  separated5_result_unit_sides(0)(1) <= compared12_sign1_h3;
+  separated5_result_unit_sides(1)(0) <= compared13_sign0_h3;
+  separated5_result_unit_sides(1)(1) <= compared13_sign1_h3;
+  separated5_result_unit_sides(2)(0) <= compared14_sign0_h3;
+  separated5_result_unit_sides(2)(1) <= compared14_sign1_h3;
+  separated6_result_unit_ends(0)(0) <= compared0_sign0_h3;
+  separated6_result_unit_ends(0)(1) <= compared0_sign1_h3;
+  separated6_result_unit_ends(1)(0) <= compared1_sign0_h3;
+  separated6_result_unit_ends(1)(1) <= compared1_sign1_h3;
+  separated6_result_unit_sides(0)(0) <= compared6_sign0_h1;
+  separated6_result_unit_sides(0)(1) <= compared6_sign1_h1;
+  separated6_result_unit_sides(1)(0) <= compared9_sign0_h1;
+  separated6_result_unit_sides(1)(1) <= compared9_sign1_h1;
+  separated6_result_unit_sides(2)(0) <= compared12_sign0_h3;
+  separated6_result_unit_sides(2)(1) <= compared12_sign1_h3;
+  separated7_result_unit_ends(0)(0) <= compared1_sign0_h3;
+  separated7_result_unit_ends(0)(1) <= compared1_sign1_h3;
+  separated7_result_unit_ends(1)(0) <= compared2_sign0_h3;
+  separated7_result_unit_ends(1)(1) <= compared2_sign1_h3;
+  separated7_result_unit_sides(0)(0) <= compared7_sign0_h1;
+  separated7_result_unit_sides(0)(1) <= compared7_sign1_h1;
+  separated7_result_unit_sides(1)(0) <= compared10_sign0_h1;
+  separated7_result_unit_sides(1)(1) <= compared10_sign1_h1;
+  separated7_result_unit_sides(2)(0) <= compared13_sign0_h3;
+  separated7_result_unit_sides(2)(1) <= compared13_sign1_h3;
+  separated8_result_unit_ends(0)(0) <= compared2_sign0_h3;
+  separated8_result_unit_ends(0)(1) <= compared2_sign1_h3;
+  separated8_result_unit_ends(1)(0) <= compared0_sign0_h3;
+  separated8_result_unit_ends(1)(1) <= compared0_sign1_h3;
+  separated8_result_unit_sides(0)(0) <= compared8_sign0_h1;
+  separated8_result_unit_sides(0)(1) <= compared8_sign1_h1;
+  separated8_result_unit_sides(1)(0) <= compared11_sign0_h1;
+  separated8_result_unit_sides(1)(1) <= compared11_sign1_h1;
+  separated8_result_unit_sides(2)(0) <= compared14_sign0_h3;
+  separated8_result_unit_sides(2)(1) <= compared14_sign1_h3;
+  separated3_result_unit : entity work.edge_verdict
+    port map (ends => separated3_result_unit_ends, sides => separated3_result_unit_sides, missed => separated3_result,
+              pierces => overlapping3_result);
+  separated4_result_unit : entity work.edge_verdict
+    port map (ends => separated4_result_unit_ends, sides => separated4_result_unit_sides, missed => separated4_result,
+              pierces => overlapping4_result);
+  separated5_result_unit : entity work.edge_verdict
+    port map (ends => separated5_result_unit_ends, sides => separated5_result_unit_sides, missed => separated5_result,
+              pierces => overlapping5_result);
+  separated6_result_unit : entity work.edge_verdict
+    port map (ends => separated6_result_unit_ends, sides => separated6_result_unit_sides, missed => separated6_result,
+              pierces => overlapping6_result);
+  separated7_result_unit : entity work.edge_verdict
+    port map (ends => separated7_result_unit_ends, sides => separated7_result_unit_sides, missed => separated7_result,
+              pierces => overlapping7_result);
+  separated8_result_unit : entity work.edge_verdict
+    port map (ends => separated8_result_unit_ends, sides => separated8_result_unit_sides, missed => separated8_result,
+              pierces => overlapping8_result);
 
-  -- Clock 33
+  -- Clock 35
   verdict_unit_separated(0) <= separated0_h9;
-  verdict_unit_separated(1) <= separated1_h4;
-  verdict_unit_separated(2) <= separated2_h2;
+  verdict_unit_separated(1) <= separated1_h3;
+  verdict_unit_separated(2) <= separated2_h1;
   verdict_unit_separated(3) <= separated3_h1;
   verdict_unit_separated(4) <= separated4_h1;
   verdict_unit_separated(5) <= separated5_h1;
   verdict_unit_separated(6) <= separated6_h1;
   verdict_unit_separated(7) <= separated7_h1;
   verdict_unit_separated(8) <= separated8_h1;
-  verdict_unit_overlapping(0) <= overlapping_i(0);
-  verdict_unit_overlapping(1) <= overlapping_i(1);
-  verdict_unit_overlapping(2) <= overlapping_i(2);
-  verdict_unit_overlapping(3) <= overlapping3_h1;
-  verdict_unit_overlapping(4) <= overlapping4_h1;
-  verdict_unit_overlapping(5) <= overlapping5_h1;
-  verdict_unit_overlapping(6) <= overlapping6_h1;
-  verdict_unit_overlapping(7) <= overlapping7_h1;
-  verdict_unit_overlapping(8) <= overlapping8_h1;
+  verdict_unit_overlapping(0) <= overlapping0_h33;
+  verdict_unit_overlapping(1) <= overlapping1_h33;
+  verdict_unit_overlapping(2) <= overlapping2_h33;
+  verdict_unit_overlapping(3) <= overlapping_h1(3);
+  verdict_unit_overlapping(4) <= overlapping_h1(4);
+  verdict_unit_overlapping(5) <= overlapping_h1(5);
+  verdict_unit_overlapping(6) <= overlapping_h1(6);
+  verdict_unit_overlapping(7) <= overlapping_h1(7);
+  verdict_unit_overlapping(8) <= overlapping_h1(8);
   verdict_unit : entity work.pair_verdict
     port map (separated => verdict_unit_separated, overlapping => verdict_unit_overlapping, verdict => verdict);
 
@@ -1302,25 +1608,25 @@ begin
   selectors : process (clk)
   begin
     if rising_edge(clk) then
-      if holds0_or_in_phase_1_or_busy_4_or_busy_10_or_busy_14_or_busy_16_or_busy_20_or_busy_22 = '1' then
+      if busy_2_or_busy_12_or_busy_16_or_busy_18_or_busy_22_or_busy_24 = '1' then
         if phase = '1' then
           row_m0_select_at_0 <= '0';
         else
           row_m0_select_at_0 <= '1';
         end if;
       end if;
-      if busy_18 = '1' then
-        if phase = '1' then
-          too_great_0_so_far_select_at_0 <= '1';
-        else
-          too_great_0_so_far_select_at_0 <= '0';
-        end if;
-      end if;
-      if busy_17_or_busy_19_or_busy_23_or_busy_25 = '1' then
+      if busy_7_or_busy_19_or_busy_21_or_busy_25_or_busy_27 = '1' then
         if phase = '1' then
           row_m0_select_at_1 <= '1';
         else
           row_m0_select_at_1 <= '0';
+        end if;
+      end if;
+      if busy_20 = '1' then
+        if phase = '1' then
+          too_great_0_so_far_select_at_0 <= '1';
+        else
+          too_great_0_so_far_select_at_0 <= '0';
         end if;
       end if;
     end if;
@@ -1330,19 +1636,31 @@ begin
   captures : process (clk)
   begin
     if rising_edge(clk) then
-      if strobe(1) = '1' then
-        moved_h2 <= moved;
-        moved_h4 <= moved_h2;
-        in_w_h2 <= in_w;
-        in_w_h4 <= in_w_h2;
-        pose_bypass_h2 <= pose_bypass;
-        pose_bypass_h4 <= pose_bypass_h2;
+      if strobe(0) = '1' then
+        for k in 0 to 2 loop
+          pose_t_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_t(k));
+          pose_m0_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(k));
+          pose_m1_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(k));
+          pose_m2_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(k));
+        end loop;
+        in_w1_inside_h2 <= in_w1_inside;
+        moved_h1 <= moved;
+        moved_h3 <= moved_h1;
+        moved_h5 <= moved_h3;
+        in_w0_inside_h2 <= in_w0_inside;
+        in_w0_inside_h4 <= in_w0_inside_h2;
+        in_w0_inside_h6 <= in_w0_inside_h4;
+        in_w1_inside_h4 <= in_w1_inside_h2;
+        in_w1_inside_h6 <= in_w1_inside_h4;
+        pose_bypass_h7 <= pose_bypass_h6;
+        difference(0) <= row(0);
+        difference(1) <= row(1);
+        difference(2) <= row(2);
+        difference(3) <= row(3);
         difference(4) <= row(4);
-        difference(5) <= row(0);
-        difference(6) <= row(1);
-        difference(7) <= row(2);
-        difference(8) <= row(3);
-        difference4_h2 <= difference(4);
+        in_w2_inside_h2 <= in_w2_inside;
+        in_w2_inside_h4 <= in_w2_inside_h2;
+        in_w2_inside_h6 <= in_w2_inside_h4;
         difference_v1_h2 <= difference_v1;
         difference_v1_h4 <= difference_v1_h2;
         difference_v1_h6 <= difference_v1_h4;
@@ -1352,155 +1670,12 @@ begin
         difference_v2_h6 <= difference_v2_h4;
         difference_v2_h8 <= difference_v2_h6;
         difference_v1_h10 <= difference_v1_h8;
-        difference_w1_h2 <= difference_w1;
-        coordinate_cut(0) <= lane_shifted(0);
-        coordinate_cut(1) <= lane_shifted(1);
-        coordinate_cut(2) <= lane_shifted(2);
-        difference_v2_h10 <= difference_v2_h8;
-        difference_w2_h2(1) <= difference_w2(1);
-        difference_w2_h2(2) <= difference_w2(2);
-        coordinate_cut0_h2 <= coordinate_cut(0);
-        coordinate_cut1_h2 <= coordinate_cut(1);
-        coordinate_cut2_h2 <= coordinate_cut(2);
-        carried_h1 <= carried;
-        coordinate_cut3_h1 <= coordinate_cut(3);
-        coordinate_cut4_h1 <= coordinate_cut(4);
-        taken_x_h1 <= taken_x;
-        taken_y_h1 <= taken_y;
-        taken_z_h1 <= taken_z;
-        axis_level0_resized_less_choice_h2 <= axis_level0_resized_less_choice;
-        axis_level0_resized_less_choice_h4 <= axis_level0_resized_less_choice_h2;
-        axis_level2_h2 <= axis_level(2);
-        axis_level2_h4 <= axis_level2_h2;
-        moment_cut(6) <= moment_lane_cut(0);
-        moment_cut(7) <= moment_lane_cut(1);
-        moment_cut(8) <= moment_lane_cut(2);
-        moment_cut(9) <= moment_lane_cut(3);
-        moment_cut(10) <= moment_lane_cut(4);
-        moment_cut(11) <= moment_lane_cut(5);
-        moment_m0 <= moment_lane(0);
-        moment_m1 <= moment_lane(1);
-        coordinate_w0_h2 <= coordinate_w0;
-        coordinate_w0_h4 <= coordinate_w0_h2;
-        coordinate_w0_h6 <= coordinate_w0_h4;
-        coordinate_w0_h8 <= coordinate_w0_h6;
-        moment_m1_h2 <= moment_m1;
-        determinant_plane_b0 <= dot_lane(0);
-        dot_d1(0) <= dot_lane(1);
-        dot_d1(1) <= dot_lane(2);
-        determinant_side22 <= dot_lane(3);
-        coordinate_w1_h2 <= coordinate_w1;
-        coordinate_w1_h4 <= coordinate_w1_h2;
-        coordinate_w1_h6 <= coordinate_w1_h4;
-        coordinate_w1_h8 <= coordinate_w1_h6;
-        coordinate_w2_h2 <= coordinate_w2;
-        coordinate_w2_h4 <= coordinate_w2_h2;
-        coordinate_w2_h6 <= coordinate_w2_h4;
-        coordinate_w2_h8 <= coordinate_w2_h6;
-        determinant_plane_a2 <= dot_lane(4);
-        dot_d1_0_h2 <= dot_d1(0);
-        dot_d1_1_h2 <= dot_d1(1);
-        coordinate_v2_h1 <= coordinate_v2;
-        coordinate_v1_h1 <= coordinate_v1;
-        for i in 0 to 2 loop
-          norm_x0_resized_third_h2(i) <= resize(coordinate_w2(i), 19);
-        end loop;
-        length_measure(4) <= norm_lane(0);
-        length_measure(5) <= norm_lane(1);
-        length_measure(7) <= norm_lane(3);
-        length_measure(8) <= norm_lane(2);
-        for i in 0 to 2 loop
-          norm_x3_resized_h2(i) <= resize(coordinate_w0(i), 19);
-          norm_x4_resized_h2(i) <= resize(coordinate_w1(i), 19);
-        end loop;
-        length_measure_h2(4) <= length_measure(4);
-        length_measure_h2(5) <= length_measure(5);
-        length_measure_h2(7) <= length_measure(7);
-        length_measure_h2(8) <= length_measure(8);
-        length_measure_h4(4) <= length_measure_h2(4);
-        length_measure_h4(5) <= length_measure_h2(5);
-        length_measure_h4(7) <= length_measure_h2(7);
-        length_measure_h4(8) <= length_measure_h2(8);
-        length_bound(5) <= length_first(0);
-        length_bound(6) <= length_first(1);
-        length_bound(7) <= length_first(2);
-        length_bound(8) <= length_first(3);
-        norm_of_moment(2) <= moment_norm_lane(0);
-        norm_of_moment(3) <= moment_norm_lane(1);
-        moment_bound(2) <= moment_first(0);
-        moment_bound(3) <= moment_first(1);
-        length_measure0_plane_a0_h2 <= length_measure0_plane_a0;
-        face_of_vertex_h1 <= face_of_vertex;
-        bound_plane_a0_sum_second_h2 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(1)(0), 30);
-        bound_plane_a1_sum_first_result_h2 <= bound_plane_a1_sum_first_result;
-        bound_plane_a1_sum_second_h2 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(1)(1), 30);
-        bound_plane_a2_sum_first_result_h2 <= bound_plane_a2_sum_first_result;
-        bound_plane_a2_sum_second_h2 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(1)(2), 30);
-        bound_corner_sum_h2 <= resize(resize(length_bound(5), 30) + resize(length_bound(6), 30), 31) +
-            resize(length_bound(7), 31);
-        bound_plane_b1_result_h2 <= bound_plane_b1_result;
-        bound_plane_b2_result_h2 <= bound_plane_b2_result;
-        bound_of_a_aligned_second_h2 <= append(length_bound(8), 1);
-        length_measure0_ends0_h2 <= length_measure0_ends0;
-        bound_side00_sum_second_h2 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(0)(1), 30);
-        bound_side01_sum_second_h2 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(0)(2), 30);
-        bound_side02_sum_second_h2 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(0)(0), 30);
-        bound_side10_sum_sum_aligned_second_h2 <= append(length_bound(5), 1);
-        bound_side10_result_h2 <= bound_side10_result;
-        bound_side11_sum_sum_aligned_second_h2 <= append(length_bound(6), 1);
-        bound_side11_result_h2 <= bound_side11_result;
-        bound_side12_sum_sum_aligned_second_h2 <= append(length_bound(7), 1);
-        bound_side12_result_h2 <= bound_side12_result;
-        length_measure0_ends1_h2 <= length_measure0_ends1;
-        bound_side20_sum_second_h2 <= resize(face_of_vertex_h1(1)(0), 30) + resize(face_of_vertex_h1(1)(1), 30);
-        bound_side21_sum_second_h2 <= resize(face_of_vertex_h1(1)(1), 30) + resize(face_of_vertex_h1(1)(2), 30);
-        bound_side22_sum_second_h2 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex_h1(1)(0), 30);
-        compared3_h2 <= compared(3);
-        compared_bound3_h1 <= compared_bound(3);
-        compared_bound8_h2 <= compared_bound(8);
-        boxes_apart_along(2) <= boxes_lane(0);
-        compared3_sign0_h2 <= compared3_sign0;
-        compared3_sign1_h2 <= compared3_sign1;
-        compared4_sign0_h1 <= compared4_sign0;
-        compared4_sign1_h1 <= compared4_sign1;
-        compared6_sign0_h1 <= compared6_sign0;
-        compared6_sign1_h1 <= compared6_sign1;
-        compared7_sign0_h1 <= compared7_sign0;
-        compared7_sign1_h1 <= compared7_sign1;
-        compared8_sign0_h1 <= compared8_sign0;
-        compared8_sign1_h1 <= compared8_sign1;
-        compared5_sign0_h1 <= compared5_sign0;
-        compared5_sign1_h1 <= compared5_sign1;
-        compared9_sign0_h1 <= compared9_sign0;
-        compared9_sign1_h1 <= compared9_sign1;
-        compared10_sign0_h1 <= compared10_sign0;
-        compared10_sign1_h1 <= compared10_sign1;
-        compared11_sign0_h1 <= compared11_sign0;
-        compared11_sign1_h1 <= compared11_sign1;
-        compared12_sign0_h3 <= compared12_sign0_h2;
-        compared12_sign1_h3 <= compared12_sign1_h2;
-        compared13_sign0_h3 <= compared13_sign0_h2;
-        compared13_sign1_h3 <= compared13_sign1_h2;
-        compared14_sign0_h3 <= compared14_sign0_h2;
-        compared14_sign1_h3 <= compared14_sign1_h2;
-        compared0_sign0_h3 <= compared0_sign0_h2;
-        compared0_sign1_h3 <= compared0_sign1_h2;
-        compared1_sign0_h3 <= compared1_sign0_h2;
-        compared1_sign1_h3 <= compared1_sign1_h2;
-        compared2_sign0_h3 <= compared2_sign0_h2;
-        compared2_sign1_h3 <= compared2_sign1_h2;
-        separated2_h1 <= separated_i(2);
-      end if;
-      if strobe(0) = '1' then
-        difference(0) <= row(0);
-        difference(1) <= row(1);
-        difference(2) <= row(2);
-        difference(3) <= row(3);
         shift_h1 <= shift;
         coordinate_cut(3) <= lane_shifted(0);
         coordinate_cut(4) <= lane_shifted(1);
-        difference_w2_h2(0) <= difference_w2(0);
+        difference_v2_h10 <= difference_v2_h8;
         difference_w2_x_h4 <= difference_w2_h2(0);
+        difference_w2_z_h4 <= difference_w2_h2(2);
         difference_w0_h2 <= difference_w0;
         coordinate_cut0_h3 <= coordinate_cut0_h2;
         coordinate_cut1_h3 <= coordinate_cut1_h2;
@@ -1633,7 +1808,149 @@ begin
         compared1_sign1_h2 <= compared1_sign1;
         compared2_sign0_h2 <= compared2_sign0;
         compared2_sign1_h2 <= compared2_sign1;
+        for k in 0 to 8 loop
+          separated_not_h1(k) <= not outside_i;
+        end loop;
+        separated_not_h3 <= separated_not_h1;
+        separated_not_h5 <= separated_not_h3;
+        separated_not_h7 <= separated_not_h5;
+        separated_not_h9 <= separated_not_h7;
+        separated_not_h11 <= separated_not_h9;
+        separated_not_h13 <= separated_not_h11;
+        separated_not_h15 <= separated_not_h13;
+        separated_not_h17 <= separated_not_h15;
+        separated_not_h19 <= separated_not_h17;
+        separated_not_h21 <= separated_not_h19;
+        separated_not_h23 <= separated_not_h21;
+        separated1_not_h25 <= separated_not_h23(1);
+        separated2_not_h25 <= separated_not_h23(2);
+        separated3_not_h25 <= separated_not_h23(3);
+        separated4_not_h25 <= separated_not_h23(4);
+        separated5_not_h25 <= separated_not_h23(5);
+        separated6_not_h25 <= separated_not_h23(6);
+        separated7_not_h25 <= separated_not_h23(7);
+        separated8_not_h25 <= separated_not_h23(8);
+        separated1_not_h27 <= separated1_not_h25;
+        separated2_not_h27 <= separated2_not_h25;
+        separated3_not_h27 <= separated3_not_h25;
+        separated4_not_h27 <= separated4_not_h25;
+        separated5_not_h27 <= separated5_not_h25;
+        separated6_not_h27 <= separated6_not_h25;
+        separated7_not_h27 <= separated7_not_h25;
+        separated8_not_h27 <= separated8_not_h25;
+        separated1_not_h29 <= separated1_not_h27;
+        separated2_not_h29 <= separated2_not_h27;
+        separated3_not_h29 <= separated3_not_h27;
+        separated4_not_h29 <= separated4_not_h27;
+        separated5_not_h29 <= separated5_not_h27;
+        separated6_not_h29 <= separated6_not_h27;
+        separated7_not_h29 <= separated7_not_h27;
+        separated8_not_h29 <= separated8_not_h27;
+        separated2_not_h31 <= separated2_not_h29;
+        separated3_not_h31 <= separated3_not_h29;
+        separated4_not_h31 <= separated4_not_h29;
+        separated5_not_h31 <= separated5_not_h29;
+        separated6_not_h31 <= separated6_not_h29;
+        separated7_not_h31 <= separated7_not_h29;
+        separated8_not_h31 <= separated8_not_h29;
+        overlapping3_not_h1 <= not outside_i;
+        overlapping4_not_h1 <= not outside_i;
+        overlapping5_not_h1 <= not outside_i;
+        overlapping6_not_h1 <= not outside_i;
+        overlapping7_not_h1 <= not outside_i;
+        overlapping8_not_h1 <= not outside_i;
+        overlapping3_not_h3 <= overlapping3_not_h1;
+        overlapping4_not_h3 <= overlapping4_not_h1;
+        overlapping5_not_h3 <= overlapping5_not_h1;
+        overlapping6_not_h3 <= overlapping6_not_h1;
+        overlapping7_not_h3 <= overlapping7_not_h1;
+        overlapping8_not_h3 <= overlapping8_not_h1;
+        overlapping3_not_h5 <= overlapping3_not_h3;
+        overlapping4_not_h5 <= overlapping4_not_h3;
+        overlapping5_not_h5 <= overlapping5_not_h3;
+        overlapping6_not_h5 <= overlapping6_not_h3;
+        overlapping7_not_h5 <= overlapping7_not_h3;
+        overlapping8_not_h5 <= overlapping8_not_h3;
+        overlapping3_not_h7 <= overlapping3_not_h5;
+        overlapping4_not_h7 <= overlapping4_not_h5;
+        overlapping5_not_h7 <= overlapping5_not_h5;
+        overlapping6_not_h7 <= overlapping6_not_h5;
+        overlapping7_not_h7 <= overlapping7_not_h5;
+        overlapping8_not_h7 <= overlapping8_not_h5;
+        overlapping3_not_h9 <= overlapping3_not_h7;
+        overlapping4_not_h9 <= overlapping4_not_h7;
+        overlapping5_not_h9 <= overlapping5_not_h7;
+        overlapping6_not_h9 <= overlapping6_not_h7;
+        overlapping7_not_h9 <= overlapping7_not_h7;
+        overlapping8_not_h9 <= overlapping8_not_h7;
+        overlapping3_not_h11 <= overlapping3_not_h9;
+        overlapping4_not_h11 <= overlapping4_not_h9;
+        overlapping5_not_h11 <= overlapping5_not_h9;
+        overlapping6_not_h11 <= overlapping6_not_h9;
+        overlapping7_not_h11 <= overlapping7_not_h9;
+        overlapping8_not_h11 <= overlapping8_not_h9;
+        overlapping3_not_h13 <= overlapping3_not_h11;
+        overlapping4_not_h13 <= overlapping4_not_h11;
+        overlapping5_not_h13 <= overlapping5_not_h11;
+        overlapping6_not_h13 <= overlapping6_not_h11;
+        overlapping7_not_h13 <= overlapping7_not_h11;
+        overlapping8_not_h13 <= overlapping8_not_h11;
+        overlapping3_not_h15 <= overlapping3_not_h13;
+        overlapping4_not_h15 <= overlapping4_not_h13;
+        overlapping5_not_h15 <= overlapping5_not_h13;
+        overlapping6_not_h15 <= overlapping6_not_h13;
+        overlapping7_not_h15 <= overlapping7_not_h13;
+        overlapping8_not_h15 <= overlapping8_not_h13;
+        overlapping3_not_h17 <= overlapping3_not_h15;
+        overlapping4_not_h17 <= overlapping4_not_h15;
+        overlapping5_not_h17 <= overlapping5_not_h15;
+        overlapping6_not_h17 <= overlapping6_not_h15;
+        overlapping7_not_h17 <= overlapping7_not_h15;
+        overlapping8_not_h17 <= overlapping8_not_h15;
+        overlapping3_not_h19 <= overlapping3_not_h17;
+        overlapping4_not_h19 <= overlapping4_not_h17;
+        overlapping5_not_h19 <= overlapping5_not_h17;
+        overlapping6_not_h19 <= overlapping6_not_h17;
+        overlapping7_not_h19 <= overlapping7_not_h17;
+        overlapping8_not_h19 <= overlapping8_not_h17;
+        overlapping3_not_h21 <= overlapping3_not_h19;
+        overlapping4_not_h21 <= overlapping4_not_h19;
+        overlapping5_not_h21 <= overlapping5_not_h19;
+        overlapping6_not_h21 <= overlapping6_not_h19;
+        overlapping7_not_h21 <= overlapping7_not_h19;
+        overlapping8_not_h21 <= overlapping8_not_h19;
+        overlapping3_not_h23 <= overlapping3_not_h21;
+        overlapping4_not_h23 <= overlapping4_not_h21;
+        overlapping5_not_h23 <= overlapping5_not_h21;
+        overlapping6_not_h23 <= overlapping6_not_h21;
+        overlapping7_not_h23 <= overlapping7_not_h21;
+        overlapping8_not_h23 <= overlapping8_not_h21;
+        overlapping3_not_h25 <= overlapping3_not_h23;
+        overlapping4_not_h25 <= overlapping4_not_h23;
+        overlapping5_not_h25 <= overlapping5_not_h23;
+        overlapping6_not_h25 <= overlapping6_not_h23;
+        overlapping7_not_h25 <= overlapping7_not_h23;
+        overlapping8_not_h25 <= overlapping8_not_h23;
+        overlapping3_not_h27 <= overlapping3_not_h25;
+        overlapping4_not_h27 <= overlapping4_not_h25;
+        overlapping5_not_h27 <= overlapping5_not_h25;
+        overlapping6_not_h27 <= overlapping6_not_h25;
+        overlapping7_not_h27 <= overlapping7_not_h25;
+        overlapping8_not_h27 <= overlapping8_not_h25;
+        overlapping3_not_h29 <= overlapping3_not_h27;
+        overlapping4_not_h29 <= overlapping4_not_h27;
+        overlapping5_not_h29 <= overlapping5_not_h27;
+        overlapping6_not_h29 <= overlapping6_not_h27;
+        overlapping7_not_h29 <= overlapping7_not_h27;
+        overlapping8_not_h29 <= overlapping8_not_h27;
+        overlapping3_not_h31 <= overlapping3_not_h29;
+        overlapping4_not_h31 <= overlapping4_not_h29;
+        overlapping5_not_h31 <= overlapping5_not_h29;
+        overlapping6_not_h31 <= overlapping6_not_h29;
+        overlapping7_not_h31 <= overlapping7_not_h29;
+        overlapping8_not_h31 <= overlapping8_not_h29;
         separated0_h1 <= separated_i(0);
+        separated2_h1 <= separated_i(2);
         separated3_h1 <= separated_i(3);
         separated4_h1 <= separated_i(4);
         separated5_h1 <= separated_i(5);
@@ -1641,33 +1958,262 @@ begin
         separated7_h1 <= separated_i(7);
         separated8_h1 <= separated_i(8);
         separated0_h3 <= separated0_h1;
+        separated1_h3 <= separated1_h2;
         separated0_h5 <= separated0_h3;
         separated0_h7 <= separated0_h5;
         separated0_h9 <= separated0_h7;
-        separated1_h2 <= separated_i(1);
-        separated2_h2 <= separated2_h1;
-        separated1_h4 <= separated1_h2;
-        overlapping3_h1 <= overlapping_i(3);
-        overlapping4_h1 <= overlapping_i(4);
-        overlapping5_h1 <= overlapping_i(5);
-        overlapping6_h1 <= overlapping_i(6);
-        overlapping7_h1 <= overlapping_i(7);
-        overlapping8_h1 <= overlapping_i(8);
+        overlapping_h1 <= overlapping_i;
+        overlapping0_h3 <= overlapping_h1(0);
+        overlapping1_h3 <= overlapping_h1(1);
+        overlapping2_h3 <= overlapping_h1(2);
+        overlapping0_h5 <= overlapping0_h3;
+        overlapping1_h5 <= overlapping1_h3;
+        overlapping2_h5 <= overlapping2_h3;
+        overlapping0_h7 <= overlapping0_h5;
+        overlapping1_h7 <= overlapping1_h5;
+        overlapping2_h7 <= overlapping2_h5;
+        overlapping0_h9 <= overlapping0_h7;
+        overlapping1_h9 <= overlapping1_h7;
+        overlapping2_h9 <= overlapping2_h7;
+        overlapping0_h11 <= overlapping0_h9;
+        overlapping1_h11 <= overlapping1_h9;
+        overlapping2_h11 <= overlapping2_h9;
+        overlapping0_h13 <= overlapping0_h11;
+        overlapping1_h13 <= overlapping1_h11;
+        overlapping2_h13 <= overlapping2_h11;
+        overlapping0_h15 <= overlapping0_h13;
+        overlapping1_h15 <= overlapping1_h13;
+        overlapping2_h15 <= overlapping2_h13;
+        overlapping0_h17 <= overlapping0_h15;
+        overlapping1_h17 <= overlapping1_h15;
+        overlapping2_h17 <= overlapping2_h15;
+        overlapping0_h19 <= overlapping0_h17;
+        overlapping1_h19 <= overlapping1_h17;
+        overlapping2_h19 <= overlapping2_h17;
+        overlapping0_h21 <= overlapping0_h19;
+        overlapping1_h21 <= overlapping1_h19;
+        overlapping2_h21 <= overlapping2_h19;
+        overlapping0_h23 <= overlapping0_h21;
+        overlapping1_h23 <= overlapping1_h21;
+        overlapping2_h23 <= overlapping2_h21;
+        overlapping0_h25 <= overlapping0_h23;
+        overlapping1_h25 <= overlapping1_h23;
+        overlapping2_h25 <= overlapping2_h23;
+        overlapping0_h27 <= overlapping0_h25;
+        overlapping1_h27 <= overlapping1_h25;
+        overlapping2_h27 <= overlapping2_h25;
+        overlapping0_h29 <= overlapping0_h27;
+        overlapping1_h29 <= overlapping1_h27;
+        overlapping2_h29 <= overlapping2_h27;
+        overlapping0_h31 <= overlapping0_h29;
+        overlapping1_h31 <= overlapping1_h29;
+        overlapping2_h31 <= overlapping2_h29;
+        overlapping0_h33 <= overlapping0_h31;
+        overlapping1_h33 <= overlapping1_h31;
+        overlapping2_h33 <= overlapping2_h31;
+        outside_h1 <= outside_i;
+        outside_h3 <= outside_h1;
+        outside_h5 <= outside_h3;
+        outside_h7 <= outside_h5;
+        outside_h9 <= outside_h7;
+        outside_h11 <= outside_h9;
+        outside_h13 <= outside_h11;
+        outside_h15 <= outside_h13;
+        outside_h17 <= outside_h15;
+        outside_h19 <= outside_h17;
+        outside_h21 <= outside_h19;
+        outside_h23 <= outside_h21;
+        outside_h25 <= outside_h23;
+        outside_h27 <= outside_h25;
+        outside_h29 <= outside_h27;
+        outside_h31 <= outside_h29;
+        outside <= outside_h31;
       end if;
+      if strobe(1) = '1' then
+        pose_bypass_h2 <= pose_bypass;
+        pose_bypass_h4 <= pose_bypass_h2;
+        pose_bypass_h6 <= pose_bypass_h4;
+        difference(5) <= row(0);
+        difference(6) <= row(1);
+        difference(7) <= row(2);
+        difference(8) <= row(3);
+        difference_v1_h9 <= difference_v1_h8;
+        difference_v2_h9 <= difference_v2_h8;
+        difference_w1_h2 <= difference_w1;
+        coordinate_cut(0) <= lane_shifted(0);
+        coordinate_cut(1) <= lane_shifted(1);
+        coordinate_cut(2) <= lane_shifted(2);
+        coordinate_cut0_h2 <= coordinate_cut(0);
+        coordinate_cut1_h2 <= coordinate_cut(1);
+        coordinate_cut2_h2 <= coordinate_cut(2);
+        carried_h1 <= carried;
+        coordinate_cut3_h1 <= coordinate_cut(3);
+        coordinate_cut4_h1 <= coordinate_cut(4);
+        taken_x_h1 <= taken_x;
+        taken_y_h1 <= taken_y;
+        taken_z_h1 <= taken_z;
+        axis_level0_resized_less_choice_h2 <= axis_level0_resized_less_choice;
+        axis_level0_resized_less_choice_h4 <= axis_level0_resized_less_choice_h2;
+        axis_level2_h2 <= axis_level(2);
+        axis_level2_h4 <= axis_level2_h2;
+        moment_cut(6) <= moment_lane_cut(0);
+        moment_cut(7) <= moment_lane_cut(1);
+        moment_cut(8) <= moment_lane_cut(2);
+        moment_cut(9) <= moment_lane_cut(3);
+        moment_cut(10) <= moment_lane_cut(4);
+        moment_cut(11) <= moment_lane_cut(5);
+        moment_m0 <= moment_lane(0);
+        moment_m1 <= moment_lane(1);
+        coordinate_w0_h2 <= coordinate_w0;
+        coordinate_w0_h4 <= coordinate_w0_h2;
+        coordinate_w0_h6 <= coordinate_w0_h4;
+        coordinate_w0_h8 <= coordinate_w0_h6;
+        moment_m1_h2 <= moment_m1;
+        determinant_plane_b0 <= dot_lane(0);
+        dot_d1(0) <= dot_lane(1);
+        dot_d1(1) <= dot_lane(2);
+        determinant_side22 <= dot_lane(3);
+        coordinate_w1_h2 <= coordinate_w1;
+        coordinate_w1_h4 <= coordinate_w1_h2;
+        coordinate_w1_h6 <= coordinate_w1_h4;
+        coordinate_w1_h8 <= coordinate_w1_h6;
+        coordinate_w2_h2 <= coordinate_w2;
+        coordinate_w2_h4 <= coordinate_w2_h2;
+        coordinate_w2_h6 <= coordinate_w2_h4;
+        coordinate_w2_h8 <= coordinate_w2_h6;
+        determinant_plane_a2 <= dot_lane(4);
+        dot_d1_0_h2 <= dot_d1(0);
+        dot_d1_1_h2 <= dot_d1(1);
+        coordinate_v2_h1 <= coordinate_v2;
+        coordinate_v1_h1 <= coordinate_v1;
+        for i in 0 to 2 loop
+          norm_x0_resized_third_h2(i) <= resize(coordinate_w2(i), 19);
+        end loop;
+        length_measure(4) <= norm_lane(0);
+        length_measure(5) <= norm_lane(1);
+        length_measure(7) <= norm_lane(3);
+        length_measure(8) <= norm_lane(2);
+        for i in 0 to 2 loop
+          norm_x3_resized_h2(i) <= resize(coordinate_w0(i), 19);
+          norm_x4_resized_h2(i) <= resize(coordinate_w1(i), 19);
+        end loop;
+        length_measure_h2(4) <= length_measure(4);
+        length_measure_h2(5) <= length_measure(5);
+        length_measure_h2(7) <= length_measure(7);
+        length_measure_h2(8) <= length_measure(8);
+        length_measure_h4(4) <= length_measure_h2(4);
+        length_measure_h4(5) <= length_measure_h2(5);
+        length_measure_h4(7) <= length_measure_h2(7);
+        length_measure_h4(8) <= length_measure_h2(8);
+        length_bound(5) <= length_first(0);
+        length_bound(6) <= length_first(1);
+        length_bound(7) <= length_first(2);
+        length_bound(8) <= length_first(3);
+        norm_of_moment(2) <= moment_norm_lane(0);
+        norm_of_moment(3) <= moment_norm_lane(1);
+        moment_bound(2) <= moment_first(0);
+        moment_bound(3) <= moment_first(1);
+        length_measure0_plane_a0_h2 <= length_measure0_plane_a0;
+        face_of_vertex_h1 <= face_of_vertex;
+        bound_plane_a0_sum_second_h2 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(1)(0), 30);
+        bound_plane_a1_sum_first_result_h2 <= bound_plane_a1_sum_first_result;
+        bound_plane_a1_sum_second_h2 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(1)(1), 30);
+        bound_plane_a2_sum_first_result_h2 <= bound_plane_a2_sum_first_result;
+        bound_plane_a2_sum_second_h2 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(1)(2), 30);
+        bound_corner_sum_h2 <= resize(resize(length_bound(5), 30) + resize(length_bound(6), 30), 31) +
+            resize(length_bound(7), 31);
+        bound_plane_b1_result_h2 <= bound_plane_b1_result;
+        bound_plane_b2_result_h2 <= bound_plane_b2_result;
+        bound_of_a_aligned_second_h2 <= append(length_bound(8), 1);
+        length_measure0_ends0_h2 <= length_measure0_ends0;
+        bound_side00_sum_second_h2 <= resize(face_of_vertex_h1(0)(0), 30) + resize(face_of_vertex_h1(0)(1), 30);
+        bound_side01_sum_second_h2 <= resize(face_of_vertex_h1(0)(1), 30) + resize(face_of_vertex_h1(0)(2), 30);
+        bound_side02_sum_second_h2 <= resize(face_of_vertex_h1(0)(2), 30) + resize(face_of_vertex_h1(0)(0), 30);
+        bound_side10_sum_sum_aligned_second_h2 <= append(length_bound(5), 1);
+        bound_side10_result_h2 <= bound_side10_result;
+        bound_side11_sum_sum_aligned_second_h2 <= append(length_bound(6), 1);
+        bound_side11_result_h2 <= bound_side11_result;
+        bound_side12_sum_sum_aligned_second_h2 <= append(length_bound(7), 1);
+        bound_side12_result_h2 <= bound_side12_result;
+        length_measure0_ends1_h2 <= length_measure0_ends1;
+        bound_side20_sum_second_h2 <= resize(face_of_vertex_h1(1)(0), 30) + resize(face_of_vertex_h1(1)(1), 30);
+        bound_side21_sum_second_h2 <= resize(face_of_vertex_h1(1)(1), 30) + resize(face_of_vertex_h1(1)(2), 30);
+        bound_side22_sum_second_h2 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex_h1(1)(0), 30);
+        compared3_h2 <= compared(3);
+        compared_bound3_h1 <= compared_bound(3);
+        compared_bound8_h2 <= compared_bound(8);
+        boxes_apart_along(2) <= boxes_lane(0);
+        compared3_sign0_h2 <= compared3_sign0;
+        compared3_sign1_h2 <= compared3_sign1;
+        compared4_sign0_h1 <= compared4_sign0;
+        compared4_sign1_h1 <= compared4_sign1;
+        compared6_sign0_h1 <= compared6_sign0;
+        compared6_sign1_h1 <= compared6_sign1;
+        compared7_sign0_h1 <= compared7_sign0;
+        compared7_sign1_h1 <= compared7_sign1;
+        compared8_sign0_h1 <= compared8_sign0;
+        compared8_sign1_h1 <= compared8_sign1;
+        compared5_sign0_h1 <= compared5_sign0;
+        compared5_sign1_h1 <= compared5_sign1;
+        compared9_sign0_h1 <= compared9_sign0;
+        compared9_sign1_h1 <= compared9_sign1;
+        compared10_sign0_h1 <= compared10_sign0;
+        compared10_sign1_h1 <= compared10_sign1;
+        compared11_sign0_h1 <= compared11_sign0;
+        compared11_sign1_h1 <= compared11_sign1;
+        compared12_sign0_h3 <= compared12_sign0_h2;
+        compared12_sign1_h3 <= compared12_sign1_h2;
+        compared13_sign0_h3 <= compared13_sign0_h2;
+        compared13_sign1_h3 <= compared13_sign1_h2;
+        compared14_sign0_h3 <= compared14_sign0_h2;
+        compared14_sign1_h3 <= compared14_sign1_h2;
+        compared0_sign0_h3 <= compared0_sign0_h2;
+        compared0_sign1_h3 <= compared0_sign1_h2;
+        compared1_sign0_h3 <= compared1_sign0_h2;
+        compared1_sign1_h3 <= compared1_sign1_h2;
+        compared2_sign0_h3 <= compared2_sign0_h2;
+        compared2_sign1_h3 <= compared2_sign1_h2;
+        separated0_not_h24 <= separated_not_h23(0);
+        separated1_or_h1 <= (compared0_sign0 and compared1_sign0 and compared2_sign0) or
+            (compared0_sign1 and compared1_sign1 and compared2_sign1);
+        separated2_or_h1 <= (compared3_sign0 and compared4_sign0 and compared5_sign0) or
+            (compared3_sign1 and compared4_sign1 and compared5_sign1);
+        separated1_not_h30 <= separated1_not_h29;
+        separated2_not_h32 <= separated2_not_h31;
+        separated3_not_h32 <= separated3_not_h31;
+        separated4_not_h32 <= separated4_not_h31;
+        separated5_not_h32 <= separated5_not_h31;
+        separated6_not_h32 <= separated6_not_h31;
+        separated7_not_h32 <= separated7_not_h31;
+        separated8_not_h32 <= separated8_not_h31;
+        overlapping3_not_h32 <= overlapping3_not_h31;
+        overlapping4_not_h32 <= overlapping4_not_h31;
+        overlapping5_not_h32 <= overlapping5_not_h31;
+        overlapping6_not_h32 <= overlapping6_not_h31;
+        overlapping7_not_h32 <= overlapping7_not_h31;
+        overlapping8_not_h32 <= overlapping8_not_h31;
+        separated1_h2 <= separated_i(1);
+      end if;
+      for i in 0 to 2 loop
+        if strobe(i mod 2) = '1' then
+          difference_w2_h2(i) <= difference_w2(i);
+        end if;
+      end loop;
       if in_phase_0 = '1' then
-        busy_4 <= holds(1);
-        busy_10 <= holds(4);
-        busy_14 <= holds(6);
+        busy_2 <= holds(0);
+        busy_12 <= holds(5);
         busy_16 <= holds(7);
-        busy_20 <= holds(9);
-        busy_22 <= holds(10);
         busy_18 <= holds(8);
+        busy_22 <= holds(10);
+        busy_24 <= holds(11);
+        busy_20 <= holds(9);
       end if;
       if in_phase_1 = '1' then
-        busy_17 <= holds(7);
+        busy_7 <= holds(2);
         busy_19 <= holds(8);
-        busy_23 <= holds(10);
+        busy_21 <= holds(9);
         busy_25 <= holds(11);
+        busy_27 <= holds(12);
       end if;
     end if;
   end process captures;
@@ -1686,13 +2232,21 @@ begin
 
   -- Outputs
   separated(0) <= separated0_h9;
-  separated(1) <= separated1_h4;
-  separated(2) <= separated2_h2;
+  separated(1) <= separated1_h3;
+  separated(2) <= separated_i(2);
   separated(3) <= separated_i(3);
   separated(4) <= separated_i(4);
   separated(5) <= separated_i(5);
   separated(6) <= separated_i(6);
   separated(7) <= separated_i(7);
   separated(8) <= separated_i(8);
-  overlapping <= overlapping_i;
+  overlapping(0) <= overlapping0_h33;
+  overlapping(1) <= overlapping1_h33;
+  overlapping(2) <= overlapping2_h33;
+  overlapping(3) <= overlapping_i(3);
+  overlapping(4) <= overlapping_i(4);
+  overlapping(5) <= overlapping_i(5);
+  overlapping(6) <= overlapping_i(6);
+  overlapping(7) <= overlapping_i(7);
+  overlapping(8) <= overlapping_i(8);
 end architecture rtl;

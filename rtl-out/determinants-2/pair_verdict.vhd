@@ -24,7 +24,8 @@ architecture rtl of pair_verdict is
 begin
   -- Clock 0
   edges_missed <= separated(8) & separated(7) & separated(6) & separated(5) & separated(4) & separated(3);
-  separate <= or_reduce(separated(2) & separated(1) & separated(0)) or five_missed_table(to_integer(edges_missed));
+  separate <= or_reduce(separated(2) & separated(1) & separated(0)) or
+      five_missed_table(to_integer(known(edges_missed)));
   intersects <= not separate and or_reduce(overlapping(8) & overlapping(7) & overlapping(6) & overlapping(5) &
       overlapping(4) & overlapping(3));
   verdict <= (not separate and not intersects) & intersects;

@@ -15,7 +15,7 @@ entity sequencer is
     pose_valid     : in  std_logic;
     out_ready      : in  std_logic;
     phase          : out std_logic;
-    holds          : out std_logic_vector(16 downto 0);
+    holds          : out std_logic_vector(17 downto 0);
     in_ready       : out std_logic;
     accept         : out std_logic;
     decide         : out std_logic;
@@ -47,7 +47,7 @@ architecture rtl of sequencer is
   signal full : std_logic;
   signal accepts : std_logic;
   signal accept_pair : std_logic;
-  signal holds_i : std_logic_vector(16 downto 0) := (others => '0');
+  signal holds_i : std_logic_vector(17 downto 0) := (others => '0');
   signal decide_phase : std_logic := '0';  -- set in phase 1
   signal decide_pair : std_logic;
   signal empty_if_moved : std_logic := '1';
@@ -66,7 +66,7 @@ begin
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
   accepts <= running and last_phase and not full;
   accept_pair <= in_valid and accepts;
-  decide_pair <= holds_i(16) and decide_phase;
+  decide_pair <= holds_i(17) and decide_phase;
   empty <= empty_if_moved when taken_moved = '1' else empty_if_still;
   output_free <= not offered or out_ready;
   take_pair <= not empty and output_free;
@@ -106,11 +106,11 @@ begin
         last_phase <= flag(phase_i = '0');
         accepted_moved <= accept_pair;
         taken_moved <= take_pair;
-        full_if_moved <= flag(accepted_ahead = taken_turned);
-        full_if_still <= flag(accepted = taken_turned);
+        full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
+        full_if_still <= flag(known(accepted) = known(taken_turned));
         decide_phase <= flag(phase_i = '0');
-        empty_if_moved <= flag(taken_ahead = decided);
-        empty_if_still <= flag(taken = decided);
+        empty_if_moved <= flag(known(taken_ahead) = known(decided));
+        empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
         pose_pending <= pose_pending_next;
         load_pose <= pose_pending_next and flag(phase_i = '0');
@@ -135,11 +135,11 @@ begin
         decided <= decided + 1;
       end if;
       if reset = '1' then
-        for k in 0 to 16 loop
+        for k in 0 to 17 loop
           holds_i(k) <= '0';
         end loop;
       elsif last_phase = '1' then
-        holds_i <= holds_i(15 downto 0) & accept_pair;
+        holds_i <= holds_i(16 downto 0) & accept_pair;
       end if;
     end if;
   end process state;

@@ -17,6 +17,7 @@
 -- Out: one packet of 64-bit words for every packet, in order: one word per pair, or
 -- one report; TLAST with the last. From bit 0 on:
 --   7 downto 0  status; bits 1..0: 00 separate, 01 intersect, 10 possibly incorrect, 11 report
+--               bit 4: a number of the pair or its pose is outside its declared range (10, no flags)
 --   23 downto 8  tag
 --   32 downto 24  out_separated, bit i for witness i
 --   41 downto 33  out_overlapping, bit i for witness i
@@ -32,10 +33,10 @@ use ieee.numeric_std.all;
 
 entity efsat_stream is
   port (
-    aclk : in std_logic;
-    aresetn : in std_logic;  -- synchronous, active low
+    aclk : in std_logic;  -- all ports change with its rising edge
+    aresetn : in std_logic;  -- synchronous to aclk, active low: for one clock at the least
     s_axis_tdata : in std_logic_vector(1023 downto 0);
-    s_axis_tkeep : in std_logic_vector(127 downto 0);  -- ones where the source has none
+    s_axis_tkeep : in std_logic_vector(127 downto 0) := (others => '1');  -- ones where the source has none, or it is left open
     s_axis_tvalid : in std_logic;
     s_axis_tlast : in std_logic;  -- last word of a packet
     s_axis_tready : out std_logic;
@@ -43,7 +44,7 @@ entity efsat_stream is
     m_axis_tkeep : out std_logic_vector(7 downto 0);  -- always ones
     m_axis_tvalid : out std_logic;
     m_axis_tlast : out std_logic;  -- last answer to a packet
-    m_axis_tready : in std_logic
+    m_axis_tready : in std_logic := '1'  -- left open where the sink takes an answer in every clock
   );
 end entity efsat_stream;
 
@@ -79,12 +80,12 @@ architecture rtl of efsat_stream is
   signal vacant : std_logic;
 
   -- The answers owed, in order: bit 3 last of its packet, bit 2 a report, bits 1 downto 0 its reason.
-  type order_words is array (0 to 63) of std_logic_vector(3 downto 0);
+  type order_words is array (0 to 127) of std_logic_vector(3 downto 0);
   signal order_memory : order_words := (others => "0000");
   signal order_entry : std_logic_vector(3 downto 0);
   signal order_write : std_logic;
-  signal owed_count : unsigned(6 downto 0) := (others => '0');
-  signal given_count : unsigned(6 downto 0) := (others => '0');
+  signal owed_count : unsigned(7 downto 0) := (others => '0');
+  signal given_count : unsigned(7 downto 0) := (others => '0');
   signal order_full : std_logic;
   signal owing : std_logic;
   signal head : std_logic_vector(3 downto 0);
@@ -95,6 +96,7 @@ architecture rtl of efsat_stream is
   signal out_tag : std_logic_vector(15 downto 0);
   signal out_separated : std_logic_vector(8 downto 0);
   signal out_overlapping : std_logic_vector(8 downto 0);
+  signal out_outside : std_logic;
   constant report_zeros : std_logic_vector(55 downto 0) := (others => '0');
   signal verdict_answer : std_logic_vector(63 downto 0);
   signal report_answer : std_logic_vector(63 downto 0);
@@ -185,15 +187,15 @@ begin
   order_write <= word_taken and (s_axis_tlast or at_pair_end) when expectation = pair_state else
     word_taken and s_axis_tlast;
   order_full <= '1' when owed_count(owed_count'high) /= given_count(given_count'high)
-    and owed_count(5 downto 0) = given_count(5 downto 0) else '0';
+    and owed_count(6 downto 0) = given_count(6 downto 0) else '0';
   owing <= '1' when owed_count /= given_count else '0';
-  head <= order_memory(to_integer(given_count(5 downto 0)));
+  head <= order_memory(to_integer(given_count(6 downto 0)));
 
   keep_order : process (aclk)
   begin
     if rising_edge(aclk) then
       if order_write = '1' then
-        order_memory(to_integer(owed_count(5 downto 0))) <= order_entry;
+        order_memory(to_integer(owed_count(6 downto 0))) <= order_entry;
       end if;
       if aresetn = '0' then
         owed_count <= (others => '0');
@@ -255,11 +257,12 @@ begin
       out_ready => out_ready,
       out_verdict => out_verdict,
       out_separated => out_separated,
-      out_overlapping => out_overlapping
+      out_overlapping => out_overlapping,
+      out_outside => out_outside
     );
 
   -- ===== Answers out =====
-  verdict_answer <= "0000000000000000000000" & out_overlapping & out_separated & out_tag & "000000" & out_verdict;
+  verdict_answer <= "0000000000000000000000" & out_overlapping & out_separated & out_tag & "000" & out_outside & "00" & out_verdict;
   report_answer <= report_zeros & (head(1) or head(0)) & "000" & head(1 downto 0) & "11";
   answer_valid <= owing and (head(2) or out_valid);
   answer_taken <= answer_valid and m_axis_tready;

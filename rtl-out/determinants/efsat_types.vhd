@@ -33,6 +33,8 @@ package efsat_types is
   type signed_18_x3_t is array (0 to 2) of signed(17 downto 0);
   type signed_19_x3_t is array (0 to 2) of signed(18 downto 0);
   type signed_30_x3_t is array (0 to 2) of signed(29 downto 0);
+  type signed_32_x3_t is array (0 to 2) of signed(31 downto 0);
+  constant zero_signed_32_x3 : signed_32_x3_t := (others => (others => '0'));
   type signed_38_x3_t is array (0 to 2) of signed(37 downto 0);
   constant zero_signed_38_x3 : signed_38_x3_t := (others => (others => '0'));
   type signed_39_x3_t is array (0 to 2) of signed(38 downto 0);
@@ -111,6 +113,11 @@ package efsat_types is
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
 
+  -- x, to be compared or to be an index. In simulation it can have no value yet as long as time is 0, before the registers
+  -- have reached what is behind them; it is zero then. Later that is worth a warning.
+  impure function known(x : signed) return signed;
+  impure function known(x : unsigned) return unsigned;
+
   -- Whether x < y, two numbers of one length: the sign of the difference.
   function less(x, y : signed) return std_logic;
 
@@ -142,6 +149,28 @@ package body efsat_types is
       return '0';
     end if;
   end function flag;
+
+  impure function known(x : signed) return signed is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison" severity warning;
+      return to_signed(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
+
+  impure function known(x : unsigned) return unsigned is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison or an index" severity warning;
+      return to_unsigned(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
 
   function less(x, y : signed) return std_logic is
     variable difference : signed(x'length downto 0);

@@ -20,12 +20,12 @@ architecture rtl of moment_first_order is
 begin
   -- Clock 0
   shifted <=
-    resize(x, 27) when by = 0 else
-    resize(append(x, 1), 27) when by = 1 else
-    resize(append(x, 2), 27) when by = 2 else
-    resize(append(x, 3), 27) when by = 3 else
-    resize(append(x, 4), 27) when by = 4 else
-    resize(append(x, 5), 27) when by = 5 else
+    resize(x, 27) when known(by) = 0 else
+    resize(append(x, 1), 27) when known(by) = 1 else
+    resize(append(x, 2), 27) when known(by) = 2 else
+    resize(append(x, 3), 27) when known(by) = 3 else
+    resize(append(x, 4), 27) when known(by) = 4 else
+    resize(append(x, 5), 27) when known(by) = 5 else
     append(x, 6);
   first_order <= resize(append(x, 2), 28) + resize(shifted, 28);
 end architecture rtl;

@@ -2,7 +2,7 @@
 -- The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with
 -- bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is
 -- named after what it is; later copies end in _h<clocks>.
--- Latency: 25 clocks.
+-- Latency: 28 clocks.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -12,12 +12,13 @@ use work.efsat_types.all;
 entity pair_pipeline is
   port (
     clk         : in  std_logic;
-    in_v        : in  signed_32_vector_x3_t;  -- |.| <= 268435456
-    in_w        : in  signed_32_vector_x3_t;  -- |.| <= 268435456
-    pose_m      : in  signed_32_vector_x3_t;  -- |.| <= 268435456
-    pose_t      : in  signed_32_vector_t;  -- s4.28; |.| <= 1073741816
+    in_v        : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 2147483648
+    in_w        : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 2147483648
+    pose_m      : in  signed_32_vector_x3_t;  -- s4.28; |.| <= 2147483648
+    pose_t      : in  signed_32_vector_t;  -- s4.28; |.| <= 2147483648
     pose_bypass : in  std_logic;
     verdict     : out unsigned(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
+    outside     : out std_logic;
     separated   : out std_logic_vector(8 downto 0);
     overlapping : out std_logic_vector(8 downto 0)
   );
@@ -28,33 +29,79 @@ architecture rtl of pair_pipeline is
   constant axis_level_1_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
   constant axis_level_2_table : numbers_t(0 to 31) := (0, 0, 0, 3, 0, 1, 0, 5, 0, 0, 0, 4, 0, 2, 0, 6, 0, 0, 0, 2, 0, 0, 0, 4, 0, 0, 0, 3, 0, 1, 0, 5);
   constant boxes_wrong_table : numbers_t(0 to 7) := (1, 1, 2, 3, 5, 9, 17, others => 0);
+  signal in_v0_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_v0_outside : std_logic_vector(2 downto 0);
+  signal in_v1_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_v1_outside : std_logic_vector(2 downto 0);
+  signal in_v2_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_v2_outside : std_logic_vector(2 downto 0);
+  signal in_w0_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_w0_outside : std_logic_vector(2 downto 0);
+  signal in_w1_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_w1_outside : std_logic_vector(2 downto 0);
+  signal in_w2_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal in_w2_outside : std_logic_vector(2 downto 0);
   signal difference_v1 : signed_33_vector_t;  -- |.| <= 536870912
   signal difference_v2 : signed_33_vector_t;  -- |.| <= 536870912
+  signal pose_t_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_t_inside : signed_32_x3_t;  -- |.| <= 1073741816
+  signal pose_t_outside : std_logic_vector(2 downto 0);
+  signal in_v0_inside_h1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal moved : signed_33_vector_t;  -- |.| <= 1342177272; t - V0, or - V0 with the bypass
+  signal pose_m0_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m0_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal pose_m0_outside : std_logic_vector(2 downto 0);
+  signal pose_m1_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m1_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal pose_m1_outside : std_logic_vector(2 downto 0);
+  signal pose_m2_inside_number_h1 : signed_32_x3_t := zero_signed_32_x3;  -- s4.28; |.| <= 2147483648
+  signal pose_m2_inside : signed_32_x3_t;  -- |.| <= 268435456
+  signal pose_m2_outside : std_logic_vector(2 downto 0);
+  signal pose_m0_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w0_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w0_inside_d2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
   signal row_turned : signed_32_x9_t;  -- |.| <= 805306372
-  signal pose_bypass_line : std_logic_vector(1 to 4) := (others => '0');
-  type in_w_line_t is array (1 to 4) of signed_32_vector_x3_t;
-  signal in_w_line : in_w_line_t := (others => zero_signed_32_vector_x3);  -- |.| <= 268435456
+  signal pose_bypass_line : std_logic_vector(1 to 7) := (others => '0');
+  type in_w0_inside_line_t is array (1 to 4) of signed_32_x3_t;
+  signal in_w0_inside_line : in_w0_inside_line_t := (others => zero_signed_32_x3);  -- |.| <= 268435456
   signal row_choice_d1 : signed_32_x9_t := zero_signed_32_x9;  -- |.| <= 805306372
-  type moved_line_t is array (1 to 5) of signed_33_vector_t;
+  type moved_line_t is array (1 to 6) of signed_33_vector_t;
   signal moved_line : moved_line_t := (others => zero_signed_33_vector);  -- |.| <= 1342177272
   signal row : signed_34_x9_t;  -- |.| <= 2147483644
   signal difference : signed_34_x9_t := zero_signed_34_x9;  -- |.| <= 2147483644
+  signal pose_m1_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal pose_m2_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w1_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w1_inside_d2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  type in_w1_inside_line_t is array (1 to 4) of signed_32_x3_t;
+  signal in_w1_inside_line : in_w1_inside_line_t := (others => zero_signed_32_x3);  -- |.| <= 268435456
+  signal in_w2_inside_d1 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  signal in_w2_inside_d2 : signed_32_x3_t := zero_signed_32_x3;  -- |.| <= 268435456
+  type in_w2_inside_line_t is array (1 to 4) of signed_32_x3_t;
+  signal in_w2_inside_line : in_w2_inside_line_t := (others => zero_signed_32_x3);  -- |.| <= 268435456
   signal difference_w0 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w1 : signed_33_vector_t;  -- |.| <= 2147483644
   signal difference_w2 : signed_33_vector_t;  -- |.| <= 2147483644
-  type difference_v1_line_t is array (1 to 6) of signed_33_vector_t;
+  signal in_v0_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
+  signal in_v1_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
+  signal in_v2_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
+  signal in_w0_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
+  signal in_w1_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
+  signal in_w2_outside_h1 : std_logic_vector(2 downto 0) := (others => '0');
+  signal outside_flags : unsigned(29 downto 0);
+  signal outside_i : std_logic;  -- a number of the pair or its pose is outside its declared range
+  type difference_v1_line_t is array (1 to 8) of signed_33_vector_t;
   signal difference_v1_line : difference_v1_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
-  type difference_v2_line_t is array (1 to 6) of signed_33_vector_t;
+  type difference_v2_line_t is array (1 to 8) of signed_33_vector_t;
   signal difference_v2_line : difference_v2_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
   signal shift : flag_x4_vector_t;
-  type difference_v1_d9_line_t is array (1 to 3) of signed_33_vector_t;
-  signal difference_v1_d9_line : difference_v1_d9_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
+  type difference_v1_d11_line_t is array (1 to 3) of signed_33_vector_t;
+  signal difference_v1_d11_line : difference_v1_d11_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
   signal shift_d1 : flag_x4_vector_t := zero_flag_x4_vector;
   signal lane_shifted : signed_19_vector_x5_t;  -- |.| <= 262144
   signal coordinate_cut : signed_19_vector_x5_t := zero_signed_19_vector_x5;  -- |.| <= 262144
-  type difference_v2_d9_line_t is array (1 to 3) of signed_33_vector_t;
-  signal difference_v2_d9_line : difference_v2_d9_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
+  type difference_v2_d11_line_t is array (1 to 3) of signed_33_vector_t;
+  signal difference_v2_d11_line : difference_v2_d11_line_t := (others => zero_signed_33_vector);  -- |.| <= 536870912
   type difference_w0_line_t is array (1 to 3) of signed_33_vector_t;
   signal difference_w0_line : difference_w0_line_t := (others => zero_signed_33_vector);  -- |.| <= 2147483644
   type difference_w1_line_t is array (1 to 3) of signed_33_vector_t;
@@ -338,7 +385,7 @@ architecture rtl of pair_pipeline is
   signal boxes_wrong_d1 : unsigned(4 downto 0) := (others => '0');
   signal boxes_lane : std_logic_vector(2 downto 0);
   signal boxes_apart_along : std_logic_vector(2 downto 0) := (others => '0');
-  signal separated_i : std_logic_vector(8 downto 0);
+  signal boxes_apart : std_logic;
   signal compared3_sign0_h1 : std_logic := '0';
   signal compared3_sign0_h2 : std_logic := '0';
   signal compared3_sign1_h1 : std_logic := '0';
@@ -351,7 +398,18 @@ architecture rtl of pair_pipeline is
   signal compared7_sign1_h1 : std_logic := '0';
   signal compared8_sign0_h1 : std_logic := '0';
   signal compared8_sign1_h1 : std_logic := '0';
-  signal overlapping_i : std_logic_vector(8 downto 0);
+  signal separated3_result : std_logic;
+  signal separated4_result : std_logic;
+  signal separated5_result : std_logic;
+  signal separated6_result : std_logic;
+  signal separated7_result : std_logic;
+  signal separated8_result : std_logic;
+  signal overlapping3_result : std_logic;
+  signal overlapping4_result : std_logic;
+  signal overlapping5_result : std_logic;
+  signal overlapping6_result : std_logic;
+  signal overlapping7_result : std_logic;
+  signal overlapping8_result : std_logic;
   signal compared5_sign0_h1 : std_logic := '0';
   signal compared5_sign1_h1 : std_logic := '0';
   signal compared9_sign0_h1 : std_logic := '0';
@@ -372,8 +430,30 @@ architecture rtl of pair_pipeline is
   signal compared1_sign1_line : std_logic_vector(1 to 3) := (others => '0');
   signal compared2_sign0_line : std_logic_vector(1 to 3) := (others => '0');
   signal compared2_sign1_line : std_logic_vector(1 to 3) := (others => '0');
+  signal overlapping0_constant : std_logic;
+  signal overlapping1_constant : std_logic;
+  signal overlapping2_constant : std_logic;
+  signal separated0_not_line : std_logic_vector(1 to 17) := (others => '0');
+  signal separated_i : std_logic_vector(8 downto 0);
+  signal separated1_or_h1 : std_logic := '0';
+  signal separated2_or_h1 : std_logic := '0';
+  signal separated1_not_line : std_logic_vector(1 to 23) := (others => '0');
+  signal separated2_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal separated3_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal separated4_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal separated5_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal separated6_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal separated7_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal separated8_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal overlapping_i : std_logic_vector(8 downto 0);
+  signal overlapping3_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal overlapping4_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal overlapping5_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal overlapping6_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal overlapping7_not_line : std_logic_vector(1 to 25) := (others => '0');
+  signal overlapping8_not_line : std_logic_vector(1 to 25) := (others => '0');
   signal separated0_line : std_logic_vector(1 to 9) := (others => '0');
-  signal separated1_line : std_logic_vector(1 to 4) := (others => '0');
+  signal separated1_line : std_logic_vector(1 to 3) := (others => '0');
   signal separated2_h1 : std_logic := '0';
   signal separated3_h1 : std_logic := '0';
   signal separated4_h1 : std_logic := '0';
@@ -381,13 +461,17 @@ architecture rtl of pair_pipeline is
   signal separated6_h1 : std_logic := '0';
   signal separated7_h1 : std_logic := '0';
   signal separated8_h1 : std_logic := '0';
-  signal separated2_h2 : std_logic := '0';
+  signal overlapping0_line : std_logic_vector(1 to 26) := (others => '0');
+  signal overlapping1_line : std_logic_vector(1 to 26) := (others => '0');
+  signal overlapping2_line : std_logic_vector(1 to 26) := (others => '0');
   signal overlapping3_h1 : std_logic := '0';
   signal overlapping4_h1 : std_logic := '0';
   signal overlapping5_h1 : std_logic := '0';
   signal overlapping6_h1 : std_logic := '0';
   signal overlapping7_h1 : std_logic := '0';
   signal overlapping8_h1 : std_logic := '0';
+  signal outside_line : std_logic_vector(1 to 26) := (others => '0');
+  signal row_turned_unit_m : signed_32_vector_x9_t;
   signal row_turned_unit_w : signed_32_vector_x9_t;
   signal shift_unit_x : signed_33_x5_vector_t;
   signal lane_shifted_unit_x : signed_33_vector_x5_t;
@@ -428,78 +512,185 @@ architecture rtl of pair_pipeline is
   signal compared14_sign0_unit_sign : std_logic_vector(1 downto 0);
   signal boxes_lane_unit_v : signed_18_x2_x3_t;
   signal boxes_lane_unit_w : signed_18_x3_x3_t;
-  signal separated3_unit_ends : flag_x2_x2_t;
-  signal separated3_unit_sides : flag_x2_x3_t;
-  signal separated4_unit_ends : flag_x2_x2_t;
-  signal separated4_unit_sides : flag_x2_x3_t;
-  signal separated5_unit_ends : flag_x2_x2_t;
-  signal separated5_unit_sides : flag_x2_x3_t;
-  signal separated6_unit_ends : flag_x2_x2_t;
-  signal separated6_unit_sides : flag_x2_x3_t;
-  signal separated7_unit_ends : flag_x2_x2_t;
-  signal separated7_unit_sides : flag_x2_x3_t;
-  signal separated8_unit_ends : flag_x2_x2_t;
-  signal separated8_unit_sides : flag_x2_x3_t;
+  signal separated3_result_unit_ends : flag_x2_x2_t;
+  signal separated3_result_unit_sides : flag_x2_x3_t;
+  signal separated4_result_unit_ends : flag_x2_x2_t;
+  signal separated4_result_unit_sides : flag_x2_x3_t;
+  signal separated5_result_unit_ends : flag_x2_x2_t;
+  signal separated5_result_unit_sides : flag_x2_x3_t;
+  signal separated6_result_unit_ends : flag_x2_x2_t;
+  signal separated6_result_unit_sides : flag_x2_x3_t;
+  signal separated7_result_unit_ends : flag_x2_x2_t;
+  signal separated7_result_unit_sides : flag_x2_x3_t;
+  signal separated8_result_unit_ends : flag_x2_x2_t;
+  signal separated8_result_unit_sides : flag_x2_x3_t;
   signal verdict_unit_separated : std_logic_vector(8 downto 0);
   signal verdict_unit_overlapping : std_logic_vector(8 downto 0);
 begin
   -- Strobes, one per phase
-  overlapping_i(0) <= '0';
-  overlapping_i(1) <= '0';
-  overlapping_i(2) <= '0';
+  overlapping0_constant <= '0';
+  overlapping1_constant <= '0';
+  overlapping2_constant <= '0';
 
   -- Clock 0
-  difference_v1_each : for i in 0 to 2 generate
-    difference_v1(i) <= resize(in_v(1)(i), 33) - resize(in_v(0)(i), 33);
-    difference_v2(i) <= resize(in_v(2)(i), 33) - resize(in_v(0)(i), 33);
-    moved(i) <= resize(choose(pose_bypass, to_signed(0, 32), pose_t(i)), 33) - resize(in_v(0)(i), 33);
-  end generate difference_v1_each;
-  row_turned_unit_w(0) <= in_w(0);
-  row_turned_unit_w(1) <= in_w(0);
-  row_turned_unit_w(2) <= in_w(0);
-  row_turned_unit_w(3) <= in_w(1);
-  row_turned_unit_w(4) <= in_w(1);
-  row_turned_unit_w(5) <= in_w(1);
-  row_turned_unit_w(6) <= in_w(2);
-  row_turned_unit_w(7) <= in_w(2);
-  row_turned_unit_w(8) <= in_w(2);
-  row_turned_unit : for k in 0 to 8 generate
-    unit : entity work.difference_row
-      port map (clk => clk, m => pose_m(k mod 3), w => row_turned_unit_w(k), turned => row_turned(k));
-  end generate row_turned_unit;
+  in_v0_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_v(0)(k), passed => in_v0_inside(k), outside => in_v0_outside(k));
+  end generate in_v0_inside_unit;
+  in_v1_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_v(1)(k), passed => in_v1_inside(k), outside => in_v1_outside(k));
+  end generate in_v1_inside_unit;
+  in_v2_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_v(2)(k), passed => in_v2_inside(k), outside => in_v2_outside(k));
+  end generate in_v2_inside_unit;
+  in_w0_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_w(0)(k), passed => in_w0_inside(k), outside => in_w0_outside(k));
+  end generate in_w0_inside_unit;
+  in_w1_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_w(1)(k), passed => in_w1_inside(k), outside => in_w1_outside(k));
+  end generate in_w1_inside_unit;
+  in_w2_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => in_w(2)(k), passed => in_w2_inside(k), outside => in_w2_outside(k));
+  end generate in_w2_inside_unit;
 
-  -- Clock 5
-  clock_5 : process (clk)
+  -- Clock 1
+  clock_1 : process (clk)
   begin
     if rising_edge(clk) then
-      row_choice_d1(0) <= choose(pose_bypass_line(4), in_w_line(4)(0)(0), row_turned(0));
-      row_choice_d1(1) <= choose(pose_bypass_line(4), in_w_line(4)(0)(1), row_turned(1));
-      row_choice_d1(2) <= choose(pose_bypass_line(4), in_w_line(4)(0)(2), row_turned(2));
-      row_choice_d1(3) <= choose(pose_bypass_line(4), in_w_line(4)(1)(0), row_turned(3));
-      row_choice_d1(4) <= choose(pose_bypass_line(4), in_w_line(4)(1)(1), row_turned(4));
-      row_choice_d1(5) <= choose(pose_bypass_line(4), in_w_line(4)(1)(2), row_turned(5));
-      row_choice_d1(6) <= choose(pose_bypass_line(4), in_w_line(4)(2)(0), row_turned(6));
-      row_choice_d1(7) <= choose(pose_bypass_line(4), in_w_line(4)(2)(1), row_turned(7));
-      row_choice_d1(8) <= choose(pose_bypass_line(4), in_w_line(4)(2)(2), row_turned(8));
+      for k in 0 to 2 loop
+        pose_t_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_t(k));
+        pose_m0_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(0)(k));
+        pose_m1_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(1)(k));
+        pose_m2_inside_number_h1(k) <= choose(pose_bypass, to_signed(0, 32), pose_m(2)(k));
+      end loop;
     end if;
-  end process clock_5;
+  end process clock_1;
+  difference_v1_each : for i in 0 to 2 generate
+    difference_v1(i) <= resize(in_v1_inside(i), 33) - resize(in_v0_inside(i), 33);
+    difference_v2(i) <= resize(in_v2_inside(i), 33) - resize(in_v0_inside(i), 33);
+  end generate difference_v1_each;
+  pose_t_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_translation
+      port map (clk => clk, number => pose_t_inside_number_h1(k), passed => pose_t_inside(k),
+                outside => pose_t_outside(k));
+  end generate pose_t_inside_unit;
+  pose_m0_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => pose_m0_inside_number_h1(k), passed => pose_m0_inside(k),
+                outside => pose_m0_outside(k));
+  end generate pose_m0_inside_unit;
+  pose_m1_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => pose_m1_inside_number_h1(k), passed => pose_m1_inside(k),
+                outside => pose_m1_outside(k));
+  end generate pose_m1_inside_unit;
+  pose_m2_inside_unit : for k in 0 to 2 generate
+    unit : entity work.guard_coordinate
+      port map (clk => clk, number => pose_m2_inside_number_h1(k), passed => pose_m2_inside(k),
+                outside => pose_m2_outside(k));
+  end generate pose_m2_inside_unit;
+
+  -- Clock 2
+  clock_2 : process (clk)
+  begin
+    if rising_edge(clk) then
+      in_v0_inside_h1 <= in_v0_inside;
+      in_w0_inside_d1 <= in_w0_inside;
+      in_w1_inside_d1 <= in_w1_inside;
+      in_w2_inside_d1 <= in_w2_inside;
+      in_v0_outside_h1 <= in_v0_outside;
+      in_v1_outside_h1 <= in_v1_outside;
+      in_v2_outside_h1 <= in_v2_outside;
+      in_w0_outside_h1 <= in_w0_outside;
+      in_w1_outside_h1 <= in_w1_outside;
+      in_w2_outside_h1 <= in_w2_outside;
+    end if;
+  end process clock_2;
+  moved_each : for i in 0 to 2 generate
+    moved(i) <= resize(pose_t_inside(i), 33) - resize(in_v0_inside_h1(i), 33);
+  end generate moved_each;
+  outside_flags <= unsigned(pose_m2_outside) & unsigned(pose_m1_outside) & unsigned(pose_m0_outside) &
+      unsigned(pose_t_outside) & unsigned(in_w2_outside_h1) & unsigned(in_w1_outside_h1) & unsigned(in_w0_outside_h1) &
+      unsigned(in_v2_outside_h1) & unsigned(in_v1_outside_h1) & unsigned(in_v0_outside_h1);
+  outside_i <= or_reduce(outside_flags);
+  overlapping_i(0) <= overlapping0_constant and not outside_i;
+  overlapping_i(1) <= overlapping1_constant and not outside_i;
+  overlapping_i(2) <= overlapping2_constant and not outside_i;
+
+  -- Clock 3
+  clock_3 : process (clk)
+  begin
+    if rising_edge(clk) then
+      pose_m0_inside_d1 <= pose_m0_inside;
+      in_w0_inside_d2 <= in_w0_inside_d1;
+      pose_m1_inside_d1 <= pose_m1_inside;
+      pose_m2_inside_d1 <= pose_m2_inside;
+      in_w1_inside_d2 <= in_w1_inside_d1;
+      in_w2_inside_d2 <= in_w2_inside_d1;
+    end if;
+  end process clock_3;
+  row_turned_unit_m_0_each : for i in 0 to 2 generate
+    row_turned_unit_m(0)(i) <= pose_m0_inside_d1(i);
+    row_turned_unit_m(1)(i) <= pose_m1_inside_d1(i);
+    row_turned_unit_m(2)(i) <= pose_m2_inside_d1(i);
+    row_turned_unit_m(3)(i) <= pose_m0_inside_d1(i);
+    row_turned_unit_m(4)(i) <= pose_m1_inside_d1(i);
+    row_turned_unit_m(5)(i) <= pose_m2_inside_d1(i);
+    row_turned_unit_m(6)(i) <= pose_m0_inside_d1(i);
+    row_turned_unit_m(7)(i) <= pose_m1_inside_d1(i);
+    row_turned_unit_m(8)(i) <= pose_m2_inside_d1(i);
+    row_turned_unit_w(0)(i) <= in_w0_inside_d2(i);
+    row_turned_unit_w(1)(i) <= in_w0_inside_d2(i);
+    row_turned_unit_w(2)(i) <= in_w0_inside_d2(i);
+    row_turned_unit_w(3)(i) <= in_w1_inside_d2(i);
+    row_turned_unit_w(4)(i) <= in_w1_inside_d2(i);
+    row_turned_unit_w(5)(i) <= in_w1_inside_d2(i);
+    row_turned_unit_w(6)(i) <= in_w2_inside_d2(i);
+    row_turned_unit_w(7)(i) <= in_w2_inside_d2(i);
+    row_turned_unit_w(8)(i) <= in_w2_inside_d2(i);
+  end generate row_turned_unit_m_0_each;
+  row_turned_unit : for k in 0 to 8 generate
+    unit : entity work.difference_row
+      port map (clk => clk, m => row_turned_unit_m(k), w => row_turned_unit_w(k), turned => row_turned(k));
+  end generate row_turned_unit;
+
+  -- Clock 8
+  clock_8 : process (clk)
+  begin
+    if rising_edge(clk) then
+      row_choice_d1(0) <= choose(pose_bypass_line(7), in_w0_inside_line(4)(0), row_turned(0));
+      row_choice_d1(1) <= choose(pose_bypass_line(7), in_w0_inside_line(4)(1), row_turned(1));
+      row_choice_d1(2) <= choose(pose_bypass_line(7), in_w0_inside_line(4)(2), row_turned(2));
+      row_choice_d1(3) <= choose(pose_bypass_line(7), in_w1_inside_line(4)(0), row_turned(3));
+      row_choice_d1(4) <= choose(pose_bypass_line(7), in_w1_inside_line(4)(1), row_turned(4));
+      row_choice_d1(5) <= choose(pose_bypass_line(7), in_w1_inside_line(4)(2), row_turned(5));
+      row_choice_d1(6) <= choose(pose_bypass_line(7), in_w2_inside_line(4)(0), row_turned(6));
+      row_choice_d1(7) <= choose(pose_bypass_line(7), in_w2_inside_line(4)(1), row_turned(7));
+      row_choice_d1(8) <= choose(pose_bypass_line(7), in_w2_inside_line(4)(2), row_turned(8));
+    end if;
+  end process clock_8;
   row_each : for k in 0 to 8 generate
-    row(k) <= resize(row_choice_d1(k), 34) + resize(moved_line(5)(k mod 3), 34);
+    row(k) <= resize(row_choice_d1(k), 34) + resize(moved_line(6)(k mod 3), 34);
   end generate row_each;
 
-  -- Clock 6
-  clock_6 : process (clk)
+  -- Clock 9
+  clock_9 : process (clk)
   begin
     if rising_edge(clk) then
       difference <= row;
     end if;
-  end process clock_6;
+  end process clock_9;
   difference_w0_each : for i in 0 to 2 generate
     difference_w0(i) <= difference(i)(32 downto 0);
     difference_w1(i) <= difference(i + 3)(32 downto 0);
     difference_w2(i) <= difference(i + 6)(32 downto 0);
-    shift_unit_x(i)(0) <= difference_v1_line(6)(i);
-    shift_unit_x(i)(1) <= difference_v2_line(6)(i);
+    shift_unit_x(i)(0) <= difference_v1_line(8)(i);
+    shift_unit_x(i)(1) <= difference_v2_line(8)(i);
     shift_unit_x(i)(2) <= difference_w0(i);
     shift_unit_x(i)(3) <= difference_w1(i);
     shift_unit_x(i)(4) <= difference_w2(i);
@@ -509,15 +700,15 @@ begin
       port map (clk => clk, x => shift_unit_x(i), shift => shift(i));
   end generate shift_unit;
 
-  -- Clock 9
-  clock_9 : process (clk)
+  -- Clock 12
+  clock_12 : process (clk)
   begin
     if rising_edge(clk) then
       shift_d1 <= shift;
     end if;
-  end process clock_9;
-  lane_shifted_unit_x(0) <= difference_v1_d9_line(3);
-  lane_shifted_unit_x(1) <= difference_v2_d9_line(3);
+  end process clock_12;
+  lane_shifted_unit_x(0) <= difference_v1_d11_line(3);
+  lane_shifted_unit_x(1) <= difference_v2_d11_line(3);
   lane_shifted_unit_x(2) <= difference_w0_line(3);
   lane_shifted_unit_x(3) <= difference_w1_line(3);
   lane_shifted_unit_x(4) <= difference_w2_line(3);
@@ -526,14 +717,14 @@ begin
       port map (x => lane_shifted_unit_x(k), shift => shift_d1, cut => lane_shifted(k));
   end generate lane_shifted_unit;
 
-  -- Clock 10
-  clock_10 : process (clk)
+  -- Clock 13
+  clock_13 : process (clk)
   begin
     if rising_edge(clk) then
       coordinate_cut <= lane_shifted;
       shift_h2 <= shift_d1;
     end if;
-  end process clock_10;
+  end process clock_13;
   taken_x <= carried(0) & unsigned(shift_h2(0));
   taken_y <= carried(1) & unsigned(shift_h2(1));
   taken_z <= carried(2) & unsigned(shift_h2(2));
@@ -547,8 +738,8 @@ begin
       port map (cut => carried_unit_cut(i), carried => carried(i));
   end generate carried_unit;
 
-  -- Clock 11
-  clock_11 : process (clk)
+  -- Clock 14
+  clock_14 : process (clk)
   begin
     if rising_edge(clk) then
       coordinate_cut_h1 <= coordinate_cut;
@@ -557,10 +748,10 @@ begin
       taken_y_h1 <= taken_y;
       taken_z_h1 <= taken_z;
     end if;
-  end process clock_11;
-  axis_level(0) <= to_unsigned(axis_level_0_table(to_integer(taken_x_h1)), 3);
-  axis_level(1) <= to_unsigned(axis_level_1_table(to_integer(taken_y_h1)), 3);
-  axis_level(2) <= to_unsigned(axis_level_2_table(to_integer(taken_z_h1)), 3);
+  end process clock_14;
+  axis_level(0) <= to_unsigned(axis_level_0_table(to_integer(known(taken_x_h1))), 3);
+  axis_level(1) <= to_unsigned(axis_level_1_table(to_integer(known(taken_y_h1))), 3);
+  axis_level(2) <= to_unsigned(axis_level_2_table(to_integer(known(taken_z_h1))), 3);
   axis_level0_resized_less_choice <= axis_level(1) when
       less(signed(resize(axis_level(0), 4)), signed(resize(axis_level(1), 4))) = '1' else axis_level(0);
   coordinate_v1_unit : entity work.coordinate_round
@@ -574,8 +765,8 @@ begin
   coordinate_w2_unit : entity work.coordinate_round
     port map (cut => coordinate_cut_h1(4), carried => carried_h1, y => coordinate_w2);
 
-  -- Clock 12
-  clock_12 : process (clk)
+  -- Clock 15
+  clock_15 : process (clk)
   begin
     if rising_edge(clk) then
       level_less_resized_first_h1 <= signed(resize(axis_level0_resized_less_choice, 4));
@@ -595,7 +786,7 @@ begin
         norm_x5_resized_d1(i) <= resize(coordinate_w2(i), 19);
       end loop;
     end if;
-  end process clock_12;
+  end process clock_15;
   level <= axis_level2_h1 when less(level_less_resized_first_h1, level_less_resized_second_h1) = '1' else
       axis_level0_resized_less_choice_h1;
   moment_lane_cut_unit_plus(0)(0) <= coordinate_w0_d1(1);
@@ -665,8 +856,8 @@ begin
       port map (clk => clk, x => norm_lane_unit_x(k), norm => norm_lane(k));
   end generate norm_lane_unit;
 
-  -- Clock 13
-  clock_13 : process (clk)
+  -- Clock 16
+  clock_16 : process (clk)
   begin
     if rising_edge(clk) then
       coordinate_w0_d2 <= coordinate_w0_d1;
@@ -674,9 +865,9 @@ begin
       coordinate_w1_d2 <= coordinate_w1_d1;
       coordinate_v2_d2 <= coordinate_v2_d1;
       coordinate_w2_d2 <= coordinate_w2_d1;
-      boxes_wrong_d1 <= to_unsigned(boxes_wrong_table(to_integer(level)), 5);
+      boxes_wrong_d1 <= to_unsigned(boxes_wrong_table(to_integer(known(level))), 5);
     end if;
-  end process clock_13;
+  end process clock_16;
   e_a1_each : for i in 0 to 2 generate
     e_a1(i) <= resize(coordinate_v2_d2(i), 19) - resize(coordinate_v1_d2(i), 19);
     e_b(0)(i) <= resize(coordinate_w1_d2(i), 19) - resize(coordinate_w0_d2(i), 19);
@@ -696,33 +887,33 @@ begin
                 apart => boxes_lane(k));
   end generate boxes_lane_unit;
 
-  -- Clock 14
-  clock_14 : process (clk)
+  -- Clock 17
+  clock_17 : process (clk)
   begin
     if rising_edge(clk) then
       e_a1_d1 <= e_a1;
       e_b_d1 <= e_b;
     end if;
-  end process clock_14;
+  end process clock_17;
 
-  -- Clock 15
+  -- Clock 18
   too_great_0_found <= or_reduce(unsigned(moment_too_great(11)) & unsigned(moment_too_great(10)) &
       unsigned(moment_too_great(9)) & unsigned(moment_too_great(8)) & unsigned(moment_too_great(7)) &
       unsigned(moment_too_great(6)) & unsigned(moment_too_great(5)) & unsigned(moment_too_great(4)) &
       unsigned(moment_too_great(3)) & unsigned(moment_too_great(2)) & unsigned(moment_too_great(1)) &
       unsigned(moment_too_great(0)));
   rest_of_level <=
-    to_unsigned(64, 15) when level_line(3) = 0 else
-    to_unsigned(64, 15) when level_line(3) = 1 else
-    to_unsigned(64, 15) when level_line(3) = 2 else
-    to_unsigned(256, 15) when level_line(3) = 3 else
-    to_unsigned(1024, 15) when level_line(3) = 4 else
-    to_unsigned(4096, 15) when level_line(3) = 5 else
+    to_unsigned(64, 15) when known(level_line(3)) = 0 else
+    to_unsigned(64, 15) when known(level_line(3)) = 1 else
+    to_unsigned(64, 15) when known(level_line(3)) = 2 else
+    to_unsigned(256, 15) when known(level_line(3)) = 3 else
+    to_unsigned(1024, 15) when known(level_line(3)) = 4 else
+    to_unsigned(4096, 15) when known(level_line(3)) = 5 else
     to_unsigned(16384, 15);
   rest_of_level_aligned <= append(rest_of_level, 1);
 
-  -- Clock 16
-  clock_16 : process (clk)
+  -- Clock 19
+  clock_19 : process (clk)
   begin
     if rising_edge(clk) then
       moment_cut <= moment_lane_cut;
@@ -736,7 +927,7 @@ begin
       level_d4 <= level_line(3);
       boxes_apart_along <= boxes_lane;
     end if;
-  end process clock_16;
+  end process clock_19;
   places <= '1' when places_captured = '1' else '0';
   rest <= resize(rest_of_level_aligned_h1, 17) when places = '1' else rest_aligned_second_h1;
   length_times_g(0) <= resize(length_measure0_line(3), 22) when places = '1' else append(length_measure0_line(3), 1);
@@ -748,7 +939,8 @@ begin
   length_times_g(6) <= resize(length_measure6, 22) when places = '1' else append(length_measure6, 1);
   length_times_g(7) <= resize(length_measure7, 22) when places = '1' else append(length_measure7, 1);
   length_times_g(8) <= resize(length_measure8, 22) when places = '1' else append(length_measure8, 1);
-  separated_i(0) <= or_reduce(unsigned(boxes_apart_along));
+  boxes_apart <= or_reduce(unsigned(boxes_apart_along));
+  separated_i(0) <= boxes_apart and separated0_not_line(17);
   moment_lane_unit_cut_0_each : for i in 0 to 2 generate
     moment_lane_unit_cut(0)(i) <= moment_cut(i);
     moment_lane_unit_cut(1)(i) <= moment_cut(i + 3);
@@ -760,8 +952,8 @@ begin
       port map (cut => moment_lane_unit_cut(k), places => places, moment => moment_lane(k));
   end generate moment_lane_unit;
 
-  -- Clock 17
-  clock_17 : process (clk)
+  -- Clock 20
+  clock_20 : process (clk)
   begin
     if rising_edge(clk) then
       moment_m0 <= moment_lane(0);
@@ -781,7 +973,7 @@ begin
       length_times_g_d1 <= length_times_g;
       level_d5 <= level_d4;
     end if;
-  end process clock_17;
+  end process clock_20;
   dot_lane_unit_x(0) <= coordinate_w0_line(4);
   dot_lane_unit_x(1) <= coordinate_v1_line(4);
   dot_lane_unit_x(2) <= coordinate_v1_line(4);
@@ -819,8 +1011,8 @@ begin
       port map (clk => clk, x => moment_norm_lane_unit_x(k), norm => moment_norm_lane(k));
   end generate moment_norm_lane_unit;
 
-  -- Clock 18
-  clock_18 : process (clk)
+  -- Clock 21
+  clock_21 : process (clk)
   begin
     if rising_edge(clk) then
       length_measure8_h2 <= length_measure8_h1;
@@ -836,7 +1028,7 @@ begin
       length_bound <= length_first;
       level_d6 <= level_d5;
     end if;
-  end process clock_18;
+  end process clock_21;
   face_of_vertex_negative_difference_each_of : for k in 0 to 1 generate
     face_of_vertex_negative_difference_each : for m in 0 to 2 generate
       face_of_vertex_negative_difference(k)(m) <= signed(resize(length_bound(k), 30)) -
@@ -869,8 +1061,8 @@ begin
               plane_a => length_measure0_plane_a0_unit_plane_a, plane_b => length_measure0_plane_a0_unit_plane_b,
               ends => length_measure0_plane_a0_unit_ends, middle => length_measure0_plane_a0_unit_middle);
 
-  -- Clock 19
-  clock_19 : process (clk)
+  -- Clock 22
+  clock_22 : process (clk)
   begin
     if rising_edge(clk) then
       norm_of_moment <= moment_norm_lane;
@@ -881,7 +1073,7 @@ begin
       bound_side11_sum_sum_aligned_second_h1 <= append(length_bound(6), 1);
       bound_side12_sum_sum_aligned_second_h1 <= append(length_bound(7), 1);
     end if;
-  end process clock_19;
+  end process clock_22;
   moment_measure_each : for k in 0 to 3 generate
     moment_measure(k) <= resize(norm_of_moment(k), 21);
   end generate moment_measure_each;
@@ -890,8 +1082,8 @@ begin
       port map (x => moment_measure(k), by => level_d7, first_order => moment_first(k));
   end generate moment_first_unit;
 
-  -- Clock 20
-  clock_20 : process (clk)
+  -- Clock 23
+  clock_23 : process (clk)
   begin
     if rising_edge(clk) then
       determinant_plane_a0 <= dot_lane(0);
@@ -929,7 +1121,7 @@ begin
       bound_side21_sum_second_h1 <= resize(face_of_vertex_h1(1)(1), 30) + resize(face_of_vertex_h1(1)(2), 30);
       bound_side22_sum_second_h1 <= resize(face_of_vertex_h1(1)(2), 30) + resize(face_of_vertex_h1(1)(0), 30);
     end if;
-  end process clock_20;
+  end process clock_23;
   compared(0) <= resize(determinant_plane_a0, 41);
   compared(1) <= resize(determinant_plane_a1, 41);
   compared(2) <= resize(determinant_plane_a2, 41);
@@ -986,8 +1178,8 @@ begin
     port map (clk => clk, a => compared_unit_a, d => compared_unit_d, v => determinant_plane_b0,
               plane_b => compared_unit_plane_b, side0 => compared_unit_side0, side1 => compared_unit_side1);
 
-  -- Clock 21
-  clock_21 : process (clk)
+  -- Clock 24
+  clock_24 : process (clk)
   begin
     if rising_edge(clk) then
       bound_corner_aligned_h1 <= append(bound_all_m, 1);
@@ -1018,7 +1210,7 @@ begin
       compared_bound13_h1 <= compared_bound(13);
       compared_bound14_h1 <= compared_bound(14);
     end if;
-  end process clock_21;
+  end process clock_24;
   bound_corner <= resize(bound_corner_aligned_h1, 32) + resize(bound_corner_sum_line(3), 32);
   bound_plane_b0 <= resize(bound_all_m_h1, 31) + resize(length_measure0_plane_a0_h2, 31);
   bound_plane_b1 <= resize(bound_corner, 33) + resize(bound_plane_b1_result_h2, 33);
@@ -1032,8 +1224,6 @@ begin
   compared_bound(9) <= signed(resize(bound_side10(32 downto 3), 31));
   compared_bound(10) <= signed(resize(bound_side11(32 downto 3), 31));
   compared_bound(11) <= signed(resize(bound_side12(32 downto 3), 31));
-  separated_i(1) <= (compared0_sign0 and compared1_sign0 and compared2_sign0) or
-      (compared0_sign1 and compared1_sign1 and compared2_sign1);
   compared0_sign0 <= compared0_sign0_unit_sign(0);
   compared0_sign1 <= compared0_sign0_unit_sign(1);
   compared1_sign0 <= compared1_sign0_unit_sign(0);
@@ -1059,8 +1249,8 @@ begin
   compared14_sign0_unit : entity work.certain_sign
     port map (x => compared14_h1, bound => compared_bound14_h1, sign => compared14_sign0_unit_sign);
 
-  -- Clock 22
-  clock_22 : process (clk)
+  -- Clock 25
+  clock_25 : process (clk)
   begin
     if rising_edge(clk) then
       compared_bound3_h1 <= compared_bound(3);
@@ -1070,21 +1260,24 @@ begin
       compared_bound10_h1 <= compared_bound(10);
       compared_bound11_h1 <= compared_bound(11);
       compared3_h2 <= compared3_h1;
+      separated1_or_h1 <= (compared0_sign0 and compared1_sign0 and compared2_sign0) or
+          (compared0_sign1 and compared1_sign1 and compared2_sign1);
     end if;
-  end process clock_22;
+  end process clock_25;
   compared(6) <= resize(determinant_side00, 41);
   compared(7) <= resize(determinant_side01, 41);
   compared(8) <= resize(determinant_side02, 41);
   compared(9) <= resize(determinant_side10, 41);
   compared(10) <= resize(determinant_side11, 41);
   compared(11) <= resize(determinant_side12, 41);
+  separated_i(1) <= separated1_or_h1 and separated1_not_line(23);
   compared3_sign0 <= compared3_sign0_unit_sign(0);
   compared3_sign1 <= compared3_sign0_unit_sign(1);
   compared3_sign0_unit : entity work.certain_sign
     port map (x => compared3_h2, bound => compared_bound3_h1, sign => compared3_sign0_unit_sign);
 
-  -- Clock 23
-  clock_23 : process (clk)
+  -- Clock 26
+  clock_26 : process (clk)
   begin
     if rising_edge(clk) then
       compared4_h1 <= compared(4);
@@ -1103,9 +1296,7 @@ begin
       compared3_sign0_h1 <= compared3_sign0;
       compared3_sign1_h1 <= compared3_sign1;
     end if;
-  end process clock_23;
-  separated_i(2) <= (compared3_sign0_h1 and compared4_sign0 and compared5_sign0) or
-      (compared3_sign1_h1 and compared4_sign1 and compared5_sign1);
+  end process clock_26;
   compared4_sign0 <= compared4_sign0_unit_sign(0);
   compared4_sign1 <= compared4_sign0_unit_sign(1);
   compared5_sign0 <= compared5_sign0_unit_sign(0);
@@ -1139,8 +1330,8 @@ begin
   compared11_sign0_unit : entity work.certain_sign
     port map (x => compared11_h1, bound => compared_bound11_h2, sign => compared11_sign0_unit_sign);
 
-  -- Clock 24
-  clock_24 : process (clk)
+  -- Clock 27
+  clock_27 : process (clk)
   begin
     if rising_edge(clk) then
       compared3_sign0_h2 <= compared3_sign0_h1;
@@ -1161,99 +1352,113 @@ begin
       compared10_sign1_h1 <= compared10_sign1;
       compared11_sign0_h1 <= compared11_sign0;
       compared11_sign1_h1 <= compared11_sign1;
-      separated2_h1 <= separated_i(2);
+      separated2_or_h1 <= (compared3_sign0_h1 and compared4_sign0 and compared5_sign0) or
+          (compared3_sign1_h1 and compared4_sign1 and compared5_sign1);
     end if;
-  end process clock_24;
-  separated3_unit_ends(0)(0) <= compared3_sign0_h2;
-  separated3_unit_ends(0)(1) <= compared3_sign1_h2;
-  separated3_unit_ends(1)(0) <= compared4_sign0_h1;
-  separated3_unit_ends(1)(1) <= compared4_sign1_h1;
-  separated3_unit_sides(0)(0) <= compared6_sign0_h1;
-  separated3_unit_sides(0)(1) <= compared6_sign1_h1;
-  separated3_unit_sides(1)(0) <= compared7_sign0_h1;
-  separated3_unit_sides(1)(1) <= compared7_sign1_h1;
-  separated3_unit_sides(2)(0) <= compared8_sign0_h1;
-  separated3_unit_sides(2)(1) <= compared8_sign1_h1;
-  separated4_unit_ends(0)(0) <= compared4_sign0_h1;
-  separated4_unit_ends(0)(1) <= compared4_sign1_h1;
-  separated4_unit_ends(1)(0) <= compared5_sign0_h1;
-  separated4_unit_ends(1)(1) <= compared5_sign1_h1;
-  separated4_unit_sides(0)(0) <= compared9_sign0_h1;
-  separated4_unit_sides(0)(1) <= compared9_sign1_h1;
-  separated4_unit_sides(1)(0) <= compared10_sign0_h1;
-  separated4_unit_sides(1)(1) <= compared10_sign1_h1;
-  separated4_unit_sides(2)(0) <= compared11_sign0_h1;
-  separated4_unit_sides(2)(1) <= compared11_sign1_h1;
-  separated5_unit_ends(0)(0) <= compared5_sign0_h1;
-  separated5_unit_ends(0)(1) <= compared5_sign1_h1;
-  separated5_unit_ends(1)(0) <= compared3_sign0_h2;
-  separated5_unit_ends(1)(1) <= compared3_sign1_h2;
-  separated5_unit_sides(0)(0) <= compared12_sign0_line(3);
-  separated5_unit_sides(0)(1) <= compared12_sign1_line(3);
-  separated5_unit_sides(1)(0) <= compared13_sign0_line(3);
-  separated5_unit_sides(1)(1) <= compared13_sign1_line(3);
-  separated5_unit_sides(2)(0) <= compared14_sign0_line(3);
-  separated5_unit_sides(2)(1) <= compared14_sign1_line(3);
-  separated6_unit_ends(0)(0) <= compared0_sign0_line(3);
-  separated6_unit_ends(0)(1) <= compared0_sign1_line(3);
-  separated6_unit_ends(1)(0) <= compared1_sign0_line(3);
-  separated6_unit_ends(1)(1) <= compared1_sign1_line(3);
-  separated6_unit_sides(0)(0) <= compared6_sign0_h1;
-  separated6_unit_sides(0)(1) <= compared6_sign1_h1;
-  separated6_unit_sides(1)(0) <= compared9_sign0_h1;
-  separated6_unit_sides(1)(1) <= compared9_sign1_h1;
-  separated6_unit_sides(2)(0) <= compared12_sign0_line(3);
-  separated6_unit_sides(2)(1) <= compared12_sign1_line(3);
-  separated7_unit_ends(0)(0) <= compared1_sign0_line(3);
-  separated7_unit_ends(0)(1) <= compared1_sign1_line(3);
-  separated7_unit_ends(1)(0) <= compared2_sign0_line(3);
-  separated7_unit_ends(1)(1) <= compared2_sign1_line(3);
-  separated7_unit_sides(0)(0) <= compared7_sign0_h1;
-  separated7_unit_sides(0)(1) <= compared7_sign1_h1;
-  separated7_unit_sides(1)(0) <= compared10_sign0_h1;
-  separated7_unit_sides(1)(1) <= compared10_sign1_h1;
-  separated7_unit_sides(2)(0) <= compared13_sign0_line(3);
-  separated7_unit_sides(2)(1) <= compared13_sign1_line(3);
-  separated8_unit_ends(0)(0) <= compared2_sign0_line(3);
-  separated8_unit_ends(0)(1) <= compared2_sign1_line(3);
-  separated8_unit_ends(1)(0) <= compared0_sign0_line(3);
-  separated8_unit_ends(1)(1) <= compared0_sign1_line(3);
-  separated8_unit_sides(0)(0) <= compared8_sign0_h1;
-  separated8_unit_sides(0)(1) <= compared8_sign1_h1;
-  separated8_unit_sides(1)(0) <= compared11_sign0_h1;
-  separated8_unit_sides(1)(1) <= compared11_sign1_h1;
-  separated8_unit_sides(2)(0) <= compared14_sign0_line(3);
-  separated8_unit_sides(2)(1) <= compared14_sign1_line(3);
-  separated3_unit : entity work.edge_verdict
-    port map (ends => separated3_unit_ends, sides => separated3_unit_sides, missed => separated_i(3),
-              pierces => overlapping_i(3));
-  separated4_unit : entity work.edge_verdict
-    port map (ends => separated4_unit_ends, sides => separated4_unit_sides, missed => separated_i(4),
-              pierces => overlapping_i(4));
-  separated5_unit : entity work.edge_verdict
-    port map (ends => separated5_unit_ends, sides => separated5_unit_sides, missed => separated_i(5),
-              pierces => overlapping_i(5));
-  separated6_unit : entity work.edge_verdict
-    port map (ends => separated6_unit_ends, sides => separated6_unit_sides, missed => separated_i(6),
-              pierces => overlapping_i(6));
-  separated7_unit : entity work.edge_verdict
-    port map (ends => separated7_unit_ends, sides => separated7_unit_sides, missed => separated_i(7),
-              pierces => overlapping_i(7));
-  separated8_unit : entity work.edge_verdict
-    port map (ends => separated8_unit_ends, sides => separated8_unit_sides, missed => separated_i(8),
-              pierces => overlapping_i(8));
+  end process clock_27;
+  separated_i(2) <= separated2_or_h1 and separated2_not_line(25);
+  separated_i(3) <= separated3_result and separated3_not_line(25);
+  separated_i(4) <= separated4_result and separated4_not_line(25);
+  separated_i(5) <= separated5_result and separated5_not_line(25);
+  separated_i(6) <= separated6_result and separated6_not_line(25);
+  separated_i(7) <= separated7_result and separated7_not_line(25);
+  separated_i(8) <= separated8_result and separated8_not_line(25);
+  overlapping_i(3) <= overlapping3_result and overlapping3_not_line(25);
+  overlapping_i(4) <= overlapping4_result and overlapping4_not_line(25);
+  overlapping_i(5) <= overlapping5_result and overlapping5_not_line(25);
+  overlapping_i(6) <= overlapping6_result and overlapping6_not_line(25);
+  overlapping_i(7) <= overlapping7_result and overlapping7_not_line(25);
+  overlapping_i(8) <= overlapping8_result and overlapping8_not_line(25);
+  separated3_result_unit_ends(0)(0) <= compared3_sign0_h2;
+  separated3_result_unit_ends(0)(1) <= compared3_sign1_h2;
+  separated3_result_unit_ends(1)(0) <= compared4_sign0_h1;
+  separated3_result_unit_ends(1)(1) <= compared4_sign1_h1;
+  separated3_result_unit_sides(0)(0) <= compared6_sign0_h1;
+  separated3_result_unit_sides(0)(1) <= compared6_sign1_h1;
+  separated3_result_unit_sides(1)(0) <= compared7_sign0_h1;
+  separated3_result_unit_sides(1)(1) <= compared7_sign1_h1;
+  separated3_result_unit_sides(2)(0) <= compared8_sign0_h1;
+  separated3_result_unit_sides(2)(1) <= compared8_sign1_h1;
+  separated4_result_unit_ends(0)(0) <= compared4_sign0_h1;
+  separated4_result_unit_ends(0)(1) <= compared4_sign1_h1;
+  separated4_result_unit_ends(1)(0) <= compared5_sign0_h1;
+  separated4_result_unit_ends(1)(1) <= compared5_sign1_h1;
+  separated4_result_unit_sides(0)(0) <= compared9_sign0_h1;
+  separated4_result_unit_sides(0)(1) <= compared9_sign1_h1;
+  separated4_result_unit_sides(1)(0) <= compared10_sign0_h1;
+  separated4_result_unit_sides(1)(1) <= compared10_sign1_h1;
+  separated4_result_unit_sides(2)(0) <= compared11_sign0_h1;
+  separated4_result_unit_sides(2)(1) <= compared11_sign1_h1;
+  separated5_result_unit_ends(0)(0) <= compared5_sign0_h1;
+  separated5_result_unit_ends(0)(1) <= compared5_sign1_h1;
+  separated5_result_unit_ends(1)(0) <= compared3_sign0_h2;
+  separated5_result_unit_ends(1)(1) <= compared3_sign1_h2;
+  separated5_result_unit_sides(0)(0) <= compared12_sign0_line(3);
+  separated5_result_unit_sides(0)(1) <= compared12_sign1_line(3);
+  separated5_result_unit_sides(1)(0) <= compared13_sign0_line(3);
+  separated5_result_unit_sides(1)(1) <= compared13_sign1_line(3);
+  separated5_result_unit_sides(2)(0) <= compared14_sign0_line(3);
+  separated5_result_unit_sides(2)(1) <= compared14_sign1_line(3);
+  separated6_result_unit_ends(0)(0) <= compared0_sign0_line(3);
+  separated6_result_unit_ends(0)(1) <= compared0_sign1_line(3);
+  separated6_result_unit_ends(1)(0) <= compared1_sign0_line(3);
+  separated6_result_unit_ends(1)(1) <= compared1_sign1_line(3);
+  separated6_result_unit_sides(0)(0) <= compared6_sign0_h1;
+  separated6_result_unit_sides(0)(1) <= compared6_sign1_h1;
+  separated6_result_unit_sides(1)(0) <= compared9_sign0_h1;
+  separated6_result_unit_sides(1)(1) <= compared9_sign1_h1;
+  separated6_result_unit_sides(2)(0) <= compared12_sign0_line(3);
+  separated6_result_unit_sides(2)(1) <= compared12_sign1_line(3);
+  separated7_result_unit_ends(0)(0) <= compared1_sign0_line(3);
+  separated7_result_unit_ends(0)(1) <= compared1_sign1_line(3);
+  separated7_result_unit_ends(1)(0) <= compared2_sign0_line(3);
+  separated7_result_unit_ends(1)(1) <= compared2_sign1_line(3);
+  separated7_result_unit_sides(0)(0) <= compared7_sign0_h1;
+  separated7_result_unit_sides(0)(1) <= compared7_sign1_h1;
+  separated7_result_unit_sides(1)(0) <= compared10_sign0_h1;
+  separated7_result_unit_sides(1)(1) <= compared10_sign1_h1;
+  separated7_result_unit_sides(2)(0) <= compared13_sign0_line(3);
+  separated7_result_unit_sides(2)(1) <= compared13_sign1_line(3);
+  separated8_result_unit_ends(0)(0) <= compared2_sign0_line(3);
+  separated8_result_unit_ends(0)(1) <= compared2_sign1_line(3);
+  separated8_result_unit_ends(1)(0) <= compared0_sign0_line(3);
+  separated8_result_unit_ends(1)(1) <= compared0_sign1_line(3);
+  separated8_result_unit_sides(0)(0) <= compared8_sign0_h1;
+  separated8_result_unit_sides(0)(1) <= compared8_sign1_h1;
+  separated8_result_unit_sides(1)(0) <= compared11_sign0_h1;
+  separated8_result_unit_sides(1)(1) <= compared11_sign1_h1;
+  separated8_result_unit_sides(2)(0) <= compared14_sign0_line(3);
+  separated8_result_unit_sides(2)(1) <= compared14_sign1_line(3);
+  separated3_result_unit : entity work.edge_verdict
+    port map (ends => separated3_result_unit_ends, sides => separated3_result_unit_sides, missed => separated3_result,
+              pierces => overlapping3_result);
+  separated4_result_unit : entity work.edge_verdict
+    port map (ends => separated4_result_unit_ends, sides => separated4_result_unit_sides, missed => separated4_result,
+              pierces => overlapping4_result);
+  separated5_result_unit : entity work.edge_verdict
+    port map (ends => separated5_result_unit_ends, sides => separated5_result_unit_sides, missed => separated5_result,
+              pierces => overlapping5_result);
+  separated6_result_unit : entity work.edge_verdict
+    port map (ends => separated6_result_unit_ends, sides => separated6_result_unit_sides, missed => separated6_result,
+              pierces => overlapping6_result);
+  separated7_result_unit : entity work.edge_verdict
+    port map (ends => separated7_result_unit_ends, sides => separated7_result_unit_sides, missed => separated7_result,
+              pierces => overlapping7_result);
+  separated8_result_unit : entity work.edge_verdict
+    port map (ends => separated8_result_unit_ends, sides => separated8_result_unit_sides, missed => separated8_result,
+              pierces => overlapping8_result);
 
-  -- Clock 25
-  clock_25 : process (clk)
+  -- Clock 28
+  clock_28 : process (clk)
   begin
     if rising_edge(clk) then
+      separated2_h1 <= separated_i(2);
       separated3_h1 <= separated_i(3);
       separated4_h1 <= separated_i(4);
       separated5_h1 <= separated_i(5);
       separated6_h1 <= separated_i(6);
       separated7_h1 <= separated_i(7);
       separated8_h1 <= separated_i(8);
-      separated2_h2 <= separated2_h1;
       overlapping3_h1 <= overlapping_i(3);
       overlapping4_h1 <= overlapping_i(4);
       overlapping5_h1 <= overlapping_i(5);
@@ -1261,19 +1466,19 @@ begin
       overlapping7_h1 <= overlapping_i(7);
       overlapping8_h1 <= overlapping_i(8);
     end if;
-  end process clock_25;
+  end process clock_28;
   verdict_unit_separated(0) <= separated0_line(9);
-  verdict_unit_separated(1) <= separated1_line(4);
-  verdict_unit_separated(2) <= separated2_h2;
+  verdict_unit_separated(1) <= separated1_line(3);
+  verdict_unit_separated(2) <= separated2_h1;
   verdict_unit_separated(3) <= separated3_h1;
   verdict_unit_separated(4) <= separated4_h1;
   verdict_unit_separated(5) <= separated5_h1;
   verdict_unit_separated(6) <= separated6_h1;
   verdict_unit_separated(7) <= separated7_h1;
   verdict_unit_separated(8) <= separated8_h1;
-  verdict_unit_overlapping(0) <= overlapping_i(0);
-  verdict_unit_overlapping(1) <= overlapping_i(1);
-  verdict_unit_overlapping(2) <= overlapping_i(2);
+  verdict_unit_overlapping(0) <= overlapping0_line(26);
+  verdict_unit_overlapping(1) <= overlapping1_line(26);
+  verdict_unit_overlapping(2) <= overlapping2_line(26);
   verdict_unit_overlapping(3) <= overlapping3_h1;
   verdict_unit_overlapping(4) <= overlapping4_h1;
   verdict_unit_overlapping(5) <= overlapping5_h1;
@@ -1287,13 +1492,15 @@ begin
   delays : process (clk)
   begin
     if rising_edge(clk) then
-      pose_bypass_line <= pose_bypass & pose_bypass_line(1 to 3);
-      in_w_line <= in_w & in_w_line(1 to 3);
-      moved_line <= moved & moved_line(1 to 4);
-      difference_v1_line <= difference_v1 & difference_v1_line(1 to 5);
-      difference_v2_line <= difference_v2 & difference_v2_line(1 to 5);
-      difference_v1_d9_line <= difference_v1_line(6) & difference_v1_d9_line(1 to 2);
-      difference_v2_d9_line <= difference_v2_line(6) & difference_v2_d9_line(1 to 2);
+      pose_bypass_line <= pose_bypass & pose_bypass_line(1 to 6);
+      in_w0_inside_line <= in_w0_inside_d2 & in_w0_inside_line(1 to 3);
+      moved_line <= moved & moved_line(1 to 5);
+      in_w1_inside_line <= in_w1_inside_d2 & in_w1_inside_line(1 to 3);
+      in_w2_inside_line <= in_w2_inside_d2 & in_w2_inside_line(1 to 3);
+      difference_v1_line <= difference_v1 & difference_v1_line(1 to 7);
+      difference_v2_line <= difference_v2 & difference_v2_line(1 to 7);
+      difference_v1_d11_line <= difference_v1_line(8) & difference_v1_d11_line(1 to 2);
+      difference_v2_d11_line <= difference_v2_line(8) & difference_v2_d11_line(1 to 2);
       difference_w0_line <= difference_w0 & difference_w0_line(1 to 2);
       difference_w1_line <= difference_w1 & difference_w1_line(1 to 2);
       difference_w2_line <= difference_w2 & difference_w2_line(1 to 2);
@@ -1325,24 +1532,44 @@ begin
       compared1_sign1_line <= compared1_sign1 & compared1_sign1_line(1 to 2);
       compared2_sign0_line <= compared2_sign0 & compared2_sign0_line(1 to 2);
       compared2_sign1_line <= compared2_sign1 & compared2_sign1_line(1 to 2);
+      separated0_not_line <= not outside_i & separated0_not_line(1 to 16);
+      separated1_not_line <= not outside_i & separated1_not_line(1 to 22);
+      separated2_not_line <= not outside_i & separated2_not_line(1 to 24);
+      separated3_not_line <= not outside_i & separated3_not_line(1 to 24);
+      separated4_not_line <= not outside_i & separated4_not_line(1 to 24);
+      separated5_not_line <= not outside_i & separated5_not_line(1 to 24);
+      separated6_not_line <= not outside_i & separated6_not_line(1 to 24);
+      separated7_not_line <= not outside_i & separated7_not_line(1 to 24);
+      separated8_not_line <= not outside_i & separated8_not_line(1 to 24);
+      overlapping3_not_line <= not outside_i & overlapping3_not_line(1 to 24);
+      overlapping4_not_line <= not outside_i & overlapping4_not_line(1 to 24);
+      overlapping5_not_line <= not outside_i & overlapping5_not_line(1 to 24);
+      overlapping6_not_line <= not outside_i & overlapping6_not_line(1 to 24);
+      overlapping7_not_line <= not outside_i & overlapping7_not_line(1 to 24);
+      overlapping8_not_line <= not outside_i & overlapping8_not_line(1 to 24);
       separated0_line <= separated_i(0) & separated0_line(1 to 8);
-      separated1_line <= separated_i(1) & separated1_line(1 to 3);
+      separated1_line <= separated_i(1) & separated1_line(1 to 2);
+      overlapping0_line <= overlapping_i(0) & overlapping0_line(1 to 25);
+      overlapping1_line <= overlapping_i(1) & overlapping1_line(1 to 25);
+      overlapping2_line <= overlapping_i(2) & overlapping2_line(1 to 25);
+      outside_line <= outside_i & outside_line(1 to 25);
     end if;
   end process delays;
 
   -- Outputs
+  outside <= outside_line(26);
   separated(0) <= separated0_line(9);
-  separated(1) <= separated1_line(4);
-  separated(2) <= separated2_h2;
+  separated(1) <= separated1_line(3);
+  separated(2) <= separated2_h1;
   separated(3) <= separated3_h1;
   separated(4) <= separated4_h1;
   separated(5) <= separated5_h1;
   separated(6) <= separated6_h1;
   separated(7) <= separated7_h1;
   separated(8) <= separated8_h1;
-  overlapping(0) <= overlapping_i(0);
-  overlapping(1) <= overlapping_i(1);
-  overlapping(2) <= overlapping_i(2);
+  overlapping(0) <= overlapping0_line(26);
+  overlapping(1) <= overlapping1_line(26);
+  overlapping(2) <= overlapping2_line(26);
   overlapping(3) <= overlapping3_h1;
   overlapping(4) <= overlapping4_h1;
   overlapping(5) <= overlapping5_h1;

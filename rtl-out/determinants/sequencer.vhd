@@ -19,9 +19,9 @@ entity sequencer is
     decide         : out std_logic;
     out_valid      : out std_logic;
     take           : out std_logic;
-    accept_address : out unsigned(4 downto 0);
-    decide_address : out unsigned(4 downto 0);
-    take_address   : out unsigned(4 downto 0);
+    accept_address : out unsigned(5 downto 0);
+    decide_address : out unsigned(5 downto 0);
+    take_address   : out unsigned(5 downto 0);
     pose_load      : out std_logic;  -- last phase, and a pose is pending
     pose_ready     : out std_logic;
     pose_accept    : out std_logic
@@ -30,20 +30,20 @@ end entity sequencer;
 
 architecture rtl of sequencer is
   signal running : std_logic := '0';  -- clear in reset and in the first clock after: nothing is accepted
-  signal accepted : unsigned(5 downto 0) := (others => '0');
-  signal accepted_ahead : unsigned(5 downto 0) := to_unsigned(1, 6);
+  signal accepted : unsigned(6 downto 0) := (others => '0');
+  signal accepted_ahead : unsigned(6 downto 0) := to_unsigned(1, 7);
   signal accepted_moved : std_logic := '0';
-  signal taken : unsigned(5 downto 0) := (others => '0');
-  signal taken_ahead : unsigned(5 downto 0) := to_unsigned(1, 6);
+  signal taken : unsigned(6 downto 0) := (others => '0');
+  signal taken_ahead : unsigned(6 downto 0) := to_unsigned(1, 7);
   signal taken_moved : std_logic := '0';
-  signal decided : unsigned(5 downto 0) := (others => '0');
-  signal taken_turned : unsigned(5 downto 0);
+  signal decided : unsigned(6 downto 0) := (others => '0');
+  signal taken_turned : unsigned(6 downto 0);
   signal full_if_moved : std_logic := '0';
   signal full_if_still : std_logic := '0';
   signal full : std_logic;
   signal accepts : std_logic;
   signal accept_pair : std_logic;
-  signal holds : std_logic_vector(24 downto 0) := (others => '0');
+  signal holds : std_logic_vector(27 downto 0) := (others => '0');
   signal decide_pair : std_logic := '0';
   signal empty_if_moved : std_logic := '1';
   signal empty_if_still : std_logic := '1';
@@ -57,7 +57,7 @@ architecture rtl of sequencer is
   signal pose_waits : std_logic;
   signal pose_pending_next : std_logic;
 begin
-  taken_turned <= taken + 32;
+  taken_turned <= taken + 64;
   full <= full_if_moved when accepted_moved = '1' else full_if_still;
   accepts <= running and '1' and not full;
   accept_pair <= in_valid and accepts;
@@ -67,9 +67,9 @@ begin
   takes_pose <= running and not pose_pending;
   pose_waits <= pose_pending and not load_pose;
   pose_pending_next <= pose_waits or (pose_valid and takes_pose);
-  accept_address <= accepted(4 downto 0);
-  decide_address <= decided(4 downto 0);
-  take_address <= taken(4 downto 0);
+  accept_address <= accepted(5 downto 0);
+  decide_address <= decided(5 downto 0);
+  take_address <= taken(5 downto 0);
   pose_accept <= pose_valid and takes_pose;
 
   -- State
@@ -82,7 +82,7 @@ begin
         taken_moved <= '0';
         full_if_moved <= '0';
         full_if_still <= '0';
-        for k in 0 to 24 loop
+        for k in 0 to 27 loop
           holds(k) <= '0';
         end loop;
         decide_pair <= '0';
@@ -95,32 +95,32 @@ begin
         running <= '1';
         accepted_moved <= accept_pair;
         taken_moved <= take_pair;
-        full_if_moved <= flag(accepted_ahead = taken_turned);
-        full_if_still <= flag(accepted = taken_turned);
-        holds <= holds(23 downto 0) & accept_pair;
-        decide_pair <= holds(24);
-        empty_if_moved <= flag(taken_ahead = decided);
-        empty_if_still <= flag(taken = decided);
+        full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
+        full_if_still <= flag(known(accepted) = known(taken_turned));
+        holds <= holds(26 downto 0) & accept_pair;
+        decide_pair <= holds(27);
+        empty_if_moved <= flag(known(taken_ahead) = known(decided));
+        empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
         pose_pending <= pose_pending_next;
         load_pose <= pose_pending_next and '1';
       end if;
       if reset = '1' then
-        accepted <= to_unsigned(0, 6);
-        accepted_ahead <= to_unsigned(1, 6);
+        accepted <= to_unsigned(0, 7);
+        accepted_ahead <= to_unsigned(1, 7);
       elsif accept_pair = '1' then
         accepted <= accepted_ahead;
         accepted_ahead <= accepted_ahead + 1;
       end if;
       if reset = '1' then
-        taken <= to_unsigned(0, 6);
-        taken_ahead <= to_unsigned(1, 6);
+        taken <= to_unsigned(0, 7);
+        taken_ahead <= to_unsigned(1, 7);
       elsif take_pair = '1' then
         taken <= taken_ahead;
         taken_ahead <= taken_ahead + 1;
       end if;
       if reset = '1' then
-        decided <= to_unsigned(0, 6);
+        decided <= to_unsigned(0, 7);
       elsif decide_pair = '1' then
         decided <= decided + 1;
       end if;

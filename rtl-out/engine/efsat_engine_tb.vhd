@@ -27,7 +27,7 @@ entity efsat_engine_tb is
     vectors : string := "efsat_engine_tb.vec";
     answers : string := "";  -- a file for all words that come out, each with its TLAST and its clock
     compared : boolean := true;  -- answers, with those in the file
-    patience : natural := 20300;  -- clocks without a transfer before giving up
+    patience : natural := 20308;  -- clocks without a transfer before giving up
     latency_least : positive := 30;
     latency_most : positive := 30;
     seed : positive := 1;
@@ -40,7 +40,7 @@ entity efsat_engine_tb is
 end entity efsat_engine_tb;
 
 architecture simulation of efsat_engine_tb is
-  constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11 query 0024ca1244102003 words 32 memory axi";
+  constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11 guard query 0024ca1244102003 words 32 memory axi";
   constant most_pairs : natural := 65536;  -- of a packet
   subtype word_64 is std_logic_vector(63 downto 0);
   type words_64 is array (natural range <>) of word_64;
@@ -659,7 +659,7 @@ begin
     write(message, string'(" total "));
     write(message, clock);
     writeline(output, message);
-    assert mismatches = 0 report "efsat_engine_tb: the engine and the reference model differ" severity error;
+    assert mismatches = 0 report "efsat_engine_tb: the engine and the reference model differ" severity failure;
     done <= true;
     wait;
   end process main;

@@ -28,6 +28,7 @@ entity engine_answer is
     verdict : in std_logic_vector(1 downto 0);  -- 00 separate, 01 intersect, 10 possibly incorrect
     numbers : in std_logic_vector(55 downto 0);  -- of A's triangle in the low half, of B's in the high one
     last : in std_logic;  -- the pair ends the answer
+    outside : in std_logic;  -- of a pair of a packet: a number of it, or of the pose, is outside its range
     dropping : in std_logic;  -- pairs are dropped
     separate_too : in std_logic;  -- pairs that are separate are answered, too
     stop_at_contact : in std_logic;
@@ -73,6 +74,8 @@ architecture rtl of engine_answer is
   signal next_verdict : std_logic_vector(1 downto 0) := separate;
   signal next_numbers : std_logic_vector(55 downto 0) := (others => '0');
   signal next_last : std_logic := '0';
+  signal head_outside : std_logic := '0';
+  signal next_outside : std_logic := '0';
   signal arrives : std_logic;
   signal offered : std_logic := '0';
   signal offered_word : std_logic_vector(63 downto 0) := (others => '0');
@@ -124,16 +127,19 @@ begin
         head_verdict <= verdict;
         head_numbers <= numbers;
         head_last <= last;
+        head_outside <= outside;
         if next_valid = '1' then
           head_verdict <= next_verdict;
           head_numbers <= next_numbers;
           head_last <= next_last;
+          head_outside <= next_outside;
         end if;
       end if;
       if next_valid = '0' then
         next_verdict <= verdict;
         next_numbers <= numbers;
         next_last <= last;
+        next_outside <= outside;
       end if;
       pair_answered <= taken and not restart;
       if restart = '1' then
@@ -171,7 +177,7 @@ begin
         if report_due = '1' then
           offered_word <= report_word;
         else
-          offered_word <= head_numbers & "000000" & head_verdict;
+          offered_word <= head_numbers & "000" & head_outside & "00" & head_verdict;
         end if;
         offered_last <= head_last;
         if report_due = '1' then

@@ -48,7 +48,7 @@ architecture rtl of sequencer is
   signal accepts : std_logic;
   signal accept_pair : std_logic;
   signal holds_i : std_logic_vector(5 downto 0) := (others => '0');
-  signal decide_phase : std_logic := '0';  -- set in phase 1
+  signal decide_phase : std_logic := '0';  -- set in phase 3
   signal decide_pair : std_logic;
   signal empty_if_moved : std_logic := '1';
   signal empty_if_still : std_logic := '1';
@@ -92,17 +92,17 @@ begin
         pose_phase <= '0';
       else
         running <= '1';
-        phase_i <= to_unsigned(phase_entry_table(to_integer(phase_i)), 4);
-        last_phase <= flag(phase_i = 9);
+        phase_i <= to_unsigned(phase_entry_table(to_integer(known(phase_i))), 4);
+        last_phase <= flag(known(phase_i) = 9);
         accepted_moved <= accept_pair;
         taken_moved <= take_pair;
-        full_if_moved <= flag(accepted_ahead = taken_turned);
-        full_if_still <= flag(accepted = taken_turned);
-        decide_phase <= flag(phase_i = 0);
-        empty_if_moved <= flag(taken_ahead = decided);
-        empty_if_still <= flag(taken = decided);
+        full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
+        full_if_still <= flag(known(accepted) = known(taken_turned));
+        decide_phase <= flag(known(phase_i) = 2);
+        empty_if_moved <= flag(known(taken_ahead) = known(decided));
+        empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
-        pose_phase <= flag(phase_i = 8);
+        pose_phase <= flag(known(phase_i) = 8);
       end if;
       if reset = '1' then
         accepted <= to_unsigned(0, 5);

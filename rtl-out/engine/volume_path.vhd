@@ -131,31 +131,31 @@ begin
   begin
     if rising_edge(clk) then
       for k in 0 to 3 loop
-        strobe(k) <= flag(phase = (k + 3) mod 4) and in_flight;
+        strobe(k) <= flag(known(phase) = (k + 3) mod 4) and in_flight;
       end loop;
     end if;
   end process strobes;
-  in_phase_3 <= flag(phase = 3);
+  in_phase_3 <= flag(known(phase) = 3);
   in_flight <= holds(0) or holds(1) or holds(2) or holds(3) or in_phase_3;
   query_error_resized_each : for i in 0 to 2 generate
     query_error_resized(i) <= signed(resize(query_error(i), 26));
   end generate query_error_resized_each;
   holds0_or_in_phase_3 <= holds(0) or in_phase_3;
-  in_phase_1 <= flag(phase = 1);
-  in_phase_0 <= flag(phase = 0);
+  in_phase_1 <= flag(known(phase) = 1);
+  in_phase_0 <= flag(known(phase) = 0);
 
   -- Clock 0
   d_lane_m <=
-    query_pose(0) when d_lane_m_select_at_0 = 0 else
-    query_pose(1) when d_lane_m_select_at_0 = 1 else
+    query_pose(0) when known(d_lane_m_select_at_0) = 0 else
+    query_pose(1) when known(d_lane_m_select_at_0) = 1 else
     query_pose(2);
   d_lane_t <=
-    query_shift(0) when d_lane_m_select_at_0 = 0 else
-    query_shift(1) when d_lane_m_select_at_0 = 1 else
+    query_shift(0) when known(d_lane_m_select_at_0) = 0 else
+    query_shift(1) when known(d_lane_m_select_at_0) = 1 else
     query_shift(2);
   d_lane_o_a <=
-    a_origin(0) when d_lane_m_select_at_0 = 0 else
-    a_origin(1) when d_lane_m_select_at_0 = 1 else
+    a_origin(0) when known(d_lane_m_select_at_0) = 0 else
+    a_origin(1) when known(d_lane_m_select_at_0) = 1 else
     a_origin(2);
 
   -- Clock 1
@@ -467,14 +467,14 @@ begin
   begin
     if rising_edge(clk) then
       if holds0_or_in_phase_3 = '1' then
-        d_lane_m_select_at_0 <= to_unsigned(d_lane_m_select_at_0_table(to_integer(phase)), 2);
+        d_lane_m_select_at_0 <= to_unsigned(d_lane_m_select_at_0_table(to_integer(known(phase))), 2);
       end if;
       if busy_3 = '1' then
-        b_chosen_select_at_3(0) <= b_chosen_select_at_3_0_table(to_integer(phase));
-        axis_bound_operand_select_at_3 <= axis_bound_operand_select_at_3_table(to_integer(phase));
+        b_chosen_select_at_3(0) <= b_chosen_select_at_3_0_table(to_integer(known(phase)));
+        axis_bound_operand_select_at_3 <= axis_bound_operand_select_at_3_table(to_integer(known(phase)));
       end if;
       if busy_6 = '1' then
-        axis_bound_operand_select_at_2 <= axis_bound_operand_select_at_2_table(to_integer(phase));
+        axis_bound_operand_select_at_2 <= axis_bound_operand_select_at_2_table(to_integer(known(phase)));
       end if;
     end if;
   end process selectors;
@@ -495,7 +495,7 @@ begin
       end loop;
       if strobe(2) = '1' then
         b_code0_h3 <= b_code(0);
-        ceiling_h3 <= to_unsigned(ceiling_table(to_integer(b_exponent)), 11);
+        ceiling_h3 <= to_unsigned(ceiling_table(to_integer(known(b_exponent))), 11);
         b_exponent_h7 <= b_exponent_h4;
         a_exponent_h7 <= a_exponent_h4;
       end if;

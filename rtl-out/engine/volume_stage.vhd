@@ -534,9 +534,9 @@ begin
         out_valid <= '0';
       else
         running <= '1';
-        phase <= to_unsigned(phase_entry_table(to_integer(phase)), 2);
-        last_phase <= flag(phase = 2);
-        answer_phase <= flag(phase = 0);
+        phase <= to_unsigned(phase_entry_table(to_integer(known(phase))), 2);
+        last_phase <= flag(known(phase) = 2);
+        answer_phase <= flag(known(phase) = 0);
         out_valid <= answers;
       end if;
       if reset = '1' then

@@ -71,6 +71,11 @@ package volume_types is
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
 
+  -- x, to be compared or to be an index. In simulation it can have no value yet as long as time is 0, before the registers
+  -- have reached what is behind them; it is zero then. Later that is worth a warning.
+  impure function known(x : signed) return signed;
+  impure function known(x : unsigned) return unsigned;
+
   -- One of two values by a flag.
   function choose(condition : std_logic; if_set, if_clear : std_logic) return std_logic;
   function choose(condition : std_logic; if_set, if_clear : signed) return signed;
@@ -93,6 +98,28 @@ package body volume_types is
       return '0';
     end if;
   end function flag;
+
+  impure function known(x : signed) return signed is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison" severity warning;
+      return to_signed(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
+
+  impure function known(x : unsigned) return unsigned is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison or an index" severity warning;
+      return to_unsigned(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
 
   function choose(condition : std_logic; if_set, if_clear : std_logic) return std_logic is
   begin

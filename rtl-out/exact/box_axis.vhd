@@ -43,11 +43,11 @@ architecture rtl of box_axis is
 begin
   -- Clock 0
   v_above_each : for k in 0 to 1 generate
-    v_above(k) <= not v(k)(17) and not flag(v(k) = 0);
+    v_above(k) <= not v(k)(17) and not flag(known(v(k)) = 0);
     v_below(k) <= v(k)(17);
   end generate v_above_each;
   w_above_each : for k in 0 to 2 generate
-    w_above(k) <= not w(k)(17) and not flag(w(k) = 0);
+    w_above(k) <= not w(k)(17) and not flag(known(w(k)) = 0);
     w_below(k) <= w(k)(17);
   end generate w_above_each;
   v_below_w_each_of : for k in 0 to 1 generate

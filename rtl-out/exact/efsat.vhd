@@ -31,9 +31,9 @@ use work.efsat_types.all;
 entity efsat is
   port (
     clk             : in  std_logic;
-    reset           : in  std_logic;
+    reset           : in  std_logic;  -- synchronous, active high
     in_valid        : in  std_logic;
-    in_tag          : in  std_logic_vector(15 downto 0);
+    in_tag          : in  std_logic_vector(15 downto 0) := (others => '0');
     in_v0_x         : in  std_logic_vector(31 downto 0);  -- s4.28
     in_v0_y         : in  std_logic_vector(31 downto 0);  -- s4.28
     in_v0_z         : in  std_logic_vector(31 downto 0);  -- s4.28
@@ -52,7 +52,7 @@ entity efsat is
     in_w2_x         : in  std_logic_vector(31 downto 0);  -- s4.28
     in_w2_y         : in  std_logic_vector(31 downto 0);  -- s4.28
     in_w2_z         : in  std_logic_vector(31 downto 0);  -- s4.28
-    out_ready       : in  std_logic;
+    out_ready       : in  std_logic := '1';
     in_ready        : out std_logic;
     out_valid       : out std_logic;
     out_verdict     : out std_logic_vector(1 downto 0);
@@ -139,20 +139,20 @@ begin
   begin
     if rising_edge(clk) then
       if control_decide = '1' then
-        result_queue_words(to_integer(control_decide_address)) <= result_word;
+        result_queue_words(to_integer(known(control_decide_address))) <= result_word;
       end if;
     end if;
   end process write_result_queue;
-  result_queue <= result_queue_words(to_integer(control_take_address));
+  result_queue <= result_queue_words(to_integer(known(control_take_address)));
   write_tag_queue : process (clk)
   begin
     if rising_edge(clk) then
       if control_accept = '1' then
-        tag_queue_words(to_integer(control_accept_address)) <= unsigned(in_tag);
+        tag_queue_words(to_integer(known(control_accept_address))) <= unsigned(in_tag);
       end if;
     end if;
   end process write_tag_queue;
-  tag_queue <= tag_queue_words(to_integer(control_take_address));
+  tag_queue <= tag_queue_words(to_integer(known(control_take_address)));
 
   -- Outputs
   out_verdict <= std_logic_vector(offered_verdict);

@@ -29,10 +29,10 @@ use ieee.numeric_std.all;
 
 entity efsat_stream is
   port (
-    aclk : in std_logic;
-    aresetn : in std_logic;  -- synchronous, active low
+    aclk : in std_logic;  -- all ports change with its rising edge
+    aresetn : in std_logic;  -- synchronous to aclk, active low: for one clock at the least
     s_axis_tdata : in std_logic_vector(1023 downto 0);
-    s_axis_tkeep : in std_logic_vector(127 downto 0);  -- ones where the source has none
+    s_axis_tkeep : in std_logic_vector(127 downto 0) := (others => '1');  -- ones where the source has none, or it is left open
     s_axis_tvalid : in std_logic;
     s_axis_tlast : in std_logic;  -- last word of a packet
     s_axis_tready : out std_logic;
@@ -40,7 +40,7 @@ entity efsat_stream is
     m_axis_tkeep : out std_logic_vector(7 downto 0);  -- always ones
     m_axis_tvalid : out std_logic;
     m_axis_tlast : out std_logic;  -- last answer to a packet
-    m_axis_tready : in std_logic
+    m_axis_tready : in std_logic := '1'  -- left open where the sink takes an answer in every clock
   );
 end entity efsat_stream;
 

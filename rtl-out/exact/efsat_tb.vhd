@@ -300,9 +300,9 @@ begin
     write(message, string'(" total "));
     write(message, clock);
     writeline(output, message);
-    assert mismatches = 0 report "efsat_tb: the unit and the reference model differ" severity error;
-    assert interval = 0 or interval = 1 report "efsat_tb: initiation interval is not 1" severity error;
-    assert latency = 20 report "efsat_tb: latency is not 20" severity error;
+    assert mismatches = 0 report "efsat_tb: the unit and the reference model differ" severity failure;
+    assert interval = 0 or interval = 1 report "efsat_tb: initiation interval is not 1" severity failure;
+    assert latency = 20 report "efsat_tb: latency is not 20" severity failure;
     done <= true;
     wait;
   end process main;

@@ -22,7 +22,7 @@ begin
   sign0_not_second_equal_constant <= to_signed(0, 60);
 
   -- Clock 0
-  sign_i(0) <= not sign_i(1) and not flag(x = sign0_not_second_equal_constant);
+  sign_i(0) <= not sign_i(1) and not flag(known(x) = known(sign0_not_second_equal_constant));
   sign_i(1) <= x(59);
 
   -- Outputs

@@ -24,13 +24,15 @@ architecture rtl of first_point is
   signal x_d1 : signed_18_vector_t := zero_signed_18_vector;  -- |.| <= 131071
 begin
   -- Clock 0
-  y_x_equal_not_word_any <= or_reduce(not flag(y(2) = 0) & not flag(y(1) = 0) & not flag(y(0) = 0));
+  y_x_equal_not_word_any <= or_reduce(not flag(known(y(2)) = 0) & not flag(known(y(1)) = 0) & not
+      flag(known(y(0)) = 0));
 
   -- Clock 1
   clock_1 : process (clk)
   begin
     if rising_edge(clk) then
-      x_x_equal_not_word_any_d1 <= or_reduce(not flag(x(2) = 0) & not flag(x(1) = 0) & not flag(x(0) = 0));
+      x_x_equal_not_word_any_d1 <= or_reduce(not flag(known(x(2)) = 0) & not flag(known(x(1)) = 0) & not
+          flag(known(x(0)) = 0));
       if y_x_equal_not_word_any = '1' then
         first_choice_d1 <= y;
       else

@@ -21,9 +21,9 @@ architecture rtl of left_out_coordinate is
 begin
   -- Clock 0
   seen_each : for k in 0 to 2 generate
-    seen(k) <= or_reduce(not flag(moments(3)(k) = 0) & not flag(moments(2)(k) = 0) & not flag(moments(1)(k) = 0) & not
-        flag(moments(0)(k) = 0));
+    seen(k) <= or_reduce(not flag(known(moments(3)(k)) = 0) & not flag(known(moments(2)(k)) = 0) & not
+        flag(known(moments(1)(k)) = 0) & not flag(known(moments(0)(k)) = 0));
   end generate seen_each;
   all_seen <= unsigned(seen);
-  left_out <= to_unsigned(left_out_table(to_integer(all_seen)), 2);
+  left_out <= to_unsigned(left_out_table(to_integer(known(all_seen))), 2);
 end architecture rtl;

@@ -358,26 +358,26 @@ begin
       first_h1 <= first;
     end if;
   end process clock_5;
-  lines <= flag(left_out_h1 = 3);
+  lines <= flag(known(left_out_h1) = 3);
   moment_c(0) <=
-    moment_m0_h1(0) when left_out_h1 = 0 else
-    moment_m0_h1(1) when left_out_h1 = 1 else
-    moment_m0_h1(2) when left_out_h1 = 2 else
+    moment_m0_h1(0) when known(left_out_h1) = 0 else
+    moment_m0_h1(1) when known(left_out_h1) = 1 else
+    moment_m0_h1(2) when known(left_out_h1) = 2 else
     moment_m0_h1(0);
   moment_c(1) <=
-    moment_m1_h1(0) when left_out_h1 = 0 else
-    moment_m1_h1(1) when left_out_h1 = 1 else
-    moment_m1_h1(2) when left_out_h1 = 2 else
+    moment_m1_h1(0) when known(left_out_h1) = 0 else
+    moment_m1_h1(1) when known(left_out_h1) = 1 else
+    moment_m1_h1(2) when known(left_out_h1) = 2 else
     moment_m1_h1(0);
   moment_c(2) <=
-    moment_m2_h1(0) when left_out_h1 = 0 else
-    moment_m2_h1(1) when left_out_h1 = 1 else
-    moment_m2_h1(2) when left_out_h1 = 2 else
+    moment_m2_h1(0) when known(left_out_h1) = 0 else
+    moment_m2_h1(1) when known(left_out_h1) = 1 else
+    moment_m2_h1(2) when known(left_out_h1) = 2 else
     moment_m2_h1(0);
   moment_c(3) <=
-    moment_n_h1(0) when left_out_h1 = 0 else
-    moment_n_h1(1) when left_out_h1 = 1 else
-    moment_n_h1(2) when left_out_h1 = 2 else
+    moment_n_h1(0) when known(left_out_h1) = 0 else
+    moment_n_h1(1) when known(left_out_h1) = 1 else
+    moment_n_h1(2) when known(left_out_h1) = 2 else
     moment_n_h1(0);
   dot_lane_unit_x(0) <= fitted_d4(2);
   dot_lane_unit_x(1) <= fitted_d4(0);
@@ -488,7 +488,8 @@ begin
       component_c <= cross_in_plane_lane;
     end if;
   end process clock_8;
-  no_u <= not or_reduce(not flag(component_c(2) = 0) & not flag(component_c(1) = 0) & not flag(component_c(0) = 0));
+  no_u <= not or_reduce(not flag(known(component_c(2)) = 0) & not flag(known(component_c(1)) = 0) & not
+      flag(known(component_c(0)) = 0));
   by_edge_unit_moment_each : for k in 0 to 2 generate
     by_edge_unit_moment(k) <= moment_c_line(3)(k);
   end generate by_edge_unit_moment_each;

@@ -20,9 +20,9 @@ begin
   -- Clock 0
   projected_each : for k in 0 to 1 generate
     projected(k) <=
-      x(k + 1) when left_out = 0 else
-      x((k + 2) mod 3) when left_out = 1 else
-      x(k) when left_out = 2 else
+      x(k + 1) when known(left_out) = 0 else
+      x((k + 2) mod 3) when known(left_out) = 1 else
+      x(k) when known(left_out) = 2 else
       x(k + 1);
   end generate projected_each;
 end architecture rtl;

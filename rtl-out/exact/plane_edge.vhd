@@ -34,7 +34,7 @@ architecture rtl of plane_edge is
 begin
   -- Clock 0
   above_each : for k in 0 to 2 generate
-    above(k) <= not x(k)(37) and not flag(x(k) = 0);
+    above(k) <= not x(k)(37) and not flag(known(x(k)) = 0);
     below(k) <= x(k)(37);
   end generate above_each;
   some_above <= or_reduce(unsigned(above));

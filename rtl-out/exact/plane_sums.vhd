@@ -79,7 +79,7 @@ begin
   sides_i(5)(2) <= resize(moment_d1(2), 38) + resize(sides5_2_difference_d1, 38);
   area(0) <= resize(n_d1, 38);
   area(1) <= resize(area1_sum_d1, 38) + resize(moment_d1(2), 38);
-  area_sign_i(0)(0) <= not area_sign_i(0)(1) and not flag(area(0) = 0);
+  area_sign_i(0)(0) <= not area_sign_i(0)(1) and not flag(known(area(0)) = 0);
   area_sign_i(0)(1) <= area(0)(37);
   area_sign_i(1)(1) <= area(1)(37);
 
@@ -94,7 +94,7 @@ begin
       moment_d2 <= moment_d1;
       area_sign1_1_d1 <= area_sign_i(1)(1);
       area_sign0_d1 <= area_sign_i(0);
-      area_sign1_not_second_equal_d1(0) <= flag(area(1) = 0);
+      area_sign1_not_second_equal_d1(0) <= flag(known(area(1)) = 0);
       sides1_d1 <= sides_i(1);
       sides3_1_d1 <= sides_i(3)(1);
       sides3_2_d1 <= sides_i(3)(2);

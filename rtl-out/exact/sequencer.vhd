@@ -80,12 +80,12 @@ begin
         running <= '1';
         accepted_moved <= accept_pair;
         taken_moved <= take_pair;
-        full_if_moved <= flag(accepted_ahead = taken_turned);
-        full_if_still <= flag(accepted = taken_turned);
+        full_if_moved <= flag(known(accepted_ahead) = known(taken_turned));
+        full_if_still <= flag(known(accepted) = known(taken_turned));
         holds <= holds(14 downto 0) & accept_pair;
         decide_pair <= holds(15);
-        empty_if_moved <= flag(taken_ahead = decided);
-        empty_if_still <= flag(taken = decided);
+        empty_if_moved <= flag(known(taken_ahead) = known(decided));
+        empty_if_still <= flag(known(taken) = known(decided));
         offered <= take_pair or not output_free;
       end if;
       if reset = '1' then

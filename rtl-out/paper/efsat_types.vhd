@@ -27,6 +27,7 @@ package efsat_types is
     lo : signed(31 downto 0);
     hi : signed(31 downto 0);
   end record interval_32_t;
+  constant zero_interval_32 : interval_32_t := (lo => (others => '0'), hi => (others => '0'));
   type interval_33_t is record
     lo : signed(32 downto 0);
     hi : signed(32 downto 0);
@@ -51,6 +52,8 @@ package efsat_types is
     hi : signed(38 downto 0);
   end record interval_39_t;
   constant zero_interval_39 : interval_39_t := (lo => (others => '0'), hi => (others => '0'));
+  type signed_32_x3_t is array (0 to 2) of signed(31 downto 0);
+  constant zero_signed_32_x3 : signed_32_x3_t := (others => (others => '0'));
   type unsigned_2_vector_t is array (0 to 2) of unsigned(1 downto 0);
   constant zero_unsigned_2_vector : unsigned_2_vector_t := (others => (others => '0'));
   type unsigned_4_vector_t is array (0 to 2) of unsigned(3 downto 0);
@@ -87,6 +90,7 @@ package efsat_types is
   constant zero_interval_19_vector : interval_19_vector_t := (others => zero_interval_19);
   type interval_21_vector_t is array (0 to 2) of interval_21_t;
   type interval_32_vector_t is array (0 to 2) of interval_32_t;
+  constant zero_interval_32_vector : interval_32_vector_t := (others => zero_interval_32);
   type interval_33_vector_t is array (0 to 2) of interval_33_t;
   constant zero_interval_33_vector : interval_33_vector_t := (others => zero_interval_33);
   type interval_36_vector_t is array (0 to 2) of interval_36_t;
@@ -101,6 +105,11 @@ package efsat_types is
 
   -- A condition as a flag.
   function flag(condition : boolean) return std_logic;
+
+  -- x, to be compared or to be an index. In simulation it can have no value yet as long as time is 0, before the registers
+  -- have reached what is behind them; it is zero then. Later that is worth a warning.
+  impure function known(x : signed) return signed;
+  impure function known(x : unsigned) return unsigned;
 
   -- Whether x < y, two numbers of one length: the sign of the difference.
   function less(x, y : signed) return std_logic;
@@ -137,6 +146,28 @@ package body efsat_types is
       return '0';
     end if;
   end function flag;
+
+  impure function known(x : signed) return signed is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison" severity warning;
+      return to_signed(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
+
+  impure function known(x : unsigned) return unsigned is
+  begin
+    -- synthesis translate_off
+    if is_x(std_logic_vector(x)) then
+      assert now = 0 ns report "metavalue in a comparison or an index" severity warning;
+      return to_unsigned(0, x'length);
+    end if;
+    -- synthesis translate_on
+    return x;
+  end function known;
 
   function less(x, y : signed) return std_logic is
     variable difference : signed(x'length downto 0);

@@ -44,12 +44,12 @@ begin
   clock_1 : process (clk)
   begin
     if rising_edge(clk) then
-      p_x_d1.lo <= negated_if(lo_negates_x_table(to_integer(cases)),
-          choose(lo_takes_x_hi_table(to_integer(cases)), x.hi, x.lo));
-      p_x_d1.hi <= negated_if(hi_negates_x_table(to_integer(cases)),
-          choose(hi_takes_x_hi_table(to_integer(cases)), x.hi, x.lo));
-      p_y_d1.lo <= choose(lo_takes_y_hi_table(to_integer(cases)), y.hi, y.lo);
-      p_y_d1.hi <= choose(hi_takes_y_hi_table(to_integer(cases)), y.hi, y.lo);
+      p_x_d1.lo <= negated_if(lo_negates_x_table(to_integer(known(cases))),
+          choose(lo_takes_x_hi_table(to_integer(known(cases))), x.hi, x.lo));
+      p_x_d1.hi <= negated_if(hi_negates_x_table(to_integer(known(cases))),
+          choose(hi_takes_x_hi_table(to_integer(known(cases))), x.hi, x.lo));
+      p_y_d1.lo <= choose(lo_takes_y_hi_table(to_integer(known(cases))), y.hi, y.lo);
+      p_y_d1.hi <= choose(hi_takes_y_hi_table(to_integer(known(cases))), y.hi, y.lo);
     end if;
   end process clock_1;
   p_lo_unit : entity work.multiply_18_18

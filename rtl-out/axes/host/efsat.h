@@ -16,7 +16,7 @@
 #define EFSAT_TAG_BITS 16 /* bits of the tag of a pair */
 #define EFSAT_FLAG_BITS 11 /* flags of each kind, one for each axis */
 #define EFSAT_CLOCKS_PER_PAIR 11 /* clocks from pair to pair, the initiation interval */
-#define EFSAT_LATENCY 60 /* clocks from a pair taken to its verdict */
+#define EFSAT_LATENCY 62 /* clocks from a pair taken to its verdict */
 #define EFSAT_CLOCK_MHZ 100 /* the target clock in MHz */
 
 /* Verdicts: out_verdict, and the low bits of an answer. */
@@ -45,6 +45,7 @@
 /* Bits of an answer. */
 #define EFSAT_ANSWER_VERDICT_LOW 0 /* verdict, two bits */
 #define EFSAT_ANSWER_REASON_LOW 2 /* of a report: its reason, two bits */
+#define EFSAT_ANSWER_OUTSIDE 4 /* a number is outside its declared range */
 #define EFSAT_ANSWER_MALFORMED 7 /* of a report: the packet was malformed */
 #define EFSAT_ANSWER_TAG_LOW 8 /* tag of the pair */
 #define EFSAT_ANSWER_SEPARATED_LOW 24 /* out_separated */
@@ -118,6 +119,7 @@ static inline struct efsat_answer efsat_get_answer(const uint8_t word[EFSAT_ANSW
   struct efsat_answer answer = {0};
   answer.verdict = (unsigned)efsat_get(word, EFSAT_ANSWER_VERDICT_LOW, 2);
   answer.reason = (unsigned)efsat_get(word, EFSAT_ANSWER_REASON_LOW, 2);
+  answer.outside = (unsigned)efsat_get(word, EFSAT_ANSWER_OUTSIDE, 1);
   answer.malformed = (unsigned)efsat_get(word, EFSAT_ANSWER_MALFORMED, 1);
   answer.tag = efsat_get(word, EFSAT_ANSWER_TAG_LOW, EFSAT_TAG_BITS);
   answer.separated = (uint32_t)efsat_get(word, EFSAT_ANSWER_SEPARATED_LOW, EFSAT_FLAG_BITS);

@@ -12,6 +12,8 @@ project set speed -4
 xfile add ../efsat_constants.vhd
 xfile add ../efsat_types.vhd
 xfile add ../sequencer.vhd
+xfile add ../guard_translation.vhd
+xfile add ../guard_coordinate.vhd
 xfile add ../multiply_18_18.vhd
 xfile add ../multiply_32_32.vhd
 xfile add ../transform_row.vhd
@@ -36,5 +38,8 @@ project set top "rtl" "efsat"
 project set "Optimization Goal" Speed -process "Synthesize - XST"
 project set "Register Balancing" Yes -process "Synthesize - XST"
 project set "Add I/O Buffers" false -process "Synthesize - XST"
-process run "Synthesize - XST"
+set done [process run "Synthesize - XST"]
 project close
+if {!$done} {
+  error "synthesis failed"
+}

@@ -160,7 +160,7 @@ begin
     write(message, string'(" mismatches "));
     write(message, mismatches);
     writeline(output, message);
-    assert mismatches = 0 report "efsat_uart_tb: the unit and the reference model differ" severity error;
+    assert mismatches = 0 report "efsat_uart_tb: the unit and the reference model differ" severity failure;
     done <= true;
     wait;
   end process main;

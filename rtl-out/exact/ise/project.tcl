@@ -36,5 +36,8 @@ project set top "rtl" "efsat"
 project set "Optimization Goal" Speed -process "Synthesize - XST"
 project set "Register Balancing" Yes -process "Synthesize - XST"
 project set "Add I/O Buffers" false -process "Synthesize - XST"
-process run "Synthesize - XST"
+set done [process run "Synthesize - XST"]
 project close
+if {!$done} {
+  error "synthesis failed"
+}

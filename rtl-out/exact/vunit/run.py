@@ -54,7 +54,6 @@ def main():
         if not path.exists() or path.read_text() != text:
             path.write_text(text)
         library.add_source_file(path)
-    project.set_sim_option("ghdl.sim_flags", ["--ieee-asserts=disable-at-0"])
     project.main()
 
 

@@ -17,7 +17,7 @@ INTEGRAL_BITS = 4  # of them integral, with the sign
 TAG_BITS = 16  # bits of the tag of a pair
 FLAG_BITS = 11  # flags of each kind, one for each axis
 CLOCKS_PER_PAIR = 11  # clocks from pair to pair, the initiation interval
-LATENCY = 57  # clocks from a pair taken to its verdict
+LATENCY = 59  # clocks from a pair taken to its verdict
 CLOCK_MHZ = 100  # the target clock in MHz
 
 # Verdicts: out_verdict, and the low bits of an answer.
@@ -46,6 +46,7 @@ RECORD_NUMBER_STEP = 32  # from number to number, each sign-extended
 # Bits of an answer.
 ANSWER_VERDICT_LOW = 0  # verdict, two bits
 ANSWER_REASON_LOW = 2  # of a report: its reason, two bits
+ANSWER_OUTSIDE = 4  # a number is outside its declared range
 ANSWER_MALFORMED = 7  # of a report: the packet was malformed
 ANSWER_TAG_LOW = 8  # tag of the pair
 ANSWER_SEPARATED_LOW = 24  # out_separated
@@ -124,7 +125,7 @@ def _answer(word):
     return Answer(
         field(ANSWER_VERDICT_LOW, 2),
         field(ANSWER_REASON_LOW, 2),
-        False,
+        bool(field(ANSWER_OUTSIDE, 1)),
         bool(field(ANSWER_MALFORMED, 1)),
         field(ANSWER_TAG_LOW, TAG_BITS),
         field(ANSWER_SEPARATED_LOW, FLAG_BITS),
