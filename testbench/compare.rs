@@ -227,5 +227,9 @@ fn wrong_command_lines_and_files_are_one_line_and_status_2() {
         fails(dir, arguments, part);
     }
     fs::write(dir.join("t.obj"), "v 0 0 0\nv 9 0 0\nv 0 9 5\nf 1 2 3\n").unwrap();
-    fails(dir, "--mesh t.obj --distances 1e308", "the translation overflows");
+    fails(
+        dir,
+        "--mesh t.obj --distances 1e308",
+        "the translation of b overflows: expected smaller meshes or distances",
+    );
 }

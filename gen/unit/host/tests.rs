@@ -407,8 +407,8 @@ fn numbers_that_are_not_finite_are_refused() {
         other.as_flattened_mut()[index] = value;
         for method in [Method::Axes, Method::Determinants, Method::Exact] {
             let params = Params::of(method);
-            let [a0, a1, a2, b0, b1, b2] = [triangle, other].concat().try_into().unwrap();
-            assert!(loose_pair(&[a0, a1, a2, b0, b1, b2], &params).is_err());
+            let pair: [[f64; 3]; 6] = [triangle, other].concat().try_into().unwrap();
+            assert!(loose_pair(&pair, &params).is_err());
             assert!(
                 SceneHost::new(&triangle, &other, &params).is_err()
                     && SceneHost::new(&other, &triangle, &params).is_err()
