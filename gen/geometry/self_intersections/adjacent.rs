@@ -122,11 +122,11 @@ fn flats(ends: [&Point; 2], plane: &[usize; 2]) -> [Flat; 2] {
 fn certain(v: &Point, [x, y]: [&Point; 2], z: &Point) -> i8 {
     let [x, y, z] = [x, y, z].map(|p| [p[0] - v[0], p[1] - v[1], p[2] - v[2]]);
     let (mut sum, mut magnitude) = (0.0, 0.0);
-    for axis in 0..3 {
+    for (axis, z) in z.into_iter().enumerate() {
         let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
         let (left, right) = (x[i] * y[j], x[j] * y[i]);
-        sum += (left - right) * z[axis];
-        magnitude += (left.abs() + right.abs()) * z[axis].abs();
+        sum += (left - right) * z;
+        magnitude += (left.abs() + right.abs()) * z.abs();
     }
     sign(sum, 16.0 * U * magnitude)
 }

