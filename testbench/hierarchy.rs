@@ -332,7 +332,7 @@ fn broken_faces_are_reported_and_the_scene_goes_on() {
     assert_eq!(status, Some(0), "{errors}");
     let expected = "warning: b.toml: object b: faces left out: 1 with fewer than three corners (first: line 16: a face of \
         2 vertices), 1 with a vertex out of range (first: line 15: vertex '99' in a file of 8); faces kept: 1 \
-        degenerate (first: triangle 14)\n";
+        degenerate (first: triangle 8.0)\n";
     assert_eq!(errors, expected);
     let report: Value = serde_json::from_str(&output).unwrap();
     assert_eq!(report["objects"][0]["findings"]["list"], serde_json::json!([]));

@@ -136,7 +136,8 @@ struct Parsed {
 }
 
 /// Reads a mesh all of whose faces can be used; the extension of the file name says which format it has: `.stl`, `.obj`,
-/// `.ply` or `.off`, the content whether it is binary. Polygons become triangles.
+/// `.ply` or `.off`, the content whether it is binary. Polygons become triangles. What else there is to say of a file, such
+/// as bytes that are not read and corners that are not in one plane, only [`survey`] says.
 ///
 /// # Errors
 /// One line with the file, the line where it can be known, what was found and what was expected.
