@@ -26,6 +26,7 @@ package efsat_engine_constants is
   constant query_format : std_logic_vector(31 downto 0) := x"0024ca12";  -- high half, which says the formats below
   constant stop_header : std_logic_vector(31 downto 0) := x"44102005";  -- the only word of a stop
   constant query_words : natural := 32;  -- words of a query
+  constant triangles_word : natural := 4;  -- the word that says how many triangles the objects have
   constant options_word : natural := 5;  -- the word that says what is asked for
 
   -- What is asked for: flags in the high half of the options, and fields.
@@ -33,6 +34,7 @@ package efsat_engine_constants is
   constant all_pairs : natural := 2;  -- answer separate pairs too
   constant leaf_pairs : natural := 4;  -- no triangle test: all are possibly incorrect
   constant empty_caches : natural := 8;  -- empty the caches first
+  constant query_flags : natural := 15;  -- all of them
   constant query_number_low : natural := 40;  -- the number that the report returns
   constant query_number_bits : natural := 24;  -- its bits
 

@@ -2,13 +2,17 @@
 """The words of efsat_stream in Python: constants, packing of packets, unpacking of answers.
 
 A packet in is a header word and then records, TLAST with the last word; a packet out is one answer for each pair, or one
-report. All bytes are little-endian. Numbers are whole: lower bounds in the input format, as `number` makes them.
+report. All bytes are little-endian. Numbers are whole, of any type that is: lower bounds in the input format, as `number` makes
+them.
 
-    packet = pairs_packet([([number(x) for x in coordinates], tag), ...])
-    for answer in answers(received): ...
+    pairs = [([number(x) for x in coordinates], tag), ...]
+    for answer in answers_to(pairs, exchange(pairs_packet(pairs))): ...
+
+What the unit makes no promise for, and answers that it cannot have given, are refused with a ValueError that has the value, its
+index and the range expected; what is no whole number with a TypeError.
 """
 
-import math
+import operator
 from typing import NamedTuple
 
 # The unit.
@@ -19,6 +23,16 @@ FLAG_BITS = 9  # flags of each kind, one for each witness
 CLOCKS_PER_PAIR = 2  # clocks from pair to pair, the initiation interval
 LATENCY = 39  # clocks from a pair taken to its verdict
 CLOCK_MHZ = 100  # the target clock in MHz
+
+# Ranges of numbers; for others the unit makes no promise, and the functions below refuse them.
+NUMBER_LEAST = -2147483648  # the least number that a word holds
+NUMBER_MOST = 2147483647  # the greatest
+COORDINATE_LEAST = -268435456  # the least coordinate that is declared
+COORDINATE_MOST = 268435456  # the greatest
+ENTRY_LEAST = -268435456  # the least entry of M that is declared
+ENTRY_MOST = 268435456  # the greatest
+TRANSLATION_LEAST = -1073741816  # the least entry of t that is declared
+TRANSLATION_MOST = 1073741816  # the greatest
 
 # Verdicts: out_verdict, and the low bits of an answer.
 VERDICT_SEPARATE = 0  # no common point, certainly
@@ -68,37 +82,66 @@ class Answer(NamedTuple):
     overlapping: int
 
 
+def _whole(what, value, least, most):
+    """A whole number of any kind, Python's or another's, inside its range; nothing is rounded or cut."""
+    try:
+        whole = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{what}: found {value!r}; expected a whole number, {least} to {most}") from None
+    if not least <= whole <= most:
+        raise ValueError(f"{what}: found {whole}; expected {least} to {most}")
+    return whole
+
+
+def _all(what, values, count):
+    """So many values."""
+    values = list(values)
+    if len(values) != count:
+        raise ValueError(f"{what}: found {len(values)}; expected {count}")
+    return values
+
 def number(x):
-    """The greatest number of the input format that is not above x."""
-    return math.floor(math.ldexp(x, NUMBER_BITS - INTEGRAL_BITS))
+    """The greatest number of the input format that is not above x, a finite number of any kind; exact."""
+    try:
+        above, below = x.as_integer_ratio() if hasattr(x, "as_integer_ratio") else (operator.index(x), 1)
+    except (ValueError, OverflowError):
+        raise ValueError(f"found {x!r}; expected a finite number") from None
+    return (above << NUMBER_BITS - INTEGRAL_BITS) // below
 
 
-def _record(words, count, numbers, low):
-    if len(numbers) != count:
-        raise ValueError(f"{len(numbers)} numbers: expected {count}")
-    end = 1 << NUMBER_BITS - 1
-    for i, x in enumerate(numbers):
-        if not -end <= x < end:
-            raise ValueError(f"number {i}, {x}: expected {-end} to {end - 1}")
+def _record(words, numbers, ranges, low):
+    numbers = _all("numbers", numbers, len(ranges))
+    for i, (x, (what, least, most)) in enumerate(zip(numbers, ranges)):
+        x = _whole(f"{what} {i}", x, least, most)
         low |= x % (1 << RECORD_NUMBER_STEP) << RECORD_NUMBER_LOW + i * RECORD_NUMBER_STEP
     return low.to_bytes(words * WORD_BITS // 8, "little")
 
 
+# What the numbers of a record are, and their declared ranges.
+_PAIR = [("coordinate", COORDINATE_LEAST, COORDINATE_MOST)] * PAIR_NUMBERS
+_POSE = [("entry of M", ENTRY_LEAST, ENTRY_MOST)] * 9 + [("entry of t", TRANSLATION_LEAST, TRANSLATION_MOST)] * 3
+
+
+def _ranges(declared, every):
+    """The ranges of a record's numbers, or those of their words for numbers that the unit does not read, or that its guard checks."""
+    return [("number", NUMBER_LEAST, NUMBER_MOST)] * len(declared) if every else declared
+
+
 def pair(numbers, tag=0):
     """The record of a pair: v0_x v0_y v0_z v1_x ... w2_z."""
-    if not 0 <= tag < 1 << TAG_BITS:
-        raise ValueError(f"tag {tag}: expected 0 to {(1 << TAG_BITS) - 1}")
-    return _record(PAIR_WORDS, PAIR_NUMBERS, numbers, tag << RECORD_TAG_LOW)
+    low = _whole("tag", tag, 0, (1 << TAG_BITS) - 1) << RECORD_TAG_LOW
+    return _record(PAIR_WORDS, numbers, _ranges(_PAIR, False), low)
 
 
 def pose(numbers, bypass=False):
-    """The record of a pose: m00 m01 m02 m10 ... m22 t_x t_y t_z. With `bypass` B stays as it is."""
-    return _record(POSE_WORDS, POSE_NUMBERS, numbers, bool(bypass) << RECORD_BYPASS)
+    """The record of a pose: m00 m01 m02 m10 ... m22 t_x t_y t_z. With `bypass` B stays as it is, and they are not read."""
+    ranges = _ranges(_POSE, bypass)
+    return _record(POSE_WORDS, numbers, ranges, bool(bypass) << RECORD_BYPASS)
 
 
-def pose_packet(numbers, bypass=False):
-    """The packet of a pose."""
-    return _header(POSE_HEADER) + pose(numbers, bypass)
+def pose_packet(*arguments, **options):
+    """The packet of a pose, of the arguments of `pose`."""
+    return _header(POSE_HEADER) + pose(*arguments, **options)
 
 
 def pairs_packet(pairs):
@@ -111,18 +154,36 @@ def _header(header):
 
 
 def answers(data):
-    """The answers in bytes that came back."""
+    """The answers in bytes that came back, of any packet. A word that no unit of this design sends is refused."""
     size = ANSWER_WORD_BITS // 8
     if len(data) % size:
-        raise ValueError(f"{len(data)} bytes: expected whole words of {size}")
-    return [_answer(int.from_bytes(data[at : at + size], "little")) for at in range(0, len(data), size)]
+        raise ValueError(f"found {len(data)} bytes; expected whole words of {size}")
+    return [_answer(at // size, int.from_bytes(data[at : at + size], "little")) for at in range(0, len(data), size)]
 
 
-def _answer(word):
+def answers_to(pairs, data):
+    """The answers to the packet of these pairs, each the arguments of `pair`, from all bytes of its answer.
+
+    Answers that are not due, in number, order or kind, are refused: then no verdict of the packet counts.
+    """
+    pairs, found = list(pairs), answers(data)
+    for i, answer in enumerate(found):
+        if answer.verdict == VERDICT_REPORT:
+            raise ValueError(f"answer {i}: found the report '{REASONS[answer.reason]}'; expected a verdict")
+    if len(found) != len(pairs):
+        raise ValueError(f"found {len(found)} answers; expected {len(pairs)}, one for each pair")
+    for i, (answer, (_, *more)) in enumerate(zip(found, pairs)):
+        tag = operator.index(more[0]) if more else 0
+        if answer.tag != tag:
+            raise ValueError(f"answer {i}: found tag {answer.tag}; expected {tag}")
+    return found
+
+
+def _answer(at, word):
     def field(low, bits):
         return word >> low & (1 << bits) - 1
 
-    return Answer(
+    answer = Answer(
         field(ANSWER_VERDICT_LOW, 2),
         field(ANSWER_REASON_LOW, 2),
         bool(field(ANSWER_OUTSIDE, 1)),
@@ -131,3 +192,28 @@ def _answer(word):
         field(ANSWER_SEPARATED_LOW, FLAG_BITS),
         field(ANSWER_OVERLAPPING_LOW, FLAG_BITS),
     )
+    spare = field(ANSWER_MALFORMED - 3, 3) or word >> ANSWER_OVERLAPPING_LOW + FLAG_BITS
+    if spare or _contradicts(answer):
+        raise ValueError(f"answer {at}: found {word:#x}, which no unit of this design sends")
+    return answer
+
+
+def _contradicts(answer):
+    """Whether a verdict and the flags that it does not follow from, or flags that exclude each other, are in one answer."""
+    s, o = answer.separated, answer.overlapping
+    separate, intersect = answer.verdict == VERDICT_SEPARATE, answer.verdict == VERDICT_INTERSECT
+    if answer.verdict == VERDICT_REPORT:
+        return answer.outside or answer.malformed != (answer.reason > 0) or (answer.tag, s, o) != (0, 0, 0)
+    if answer.reason or answer.malformed:
+        return True
+    if answer.outside:
+        return separate or intersect or (s, o) != (0, 0)
+    if s & o:
+        return True
+    # All of a triangle on one side of the other's plane: its three edges miss the other.
+    if (s & 2 and s & 0x1C0 != 0x1C0) or (s & 4 and s & 0x038 != 0x038):
+        return True
+    # Boxes, a plane, or five of the six edges separate; else one edge that pierces is enough.
+    if separate != (s & 7 > 0 or bin(s >> 3).count("1") >= 5) or o & 7:
+        return True
+    return o > 0 if separate else intersect != (o > 0)

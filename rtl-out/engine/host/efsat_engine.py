@@ -5,9 +5,14 @@ A packet is words of 64 bits, TLAST with the last one; here it is bytes, little-
 `efsat tree build`, and the numbers and rows of a pose by `efsat tree query`, whose packets `packets` reads.
 
     for packet in packets(open("queries.txt")):
-        pairs, report = answer(exchange(asked(packet, number=7)))
+        pairs, report = answer(exchange(packet), packet)
+
+Numbers are whole, of any type that is. What the engine makes no promise for, and answers that it cannot have given, are refused with
+a ValueError that has the value, its index and the range expected; what is no whole number with a TypeError.
 """
 
+import itertools
+import operator
 import struct
 from typing import NamedTuple
 
@@ -25,11 +30,22 @@ CLOCKS_PER_EXPANSION = 4  # clocks from expansion to expansion
 CLOCKS_PER_PAIR = 11  # clocks from pair to pair of triangles
 CLOCK_MHZ = 100  # the target clock in MHz
 
+# Ranges of numbers; for others the unit makes no promise, and the functions below refuse them.
+NUMBER_LEAST = -2147483648  # the least number that a word holds
+NUMBER_MOST = 2147483647  # the greatest
+COORDINATE_LEAST = -268435456  # the least coordinate that is declared
+COORDINATE_MOST = 268435456  # the greatest
+ENTRY_LEAST = -268435456  # the least entry of M that is declared
+ENTRY_MOST = 268435456  # the greatest
+TRANSLATION_LEAST = -1073741816  # the least entry of t that is declared
+TRANSLATION_MOST = 1073741816  # the greatest
+
 # Packets in.
 QUERY_HEADER = 0x44102003  # low half of the first word of a query
 QUERY_FORMAT = 0x0024ca12  # high half, which says the formats below
 STOP_HEADER = 0x44102005  # the only word of a stop
 QUERY_WORDS = 32  # words of a query
+TRIANGLES_WORD = 4  # the word that says how many triangles the objects have
 OPTIONS_WORD = 5  # the word that says what is asked for
 
 # What is asked for: flags in the high half of the options, and fields.
@@ -37,6 +53,7 @@ FIRST_CONTACT = 1  # stop at the first certain contact
 ALL_PAIRS = 2  # answer separate pairs too
 LEAF_PAIRS = 4  # no triangle test: all are possibly incorrect
 EMPTY_CACHES = 8  # empty the caches first
+QUERY_FLAGS = 15  # all of them
 QUERY_NUMBER_LOW = 40  # the number that the report returns
 QUERY_NUMBER_BITS = 24  # its bits
 
@@ -84,6 +101,10 @@ REASONS = (
     "packet too short",
     "packet too long",
 )
+
+
+# Directions that each choice of a row has.
+_CHOICES = (6, 6, 6)
 
 
 class Side(NamedTuple):
@@ -134,10 +155,26 @@ class Report(NamedTuple):
     stack: int
 
 
+def _whole(what, value, least, most):
+    """A whole number of any kind, Python's or another's, inside its range; nothing is rounded or cut."""
+    try:
+        whole = operator.index(value)
+    except TypeError:
+        raise TypeError(f"{what}: found {value!r}; expected a whole number, {least} to {most}") from None
+    if not least <= whole <= most:
+        raise ValueError(f"{what}: found {whole}; expected {least} to {most}")
+    return whole
+
+
+def _all(what, values, count):
+    """So many values."""
+    values = list(values)
+    if len(values) != count:
+        raise ValueError(f"{what}: found {len(values)}; expected {count}")
+    return values
+
 def _field(name, value, bits):
-    if not 0 <= value < 1 << bits:
-        raise ValueError(f"{name} {value}: expected 0 to {(1 << bits) - 1}")
-    return value
+    return _whole(name, value, 0, (1 << bits) - 1)
 
 
 def _both(name, low, high):
@@ -150,64 +187,79 @@ def _bytes(words):
 
 def _words(data):
     if len(data) % 8:
-        raise ValueError(f"{len(data)} bytes: expected whole words of 8")
+        raise ValueError(f"found {len(data)} bytes; expected whole words of 8")
     return list(struct.unpack(f"<{len(data) // 8}Q", data))
 
 
 def _query(packet):
     words = _words(packet)
     if len(words) != QUERY_WORDS:
-        raise ValueError(f"{len(words)} words: expected the {QUERY_WORDS} of a query")
+        raise ValueError(f"found {len(words)} words; expected the {QUERY_WORDS} of a query")
     return words
 
 
+# The numbers that queries get.
+_numbers = itertools.count()
+
+
 def _options(limit, flags, number):
-    if flags & ~(FIRST_CONTACT | ALL_PAIRS | LEAF_PAIRS | EMPTY_CACHES):
-        raise ValueError(f"flags {flags:#x}: expected an OR of FIRST_CONTACT, ALL_PAIRS, LEAF_PAIRS, EMPTY_CACHES")
+    flags = _field("flags", flags, 32)
+    if flags & ~QUERY_FLAGS:
+        raise ValueError(f"flags: found {flags:#x}; expected an OR of FIRST_CONTACT and the like, {QUERY_FLAGS:#x}")
+    if number is None:
+        number = next(_numbers) % (1 << QUERY_NUMBER_BITS)
     return _both("limit", limit, flags) | _field("number", number, QUERY_NUMBER_BITS) << QUERY_NUMBER_LOW
 
 
-def _row(row):
-    word = _field("rest", row.rest, ROW_REST_BITS) << ROW_REST_LOW
-    for slot in range(3):
-        choice = _field("choice", row.choices[slot], ROW_CHOICE_BITS)
-        factor = _field("factor", row.factors[slot], FACTOR_BITS)
+def _row(i, row):
+    word = _field(f"rest of row {i}", row.rest, ROW_REST_BITS) << ROW_REST_LOW
+    choices, factors = _all(f"choices of row {i}", row.choices, 3), _all(f"factors of row {i}", row.factors, 3)
+    for slot, (choice, factor, known) in enumerate(zip(choices, factors, _CHOICES)):
+        choice = _whole(f"choice {slot} of row {i}", choice, 0, known - 1)
+        factor = _field(f"factor {slot} of row {i}", factor, FACTOR_BITS)
         word |= (factor << ROW_CHOICE_BITS | choice) << slot * ROW_SLOT_BITS
     return word
 
 
-def query(sides, errors, pose, rows, limit=0, flags=0, number=0):
+def _address(what, at):
+    at = _whole(what, at, 0, (1 << 38) - 64)
+    if at % 64:
+        raise ValueError(f"{what}: found {at}; expected a multiple of 64")
+    return at // 64
+
+
+def query(sides, errors, pose, rows, limit=0, flags=0, number=None):
     """The packet of a query: two Sides, three errors of the shift, m00 m01 m02 m10 ... m22 t_x t_y t_z, a Row for each direction.
 
-    `flags` is an OR of FIRST_CONTACT and the like, `limit` the most expansions or 0, `number` returns in the report.
+    `flags` is an OR of FIRST_CONTACT and the like, `limit` the most expansions or 0. `number` returns in the report; without it
+    each query gets the next one.
     """
-    a, b = sides
-    if any(at % 64 for side in sides for at in side[:2]):
-        raise ValueError("expected addresses that are multiples of 64")
-    if (len(pose), len(rows)) != (12, DIRECTIONS):
-        raise ValueError(f"{len(pose)} numbers and {len(rows)} rows: expected 12 and {DIRECTIONS}")
-    end = 1 << TRANSFORM_BITS - 1
-    if not all(-end <= x < end for x in pose):
-        raise ValueError(f"a number of the pose is outside {-end} to {end - 1}")
-    low = [x % (1 << 32) for x in pose]
+    sides, errors = _all("sides", sides, 2), _all("errors of the shift", errors, 3)
+    pose, rows = _all("numbers of the pose", pose, 12), _all("rows", rows, DIRECTIONS)
+    at = [[_address(f"address of side {i}", at) for i, at in enumerate(ats)] for ats in zip(*(side[:2] for side in sides))]
+    ranges = [("entry of M", ENTRY_LEAST, ENTRY_MOST)] * 9 + [("entry of t", TRANSLATION_LEAST, TRANSLATION_MOST)] * 3
+    low = [
+        _whole(f"{what} {i}", x, least, most) % (1 << 32)
+        for i, (x, (what, least, most)) in enumerate(zip(pose, ranges))
+    ]
     return _bytes(
         [
             _both("header", QUERY_HEADER, QUERY_FORMAT),
-            _both("address", a.blocks_at // 64, b.blocks_at // 64),
-            _both("address", a.triangles_at // 64, b.triangles_at // 64),
-            _both("number of blocks", a.blocks, b.blocks),
-            _both("number of triangles", a.triangles, b.triangles),
+            _both("address", *at[0]),
+            _both("address", *at[1]),
+            _both("number of blocks", *(side.blocks for side in sides)),
+            _both("number of triangles", *(side.triangles for side in sides)),
             _options(limit, flags, number),
-            sum(_field("error", error, 16) << 16 * axis for axis, error in enumerate(errors)),
+            sum(_field(f"error {axis}", error, 16) << 16 * axis for axis, error in enumerate(errors)),
             0,
             *(_both("pose", *low[i : i + 2]) for i in range(0, 12, 2)),
-            *map(_row, rows),
+            *(_row(i, row) for i, row in enumerate(rows)),
         ]
     )
 
 
-def asked(packet, limit=0, flags=0, number=0):
-    """A query that asks for something else."""
+def asked(packet, limit=0, flags=0, number=None):
+    """A query that asks for something else; without `number` it gets the next one."""
     words = _query(packet)
     words[OPTIONS_WORD] = _options(limit, flags, number)
     return _bytes(words)
@@ -215,8 +267,9 @@ def asked(packet, limit=0, flags=0, number=0):
 
 def moved(packet, by):
     """A query whose images have been moved by so many bytes, a multiple of 64."""
+    by = operator.index(by)
     if by % 64:
-        raise ValueError(f"{by} bytes: expected a multiple of 64")
+        raise ValueError(f"found {by} bytes; expected a multiple of 64")
     words = _query(packet)
     for i in (1, 2):
         words[i] = _both("address", *((words[i] >> low) % (1 << 32) + by // 64 for low in (0, 32)))
@@ -234,24 +287,68 @@ def packets(lines):
     return [_bytes([_field("word", int(word, 16), 64) for word in row[-1].split()]) for row in rows[1:] if row[-1]]
 
 
-def answer(data):
-    """The Pairs and the Report of the bytes that came back for one packet."""
+def answer(data, packet=None):
+    """The Pairs and the Report of the bytes that came back for one packet.
+
+    With the packet of the query an answer is refused that is not the answer to it. An answer that no engine gives is refused
+    always: words that are no pairs, a pair twice, other pairs than the report counts. The pairs of an incomplete answer prove
+    nothing, and are not compared with anything.
+    """
     words = _words(data)
     if len(words) < REPORT_WORDS or words[-REPORT_WORDS] & 3 != VERDICT_REPORT:
-        raise ValueError(f"{len(words)} words: expected a report in the last {REPORT_WORDS}")
-    return [_pair(word) for word in words[:-REPORT_WORDS]], _report(words[-REPORT_WORDS:])
+        raise ValueError(f"found {len(words)} words; expected a report in the last {REPORT_WORDS}")
+    report = _report(words[-REPORT_WORDS:])
+    pairs = [_pair(i, word) for i, word in enumerate(words[:-REPORT_WORDS])]
+    if packet is not None:
+        _belongs(pairs, report, _query(packet))
+    if report.incomplete:
+        return pairs, report
+    seen = set()
+    for i, pair in enumerate(pairs):
+        if pair[1:] in seen:
+            raise ValueError(f"pair {i}: found triangles {pair.a} and {pair.b} twice; expected each pair once")
+        seen.add(pair[1:])
+    for what, verdict, due in [
+        ("intersect", VERDICT_INTERSECT, report.intersect),
+        ("possibly incorrect", VERDICT_POSSIBLY_INCORRECT, report.possibly_incorrect),
+    ]:
+        found = sum(pair.verdict == verdict for pair in pairs)
+        if found != due:
+            raise ValueError(f"found {found} pairs that are {what}; expected {due}, as the report says")
+    return pairs, report
 
 
-def _pair(word):
+def _belongs(pairs, report, query):
+    """Refuses what is no answer to a query."""
+    options, counts = query[OPTIONS_WORD], query[TRIANGLES_WORD]
+    number, flags = options >> QUERY_NUMBER_LOW, options >> 32
+    # The report of a packet that was not read has no number.
+    if report.number != number and report.reason < REASON_UNKNOWN_HEADER:
+        raise ValueError(f"found the report of query {report.number}; expected that of query {number}")
+    if report.incomplete:
+        return
+    if report.reason == REASON_CONTACT and not (flags & FIRST_CONTACT and report.intersect):
+        raise ValueError("found the report of a first contact; expected all, or one with a contact")
+    for i, pair in enumerate(pairs):
+        if pair.a >= counts % (1 << 32) or pair.b >= counts >> 32:
+            raise ValueError(f"pair {i}: found triangles {pair.a} and {pair.b}; expected such as the objects have")
+        if pair.verdict == VERDICT_SEPARATE and not flags & ALL_PAIRS:
+            raise ValueError(f"pair {i}: found a separate pair; expected none, because none was asked for")
+
+
+def _pair(i, word):
     number = (1 << ANSWER_NUMBER_BITS) - 1
     pair = Pair(word & 3, word >> ANSWER_A_LOW & number, word >> ANSWER_B_LOW & number)
     if pair.verdict == VERDICT_REPORT or word >> 2 & 63:
-        raise ValueError(f"{word:#018x}: expected a pair of triangles")
+        raise ValueError(f"pair {i}: found {word:#018x}; expected a pair of triangles")
     return pair
 
 
 def _report(words):
     head, clocks = words[0] % (1 << 32), words[0] >> 32
     halves = [half for word in words[1:] for half in (word % (1 << 32), word >> 32)]
-    incomplete = bool(head >> REPORT_INCOMPLETE & 1)
-    return Report(head >> REPORT_REASON_LOW & 31, incomplete, head >> REPORT_NUMBER_LOW, clocks, *halves)
+    reason, incomplete = head >> REPORT_REASON_LOW & 31, bool(head >> REPORT_INCOMPLETE & 1)
+    report = Report(reason, incomplete, head >> REPORT_NUMBER_LOW, clocks, *halves)
+    if reason >= len(REASONS) or incomplete != (reason >= REASON_LIMIT) or report.stack >> 16:
+        raise ValueError(f"found {words[0]:#018x} as the first word of a report; expected one of this engine")
+    return report
