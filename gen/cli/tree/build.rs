@@ -77,7 +77,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     out.write(image.bytes())?;
     if let Some(mut faces) = faces {
         faces.write("triangle,face,part\n")?;
-        for triangle in 0..meshes[0].faces.len() as u32 {
+        for triangle in 0..meshes[0].faces().len() as u32 {
             let [face, part] = numbers.of(triangle);
             faces.write(format!("{triangle},{face},{part}\n"))?;
         }
