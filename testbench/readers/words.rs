@@ -133,7 +133,7 @@ fn read_stream(path: &Path) -> Result<(), String> {
     let transfers: Vec<driver::Transfer> = transfers.collect();
     let answers = driver::StandIn::new(&Params::default(), StreamWidth::default()).unwrap().answer(&transfers);
     assert!(answers.iter().all(|answer| DRIVER.unpack(answer.data).is_some()), "the model says what no unit says");
-    DRIVER.loose(&*PAIRS).finish(&answers).map(drop).map_err(|e| format!("stream.words: {e}"))
+    DRIVER.loose(&*PAIRS).unwrap().finish(&answers).map(drop).map_err(|e| format!("stream.words: {e}"))
 }
 
 /// What the unit says of the two pairs.
@@ -144,15 +144,15 @@ fn read_verdicts(path: &Path) -> Result<(), String> {
     // The report of the pose, and then the pairs.
     let (pose, pairs) = all.split_at(word.min(all.len()));
     let answers = [DRIVER.packet(pose).map_err(named)?, DRIVER.packet(pairs).map_err(named)?].concat();
-    DRIVER.loose(&*PAIRS).finish(&answers).map(drop).map_err(named)
+    DRIVER.loose(&*PAIRS).unwrap().finish(&answers).map(drop).map_err(named)
 }
 
 fn stream() -> Vec<u8> {
-    DRIVER.bytes(DRIVER.loose(&*PAIRS).transfers())
+    DRIVER.bytes(DRIVER.loose(&*PAIRS).unwrap().transfers())
 }
 
 fn verdicts() -> Vec<u8> {
-    let job = DRIVER.loose(&*PAIRS);
+    let job = DRIVER.loose(&*PAIRS).unwrap();
     let mut stand_in = driver::StandIn::new(&Params::default(), StreamWidth::default()).unwrap();
     let word = DRIVER.format().answer_width() as usize / 8;
     stand_in
