@@ -343,7 +343,7 @@ fn equals_oracle(p: &Params, stimulus: &Stimulus) {
             let reach = (1 << (p.width - 1)) - 1;
             let inside = p.truth == Truth::Given || inside_the_ranges(p, pose, pair);
             let fits = inside && (1..6).all(|i| (0..3).all(|j| (at(i, j) - at(0, j)).abs() <= reach));
-            let (truth, found) = (relation(&points), golden.outcome(pose, pair));
+            let (truth, found) = (relation(&points).unwrap(), golden.outcome(pose, pair));
             let expected = match truth.class {
                 _ if !fits => Verdict::PossiblyIncorrect,
                 Exact::Separate => Verdict::Separate,

@@ -194,7 +194,7 @@ fn classify_by_the_exact_method_answers_every_pair() {
         on_grid.iter().chain(&off_grid).map(|b| [a[0], a[1], a[2], b[0], b[1], b[2]]).collect();
     let raw: Vec<u8> = pairs.iter().flatten().flatten().flat_map(|x| x.to_le_bytes()).collect();
     fs::write(dir.join("pairs.f64"), raw).unwrap();
-    let answers: Vec<efsat::exact::Exact> = pairs.iter().map(efsat::exact::pair).collect();
+    let answers: Vec<efsat::exact::Exact> = pairs.iter().map(|points| efsat::exact::pair(points).unwrap()).collect();
     let verdict = |answer| if answer == efsat::exact::Exact::Separate { "separate" } else { "intersect" };
     let rows = answers.iter().enumerate().map(|(i, answer)| format!("{i},{}\n", verdict(*answer)));
     let expected = rows.fold("pair,verdict\n".to_owned(), |text, row| text + &row);

@@ -197,7 +197,7 @@ fn weaker_on_random_pairs(count: usize, params: &Params) -> Weaker {
     let mut rng = ChaCha8Rng::seed_from_u64(1);
     let sets: Vec<[[f64; 3]; 6]> = (0..count).map(|_| random_points(&mut rng)).collect();
     let of_pair = |points: &[[f64; 3]; 6]| match loose_pair(points, params).unwrap() {
-        Host::Unit(pair) => Weaker::of(&golden, &Pose::identity(params), &pair, || relation(points).class),
+        Host::Unit(pair) => Weaker::of(&golden, &Pose::identity(params), &pair, || relation(points).unwrap().class),
         Host::Decided(_) => Weaker::default(),
     };
     sets.par_iter().map(of_pair).reduce(Weaker::default, Weaker::plus)
