@@ -219,6 +219,9 @@ impl EngineParams {
             return wrong("offset-bits", self.offset_bits, legal);
         }
         self.block_numbers()?;
+        if self.memory == Memory::BlockRam && self.axi_id_bits > 0 {
+            return wrong("axi-id-bits", self.axi_id_bits, "expected 0 with --memory block-ram".to_owned());
+        }
         let least = 3 * self.tree_height + 2;
         if self.stack < least {
             return wrong("stack", self.stack, format!("expected at least 3 x tree-height + 2 = {least}"));

@@ -54,7 +54,7 @@ fn blocks_of_other_formats_are_powers_of_two() {
 #[test]
 fn every_option_outside_its_range_is_named() {
     type Change = fn(&mut EngineParams);
-    let cases: [(Change, &str); 13] = [
+    let cases: [(Change, &str); 16] = [
         (|p| p.origin_bits = 23, "--origin-bits 23: expected 4 to 22"),
         (|p| p.offset_bits = 16, "--offset-bits 16: expected 4 to 15"),
         (|p| p.factor_bits = 3, "--factor-bits 3: expected 4 to 16"),
@@ -76,6 +76,9 @@ fn every_option_outside_its_range_is_named() {
         ),
         (|p| p.stack = 97, "--stack 97: expected at least 3 x tree-height + 2 = 98"),
         (|p| p.in_flight = 0, "--in-flight 0: expected 1 to 64"),
+        (|p| p.watchdog = (1 << 24) + 1, "--watchdog 16777217: expected 0 to 16777216"),
+        (|p| p.axi_id_bits = 17, "--axi-id-bits 17: expected 0 to 16"),
+        (|p| (p.memory, p.axi_id_bits) = (Memory::BlockRam, 1), "--axi-id-bits 1: expected 0 with --memory block-ram"),
         (|p| p.block_number_bits = 27, "--block-number-bits 27: expected at most 26: no more blocks have an address"),
         (
             |p| (p.memory, p.block_lines, p.block_number_bits) = (Memory::BlockRam, 1024, 9),
@@ -122,6 +125,11 @@ fn answers_and_reports_are_taken_apart_again() {
     assert_eq!((words[0], words[7]), (0x1_abcd_ef8f, 14 | 15 << 32));
     assert_eq!((EngineReport::of(&words), Answer::of(words[0])), (Some(report), None));
     assert_eq!(EngineReport::of(&words.map(|word| word & !(1 << 7))), None);
+    let format = format(|_| {}).unwrap();
+    let stop = format.order(Command::Stop, 0xab_cdef);
+    assert_eq!(stop, format.header(Command::Stop) | 0xab_cdef << 40);
+    assert!(format.is_order(Command::Stop, stop) && !format.is_order(Command::Reset, stop));
+    assert!(!format.is_order(Command::Stop, stop | 1 << 39));
     for (code, reason) in Reason::ALL.into_iter().enumerate() {
         assert_eq!(reason as usize, code);
     }

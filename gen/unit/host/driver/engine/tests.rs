@@ -327,7 +327,13 @@ fn the_stand_in_refuses_what_the_engine_refuses() {
     assert_eq!(reason(&[1 << 32, 0]), Reason::UnknownHeader);
     assert_eq!(reason(&[]), Reason::TooShort);
     assert_eq!(reason(&[64, 0, 0, 0, 0, 0, 0, 0]), Reason::TooShort);
-    assert!(stand_in.packet(&[format.header(Command::Stop)]).is_empty());
+    assert!(stand_in.packet(&[format.order(Command::Stop, 5)]).is_empty());
+    let report = EngineReport { reason: Reason::Reset, number: 5, ..EngineReport::default() };
+    assert_eq!(stand_in.packet(&[format.order(Command::Reset, 5)]), report.words());
+    for command in [Command::Stop, Command::Reset] {
+        let too_long = EngineReport { reason: Reason::TooLong, ..EngineReport::default() };
+        assert_eq!(stand_in.packet(&[format.order(command, 5), 0]), too_long.words());
+    }
 }
 
 /// Pairs keep the pose of the packet before them, and after a query that of the query.
