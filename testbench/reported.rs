@@ -171,10 +171,10 @@ fn changed_files_never_panic() {
             bytes.truncate(rng.random_range(bytes.len() / 2..=2 * bytes.len()));
             fs::write(&path, &bytes).unwrap();
             if let Ok((mesh, findings)) = mesh::survey(&path) {
-                assert!(mesh.vertices.iter().flat_map(|v| v.iter()).all(|x| x.is_finite()), "{bytes:?}");
-                assert!(mesh.faces.iter().flatten().all(|&v| (v as usize) < mesh.vertices.len()), "{bytes:?}");
+                assert!(mesh.vertices().iter().flat_map(|v| v.iter()).all(|x| x.is_finite()), "{bytes:?}");
+                assert!(mesh.faces().iter().flatten().all(|&v| (v as usize) < mesh.vertices().len()), "{bytes:?}");
                 assert!(!findings.to_string().contains(char::is_control), "{bytes:?}");
-                findings.numbers.of(mesh.faces.len() as u32 - 1);
+                findings.numbers.of(mesh.faces().len() as u32 - 1);
             }
         }
     }
