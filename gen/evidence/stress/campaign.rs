@@ -167,14 +167,13 @@ mod tests {
         let mut case = Case { counts: &mut counts, hash: BASIS, found: None };
         let asked = || ("as made".to_owned(), Asked::Loose([[0.0; 3]; 6]));
         let touch = Relation { class: Exact::Touch, coplanar: false };
-        let one = truth::Answers { facets: touch, programme: touch, retest: Some(Exact::Touch) };
+        let one = truth::Answers { facets: touch, programme: touch, retest: Exact::Touch };
         case.compare_formulations(&one, asked);
-        case.compare_formulations(&truth::Answers { retest: None, ..one }, asked);
         assert_eq!(case.found, None);
         for other in [
             truth::Answers { programme: Relation { coplanar: true, ..touch }, ..one },
-            truth::Answers { programme: Relation { class: Exact::Separate, ..touch }, retest: None, ..one },
-            truth::Answers { retest: Some(Exact::Intersect), ..one },
+            truth::Answers { programme: Relation { class: Exact::Separate, ..touch }, ..one },
+            truth::Answers { retest: Exact::Intersect, ..one },
         ] {
             case.compare_formulations(&other, asked);
         }
