@@ -211,6 +211,7 @@ for line in sys.stdin:
     elif kind == "d":
         packet = [0] * engine.QUERY_WORDS
         packet[engine.TRIANGLES_WORD], packet[engine.OPTIONS_WORD], count = take(3)
+        packet = [word % (1 << 64) for word in packet]
         words = [low | high << 32 for low, high in zip(*[rest] * 2)]
         assert len(words) == count
         pack = lambda words: engine.struct.pack(f"<{len(words)}Q", *words)
