@@ -8,12 +8,12 @@ use std::path::{Component, Path, PathBuf};
 /// Lines that a README may have.
 const README_LINES: usize = 130;
 
-fn root() -> &'static Path {
+pub fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
 }
 
 /// The pages that are read: README, CONTRIBUTING, CHANGELOG and docs/*.md, by their path below the repository.
-fn pages() -> Vec<String> {
+pub fn pages() -> Vec<String> {
     let mut pages: Vec<String> = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(str::to_owned).into();
     let entries = fs::read_dir(root().join("docs")).unwrap().map(|entry| entry.unwrap().file_name());
     let names = entries.map(|name| name.to_str().unwrap().to_owned());
@@ -22,12 +22,12 @@ fn pages() -> Vec<String> {
     pages
 }
 
-fn text(page: &str) -> String {
+pub fn text(page: &str) -> String {
     fs::read_to_string(root().join(page)).unwrap()
 }
 
 /// Lines of a page that are no code block.
-fn prose(text: &str) -> Vec<&str> {
+pub fn prose(text: &str) -> Vec<&str> {
     let mut lines = vec![];
     let mut fenced = false;
     for line in text.lines() {

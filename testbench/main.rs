@@ -7,6 +7,7 @@ mod baseline;
 mod book;
 mod cascade;
 mod cli;
+mod commands;
 mod compare;
 mod diagrams;
 mod drop_in;

@@ -26,8 +26,10 @@ mod synth;
 mod tree;
 mod wall;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use error::Failure;
+use params::ParamArguments;
 use std::process::ExitCode;
 
 /// Generates and proves synthesizable VHDL for EFSAT, an exact triangle-triangle intersection unit in fixed-point
@@ -93,6 +95,31 @@ pub fn main() -> ExitCode {
         Err(Failure::Check(message)) => report(&message, 1),
         Err(Failure::Usage(message)) => report(&message, 2),
     }
+}
+
+/// The command line as the parser has it: commands, their options and values.
+pub fn command() -> clap::Command {
+    CommandLine::command()
+}
+
+/// Whether `efsat` takes these words, without its name, as a command line whose parameters fit together. Nothing is run, and no
+/// file is read.
+///
+/// # Errors
+/// What the parser or the parameters complain of; also what asks for help.
+pub fn check<'w>(words: impl IntoIterator<Item = &'w str>) -> Result<(), clap::Error> {
+    let matches = command().try_get_matches_from(std::iter::once("efsat").chain(words))?;
+    CommandLine::from_arg_matches(&matches)?;
+    let (mut matches, mut command) = (&matches, &command());
+    while let Some((name, inner)) = matches.subcommand() {
+        matches = inner;
+        command = command.find_subcommand(name).expect("the parser knows its command");
+    }
+    if !command.get_arguments().any(|argument| argument.get_id() == "like_paper") {
+        return Ok(());
+    }
+    let fits = ParamArguments::from_arg_matches(matches)?.params();
+    fits.map(|_| ()).map_err(|failure| clap::Error::raw(ErrorKind::ValueValidation, failure.message()))
 }
 
 /// The names of the commands that may follow those on the command line.
