@@ -105,7 +105,7 @@ fn hash(digits: usize, numbers: impl Iterator<Item = i128>) -> String {
 /// A parameter set with its vectors. The options seed them, so that a set names its vectors whatever the others are.
 fn vectors(p: &Params) -> Vec<Segment> {
     let seed = Sha256::digest(sets::options(p)).iter().take(8).fold(0, |seed, byte| (seed << 8) | u64::from(*byte));
-    vectors::segments(p, PAIRS[usize::from(*p == Params::paper())], seed)
+    vectors::segments(p, PAIRS[usize::from(*p == sets::default())], seed)
 }
 
 /// The columns before the options: what is seen of a parameter set.

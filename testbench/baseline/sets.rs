@@ -5,7 +5,7 @@ use efsat::params::options::Choice;
 use efsat::params::{Axes, Guard, Params, Projections, Transform, Upper};
 
 /// The default design at the commit of the record: the paper's, with a guard only where a stage is left out.
-fn recorded() -> Params {
+pub fn default() -> Params {
     Params { guard: Guard::LeftOut, ..Params::paper() }
 }
 
@@ -14,7 +14,7 @@ const COMBINED: usize = 60;
 
 /// The options of a parameter set as on the command line, those that are not the default's.
 pub fn options(p: &Params) -> String {
-    let (given, default) = (p.options(), recorded().options());
+    let (given, default) = (p.options(), default().options());
     let other = given.iter().zip(&default).filter(|(given, default)| given != default);
     let options: Vec<String> = other.map(|((name, value), _)| format!("--{name} {value}")).collect();
     if options.is_empty() { "(default)".to_owned() } else { options.join(" ") }
@@ -35,9 +35,9 @@ pub fn all() -> Vec<Params> {
 }
 
 fn one_at_a_time() -> Vec<Params> {
-    let mut sets = vec![recorded()];
+    let mut sets = vec![default()];
     let mut set = |change: &dyn Fn(&mut Params)| {
-        let mut p = recorded();
+        let mut p = default();
         change(&mut p);
         p.validate().expect("a legal parameter set");
         sets.push(p);
@@ -105,6 +105,6 @@ fn combination(draw: &mut Draw) -> Params {
         frequency: draw.one_of(&[20, 66, 100, 100, 150, 250]),
         tag_width: draw.one_of(&[0, 8, 16]),
         // Options that came later.
-        ..recorded()
+        ..default()
     }
 }

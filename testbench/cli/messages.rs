@@ -197,7 +197,7 @@ fn errors_name_what_was_typed() {
     }
     says("tree build nofile --out t", "nofile: not found: expected a file that ends in .stl, .obj, .ply or .off");
     says("tree build builtin:gear --beside nofile --out t", "nofile: not found");
-    says("generate --unit nope", "--unit nope: expected one of multiply_18_18");
+    says("generate --unit nope", "--unit nope: expected one of guard_translation");
     says("generate --unit projection", "--unit projection alone: expected --dot FILE or --svg FILE with it");
     says("classify blanks.csv", "blanks.csv: line 1: found blanks between the numbers; expected commas");
     says("classify .", ".: found a directory; expected .csv or .f64 (pairs), .toml (a scene)");
