@@ -370,6 +370,9 @@ mod tests {
         }
         let u = [[0., 0.], [6., 0.], [6., 4.], [4., 4.], [4., 2.], [2., 2.], [2., 4.], [0., 4.]];
         assert_eq!(tiles(&flat(&u)).len(), 6);
+        // The diagonals of the first ears go through the reflex corner.
+        let notch = [[0., 0.], [4., 0.], [4., 4.], [2., 2.], [0., 4.]];
+        assert_eq!(tiles(&flat(&notch)).len(), 3);
         // Corners on straight edges, and corners that are given again.
         let straight = [[0., 0.], [2., 0.], [4., 0.], [4., 0.], [4., 4.], [2., 4.], [0., 4.], [0., 2.], [0., 0.]];
         assert_eq!(tiles(&flat(&straight)).len(), 5);
@@ -398,7 +401,13 @@ mod tests {
         let spike = flat(&[[0., 0.], [4., 0.], [9., 0.], [4., 0.], [0., 4.]]);
         let line = flat(&[[0., 0.], [1., 0.], [2., 0.], [3., 0.]]);
         let point = flat(&[[1., 1.]; 5]);
-        for polygon in [bow, uneven, flat(&star), twice, spike, line, point] {
+        // A strip that goes round by more than a turn: it has triangles of one orientation, but they overlap.
+        let at = |step: i32, radius: f64| {
+            let (y, x) = (f64::from(step) * 31f64.to_radians()).sin_cos();
+            [radius * x, radius * y]
+        };
+        let strip: Vec<[f64; 2]> = (0..13).map(|i| at(i, 10.0)).chain((0..13).rev().map(|i| at(i, 5.0))).collect();
+        for polygon in [bow, uneven, flat(&star), twice, spike, line, point, flat(&strip)] {
             assert!(triangulate(&polygon).is_none(), "{polygon:?}");
         }
     }
