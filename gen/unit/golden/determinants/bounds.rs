@@ -7,6 +7,49 @@ use super::number::{Vector, minus, norm};
 use crate::golden::interval::three;
 use crate::params::{Bound, Params};
 
+/// One formula of section 5: F of so many times the norm of each face, so many times each length, and c(k).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Row<const FACES: usize, const LENGTHS: usize> {
+    pub faces: [i64; FACES],
+    pub lengths: [i64; LENGTHS],
+    pub k: u32,
+}
+
+/// The constants of section 5.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Constants {
+    /// Of x in F(x), beside 2^level.
+    pub half: i64,
+    /// Of c.
+    pub rest: i64,
+    /// Q, X_1l, X_2l; w_l.
+    pub plane_a: Row<3, 1>,
+    /// S; w_0.
+    pub plane_b_0: Row<1, 1>,
+    /// S, Y_i0, Y_i1, Y_i2; w_0, A_i.
+    pub plane_b_i: Row<4, 2>,
+    /// Of side\[0\] and side\[2\]: M_l, X_il, X_i,l+1; A_i.
+    pub ends: [Row<3, 1>; 2],
+    /// M_l, Q, Y_1l, Y_2l, Z_l, Z_(l+1); A_e, b_l.
+    pub side_1: Row<6, 2>,
+    /// `static`, where the others have c(3): q; R.
+    pub three_points: Row<1, 1>,
+    /// `static`, where the others have c(5).
+    pub four_points: Row<1, 1>,
+}
+
+pub(super) const SECTION_5: Constants = Constants {
+    half: 4,
+    rest: 8,
+    plane_a: Row { faces: [1, 1, 1], lengths: [4], k: 3 },
+    plane_b_0: Row { faces: [1], lengths: [4], k: 3 },
+    plane_b_i: Row { faces: [2, 1, 1, 1], lengths: [4, 12], k: 5 },
+    ends: [Row { faces: [1, 1, 1], lengths: [4], k: 3 }; 2],
+    side_1: Row { faces: [2, 2, 1, 1, 1, 1], lengths: [4, 4], k: 5 },
+    three_points: Row { faces: [12], lengths: [12], k: 3 },
+    four_points: Row { faces: [48], lengths: [48], k: 5 },
+};
+
 /// The bounds of one parameter set.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Bounds {
@@ -58,6 +101,27 @@ impl Lengths {
     }
 }
 
+/// What the terms of a bound depend on beside constants, norms and lengths.
+#[derive(Clone, Copy)]
+struct Terms {
+    half: i64,
+    rest: i64,
+    level: u32,
+    h: u32,
+}
+
+impl Terms {
+    /// A formula with its norms and lengths: F of the sum of norms, the sum of lengths, and terms of second and third order.
+    #[inline(always)]
+    fn sum<const F: usize, const L: usize>(&self, row: &Row<F, L>, faces: [i64; F], lengths: [i64; L]) -> i64 {
+        let times = |constants: &[i64], numbers: &[i64]| constants.iter().zip(numbers).map(|(c, x)| c * x).sum::<i64>();
+        let x = times(&row.faces, &faces);
+        // Eight times the error of a coordinate, times x.
+        let first = self.half * x + (x << self.level);
+        first + times(&row.lengths, &lengths) + (self.rest << (self.h + row.k + 2 * self.level.saturating_sub(2)))
+    }
+}
+
 impl Bounds {
     pub fn new(p: &Params) -> Self {
         Self { bound: p.bound, width: p.width }
@@ -66,18 +130,20 @@ impl Bounds {
     /// The bounds, in eighths of 2^s, of determinants made from these moments.
     #[inline(always)]
     pub fn of(&self, coordinates: &Coordinates, moments: &Moments, shift: u32) -> Fifteen<i64> {
+        self.with(&SECTION_5, coordinates, moments, shift)
+    }
+
+    /// The same with any constants.
+    #[inline(always)]
+    pub fn with(&self, c: &Constants, coordinates: &Coordinates, moments: &Moments, shift: u32) -> Fifteen<i64> {
         // R is 2^(h-2) units of 2^s.
         let h = self.width + 1 - shift;
-        let level = coordinates.level;
-        // Eight times the error of a coordinate, times x.
-        let first = |x: i64| 4 * x + (x << level);
-        // Terms of second and third order.
-        let rest = |k: u32| 8 << (h + k + 2 * level.saturating_sub(2));
+        let terms = Terms { half: c.half, rest: c.rest, level: coordinates.level, h };
         if self.bound == Bound::Static {
             let r = 1 << (self.width - 1);
             let q = (r << h) >> 2;
-            let three_points = first(12 * q) + 12 * r + rest(3);
-            let four_points = first(48 * q) + 48 * r + rest(5);
+            let (three_points, four_points) =
+                (terms.sum(&c.three_points, [q], [r]), terms.sum(&c.four_points, [q], [r]));
             return Fifteen {
                 plane_a: [three_points; 3],
                 plane_b: [three_points, four_points, four_points],
@@ -86,24 +152,15 @@ impl Bounds {
         }
         let lengths = Lengths::new(coordinates);
         let faces = self.faces(coordinates, &lengths, moments, shift);
+        let Faces { m, n, vertex: x, edge_b: y, edge_a: z } = faces;
         let Lengths { v, a, w, b, .. } = lengths;
-        let all_m = faces.m[0] + faces.m[1] + faces.m[2];
-        let end = |i: usize, l: usize| {
-            let [x, y] = [faces.vertex[i][l], faces.vertex[i][(l + 1) % 3]];
-            first(faces.m[l] + x + y) + 4 * v[i] + rest(3)
-        };
-        let middle = |l: usize| {
-            let of_b = faces.edge_b[0][l] + faces.edge_b[1][l];
-            let of_a = faces.edge_a[l] + faces.edge_a[(l + 1) % 3];
-            first(2 * faces.m[l] + 2 * faces.n + of_b + of_a) + 4 * (a + b[l]) + rest(5)
-        };
-        let corner = |i: usize| {
-            let [x, y, z] = faces.edge_b[i];
-            first(2 * all_m + x + y + z) + 4 * w[0] + 12 * v[i] + rest(5)
-        };
+        let all_m = m[0] + m[1] + m[2];
+        let end = |i: usize, l: usize| terms.sum(&c.ends[i], [m[l], x[i][l], x[i][(l + 1) % 3]], [v[i]]);
+        let middle = |l: usize| terms.sum(&c.side_1, [m[l], n, y[0][l], y[1][l], z[l], z[(l + 1) % 3]], [a, b[l]]);
+        let corner = |i: usize| terms.sum(&c.plane_b_i, [all_m, y[i][0], y[i][1], y[i][2]], [w[0], v[i]]);
         Fifteen {
-            plane_a: three(|l| first(faces.n + faces.vertex[0][l] + faces.vertex[1][l]) + 4 * w[l] + rest(3)),
-            plane_b: [first(all_m) + 4 * w[0] + rest(3), corner(0), corner(1)],
+            plane_a: three(|l| terms.sum(&c.plane_a, [n, x[0][l], x[1][l]], [w[l]])),
+            plane_b: [terms.sum(&c.plane_b_0, [all_m], [w[0]]), corner(0), corner(1)],
             side: [three(|l| end(0, l)), three(middle), three(|l| end(1, l))],
         }
     }

@@ -7,6 +7,8 @@
 
 mod bounds;
 #[cfg(test)]
+mod climb;
+#[cfg(test)]
 mod containment;
 mod coordinates;
 pub(super) mod differences;

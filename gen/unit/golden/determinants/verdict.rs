@@ -62,9 +62,14 @@ pub(super) fn edges(signs: &Signs) -> [[Edge; 3]; 2] {
 
 /// Whether the boxes of the triangles are apart, for certain.
 #[inline(always)]
-pub(super) fn boxes_apart(Coordinates { points, level, .. }: &Coordinates) -> bool {
+pub(super) fn boxes_apart(coordinates: &Coordinates) -> bool {
     // Two coordinates are wrong by at most 1 + 2^(level-2) together.
-    let gap = 2 + (1 << level >> 2);
+    boxes_apart_by(2 + (1 << coordinates.level >> 2), coordinates)
+}
+
+/// Whether the boxes have a gap of at least this along some axis.
+#[inline(always)]
+pub(super) fn boxes_apart_by(gap: i64, Coordinates { points, .. }: &Coordinates) -> bool {
     let apart = |j: usize| {
         let [v1, v2, w0, w1, w2] = points.along(j);
         let (a, b) = ([0.min(v1).min(v2), 0.max(v1).max(v2)], [w0.min(w1).min(w2), w0.max(w1).max(w2)]);
