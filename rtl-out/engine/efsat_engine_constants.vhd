@@ -24,7 +24,8 @@ package efsat_engine_constants is
   -- Packets in.
   constant query_header : std_logic_vector(31 downto 0) := x"44102003";  -- low half of the first word of a query
   constant query_format : std_logic_vector(31 downto 0) := x"0024ca12";  -- high half, which says the formats below
-  constant stop_header : std_logic_vector(31 downto 0) := x"44102005";  -- the only word of a stop
+  constant stop_header : std_logic_vector(31 downto 0) := x"44102005";  -- the only word of a stop, without the number of its query
+  constant reset_header : std_logic_vector(31 downto 0) := x"44102006";  -- the only word of a soft reset, without the number for its report
   constant query_words : natural := 32;  -- words of a query
   constant triangles_word : natural := 4;  -- the word that says how many triangles the objects have
   constant options_word : natural := 5;  -- the word that says what is asked for
@@ -33,9 +34,9 @@ package efsat_engine_constants is
   constant first_contact : natural := 1;  -- stop at the first certain contact
   constant all_pairs : natural := 2;  -- answer separate pairs too
   constant leaf_pairs : natural := 4;  -- no triangle test: all are possibly incorrect
-  constant empty_caches : natural := 8;  -- empty the caches first
+  constant keep_caches : natural := 8;  -- no image has changed since the last query
   constant query_flags : natural := 15;  -- all of them
-  constant query_number_low : natural := 40;  -- the number that the report returns
+  constant query_number_low : natural := 40;  -- the number that the report returns; also in stop and reset
   constant query_number_bits : natural := 24;  -- its bits
 
   -- Bits of a row.
@@ -69,4 +70,6 @@ package efsat_engine_constants is
   constant reason_unknown_header : natural := 6;  -- no query for this engine
   constant reason_too_short : natural := 7;  -- the packet was too short
   constant reason_too_long : natural := 8;  -- the packet was too long
+  constant reason_silent : natural := 9;  -- the memory does not answer
+  constant reason_reset : natural := 10;  -- soft reset; nothing before it has another answer
 end package efsat_engine_constants;

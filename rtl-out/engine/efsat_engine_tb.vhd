@@ -7,7 +7,11 @@
 --   W                        the next word only when all packets so far are answered
 --   M <address> <word>       64 bits of memory, the address in words of 64 bits; nothing else is to be read
 --   X <address> <kind>       a fault of the memory at a burst with that address, in units of 64 bytes: 1 error response, 2 last
---                            word too early, 3 too late; once
+--                            word too early, 3 too late; once. 4: it is answered after hang clocks, and those behind it later; 5: no
+--                            word of it is the last one
+--   S                        a soft reset by the port, one clock long, where a word would come
+--   Z                        behind S, or behind the word of a soft reset: the answer with that reason, which ends what was not answered
+--   N <address> <word>       64 bits of memory are written, where a word would come
 --   A <word>                 a pair that the next packet is to answer, in ascending order of the words
 --   R <low> <mode> <word 1> <word 2> <word 3>  its report: the low half of word 0, and what is compared: 2 all, 1 the low half
 --                            and that no other pair is answered, 0 the low half alone
@@ -30,6 +34,7 @@ entity efsat_engine_tb is
     patience : natural := 20308;  -- clocks without a transfer before giving up
     latency_least : positive := 30;
     latency_most : positive := 30;
+    hang : positive := 100000;
     seed : positive := 1;
     first_pass : positive := 1;
     passes : positive := 2  -- the last one
@@ -48,10 +53,12 @@ architecture simulation of efsat_engine_tb is
   signal clk : std_logic := '0';
   signal done : boolean := false;
   signal aresetn : std_logic := '0';
-  signal s_tdata : word_64 := (others => '0');
-  signal s_tkeep : std_logic_vector(7 downto 0) := (others => '1');
+  signal soft_reset : std_logic := '0';
+  -- Nothing is known of a word that is not there.
+  signal s_tdata : word_64 := (others => 'X');
+  signal s_tkeep : std_logic_vector(7 downto 0) := (others => 'X');
   signal s_tvalid : std_logic := '0';
-  signal s_tlast : std_logic := '0';
+  signal s_tlast : std_logic := 'X';
   signal s_tready : std_logic;
   signal m_tdata : word_64;
   signal m_tkeep : std_logic_vector(7 downto 0);
@@ -59,10 +66,13 @@ architecture simulation of efsat_engine_tb is
   signal m_tlast : std_logic;
   signal m_tready : std_logic := '0';
   signal pass : positive := 1;
+  signal memory_resetn : std_logic := '0';  -- of the memory alone, together with the engine's aresetn and never with a soft reset
   signal araddr : std_logic_vector(31 downto 0);
   signal arlen : std_logic_vector(7 downto 0);
   signal arsize : std_logic_vector(2 downto 0);
   signal arburst : std_logic_vector(1 downto 0);
+  signal arcache : std_logic_vector(3 downto 0);
+  signal arprot : std_logic_vector(2 downto 0);
   signal arvalid : std_logic;
   signal arready : std_logic := '0';
   signal rdata : std_logic_vector(63 downto 0) := (others => '0');
@@ -71,6 +81,9 @@ architecture simulation of efsat_engine_tb is
   signal rvalid : std_logic := '0';
   signal rready : std_logic;
   signal broken : natural := 0;  -- rules of AXI
+  signal rewrites : std_logic := '0';  -- memory is written
+  signal rewritten_address : std_logic_vector(31 downto 0) := (others => '0');
+  signal rewritten_word : word_64 := (others => '0');
 
   -- A number of 16 bits that looks random.
   function following(x : unsigned(15 downto 0)) return unsigned is
@@ -149,6 +162,7 @@ begin
     port map (
       aclk => clk,
       aresetn => aresetn,
+      soft_reset => soft_reset,
       s_axis_tdata => s_tdata,
       s_axis_tkeep => s_tkeep,
       s_axis_tvalid => s_tvalid,
@@ -158,6 +172,8 @@ begin
       m_axi_arlen => arlen,
       m_axi_arsize => arsize,
       m_axi_arburst => arburst,
+      m_axi_arcache => arcache,
+      m_axi_arprot => arprot,
       m_axi_arvalid => arvalid,
       m_axi_arready => arready,
       m_axi_rdata => rdata,
@@ -274,7 +290,10 @@ begin
       clock := clock + 1;
       random := following(random);
       exit when done;
-      if aresetn = '0' then
+      if rewrites = '1' then
+        words(to_integer(unsigned(rewritten_address(30 downto 0)))) := rewritten_word;
+      end if;
+      if memory_resetn = '0' then
         waiting := 0;
         beat := 0;
         holding := false;
@@ -290,6 +309,9 @@ begin
         if (arvalid and arready) = '1' then
           beats := to_integer(unsigned(arlen)) + 1;
           place := to_integer(unsigned(araddr(30 downto 3)));
+          if arcache /= "0011" or arprot /= "000" then
+            complain("another kind of access");
+          end if;
           if arburst /= "01" or arsize /= "011" or araddr(5 downto 0) /= "000000" or 8 * beats > 64 then
             complain("a burst that is not within 64 bytes");
           end if;
@@ -314,6 +336,9 @@ begin
               if fault_address(i) = place / 8 and fault_pass(i) < pass then
                 fault_pass(i) := pass;
                 burst_fault((first + waiting) mod most_bursts) := fault_kind(i);
+                if fault_kind(i) = 4 then
+                  burst_due((first + waiting) mod most_bursts) := clock + hang;
+                end if;
               end if;
             end loop;
             waiting := waiting + 1;
@@ -340,8 +365,10 @@ begin
           beat := beat + 1;
           -- A word less or more than asked for.
           if (burst_fault(first) = 2 and beat + 1 >= burst_beats(first)) or (burst_fault(first) = 3 and beat > burst_beats(first))
-            or (burst_fault(first) < 2 and beat = burst_beats(first)) then
-            rlast <= '1';
+            or (burst_fault(first) /= 2 and burst_fault(first) /= 3 and beat = burst_beats(first)) then
+            if burst_fault(first) /= 5 then
+              rlast <= '1';
+            end if;
             beat := 0;
             first := (first + 1) mod most_bursts;
             waiting := waiting - 1;
@@ -389,6 +416,8 @@ begin
     variable random : unsigned(15 downto 0);
     variable place : natural;
     variable stop_header : boolean;
+    variable reset_header : boolean;
+    variable packets_reset : natural := 0;  -- packets in up to the last soft reset
 
     -- The next line of one of the kinds, its rest into found; more says whether there is one.
     procedure find_line(file f : text; kinds : in string; which : out character; rest : inout line; more : out boolean) is
@@ -450,10 +479,19 @@ begin
       variable which : character;
       variable due : word_64;
     begin
+      if found_count >= 8 and found(found_count - 8)(7 downto 0) = x"ab" then
+        -- A report with reason 10.
+        find_line(wanted, "Z", which, answer_line, more_answers);
+        if not more_answers then
+          complain("a soft reset too many");
+        end if;
+        packets_out := packets_reset - 1;
+        return;
+      end if;
       expected_count := 0;
       loop
-        find_line(wanted, "ARO", which, answer_line, more_answers);
-        if not more_answers then
+        find_line(wanted, "AROZ", which, answer_line, more_answers);
+        if not more_answers or which = 'Z' then
           complain("a packet too many");
           return;
         end if;
@@ -535,6 +573,7 @@ begin
     for run in first_pass to passes loop
       pass <= run;
       aresetn <= '0';
+      memory_resetn <= '0';
       s_tvalid <= '0';
       for i in 1 to 4 loop
         wait until rising_edge(clk);
@@ -543,14 +582,17 @@ begin
         complain("a handshake in reset");
       end if;
       aresetn <= '1';
+      memory_resetn <= '1';
       holding := false;
+      stop_header := false;
+      reset_header := false;
       file_open(source, vectors, read_mode);
       file_open(wanted, vectors, read_mode);
       readline(source, l);
       assert l.all = formats
         report "efsat_engine_tb: " & vectors & " is for another design: " & l.all & " instead of " & formats
         severity failure;
-      find_line(source, "IDW", kind, word_line, more_words);
+      find_line(source, "IDWSN", kind, word_line, more_words);
       packets_in := 0;
       packets_out := 0;
       found_count := 0;
@@ -592,11 +634,19 @@ begin
         if (s_tvalid and s_tready) = '1' then
           quiet := 0;
           s_tvalid <= '0';
+          s_tdata <= (others => 'X');
+          s_tkeep <= (others => 'X');
+          s_tlast <= 'X';
           if s_tlast = '1' and not stop_header then
             packets_in := packets_in + 1;
+            if reset_header then
+              packets_reset := packets_in;
+            end if;
           end if;
           stop_header := s_tlast = '1' and stop_header;
         end if;
+        soft_reset <= '0';
+        rewrites <= '0';
         -- The next word, once the one before is taken.
         if s_tvalid = '0' or s_tready = '1' then
           if pause > 0 then
@@ -605,23 +655,37 @@ begin
             if kind = 'D' then
               read_word(word_line, low);
               pause := to_integer(unsigned(low(30 downto 0)));
-              find_line(source, "IDW", kind, word_line, more_words);
+              find_line(source, "IDWSN", kind, word_line, more_words);
+            elsif kind = 'N' then
+              read_word(word_line, low);
+              rewritten_address <= low;
+              read_word(word_line, word);
+              rewritten_word <= word;
+              rewrites <= '1';
+              find_line(source, "IDWSN", kind, word_line, more_words);
+            elsif kind = 'S' then
+              soft_reset <= '1';
+              packets_in := packets_in + 1;
+              packets_reset := packets_in;
+              find_line(source, "IDWSN", kind, word_line, more_words);
             elsif kind = 'W' then
               if packets_out = packets_in then
-                find_line(source, "IDW", kind, word_line, more_words);
+                find_line(source, "IDWSN", kind, word_line, more_words);
               end if;
             elsif run = 1 or random(1) = '1' or random(6) = '1' then
               read_word(word_line, word);
               read_word(word_line, flag);
               s_tdata <= word;
               s_tlast <= flag(0);
-              stop_header := flag(0) = '1' and word(31 downto 0) = x"44102005";
+              stop_header := flag(0) = '1' and word(39 downto 0) = x"0044102005";
+              reset_header := flag(0) = '1' and word(39 downto 0) = x"0044102006";
               read_word(word_line, flag);
               stop_header := stop_header and flag(0) = '1';
+              reset_header := reset_header and flag(0) = '1';
               s_tkeep <= (others => '1');
               s_tkeep(7) <= flag(0);
               s_tvalid <= '1';
-              find_line(source, "IDW", kind, word_line, more_words);
+              find_line(source, "IDWSN", kind, word_line, more_words);
             end if;
           elsif packets_out = packets_in then
             exit;
@@ -635,7 +699,7 @@ begin
           assert false report "efsat_engine_tb: no transfer any more" severity failure;
         end if;
       end loop;
-      find_line(wanted, "ARO", kind, answer_line, more_answers);
+      find_line(wanted, "AROZ", kind, answer_line, more_answers);
       if more_answers then
         complain("a packet is missing");
       end if;

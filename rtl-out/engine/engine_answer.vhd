@@ -21,7 +21,7 @@ entity engine_answer is
   port (
     clk : in std_logic;
     reset : in std_logic;
-    restart : in std_logic;  -- pairs that are held are forgotten
+    restart : in std_logic;  -- pairs that are held are forgotten, and a report begins again; a word that is offered stays
     -- Pairs with their verdicts.
     decided_valid : in std_logic;
     decided_ready : out std_logic;
@@ -188,6 +188,10 @@ begin
         offered <= '0';
         place <= "000";
         sent <= '0';
+      elsif restart = '1' then
+        place <= "000";
+        sent <= '0';
+        offered <= offered and not free;
       else
         if free = '1' then
           offered <= (report_due and not sent) or speaks;

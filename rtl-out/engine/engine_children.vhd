@@ -141,7 +141,7 @@ begin
   end process hold;
 
   children : for i in 0 to 1 generate
-    signal target : unsigned(30 downto 0);
+    signal target : unsigned(30 downto 0) := (others => '0');
     signal beyond : std_logic;  -- no triangle of the tree
     signal astray : std_logic;  -- no block behind this one
   begin

@@ -6,10 +6,13 @@
 --   2  a pose for the pairs after it: 7 words
 --   3  query: 32 words with the header; above it the first has
 --      18 in bits 39..32, 10 in 43..40, 12 in 48..44, 18 in 53..49, and zeros
---   5  stop: the header alone. Ends the query that runs and has no answer of its own
+--   5  stop: the header alone, with the number of a query in bits 63..40 and zeros below. Ends that query if it runs or waits, and
+--      has no answer of its own
+--   6  soft reset: the header alone, with a number for its report in the same place. Everything before it is forgotten
 -- Pairs go to the unit from here, while no query runs. Every other packet becomes a job: a query to run, a pose to be handed
 -- over, or a report to give; for kinds 1 and 2 the report is one word. One job waits here while another one runs; then words
--- stay in the stream, but for a stop.
+-- stay in the stream, but for a stop and a soft reset. A soft reset by the port drops the packet of which a word was taken to its
+-- end, without an answer.
 --
 -- The words of a query, of a pose and of a pair are shifted through one register. A pose is shifted on behind its last word, to
 -- where a query has it.
@@ -22,6 +25,7 @@ entity engine_command is
   port (
     clk : in std_logic;
     reset : in std_logic;
+    soft_reset : in std_logic;  -- by the port
     s_axis_tdata : in std_logic_vector(63 downto 0);
     s_axis_tkeep : in std_logic_vector(7 downto 0);
     s_axis_tvalid : in std_logic;
@@ -40,7 +44,9 @@ entity engine_command is
     pair_valid : out std_logic;  -- the last 10 words are a pair
     pair_taken : in std_logic;
     pair_last : out std_logic;  -- the last of its packet
-    stop : out std_logic
+    stop : out std_logic;
+    reset_word : out std_logic;  -- one clock long: a soft reset by the stream; here it is done
+    stop_number : out std_logic_vector(23 downto 0)  -- of both
   );
 end entity engine_command;
 
@@ -49,7 +55,8 @@ architecture rtl of engine_command is
   constant pose_header : std_logic_vector(31 downto 0) := x"44102002";
   constant query_header : std_logic_vector(31 downto 0) := x"44102003";
   constant query_format : std_logic_vector(31 downto 0) := x"0024ca12";
-  constant stop_header : std_logic_vector(31 downto 0) := x"44102005";
+  constant stop_header : std_logic_vector(39 downto 0) := x"0044102005";
+  constant reset_header : std_logic_vector(39 downto 0) := x"0044102006";
   constant all_bytes : std_logic_vector(7 downto 0) := (others => '1');
   constant fine : std_logic_vector(4 downto 0) := "00000";
   constant unknown : std_logic_vector(4 downto 0) := "00110";
@@ -59,24 +66,27 @@ architecture rtl of engine_command is
   -- Two words are held, so that TREADY depends on registers alone. What a word is as a header is found when it arrives.
   constant is_query : natural := 0;
   constant is_stop : natural := 1;  -- with nothing behind it
-  constant is_long_stop : natural := 2;
+  constant is_long_stop : natural := 2;  -- or soft reset
   constant is_pairs : natural := 3;
   constant is_pose : natural := 4;
   constant is_short : natural := 5;  -- of kind 1 or 2, be it known or not
-  signal kind : std_logic_vector(5 downto 0);
+  constant is_reset : natural := 6;  -- with nothing behind it
+  signal kind : std_logic_vector(6 downto 0);
   signal running : std_logic := '0';
   signal head_valid : std_logic := '0';
   signal head : std_logic_vector(63 downto 0) := (others => '0');
   signal head_last : std_logic := '0';
   signal head_whole : std_logic := '0';
-  signal head_kind : std_logic_vector(5 downto 0) := (others => '0');
+  signal head_kind : std_logic_vector(6 downto 0) := (others => '0');
   signal next_valid : std_logic := '0';
   signal next_word : std_logic_vector(63 downto 0) := (others => '0');
   signal next_last : std_logic := '0';
   signal next_whole : std_logic := '0';
-  signal next_kind : std_logic_vector(5 downto 0) := (others => '0');
+  signal next_kind : std_logic_vector(6 downto 0) := (others => '0');
   signal ready : std_logic;
   signal arrives : std_logic;
+  signal within_packet : std_logic := '0';  -- the last word that came was not the last of its packet
+  signal stays_within : std_logic;
   signal whole : std_logic;
   signal taken : std_logic;
 
@@ -109,8 +119,10 @@ begin
   arrives <= ready and s_axis_tvalid;
   whole <= '1' when s_axis_tkeep = all_bytes else '0';
   kind(is_query) <= whole when s_axis_tdata = query_format & query_header else '0';
-  kind(is_stop) <= whole and s_axis_tlast when s_axis_tdata(31 downto 0) = stop_header else '0';
-  kind(is_long_stop) <= whole and not s_axis_tlast when s_axis_tdata(31 downto 0) = stop_header else '0';
+  stays_within <= not s_axis_tlast when arrives = '1' else within_packet;
+  kind(is_stop) <= whole and s_axis_tlast when s_axis_tdata(39 downto 0) = stop_header else '0';
+  kind(is_reset) <= whole and s_axis_tlast when s_axis_tdata(39 downto 0) = reset_header else '0';
+  kind(is_long_stop) <= whole and not s_axis_tlast when s_axis_tdata(39 downto 0) = stop_header or s_axis_tdata(39 downto 0) = reset_header else '0';
   kind(is_pairs) <= whole when s_axis_tdata(31 downto 0) = pairs_header else '0';
   kind(is_pose) <= whole when s_axis_tdata(31 downto 0) = pose_header else '0';
   kind(is_short) <= '1' when s_axis_tdata(7 downto 0) = pairs_header(7 downto 0) or s_axis_tdata(7 downto 0) = pose_header(7 downto 0) else '0';
@@ -138,6 +150,11 @@ begin
         next_kind <= kind;
       end if;
       if reset = '1' then
+        within_packet <= '0';
+      else
+        within_packet <= stays_within;
+      end if;
+      if (reset or soft_reset) = '1' then
         running <= '0';
         head_valid <= '0';
         next_valid <= '0';
@@ -156,10 +173,11 @@ begin
   -- ===== Packets =====
   -- A packet begins when its job has a place to go, and pairs when everything before them is done.
   waits <= pending or (busy and head_kind(is_pairs));
-  taken <= head_valid and not occupied and (head_kind(is_stop) or not waits) when expectation = header_state else
+  taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when expectation = header_state else
     head_valid and not occupied;
   shifts <= (head_valid and gathers) or moving;
-  unfit <= '1' when
+  -- A word that is none, in front of the first one or between two, is not looked at.
+  unfit <= '0' when head_valid = '0' else '1' when
     (at_options = '1' and head(39 downto 36) /= "0000") or
     (at_record = '1' and head(31) = '1') or
     (at_rows = '1' and (unsigned(head(2 downto 0)) >= 6 or unsigned(head(17 downto 15)) >= 6 or unsigned(head(32 downto 30)) >= 6 or head(63 downto 58) /= "000000"))
@@ -174,6 +192,8 @@ begin
         words <= head & words(1983 downto 64);
       end if;
       stop <= '0';
+      reset_word <= '0';
+      stop_number <= head(63 downto 40);
       if reset = '1' then
         expectation <= header_state;
         pending <= '0';
@@ -267,6 +287,13 @@ begin
               end if;
             elsif head_kind(is_stop) = '1' then
               stop <= '1';
+            elsif head_kind(is_reset) = '1' then
+              reset_word <= '1';
+              pending <= '0';
+              query_pending <= '0';
+              posed_pending <= '0';
+              occupied <= '0';
+              moving <= '0';
             elsif head_kind(is_long_stop) = '1' then
               found := too_long;
             else
@@ -333,6 +360,21 @@ begin
               end if;
             end if;
           end if;
+        end if;
+        if soft_reset = '1' then
+          expectation <= header_state;
+          if stays_within = '1' then
+            expectation <= skip_state;
+          end if;
+          pending <= '0';
+          query_pending <= '0';
+          posed_pending <= '0';
+          fault <= fine;
+          gathers <= '0';
+          occupied <= '0';
+          moving <= '0';
+          stop <= '0';
+          reset_word <= '0';
         end if;
       end if;
     end if;

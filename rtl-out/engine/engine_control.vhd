@@ -3,7 +3,9 @@
 --
 -- The query that runs, from its job to its report: hands its pose to the triangle unit, keeps the rest in registers, starts
 -- the traversal and finds out why it ends. Reasons: 0 complete, 1 stopped at a certain contact, 2 limit of expansions,
--- 3 bad tree, 4 memory error, 5 stopped by the host; those of packets that are no query come with the job. A pose alone is a job
+-- 3 bad tree, 4 memory error, 5 stopped by the host, 9 memory does not answer, 10 soft reset; those of packets that are no query
+-- come with the job. A stop ends the query with its number that runs, or else the one that waits, as soon as it runs. After a soft
+-- reset there is one report, whatever was forgotten. A pose alone is a job
 -- that is done when the triangle unit has it. While no query runs, pairs of packets may be in the triangle unit: a job waits for
 -- them.
 --
@@ -17,6 +19,8 @@ entity engine_control is
   port (
     clk : in std_logic;
     reset : in std_logic;
+    forget : in std_logic;  -- a soft reset
+    forget_number : in std_logic_vector(23 downto 0);
     job_valid : in std_logic;
     job_taken : out std_logic;
     job_query : in std_logic;
@@ -26,6 +30,7 @@ entity engine_control is
     job_number : in std_logic_vector(23 downto 0);
     job_words : in std_logic_vector(1983 downto 0);
     stop : in std_logic;
+    stop_number : in std_logic_vector(23 downto 0);
     -- The pose is taken from the words of the job.
     pose_valid : out std_logic;
     pose_ready : in std_logic;
@@ -40,10 +45,10 @@ entity engine_control is
     block_base_b : out std_logic_vector(31 downto 0);
     triangle_base_a : out std_logic_vector(31 downto 0);
     triangle_base_b : out std_logic_vector(31 downto 0);
-    block_count_a : out std_logic_vector(31 downto 0);
-    block_count_b : out std_logic_vector(31 downto 0);
-    triangle_count_a : out std_logic_vector(31 downto 0);
-    triangle_count_b : out std_logic_vector(31 downto 0);
+    block_count_a : out std_logic_vector(31 downto 0) := (others => '0');
+    block_count_b : out std_logic_vector(31 downto 0) := (others => '0');
+    triangle_count_a : out std_logic_vector(31 downto 0) := (others => '0');
+    triangle_count_b : out std_logic_vector(31 downto 0) := (others => '0');
     most_expansions : out std_logic_vector(31 downto 0);
     stop_at_contact : out std_logic;
     separate_too : out std_logic;  -- also while no query runs
@@ -58,7 +63,8 @@ entity engine_control is
     limit_reached : in std_logic;
     bad_tree : in std_logic;
     memory_error : in std_logic;  -- until abort
-    memory_quiet : in std_logic;  -- no burst is under way
+    memory_draining : in std_logic;  -- old bursts are under way: nothing can be read
+    memory_silent : in std_logic;  -- memory does not answer
     flush : out std_logic;  -- one clock long: the caches are emptied
     flushing : in std_logic;
     report_due : out std_logic;
@@ -83,6 +89,9 @@ architecture rtl of engine_control is
   signal job_due : std_logic;  -- the job may be taken, once the unit has its pose
   signal checks : unsigned(1 downto 0) := "00";
   signal stopped : std_logic := '0';
+  signal stopped_waiting : std_logic := '0';  -- the query that waits is to be stopped
+  signal stops_running : std_logic;
+  signal stops_waiting : std_logic;
   signal reason_now : std_logic_vector(4 downto 0) := fine;
   signal number_now : std_logic_vector(23 downto 0) := (others => '0');
   signal started : std_logic := '0';
@@ -114,6 +123,8 @@ begin
   flush <= flush_now;
   reason <= reason_now;
   number <= number_now;
+  stops_running <= stop and running_now when number_now = stop_number else '0';
+  stops_waiting <= stop and job_valid and job_query and not stops_running when job_number = stop_number else '0';
 
   -- Entries of the matrix: cut off and saturated.
   entry(0) <= job_words(479 downto 448);
@@ -139,7 +150,10 @@ begin
   keep : process (clk)
   begin
     if rising_edge(clk) then
-      if taken = '1' then
+      if forget = '1' then
+        number_now <= forget_number;
+        short <= '0';
+      elsif taken = '1' then
         number_now <= job_number;
         short <= job_short;
       end if;
@@ -193,7 +207,7 @@ begin
           or bases(1) /= unsigned(job_words(63 downto 32))
           or bases(2) /= unsigned(job_words(95 downto 64))
           or bases(3) /= unsigned(job_words(127 downto 96))
-          or job_words(291) = '1' then
+          or job_words(291) = '0' then
           moved <= '1';
         end if;
       end if;
@@ -237,15 +251,24 @@ begin
       if reset = '1' then
         next_phase := waiting_state;
         stopped <= '0';
+        stopped_waiting <= '0';
         next_reason := fine;
         known <= '0';
+      elsif forget = '1' then
+        next_phase := report_state;
+        stopped <= '0';
+        stopped_waiting <= '0';
+        next_reason := "01010";
+        known <= '0';
       else
-        stopped <= stopped or stop;
+        stopped <= stopped or stops_running;
+        stopped_waiting <= stopped_waiting or stops_waiting;
+        if taken = '1' then
+          stopped <= stopped_waiting or stops_waiting;
+          stopped_waiting <= '0';
+        end if;
         if phase = waiting_state then
           checks <= "00";
-          if job_valid = '0' then
-            stopped <= '0';  -- there is nothing to stop
-          end if;
           if job_due = '1' and (pose_ready = '1' or job_posed = '0') then
             next_phase := take_state;
           end if;
@@ -277,7 +300,13 @@ begin
         elsif phase = flush_state then
           known <= '1';
           -- The caches say that they are at it from the clock after flush on.
-          if flush_now = '0' and flushing = '0' then
+          if memory_draining = '1' then
+            if memory_silent = '1' then
+              known <= '0';
+              next_reason := "01001";
+              next_phase := report_state;
+            end if;
+          elsif flush_now = '0' and flushing = '0' then
             started <= '1';
             next_phase := run_state;
           end if;
@@ -286,6 +315,8 @@ begin
           if ending_now = '0' then
             if memory_error = '1' then
               next_reason := "00100";
+            elsif memory_silent = '1' then
+              next_reason := "01001";
             elsif bad_tree = '1' then
               next_reason := "00011";
             elsif contact = '1' then
@@ -294,13 +325,11 @@ begin
               next_reason := "00010";
             elsif stopped = '1' then
               next_reason := "00101";
-              stopped <= '0';
             end if;
           end if;
-          if memory_error = '1' then
-            if memory_quiet = '1' then
-              next_phase := abort_state;
-            end if;
+          -- What memory still answers is drained behind the report.
+          if (memory_error or memory_silent) = '1' then
+            next_phase := abort_state;
           elsif idle = '1' then
             next_phase := report_state;
           end if;

@@ -5,7 +5,13 @@
 -- (5 words). A burst begins at a multiple of 64 bytes and ends within 64 bytes, so it never crosses 4 KB. There
 -- is one ID: answers come in order, and a queue notes for whom. The caches ask only for what they have places for, so
 -- RREADY is always set. An error in the response, and a last word too early or too late, end the work: nothing is asked any
--- more, and bursts under way are taken and forgotten.
+-- more until restart.
+--
+-- Restart forgets who asked, but not what was asked: the address that is offered stays until it is taken, and the count of
+-- bursts under way goes on. Words of old bursts are dropped until none of them is under way; nothing is asked before, because
+-- with one ID the words of an old burst look like those of a new one. Reset alone forgets everything, and is right only where
+-- memory is reset with it.
+-- If no word comes for 65536 clocks while a burst is under way, memory is silent, until it gives a word again.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -15,6 +21,7 @@ entity engine_read_master is
   port (
     clk : in std_logic;
     reset : in std_logic;
+    restart : in std_logic;  -- who asks forgets everything; bursts under way are drained
     ask_valid : in std_logic_vector(3 downto 0);
     ask_ready : out std_logic_vector(3 downto 0);
     ask_address_0 : in std_logic_vector(25 downto 0);
@@ -23,8 +30,9 @@ entity engine_read_master is
     ask_address_3 : in std_logic_vector(25 downto 0);
     fill_valid : out std_logic_vector(3 downto 0);
     fill_data : out std_logic_vector(63 downto 0);
-    failed : out std_logic;  -- until reset
-    quiet : out std_logic;  -- no burst is under way
+    failed : out std_logic;  -- until restart
+    draining : out std_logic;  -- bursts from before restart are under way: nothing is asked
+    silent : out std_logic;  -- memory does not answer
     word_read : out std_logic;
     m_axi_araddr : out std_logic_vector(31 downto 0);
     m_axi_arlen : out std_logic_vector(7 downto 0);
@@ -70,6 +78,9 @@ architecture rtl of engine_read_master is
   signal finished : std_logic;
   signal fault : std_logic;
   signal failed_now : std_logic := '0';
+  signal draining_now : std_logic := '0';
+  signal silence : unsigned(16 downto 0) := (others => '0');  -- clocks without a word
+  signal silent_now : std_logic := '0';
 begin
   -- ===== Addresses =====
   -- Who is served next is picked a clock before. Whoever is above the one before comes first.
@@ -92,7 +103,7 @@ begin
     ask_address_1 when turn = 1 else
     ask_address_2 when turn = 2 else
     ask_address_3;
-  free <= (m_axi_arready or not offered) and not under_way(5) and not failed_now;
+  free <= (m_axi_arready or not offered) and not under_way(5) and not failed_now and not draining_now;
   accepts <= picked and free;
   ready : for i in 0 to 3 generate
     ask_ready(i) <= served(i) and free;
@@ -125,6 +136,9 @@ begin
         elsif m_axi_arready = '1' then
           offered <= '0';
         end if;
+        if restart = '1' then
+          picked <= '0';
+        end if;
       end if;
     end if;
   end process ask;
@@ -143,28 +157,30 @@ begin
   fault <= m_axi_rvalid and (m_axi_rresp(1) or (m_axi_rlast xor due) or nothing_under_way);
   m_axi_rready <= '1';
   failed <= failed_now;
-  quiet <= nothing_under_way;
+  draining <= draining_now;
+  silent <= silent_now;
 
   answer : process (clk)
   begin
     if rising_edge(clk) then
       fill_data <= m_axi_rdata;
       fill_valid <= nobody;
-      word_read <= m_axi_rvalid and not reset;
+      word_read <= m_axi_rvalid and not draining_now and not reset;
       if reset = '1' then
         answered <= "00000";
         under_way <= "000000";
         place <= "0000";
         failed_now <= '0';
+        draining_now <= '0';
       else
         if m_axi_rvalid = '1' then
           place <= place + 1;
-          if m_axi_rlast = '1' then
+          if m_axi_rlast = '1' or nothing_under_way = '1' then
             place <= "0000";
           end if;
           if fault = '1' then
             failed_now <= '1';
-          elsif failed_now = '0' then
+          elsif failed_now = '0' and draining_now = '0' then
             fill_valid(to_integer(unsigned(owner))) <= '1';
           end if;
         end if;
@@ -177,7 +193,31 @@ begin
         elsif accepts = '0' and finished = '1' then
           under_way <= under_way - 1;
         end if;
+        if restart = '1' then
+          fill_valid <= nobody;
+          draining_now <= '1';
+        elsif nothing_under_way = '1' then
+          draining_now <= '0';
+        end if;
+        -- What old bursts bring is nobody's fault.
+        if restart = '1' or draining_now = '1' then
+          failed_now <= '0';
+        end if;
       end if;
     end if;
   end process answer;
+
+  watch : process (clk)
+  begin
+    if rising_edge(clk) then
+      if reset = '1' or m_axi_rvalid = '1' or nothing_under_way = '1' then
+        silence <= (others => '0');
+        silent_now <= '0';
+      elsif silence = 65535 then
+        silent_now <= '1';
+      else
+        silence <= silence + 1;
+      end if;
+    end if;
+  end process watch;
 end architecture rtl;

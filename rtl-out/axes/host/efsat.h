@@ -21,7 +21,7 @@
 #define EFSAT_TAG_BITS 16 /* bits of the tag of a pair */
 #define EFSAT_FLAG_BITS 11 /* flags of each kind, one for each axis */
 #define EFSAT_CLOCKS_PER_PAIR 11 /* clocks from pair to pair, the initiation interval */
-#define EFSAT_LATENCY 60 /* clocks from a pair taken to its verdict */
+#define EFSAT_LATENCY 62 /* clocks from a pair taken to its verdict */
 #define EFSAT_CLOCK_MHZ 100 /* the target clock in MHz */
 
 /* Ranges of numbers; for others the unit makes no promise, and the functions below refuse them. */
@@ -60,6 +60,7 @@
 /* Bits of an answer. */
 #define EFSAT_ANSWER_VERDICT_LOW 0 /* verdict, two bits */
 #define EFSAT_ANSWER_REASON_LOW 2 /* of a report: its reason, two bits */
+#define EFSAT_ANSWER_OUTSIDE 4 /* a number is outside its declared range */
 #define EFSAT_ANSWER_MALFORMED 7 /* of a report: the packet was malformed */
 #define EFSAT_ANSWER_TAG_LOW 8 /* tag of the pair */
 #define EFSAT_ANSWER_SEPARATED_LOW 24 /* out_separated */
@@ -224,7 +225,7 @@ static inline int efsat_check(int code, uint32_t from, uint32_t to, int64_t leas
   return efsat_refuse(why, 0, 0, 0, 0, 0);
 }
 
-/* Whether numbers fit their words, which is all that is asked of those that the unit does not read. */
+/* Whether numbers fit their words, which is all that is asked of those that the unit does not read, or that its guard checks. */
 static inline int efsat_check_words(uint32_t count, const int64_t *numbers, struct efsat_refusal *why)
 {
   return efsat_check(EFSAT_REFUSED_NUMBER, 0, count, EFSAT_NUMBER_LEAST, EFSAT_NUMBER_MOST, numbers, why);
@@ -282,12 +283,35 @@ static inline void efsat_put_record(uint8_t *record, unsigned bytes, uint32_t fl
   return refused;
 }
 
+/* The same for any number that its word holds: the guard answers possibly incorrect for one outside the declared range. */
+EFSAT_CHECKED static inline int efsat_put_any_pair(uint8_t record[EFSAT_PAIR_BYTES], uint64_t tag,
+    const int64_t numbers[EFSAT_PAIR_NUMBERS], struct efsat_refusal *why)
+{
+  int refused = efsat_check_words(EFSAT_PAIR_NUMBERS, numbers, why);
+  if (!refused)
+    refused = efsat_check_tag(tag, why);
+  if (!refused)
+    efsat_put_record(record, EFSAT_PAIR_BYTES, 0, tag, EFSAT_PAIR_NUMBERS, numbers);
+  return refused;
+}
+
 /* The record of a pose: m00 m01 m02 m10 ... m22 t_x t_y t_z. With `bypass` B stays as it is, and the numbers are not read. Refuses a number
  * outside its declared range. */
 EFSAT_CHECKED static inline int efsat_put_pose(uint8_t record[EFSAT_POSE_BYTES], int bypass,
     const int64_t numbers[EFSAT_POSE_NUMBERS], struct efsat_refusal *why)
 {
   int refused = efsat_check_pose(bypass, numbers, why);
+  if (!refused)
+    efsat_put_record(record, EFSAT_POSE_BYTES, (uint32_t)(bypass != 0) << EFSAT_RECORD_BYPASS, 0,
+        EFSAT_POSE_NUMBERS, numbers);
+  return refused;
+}
+
+/* The same for any number that its word holds. */
+EFSAT_CHECKED static inline int efsat_put_any_pose(uint8_t record[EFSAT_POSE_BYTES], int bypass,
+    const int64_t numbers[EFSAT_POSE_NUMBERS], struct efsat_refusal *why)
+{
+  int refused = efsat_check_words(EFSAT_POSE_NUMBERS, numbers, why);
   if (!refused)
     efsat_put_record(record, EFSAT_POSE_BYTES, (uint32_t)(bypass != 0) << EFSAT_RECORD_BYPASS, 0,
         EFSAT_POSE_NUMBERS, numbers);
@@ -328,12 +352,13 @@ EFSAT_CHECKED static inline int efsat_get_answer(struct efsat_answer *answer, co
     struct efsat_refusal *why)
 {
   const unsigned end = EFSAT_ANSWER_OVERLAPPING_LOW + EFSAT_FLAG_BITS;
-  uint64_t spare = efsat_get(word, EFSAT_ANSWER_MALFORMED - 3, 3);
+  uint64_t spare = efsat_get(word, EFSAT_ANSWER_MALFORMED - 2, 2);
   for (unsigned i = end; i < EFSAT_ANSWER_WORD_BITS; i++)
     spare |= efsat_get(word, i, 1);
   memset(answer, 0, sizeof *answer);
   answer->verdict = (unsigned)efsat_get(word, EFSAT_ANSWER_VERDICT_LOW, 2);
   answer->reason = (unsigned)efsat_get(word, EFSAT_ANSWER_REASON_LOW, 2);
+  answer->outside = (unsigned)efsat_get(word, EFSAT_ANSWER_OUTSIDE, 1);
   answer->malformed = (unsigned)efsat_get(word, EFSAT_ANSWER_MALFORMED, 1);
   answer->tag = efsat_get(word, EFSAT_ANSWER_TAG_LOW, EFSAT_TAG_BITS);
   answer->separated = (uint32_t)efsat_get(word, EFSAT_ANSWER_SEPARATED_LOW, EFSAT_FLAG_BITS);

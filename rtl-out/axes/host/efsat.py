@@ -127,15 +127,16 @@ def _ranges(declared, every):
     return [("number", NUMBER_LEAST, NUMBER_MOST)] * len(declared) if every else declared
 
 
-def pair(numbers, tag=0):
-    """The record of a pair: v0_x v0_y v0_z v1_x ... w2_z."""
+def pair(numbers, tag=0, *, outside=False):
+    """The record of a pair: v0_x v0_y v0_z v1_x ... w2_z. With `outside` numbers outside their
+    declared range are sent, too: the guard answers possibly incorrect."""
     low = _whole("tag", tag, 0, (1 << TAG_BITS) - 1) << RECORD_TAG_LOW
-    return _record(PAIR_WORDS, numbers, _ranges(_PAIR, False), low)
+    return _record(PAIR_WORDS, numbers, _ranges(_PAIR, outside), low)
 
 
-def pose(numbers, bypass=False):
+def pose(numbers, bypass=False, *, outside=False):
     """The record of a pose: m00 m01 m02 m10 ... m22 t_x t_y t_z. With `bypass` B stays as it is, and they are not read."""
-    ranges = _ranges(_POSE, bypass)
+    ranges = _ranges(_POSE, bypass or outside)
     return _record(POSE_WORDS, numbers, ranges, bool(bypass) << RECORD_BYPASS)
 
 
@@ -144,9 +145,9 @@ def pose_packet(*arguments, **options):
     return _header(POSE_HEADER) + pose(*arguments, **options)
 
 
-def pairs_packet(pairs):
+def pairs_packet(pairs, *, outside=False):
     """The packet of some pairs, each the arguments of `pair`."""
-    return _header(PAIRS_HEADER) + b"".join(pair(*arguments) for arguments in pairs)
+    return _header(PAIRS_HEADER) + b"".join(pair(*arguments, outside=outside) for arguments in pairs)
 
 
 def _header(header):
@@ -192,7 +193,7 @@ def _answer(at, word):
         field(ANSWER_SEPARATED_LOW, FLAG_BITS),
         field(ANSWER_OVERLAPPING_LOW, FLAG_BITS),
     )
-    spare = field(ANSWER_MALFORMED - 3, 3) or word >> ANSWER_OVERLAPPING_LOW + FLAG_BITS
+    spare = field(ANSWER_MALFORMED - 2, 2) or word >> ANSWER_OVERLAPPING_LOW + FLAG_BITS
     if spare or _contradicts(answer):
         raise ValueError(f"answer {at}: found {word:#x}, which no unit of this design sends")
     return answer

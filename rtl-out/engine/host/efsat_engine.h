@@ -42,7 +42,8 @@
 /* Packets in. */
 #define EFSAT_ENGINE_QUERY_HEADER UINT32_C(0x44102003) /* low half of the first word of a query */
 #define EFSAT_ENGINE_QUERY_FORMAT UINT32_C(0x0024ca12) /* high half, which says the formats below */
-#define EFSAT_ENGINE_STOP_HEADER UINT32_C(0x44102005) /* the only word of a stop */
+#define EFSAT_ENGINE_STOP_HEADER UINT32_C(0x44102005) /* the only word of a stop, without the number of its query */
+#define EFSAT_ENGINE_RESET_HEADER UINT32_C(0x44102006) /* the only word of a soft reset, without the number for its report */
 #define EFSAT_ENGINE_QUERY_WORDS 32 /* words of a query */
 #define EFSAT_ENGINE_TRIANGLES_WORD 4 /* the word that says how many triangles the objects have */
 #define EFSAT_ENGINE_OPTIONS_WORD 5 /* the word that says what is asked for */
@@ -51,9 +52,9 @@
 #define EFSAT_ENGINE_FIRST_CONTACT 1 /* stop at the first certain contact */
 #define EFSAT_ENGINE_ALL_PAIRS 2 /* answer separate pairs too */
 #define EFSAT_ENGINE_LEAF_PAIRS 4 /* no triangle test: all are possibly incorrect */
-#define EFSAT_ENGINE_EMPTY_CACHES 8 /* empty the caches first */
+#define EFSAT_ENGINE_KEEP_CACHES 8 /* no image has changed since the last query */
 #define EFSAT_ENGINE_QUERY_FLAGS 15 /* all of them */
-#define EFSAT_ENGINE_QUERY_NUMBER_LOW 40 /* the number that the report returns */
+#define EFSAT_ENGINE_QUERY_NUMBER_LOW 40 /* the number that the report returns; also in stop and reset */
 #define EFSAT_ENGINE_QUERY_NUMBER_BITS 24 /* its bits */
 
 /* Bits of a row. */
@@ -87,6 +88,8 @@
 #define EFSAT_ENGINE_REASON_UNKNOWN_HEADER 6 /* no query for this engine */
 #define EFSAT_ENGINE_REASON_TOO_SHORT 7 /* the packet was too short */
 #define EFSAT_ENGINE_REASON_TOO_LONG 8 /* the packet was too long */
+#define EFSAT_ENGINE_REASON_SILENT 9 /* the memory does not answer */
+#define EFSAT_ENGINE_REASON_RESET 10 /* soft reset; nothing before it has another answer */
 
 /* What functions refuse. */
 #define EFSAT_ENGINE_REFUSED_ENTRY 1 /* entry of M */
@@ -214,7 +217,9 @@ struct efsat_engine_row {
   uint32_t rest;
 };
 
-/* What is asked for: `flags` is an OR of EFSAT_ENGINE_FIRST_CONTACT and the like, `limit` the most expansions or 0. */
+/* What is asked for: `flags` is an OR of EFSAT_ENGINE_FIRST_CONTACT and the like, `limit` the most expansions or 0. Without
+ * EFSAT_ENGINE_KEEP_CACHES the engine reads again what the query needs; with it the answer is right only if no image has been written
+ * to since the last query without it. */
 struct efsat_engine_options {
   uint32_t limit;
   uint32_t flags;
@@ -355,10 +360,18 @@ EFSAT_ENGINE_CHECKED static inline int efsat_engine_move(uint64_t packet[EFSAT_E
   return efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }
 
-/* The only word of a packet that ends the query that runs. */
-static inline uint64_t efsat_engine_stop(void)
+/* The only word of a packet that ends the query with a number (its lower EFSAT_ENGINE_QUERY_NUMBER_BITS bits count), if it runs or
+ * waits; it has no answer of its own. */
+static inline uint64_t efsat_engine_stop(uint32_t number)
 {
-  return EFSAT_ENGINE_STOP_HEADER;
+  return (uint64_t)number << EFSAT_ENGINE_QUERY_NUMBER_LOW | EFSAT_ENGINE_STOP_HEADER;
+}
+
+/* The only word of a packet after which nothing that was sent before has another answer than the report to this: its reason is
+ * EFSAT_ENGINE_REASON_RESET, its number the given one, and words before it in its packet mean nothing. */
+static inline uint64_t efsat_engine_reset(uint32_t number)
+{
+  return (uint64_t)number << EFSAT_ENGINE_QUERY_NUMBER_LOW | EFSAT_ENGINE_RESET_HEADER;
 }
 
 /* A pair; with verdict EFSAT_ENGINE_VERDICT_REPORT the word is the first one of the report. */
@@ -417,10 +430,10 @@ EFSAT_ENGINE_CHECKED static inline int efsat_engine_get_answer(struct efsat_engi
   if (count < EFSAT_ENGINE_REPORT_WORDS || (last[0] & 3) != EFSAT_ENGINE_VERDICT_REPORT)
     return efsat_engine_refuse(why, EFSAT_ENGINE_REFUSED_NO_REPORT, EFSAT_ENGINE_NO_INDEX, (int64_t)count, 0, 0);
   *report = efsat_engine_get_report(last);
-  if (report->reason > EFSAT_ENGINE_REASON_TOO_LONG || report->incomplete != (report->reason >= EFSAT_ENGINE_REASON_LIMIT) || report->stack > 65535)
+  if (report->reason > EFSAT_ENGINE_REASON_RESET || report->incomplete != (report->reason >= EFSAT_ENGINE_REASON_LIMIT) || report->stack > 65535)
     return efsat_engine_refuse(why, EFSAT_ENGINE_REFUSED_NO_REPORT, EFSAT_ENGINE_NO_INDEX, (int64_t)count, 0, 0);
-  /* The report of a packet that was not read has no number. */
-  if (report->number != number && report->reason < EFSAT_ENGINE_REASON_UNKNOWN_HEADER)
+  /* The report of a packet that was not read has no number, that of a soft reset one of its own. */
+  if (report->number != number && (report->reason < EFSAT_ENGINE_REASON_UNKNOWN_HEADER || report->reason == EFSAT_ENGINE_REASON_SILENT))
     return efsat_engine_refuse(why, EFSAT_ENGINE_REFUSED_ANSWER_NUMBER, EFSAT_ENGINE_NO_INDEX, report->number, (int64_t)number, (int64_t)number);
   if (report->incomplete)
     return efsat_engine_refuse(why, 0, 0, 0, 0, 0);

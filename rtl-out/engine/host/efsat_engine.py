@@ -43,7 +43,8 @@ TRANSLATION_MOST = 1073741816  # the greatest
 # Packets in.
 QUERY_HEADER = 0x44102003  # low half of the first word of a query
 QUERY_FORMAT = 0x0024ca12  # high half, which says the formats below
-STOP_HEADER = 0x44102005  # the only word of a stop
+STOP_HEADER = 0x44102005  # the only word of a stop, without the number of its query
+RESET_HEADER = 0x44102006  # the only word of a soft reset, without the number for its report
 QUERY_WORDS = 32  # words of a query
 TRIANGLES_WORD = 4  # the word that says how many triangles the objects have
 OPTIONS_WORD = 5  # the word that says what is asked for
@@ -52,9 +53,9 @@ OPTIONS_WORD = 5  # the word that says what is asked for
 FIRST_CONTACT = 1  # stop at the first certain contact
 ALL_PAIRS = 2  # answer separate pairs too
 LEAF_PAIRS = 4  # no triangle test: all are possibly incorrect
-EMPTY_CACHES = 8  # empty the caches first
+KEEP_CACHES = 8  # no image has changed since the last query
 QUERY_FLAGS = 15  # all of them
-QUERY_NUMBER_LOW = 40  # the number that the report returns
+QUERY_NUMBER_LOW = 40  # the number that the report returns; also in stop and reset
 QUERY_NUMBER_BITS = 24  # its bits
 
 # Bits of a row.
@@ -88,6 +89,8 @@ REASON_STOPPED = 5  # stopped by the host
 REASON_UNKNOWN_HEADER = 6  # no query for this engine
 REASON_TOO_SHORT = 7  # the packet was too short
 REASON_TOO_LONG = 8  # the packet was too long
+REASON_SILENT = 9  # the memory does not answer
+REASON_RESET = 10  # soft reset; nothing before it has another answer
 
 # Of a report, in the order of their codes.
 REASONS = (
@@ -100,6 +103,8 @@ REASONS = (
     "unknown header",
     "packet too short",
     "packet too long",
+    "memory does not answer",
+    "soft reset",
 )
 
 
@@ -231,8 +236,9 @@ def _address(what, at):
 def query(sides, errors, pose, rows, limit=0, flags=0, number=None):
     """The packet of a query: two Sides, three errors of the shift, m00 m01 m02 m10 ... m22 t_x t_y t_z, a Row for each direction.
 
-    `flags` is an OR of FIRST_CONTACT and the like, `limit` the most expansions or 0. `number` returns in the report; without it
-    each query gets the next one.
+    `flags` is an OR of FIRST_CONTACT and the like, `limit` the most expansions or 0. `number` returns in the report, and names the
+    query in a stop; without it each query gets the next one. Without KEEP_CACHES the engine reads again what the query needs; with it
+    the answer is right only if no image has been written to since the last query without it.
     """
     sides, errors = _all("sides", sides, 2), _all("errors of the shift", errors, 3)
     pose, rows = _all("numbers of the pose", pose, 12), _all("rows", rows, DIRECTIONS)
@@ -276,9 +282,21 @@ def moved(packet, by):
     return _bytes(words)
 
 
-def stop():
-    """The packet that ends the query that runs."""
-    return _bytes([STOP_HEADER])
+def _order(header, number):
+    return _bytes([header | _field("number", number, QUERY_NUMBER_BITS) << QUERY_NUMBER_LOW])
+
+
+def stop(number):
+    """The packet that ends the query with a number, if it runs or waits; it has no answer of its own."""
+    return _order(STOP_HEADER, number)
+
+
+def reset(number=0):
+    """The packet of a soft reset: nothing that was sent before has another answer than the report to this.
+
+    Its reason is REASON_RESET and its number the given one; pairs before it in its packet mean nothing.
+    """
+    return _order(RESET_HEADER, number)
 
 
 def packets(lines):
@@ -323,7 +341,7 @@ def _belongs(pairs, report, query):
     options, counts = query[OPTIONS_WORD], query[TRIANGLES_WORD]
     number, flags = options >> QUERY_NUMBER_LOW, options >> 32
     # The report of a packet that was not read has no number.
-    if report.number != number and report.reason < REASON_UNKNOWN_HEADER:
+    if report.number != number and (report.reason < REASON_UNKNOWN_HEADER or report.reason == REASON_SILENT):
         raise ValueError(f"found the report of query {report.number}; expected that of query {number}")
     if report.incomplete:
         return
