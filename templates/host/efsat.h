@@ -142,7 +142,7 @@ static inline void {{ h.prefix }}efsat_put_record(uint8_t *record, unsigned byte
 {%- for all in h.variants %}
 {%- if *all %}
 /* The same for any number that its word holds: the guard answers possibly incorrect for one outside the declared range. */
-{% endif -%}
+{%- endif %}
 {{ h.upper }}_CHECKED static inline int {{ h.prefix }}efsat_put_{% if *all %}any_{% endif %}pair(uint8_t record[{{ h.upper }}_PAIR_BYTES]{% if h.has_tag %}, uint64_t tag{% endif %}{% if h.is_sticky %}, uint32_t sticky{% endif %},
     const int64_t numbers[{{ h.upper }}_PAIR_NUMBERS], struct {{ h.prefix }}efsat_refusal *why)
 {
@@ -163,10 +163,10 @@ static inline void {{ h.prefix }}efsat_put_record(uint8_t *record, unsigned byte
 {%- if h.has_pose %}
 /* The record of a pose: {% if h.has_matrix %}m00 m01 m02 m10 ... m22 {% endif %}t_x t_y t_z. With `bypass` B stays as it is, and the numbers are not read. Refuses a number
  * outside its declared range. */
-{% for all in h.variants %}
+{%- for all in h.variants %}
 {%- if *all %}
 /* The same for any number that its word holds. */
-{% endif -%}
+{%- endif %}
 {{ h.upper }}_CHECKED static inline int {{ h.prefix }}efsat_put_{% if *all %}any_{% endif %}pose(uint8_t record[{{ h.upper }}_POSE_BYTES], int bypass{% if h.is_sticky %}, uint32_t sticky{% endif %},
     const int64_t numbers[{{ h.upper }}_POSE_NUMBERS], struct {{ h.prefix }}efsat_refusal *why)
 {

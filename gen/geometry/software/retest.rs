@@ -14,6 +14,7 @@
 use rayon::prelude::*;
 
 use super::{affine, interval_axes, robbins_whitesides};
+use crate::Points;
 use crate::exact::{self, Exact};
 use crate::finite::{self, NotFinite};
 
@@ -82,7 +83,7 @@ pub fn retest_batch(pairs: &[[[f64; 3]; 6]], answers: &mut Vec<Exact>) -> Result
 pub fn retest_parallel(pairs: &[[[f64; 3]; 6]]) -> Result<Vec<Exact>, NotFinite> {
     let mut answers = vec![Exact::Separate; pairs.len()];
     let shares = answers.par_chunks_mut(SHARE).zip(pairs.par_chunks(SHARE)).enumerate();
-    let one = |found: &mut Vec<Exact>, (number, (answers, pairs)): (usize, (&mut [Exact], &[[[f64; 3]; 6]]))| {
+    let one = |found: &mut Vec<Exact>, (number, (answers, pairs)): (usize, (&mut [Exact], &[Points]))| {
         found.clear();
         retest_batch(pairs, found).map_err(|e| e.of_pair(number * SHARE))?;
         answers.copy_from_slice(found);

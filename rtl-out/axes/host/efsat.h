@@ -272,7 +272,8 @@ static inline void efsat_put_record(uint8_t *record, unsigned bytes, uint32_t fl
         (uint64_t)numbers[i]);
 }
 
-/* The record of a pair: v0_x v0_y v0_z v1_x ... w2_z, lower bounds in units of 2^(EFSAT_INTEGRAL_BITS - EFSAT_NUMBER_BITS). Refuses a coordinate outside its declared range. */EFSAT_CHECKED static inline int efsat_put_pair(uint8_t record[EFSAT_PAIR_BYTES], uint64_t tag,
+/* The record of a pair: v0_x v0_y v0_z v1_x ... w2_z, lower bounds in units of 2^(EFSAT_INTEGRAL_BITS - EFSAT_NUMBER_BITS). Refuses a coordinate outside its declared range. */
+EFSAT_CHECKED static inline int efsat_put_pair(uint8_t record[EFSAT_PAIR_BYTES], uint64_t tag,
     const int64_t numbers[EFSAT_PAIR_NUMBERS], struct efsat_refusal *why)
 {
   int refused = efsat_check_pair(numbers, why);
