@@ -73,7 +73,7 @@ fn generate_writes_the_picture_and_nothing_else() {
 #[test]
 fn wrong_command_lines_are_told_in_one_line() {
     let lines = [
-        ("generate --unit nothing --svg x.svg", "--unit nothing: expected one of multiply_18_18, "),
+        ("generate --unit nothing --svg x.svg", "--unit nothing: expected one of guard_translation, "),
         ("generate --unit projection", "--unit projection alone: expected --dot FILE or --svg FILE with it"),
         ("generate --svg x.svg", "--unit"),
         ("generate --svg x.svg --out rtl", "--out"),
