@@ -242,8 +242,8 @@ fn solids_inside_others_are_found_if_they_are_asked_for() {
     fs::write(home.path().join("b.obj"), vertices([2.5, 2.5, -4.5], [3.0, 4.0, 5.0], &small) + &cut).unwrap();
     let (status, output, errors) = efsat(home.path(), "scene pairs c.toml --containment", "2");
     assert_eq!((status, output.as_str()), (Some(2), ""), "{errors}");
-    let expected = "error: c.toml: object b: the mesh is open: the edge of triangle 14 from 4 4 6 to 4 5 6 borders 1 triangles, expected \
-        an even number; --containment expects closed meshes\n";
+    let expected = "error: c.toml: object b: the mesh is open: at the edge of triangle 14 from 4 4 6 to 4 5 6 the number of triangles is \
+        1, expected an even number; --containment expects closed meshes\n";
     assert_eq!(errors, expected);
 }
 

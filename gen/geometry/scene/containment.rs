@@ -41,8 +41,8 @@ impl fmt::Display for OpenEdge {
         let Self { triangle, ends: [[x, y, z], [u, v, w]], count } = self;
         write!(
             f,
-            "the mesh is open: the edge of triangle {triangle} from {x} {y} {z} to {u} {v} {w} borders {count} triangles, expected an \
-             even number"
+            "the mesh is open: at the edge of triangle {triangle} from {x} {y} {z} to {u} {v} {w} the number of triangles is {count}, \
+             expected an even number"
         )
     }
 }
