@@ -89,8 +89,7 @@ int main(void)
         uint64_t low = (uint64_t)next();
         words[i] = low | (uint64_t)next() << 32;
       }
-      printf("%s
-", efsat_engine_get_answer(&report, packet, words, count, NULL) ? "refused" : "taken");
+      printf("%s\n", efsat_engine_get_answer(&report, packet, words, count, NULL) ? "refused" : "taken");
     } else {
       uint64_t words[EFSAT_ENGINE_REPORT_WORDS];
       struct efsat_engine_pair pair = efsat_engine_get_pair((uint64_t)next());

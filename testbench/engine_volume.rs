@@ -220,19 +220,25 @@ fn ghdl(design: &VolumeDesign, stimulus: &VolumeStimulus, change: impl Fn(&str, 
         std::fs::write(folder.path().join(name), text).unwrap();
     }
     std::fs::write(folder.path().join(format!("{BENCH}.vec")), stimulus.text(design)).unwrap();
-    let call = |arguments: &[String]| {
+    let run = |arguments: &[String]| {
         let output = Command::new(command).args(arguments).current_dir(folder.path()).output().unwrap();
         let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success(), "{arguments:?}: {text}");
-        text
+        (output.status.success(), text)
+    };
+    let call = |arguments: &[String]| {
+        let (succeeds, text) = run(arguments);
+        assert!(succeeds, "{arguments:?}: {text}");
     };
     let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
     let flags = ["--std=93", "--warn-error", "--warn-unused"];
     call(&[words(&["-a"]), words(&flags), names].concat());
     call(&[words(&["-e"]), words(&flags[..1]), words(&[BENCH])].concat());
     let half = format!("-gfull_speed={}", stimulus.expansions.len() / 2);
-    let text = call(&[words(&["-r"]), words(&flags[..1]), words(&[BENCH, &half])].concat());
-    text.lines().last().map(str::to_owned)
+    let (succeeds, text) = run(&[words(&["-r"]), words(&flags[..1]), words(&[BENCH, &half])].concat());
+    let count = text.lines().find(|line| line.ends_with(" mismatches")).expect("the bench counts").to_owned();
+    // Its status tells too.
+    assert_eq!(succeeds, count.ends_with(" 0 mismatches"), "{text}");
+    Some(count)
 }
 
 #[test]
