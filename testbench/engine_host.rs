@@ -5,7 +5,7 @@ use crate::tools::{CHECKED, compiles_everywhere};
 use efsat::golden::engine::{Model, Query, Row, Side};
 use efsat::golden::{Input, Pose};
 use efsat::number::Upper;
-use efsat::params::engine::{Answer, Command as Order, EngineFormat, EngineReport, Memory, Reason};
+use efsat::params::engine::{Answer, Command as Order, EngineFormat, EngineReport, Memory, QueryFlags, Reason};
 use efsat::params::options::Choice;
 use efsat::params::{EngineParams, Params, Quantity};
 use efsat::scene::hierarchy::Directions;
@@ -352,16 +352,18 @@ fn answer_lines(answer: &Answer, report: &EngineReport) -> [String; 2] {
 fn damaged_lines(rng: &mut ChaCha8Rng, damage: u32) -> [String; 2] {
     let (number, mut report) =
         (rng.random_range(0..1u64 << 24), random_report(rng, &Answer { verdict: 0, triangles: [0; 2] }));
+    // Of half of the queries separate pairs are answered, too; then the report counts them among the leaf pairs.
+    let all: bool = rng.random();
     let mut words = std::collections::BTreeMap::new();
     let count = rng.random_range(2..20);
     while words.len() < count {
         let triangles = [rng.random_range(0..50), rng.random_range(0..60)];
-        words.insert(triangles, Answer { verdict: rng.random_range(1..3), triangles });
+        words.insert(triangles, Answer { verdict: rng.random_range(if all { 0 } else { 1 }..3), triangles });
     }
     let mut pairs: Vec<u64> = words.values().map(Answer::word).collect();
     let count = |code| pairs.iter().filter(|word| **word & 3 == code).count() as u32;
     (report.intersect, report.possibly_incorrect) = (count(1), count(2));
-    (report.reason, report.number) = (Reason::Complete, number as u32);
+    (report.reason, report.number, report.leaf_pairs) = (Reason::Complete, number as u32, pairs.len() as u32);
     let (at, other) = (rng.random_range(0..pairs.len() - 1), pairs.len() - 1);
     match damage {
         // A pair twice, in place of one of the same verdict.
@@ -384,7 +386,7 @@ fn damaged_lines(rng: &mut ChaCha8Rng, damage: u32) -> [String; 2] {
     }
     let halves: String = pairs.iter().map(|word| format!(" {} {}", word & u64::from(u32::MAX), word >> 32)).collect();
     // In 63 bits, for programs that read signed numbers.
-    let asked = (number << 40) as i64;
+    let asked = (number << 40 | u64::from(all) << QueryFlags::ALL_PAIRS) as i64;
     let due = if damage == 0 { "taken" } else { "refused" };
     [format!("d {} {asked} {}{halves}", 50u64 | 60 << 32, pairs.len()), due.to_owned()]
 }

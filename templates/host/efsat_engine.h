@@ -280,7 +280,8 @@ static inline int {{ h.prefix }}efsat_engine_by_triangles(const void *one, const
   for (size_t i = 0; i < pairs; i++) {
     const struct {{ h.prefix }}efsat_engine_pair pair = {{ h.prefix }}efsat_engine_get_pair(words[i]);
     if (words[i] >> 2 & 63 || pair.verdict == {{ h.upper }}_VERDICT_REPORT || pair.a >= (counts & UINT32_MAX) || pair.b >= counts >> 32
-        || (pair.verdict == {{ h.upper }}_VERDICT_SEPARATE && !(flags & {{ h.upper }}_ALL_PAIRS)))
+        || (pair.verdict == {{ h.upper }}_VERDICT_SEPARATE && !(flags & {{ h.upper }}_ALL_PAIRS))
+        || (pair.verdict != {{ h.upper }}_VERDICT_POSSIBLY_INCORRECT && flags & {{ h.upper }}_LEAF_PAIRS))
       return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_PAIR, (uint32_t)i, (int64_t)words[i], 0, 0);
     found[pair.verdict]++;
   }
@@ -289,6 +290,9 @@ static inline int {{ h.prefix }}efsat_engine_by_triangles(const void *one, const
   if (found[{{ h.upper }}_VERDICT_POSSIBLY_INCORRECT] != report->possibly_incorrect)
     return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, found[{{ h.upper }}_VERDICT_POSSIBLY_INCORRECT],
         report->possibly_incorrect, report->possibly_incorrect);
+  /* All pairs are answered if all were asked for, or if no triangle is tested. */
+  if (flags & ({{ h.upper }}_ALL_PAIRS | {{ h.upper }}_LEAF_PAIRS) && report->reason == {{ h.upper }}_REASON_COMPLETE && pairs != report->leaf_pairs)
+    return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_COUNT, {{ h.upper }}_NO_INDEX, (int64_t)pairs, report->leaf_pairs, report->leaf_pairs);
   /* A contact ends a query only if one was asked for, and is among the pairs. */
   if (report->reason == {{ h.upper }}_REASON_CONTACT && (!(flags & {{ h.upper }}_FIRST_CONTACT) || !report->intersect))
     return {{ h.prefix }}efsat_engine_refuse(why, {{ h.upper }}_REFUSED_NO_REPORT, {{ h.upper }}_NO_INDEX, (int64_t)count, 0, 0);

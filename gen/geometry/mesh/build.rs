@@ -162,15 +162,18 @@ impl Builder {
         }
     }
 
-    /// The mesh, without the vertices that are not finite, which no face uses.
+    /// The mesh, without the vertices that no face uses: they are on no surface, so they have no say in its box, its scale or its grid.
+    /// Among them are all that are not finite.
     pub fn finish(self) -> Parsed {
-        let Self { mut mesh, not_finite, numbers, faults, remarks, .. } = self;
-        if !not_finite.is_empty() {
+        let Self { mut mesh, numbers, faults, remarks, .. } = self;
+        let mut used = vec![false; mesh.vertices.len()];
+        mesh.faces.iter().flatten().for_each(|vertex| used[*vertex as usize] = true);
+        if used.contains(&false) {
             let mut moved = vec![0; mesh.vertices.len()];
             let mut kept = vec![];
             for (number, vertex) in mesh.vertices.iter().enumerate() {
                 moved[number] = kept.len() as u32;
-                if !not_finite.contains_key(&(number as u32)) {
+                if used[number] {
                     kept.push(*vertex);
                 }
             }

@@ -84,10 +84,17 @@ fn keyword(words: &mut Words<'_>) -> Result<&'static str, Fault> {
 fn vertex(builder: &mut Builder, words: &mut Words<'_>, index: u32, of: u32, keyword: &str) -> Result<(), Fault> {
     let mut point = [0.0; 3];
     let mut first = None;
-    for x in &mut point {
-        let word = words.next();
+    for (axis, x) in point.iter_mut().enumerate() {
+        // Words of the next line would make one vertex of two, and shift all behind it.
+        let word = if axis == 0 { words.next() } else { words.here() };
         let fault = |found: String| Fault::new(format!("vertex {index}: {found}"), VERTEX).at(words.line());
-        let word = word.ok_or_else(|| fault(format!("the file ends before it, of {of}")))?;
+        let word = word.ok_or_else(|| {
+            fault(if axis == 0 {
+                format!("the file ends before it, of {of}")
+            } else {
+                format!("a line of {axis} numbers")
+            })
+        })?;
         *x = number(&word).map_err(|wrong| fault(format!("{wrong} is no number")))?;
         first = first.or(Some(words.line()));
     }

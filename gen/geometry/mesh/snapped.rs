@@ -10,7 +10,7 @@ pub struct Snapped {
     pub grid: f64,
     /// The same mesh in units of the grid: every coordinate is a whole number, and no two vertices are equal.
     pub mesh: Mesh,
-    /// How far the vertex that moved farthest is from where it was, in units of the given mesh, rounded to binary64.
+    /// How far the vertex that moved farthest is from where it was, in units of the given mesh, computed in binary64.
     pub moved: f64,
     /// How many fewer vertices there are than different ones were given.
     pub merged: usize,

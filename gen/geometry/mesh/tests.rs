@@ -302,6 +302,17 @@ fn files_that_are_none_are_named() {
     assert_eq!(mistyped, "no-mesh: not found: expected a file that ends in .stl, .obj, .ply or .off");
 }
 
+/// A point on no surface has no say in boxes, scales and grids, be it in use by a face that is left out or by none.
+#[test]
+fn vertices_that_no_face_uses_are_left_out() {
+    let text = "v 1e9 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nv 7 7 7\nf 2 3 4\nf 1 2 9\n";
+    let mut file = tempfile::Builder::new().suffix(".obj").tempfile().unwrap();
+    file.write_all(text.as_bytes()).unwrap();
+    let (mesh, findings) = survey(file.path()).unwrap();
+    assert_eq!((mesh.vertices.len(), &mesh.faces[..], findings.left_out()), (3, &[[0, 1, 2]][..], 1));
+    assert_eq!(mesh.vertices[1], Point3::new(1.0, 0.0, 0.0));
+}
+
 /// Random bytes, and valid files with a few bytes changed or the end cut off, must never panic; what is accepted is
 /// valid.
 #[test]
@@ -490,7 +501,7 @@ fn what_is_not_read_is_said() {
 fn every_fault_of_an_off_file_is_one_clear_line() {
     let off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
     let with = |from: &str, to: &str| off.replace(from, to).into_bytes();
-    let cases: [(Vec<u8>, &str); 13] = [
+    let cases: [(Vec<u8>, &str); 14] = [
         (vec![], "empty file: expected 'OFF'"),
         (with("OFF", "4OFF"), "1: '4OFF': expected 'OFF'"),
         (with("OFF", "OFF BINARY"), "1: binary OFF: expected OFF as text"),
@@ -503,6 +514,7 @@ fn every_fault_of_an_off_file_is_one_clear_line() {
             with("1 0 0", "1 0,5 0"),
             "4: vertex 1: '0,5': a decimal comma or a comma between numbers is no number: expected",
         ),
+        (with("1 0 0", "1 0"), "4: vertex 1: a line of 2 numbers: expected"),
         (with("3 0 1 2", "3 0 1"), "6: face 0: the file ends within it: expected"),
         (with("3 0 1 2", "3 0 1 x"), "6: face 0: vertex 'x': expected"),
         (with("3 0 1 2", "3 0 1 3"), "6: face 0 has vertex 3 in a file of 3: expected"),

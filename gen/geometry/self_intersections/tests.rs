@@ -198,7 +198,7 @@ fn every_pair_of_small_meshes_is_what_the_extreme_points_say() {
         ("tilted", |[x, y, z]| [x + 3.0 * y, y - 2.0 * z, z + x + y]),
         ("rounded", |[x, y, z]| [0.1 * x + 0.7 * y, 0.3 * y - 0.9 * z, 0.2 * z + 0.3 * x + 1e6]),
         ("least", |x| x.map(|x| x * f64::from_bits(1))),
-        ("greatest", |x| x.map(|x| x * f64::MAX / 4.0)),
+        ("greatest", |x| x.map(|x| x * (f64::MAX / 4.0))),
         ("wide", |[x, y, z]| [x * 1e-300, y * 1e300, z]),
     ];
     for (name, place) in places {

@@ -440,7 +440,8 @@ EFSAT_ENGINE_CHECKED static inline int efsat_engine_get_answer(struct efsat_engi
   for (size_t i = 0; i < pairs; i++) {
     const struct efsat_engine_pair pair = efsat_engine_get_pair(words[i]);
     if (words[i] >> 2 & 63 || pair.verdict == EFSAT_ENGINE_VERDICT_REPORT || pair.a >= (counts & UINT32_MAX) || pair.b >= counts >> 32
-        || (pair.verdict == EFSAT_ENGINE_VERDICT_SEPARATE && !(flags & EFSAT_ENGINE_ALL_PAIRS)))
+        || (pair.verdict == EFSAT_ENGINE_VERDICT_SEPARATE && !(flags & EFSAT_ENGINE_ALL_PAIRS))
+        || (pair.verdict != EFSAT_ENGINE_VERDICT_POSSIBLY_INCORRECT && flags & EFSAT_ENGINE_LEAF_PAIRS))
       return efsat_engine_refuse(why, EFSAT_ENGINE_REFUSED_PAIR, (uint32_t)i, (int64_t)words[i], 0, 0);
     found[pair.verdict]++;
   }
@@ -449,6 +450,9 @@ EFSAT_ENGINE_CHECKED static inline int efsat_engine_get_answer(struct efsat_engi
   if (found[EFSAT_ENGINE_VERDICT_POSSIBLY_INCORRECT] != report->possibly_incorrect)
     return efsat_engine_refuse(why, EFSAT_ENGINE_REFUSED_COUNT, EFSAT_ENGINE_NO_INDEX, found[EFSAT_ENGINE_VERDICT_POSSIBLY_INCORRECT],
         report->possibly_incorrect, report->possibly_incorrect);
+  /* All pairs are answered if all were asked for, or if no triangle is tested. */
+  if (flags & (EFSAT_ENGINE_ALL_PAIRS | EFSAT_ENGINE_LEAF_PAIRS) && report->reason == EFSAT_ENGINE_REASON_COMPLETE && pairs != report->leaf_pairs)
+    return efsat_engine_refuse(why, EFSAT_ENGINE_REFUSED_COUNT, EFSAT_ENGINE_NO_INDEX, (int64_t)pairs, report->leaf_pairs, report->leaf_pairs);
   /* A contact ends a query only if one was asked for, and is among the pairs. */
   if (report->reason == EFSAT_ENGINE_REASON_CONTACT && (!(flags & EFSAT_ENGINE_FIRST_CONTACT) || !report->intersect))
     return efsat_engine_refuse(why, EFSAT_ENGINE_REFUSED_NO_REPORT, EFSAT_ENGINE_NO_INDEX, (int64_t)count, 0, 0);

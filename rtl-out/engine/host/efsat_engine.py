@@ -352,6 +352,10 @@ def _belongs(pairs, report, query):
             raise ValueError(f"pair {i}: found triangles {pair.a} and {pair.b}; expected such as the objects have")
         if pair.verdict == VERDICT_SEPARATE and not flags & ALL_PAIRS:
             raise ValueError(f"pair {i}: found a separate pair; expected none, because none was asked for")
+        if pair.verdict != VERDICT_POSSIBLY_INCORRECT and flags & LEAF_PAIRS:
+            raise ValueError(f"pair {i}: found a decided pair; expected possibly incorrect, because no triangle is tested")
+    if flags & (ALL_PAIRS | LEAF_PAIRS) and report.reason == REASON_COMPLETE and len(pairs) != report.leaf_pairs:
+        raise ValueError(f"found {len(pairs)} pairs; expected {report.leaf_pairs}, as the report says")
 
 
 def _pair(i, word):
