@@ -192,7 +192,9 @@ fn poses_and_numbers_that_the_words_do_not_hold_are_refused() {
     assert!(driver.pack_pose(&moved).is_ok(), "with the bypass the numbers are not read");
     moved.t[0].lo = 1 << 17;
     assert!(driver.pack_pose(&moved).is_err(), "but are not cut, either");
-    assert_eq!(driver.passing_all().unwrap_err(), DriverError::Unguarded);
+    let unguarded = Params { guard: Guard::LeftOut, ..Params::default() };
+    let unguarded = Driver::new(&unguarded, StreamWidth::Bits64).unwrap();
+    assert_eq!(unguarded.passing_all().unwrap_err(), DriverError::Unguarded);
 
     // A number above its lower bound is below the end.
     let params = Params { upper: Upper::Sticky, ..Params::default() };
@@ -288,20 +290,23 @@ fn what_is_no_number_is_refused_with_its_place() {
     let driver = Driver::new(&Params::default(), StreamWidth::Bits64).unwrap();
     let mut given = pairs(2);
     given[1][2][0] = f64::NAN;
-    assert_eq!(driver.loose(&given).unwrap_err().to_string(), "coordinate 24: found NaN; expected a finite number");
+    assert_eq!(driver.loose(&given).unwrap_err().to_string(), "pair 1: x of a2 is NaN: expected a finite number");
     let mesh = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, f64::INFINITY]];
     let refused = |a: &[[f64; 3]], b: &[[f64; 3]]| driver.meshes(a, b).unwrap_err().to_string();
-    assert_eq!(refused(&mesh, &mesh[..2]), "coordinate of A 8: found inf; expected a finite number");
-    assert_eq!(refused(&mesh[..2], &mesh), "coordinate of B 8: found inf; expected a finite number");
+    assert_eq!(refused(&mesh, &mesh[..2]), "z of vertex 2 is inf: expected a finite number");
+    assert_eq!(refused(&mesh[..2], &mesh), "z of vertex 2 is inf: expected a finite number");
     let meshes = driver.meshes(&mesh[..2], &mesh[..2]).unwrap();
     let pairs = [([0, 0, 1], [0, 1, 1])];
     let pose = |m: &[[f64; 3]; 3], t: &[f64; 3]| meshes.pose(m, t, &pairs).map(drop).map_err(|e| e.to_string());
     let mut m = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
     assert_eq!(pose(&m, &[0.0; 3]), Ok(()));
-    let refused = Err("entry of t 2: found -inf; expected a finite number".to_owned());
+    let refused = Err("z of the translation is -inf: expected a finite number".to_owned());
     assert_eq!(pose(&m, &[0.0, 0.0, f64::NEG_INFINITY]), refused);
     m[1][2] = f64::NAN;
-    assert_eq!(pose(&m, &[0.0; 3]), Err("entry of M 5: found NaN; expected a finite number".to_owned()));
+    assert_eq!(
+        pose(&m, &[0.0; 3]),
+        Err("the entry in row 1, column 2 of the matrix is NaN: expected a finite number".to_owned())
+    );
 }
 
 #[test]

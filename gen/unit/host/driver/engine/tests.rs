@@ -126,9 +126,10 @@ fn incomplete_queries_are_answered_in_software() {
             Reason::TooLong => packet.push(0),
             _ => {}
         }
-        let stopped = EngineReport { reason, number: job.number(), expansions: 1, ..EngineReport::default() };
+        // What ends by time or by the host has no words of its own in the stand-in.
+        let ended = EngineReport { reason, number: job.number(), expansions: 1, ..EngineReport::default() };
         let words = match reason {
-            Reason::Stopped => stopped.words().to_vec(),
+            Reason::Stopped | Reason::Silent | Reason::Reset => ended.words().to_vec(),
             _ => stand_in.packet(&packet),
         };
         let contacts = job.finish(&words).unwrap();
