@@ -1,4 +1,4 @@
-//! `efsat soak` as others use it: the log, a run that goes on, shards, and one clear line for every error.
+//! `efsat stress --once` as others use it: the log, a run that goes on, shards, and one clear line for every error.
 
 use serde_json::Value;
 use std::fs;
@@ -12,20 +12,20 @@ const PAIRS: &str = "--pairs 65536";
 
 fn efsat(dir: &Path, arguments: &str) -> Output {
     let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    command.arg("soak").args(arguments.split_whitespace()).current_dir(dir).output().unwrap()
+    command.args(["stress", "--once"]).args(arguments.split_whitespace()).current_dir(dir).output().unwrap()
 }
 
 fn succeeds(dir: &Path, arguments: &str) -> String {
     let Output { status, stdout, stderr } = efsat(dir, arguments);
     let errors = String::from_utf8(stderr).unwrap();
-    assert_eq!((status.code(), errors.as_str()), (Some(0), ""), "efsat soak {arguments}");
+    assert_eq!((status.code(), errors.as_str()), (Some(0), ""), "efsat stress --once {arguments}");
     String::from_utf8(stdout).unwrap()
 }
 
 fn fails(dir: &Path, arguments: &str, expected: &str) {
     let Output { status, stdout, stderr } = efsat(dir, arguments);
     let errors = String::from_utf8(stderr).unwrap();
-    assert_eq!((status.code(), stdout.as_slice()), (Some(2), &b""[..]), "efsat soak {arguments}: {errors}");
+    assert_eq!((status.code(), stdout.as_slice()), (Some(2), &b""[..]), "efsat stress --once {arguments}: {errors}");
     assert!(errors.starts_with("error: ") && errors.lines().count() == 1 && errors.contains(expected), "{errors}");
 }
 
