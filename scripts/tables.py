@@ -140,7 +140,7 @@ def stored(scene):
 def software():
     """Tests in software on the default scene."""
     tests = {test["name"]: test for test in stored("headlight")["ladder"]}
-    rows = [("exact: `efsat::software::retest`, in batches", "retest"), ("Held 1997, binary64", "f64, Held"),
+    rows = [("exact: `efsat::software::retest`, in batches ([8.4 on an idle machine](docs/benchmarks.md#the-exact-retest))", "retest, batch"), ("Held 1997, binary64", "f64, Held"),
             ("Moeller 1997 without an epsilon, binary64", "f64, Moeller"), ("Guigue and Devillers 2003, binary64", "f64, Guigue"),
             ("17 separating axes, binary64", "f64, 17 axes"), ("11 separating axes, binary64", "f64"),
             ("Moeller 1997 with its published epsilon, binary64", "f64, epsilon")]
@@ -223,6 +223,12 @@ def comparison(what="answers"):
              *(share(one.rows[i].pairs, one.pairs, 3) if one.rows[i].pairs else "0" for one in found)]
             for i, (row, figure) in enumerate(zip(found[0].rows, paper, strict=True))]
     return table(["<EFSAT", "<Moeller", "<SAT", "paper", *COMPARED], [*rows, ["pairs", "", "", "-", *(one.pairs for one in found)]])
+
+
+def scenes():
+    """The ready scenes; what one shows is the first paragraph of its comment."""
+    first = lambda text: " ".join(line.removeprefix("#").strip() for line in re.match(r"(# .*\n)+", text)[0].splitlines())
+    return table(["<file", "<what it shows"], ([f"`{file.name}`", first(file.read_text())] for file in sorted(Path("scenes").glob("*.toml"))))
 
 
 LARGE = "--method determinants --block-lines 2048 --triangle-lines 1024"
@@ -315,4 +321,4 @@ def tori():
     return table(head, ([n, size, *build, *verify, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
 
 
-SPECIAL = {f.__name__: f for f in (software, budgets, schedule, synthesis, comparison, distances, busy_over_distance, tori)}
+SPECIAL = {f.__name__: f for f in (software, scenes, budgets, schedule, synthesis, comparison, distances, busy_over_distance, tori)}
