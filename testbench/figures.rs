@@ -75,7 +75,9 @@ fn small() -> tempfile::TempDir {
     for script in ["figures", "tables.py"] {
         fs::copy(repository().join("scripts").join(script), root.join("scripts").join(script)).unwrap();
     }
-    for (file, text) in [("README.md", ""), ("CONTRIBUTING.md", ""), ("docs/page.md", PAGE), ("docs/figures.toml", REGISTRY)] {
+    for (file, text) in
+        [("README.md", ""), ("CONTRIBUTING.md", ""), ("docs/page.md", PAGE), ("docs/figures.toml", REGISTRY)]
+    {
         fs::write(root.join(file), text).unwrap();
     }
     fs::write(root.join("scenes/scene.toml"), "# A scene.\n").unwrap();
@@ -100,9 +102,21 @@ fn the_check_notices_what_differs() {
     };
     let (page, registry) = ("docs/page.md", "docs/figures.toml");
     check(&[], 0, &["pairs: age unknown: no commit stands beside it", "1 cheap tables made again, 0 differ"]);
-    check(&[(page, "| 48 |", "| 49 |")], 1, &["docs/page.md: run scripts/figures parts", "found    | `lfe5u-85-6` | 49 |", "expected | `lfe5u-85-6` | 48 |"]);
+    check(
+        &[(page, "| 48 |", "| 49 |")],
+        1,
+        &[
+            "docs/page.md: run scripts/figures parts",
+            "found    | `lfe5u-85-6` | 49 |",
+            "expected | `lfe5u-85-6` | 48 |",
+        ],
+    );
     check(&[(page, "| 48 |", "| 48 |\n| more | 1 |")], 1, &["found    | more | 1 |", "expected the end of the table"]);
-    check(&[(page, "figures: parts", "figures: party")], 1, &["expected one pair of marks of parts, found 0", "party: not in docs/figures.toml"]);
+    check(
+        &[(page, "figures: parts", "figures: party")],
+        1,
+        &["expected one pair of marks of parts, found 0", "party: not in docs/figures.toml"],
+    );
     check(&[(page, "Before.", "Before.\n\n<!-- end of figures -->")], 1, &["docs/page.md: 2 tables begin, 3 end"]);
     check(&[(registry, "[\"scenes\"]", "[\"scene\"]")], 1, &["parts: no such path: scene"]);
     check(&[(registry, "cost = \"dear\"", "cost = \"free\"")], 1, &["pairs: cost free: expected cheap or dear"]);
@@ -120,7 +134,16 @@ fn tables_are_written_with_their_commit() {
     let root = dir.path();
     let git = |arguments: &[&str]| {
         let mut command = Command::new("git");
-        command.args(["-c", "user.name=a", "-c", "user.email=a@b.example", "-c", "commit.gpgsign=false", "-c", "core.abbrev=7"]);
+        command.args([
+            "-c",
+            "user.name=a",
+            "-c",
+            "user.email=a@b.example",
+            "-c",
+            "commit.gpgsign=false",
+            "-c",
+            "core.abbrev=7",
+        ]);
         let output = command.args(arguments).current_dir(root).output().unwrap();
         assert!(output.status.success(), "{output:?}");
         String::from_utf8(output.stdout).unwrap().trim().to_owned()

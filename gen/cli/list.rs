@@ -2,10 +2,10 @@
 
 use super::error::Failure;
 use super::output::print;
-use crate::device::{self, Device};
-use crate::mesh::{BUILTIN, builtin};
-use crate::params::options::Row;
-use crate::params::{EngineParams, Method, Params};
+use efsat_geometry::mesh::{BUILTIN, builtin};
+use efsat_hardware::device::{self, Device};
+use efsat_unit::params::options::Row;
+use efsat_unit::params::{EngineParams, Method, Params};
 
 /// Prints what there is to choose from, as a table in Markdown: options with their defaults, devices, or built-in meshes
 #[derive(Debug, clap::Args)]
