@@ -117,7 +117,7 @@ fn devices() -> String {
 fn meshes() -> String {
     let row = |name: &str| {
         let mesh = builtin(name).expect("one of the names");
-        vec![format!("`builtin:{name}`"), mesh.faces.len().to_string(), mesh.degenerate().len().to_string()]
+        vec![format!("`builtin:{name}`"), mesh.faces().len().to_string(), mesh.degenerate().len().to_string()]
     };
     table(&["mesh", "triangles", "degenerate"], 2, BUILTIN.into_iter().map(row))
 }
