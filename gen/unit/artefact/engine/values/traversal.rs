@@ -6,15 +6,8 @@ use crate::artefact::engine::EngineDesign;
 /// Entries of the stack, and how many of everything there may be.
 #[derive(Debug)]
 pub(in super::super) struct Traversal {
-    pub node_bits: u32,
-    pub level_bits: u32,
     pub levels: u32,
     pub deepest: String,
-    pub entry_bits: u32,
-    pub a_high: u32,
-    pub a_low: u32,
-    pub b_high: u32,
-    pub b_low: u32,
     pub root_entry: String,
     pub stack: u32,
     pub stack_places: u32,
@@ -34,9 +27,6 @@ impl Traversal {
         let params = &design.params;
         let node_bits = params.block_number_bits;
         let level_bits = 32 - params.tree_height.leading_zeros();
-        let b_low = level_bits + 2;
-        let a_low = b_low + node_bits + 2;
-        let entry_bits = a_low + node_bits;
         let root = format!("{}11", zeros(node_bits));
         let (stack_places, stack_bits) = places(params.stack);
         let (flight_places, flight_bits) = places(params.in_flight);
@@ -46,15 +36,8 @@ impl Traversal {
         // front of the answers, fewer than 32 all together.
         let open = params.pair_queue + design.unit.places as u32 + 32;
         Self {
-            node_bits,
-            level_bits,
             levels: params.tree_height,
             deepest: binary(params.tree_height, level_bits),
-            entry_bits,
-            a_high: entry_bits - 1,
-            a_low,
-            b_high: b_low + node_bits - 1,
-            b_low,
             root_entry: format!("{root}{root}{}", zeros(level_bits)),
             stack: params.stack,
             stack_places,
