@@ -1,11 +1,12 @@
 //! Names for the widths that the entities of the engine share, and for the fields of their words.
 
 use super::blocks::block_bits;
+use super::traversal::{entry_bits, level_bits};
 use super::{Bits, WORD, word_at};
 use crate::artefact::engine::{EngineDesign, host};
 use crate::design::top::pose_ports;
 use crate::params::Upper;
-use crate::params::engine::{EngineFormat, Memory, QueryFlags, Reason};
+use crate::params::engine::{EngineFormat, EngineParams, Memory, QueryFlags, Reason};
 use crate::params::stream::{BYPASS_AT, Kind, TAG_AT};
 use std::fmt;
 
@@ -72,7 +73,7 @@ pub(super) fn groups(design: &EngineDesign) -> Vec<Group> {
         Group { what: "Blocks and triangles, as they come from memory.", items: objects(design) },
         Group {
             what: "An entry of the stack: a pair of nodes. Children are 11 (both), 01 (left) or 10 (right).",
-            items: entry(params.block_number_bits, 32 - params.tree_height.leading_zeros()),
+            items: entry(params),
         },
         Group { what: "Packets in: words counted from the header, which is word 0.", items: packets(format) },
         Group {
@@ -89,10 +90,9 @@ pub(super) fn groups(design: &EngineDesign) -> Vec<Group> {
         Group { what: "Reasons of a report.", items: reasons() },
     ];
     groups.push(match params.memory {
-        Memory::Axi => Group {
-            what: "Memory.",
-            items: vec![number("memory_width", params.memory_width, "bits of a word")],
-        },
+        Memory::Axi => {
+            Group { what: "Memory.", items: vec![number("memory_width", params.memory_width, "bits of a word")] }
+        }
         Memory::BlockRam => {
             let [blocks, triangles] = [params.block_lines.ilog2(), params.triangle_lines.ilog2()];
             let items = vec![
@@ -118,13 +118,14 @@ fn objects(design: &EngineDesign) -> Vec<Item> {
     items
 }
 
-fn entry(node_bits: u32, level_bits: u32) -> Vec<Item> {
+fn entry(params: &EngineParams) -> Vec<Item> {
+    let (node_bits, level_bits) = (params.block_number_bits, level_bits(params));
     let node_b = level_bits + 2;
     let node_a = node_b + node_bits + 2;
     vec![
         number("node_bits", node_bits, "of the number of a block"),
         number("level_bits", level_bits, ""),
-        number("entry_bits", node_a + node_bits, ""),
+        number("entry_bits", entry_bits(params), ""),
         field("entry_level", 0, level_bits, ""),
         field("entry_children_b", node_b - 2, 2, "which of them are to be tested"),
         field("entry_node_b", node_b, node_bits, ""),
@@ -176,7 +177,12 @@ fn options() -> Vec<Item> {
         number("option_contact", QueryFlags::FIRST_CONTACT, "stop at the first certain contact"),
         number("option_separate", QueryFlags::ALL_PAIRS, "answer separate pairs too"),
         number("option_leaves", QueryFlags::LEAF_PAIRS, "no triangle test"),
-        field("option_number", QueryFlags::NUMBER_AT, QueryFlags::NUMBER_BITS, "for the report; also in stop and reset"),
+        field(
+            "option_number",
+            QueryFlags::NUMBER_AT,
+            QueryFlags::NUMBER_BITS,
+            "for the report; also in stop and reset",
+        ),
     ]
 }
 
@@ -192,7 +198,8 @@ fn pose(design: &EngineDesign) -> Vec<Item> {
         }
     }
     let (cut, bits) = (format.translation_shift() as u32, shift_bits(format));
-    let shift = |(i, axis)| field(format!("job_shift_{axis}"), number_at(9 + i) + cut, bits, "the shift as s4.22");
+    let shift =
+        |(i, axis): (u32, &str)| field(format!("job_shift_{axis}"), number_at(9 + i) + cut, bits, "the shift as s4.22");
     items.extend((0..).zip(AXES).map(shift));
     items
 }
