@@ -2,7 +2,7 @@
 //! SAT solver.
 
 use crate::tools::{has, made, run};
-use efsat::synth::verilog;
+use efsat::evidence::synth::verilog;
 use std::fs;
 use tempfile::TempDir;
 
