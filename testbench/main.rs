@@ -42,4 +42,5 @@ mod stress;
 mod strict;
 mod synth;
 mod tools;
+mod walkthroughs;
 mod wall;
