@@ -85,12 +85,14 @@ fn follow(page: &str, ghdl: &str) {
                 ran += 1;
             }
             Step::Words(words) => {
-                let made = fs::read_dir(dir.path()).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_file());
+                let made =
+                    fs::read_dir(dir.path()).unwrap().map(|entry| entry.unwrap().path()).filter(|path| path.is_file());
                 let made: Vec<Vec<u8>> = made.map(|path| fs::read(path).unwrap()).collect();
                 for word in words {
                     let bytes = u64::from_str_radix(&word, 16).unwrap().to_le_bytes();
                     let has = |file: &Vec<u8>| {
-                        file.windows(8).any(|found| found == bytes) || file.windows(16).any(|found| found == word.as_bytes())
+                        file.windows(8).any(|found| found == bytes)
+                            || file.windows(16).any(|found| found == word.as_bytes())
                     };
                     assert!(made.iter().any(has), "{word}: in no file");
                 }
