@@ -41,6 +41,6 @@ mod stream;
 mod stress;
 mod strict;
 mod synth;
+mod thirty_minutes;
 mod tools;
-mod walkthroughs;
 mod wall;
