@@ -8,8 +8,8 @@ use crate::baseline::hardware::Names;
 use crate::extent::{full, share};
 use crate::tools::ghdl;
 use efsat::artefact::Stimulus;
-use efsat::cosim::{self, Options, Simulator};
 use efsat::design::{Design, Probes};
+use efsat::evidence::cosim::{self, Options, Simulator};
 use efsat::exact::{Exact, relation};
 use efsat::golden::{Golden, Input, Pair, Pose, Verdict};
 use efsat::graph::evaluate::Evaluator;
@@ -346,8 +346,7 @@ fn equals_oracle(p: &Params, stimulus: &Stimulus) {
             let (truth, found) = (relation(&points).unwrap(), golden.outcome(pose, pair));
             let expected = match truth.class {
                 _ if !fits => Verdict::PossiblyIncorrect,
-                Exact::Separate => Verdict::Separate,
-                Exact::Touch | Exact::Intersect => Verdict::Intersect,
+                truth => truth.into(),
             };
             let crosses = fits && truth.class == Exact::Intersect;
             assert_eq!((found.verdict, found.outside), (expected, !fits), "{points:?}: {truth}");

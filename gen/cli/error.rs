@@ -1,14 +1,15 @@
 //! Why a command ends without success.
 
-use crate::artefact::FileSetError;
-use crate::cosim::CosimError;
-use crate::design::top::DesignError;
-use crate::effects::TooMany;
-use crate::host::driver::engine::{EngineError, ObjectsError};
-use crate::pair_file::PairFileError;
-use crate::scene::SceneError;
-use crate::synth::SynthError;
 use clap::error::ErrorKind;
+use efsat_checks::cosim::CosimError;
+use efsat_checks::journal::JournalError;
+use efsat_checks::synth::SynthError;
+use efsat_geometry::pair_file::PairFileError;
+use efsat_geometry::scene::SceneError;
+use efsat_studies::planner::TooMany;
+use efsat_unit::artefact::FileSetError;
+use efsat_unit::design::top::DesignError;
+use efsat_unit::host::driver::engine::{EngineError, ObjectsError};
 
 /// Why a command ends early or without success.
 #[derive(Debug)]
@@ -86,6 +87,12 @@ impl From<PairFileError> for Failure {
 
 impl From<SceneError> for Failure {
     fn from(e: SceneError) -> Self {
+        Self::Usage(e.to_string())
+    }
+}
+
+impl From<JournalError> for Failure {
+    fn from(e: JournalError) -> Self {
         Self::Usage(e.to_string())
     }
 }
