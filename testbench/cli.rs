@@ -190,7 +190,7 @@ fn classify_by_the_exact_method_answers_every_pair() {
     for command in ["scene plan s.toml --method exact", "accuracy --method exact", "accuracy --sweep method=exact"] {
         fails(dir, command, 2, "expected axes");
     }
-    let report = object(dir, "soak --pairs 1 --family shared-edge --sweep method=axes|exact --json");
+    let report = object(dir, "stress --once --pairs 1 --family shared-edge --sweep method=axes|exact --json");
     let designs: Vec<[u64; 2]> = report["total"]["designs"]
         .as_array()
         .unwrap()

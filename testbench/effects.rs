@@ -3,10 +3,9 @@
 use crate::tools::program::{command, efsat, object, ran, refuses, succeeds};
 use crate::tools::{ghdl, made};
 use efsat::evidence::planner::{Front, Options, Plan, Request, Sampling, TooMany, frame_contacts, plan, run};
-use efsat::exact::Exact;
 use efsat::golden::{Golden, Verdict};
+use efsat::host::Stage;
 use efsat::host::settings::Settings;
-use efsat::host::{Host, Stage};
 use efsat::params::Params;
 use efsat::scene::hierarchy::{Directions, Scratch};
 use efsat::scene::{Scene, Survivors, load};
@@ -64,17 +63,10 @@ fn wrong(scene: &Scene, plan: &Plan) -> Vec<String> {
                 let exact = posed[0].relation(pair).class;
                 let verdicts = [0, 1].map(|unit: usize| {
                     let [a, b] = posed[unit].faces(pair);
-                    match hosts[unit].pair(a, b) {
-                        Host::Unit(inputs) => goldens[unit].verdict(&hosts[unit].pose, &inputs),
-                        Host::Decided(verdict) => verdict,
-                    }
+                    hosts[unit].pair(a, b).answer(&goldens[unit], &hosts[unit].pose).verdict
                 });
-                let refuted = |verdict: Verdict| match verdict {
-                    Verdict::PossiblyIncorrect => false,
-                    verdict => (verdict == Verdict::Separate) != (exact == Exact::Separate),
-                };
                 let kept = verdicts[0] == Verdict::PossiblyIncorrect || verdicts[0] == verdicts[1];
-                if verdicts.into_iter().any(refuted) || !kept {
+                if verdicts.into_iter().any(|verdict| verdict.is_wrong(exact)) || !kept {
                     wrong.push(format!("frame {frame}, pair {pair:?}: {verdicts:?}, exactly {exact}"));
                 }
             }

@@ -164,7 +164,7 @@ fn a_query_after_a_soft_reset_is_right() {
     let changes = [
         // It forgets bursts; it does not say so; what works on the query goes on.
         ("engine_read_master.vhd", "draining_now <= '1';", "draining_now <= '0';"),
-        ("engine_control.vhd", "next_reason := \"01010\";", "next_phase := waiting_state;"),
+        ("engine_control.vhd", "next_reason := reason_reset;", "next_phase := waiting_state;"),
         ("efsat_engine.vhd", "restart <= reset or forget or abort;", "restart <= reset or abort;"),
     ];
     let options = options([160, 200]);
@@ -222,7 +222,11 @@ fn a_memory_that_does_not_answer_ends_queries() {
             "            if memory_silent = '0' then\n",
         ),
         ("engine_control.vhd", "if (memory_error or memory_silent) = '1' then", "if memory_error = '1' then"),
-        ("engine_read_master.vhd", "elsif silence = 499 then", "elsif silence = 498 and reset = '1' then"),
+        (
+            "engine_read_master.vhd",
+            "elsif silence = watchdog - 1 then",
+            "elsif silence = watchdog and reset = '1' then",
+        ),
     ];
     let options = [&options[..], &["-gpatience=9000"]].concat();
     let unnoticed: Vec<&str> = share(3, changes)
@@ -255,7 +259,7 @@ fn a_mesh_that_was_written_over_is_read_again() {
     let report = bench.run_vectors(vectors.text(), &options);
     assert!(fine(&report), "{report}");
     // Caches that are kept hold what is not there any more.
-    let change = ("engine_control.vhd", "or job_words(291) = '0' then", "or job_words(291) = '1' then");
+    let change = ("engine_control.vhd", "or job_words(job_keep) = '0' then", "or job_words(job_keep) = '1' then");
     assert!(!fine(&changed(&bench, change, vectors.text(), &options)));
 }
 
@@ -338,12 +342,20 @@ fn pairs_and_poses_come_in_turn_with_queries() {
         ("engine_command.vhd", "waits <= pending or (busy and head_kind(is_pairs));", "waits <= pending;"),
         ("engine_control.vhd", "job_due <= job_valid and idle_before when", "job_due <= job_valid when"),
         // The last pair of a packet is that which arrives, not that which is answered.
-        ("efsat_engine.vhd", "decided_last <= tested_numbers(16) and", "decided_last <= packet_last and"),
+        ("efsat_engine.vhd", "decided_last <= tested_numbers(tag_last) and", "decided_last <= packet_last and"),
         // The options of a query stay.
-        ("engine_control.vhd", "leaves_only <= options(34) and running_now;", "leaves_only <= options(34);"),
-        ("engine_control.vhd", "separate_too <= options(33) or not running_now;", "separate_too <= options(33);"),
+        (
+            "engine_control.vhd",
+            "leaves_only <= options(option_leaves) and running_now;",
+            "leaves_only <= options(option_leaves);",
+        ),
+        (
+            "engine_control.vhd",
+            "separate_too <= options(option_separate) or not running_now;",
+            "separate_too <= options(option_separate);",
+        ),
         // A pose is taken before it is in its place; one that goes on is taken.
-        ("engine_command.vhd", "if place = 30 then", "if place = 29 then"),
+        ("engine_command.vhd", "if place = query_words - 2 then", "if place = query_words - 3 then"),
         (
             "engine_command.vhd",
             "occupied <= head_last;\n                moving <= head_last;",

@@ -2,14 +2,12 @@
 
 use crate::extent::share;
 use crate::tools::clocked::Clocked;
-use crate::tools::{Ghdl, ghdl, made};
+use crate::tools::{Ghdl, ghdl};
 use efsat::artefact::Prefix;
 use efsat::artefact::volume::{BENCH, Expansion, NAME, VolumeStimulus, volume_bench, volume_files};
 use efsat::design::engine::volume_path;
 use efsat::design::engine::volume_unit::VolumeDesign;
-use efsat::device::Resources;
 use efsat::directions::Directions;
-use efsat::evidence::synth;
 use efsat::graph::evaluate::Evaluator;
 use efsat::graph::{Op, Unit};
 use efsat::op::Comb;
@@ -17,7 +15,6 @@ use efsat::params::engine::EngineFormat;
 use efsat::params::{EngineParams, Params};
 use efsat::vhdl::lint::lint;
 use std::collections::HashMap;
-use std::fmt::Write;
 use std::rc::Rc;
 
 /// An engine of other directions, widths (of origins, codes and factors) and pace.
@@ -266,33 +263,4 @@ fn mistakes_in_the_text_are_noticed() {
         let Some(line) = simulated(&design, &stimulus, change) else { return };
         assert!(line.starts_with(BENCH) && !line.ends_with(" 0 mismatches"), "{file}: {wrong}: {line}");
     }
-}
-
-/// The table of docs/engine-volume.md: cells by Yosys, beside what the device model predicts.
-#[test]
-#[ignore = "minutes: scripts/test full"]
-fn resources() {
-    let mut table = String::new();
-    for name in ["xc2v6000-4", "lfe5u-85-6"] {
-        for clocks in [4, 2, 1] {
-            let params = Params { device: name.to_owned(), ..Params::default() };
-            let design = VolumeDesign::new(&engine(18, WIDTHS, clocks), &params).unwrap();
-            let mut files = volume_files(&design, &Prefix::default()).unwrap();
-            files.pop();
-            let Some(unit) = made(synth::count(&files, &design.stage, design.device)) else { return };
-            let actual = unit.actual.expect("a tool ran");
-            let [found, model] = [actual.resources, unit.foreseen()];
-            assert_eq!(found.multipliers, model.multipliers, "{name}, E = {clocks}");
-            let latency = design.latency;
-            let counts = |x: &Resources| format!("{} | {} | {} | {}", x.luts, x.memory_luts, x.flip_flops, x.carry);
-            let _ = writeln!(
-                table,
-                "| {name} | {clocks} | {latency} | {} | {} | {} |",
-                found.multipliers,
-                counts(&found),
-                counts(&model)
-            );
-        }
-    }
-    println!("{table}");
 }

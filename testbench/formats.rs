@@ -27,7 +27,7 @@ const RUNS: [(&str, &[&str]); 18] = [
     ("efsat cosim", &["cosim --random 20 --simulator builtin"]),
     ("efsat compare", &["compare pairs.csv", "compare s.toml"]),
     ("efsat stress", &["stress --pairs 100"]),
-    ("efsat soak", &["soak --pairs 32768 --family lattice-5 --width 12"]),
+    ("efsat stress --once", &["stress --once --pairs 32768 --family lattice-5 --width 12"]),
     ("efsat wall", &["wall edge-on-face --step 2^-11 --software moeller --out w"]),
     ("efsat synth", &["synth --predict", "synth --predict --engine"]),
     ("efsat scene pairs", &["scene pairs s.toml", "scene pairs tumble.toml", "scene pairs boxes.toml --containment"]),

@@ -8,7 +8,7 @@
 use crate::tools::program::{efsat, succeeds};
 use efsat::artefact::FileSet;
 use efsat::evidence::accuracy::{self, Results, Store};
-use efsat::evidence::soak::{Log, Soak, Tally};
+use efsat::evidence::stress::once::{Log, Once, Tally};
 use efsat::evidence::{stress, times};
 use efsat::golden::{Golden, Pose};
 use efsat::host::settings::Settings;
@@ -282,11 +282,11 @@ fn read_request(path: &Path) -> Result<(), String> {
 fn read_log(path: &Path) -> Result<(), String> {
     let params = Params { width: 12, ..Params::default() };
     let family = stress::FAMILIES.iter().filter(|family| family.name == "lattice-5").collect();
-    let soak = Soak::new(7, family, &[params]);
-    let log = Log::open(path, "q".to_owned(), |block| soak.fits(block)).map_err(text)?;
+    let once = Once::new(7, family, &[params]);
+    let log = Log::open(path, "q".to_owned(), |block| once.fits(block)).map_err(text)?;
     let mut total = Tally::default();
     log.blocks().values().for_each(|block| total.add(&block.total()));
-    total.pairs();
+    total.truths.total();
     Ok(())
 }
 
@@ -374,7 +374,7 @@ fn manifest() -> Vec<u8> {
 fn log() -> Vec<u8> {
     let home = tempfile::tempdir().unwrap();
     let path = home.path().join("log");
-    succeeds(&home, "soak --family lattice-5 --seed 7 --width 12 --pairs 32768 --log log");
+    succeeds(&home, "stress --once --family lattice-5 --seed 7 --width 12 --pairs 32768 --log log");
     let text = fs::read_to_string(path).unwrap();
     let mut line: Value = serde_json::from_str(text.lines().next().unwrap()).unwrap();
     line["question"] = "q".into();

@@ -2,12 +2,13 @@
 //! netlists, simulated, estimated, drawn and printed as VHDL-93.
 //!
 //! A module knows those before it alone: [`number`], [`types`], [`device`], [`expression`] (of VHDL), [`cells`], [`op`] (all there is
-//! to know of an operation), [`graph`] (the builder), [`schedule`], [`netlist`], and their readers [`estimate`], [`vhdl`]
-//! and [`diagram`]. [`tools`] finds the programs that read what is printed.
+//! to know of an operation), [`graph`] (the builder), [`schedule`], [`netlist`], and their readers [`estimate`], [`vhdl`],
+//! [`diagram`] and [`dump`]. [`tools`] finds the programs that read what is printed.
 
 pub mod cells;
 pub mod device;
 pub mod diagram;
+pub mod dump;
 pub mod estimate;
 pub mod expression;
 pub mod graph;

@@ -35,16 +35,26 @@ struct Port {
     unsigned: bool,
 }
 
-/// The ports of the first entity of a text but for `clk`.
-fn ports(text: &str) -> Vec<Port> {
+/// The value of a constant of the package in front, or a number.
+fn number(text: &str, package: &str) -> usize {
+    let declared = || package.split(&format!("constant {text} : natural := ")).nth(1)?.split(';').next();
+    declared().unwrap_or(text).parse().unwrap_or_else(|_| panic!("no number: {text}"))
+}
+
+/// The ports of the first entity of a text but for `clk`. The highest bit is a number, or a constant less one.
+fn ports(text: &str, package: &str) -> Vec<Port> {
     let declarations = text.split("port (\n").nth(1).and_then(|rest| rest.split("\n  );").next()).expect("ports");
     let code =
         declarations.lines().filter_map(|line| line.split("--").next()?.trim().trim_end_matches(';').split_once(':'));
     let port = |(name, kind): (&str, &str)| {
         let (direction, kind) = kind.trim().split_once(' ').expect("a direction");
-        let high = kind.split_once('(').map(|(_, range)| range.split(' ').next().unwrap().parse::<usize>().unwrap());
+        let range = kind.split_once('(').and_then(|(_, range)| range.split_once(" downto"));
+        let bits = range.map(|(high, _)| match high.strip_suffix(" - 1") {
+            Some(bits) => number(bits, package),
+            None => number(high, package) + 1,
+        });
         let unsigned = kind.trim().starts_with("unsigned");
-        Port { name: name.trim().to_owned(), input: direction == "in", bits: high.map(|high| high + 1), unsigned }
+        Port { name: name.trim().to_owned(), input: direction == "in", bits, unsigned }
     };
     code.map(port).filter(|port| port.name != "clk").collect()
 }
@@ -125,7 +135,7 @@ end architecture simulation;
 impl Entity {
     /// Analyses a text, behind that of the entities in it, and starts it; all inputs are 0.
     pub fn new(ghdl: &'static Tool, name: &str, text: &str, parts: &str) -> Self {
-        let ports = ports(text);
+        let ports = ports(text, parts);
         let mut places = HashMap::new();
         let mut ends = [0; 2];
         for port in &ports {

@@ -1,11 +1,11 @@
-//! `efsat soak` as others use it: the log, a run that goes on, shards, and one clear line for every error.
+//! `efsat stress --once` as others use it: the log, a run that goes on, shards, and one clear line for every error.
 
 use crate::tools::program::{object, refuses, succeeds};
 use serde_json::Value;
 use std::fs;
 
 /// Two families, so that a block is small.
-const FEW: &str = "soak --family lattice-5 --family vertex-on-face-sweep --seed 7 --width 12";
+const FEW: &str = "stress --once --family lattice-5 --family vertex-on-face-sweep --seed 7 --width 12";
 /// Two blocks.
 const PAIRS: &str = "--pairs 65536";
 
@@ -45,7 +45,7 @@ fn a_run_goes_on_and_shards_are_the_whole() {
 #[test]
 fn a_sweep_asks_every_design() {
     let home = tempfile::tempdir().unwrap();
-    let sweep = "soak --sweep method=axes|determinants,width=8|18 --family lattice-5 --pairs 1";
+    let sweep = "stress --once --sweep method=axes|determinants,width=8|18 --family lattice-5 --pairs 1";
     let value = object(&home, &format!("{sweep} --json"));
     let open: Vec<u64> = value["total"]["designs"]
         .as_array()
@@ -67,13 +67,13 @@ fn errors_say_what_was_expected() {
     succeeds(dir, &format!("{FEW} --pairs 1 --log log"));
     refuses(dir, &format!("{} --pairs 1 --log log", FEW.replace("12", "13")), "found a block of another test");
     fs::write(dir.join("notes"), "mine\n").unwrap();
-    refuses(dir, "soak --log notes", "line 1: found expected value");
+    refuses(dir, "stress --once --log notes", "line 1: found expected value");
     assert_eq!(fs::read_to_string(dir.join("notes")).unwrap(), "mine\n");
-    refuses(dir, "soak --log .", "directory");
-    refuses(dir, "soak --shard 1/2", "--log");
-    refuses(dir, "soak --shard 3/2 --log x", "I from 1 to N");
-    refuses(dir, "soak --pairs 0", "expected a whole number, 1 or greater");
-    refuses(dir, "soak --pairs 18446744073709551615", "expected fewer than 2^64 pairs");
-    refuses(dir, "soak --sweep width=1", "--sweep: at character");
-    refuses(dir, "soak --family nobody", "nobody");
+    refuses(dir, "stress --once --log .", "directory");
+    refuses(dir, "stress --once --shard 1/2", "--log");
+    refuses(dir, "stress --once --shard 3/2 --log x", "I from 1 to N");
+    refuses(dir, "stress --once --pairs 0", "expected a whole number, 1 or greater");
+    refuses(dir, "stress --once --pairs 18446744073709551615", "expected fewer than 2^64 pairs");
+    refuses(dir, "stress --once --sweep width=1", "--sweep: at character");
+    refuses(dir, "stress --once --family nobody", "nobody");
 }
