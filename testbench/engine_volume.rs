@@ -2,18 +2,19 @@
 
 use crate::extent::share;
 use crate::tools;
-use efsat::artefact::volume::{BENCH, Expansion, NAME, VolumeStimulus, volume_bench, volume_files};
 use efsat::artefact::{Prefix, Scratch};
-use efsat::design::engine::volume_path;
-use efsat::design::engine::volume_unit::VolumeDesign;
 use efsat::device::Resources;
 use efsat::directions::Directions;
+use efsat::engine::artefact::volume::{BENCH, Expansion, NAME, VolumeStimulus, volume_bench, volume_files};
+use efsat::engine::design::volume_path;
+use efsat::engine::design::volume_unit::VolumeDesign;
+use efsat::engine::format::EngineFormat;
+use efsat::engine::params::EngineParams;
 use efsat::graph::evaluate::Evaluator;
 use efsat::graph::{Op, Unit};
 use efsat::netlist::simulate::Simulation;
 use efsat::op::Comb;
-use efsat::params::engine::EngineFormat;
-use efsat::params::{EngineParams, Params};
+use efsat::params::Params;
 use efsat::synth;
 use efsat::vhdl::lint::lint;
 use std::collections::HashMap;

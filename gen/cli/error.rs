@@ -4,7 +4,7 @@ use crate::artefact::FileSetError;
 use crate::cosim::CosimError;
 use crate::design::top::DesignError;
 use crate::effects::TooMany;
-use crate::host::driver::engine::{EngineError, ObjectsError};
+use crate::engine::driver::{EngineError, ObjectsError};
 use crate::pair_file::PairFileError;
 use crate::scene::SceneError;
 use crate::synth::SynthError;

@@ -5,14 +5,15 @@ use super::error::Failure;
 use super::file;
 use super::output::{print, print_json, warn};
 use super::params::{EngineArguments, ParamArguments, choice};
-use crate::artefact::engine::{engine_design_files_with, samples};
 use crate::artefact::{
-    DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, engine_verilog_files,
-    programme_files, ready_designs, ready_files, verilog_files,
+    DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, programme_files, ready_designs,
+    verilog_files,
 };
 use crate::design::Design;
 use crate::design::top::pace;
 use crate::device::Resources;
+use crate::engine::artefact::{engine_design_files_with, engine_verilog_files, samples};
+use crate::engine::ready::ready_files;
 use crate::estimate;
 use crate::params::Params;
 use crate::params::options::Choice;

@@ -1,12 +1,12 @@
 //! The options that every command shares: the parameters of the design.
 
 use super::error::Failure;
-use crate::artefact::engine::EngineDesign;
 use crate::design::top::DesignError;
-use crate::params::engine::Memory;
+use crate::engine::artefact::EngineDesign;
+use crate::engine::params::{EngineParams, Memory};
 use crate::params::options::{Choice, Row};
 pub(super) use crate::params::options::{choice, whole};
-use crate::params::{EngineParams, Method, Params};
+use crate::params::{Method, Params};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
 

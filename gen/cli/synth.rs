@@ -4,14 +4,14 @@ mod summary;
 mod table;
 
 use super::error::Failure;
-use super::file;
 use super::output::{print, print_json};
 use super::params::{EngineArguments, ParamArguments, choice, whole};
-use super::progress;
-use crate::artefact::engine::EngineDesign;
+use super::{file, progress};
 use crate::design::{Design, Probes};
 use crate::device;
-use crate::params::{Params, options::Choice};
+use crate::engine::artefact::EngineDesign;
+use crate::params::Params;
+use crate::params::options::Choice;
 use crate::synth::{self, Flow, Options, Report, Subject};
 use std::path::PathBuf;
 use std::time::Duration;

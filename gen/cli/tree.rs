@@ -9,9 +9,8 @@ mod verify;
 
 use super::error::Failure;
 use super::params::{choice, whole};
-use crate::host::engine::{Image, ImageError};
-use crate::params::EngineParams;
-use crate::params::engine::{OFFSET_BITS, ORIGIN_BITS};
+use crate::engine::host::{Image, ImageError};
+use crate::engine::params::{EngineParams, OFFSET_BITS, ORIGIN_BITS};
 use crate::scene::hierarchy::Directions;
 use clap::Subcommand;
 use std::fs;

@@ -1,7 +1,6 @@
 //! `efsat cosim --engine`.
 
 use super::{Arguments, spread};
-use crate::artefact::engine::EngineDesign;
 use crate::cli::error::Failure;
 use crate::cli::output::{print, print_json};
 use crate::cli::params::{EngineArguments, without_engine};
@@ -10,9 +9,11 @@ use crate::cli::source::{HEADLIGHT, load_scene};
 use crate::cosim::Simulator;
 use crate::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
 use crate::design::top::DesignError;
-use crate::golden::engine::Query;
-use crate::host::engine::{Image, Images, Layout, Numbers, memory};
-use crate::params::engine::{Memory, QueryFlags};
+use crate::engine::artefact::EngineDesign;
+use crate::engine::host::{Image, Images, Layout, Numbers, memory};
+use crate::engine::model::Query;
+use crate::engine::params::Memory;
+use crate::engine::words::QueryFlags;
 use crate::params::options::Choice;
 use crate::scene::Scene;
 use rayon::prelude::*;
@@ -327,8 +328,9 @@ fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usi
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::engine::params::EngineParams;
+    use crate::engine::words::EngineReport;
     use crate::params::Params;
-    use crate::params::engine::{EngineParams, EngineReport};
 
     /// What the clocks are is always said; that no pair of triangles was reached, if it was so.
     #[test]

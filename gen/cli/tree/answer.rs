@@ -5,9 +5,9 @@ use crate::cli::error::Failure;
 use crate::cli::output::print_json;
 use crate::cli::params::{EngineArguments, ParamArguments, whole};
 use crate::design::top::DesignError;
-use crate::golden::engine::{Model, Query};
-use crate::host::engine::{Image, Layout, Numbers, memory};
-use crate::params::engine::{Answer, QueryFlags};
+use crate::engine::host::{Image, Layout, Numbers, memory};
+use crate::engine::model::{Model, Query};
+use crate::engine::words::{Answer, QueryFlags};
 use serde::Serialize;
 use std::path::PathBuf;
 

@@ -7,12 +7,12 @@ use crate::cli::output::{counted, print, warn};
 use crate::cli::params::{choice, whole};
 use crate::cli::source::load_mesh;
 use crate::design::top::DesignError;
-use crate::host::engine::Image;
+use crate::engine::host::Image;
+use crate::engine::params::{EngineParams, FACTOR_BITS};
 use crate::mesh::{Findings, Mesh};
 use crate::number::Upper;
-use crate::params::engine::FACTOR_BITS;
+use crate::params::Params;
 use crate::params::options::{INT_BITS, TRANSFORM_WIDTH, WIDTH};
-use crate::params::{EngineParams, Params};
 use std::path::PathBuf;
 
 /// Builds the image of a mesh: its tree of local blocks and its triangles, as the engine reads them

@@ -3,8 +3,8 @@
 use super::read;
 use crate::cli::error::Failure;
 use crate::cli::output::{counted, print, print_json, readable};
-use crate::golden::engine::Link;
-use crate::host::engine::{Header, Image};
+use crate::engine::host::{Header, Image};
+use crate::engine::model::Link;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;

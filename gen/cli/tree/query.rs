@@ -7,9 +7,10 @@ use crate::cli::output::{counted, print};
 use crate::cli::params::{EngineArguments, ParamArguments};
 use crate::cli::source::load_scene;
 use crate::design::top::DesignError;
-use crate::golden::engine::Query;
-use crate::host::engine::{Images, Layout, Numbers, memory};
-use crate::params::engine::{Memory, QueryFlags};
+use crate::engine::host::{Images, Layout, Numbers, memory};
+use crate::engine::model::Query;
+use crate::engine::params::Memory;
+use crate::engine::words::QueryFlags;
 use std::path::PathBuf;
 
 /// Writes the packets of a scene's queries, for a host without Rust: one query for each two objects whose boxes overlap in a frame

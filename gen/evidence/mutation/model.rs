@@ -64,11 +64,9 @@ const SOURCES: [(&str, &str); 33] = [
     ("golden/exact/verdict.rs", include_str!("../model/unit/golden/exact/verdict.rs")),
 ];
 
-/// What the model does without: the stream, the engine, errors with words, and numbers of any length.
-const LEFT_OUT: [&str; 7] = [
+/// What the model does without: the stream, errors with words, and numbers of any length.
+const LEFT_OUT: [&str; 5] = [
     "pub mod stream;",
-    "pub mod engine;",
-    "pub use engine::{EngineFormat, EngineParams};",
     "#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]",
     "#[error(\"--{option} {found}: {legal}\")]",
     "mod unrounded;",

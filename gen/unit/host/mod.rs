@@ -5,7 +5,6 @@
 
 mod boxes;
 pub mod driver;
-pub mod engine;
 mod grid;
 mod loose;
 mod quantised;

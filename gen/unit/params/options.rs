@@ -8,6 +8,7 @@ use super::{Axes, Bound, ExactClocks, Guard, Method, ProjectionWidth, Projection
 use super::{CLOCKS_PER_PAIR, EXACT_CLOCKS, LEVELS, SPAN};
 #[cfg(feature = "clap")]
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use efsat_geometry::directions::Directions;
 use std::ops::RangeInclusive;
 
 /// Permitted widths of the axis test.
@@ -80,6 +81,19 @@ impl Choice for Transform {
     }
 }
 
+impl Choice for Directions {
+    const ALL: &'static [Self] = &Self::ALL;
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Six => "6",
+            Self::Fourteen => "14",
+            Self::Eighteen => "18",
+            Self::TwentySix => "26",
+        }
+    }
+}
+
 impl Choice for bool {
     const ALL: &'static [Self] = &[true, false];
 
@@ -89,7 +103,7 @@ impl Choice for bool {
 }
 
 /// A value as the command line spells it.
-pub(super) trait Spelled {
+pub trait Spelled {
     /// The text.
     fn spelled(&self) -> String;
 }
@@ -345,7 +359,7 @@ fn off_or(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<ExactClocks, St
 
 /// Reads the numbers of a list.
 #[cfg(feature = "clap")]
-pub(super) fn one_of(legal: &'static [u32]) -> impl TypedValueParser<Value = u32> {
+pub fn one_of(legal: &'static [u32]) -> impl TypedValueParser<Value = u32> {
     PossibleValuesParser::new(legal.iter().map(u32::to_string))
         .map(|number| number.parse().expect("clap lets numbers of the list through"))
 }

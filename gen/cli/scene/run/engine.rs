@@ -11,7 +11,7 @@ use crate::cosim::engine::Machine;
 use crate::design::top::DesignError;
 use crate::effects::engine::{self, EngineCounts, Simulation};
 use crate::effects::{Contact, Front, Row, Software, Viewer};
-use crate::host::driver::engine::{Objects, StandIn};
+use crate::engine::driver::{Objects, StandIn};
 use crate::host::settings::{Effect, Settings, Switch};
 use crate::params::options::{Choice, choice};
 use crate::scene::Scene;
