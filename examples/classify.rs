@@ -2,13 +2,12 @@
 //!
 //! `cargo run --release --example classify [FILE]` reads a file of pairs, or `examples/three_pairs.csv`.
 
-use efsat::NotFinite;
 use efsat::exact::Exact;
 use efsat::golden::{Golden, Pose, Verdict};
 use efsat::host::{Host, loose_pair};
-use efsat::pair_file;
 use efsat::params::Params;
 use efsat::software::retest::retest;
+use efsat::{NotFinite, pair_file};
 use std::error::Error;
 
 const PAIRS: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/examples/three_pairs.csv");

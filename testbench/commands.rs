@@ -84,7 +84,7 @@ fn alternatives(words: &[String]) -> Vec<Vec<String>> {
 
 /// What the command line has against these words; `whole` if nothing may be left out.
 fn refused(words: &[String], whole: bool) -> Option<clap::Error> {
-    let error = efsat::cli::check(words.iter().map(String::as_str)).err()?;
+    let error = efsat_cli::check(words.iter().map(String::as_str)).err()?;
     let left_out = [
         ErrorKind::MissingRequiredArgument,
         ErrorKind::MissingSubcommand,
@@ -120,7 +120,7 @@ fn leaves(command: &clap::Command, before: &[String], found: &mut Vec<(Vec<Strin
 /// that stand for others are not tried.
 fn options(words: &[String]) -> Option<String> {
     let mut commands = vec![];
-    leaves(&efsat::cli::command(), &[], &mut commands);
+    leaves(&efsat_cli::command(), &[], &mut commands);
     let has = |command: &clap::Command, word: &str| {
         let name = word.trim_start_matches('-').split('=').next();
         command.get_arguments().any(|argument| argument.get_long() == name) || name == Some("help")
@@ -322,7 +322,7 @@ fn the_checks_can_fail() {
         ("--spam", "--spam: no option of any command"),
         (
             "boek::",
-            "boek::: no test of efsat, efsat-hardware, efsat-geometry, efsat-unit, efsat-engine, efsat-evidence, benches, testbench",
+            "boek::: no test of efsat, efsat-hardware, efsat-geometry, efsat-unit, efsat-engine, efsat-checks, efsat-studies, efsat-cli, benches, testbench",
         ),
         ("-p efsat-hardware opp::", "opp::: no test of efsat-hardware"),
         ("gen/unit/nothing.rs", "gen/unit/nothing.rs: no such file"),

@@ -2,7 +2,6 @@
 //! gaps, and the clocks that they take, so that a change that makes the engine slower is noticed.
 
 use efsat::artefact::Stimulus;
-use efsat::cosim::engine::{Channel, Machine, Measure, Reply, check};
 use efsat::engine::artefact::EngineDesign;
 use efsat::engine::artefact::samples::{cuboid, hills, turn};
 use efsat::engine::driver::{Objects, Options, StandIn, UnitPackets};
@@ -11,6 +10,7 @@ use efsat::engine::host::{Image, Images, Numbers, memory};
 use efsat::engine::model::Query;
 use efsat::engine::params::{EngineParams, Memory};
 use efsat::engine::words::EngineReport;
+use efsat::evidence::cosim::engine::{Channel, Machine, Measure, Reply, check};
 use efsat::params::Params;
 use efsat::scene::{Meeting, Pose, Scene};
 use nalgebra::Matrix3;

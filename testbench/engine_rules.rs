@@ -2,13 +2,13 @@
 
 use crate::tools::replaced;
 use efsat::artefact::Prefix;
-use efsat::cosim::engine::{Channel, Machine, Packet, Step};
 use efsat::engine::artefact::samples::{cuboid, hills, turn};
 use efsat::engine::artefact::{EngineDesign, engine_files};
 use efsat::engine::host::{Image, Numbers, memory};
 use efsat::engine::model::Query;
 use efsat::engine::params::EngineParams;
 use efsat::engine::words::{Command, EngineReport, Reason};
+use efsat::evidence::cosim::engine::{Channel, Machine, Packet, Step};
 use efsat::params::Params;
 
 /// Signals between the entities and the ports of the top, and what breaks the rules in a query by its number.

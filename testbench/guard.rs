@@ -1,11 +1,11 @@
 //! The guard (docs/guard.md): a word outside the declared ranges is never answered definitely, and one inside is answered
 //! as without a guard.
 
-use efsat::cosim::inputs;
 use efsat::design::guard::guard;
 use efsat::design::number::{Number, input_type};
 use efsat::design::{Design, Probes};
 use efsat::estimate;
+use efsat::evidence::cosim::inputs;
 use efsat::exact::{self, Exact};
 use efsat::golden::{Golden, Input, Pair, Pose, Verdict};
 use efsat::graph::evaluate::Evaluator;

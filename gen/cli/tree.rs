@@ -9,10 +9,10 @@ mod verify;
 
 use super::error::Failure;
 use super::params::{choice, whole};
-use crate::engine::host::{Image, ImageError};
-use crate::engine::params::{EngineParams, OFFSET_BITS, ORIGIN_BITS};
-use crate::scene::hierarchy::Directions;
 use clap::Subcommand;
+use efsat_engine::host::{Image, ImageError};
+use efsat_engine::params::{EngineParams, OFFSET_BITS, ORIGIN_BITS};
+use efsat_geometry::scene::hierarchy::Directions;
 use std::fs;
 use std::path::Path;
 

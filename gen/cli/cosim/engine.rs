@@ -1,21 +1,21 @@
 //! `efsat cosim --engine`.
 
 use super::{Arguments, spread};
-use crate::cli::error::Failure;
-use crate::cli::output::{print, print_json};
-use crate::cli::params::{EngineArguments, without_engine};
-use crate::cli::progress;
-use crate::cli::source::{HEADLIGHT, load_scene};
-use crate::cosim::Simulator;
-use crate::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
-use crate::design::top::DesignError;
-use crate::engine::artefact::EngineDesign;
-use crate::engine::host::{Image, Images, Layout, Numbers, memory};
-use crate::engine::model::Query;
-use crate::engine::params::Memory;
-use crate::engine::words::QueryFlags;
-use crate::params::options::Choice;
-use crate::scene::Scene;
+use crate::error::Failure;
+use crate::output::{print, print_json};
+use crate::params::{EngineArguments, without_engine};
+use crate::progress;
+use crate::source::{HEADLIGHT, load_scene};
+use efsat_checks::cosim::Simulator;
+use efsat_checks::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
+use efsat_engine::artefact::EngineDesign;
+use efsat_engine::host::{Image, Images, Layout, Numbers, memory};
+use efsat_engine::model::Query;
+use efsat_engine::params::Memory;
+use efsat_engine::words::QueryFlags;
+use efsat_geometry::scene::Scene;
+use efsat_unit::design::top::DesignError;
+use efsat_unit::params::options::Choice;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt::{self, Write};
@@ -328,9 +328,9 @@ fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::engine::params::EngineParams;
-    use crate::engine::words::EngineReport;
-    use crate::params::Params;
+    use efsat_engine::params::EngineParams;
+    use efsat_engine::words::EngineReport;
+    use efsat_unit::params::Params;
 
     /// What the clocks are is always said; that no pair of triangles was reached, if it was so.
     #[test]

@@ -1,13 +1,13 @@
 //! `efsat tree answer`.
 
 use super::{hexadecimal, read};
-use crate::cli::error::Failure;
-use crate::cli::output::print_json;
-use crate::cli::params::{EngineArguments, ParamArguments, whole};
-use crate::design::top::DesignError;
-use crate::engine::host::{Image, Layout, Numbers, memory};
-use crate::engine::model::{Model, Query};
-use crate::engine::words::{Answer, QueryFlags};
+use crate::error::Failure;
+use crate::output::print_json;
+use crate::params::{EngineArguments, ParamArguments, whole};
+use efsat_engine::host::{Image, Layout, Numbers, memory};
+use efsat_engine::model::{Model, Query};
+use efsat_engine::words::{Answer, QueryFlags};
+use efsat_unit::design::top::DesignError;
 use serde::Serialize;
 use std::path::PathBuf;
 

@@ -1,18 +1,18 @@
 //! `efsat tree count`.
 
 use super::VolumeArguments;
-use crate::cli::error::Failure;
-use crate::cli::output::{print, print_json};
-use crate::cli::params::whole;
-use crate::cli::progress;
-use crate::cli::source::load_scene;
-use crate::design::top::DesignError;
-use crate::engine::host::{Images, Numbers, memory};
-use crate::engine::model::{Model, Query, Side};
-use crate::engine::params::{EngineParams, FACTOR_BITS};
-use crate::engine::words::EngineReport;
-use crate::params::Params;
-use crate::scene::{BroadPhase, Meeting};
+use crate::error::Failure;
+use crate::output::{print, print_json};
+use crate::params::whole;
+use crate::progress;
+use crate::source::load_scene;
+use efsat_engine::host::{Images, Numbers, memory};
+use efsat_engine::model::{Model, Query, Side};
+use efsat_engine::params::{EngineParams, FACTOR_BITS};
+use efsat_engine::words::EngineReport;
+use efsat_geometry::scene::{BroadPhase, Meeting};
+use efsat_unit::design::top::DesignError;
+use efsat_unit::params::Params;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt::Write;

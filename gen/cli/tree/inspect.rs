@@ -1,10 +1,10 @@
 //! `efsat tree inspect`.
 
 use super::read;
-use crate::cli::error::Failure;
-use crate::cli::output::{counted, print, print_json, readable};
-use crate::engine::host::{Header, Image};
-use crate::engine::model::Link;
+use crate::error::Failure;
+use crate::output::{counted, print, print_json, readable};
+use efsat_engine::host::{Header, Image};
+use efsat_engine::model::Link;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;

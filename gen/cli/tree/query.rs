@@ -1,16 +1,16 @@
 //! `efsat tree query`.
 
 use super::hexadecimal;
-use crate::cli::error::Failure;
-use crate::cli::file::{self, Output};
-use crate::cli::output::{counted, print};
-use crate::cli::params::{EngineArguments, ParamArguments};
-use crate::cli::source::load_scene;
-use crate::design::top::DesignError;
-use crate::engine::host::{Images, Layout, Numbers, memory};
-use crate::engine::model::Query;
-use crate::engine::params::Memory;
-use crate::engine::words::QueryFlags;
+use crate::error::Failure;
+use crate::file::{self, Output};
+use crate::output::{counted, print};
+use crate::params::{EngineArguments, ParamArguments};
+use crate::source::load_scene;
+use efsat_engine::host::{Images, Layout, Numbers, memory};
+use efsat_engine::model::Query;
+use efsat_engine::params::Memory;
+use efsat_engine::words::QueryFlags;
+use efsat_unit::design::top::DesignError;
 use std::path::PathBuf;
 
 /// Writes the packets of a scene's queries, for a host without Rust: one query for each two objects whose boxes overlap in a frame
