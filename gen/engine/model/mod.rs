@@ -2,15 +2,15 @@
 //! volumes, the traversal and the report.
 
 mod block;
-mod model;
 mod overlap;
 mod query;
 #[cfg(test)]
 mod tests;
+mod traversal;
 mod triangle;
 
 pub use block::{BadBlock, Block, Link, Volume};
-pub use model::{Model, Opened, Outcome, Visits};
 pub use overlap::{Distance, Frame, Row, apart, bounds, distance, overlap};
 pub use query::{Query, Side};
+pub use traversal::{Model, Opened, Outcome, Visits};
 pub use triangle::Triangle;
