@@ -34,3 +34,19 @@ pub mod board {
 pub mod manifest {
     pub use crate::artefact::manifest::{NAME, digest, files};
 }
+
+use crate::params::options::Choice;
+use efsat_geometry::directions::Directions;
+
+impl Choice for Directions {
+    const ALL: &'static [Self] = &Self::ALL;
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Six => "6",
+            Self::Fourteen => "14",
+            Self::Eighteen => "18",
+            Self::TwentySix => "26",
+        }
+    }
+}

@@ -8,7 +8,6 @@ use super::{Axes, Bound, ExactClocks, Guard, Method, ProjectionWidth, Projection
 use super::{CLOCKS_PER_PAIR, EXACT_CLOCKS, LEVELS, SPAN};
 #[cfg(feature = "clap")]
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use efsat_geometry::directions::Directions;
 use std::ops::RangeInclusive;
 
 /// Permitted widths of the axis test.
@@ -77,19 +76,6 @@ impl Choice for Transform {
             Self::On => "on",
             Self::Translate => "translate",
             Self::Off => "off",
-        }
-    }
-}
-
-impl Choice for Directions {
-    const ALL: &'static [Self] = &Self::ALL;
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Six => "6",
-            Self::Fourteen => "14",
-            Self::Eighteen => "18",
-            Self::TwentySix => "26",
         }
     }
 }
