@@ -16,7 +16,8 @@ pub use crate::design::slots::Slots;
 // Constants for users, in VHDL, C and Python.
 pub use crate::artefact::layout::{Constant, Group, Refusal, Value, constants_package, ranges, refusals};
 
-// Files: the example behind a UART, boards, lists, Verilog, and the manifest.
+// Files: bits of words, the example behind a UART, boards, lists, Verilog, and the manifest.
+pub use crate::artefact::bits::Bits;
 pub use crate::artefact::example::{Core, add_top};
 pub use crate::artefact::project::Project;
 pub use crate::artefact::verilog::verilog_of;
