@@ -219,7 +219,7 @@ def synthesis(part):
     stands behind the units."""
     text = kept(f"efsat synth --device {part}")
     lines = text[text.index(f"\n{part}: ") :] if part.startswith("lfe5u") else "\n".join(
-        line[:130].rstrip() if " | " in line else line for line in text.split("\n"))
+        line[:124].rstrip() if " | " in line else line for line in text.split("\n"))
     return f"```text\n{lines.strip()}\n```"
 
 
