@@ -3,7 +3,7 @@
 
 use crate::book::{pages, text};
 use crate::extent::full;
-use crate::tools::ghdl;
+use crate::tools::{ghdl, skip};
 use std::fs;
 use std::path::Path;
 use std::process::Command;
@@ -107,11 +107,11 @@ fn what_pages_of_thirty_minutes_show_comes() {
     let Some(ghdl) = ghdl() else { return };
     let tools: &[&str] = if full() { &["python3", "verilator"] } else { &["python3"] };
     if let Some(tool) = tools.iter().find(|tool| Command::new(tool).arg("--version").output().is_err()) {
-        return eprintln!("skipped: {tool} is not installed");
+        return skip(format!("{tool} is not installed"));
     }
     let pages: Vec<String> = pages().into_iter().filter(|page| page.ends_with("-in-thirty-minutes.md")).collect();
     assert!(!pages.is_empty());
-    pages.iter().for_each(|page| follow(&text(page), ghdl));
+    pages.iter().for_each(|page| follow(&text(page), &ghdl.path.to_string_lossy()));
 }
 
 #[test]

@@ -63,7 +63,6 @@ const ORIGIN: &str = "V0 is the origin: all its lower bounds are 0";
 const POSE: &str = "a pose is taken in the last phase but one, and first read at the end of phase 0";
 const IDLE: &str = "the bypass changes between slots only, and there the row is idle for two clocks";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
-const FASTER: &str = "decides only in what type numbers are held, and the sums fit it in either case";
 const UNUSED: &str = "most designs do not call this function for values of this type";
 const LAST_PHASE: &str = "full counts in the last phase only, and the clock before it accepts nothing";
 const POPPED: &str = "valid counts in the last phase only, ten clocks or more after the last pop, and after reset";

@@ -56,7 +56,12 @@ fn operations_on_constants_are_constants() {
         // Values, not the bounds of their ranges.
         let or = five.low(3).at_point(None) | top.constant(2, Type::unsigned(3));
         let odd = five.low(1).at_point(None) & five.equals(five);
-        vec![both, (a + (five + five)).named("sum"), (a.low(3).at_point(None) & or).named("or"), (flag | odd).named("odd")]
+        vec![
+            both,
+            (a + (five + five)).named("sum"),
+            (a.low(3).at_point(None) & or).named("or"),
+            (flag | odd).named("odd"),
+        ]
     });
     expect![[r#"
         unit sample, 1 phase

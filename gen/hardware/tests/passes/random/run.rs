@@ -159,7 +159,7 @@ pub fn ghdl(cases: &[Case]) -> Option<(usize, String)> {
     let runs = |command: &&str| Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success());
     let Some(command) = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(runs) else {
         assert!(std::env::var("EFSAT_TESTS").is_err(), "GHDL is not installed; expected it where everything is tested");
-        eprintln!("skipped: GHDL is not installed");
+        efsat_hardware::testing::skip("GHDL is not installed");
         return None;
     };
     let folder = tempfile::tempdir().expect("a folder");
