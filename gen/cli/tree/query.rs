@@ -69,8 +69,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         out.write(format!("load,,,,{}\n", text(load)))?;
     }
     let (mut queries, mut refused) = (0u32, 0u32);
-    let broad_phase = scene.broad_phase();
-    for meeting in frames.flat_map(|frame| broad_phase.meetings(frame)) {
+    let near = scene.near();
+    for meeting in frames.flat_map(|frame| near.meetings(frame)) {
         let number = queries % QueryFlags::NUMBERS;
         let words = images.query(meeting.meshes, &meeting.pose, &sides).map(|query| {
             let query = Query { number, first_contact: arguments.first_contact, ..query };

@@ -5,7 +5,6 @@
 //! that follows; `M` need not be perfectly orthonormal. If A stands as in its file they are those of B's own pose;
 //! otherwise they are computed from both poses in binary64 ([`Pose::seen`]).
 
-mod broad_phase;
 mod check;
 mod containment;
 mod enclosure;
@@ -14,20 +13,19 @@ pub mod hierarchy;
 mod itself;
 mod meetings;
 mod motion;
+mod near;
 mod pieces;
 mod pose;
 mod split;
-mod survivors;
 mod sweep;
 mod trajectory;
 mod tree;
 
-pub use broad_phase::{BroadPhase, Meeting};
 pub use check::InvalidScene;
 pub use containment::{Components, Nesting, OpenEdge, nestings};
 pub use file::{SceneError, load};
+pub use near::{Meeting, Near};
 pub use pose::Pose;
-pub use survivors::Survivors;
 pub use toml::Value;
 pub use tree::{Candidates, Overlaps, Tree};
 
@@ -123,9 +121,9 @@ impl Scene {
         panic!("frame {frame} of {before}");
     }
 
-    /// Builds the trees of the meshes; the result yields the meetings of each frame and their candidate pairs.
-    pub fn broad_phase(&self) -> BroadPhase<'_> {
-        BroadPhase::new(self)
+    /// Builds trees of boxes of the meshes; the result yields the meetings of each frame and their near pairs.
+    pub fn near(&self) -> Near<'_> {
+        Near::by_boxes(self)
     }
 
     /// The meshes of the objects, each once, and which of them each object has.
