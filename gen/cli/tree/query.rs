@@ -46,8 +46,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.image.is_some() && design.params.memory == Memory::BlockRam {
         return Err(Failure::Usage("--image with --memory block-ram: expected --memory axi".to_owned()));
     }
-    file::distinct([&arguments.out].into_iter().chain(&arguments.image).map(PathBuf::as_path))?;
     let scene = load_scene(&arguments.file)?;
+    file::distinct([&arguments.out].into_iter().chain(&arguments.image).map(PathBuf::as_path))?;
     let frames = match arguments.frame {
         Some(frame) if frame >= scene.frames() => {
             let message = format!("--frame {frame}: expected a number below {}", scene.frames());

@@ -31,6 +31,7 @@ pub use tree::{Candidates, Overlaps, Tree};
 
 use crate::mesh::{Findings, Mesh};
 use motion::Motion;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// A mesh in a scene.
@@ -59,6 +60,8 @@ pub struct Scene {
     pub parameters: Vec<Entry>,
     /// The frames, in the order in which they are tested.
     motions: Vec<Motion>,
+    /// The mesh files that were read.
+    files: Vec<PathBuf>,
 }
 
 /// What a scene file says to others.
@@ -85,6 +88,11 @@ pub struct Frame {
 }
 
 impl Scene {
+    /// The mesh files that it was read from, as its file and its folder name them.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
     /// The paper's benchmark as far as it is known: two identical headlights, one tumbling in front of the other at
     /// several distances. It is defined by `scenes/headlight.toml`.
     pub fn default_scene() -> Self {
