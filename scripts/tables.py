@@ -137,17 +137,6 @@ def stored(scene):
     return json.loads(Path(f"docs/accuracy/{scene}/accuracy.json").read_text())
 
 
-def software():
-    """Tests in software on the default scene."""
-    tests = {test["name"]: test for test in stored("headlight")["ladder"]}
-    rows = [("exact: `efsat::software::retest`, in batches", "retest"), ("Held 1997, binary64", "f64, Held"),
-            ("Moeller 1997 without an epsilon, binary64", "f64, Moeller"), ("Guigue and Devillers 2003, binary64", "f64, Guigue"),
-            ("17 separating axes, binary64", "f64, 17 axes"), ("11 separating axes, binary64", "f64"),
-            ("Moeller 1997 with its published epsilon, binary64", "f64, epsilon")]
-    cells = lambda test: [f"{test['ns']:.0f}", test["undecided"], test["missed"] + test["invented"]]
-    return table(["<test", "ns per pair", "undecided", "wrong"], ([name, *cells(tests[key])] for name, key in rows))
-
-
 def row_of(rows, paper=False, method="axes", width="18"):
     """The row of a design in stored results."""
     for row in rows:
@@ -315,4 +304,4 @@ def tori():
     return table(head, ([n, size, *build, *verify, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
 
 
-SPECIAL = {f.__name__: f for f in (software, budgets, schedule, synthesis, comparison, distances, busy_over_distance, tori)}
+SPECIAL = {f.__name__: f for f in (budgets, schedule, synthesis, comparison, distances, busy_over_distance, tori)}
