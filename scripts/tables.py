@@ -188,12 +188,9 @@ def schedule(*options):
 
 
 def synthesis(part):
-    """What `efsat synth` prints of the default design: all of it for Virtex-II, without the columns of carry bits; of the ECP5 what
-    stands behind the units."""
+    """What `efsat synth` prints of the default design behind its units."""
     text = kept(f"efsat synth --device {part}")
-    lines = text[text.index(f"\n{part}: ") :] if part.startswith("lfe5u") else "\n".join(
-        line[:130].rstrip() if " | " in line else line for line in text.split("\n"))
-    return f"```text\n{lines.strip()}\n```"
+    return f"```text\n{text[text.index(chr(10) + part + ': ') :].strip()}\n```"
 
 
 COMPARED = {"headlight": "--scene headlight", "headlight, mm": "--scene headlight --units file", "bolt and nut": "--scene scenes/bolt_nut.toml",
