@@ -2,8 +2,8 @@
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use efsat::artefact::{self, Stimulus};
-use efsat::cosim::{self, Options, Simulator};
 use efsat::design::Design;
+use efsat::evidence::cosim::{self, Options, Simulator};
 use efsat::params::Params;
 use std::hint::black_box;
 

@@ -4,7 +4,7 @@
 //! The unit implements EFSAT (Raabe, Tietjen, Anlauf): separating axes in fixed-point interval arithmetic. It answers
 //! every pair of triangles *separate*, *intersect* or *possibly incorrect*, and a definite answer is never wrong.
 //!
-//! This crate is the command line tool and one roof over the crates below it; a program that only generates VHDL can
+//! This crate is the program and one roof over the crates below it; a program that only generates VHDL can
 //! depend on `efsat-unit` alone. From parameters to generated files:
 //!
 //! ```
@@ -37,16 +37,17 @@
 //! * [`host`]: quantising triangles for the unit, and the driver of its AXI4-Stream wrapper;
 //! * [`exact`], [`software`]: the exact oracle, and tests in floating point with an exact retest;
 //! * [`graph`], [`schedule`], [`netlist`], [`vhdl`]: the generator of pipelined fixed-point hardware underneath;
-//! * [`cosim`], [`synth`], [`mutation`], [`stress`], [`wall`], [`effects`], [`accuracy`]: simulation, synthesis and the
-//!   campaigns that check the rest;
-//! * [`cli`]: one file per command.
+//! * [`evidence`]: simulation, synthesis, and the campaigns that check the rest.
 //!
 //! The README follows; the pages that it names are in `docs/`.
 #![doc = include_str!("../README.md")]
 
-pub mod cli;
+/// Campaigns: what shows that the unit is right, and what accuracy costs in time.
+pub mod evidence {
+    pub use efsat_checks::{cosim, mutation, process, soak, stress, synth};
+    pub use efsat_studies::{accuracy, planner, times, wall};
+}
 
-pub use efsat_evidence::{accuracy, cosim, effects, mutation, process, soak, stress, synth, times, wall};
 pub use efsat_geometry::{
     NotFinite, Points, directions, exact, finite, mesh, pair_file, sample, scene, self_intersections, software,
 };

@@ -7,11 +7,11 @@ const INTERRUPTED: i32 = 130;
 
 fn main() -> ExitCode {
     let handler = || {
-        let _stopped = efsat::process::stop();
+        let _stopped = efsat_checks::process::stop();
         efsat::artefact::interrupted(INTERRUPTED)
     };
     match ctrlc::set_handler(handler) {
-        Ok(()) => efsat::cli::main(),
-        Err(e) => efsat::cli::report(&format!("no handler for interruptions: {e}"), 1),
+        Ok(()) => efsat_cli::main(),
+        Err(e) => efsat_cli::report(&format!("no handler for interruptions: {e}"), 1),
     }
 }

@@ -94,20 +94,25 @@ def rows_of(figure):
     """The cells of a table by its description in the registry, the head first."""
     dear = figure["cost"] == "dear"
     names = {"ask": functools.partial(ask, dear=dear)} | {f.__name__: f for f in (share, code, luts, against, routed, parts, mean, busy, units)}
-    evaluate = lambda text, more: eval(text, names | more)  # The registry is as trusted as this file.
     columns, command = figure["columns"], figure["command"].removeprefix("efsat ")
     yield ([figure["head"]] if "cell" in figure else []) + [column[0] for column in columns]
     rows = figure.get("rows", [""])
-    for row in evaluate(rows, {}) if isinstance(rows, str) else rows:
+    for row in eval(rows, names) if isinstance(rows, str) else rows:
         row = row if isinstance(row, list | tuple) else [code(row), row]
-        given = {"row": row, "label": row[0], "options": row[-1]}
+        label, options = row[0], row[-1]
+
+        def cells(source, texts, /, **more):
+            # A row's names are kept from cell to cell. The registry is as trusted as this file.
+            space = names | {"row": row, "label": label, "options": options} | vars(source) | more
+            return [eval(text, space) for text in texts]
+
         if "cell" in figure:
-            found = [names["ask"](command.format(options=row[-1], column=options)) for _, options in columns]
-            yield [row[0], *(evaluate(figure["cell"], given | vars(one) | {"found": one}) for one in found)]
+            found = [names["ask"](command.format(options=options, column=column)) for _, column in columns]
+            yield [label, *(cells(one, [figure["cell"]])[0] for one in found)]
             continue
-        found = names["ask"](command.format(options=row[-1]))
-        for one in evaluate(figure["over"], given | vars(found)) if "over" in figure else [found]:
-            yield [evaluate(text, given | vars(found) | vars(one) | {"found": found, "one": one}) for _, text in columns]
+        found = names["ask"](command.format(options=options))
+        over = cells(found, [figure.get("over", "[found]")], found=found)[0]
+        yield from (cells(found, [text for _, text in columns], **(vars(one) | {"found": found, "one": one})) for one in over)
 
 
 def table(head, rows):
@@ -213,6 +218,12 @@ def comparison(what="answers"):
     return table(["<EFSAT", "<Moeller", "<SAT", "paper", *compared], [*rows, ["pairs", "", "", "-", *(one.pairs for one in found)]])
 
 
+def scenes():
+    """The ready scenes; what one shows is the first sentence of its comment."""
+    first = lambda text: " ".join(line.removeprefix("#").strip() for line in re.match(r"(# .*\n)+", text)[0].splitlines()).split(". ")[0].rstrip(".")
+    return table(["<file", "<what it shows"], ([f"`{file.name}`", first(file.read_text())] for file in sorted(Path("scenes").glob("*.toml"))))
+
+
 LARGE = "--method determinants --block-lines 2048 --triangle-lines 1024"
 ENGINES = {"A": "", "B": LARGE, "D": f"{LARGE} --expansion-clocks 1 --memory-width 512 --in-flight 64 --latency 64"}
 
@@ -303,4 +314,4 @@ def tori():
     return table(head, ([n, size, *build, *verify, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
 
 
-SPECIAL = {f.__name__: f for f in (budgets, schedule, synthesis, comparison, distances, busy_over_distance, tori)}
+SPECIAL = {f.__name__: f for f in (scenes, budgets, schedule, synthesis, comparison, distances, busy_over_distance, tori)}

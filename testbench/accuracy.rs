@@ -1,5 +1,5 @@
 //! `efsat accuracy` as others use it: a small sweep end to end, a run that is killed, shards and their merge, a page
-//! without network, and one clear line for every error. The models behind it are tested in `gen/evidence/accuracy`.
+//! without network, and one clear line for every error. The models behind it are tested in `gen/studies/accuracy`.
 
 use serde_json::Value;
 use std::fs;

@@ -1,6 +1,6 @@
 //! Effects: the planned unit of a scene says what the full one says, `efsat scene plan` and `efsat scene run`.
 
-use efsat::effects::{Front, Options, Plan, Request, Sampling, TooMany, frame_contacts, plan, run};
+use efsat::evidence::planner::{Front, Options, Plan, Request, Sampling, TooMany, frame_contacts, plan, run};
 use efsat::exact::Exact;
 use efsat::golden::{Golden, Verdict};
 use efsat::host::settings::Settings;
@@ -129,7 +129,7 @@ fn contacts_are_those_of_the_exact_test_whatever_is_switched_off() {
     let mut counts = BTreeSet::new();
     for switches in [vec![], vec![0], vec![1], vec![2], vec![3, 4, 5, 6]] {
         let mut request = request();
-        switches.iter().for_each(|effect| request.wishes[*effect] = efsat::effects::Wish::Off);
+        switches.iter().for_each(|effect| request.wishes[*effect] = efsat::evidence::planner::Wish::Off);
         let plan = plan(&scene, &request).unwrap();
         let front = Front::new(&scene, plan.software, request.directions);
         let options = Options { sampling: Sampling::None, exact: true, seed: 1 };

@@ -4,7 +4,7 @@
 use efsat::artefact::Stimulus;
 use efsat::artefact::engine::EngineDesign;
 use efsat::artefact::engine::samples::{cuboid, hills, turn};
-use efsat::cosim::engine::{Channel, Machine, Measure, Reply, check};
+use efsat::evidence::cosim::engine::{Channel, Machine, Measure, Reply, check};
 use efsat::golden::engine::Query;
 use efsat::host::driver::engine::{Objects, Options, StandIn, UnitPackets};
 use efsat::host::engine::{Image, Images, Numbers, memory};

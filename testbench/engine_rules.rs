@@ -4,7 +4,7 @@ use crate::tools::replaced;
 use efsat::artefact::Prefix;
 use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::artefact::engine::{EngineDesign, engine_files};
-use efsat::cosim::engine::{Channel, Machine, Packet, Step};
+use efsat::evidence::cosim::engine::{Channel, Machine, Packet, Step};
 use efsat::golden::engine::Query;
 use efsat::host::engine::{Image, Numbers, memory};
 use efsat::params::Params;

@@ -6,7 +6,6 @@ use efsat::artefact::volume::{BENCH, Expansion, NAME, VolumeStimulus, volume_ben
 use efsat::artefact::{Prefix, Scratch};
 use efsat::design::engine::volume_path;
 use efsat::design::engine::volume_unit::VolumeDesign;
-use efsat::device::Resources;
 use efsat::directions::Directions;
 use efsat::graph::evaluate::Evaluator;
 use efsat::graph::{Op, Unit};
@@ -14,10 +13,8 @@ use efsat::netlist::simulate::Simulation;
 use efsat::op::Comb;
 use efsat::params::engine::EngineFormat;
 use efsat::params::{EngineParams, Params};
-use efsat::synth;
 use efsat::vhdl::lint::lint;
 use std::collections::HashMap;
-use std::fmt::Write;
 use std::process::Command;
 use std::rc::Rc;
 
@@ -288,37 +285,4 @@ fn mistakes_in_the_text_are_noticed() {
         let Some(line) = ghdl(&design, &stimulus, change) else { return };
         assert!(line.starts_with(BENCH) && !line.ends_with(" 0 mismatches"), "{file}: {wrong}: {line}");
     }
-}
-
-/// The table of docs/engine-volume.md: cells by Yosys, beside what the device model predicts.
-#[test]
-#[ignore = "minutes: scripts/test full"]
-fn resources() {
-    let mut table = String::new();
-    for name in ["xc2v6000-4", "lfe5u-85-6"] {
-        for clocks in [4, 2, 1] {
-            let params = Params { device: name.to_owned(), ..Params::default() };
-            let design = VolumeDesign::new(&engine(18, WIDTHS, clocks), &params).unwrap();
-            let mut files = volume_files(&design, &Prefix::default()).unwrap();
-            files.pop();
-            let unit = match synth::count(&files, &design.stage, design.device) {
-                Ok(unit) => unit,
-                Err(e) if e.to_string().contains("is not installed") => return eprintln!("skipped: {e}"),
-                Err(e) => panic!("{e}"),
-            };
-            let actual = unit.actual.expect("a tool ran");
-            let [found, model] = [actual.resources, unit.foreseen()];
-            assert_eq!(found.multipliers, model.multipliers, "{name}, E = {clocks}");
-            let latency = design.latency;
-            let counts = |x: &Resources| format!("{} | {} | {} | {}", x.luts, x.memory_luts, x.flip_flops, x.carry);
-            let _ = writeln!(
-                table,
-                "| {name} | {clocks} | {latency} | {} | {} | {} |",
-                found.multipliers,
-                counts(&found),
-                counts(&model)
-            );
-        }
-    }
-    println!("{table}");
 }

@@ -12,8 +12,8 @@ use std::process::Command;
 const STRANGERS: [(&str, &[&str]); 4] = [
     ("gen/unit/golden/", &["graph", "device", "vhdl", "design", "host"]),
     ("gen/unit/design/", &["golden", "host"]),
-    ("gen/evidence/stress/", &["design", "graph"]),
-    ("gen/evidence/wall/", &["design", "graph"]),
+    ("gen/checks/stress/", &["design", "graph"]),
+    ("gen/studies/wall/", &["design", "graph"]),
 ];
 
 /// Only these print: the command line, and the binary that calls it.
@@ -220,7 +220,7 @@ fn strangers_stay_strangers() {
 fn no_two_modules_need_each_other() {
     let mut crates: BTreeMap<&str, BTreeMap<Vec<String>, String>> = BTreeMap::new();
     for (path, text) in sources() {
-        let members = ["gen/geometry/", "gen/hardware/", "gen/unit/", "gen/evidence/"];
+        let members = ["gen/geometry/", "gen/hardware/", "gen/unit/", "gen/checks/", "gen/studies/", "gen/cli/"];
         let root = members.into_iter().find(|root| path.starts_with(root)).unwrap_or("gen/");
         let mut module: Vec<String> = path[root.len()..path.len() - 3].split('/').map(str::to_owned).collect();
         if module.last().is_some_and(|last| ["mod", "lib", "main"].contains(&last.as_str())) {
@@ -338,9 +338,9 @@ fn the_checks_can_fail() {
     assert_eq!(wrong("gen/unit/golden/mod.rs", "fn f(x: crate::design::Design) {}"), "design");
     let group = "use efsat_unit::{\n    params::{Params, Upper},\n    design,\n};";
     assert_eq!(imports(group), ["design", "params"]);
-    assert_eq!(wrong("gen/evidence/wall/map.rs", group), "design");
+    assert_eq!(wrong("gen/studies/wall/map.rs", group), "design");
     // What is fine stays so: other folders, comments, tests.
-    assert_eq!(wrong("gen/evidence/cosim/mod.rs", group), "");
+    assert_eq!(wrong("gen/checks/cosim/mod.rs", group), "");
     assert_eq!(wrong("gen/unit/golden/mod.rs", "use efsat_hardware::number::Upper;\n//! [`host`](crate::host)"), "");
     let tested = "#[cfg(test)]\nmod tests {\n    use crate::host::sample;\n}\n";
     assert_eq!(wrong("gen/unit/golden/mod.rs", tested), "");

@@ -21,6 +21,7 @@ mod engine_rules;
 mod engine_volume;
 mod examples;
 mod extent;
+mod figures;
 mod files;
 mod formats;
 mod guard;

@@ -3,11 +3,11 @@
 use crate::extent::full;
 use crate::tools::ghdl;
 use efsat::artefact::Stimulus;
-use efsat::cosim::{Bench, Simulator, Trial};
-use efsat::mutation::campaign::{self, Campaign, Options};
-use efsat::mutation::model::{self, ModelCampaign};
-use efsat::mutation::score::{Entry, Standing};
-use efsat::mutation::{Kind, Mutant, capped, explained, spread};
+use efsat::evidence::cosim::{Bench, Simulator, Trial};
+use efsat::evidence::mutation::campaign::{self, Campaign, Options};
+use efsat::evidence::mutation::model::{self, ModelCampaign};
+use efsat::evidence::mutation::score::{Entry, Standing};
+use efsat::evidence::mutation::{Kind, Mutant, capped, explained, spread};
 use efsat::params::{Axes, Params, Projections, Transform, Upper};
 use rayon::prelude::*;
 use std::collections::HashSet;

@@ -5,14 +5,15 @@
 //! `EFSAT_ROUNDS=N` asks for N changed files of every kind in place of a few hundred ([the campaign](../docs/evidence.md)).
 //! The changes depend on the number of the round alone.
 
-use efsat::accuracy::{self, Results, Store};
 use efsat::artefact::FileSet;
+use efsat::evidence::accuracy::{self, Results, Store};
+use efsat::evidence::soak::{Log, Soak, Tally};
+use efsat::evidence::{stress, times};
 use efsat::golden::{Golden, Pose};
 use efsat::host::settings::Settings;
 use efsat::host::{Host, Stage, loose_pair};
 use efsat::params::{Method, Params};
-use efsat::soak::{Log, Soak, Tally};
-use efsat::{exact, mesh, pair_file, scene, stress, times};
+use efsat::{exact, mesh, pair_file, scene};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use serde_json::Value;

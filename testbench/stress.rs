@@ -3,11 +3,11 @@
 
 use crate::extent::full;
 use efsat::Points;
-use efsat::golden::Verdict;
-use efsat::params::{Axes, Bound, Method, Params, Projections, Transform, Upper};
-use efsat::stress::{
+use efsat::evidence::stress::{
     Answer, Answerer, Campaign, Counts, FAMILIES, Family, Kind, Model, Plan, Posed, Report, VertexOrder,
 };
+use efsat::golden::Verdict;
+use efsat::params::{Axes, Bound, Method, Params, Projections, Transform, Upper};
 use std::process::Command;
 
 fn plan(families: &[&str], each: u64, first: u64, seed: u64) -> Plan {

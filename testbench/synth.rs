@@ -4,12 +4,12 @@
 
 use crate::extent::share;
 use efsat::artefact::{Stimulus, vhdl_files};
-use efsat::cosim::{self, Netlist, Options, Simulator};
 use efsat::design::{Design, Probes};
 use efsat::device;
 use efsat::estimate;
+use efsat::evidence::cosim::{self, Netlist, Options, Simulator};
+use efsat::evidence::synth::{self, Flow, Report, Subject, SynthError, ToolError, tools, verilog, yosys};
 use efsat::params::{Params, Projections, Transform};
-use efsat::synth::{self, Flow, Report, Subject, SynthError, ToolError, tools, verilog, yosys};
 use serde_json::Value;
 use std::path::Path;
 use std::process::{Command, Output};

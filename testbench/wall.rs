@@ -1,9 +1,9 @@
 //! Wall maps: what holds on every map, for the default design and others, and `efsat wall` as a command. That the
-//! report sees what is wrong is shown in `gen/evidence/wall/report.rs`.
+//! report sees what is wrong is shown in `gen/studies/wall/report.rs`.
 
 use crate::extent::share;
+use efsat::evidence::wall::{Answer, CONTACTS, Contact, Grid, Map, Report, SIZE, Step};
 use efsat::params::{Axes, Params, Projections, Upper};
-use efsat::wall::{Answer, CONTACTS, Contact, Grid, Map, Report, SIZE, Step};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;

@@ -9,11 +9,11 @@ use super::output::{print, print_json};
 use super::params::ParamArguments;
 use super::progress;
 use super::source;
-use crate::accuracy::{self, Amount, Campaign, MOST, Plan, Progress, Request, Results, Shard, sweep};
-use crate::design::Design;
-use crate::params::options::Choice;
-use crate::params::{Method, Params};
 use clap::{Args, FromArgMatches};
+use efsat_studies::accuracy::{self, Amount, Campaign, MOST, Plan, Progress, Request, Results, Shard, sweep};
+use efsat_unit::design::Design;
+use efsat_unit::params::options::Choice;
+use efsat_unit::params::{Method, Params};
 use std::path::{Path, PathBuf};
 
 /// Pairs of a scene where nothing else is asked for.
@@ -134,7 +134,7 @@ fn params(options: &accuracy::Options) -> Result<Params, String> {
 }
 
 impl Arguments {
-    fn request(&self, scene: &crate::scene::Scene, base: &Params) -> Request {
+    fn request(&self, scene: &efsat_geometry::scene::Scene, base: &Params) -> Request {
         Request {
             version: env!("CARGO_PKG_VERSION").to_owned(),
             scene: self.scene.clone(),

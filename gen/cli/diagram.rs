@@ -3,9 +3,9 @@
 use super::error::Failure;
 use super::file;
 use super::output::print;
-use crate::design::Design;
-use crate::diagram::{self, Picture};
-use crate::schedule::Scheduler;
+use efsat_hardware::diagram::{self, Picture};
+use efsat_hardware::schedule::Scheduler;
+use efsat_unit::design::Design;
 use std::path::{Path, PathBuf};
 
 /// Options that are of whole designs. Each option here excludes them by itself: clap does not ask for what an option

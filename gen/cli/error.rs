@@ -1,14 +1,14 @@
 //! Why a command ends without success.
 
-use crate::artefact::FileSetError;
-use crate::cosim::CosimError;
-use crate::design::top::DesignError;
-use crate::effects::TooMany;
-use crate::host::driver::engine::{EngineError, ObjectsError};
-use crate::pair_file::PairFileError;
-use crate::scene::SceneError;
-use crate::synth::SynthError;
 use clap::error::ErrorKind;
+use efsat_checks::cosim::CosimError;
+use efsat_checks::synth::SynthError;
+use efsat_geometry::pair_file::PairFileError;
+use efsat_geometry::scene::SceneError;
+use efsat_studies::planner::TooMany;
+use efsat_unit::artefact::FileSetError;
+use efsat_unit::design::top::DesignError;
+use efsat_unit::host::driver::engine::{EngineError, ObjectsError};
 
 /// Why a command ends early or without success.
 #[derive(Debug)]

@@ -1,7 +1,7 @@
 //! Files that commands write: there as a whole, or as they were. What a link leads to is written, permissions stay.
 
 use super::error::Failure;
-use crate::artefact::Scratch;
+use efsat_unit::artefact::Scratch;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};

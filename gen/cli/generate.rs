@@ -5,19 +5,19 @@ use super::error::Failure;
 use super::file;
 use super::output::{print, print_json, warn};
 use super::params::{EngineArguments, ParamArguments, choice};
-use crate::artefact::engine::{engine_design_files_with, samples};
-use crate::artefact::{
+use efsat_checks::synth::{SynthError, verilog};
+use efsat_hardware::device::Resources;
+use efsat_hardware::estimate;
+use efsat_unit::artefact::engine::{engine_design_files_with, samples};
+use efsat_unit::artefact::{
     DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, engine_verilog_files,
     programme_files, ready_designs, ready_files, verilog_files,
 };
-use crate::design::Design;
-use crate::design::top::pace;
-use crate::device::Resources;
-use crate::estimate;
-use crate::params::Params;
-use crate::params::options::Choice;
-use crate::params::stream::StreamWidth;
-use crate::synth::{SynthError, verilog};
+use efsat_unit::design::Design;
+use efsat_unit::design::top::pace;
+use efsat_unit::params::Params;
+use efsat_unit::params::options::Choice;
+use efsat_unit::params::stream::StreamWidth;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};

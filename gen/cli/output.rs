@@ -1,7 +1,7 @@
 //! Standard output, whose reader may leave at any time; and the shapes that several commands print.
 
 use super::error::Failure;
-use crate::golden::Verdict;
+use efsat_unit::golden::Verdict;
 use serde::Serialize;
 use std::borrow::Cow;
 use std::io::{self, Write};

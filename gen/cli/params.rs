@@ -1,14 +1,14 @@
 //! The options that every command shares: the parameters of the design.
 
 use super::error::Failure;
-use crate::artefact::engine::EngineDesign;
-use crate::design::top::DesignError;
-use crate::params::engine::Memory;
-use crate::params::options::{Choice, Row};
-pub(super) use crate::params::options::{choice, whole};
-use crate::params::{EngineParams, Method, Params};
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
+use efsat_unit::artefact::engine::EngineDesign;
+use efsat_unit::design::top::DesignError;
+use efsat_unit::params::engine::Memory;
+use efsat_unit::params::options::{Choice, Row};
+pub(super) use efsat_unit::params::options::{choice, whole};
+use efsat_unit::params::{EngineParams, Method, Params};
 
 /// Parameters of the design, and which of them were typed.
 #[derive(Debug)]
@@ -171,7 +171,7 @@ fn heading(row: &Row) -> Option<&'static str> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::Transform;
+    use efsat_unit::params::Transform;
 
     fn parse(options: &[&str]) -> Params {
         let command = ParamArguments::augment_args(clap::Command::new("efsat").no_binary_name(true));

@@ -8,8 +8,8 @@ mod summary;
 mod times;
 
 use super::error::Failure;
-use crate::scene::hierarchy::Directions;
 use clap::Subcommand;
+use efsat_geometry::scene::hierarchy::Directions;
 
 /// Analyses scenes: which triangles come close, and which optional stages of the unit that calls for
 #[derive(Debug, clap::Args)]

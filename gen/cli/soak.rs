@@ -5,10 +5,10 @@ use super::error::Failure;
 use super::output::{print, print_json, tell};
 use super::params::ParamArguments;
 use super::{progress, source, stress};
-use crate::accuracy::Shard;
-use crate::params::Params;
-use crate::soak::{BLOCK, Block, Log, LogError, Soak, Tally};
-use crate::stress::{FAMILIES, Family};
+use efsat_checks::soak::{BLOCK, Block, Log, LogError, Soak, Tally};
+use efsat_checks::stress::{FAMILIES, Family};
+use efsat_studies::accuracy::Shard;
+use efsat_unit::params::Params;
 use serde::Serialize;
 use std::path::PathBuf;
 

@@ -2,11 +2,11 @@
 
 use super::error::Failure;
 use super::output::warn;
-use crate::host::settings::Settings;
-use crate::mesh::{self, BUILTIN, Findings, Mesh};
-use crate::pair_file::PairFileError;
-use crate::scene::{self, Scene};
-use crate::{Points, pair_file};
+use efsat_geometry::mesh::{self, BUILTIN, Findings, Mesh};
+use efsat_geometry::pair_file::PairFileError;
+use efsat_geometry::scene::{self, Scene};
+use efsat_geometry::{Points, pair_file};
+use efsat_unit::host::settings::Settings;
 use std::path::Path;
 
 /// The word for the built-in scene.

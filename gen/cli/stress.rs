@@ -6,8 +6,8 @@ use super::output::{print, print_json};
 use super::params::ParamArguments;
 use super::progress;
 use super::source;
-use crate::stress::{Campaign, Counts, FAMILIES, Family, Model, Plan, Report};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use efsat_checks::stress::{Campaign, Counts, FAMILIES, Family, Model, Plan, Report};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

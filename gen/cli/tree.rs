@@ -9,11 +9,11 @@ mod verify;
 
 use super::error::Failure;
 use super::params::{choice, whole};
-use crate::host::engine::{Image, ImageError};
-use crate::params::EngineParams;
-use crate::params::engine::{OFFSET_BITS, ORIGIN_BITS};
-use crate::scene::hierarchy::Directions;
 use clap::Subcommand;
+use efsat_geometry::scene::hierarchy::Directions;
+use efsat_unit::host::engine::{Image, ImageError};
+use efsat_unit::params::EngineParams;
+use efsat_unit::params::engine::{OFFSET_BITS, ORIGIN_BITS};
 use std::fs;
 use std::path::Path;
 

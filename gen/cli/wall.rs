@@ -5,10 +5,10 @@ use super::file;
 use super::output::{print, print_json};
 use super::params::ParamArguments;
 use super::progress;
-use crate::params::Params;
-use crate::software::Test;
-use crate::wall::{CONTACTS, Contact, Grid, Map, Report, SIZE, Step, picture};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
+use efsat_geometry::software::Test;
+use efsat_studies::wall::{CONTACTS, Contact, Grid, Map, Report, SIZE, Step, picture};
+use efsat_unit::params::Params;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 

@@ -6,12 +6,14 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 /// Packages and their folders.
-const PACKAGES: [(&str, &str); 6] = [
+const PACKAGES: [(&str, &str); 8] = [
     ("efsat", "gen"),
     ("efsat-hardware", "gen/hardware"),
     ("efsat-geometry", "gen/geometry"),
     ("efsat-unit", "gen/unit"),
-    ("efsat-evidence", "gen/evidence"),
+    ("efsat-checks", "gen/checks"),
+    ("efsat-studies", "gen/studies"),
+    ("efsat-cli", "gen/cli"),
     ("benches", "benches"),
 ];
 

@@ -3,8 +3,8 @@
 use super::Bench;
 use super::transform_row::small;
 use efsat::artefact::Stimulus;
-use efsat::cosim;
 use efsat::design::Design;
+use efsat::evidence::cosim;
 use efsat::graph::{Fact, Library, Phases, Sig, Signals, Top};
 use efsat::number::Upper;
 use efsat::op::{Add, Range, Type};

@@ -1,7 +1,7 @@
 //! The tools of a machine proof: GHDL turns the generated VHDL into Verilog, Yosys joins it with a claim and asks its
 //! SAT solver.
 
-use efsat::synth::verilog;
+use efsat::evidence::synth::verilog;
 use std::fs;
 use std::path::Path;
 use std::process::Command;

@@ -1,9 +1,9 @@
 //! `efsat accuracy merge`.
 
 use super::{command, finish, nanoseconds, output, params, points};
-use crate::accuracy::{Missing, Plan, Progress, Request, Results, Store};
-use crate::artefact::Scratch;
-use crate::cli::error::Failure;
+use crate::error::Failure;
+use efsat_studies::accuracy::{Missing, Plan, Progress, Request, Results, Store};
+use efsat_unit::artefact::Scratch;
 use std::path::{Path, PathBuf};
 
 /// Joins the parts of a campaign that `efsat accuracy --shard I/N` made, and writes its page

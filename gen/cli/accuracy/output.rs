@@ -1,10 +1,10 @@
 //! The folder of a campaign, and what is printed about it.
 
-use crate::accuracy::campaign::CampaignError;
-use crate::accuracy::store::{FILE, StoreError};
-use crate::accuracy::{Progress, Request, Results, Store};
-use crate::cli::error::Failure;
-use crate::cli::file;
+use crate::error::Failure;
+use crate::file;
+use efsat_studies::accuracy::campaign::CampaignError;
+use efsat_studies::accuracy::store::{FILE, StoreError};
+use efsat_studies::accuracy::{Progress, Request, Results, Store};
 use serde::Serialize;
 use std::fs;
 use std::io;

@@ -1,10 +1,10 @@
 //! `efsat accuracy page`.
 
 use super::output;
-use crate::accuracy::{self, Results};
-use crate::cli::error::Failure;
-use crate::cli::file;
-use crate::cli::output::print;
+use crate::error::Failure;
+use crate::file;
+use crate::output::print;
+use efsat_studies::accuracy::{self, Results};
 use std::fs;
 use std::path::{Path, PathBuf};
 

@@ -1,8 +1,8 @@
 //! What a comparison counts, and how it prints.
 
-use crate::exact::Exact;
-use crate::golden::Verdict;
-use crate::software::Test;
+use efsat_geometry::exact::Exact;
+use efsat_geometry::software::Test;
+use efsat_unit::golden::Verdict;
 use serde::Serialize;
 
 /// The number of software tests.

@@ -1,20 +1,20 @@
 //! `efsat cosim --engine`.
 
 use super::{Arguments, spread};
-use crate::artefact::engine::EngineDesign;
-use crate::cli::error::Failure;
-use crate::cli::output::{print, print_json};
-use crate::cli::params::{EngineArguments, without_engine};
-use crate::cli::progress;
-use crate::cli::source::{HEADLIGHT, load_scene};
-use crate::cosim::Simulator;
-use crate::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
-use crate::design::top::DesignError;
-use crate::golden::engine::Query;
-use crate::host::engine::{Image, Images, Layout, Numbers, memory};
-use crate::params::engine::{Memory, QueryFlags};
-use crate::params::options::Choice;
-use crate::scene::Scene;
+use crate::error::Failure;
+use crate::output::{print, print_json};
+use crate::params::{EngineArguments, without_engine};
+use crate::progress;
+use crate::source::{HEADLIGHT, load_scene};
+use efsat_checks::cosim::Simulator;
+use efsat_checks::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
+use efsat_geometry::scene::Scene;
+use efsat_unit::artefact::engine::EngineDesign;
+use efsat_unit::design::top::DesignError;
+use efsat_unit::golden::engine::Query;
+use efsat_unit::host::engine::{Image, Images, Layout, Numbers, memory};
+use efsat_unit::params::engine::{Memory, QueryFlags};
+use efsat_unit::params::options::Choice;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt::{self, Write};
@@ -327,8 +327,8 @@ fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usi
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::params::Params;
-    use crate::params::engine::{EngineParams, EngineReport};
+    use efsat_unit::params::Params;
+    use efsat_unit::params::engine::{EngineParams, EngineReport};
 
     /// What the clocks are is always said; that no pair of triangles was reached, if it was so.
     #[test]

@@ -1,15 +1,15 @@
 //! Parameters and effects from the scene file and from the command line, which wins.
 
 use super::directions;
-use crate::cli::error::{Failure, from_clap};
-use crate::cli::params::ParamArguments;
-use crate::effects::{Request, Stages, Wish};
-use crate::host::settings::{Effect, Parameter, Settings, Switch};
-use crate::params::options::{Choice, Row};
-use crate::params::{Method, Params};
-use crate::scene::hierarchy::Directions;
+use crate::error::{Failure, from_clap};
+use crate::params::ParamArguments;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
+use efsat_geometry::scene::hierarchy::Directions;
+use efsat_studies::planner::{Request, Stages, Wish};
+use efsat_unit::host::settings::{Effect, Parameter, Settings, Switch};
+use efsat_unit::params::options::{Choice, Row};
+use efsat_unit::params::{Method, Params};
 
 /// The options that say what a stage of the unit is.
 const STAGES: [(&str, Effect); 4] = [

@@ -2,15 +2,15 @@
 
 use super::directions;
 use super::summary::Summary;
-use crate::cli::error::Failure;
-use crate::cli::output::{failure, print};
-use crate::cli::progress;
-use crate::cli::source::load_scene;
-use crate::exact::Exact;
-use crate::mesh::{Findings, Mesh};
-use crate::scene::hierarchy::{Directions, Forest, Scratch, Statistics, batches, first_hit};
-use crate::scene::{BroadPhase, Components, Frame, Meeting, Nesting, Object, Scene, nestings};
-use crate::software::retest::retest_posed;
+use crate::error::Failure;
+use crate::output::{failure, print};
+use crate::progress;
+use crate::source::load_scene;
+use efsat_geometry::exact::Exact;
+use efsat_geometry::mesh::{Findings, Mesh};
+use efsat_geometry::scene::hierarchy::{Directions, Forest, Scratch, Statistics, batches, first_hit};
+use efsat_geometry::scene::{BroadPhase, Components, Frame, Meeting, Nesting, Object, Scene, nestings};
+use efsat_geometry::software::retest::retest_posed;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::HashSet;

@@ -1,13 +1,13 @@
 //! `efsat scene plan`.
 
 use super::given::GivenArguments;
-use crate::cli::error::Failure;
-use crate::cli::output::{print, print_json};
-use crate::cli::progress;
-use crate::cli::source::load_planned;
-use crate::effects::{self, Answers, Cost, Finding, Other, Plan, Saving, Tally, Wish};
-use crate::params::Params;
-use crate::params::options::Choice;
+use crate::error::Failure;
+use crate::output::{print, print_json};
+use crate::progress;
+use crate::source::load_planned;
+use efsat_studies::planner::{self, Answers, Cost, Finding, Other, Plan, Saving, Tally, Wish};
+use efsat_unit::params::Params;
+use efsat_unit::params::options::Choice;
 use std::cmp::Ordering;
 
 /// Finds out which optional stages a scene needs, why, and what leaving out the others saves
@@ -32,7 +32,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (scene, settings) = load_planned(&arguments.file)?;
     let request = arguments.given.request(&arguments.file, &settings)?;
     let spinner = progress::spinner("measuring");
-    let plan = effects::plan(&scene, &request)?;
+    let plan = planner::plan(&scene, &request)?;
     spinner.finish_and_clear();
     if arguments.json {
         return print_json(&plan);

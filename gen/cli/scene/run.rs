@@ -4,23 +4,23 @@ mod engine;
 mod report;
 
 use super::given::GivenArguments;
-use crate::artefact::{FileSet, Packaging, design_files};
-use crate::cli::error::Failure;
-use crate::cli::file::{self, Output};
-use crate::cli::generate::command_line;
-use crate::cli::output::{failure, warn};
-use crate::cli::params::choice;
-use crate::cli::source::{count, load_planned, seed};
-use crate::cli::{output, progress};
-use crate::cosim::Simulator;
-use crate::design::Design;
-use crate::effects::picture::Picture;
-use crate::effects::{
+use crate::error::Failure;
+use crate::file::{self, Output};
+use crate::generate::command_line;
+use crate::output::{failure, warn};
+use crate::params::choice;
+use crate::source::{count, load_planned, seed};
+use crate::{output, progress};
+use efsat_checks::cosim::Simulator;
+use efsat_geometry::scene::Scene;
+use efsat_studies::planner::picture::Picture;
+use efsat_studies::planner::{
     self, Contact, Cosimulation, Counted, Counts, Front, Options, Place, Plan, Row, Sampling, Total, Viewer,
 };
-use crate::golden::Verdict;
-use crate::params::options::Choice;
-use crate::scene::Scene;
+use efsat_unit::artefact::{FileSet, Packaging, design_files};
+use efsat_unit::design::Design;
+use efsat_unit::golden::Verdict;
+use efsat_unit::params::options::Choice;
 use engine::EngineOptions;
 use report::{End, Report, words};
 use std::path::{Path, PathBuf};
@@ -306,7 +306,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut outputs = Outputs::default();
     outputs.begin(arguments, false)?;
     let spinner = progress::spinner("planning");
-    let plan = effects::plan(&scene, &request)?;
+    let plan = planner::plan(&scene, &request)?;
     spinner.finish_and_clear();
     // The reference model alone answers where nothing is written or simulated.
     let design = || Design::new(&plan.params, false);
@@ -331,7 +331,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut sinks = Sinks::new::<Counts>(&scene, report, viewer, csv, pairs)?;
     let bar = progress::bar("answering", scene.frames() as u64, "poses", !arguments.summary);
     let mut waiting: Vec<Place> = vec![];
-    let total = effects::run(&front, &plan, options, |row, contacts, all| {
+    let total = planner::run(&front, &plan, options, |row, contacts, all| {
         bar.inc(1);
         sinks.take(&row, contacts)?;
         waiting.extend_from_slice(all);
@@ -362,7 +362,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     if let Some(picture) = picture {
         let frame = arguments.frame.map_or(total.fullest, |frame| frame as usize);
-        draw(arguments, &scene, frame, &effects::frame_contacts(&front, &plan, frame), picture)?;
+        draw(arguments, &scene, frame, &planner::frame_contacts(&front, &plan, frame), picture)?;
     }
     let report = sinks.finish(view, &plan.command_line)?;
     let (cosimulated, every_one) = (cosimulation.as_ref(), every.as_ref());

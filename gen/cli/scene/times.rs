@@ -1,7 +1,7 @@
 //! `efsat scene times`.
 
-use crate::cli::error::Failure;
-use crate::times::plot;
+use crate::error::Failure;
+use efsat_studies::times::plot;
 use std::fs;
 use std::path::PathBuf;
 

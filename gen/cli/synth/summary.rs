@@ -1,8 +1,8 @@
 //! The JSON object of `efsat synth`.
 
-use crate::device::Resources;
-use crate::params::{Params, options::Choice};
-use crate::synth::{Cells, CriticalPath, Report, Routed, Timing, Unit};
+use efsat_checks::synth::{Cells, CriticalPath, Report, Routed, Timing, Unit};
+use efsat_hardware::device::Resources;
+use efsat_unit::params::{Params, options::Choice};
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -149,7 +149,7 @@ impl<'a> From<&'a Unit> for Branch<'a> {
 
 impl<'a> From<&'a CriticalPath> for Path<'a> {
     fn from(path: &'a CriticalPath) -> Self {
-        let step = |s: &'a crate::synth::Step| Step { signal: &s.signal, logic: s.logic, routing: s.routing };
+        let step = |s: &'a efsat_checks::synth::Step| Step { signal: &s.signal, logic: s.logic, routing: s.routing };
         Self { logic: path.logic(), routing: path.routing(), steps: path.steps.iter().map(step).collect() }
     }
 }

@@ -1,9 +1,9 @@
 //! The text of `efsat synth`.
 
-use crate::design::top::pace;
-use crate::device::Resources;
-use crate::params::Params;
-use crate::synth::{CriticalPath, Placed, Report, Routed, Timing, Unit};
+use efsat_checks::synth::{CriticalPath, Placed, Report, Routed, Timing, Unit};
+use efsat_hardware::device::Resources;
+use efsat_unit::design::top::pace;
+use efsat_unit::params::Params;
 use std::fmt::Write;
 
 /// Slices of the part that estimates are for, an XC2V6000.

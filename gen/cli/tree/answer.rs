@@ -1,13 +1,13 @@
 //! `efsat tree answer`.
 
 use super::{hexadecimal, read};
-use crate::cli::error::Failure;
-use crate::cli::output::print_json;
-use crate::cli::params::{EngineArguments, ParamArguments, whole};
-use crate::design::top::DesignError;
-use crate::golden::engine::{Model, Query};
-use crate::host::engine::{Image, Layout, Numbers, memory};
-use crate::params::engine::{Answer, QueryFlags};
+use crate::error::Failure;
+use crate::output::print_json;
+use crate::params::{EngineArguments, ParamArguments, whole};
+use efsat_unit::design::top::DesignError;
+use efsat_unit::golden::engine::{Model, Query};
+use efsat_unit::host::engine::{Image, Layout, Numbers, memory};
+use efsat_unit::params::engine::{Answer, QueryFlags};
 use serde::Serialize;
 use std::path::PathBuf;
 

@@ -1,18 +1,18 @@
 //! `efsat tree build`.
 
 use super::VolumeArguments;
-use crate::cli::error::Failure;
-use crate::cli::file::{self, Output};
-use crate::cli::output::{counted, print, warn};
-use crate::cli::params::{choice, whole};
-use crate::cli::source::load_mesh;
-use crate::design::top::DesignError;
-use crate::host::engine::Image;
-use crate::mesh::{Findings, Mesh};
-use crate::number::Upper;
-use crate::params::engine::FACTOR_BITS;
-use crate::params::options::{INT_BITS, TRANSFORM_WIDTH, WIDTH};
-use crate::params::{EngineParams, Params};
+use crate::error::Failure;
+use crate::file::{self, Output};
+use crate::output::{counted, print, warn};
+use crate::params::{choice, whole};
+use crate::source::load_mesh;
+use efsat_geometry::mesh::{Findings, Mesh};
+use efsat_hardware::number::Upper;
+use efsat_unit::design::top::DesignError;
+use efsat_unit::host::engine::Image;
+use efsat_unit::params::engine::FACTOR_BITS;
+use efsat_unit::params::options::{INT_BITS, TRANSFORM_WIDTH, WIDTH};
+use efsat_unit::params::{EngineParams, Params};
 use std::path::PathBuf;
 
 /// Builds the image of a mesh: its tree of local blocks and its triangles, as the engine reads them

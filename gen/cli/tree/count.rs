@@ -1,17 +1,17 @@
 //! `efsat tree count`.
 
 use super::VolumeArguments;
-use crate::cli::error::Failure;
-use crate::cli::output::{print, print_json};
-use crate::cli::params::whole;
-use crate::cli::progress;
-use crate::cli::source::load_scene;
-use crate::design::top::DesignError;
-use crate::golden::engine::{Model, Query, Side};
-use crate::host::engine::{Images, Numbers, memory};
-use crate::params::engine::{EngineReport, FACTOR_BITS};
-use crate::params::{EngineParams, Params};
-use crate::scene::{BroadPhase, Meeting};
+use crate::error::Failure;
+use crate::output::{print, print_json};
+use crate::params::whole;
+use crate::progress;
+use crate::source::load_scene;
+use efsat_geometry::scene::{BroadPhase, Meeting};
+use efsat_unit::design::top::DesignError;
+use efsat_unit::golden::engine::{Model, Query, Side};
+use efsat_unit::host::engine::{Images, Numbers, memory};
+use efsat_unit::params::engine::{EngineReport, FACTOR_BITS};
+use efsat_unit::params::{EngineParams, Params};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt::Write;

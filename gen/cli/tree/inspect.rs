@@ -1,10 +1,10 @@
 //! `efsat tree inspect`.
 
 use super::read;
-use crate::cli::error::Failure;
-use crate::cli::output::{counted, print, print_json, readable};
-use crate::golden::engine::Link;
-use crate::host::engine::{Header, Image};
+use crate::error::Failure;
+use crate::output::{counted, print, print_json, readable};
+use efsat_unit::golden::engine::Link;
+use efsat_unit::host::engine::{Header, Image};
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;

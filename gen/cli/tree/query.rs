@@ -1,15 +1,15 @@
 //! `efsat tree query`.
 
 use super::hexadecimal;
-use crate::cli::error::Failure;
-use crate::cli::file::{self, Output};
-use crate::cli::output::{counted, print};
-use crate::cli::params::{EngineArguments, ParamArguments};
-use crate::cli::source::load_scene;
-use crate::design::top::DesignError;
-use crate::golden::engine::Query;
-use crate::host::engine::{Images, Layout, Numbers, memory};
-use crate::params::engine::{Memory, QueryFlags};
+use crate::error::Failure;
+use crate::file::{self, Output};
+use crate::output::{counted, print};
+use crate::params::{EngineArguments, ParamArguments};
+use crate::source::load_scene;
+use efsat_unit::design::top::DesignError;
+use efsat_unit::golden::engine::Query;
+use efsat_unit::host::engine::{Images, Layout, Numbers, memory};
+use efsat_unit::params::engine::{Memory, QueryFlags};
 use std::path::PathBuf;
 
 /// Writes the packets of a scene's queries, for a host without Rust: one query for each two objects whose boxes overlap in a frame

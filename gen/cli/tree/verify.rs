@@ -1,9 +1,9 @@
 //! `efsat tree verify`.
 
 use super::{read, wrong};
-use crate::cli::error::Failure;
-use crate::cli::output::{counted, print};
-use crate::cli::source::load_mesh;
+use crate::error::Failure;
+use crate::output::{counted, print};
+use crate::source::load_mesh;
 use std::path::PathBuf;
 
 /// Checks an image: every field, that its blocks are one tree over all triangles, and that no code excludes a triangle

@@ -2,20 +2,20 @@
 
 use super::report::Report;
 use super::{Arguments, Outputs, Sinks, draw};
-use crate::cli::cosim::spread;
-use crate::cli::error::Failure;
-use crate::cli::params::EngineArguments;
-use crate::cli::progress;
-use crate::cli::source::count;
-use crate::cosim::engine::Machine;
-use crate::design::top::DesignError;
-use crate::effects::engine::{self, EngineCounts, Simulation};
-use crate::effects::{Contact, Front, Row, Software, Viewer};
-use crate::host::driver::engine::{Objects, StandIn};
-use crate::host::settings::{Effect, Settings, Switch};
-use crate::params::options::{Choice, choice};
-use crate::scene::Scene;
-use crate::scene::hierarchy::Directions;
+use crate::cosim::spread;
+use crate::error::Failure;
+use crate::params::EngineArguments;
+use crate::progress;
+use crate::source::count;
+use efsat_checks::cosim::engine::Machine;
+use efsat_geometry::scene::Scene;
+use efsat_geometry::scene::hierarchy::Directions;
+use efsat_studies::planner::engine::{self, EngineCounts, Simulation};
+use efsat_studies::planner::{Contact, Front, Row, Software, Viewer};
+use efsat_unit::design::top::DesignError;
+use efsat_unit::host::driver::engine::{Objects, StandIn};
+use efsat_unit::host::settings::{Effect, Settings, Switch};
+use efsat_unit::params::options::{Choice, choice};
 use serde::Serialize;
 
 /// Frames that are simulated where nothing else is asked for.

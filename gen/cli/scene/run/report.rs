@@ -1,9 +1,9 @@
 //! What `efsat scene run` prints.
 
 use super::{Failure, failure, output, quoted};
-use crate::cli::output::Verdicts;
-use crate::cli::scene::summary::Summary;
-use crate::effects::{Cosimulation, Counted, Counts, Finding, Plan, Row, Total, Wish};
+use crate::output::Verdicts;
+use crate::scene::summary::Summary;
+use efsat_studies::planner::{Cosimulation, Counted, Counts, Finding, Plan, Row, Total, Wish};
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};
 

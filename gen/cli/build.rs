@@ -11,7 +11,7 @@ fn main() {
     };
     let mut version = release.to_owned();
     // In a package, or below another repository, the commit would be of something else.
-    if let Some(commit) = Path::new(".git").exists().then(|| git(&["rev-parse", "--short", "HEAD"])).flatten() {
+    if let Some(commit) = Path::new("../../.git").exists().then(|| git(&["rev-parse", "--short", "HEAD"])).flatten() {
         version = format!("{release} ({commit})");
         for file in ["HEAD", "logs/HEAD"].iter().filter_map(|name| git(&["rev-parse", "--git-path", name])) {
             println!("cargo::rerun-if-changed={file}");

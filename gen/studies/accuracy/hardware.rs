@@ -1,6 +1,6 @@
 //! What one parameter set takes of its device, and how fast it is.
 
-use crate::synth::{self, Flow, Options, Subject, SynthError};
+use efsat_checks::synth::{self, Flow, Options, Subject, SynthError};
 use efsat_hardware::device;
 use efsat_unit::design::top::DesignError;
 use efsat_unit::design::{Design, Probes};

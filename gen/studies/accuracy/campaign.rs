@@ -10,7 +10,7 @@ use super::point::{Options, Point, model_options, options};
 use super::store::{Drawn, Record, Store, StoreError, key};
 use super::timing::Yardstick;
 use super::{Answers, Hardware, Truths};
-use crate::synth::SynthError;
+use efsat_checks::synth::SynthError;
 use efsat_geometry::scene::Scene;
 use efsat_unit::params::Params;
 use rayon::prelude::*;

@@ -2,7 +2,7 @@
 
 use super::budget::{self, Folding};
 use super::point::{Options, model_options, options};
-use crate::synth::SynthError;
+use efsat_checks::synth::SynthError;
 use efsat_unit::params::Params;
 use serde::{Deserialize, Serialize};
 

@@ -1,6 +1,6 @@
 //! What the colours mean.
 
-use crate::effects::mark::Mark;
+use crate::planner::mark::Mark;
 
 /// The longest text in characters.
 const LONGEST: usize = 60;

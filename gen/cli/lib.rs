@@ -12,6 +12,7 @@ mod diagram;
 mod error;
 mod file;
 mod generate;
+mod list;
 mod manual;
 mod mutate;
 mod output;
@@ -62,6 +63,7 @@ enum Command {
     Tree(tree::Arguments),
     SelfIntersections(self_intersections::Arguments),
     Accuracy(accuracy::Arguments),
+    List(list::Arguments),
     Completions(completions::Arguments),
     Manual(manual::Arguments),
 }
@@ -83,6 +85,7 @@ pub fn main() -> ExitCode {
             Command::Tree(arguments) => tree::run(&arguments),
             Command::SelfIntersections(arguments) => self_intersections::run(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
+            Command::List(arguments) => list::run(&arguments, &CommandLine::command()),
             Command::Completions(arguments) => completions::run(&arguments, &mut CommandLine::command()),
             Command::Manual(arguments) => manual::run(&arguments, CommandLine::command()),
         },

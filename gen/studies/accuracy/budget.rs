@@ -1,7 +1,7 @@
 //! The dual question: with so many multipliers, how fast can each width be?
 
 use super::Hardware;
-use crate::synth::SynthError;
+use efsat_checks::synth::SynthError;
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 

@@ -2,7 +2,7 @@
 
 use super::Front;
 use super::sample::{self, Place};
-use crate::cosim::{self, CosimError, Options, Simulator};
+use efsat_checks::cosim::{self, CosimError, Options, Simulator};
 use efsat_hardware::estimate;
 use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;

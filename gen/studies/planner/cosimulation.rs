@@ -2,7 +2,7 @@
 
 use super::Front;
 use super::sample::{Place, stimulus};
-use crate::cosim::{self, CosimError, Options, Simulator};
+use efsat_checks::cosim::{self, CosimError, Options, Simulator};
 use efsat_unit::design::Design;
 
 /// The planned unit in a simulator, and what came out so far.

@@ -3,8 +3,8 @@
 
 use super::outcome::Counted;
 use super::{Contact, Front, Place, Row};
-use crate::cosim::CosimError;
-use crate::cosim::engine::{Channel, Machine};
+use efsat_checks::cosim::CosimError;
+use efsat_checks::cosim::engine::{Channel, Machine};
 use efsat_geometry::scene::{Frame, Meeting};
 use efsat_unit::host::driver::engine::{Contacts, Engine, Job, Objects, Options, StandIn};
 use efsat_unit::params::engine::EngineReport;

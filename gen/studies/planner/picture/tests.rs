@@ -1,7 +1,7 @@
 //! Tests of pictures.
 
 use super::*;
-use crate::effects::Place;
+use crate::planner::Place;
 use efsat_geometry::exact::Exact;
 use efsat_geometry::mesh::{Findings, builtin};
 use efsat_geometry::scene;

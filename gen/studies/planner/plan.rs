@@ -3,7 +3,7 @@
 use super::bench::{Bench, Step};
 use super::measure::measure;
 use super::{Census, Cost, Front, Request, Saving, Software, Stages, Tally, Wish, reason};
-use crate::cosim::CosimError;
+use efsat_checks::cosim::CosimError;
 use efsat_geometry::scene::Scene;
 use efsat_unit::host::settings::Effect;
 use efsat_unit::params::options::Choice;

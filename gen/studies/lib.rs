@@ -1,0 +1,8 @@
+//! What accuracy costs in time: sweeps over units and software, the planner of scenes, maps of verdicts, and their
+//! pictures. Nothing here is needed to build a unit or to trust it.
+
+pub mod accuracy;
+pub mod planner;
+mod plot;
+pub mod times;
+pub mod wall;
