@@ -218,9 +218,9 @@ def comparison(what="answers"):
 
 
 def scenes():
-    """The ready scenes; what one shows is the first sentence of its comment."""
-    first = lambda text: " ".join(line.removeprefix("#").strip() for line in re.match(r"(# .*\n)+", text)[0].splitlines()).split(". ")[0].rstrip(".")
-    return table(["<file", "<what it shows"], ([f"`{file.name}`", first(file.read_text())] for file in sorted(Path("scenes").glob("*.toml"))))
+    """The ready scenes; what one shows is how its comment begins."""
+    comment = lambda text: " ".join(line.removeprefix("#").strip() for line in re.match(r"(# .*\n)+", text)[0].splitlines())
+    return table(["<file", "<what it shows"], ([f"`{file.name}`", re.split(r"[.:]( |$)", comment(file.read_text()))[0]] for file in sorted(Path("scenes").glob("*.toml"))))
 
 
 LARGE = "--method determinants --block-lines 2048 --triangle-lines 1024"
