@@ -12,7 +12,7 @@ use efsat::graph::{Library, Signals, Unit};
 use efsat::host::sample;
 use efsat::op::Type;
 use efsat::params::options::Choice;
-use efsat::params::{Guard, Method, Params, Transform, Upper};
+use efsat::params::{Guard, Params, Transform, Upper};
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
