@@ -42,8 +42,8 @@ architecture simulation of {{ prefix }}efsat_tb is
   signal in_ready : std_logic;
   signal pair : pair_word := (others => '0');
 {%- if tag_width > 0 %}
-  signal in_tag : std_logic_vector({{ tag_width - 1 }} downto 0) := (others => '0');
-  signal out_tag : std_logic_vector({{ tag_width - 1 }} downto 0);
+  signal in_tag : std_logic_vector({{ tag }}) := (others => '0');
+  signal out_tag : std_logic_vector({{ tag }});
 {%- endif %}
 {%- if pose.len() > 0 %}
   signal pose_valid : std_logic := '0';

@@ -7,9 +7,9 @@ module {{ name }} (
   input capture,
   output folded
 );
-  reg [{{ input_bits - 1 }}:0] given;
-  wire [{{ output_bits - 1 }}:0] result;
-  reg [{{ output_bits - 1 }}:0] answer;
+  reg [{{ input_high }}:0] given;
+  wire [{{ output_high }}:0] result;
+  reg [{{ output_high }}:0] answer;
 
   always @(posedge clk) begin
     if (shift)

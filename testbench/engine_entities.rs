@@ -45,7 +45,7 @@ fn tried(design: &EngineDesign, name: &str, changes: &[(&str, &str)], test: impl
     tried_with(design, name, &[], changes, test);
 }
 
-/// The same of an entity that has others in it.
+/// The same of an entity that has others in it. The package that all of them share is in front.
 fn tried_with(
     design: &EngineDesign,
     name: &str,
@@ -56,7 +56,10 @@ fn tried_with(
     let Some(ghdl) = ghdl() else { return };
     let files = engine_files(design, &Prefix::default(), "efsat generate --engine").unwrap();
     let text_of = |name: &str| &files.iter().find(|(file, _)| *file == format!("{name}.vhd")).unwrap().1;
-    let (text, parts) = (text_of(name), parts.iter().map(|part| text_of(part).as_str()).collect::<String>());
+    let (text, parts) = (
+        text_of(name),
+        [&["engine_layout"], parts].concat().iter().map(|part| text_of(part).as_str()).collect::<String>(),
+    );
     test(&mut Entity::new(ghdl, name, text, &parts)).unwrap_or_else(|error| panic!("{name}: {error}"));
     for (from, to) in changes {
         let outcome = test(&mut Entity::new(ghdl, name, &replaced(text, from, to), &parts));

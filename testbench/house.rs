@@ -52,7 +52,8 @@ fn relative(path: &Path) -> String {
 /// Rust sources of the library and the binary that are no tests: path below the repository and text.
 fn sources() -> Vec<(String, String)> {
     let all = files("gen").into_iter().map(|path| (relative(&path), path));
-    let sources = all.filter(|(name, _)| name.ends_with(".rs") && !name.ends_with("/tests.rs"));
+    let is_test = |name: &str| name.ends_with("/tests.rs") || name.contains("/tests/");
+    let sources = all.filter(|(name, _)| name.ends_with(".rs") && !is_test(name));
     sources.map(|(name, path)| (name, fs::read_to_string(path).unwrap())).collect()
 }
 
@@ -199,10 +200,18 @@ fn unfinished(text: &str) -> Option<&'static str> {
     ["TODO", "FIXME", "XXX", "unimplemented!", "todo!("].into_iter().find(|mark| text.contains(mark))
 }
 
-/// Template expressions that compute.
+/// Expressions and conditions of a template that compute: with an operator, or a part of a text or a list. What stands in quotes
+/// is text, and a sign at the edge of a tag takes the blanks beside it.
 fn computing(template: &str) -> Vec<&str> {
-    let expressions = template.split("{{").skip(1).filter_map(|rest| rest.split_once("}}")).map(|(inside, _)| inside);
-    expressions.filter(|inside| inside.contains(['*', '/'])).collect()
+    let tags = [("{{", "}}"), ("{%", "%}")];
+    let inside = tags.iter().flat_map(|(open, close)| {
+        template.split(open).skip(1).filter_map(move |rest| rest.split_once(close)).map(|(inside, _)| inside)
+    });
+    let computes = |inside: &&str| {
+        let code: String = inside.split('"').step_by(2).collect();
+        code.trim_matches(['-', '+', '~', ' ']).contains(['+', '-', '*', '/', '%', '['])
+    };
+    inside.filter(computes).collect()
 }
 
 #[test]
@@ -350,7 +359,9 @@ fn the_checks_can_fail() {
     assert_eq!(allowed("[licenses]\nallow = [\n \"MIT\",\n \"ISC\"]\n"), ["MIT", "ISC"]);
     assert!(is_met("MIT/Apache-2.0", &["MIT"]) && is_met("(MIT OR X) AND Y", &["MIT", "Y"]));
     assert!(!is_met("(MIT OR X) AND Y", &["MIT"]) && !is_met("GPL-3.0", &["MIT"]) && !is_met("", &["MIT"]));
-    assert_eq!(computing("{{ a }} {{ bits - 1 }} {{ 2 * b }} a / b"), [" 2 * b "]);
+    let template =
+        "{{ a }} {{ bits - 1 }} {{ 2*b }} a / b {{ list[1..] }} {%- if a - 1 > b -%} {%- if a == \"-\" -%} {{- c -}}";
+    assert_eq!(computing(template), [" bits - 1 ", " 2*b ", " list[1..] ", "- if a - 1 > b -"]);
     let module = |path: &str, text: &str| (path.split("::").map(str::to_owned).collect(), text.to_owned());
     let ring = [
         module("a::x", "use super::y::{self, Z};"),

@@ -20,7 +20,6 @@ mod params;
 mod progress;
 mod scene;
 mod self_intersections;
-mod soak;
 mod source;
 mod stress;
 mod synth;
@@ -55,7 +54,6 @@ enum Command {
     Classify(classify::Arguments),
     Compare(compare::Arguments),
     Stress(stress::Arguments),
-    Soak(soak::Arguments),
     Wall(wall::Arguments),
     Mutate(mutate::Arguments),
     Synth(synth::Arguments),
@@ -77,7 +75,6 @@ pub fn main() -> ExitCode {
             Command::Classify(arguments) => classify::run(&arguments),
             Command::Compare(arguments) => compare::run(&arguments),
             Command::Stress(arguments) => stress::run(&arguments),
-            Command::Soak(arguments) => soak::run(&arguments),
             Command::Wall(arguments) => wall::run(&arguments),
             Command::Mutate(arguments) => mutate::run(&arguments),
             Command::Synth(arguments) => synth::run(&arguments),

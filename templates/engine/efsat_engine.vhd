@@ -5,6 +5,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}efsat_engine is
   port (
@@ -20,8 +21,8 @@ entity {{ prefix }}efsat_engine is
     s_axis_tlast : in std_logic;  -- last word of a packet
     s_axis_tready : out std_logic;
 {%- if e.axi %}
-{%- if e.memory.axi_id_bits > 0 %}
-    m_axi_arid : out std_logic_vector({{ e.memory.axi_id_bits - 1 }} downto 0);  -- always 0
+{%- if let Some(id) = e.memory.id %}
+    m_axi_arid : out std_logic_vector({{ id }});  -- always 0
 {%- endif %}
     m_axi_araddr : out std_logic_vector(31 downto 0);
     m_axi_arlen : out std_logic_vector(7 downto 0);  -- beats of the burst less one
@@ -31,10 +32,10 @@ entity {{ prefix }}efsat_engine is
     m_axi_arprot : out std_logic_vector(2 downto 0);  -- always 000: data, secure, not privileged
     m_axi_arvalid : out std_logic;
     m_axi_arready : in std_logic;
-{%- if e.memory.axi_id_bits > 0 %}
-    m_axi_rid : in std_logic_vector({{ e.memory.axi_id_bits - 1 }} downto 0) := (others => '0');  -- not read: with one ID words come in order
+{%- if let Some(id) = e.memory.id %}
+    m_axi_rid : in std_logic_vector({{ id }}) := (others => '0');  -- not read: with one ID words come in order
 {%- endif %}
-    m_axi_rdata : in std_logic_vector({{ e.memory.memory_width - 1 }} downto 0);
+    m_axi_rdata : in std_logic_vector({{ e.memory.word }});
     m_axi_rresp : in std_logic_vector(1 downto 0);
     m_axi_rlast : in std_logic;
     m_axi_rvalid : in std_logic;
@@ -63,7 +64,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal job_short : std_logic;
   signal job_reason : std_logic_vector(4 downto 0);
   signal job_number : std_logic_vector(23 downto 0);
-  signal job_words : std_logic_vector({{ e.query.job_bits - 1 }} downto 0);
+  signal job_words : std_logic_vector(job_bits - 1 downto 0);
 {%- if e.unit.signs.len() > 0 %}
   signal job_unfit : std_logic;
   signal packet_unfit : std_logic;  -- of the pair: a number is no sign extension
@@ -94,10 +95,10 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal stop_at_contact : std_logic;
   signal separate_too : std_logic;
   signal leaves_only : std_logic;
-  signal query_pose : std_logic_vector({{ e.query.pose_bits - 1 }} downto 0);
-  signal query_shift : std_logic_vector({{ e.query.shift_bits - 1 }} downto 0);
+  signal query_pose : std_logic_vector(query_pose_bits - 1 downto 0);
+  signal query_shift : std_logic_vector(query_shift_bits - 1 downto 0);
   signal query_errors : std_logic_vector(47 downto 0);
-  signal query_rows : std_logic_vector({{ e.query.rows_bits - 1 }} downto 0);
+  signal query_rows : std_logic_vector(query_rows_bits - 1 downto 0);
   signal short : std_logic;
   signal reason : std_logic_vector(4 downto 0);
   signal number : std_logic_vector(23 downto 0);
@@ -113,12 +114,12 @@ architecture rtl of {{ prefix }}efsat_engine is
   -- Blocks and volumes
   signal block_request : std_logic;
   signal block_accepted : std_logic;
-  signal request_a : std_logic_vector({{ e.traversal.node_bits - 1 }} downto 0);
-  signal request_b : std_logic_vector({{ e.traversal.node_bits - 1 }} downto 0);
+  signal request_a : std_logic_vector(node_bits - 1 downto 0);
+  signal request_b : std_logic_vector(node_bits - 1 downto 0);
   signal blocks_valid : std_logic;
   signal blocks_taken : std_logic;
-  signal block_a : std_logic_vector({{ e.blocks.block_bits - 1 }} downto 0);
-  signal block_b : std_logic_vector({{ e.blocks.block_bits - 1 }} downto 0);
+  signal block_a : std_logic_vector(block_bits - 1 downto 0);
+  signal block_b : std_logic_vector(block_bits - 1 downto 0);
   signal volume_ready : std_logic;
   signal take_a : std_logic_vector(1 downto 0);
   signal take_b : std_logic_vector(1 downto 0);
@@ -142,8 +143,8 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal triangles_passed : std_logic;  -- dropped, or by the unit
   signal triangles_sent : std_logic := '0';  -- the unit has taken them, a clock ago
 {%- endif %}
-  signal triangle_a : std_logic_vector({{ e.unit.triangle_bits - 1 }} downto 0);
-  signal triangle_b : std_logic_vector({{ e.unit.triangle_bits - 1 }} downto 0);
+  signal triangle_a : std_logic_vector(triangle_bits - 1 downto 0);
+  signal triangle_b : std_logic_vector(triangle_bits - 1 downto 0);
   signal numbers : std_logic_vector(55 downto 0);
   signal unit_v : std_logic_vector(287 downto 0);  -- nine words for each triangle
   signal unit_w : std_logic_vector(287 downto 0);
@@ -156,12 +157,16 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal unit_ready : std_logic;
   signal tested_valid : std_logic;
   signal tested_verdict : std_logic_vector(1 downto 0);
-  signal tested_separated : std_logic_vector({{ e.unit.flags - 1 }} downto 0);
-  signal tested_overlapping : std_logic_vector({{ e.unit.flags - 1 }} downto 0);
+  signal tested_separated : std_logic_vector({{ e.unit.flags }});
+  signal tested_overlapping : std_logic_vector({{ e.unit.flags }});
 {%- if e.unit.guarded %}
   signal tested_outside : std_logic;
 {%- endif %}
   signal tested_numbers : std_logic_vector(55 downto 0);
+  constant tag_last : natural := {{ e.unit.tag_last }};  -- of a pair of a packet: it is the last one
+{%- if e.unit.signs.len() > 0 %}
+  constant tag_unfit : natural := {{ e.unit.tag_unfit }};  -- a number of it does not fit
+{%- endif %}
   signal tested_flags : std_logic_vector(39 downto 0);
 {%- if e.unit.signs.len() > 0 %}
   signal tested_unfit : std_logic;
@@ -200,7 +205,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   -- Words to be stored
   signal block_write : std_logic;
   signal triangle_write : std_logic;
-  signal write_line : std_logic_vector({{ e.memory.load_bits - 1 }} downto 0);
+  signal write_line : std_logic_vector(load_line_bits - 1 downto 0);
   signal write_place : std_logic_vector(2 downto 0);
   signal write_data : std_logic_vector(63 downto 0);
 {%- else %}
@@ -219,7 +224,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal ask_address_2 : std_logic_vector(25 downto 0);
   signal ask_address_3 : std_logic_vector(25 downto 0);
   signal fill_valid : std_logic_vector(3 downto 0);
-  signal fill_data : std_logic_vector({{ e.memory.memory_width - 1 }} downto 0);
+  signal fill_data : std_logic_vector(memory_width - 1 downto 0);
   signal line_ready : std_logic_vector(3 downto 0);
   signal line_valid : std_logic_vector(3 downto 0);
   signal missed : std_logic_vector(3 downto 0);
@@ -419,19 +424,19 @@ begin
   -- unit's tag says which is the last of its packet{% if e.unit.signs.len() > 0 %}, and which has a number that does not fit{% endif %}.
   -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign{% if e.unit.signs.len() > 0 %}, which is looked at for
   -- pairs of packets{% endif %}.
-  unit_v <= triangle_a(319 downto 32) when running = '1' else job_words({{ e.unit.pair_at + 351 }} downto {{ e.unit.pair_at + 64 }});
-  unit_w <= triangle_b(319 downto 32) when running = '1' else job_words({{ e.unit.pair_at + 639 }} downto {{ e.unit.pair_at + 352 }});
+  unit_v <= triangle_a(triangle_corners) when running = '1' else job_words(job_pair_v);
+  unit_w <= triangle_b(triangle_corners) when running = '1' else job_words(job_pair_w);
 {%- if e.unit.sticky %}
-  sticky_v <= triangle_a(31 downto 23) when running = '1' else job_words({{ e.unit.pair_at + 8 }} downto {{ e.unit.pair_at }});
-  sticky_w <= triangle_b(31 downto 23) when running = '1' else job_words({{ e.unit.pair_at + 17 }} downto {{ e.unit.pair_at + 9 }});
+  sticky_v <= triangle_a(triangle_sticky) when running = '1' else job_words(job_pair_sticky_v);
+  sticky_w <= triangle_b(triangle_sticky) when running = '1' else job_words(job_pair_sticky_w);
 {%- endif %}
   unit_tag <= numbers when running = '1' else
-    {% if e.unit.signs.len() > 0 %}"{{ e.unit.unit_tag_zeros[1..] }}" & (packet_unfit or pose_unfit){% else %}"{{ e.unit.unit_tag_zeros }}"{% endif %} & packet_last & job_words({{ e.unit.pair_at + 31 + e.unit.pair_tag_bits }} downto {{ e.unit.pair_at + 32 }});
+    "{{ e.unit.unit_tag_zeros }}" & {% if e.unit.signs.len() > 0 %}(packet_unfit or pose_unfit) & {% endif %}packet_last & job_words(job_pair_tag);
   packet_taken <= packet_valid and unit_ready;
 
   -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
   -- The numbers of triangles are in the low bits of the first word, {{ e.unit.triangle_number_bits }} of them.
-  numbers <= {{ e.unit.number_above }}triangle_b({{ e.unit.triangle_number_bits - 1 }} downto 0) & {{ e.unit.number_above }}triangle_a({{ e.unit.triangle_number_bits - 1 }} downto 0);
+  numbers <= {{ e.unit.number_above }}triangle_b(triangle_number) & {{ e.unit.number_above }}triangle_a(triangle_number);
   bypass_free <= decided_ready or not bypassed_valid;
   unit_valid <= (triangles_{% if e.unit.paced %}there{% else %}valid{% endif %} and not leaves_only and not ending) or packet_valid;
   bypass_valid <= triangles_{% if e.unit.paced %}there{% else %}valid{% endif %} and leaves_only and not ending;
@@ -478,7 +483,7 @@ begin
 {%- endfor %}
       pose_valid => pose_valid,
       pose_ready => pose_ready,
-      pose_bypass => job_words({{ e.unit.bypass_at }}),
+      pose_bypass => job_words(job_bypass),
       out_valid => tested_valid,
       out_ready => tested_taken,
       out_verdict => tested_verdict,
@@ -492,7 +497,7 @@ begin
   tested_taken <= decided_ready and not leaves_only;
   decided_valid <= bypassed_valid when leaves_only = '1' else tested_valid;
 {%- if e.unit.signs.len() > 0 %}
-  tested_unfit <= tested_numbers({{ e.unit.pair_tag_bits + 1 }}) and not running;
+  tested_unfit <= tested_numbers(tag_unfit) and not running;
   verdict <= "10" when leaves_only = '1' or tested_unfit = '1' else tested_verdict;
   tested_flags <= (others => '0') when tested_unfit = '1' else "{{ e.unit.flag_zeros }}" & tested_overlapping & tested_separated;
   decided_outside <= (tested_outside or tested_unfit) and not running;
@@ -505,8 +510,8 @@ begin
 {%- endif %}
   decided_numbers <= bypassed_numbers when leaves_only = '1' else
     tested_numbers when running = '1' else
-    tested_flags & tested_numbers({{ e.unit.pair_tag_bits - 1 }} downto 0);
-  decided_last <= tested_numbers({{ e.unit.pair_tag_bits }}) and not running;
+    tested_flags & tested_numbers({{ e.unit.pair_tag }});
+  decided_last <= tested_numbers(tag_last) and not running;
 
   -- ===== Answers =====
   answer : entity work.{{ prefix }}engine_answer
@@ -564,11 +569,11 @@ begin
       clk => aclk,
       reset => restart,
       write_valid => block_write,
-      write_line => write_line({{ e.memory.block_line_bits - 1 }} downto 0),
+      write_line => write_line(block_line_bits - 1 downto 0),
       write_place => write_place,
       write_data => write_data,
-      base_a => block_base_a({{ e.memory.block_line_bits - 1 }} downto 0),
-      base_b => block_base_b({{ e.memory.block_line_bits - 1 }} downto 0),
+      base_a => block_base_a(block_line_bits - 1 downto 0),
+      base_b => block_base_b(block_line_bits - 1 downto 0),
       request_valid => block_request,
       request_ready => block_accepted,
       request_a => request_a,
@@ -584,11 +589,11 @@ begin
       clk => aclk,
       reset => restart,
       write_valid => triangle_write,
-      write_line => write_line({{ e.memory.triangle_line_bits - 1 }} downto 0),
+      write_line => write_line(triangle_line_bits - 1 downto 0),
       write_place => write_place,
       write_data => write_data,
-      base_a => triangle_base_a({{ e.memory.triangle_line_bits - 1 }} downto 0),
-      base_b => triangle_base_b({{ e.memory.triangle_line_bits - 1 }} downto 0),
+      base_a => triangle_base_a(triangle_line_bits - 1 downto 0),
+      base_b => triangle_base_b(triangle_line_bits - 1 downto 0),
       request_valid => triangle_request,
       request_ready => triangle_accepted,
       request_a => leaf_a,
@@ -666,7 +671,7 @@ begin
       m_axi_rvalid => m_axi_rvalid,
       m_axi_rready => m_axi_rready
     );
-{%- if e.memory.axi_id_bits > 0 %}
+{%- if e.memory.id.is_some() %}
   m_axi_arid <= (others => '0');
 {%- endif %}
   m_axi_arcache <= "0011";

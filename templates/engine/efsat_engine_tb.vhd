@@ -83,7 +83,7 @@ architecture simulation of {{ prefix }}efsat_engine_tb is
   signal arprot : std_logic_vector(2 downto 0);
   signal arvalid : std_logic;
   signal arready : std_logic := '0';
-  signal rdata : std_logic_vector({{ e.memory.memory_width - 1 }} downto 0) := (others => '0');
+  signal rdata : std_logic_vector({{ e.memory.word }}) := (others => '0');
   signal rresp : std_logic_vector(1 downto 0) := "00";
   signal rlast : std_logic := '0';
   signal rvalid : std_logic := '0';
@@ -202,6 +202,9 @@ begin
 
   -- Memory: bursts are answered in order, each not before its latency is over.
   memory : process
+{%- if e.memory.memory_width > 32 %}
+    constant beat_words : natural := {{ e.memory.memory_words }};
+{%- endif %}
     constant most_bursts : natural := 64;
     constant most_faults : natural := 64;
     type memory_words is array (natural range <>) of word_64;
@@ -258,8 +261,8 @@ begin
         end if;
       end if;
 {%- else %}
-      for i in 0 to {{ e.memory.memory_words - 1 }} loop
-        place := from + {{ e.memory.memory_words }} * number + i;
+      for i in 0 to beat_words - 1 loop
+        place := from + beat_words * number + i;
         if place < size then
           rdata(64 * i + 63 downto 64 * i) <= words(place);
         end if;

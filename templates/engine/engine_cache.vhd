@@ -21,39 +21,49 @@ entity {{ prefix }}{{ m.entity }} is
     base : in std_logic_vector(25 downto 0);
     request_valid : in std_logic;
     request_ready : out std_logic;
-    request : in std_logic_vector({{ m.number_bits - 1 }} downto 0);
+    request : in std_logic_vector({{ m.number }});
     line_valid : out std_logic;
     line_taken : in std_logic;
-    data : out std_logic_vector({{ m.line_bits - 1 }} downto 0);
+    data : out std_logic_vector({{ m.line }});
     ask_valid : out std_logic;
     ask_ready : in std_logic;
     ask_address : out std_logic_vector(25 downto 0);
     fill_valid : in std_logic;  -- {{ m.words_per_line }} words for each address asked for, in order
-    fill_data : in std_logic_vector({{ m.word_bits - 1 }} downto 0);
+    fill_data : in std_logic_vector({{ m.word }});
     missed : out std_logic  -- one clock long
   );
 end entity {{ prefix }}{{ m.entity }};
 
 architecture rtl of {{ prefix }}{{ m.entity }} is
+  constant line_count : natural := {{ m.lines }};
+  constant place_bits : natural := {{ m.line_address_bits }};  -- of the place of a line
+  constant tag_bits : natural := {{ m.tag_bits }};
+  constant word_bits : natural := {{ m.word_bits }};
+  constant words_per_line : natural := {{ m.words_per_line }};
+  constant most_orders : natural := {{ m.places }};
+  constant order_bits : natural := {{ m.place_bits }};  -- of the place of an order
+  constant most_returned : natural := {{ m.return_words }};
+  constant return_bits : natural := {{ m.return_bits }};  -- of the place of a word that has come
+
   -- Requests: two are held, so that readiness depends on registers alone.
   signal arrives : std_logic;
   signal ready : std_logic;
   signal head_valid : std_logic := '0';
-  signal head : std_logic_vector({{ m.used_number_bits - 1 }} downto 0) := (others => '0');
+  signal head : std_logic_vector({{ m.used_number }}) := (others => '0');
   signal next_valid : std_logic := '0';
-  signal next_number : std_logic_vector({{ m.used_number_bits - 1 }} downto 0) := (others => '0');
+  signal next_number : std_logic_vector({{ m.used_number }}) := (others => '0');
   signal head_leaves : std_logic;
   signal address : unsigned(25 downto 0);  -- of the line that head asks for
 
   -- Look-up in two stages: a tag is read, then compared. A tag has a bit that says that the line is there. What the memory
   -- says of a place is too old while a request for that place is in one of the two stages: then the youngest such request
   -- counts, because its line is there after it.
-  type tags is array (0 to {{ m.lines - 1 }}) of std_logic_vector({{ m.tag_bits }} downto 0);
+  type tags is array (0 to line_count - 1) of std_logic_vector(tag_bits downto 0);
   signal tag_memory : tags := (others => (others => '0'));
-  signal tag_found : std_logic_vector({{ m.tag_bits }} downto 0) := (others => '0');
+  signal tag_found : std_logic_vector(tag_bits downto 0) := (others => '0');
   signal tag_write : std_logic;
-  signal tag_place : unsigned({{ m.line_address_bits - 1 }} downto 0);
-  signal tag_written : std_logic_vector({{ m.tag_bits }} downto 0);
+  signal tag_place : unsigned(place_bits - 1 downto 0);
+  signal tag_written : std_logic_vector(tag_bits downto 0);
   signal looked : std_logic := '0';
   signal looked_at : unsigned(25 downto 0) := (others => '0');
   signal follows : std_logic := '0';  -- another request for the place was under way
@@ -61,56 +71,57 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal looked_leaves : std_logic;
   signal judged : std_logic := '0';
   signal judged_at : unsigned(25 downto 0) := (others => '0');
-  constant all_same : std_logic_vector({{ m.tag_parts.len() }} downto 0) := (others => '1');
-  signal same : std_logic_vector({{ m.tag_parts.len() }} downto 0) := (others => '0');  -- parts of the comparison: short ones, because tags come late in their clock
+  constant tag_parts : natural := {{ m.tag_parts.len() }};
+  constant all_same : std_logic_vector(tag_parts downto 0) := (others => '1');
+  signal same : std_logic_vector(tag_parts downto 0) := (others => '0');  -- parts of the comparison: short ones, because tags come late in their clock
   signal hit : std_logic;
   signal passes : std_logic;
   signal misses : std_logic;
   signal sweeping : std_logic := '1';
-  signal sweep_place : unsigned({{ m.line_address_bits - 1 }} downto 0) := (others => '0');
+  signal sweep_place : unsigned(place_bits - 1 downto 0) := (others => '0');
   signal asking : std_logic := '0';
   signal asked_address : unsigned(25 downto 0) := (others => '0');
-  signal reserved : unsigned({{ m.place_bits }} downto 0) := (others => '0');  -- lines asked for and not written yet
+  signal reserved : unsigned(order_bits downto 0) := (others => '0');  -- lines asked for and not written yet
   signal all_reserved : std_logic;
 
   -- Requests in order, each with the place of its line and whether that is still to be written. The first is in registers.
-  type orders is array (0 to {{ m.places - 1 }}) of std_logic_vector({{ m.line_address_bits }} downto 0);
+  type orders is array (0 to most_orders - 1) of std_logic_vector(place_bits downto 0);
   signal order_memory : orders := (others => (others => '0'));
-  signal order_in : unsigned({{ m.place_bits - 1 }} downto 0) := (others => '0');
-  signal order_out : unsigned({{ m.place_bits - 1 }} downto 0) := (others => '0');
-  signal orders_waiting : unsigned({{ m.place_bits }} downto 0) := (others => '0');
+  signal order_in : unsigned(order_bits - 1 downto 0) := (others => '0');
+  signal order_out : unsigned(order_bits - 1 downto 0) := (others => '0');
+  signal orders_waiting : unsigned(order_bits downto 0) := (others => '0');
   signal some_wait : std_logic := '0';
   signal order_free : std_logic;
-  signal new_order : std_logic_vector({{ m.line_address_bits }} downto 0);
+  signal new_order : std_logic_vector(place_bits downto 0);
   signal order_valid : std_logic := '0';
-  signal order : std_logic_vector({{ m.line_address_bits }} downto 0) := (others => '0');
+  signal order : std_logic_vector(place_bits downto 0) := (others => '0');
   signal order_leaves : std_logic;
-  signal order_place : unsigned({{ m.line_address_bits - 1 }} downto 0);
+  signal order_place : unsigned(place_bits - 1 downto 0);
   signal filled : std_logic := '0';  -- the line of the first request is written
   signal serves : std_logic;
   signal found : std_logic := '0';
 
   -- Words from memory
-  type words is array (0 to {{ m.return_words - 1 }}) of std_logic_vector({{ m.word_bits - 1 }} downto 0);
+  type words is array (0 to most_returned - 1) of std_logic_vector(word_bits - 1 downto 0);
   signal return_memory : words := (others => (others => '0'));
-  signal return_in : unsigned({{ m.return_bits - 1 }} downto 0) := (others => '0');
-  signal return_out : unsigned({{ m.return_bits - 1 }} downto 0) := (others => '0');
-  signal returned : unsigned({{ m.return_bits }} downto 0) := (others => '0');
+  signal return_in : unsigned(return_bits - 1 downto 0) := (others => '0');
+  signal return_out : unsigned(return_bits - 1 downto 0) := (others => '0');
+  signal returned : unsigned(return_bits downto 0) := (others => '0');
   signal some_returned : std_logic := '0';
   signal fetches : std_logic;
   -- A word that was read, and one in front of the banks, far from the memory.
   signal read_valid : std_logic := '0';
-  signal read_word : std_logic_vector({{ m.word_bits - 1 }} downto 0) := (others => '0');
+  signal read_word : std_logic_vector(word_bits - 1 downto 0) := (others => '0');
   signal moves : std_logic;
   signal word_valid : std_logic := '0';
-  signal word : std_logic_vector({{ m.word_bits - 1 }} downto 0) := (others => '0');
+  signal word : std_logic_vector(word_bits - 1 downto 0) := (others => '0');
   signal word_place : unsigned(3 downto 0) := "0000";
   signal writes : std_logic;
   signal last_word : std_logic;
-  type lines is array (0 to {{ m.lines - 1 }}) of std_logic_vector({{ m.word_bits - 1 }} downto 0);
-  type line_words is array (0 to {{ m.words_per_line - 1 }}) of std_logic_vector({{ m.word_bits - 1 }} downto 0);
+  type lines is array (0 to line_count - 1) of std_logic_vector(word_bits - 1 downto 0);
+  type line_words is array (0 to words_per_line - 1) of std_logic_vector(word_bits - 1 downto 0);
   signal line_word : line_words := (others => (others => '0'));
-  signal whole : std_logic_vector({{ m.padded_bits - 1 }} downto 0);
+  signal whole : std_logic_vector({{ m.padded }});
 begin
   -- ===== Requests =====
   ready <= not next_valid and not sweeping;
@@ -124,13 +135,13 @@ begin
   begin
     if rising_edge(clk) then
       if head_leaves = '1' or head_valid = '0' then
-        head <= request({{ m.used_number_bits - 1 }} downto 0);
+        head <= request({{ m.used_number }});
         if next_valid = '1' then
           head <= next_number;
         end if;
       end if;
       if next_valid = '0' then
-        next_number <= request({{ m.used_number_bits - 1 }} downto 0);
+        next_number <= request({{ m.used_number }});
       end if;
       if reset = '1' then
         head_valid <= '0';
@@ -152,8 +163,8 @@ begin
   passes <= judged and order_free and (hit or not (asking or all_reserved));
   misses <= passes and not hit;
   tag_write <= sweeping or misses;
-  tag_place <= sweep_place when sweeping = '1' else judged_at({{ m.line_address_bits - 1 }} downto 0);
-  tag_written <= (others => '0') when sweeping = '1' else '1' & std_logic_vector(judged_at(25 downto {{ m.line_address_bits }}));
+  tag_place <= sweep_place when sweeping = '1' else judged_at(place_bits - 1 downto 0);
+  tag_written <= (others => '0') when sweeping = '1' else '1' & std_logic_vector(judged_at(25 downto place_bits));
   flushing <= sweeping;
   missed <= misses;
   ask_valid <= asking;
@@ -166,17 +177,17 @@ begin
         tag_memory(to_integer(tag_place)) <= tag_written;
       end if;
       if head_leaves = '1' then
-        tag_found <= tag_memory(to_integer(address({{ m.line_address_bits - 1 }} downto 0)));
+        tag_found <= tag_memory(to_integer(address(place_bits - 1 downto 0)));
         looked_at <= address;
         follows <= '0';
         follows_same <= '0';
-        if judged = '1' and judged_at({{ m.line_address_bits - 1 }} downto 0) = address({{ m.line_address_bits - 1 }} downto 0) then
+        if judged = '1' and judged_at(place_bits - 1 downto 0) = address(place_bits - 1 downto 0) then
           follows <= '1';
           if judged_at = address then
             follows_same <= '1';
           end if;
         end if;
-        if looked = '1' and looked_at({{ m.line_address_bits - 1 }} downto 0) = address({{ m.line_address_bits - 1 }} downto 0) then
+        if looked = '1' and looked_at(place_bits - 1 downto 0) = address(place_bits - 1 downto 0) then
           follows <= '1';
           follows_same <= '0';
           if looked_at = address then
@@ -188,11 +199,11 @@ begin
         judged_at <= looked_at;
         same <= (others => '0');
 {%- for part in m.tag_parts %}
-        if follows = '1' or tag_found({{ part.high }} downto {{ part.low }}) = std_logic_vector(looked_at({{ part.from_high }} downto {{ part.from_low }})) then
+        if follows = '1' or tag_found({{ part.tag }}) = std_logic_vector(looked_at({{ part.address }})) then
           same({{ loop.index0 }}) <= '1';
         end if;
 {%- endfor %}
-        same({{ m.tag_parts.len() }}) <= (follows and follows_same) or (tag_found({{ m.tag_bits }}) and not follows);
+        same(tag_parts) <= (follows and follows_same) or (tag_found(tag_bits) and not follows);
       end if;
       if misses = '1' then
         asked_address <= judged_at;
@@ -220,7 +231,7 @@ begin
         if flush = '1' then
           sweeping <= '1';
           sweep_place <= (others => '0');
-        elsif sweep_place = {{ m.lines - 1 }} then
+        elsif sweep_place = line_count - 1 then
           sweeping <= '0';
         end if;
         if misses = '1' and last_word = '0' then
@@ -234,17 +245,17 @@ begin
 
   -- ===== Lines in order =====
   order_free <= not orders_waiting(orders_waiting'high);
-  new_order <= (not hit) & std_logic_vector(judged_at({{ m.line_address_bits - 1 }} downto 0));
+  new_order <= (not hit) & std_logic_vector(judged_at(place_bits - 1 downto 0));
   order_leaves <= serves or not order_valid;
-  order_place <= unsigned(order({{ m.line_address_bits - 1 }} downto 0));
-  serves <= order_valid and (filled or not order({{ m.line_address_bits }})) and (line_taken or not found);
-  writes <= word_valid and order_valid and order({{ m.line_address_bits }}) and not filled;
-  last_word <= writes when word_place = {{ m.words_per_line - 1 }} else '0';
+  order_place <= unsigned(order(place_bits - 1 downto 0));
+  serves <= order_valid and (filled or not order(place_bits)) and (line_taken or not found);
+  writes <= word_valid and order_valid and order(place_bits) and not filled;
+  last_word <= writes when word_place = words_per_line - 1 else '0';
   line_valid <= found;
   whole <= {% for i in m.word_places %}line_word({{ i }}){% if !loop.last %}
     & {% endif %}{% endfor %};
   -- A line ends within its last word: what is above is not of the line.
-  data <= whole({{ m.line_bits - 1 }} downto 0);
+  data <= whole({{ m.line }});
 
   serve : process (clk)
     variable queued : std_logic;
@@ -308,7 +319,7 @@ begin
     end if;
   end process serve;
 
-  banks : for i in 0 to {{ m.words_per_line - 1 }} generate
+  banks : for i in 0 to words_per_line - 1 generate
     signal bank : lines := (others => (others => '0'));
     signal written : std_logic;
   begin

@@ -15,6 +15,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}engine_control is
   port (
@@ -29,7 +30,7 @@ entity {{ prefix }}engine_control is
     job_short : in std_logic;
     job_reason : in std_logic_vector(4 downto 0);
     job_number : in std_logic_vector(23 downto 0);
-    job_words : in std_logic_vector({{ e.query.job_bits - 1 }} downto 0);
+    job_words : in std_logic_vector(job_bits - 1 downto 0);
 {%- if e.unit.signs.len() > 0 %}
     job_unfit : in std_logic;
     pose_unfit : out std_logic;  -- a number of the pose that holds is no sign extension
@@ -58,10 +59,10 @@ entity {{ prefix }}engine_control is
     stop_at_contact : out std_logic;
     separate_too : out std_logic;  -- also while no query runs
     leaves_only : out std_logic;  -- no triangle test
-    query_pose : out std_logic_vector({{ e.query.pose_bits - 1 }} downto 0);
-    query_shift : out std_logic_vector({{ e.query.shift_bits - 1 }} downto 0);
+    query_pose : out std_logic_vector(query_pose_bits - 1 downto 0);
+    query_shift : out std_logic_vector(query_shift_bits - 1 downto 0);
     query_errors : out std_logic_vector(47 downto 0);
-    query_rows : out std_logic_vector({{ e.query.rows_bits - 1 }} downto 0);
+    query_rows : out std_logic_vector(query_rows_bits - 1 downto 0);
     -- How it goes.
     idle : in std_logic;  -- nothing is to be done any more
     contact : in std_logic;
@@ -83,7 +84,7 @@ entity {{ prefix }}engine_control is
 end entity {{ prefix }}engine_control;
 
 architecture rtl of {{ prefix }}engine_control is
-  constant fine : std_logic_vector(4 downto 0) := "00000";
+  constant fine : std_logic_vector(4 downto 0) := reason_complete;
   type phase_state is (waiting_state, take_state, check_state, {% if e.axi %}flush_state, {% endif %}run_state, {% if e.axi %}abort_state, {% endif %}report_state);
   signal phase : phase_state := waiting_state;
   -- What follows from phase and reason, each in a register of its own, because it is read in many places.
@@ -112,9 +113,9 @@ architecture rtl of {{ prefix }}engine_control is
 {%- endif %}
   signal outside : std_logic_vector(3 downto 0) := "0000";  -- the memory ends before the range
   signal empty : std_logic := '0';  -- a tree without a root
-  type words is array (0 to 8) of std_logic_vector({{ e.query.number_bits - 1 }} downto 0);
+  type words is array (0 to 8) of std_logic_vector({{ e.query.entry }});
   signal entry : words;
-  type matrix is array (0 to 8) of std_logic_vector({{ e.blocks.origin_bits - 1 }} downto 0);
+  type matrix is array (0 to 8) of std_logic_vector({{ e.query.origin }});
   signal saturated : matrix;
   signal options : std_logic_vector(63 downto 0) := (others => '0');
 begin
@@ -140,17 +141,19 @@ begin
   stops_waiting <= stop and job_valid and job_query and not stops_running when job_number = stop_number else '0';
 
   -- Entries of the matrix: cut off and saturated.
-{%- for entry in e.query.matrix_entries %}
-  entry({{ loop.index0 }}) <= job_words({{ entry.from_high }} downto {{ entry.from_low }});
+{%- for name in e.query.entries %}
+  entry({{ loop.index0 }}) <= job_words(job_pose_{{ name }});
 {%- endfor %}
   entries : for i in 0 to 8 generate
-    signal cut : std_logic_vector({{ e.blocks.origin_bits - 1 }} downto 0);
-    signal above : std_logic_vector({{ e.query.above_bits - 1 }} downto 0);  -- sign bits, if it fits
+    signal cut : std_logic_vector({{ e.query.origin }});
+    constant sign : natural := {{ e.query.entry.high }};
+    constant above_bits : natural := {{ e.query.above_bits }};
+    signal above : std_logic_vector(above_bits - 1 downto 0);  -- sign bits, if it fits
   begin
-    cut <= entry(i)({{ e.query.cut_high }} downto {{ e.query.cut_low }});
-    above <= entry(i)({{ e.query.number_bits - 1 }} downto {{ e.query.cut_high }});
-    saturated(i) <= "{{ e.query.greatest_entry }}" when entry(i)({{ e.query.number_bits - 1 }}) = '0' and above /= "{{ e.query.above_zeros }}" else
-      "{{ e.query.least_entry }}" when entry(i)({{ e.query.number_bits - 1 }}) = '1' and (above /= "{{ e.query.above_ones }}" or cut = "{{ e.query.below_least }}") else
+    cut <= entry(i)({{ e.query.cut }});
+    above <= entry(i)({{ e.query.above }});
+    saturated(i) <= "{{ e.query.greatest_entry }}" when entry(i)(sign) = '0' and above /= "{{ e.query.above_zeros }}" else
+      "{{ e.query.least_entry }}" when entry(i)(sign) = '1' and (above /= "{{ e.query.above_ones }}" or cut = "{{ e.query.below_least }}") else
       cut;
   end generate entries;
 
@@ -169,40 +172,39 @@ begin
         pose_unfit <= '0';
       elsif taken = '1' and job_posed = '1' then
         -- With the bypass the numbers are not read.
-        pose_unfit <= job_unfit and not job_words({{ e.unit.bypass_at }});
+        pose_unfit <= job_unfit and not job_words(job_bypass);
       end if;
 {%- endif %}
-      separate_too <= options(33) or not running_now;
-      leaves_only <= options(34) and running_now;
+      separate_too <= options(option_separate) or not running_now;
+      leaves_only <= options(option_leaves) and running_now;
       if taken = '1' and job_query = '1' then
-        bases(0) <= unsigned(job_words({{ e.query.word1 + 31 }} downto {{ e.query.word1 }}));
-        bases(1) <= unsigned(job_words({{ e.query.word1 + 63 }} downto {{ e.query.word1 + 32 }}));
-        bases(2) <= unsigned(job_words({{ e.query.word2 + 31 }} downto {{ e.query.word2 }})){% if e.block_ram %} xor x"02000000"{% endif %};
-        bases(3) <= unsigned(job_words({{ e.query.word2 + 63 }} downto {{ e.query.word2 + 32 }})){% if e.block_ram %} xor x"02000000"{% endif %};
-        counts(0) <= unsigned(job_words({{ e.query.word3 + 31 }} downto {{ e.query.word3 }}));
-        counts(1) <= unsigned(job_words({{ e.query.word3 + 63 }} downto {{ e.query.word3 + 32 }}));
-        counts(2) <= unsigned(job_words({{ e.query.word4 + 31 }} downto {{ e.query.word4 }}));
-        counts(3) <= unsigned(job_words({{ e.query.word4 + 63 }} downto {{ e.query.word4 + 32 }}));
-        options <= job_words({{ e.query.word5 + 63 }} downto {{ e.query.word5 }});
-        -- Word 6 ends with the three errors: the bits above are not read.
-        query_errors <= job_words({{ e.query.word6 + 47 }} downto {{ e.query.word6 }});
-{%- for entry in e.query.matrix_entries %}
-        query_pose({{ entry.high }} downto {{ entry.low }}) <= saturated({{ loop.index0 }});
+        bases(0) <= unsigned(job_words(job_blocks_a));
+        bases(1) <= unsigned(job_words(job_blocks_b));
+        bases(2) <= unsigned(job_words(job_triangles_a)){% if e.block_ram %} xor x"02000000"{% endif %};
+        bases(3) <= unsigned(job_words(job_triangles_b)){% if e.block_ram %} xor x"02000000"{% endif %};
+        counts(0) <= unsigned(job_words(job_block_count_a));
+        counts(1) <= unsigned(job_words(job_block_count_b));
+        counts(2) <= unsigned(job_words(job_triangle_count_a));
+        counts(3) <= unsigned(job_words(job_triangle_count_b));
+        options <= job_words(job_options);
+        query_errors <= job_words(job_errors);
+{%- for name in e.query.entries %}
+        query_pose(query_{{ name }}) <= saturated({{ loop.index0 }});
 {%- endfor %}
         -- Of the shift the bits below s4.22 are cut off, of a row those above its rest are zero: the command has looked.
-{%- for slice in e.query.shift_slices %}
-        query_shift({{ slice.high }} downto {{ slice.low }}) <= job_words({{ slice.from_high }} downto {{ slice.from_low }});
+{%- for axis in e.query.axes %}
+        query_shift(query_shift_{{ axis }}) <= job_words(job_shift_{{ axis }});
 {%- endfor %}
-{%- for slice in e.query.row_slices %}
-        query_rows({{ slice.high }} downto {{ slice.low }}) <= job_words({{ slice.from_high }} downto {{ slice.from_low }});
+{%- for i in 0..e.query.directions %}
+        query_rows(query_row_{{ i }}) <= job_words(job_row_{{ i }});
 {%- endfor %}
 {%- if e.axi %}
         moved <= '0';
-        if known = '0' or bases(0) /= unsigned(job_words({{ e.query.word1 + 31 }} downto {{ e.query.word1 }}))
-          or bases(1) /= unsigned(job_words({{ e.query.word1 + 63 }} downto {{ e.query.word1 + 32 }}))
-          or bases(2) /= unsigned(job_words({{ e.query.word2 + 31 }} downto {{ e.query.word2 }}))
-          or bases(3) /= unsigned(job_words({{ e.query.word2 + 63 }} downto {{ e.query.word2 + 32 }}))
-          or job_words({{ e.query.word5 + 35 }}) = '0' then
+        if known = '0' or bases(0) /= unsigned(job_words(job_blocks_a))
+          or bases(1) /= unsigned(job_words(job_blocks_b))
+          or bases(2) /= unsigned(job_words(job_triangles_a))
+          or bases(3) /= unsigned(job_words(job_triangles_b))
+          or job_words(job_keep) = '0' then
           moved <= '1';
         end if;
 {%- endif %}
@@ -231,8 +233,8 @@ begin
   block_count_b <= std_logic_vector(counts(1));
   triangle_count_a <= std_logic_vector(counts(2));
   triangle_count_b <= std_logic_vector(counts(3));
-  most_expansions <= options(31 downto 0);
-  stop_at_contact <= options(32);
+  most_expansions <= options(option_expansions);
+  stop_at_contact <= options(option_contact);
 
   proceed : process (clk)
     variable next_phase : phase_state;
@@ -258,7 +260,7 @@ begin
         next_phase := report_state;
         stopped <= '0';
         stopped_waiting <= '0';
-        next_reason := "01010";
+        next_reason := reason_reset;
 {%- if e.axi %}
         known <= '0';
 {%- endif %}
@@ -284,13 +286,13 @@ begin
           checks <= checks + 1;
           if checks = "10" then
             if outside /= "0000" then
-              next_reason := "00100";
+              next_reason := reason_memory;
               next_phase := report_state;
 {%- if e.axi %}
               known <= '0';
 {%- endif %}
             elsif empty = '1' then
-              next_reason := "00011";
+              next_reason := reason_bad_tree;
               next_phase := report_state;
 {%- if e.axi %}
               known <= '0';
@@ -312,7 +314,7 @@ begin
           if memory_draining = '1' then
             if memory_silent = '1' then
               known <= '0';
-              next_reason := "01001";
+              next_reason := reason_silent;
               next_phase := report_state;
             end if;
           elsif flush_now = '0' and flushing = '0' then
@@ -324,17 +326,17 @@ begin
           -- That is, while there is no reason to end.
           if ending_now = '0' then
             if {% if e.axi %}memory_error = '1' then
-              next_reason := "00100";
+              next_reason := reason_memory;
             elsif memory_silent = '1' then
-              next_reason := "01001";
+              next_reason := reason_silent;
             elsif {% endif %}bad_tree = '1' then
-              next_reason := "00011";
+              next_reason := reason_bad_tree;
             elsif contact = '1' then
-              next_reason := "00001";
+              next_reason := reason_contact;
             elsif limit_reached = '1' then
-              next_reason := "00010";
+              next_reason := reason_limit;
             elsif stopped = '1' then
-              next_reason := "00101";
+              next_reason := reason_stopped;
             end if;
           end if;
 {%- if e.axi %}

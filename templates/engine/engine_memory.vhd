@@ -16,36 +16,40 @@ entity {{ prefix }}{{ m.entity }} is
     reset : in std_logic;
     -- Words to be stored, while nothing is asked for.
     write_valid : in std_logic;
-    write_line : in std_logic_vector({{ m.line_address_bits - 1 }} downto 0);
+    write_line : in std_logic_vector({{ m.place }});
     write_place : in std_logic_vector(2 downto 0);  -- of the word in its line
-    write_data : in std_logic_vector({{ m.word_bits - 1 }} downto 0);
-    base_a : in std_logic_vector({{ m.line_address_bits - 1 }} downto 0);
-    base_b : in std_logic_vector({{ m.line_address_bits - 1 }} downto 0);
+    write_data : in std_logic_vector({{ m.word }});
+    base_a : in std_logic_vector({{ m.place }});
+    base_b : in std_logic_vector({{ m.place }});
     request_valid : in std_logic;
     request_ready : out std_logic;
-    request_a : in std_logic_vector({{ m.number_bits - 1 }} downto 0);
-    request_b : in std_logic_vector({{ m.number_bits - 1 }} downto 0);
+    request_a : in std_logic_vector({{ m.number }});
+    request_b : in std_logic_vector({{ m.number }});
     lines_valid : out std_logic;
     lines_taken : in std_logic;
-    line_a : out std_logic_vector({{ m.line_bits - 1 }} downto 0);
-    line_b : out std_logic_vector({{ m.line_bits - 1 }} downto 0)
+    line_a : out std_logic_vector({{ m.line }});
+    line_b : out std_logic_vector({{ m.line }})
   );
 end entity {{ prefix }}{{ m.entity }};
 
 architecture rtl of {{ prefix }}{{ m.entity }} is
-  type words is array (0 to {{ m.lines - 1 }}) of std_logic_vector({{ m.word_bits - 1 }} downto 0);
+  constant line_count : natural := {{ m.lines }};
+  constant place_bits : natural := {{ m.line_address_bits }};
+  constant word_bits : natural := {{ m.word_bits }};
+  constant words_per_line : natural := {{ m.words_per_line }};
+  type words is array (0 to line_count - 1) of std_logic_vector(word_bits - 1 downto 0);
   signal asked : std_logic := '0';
-  signal asked_a : unsigned({{ m.line_address_bits - 1 }} downto 0) := (others => '0');
-  signal asked_b : unsigned({{ m.line_address_bits - 1 }} downto 0) := (others => '0');
+  signal asked_a : unsigned(place_bits - 1 downto 0) := (others => '0');
+  signal asked_b : unsigned(place_bits - 1 downto 0) := (others => '0');
   signal found : std_logic := '0';
   signal moves : std_logic;  -- the lines asked for are read
   signal accepts : std_logic;
-  signal place_a : unsigned({{ m.line_address_bits - 1 }} downto 0);
-  type line_words is array (0 to {{ m.words_per_line - 1 }}) of std_logic_vector({{ m.word_bits - 1 }} downto 0);
+  signal place_a : unsigned(place_bits - 1 downto 0);
+  type line_words is array (0 to words_per_line - 1) of std_logic_vector(word_bits - 1 downto 0);
   signal words_a : line_words := (others => (others => '0'));
   signal words_b : line_words := (others => (others => '0'));
-  signal whole_a : std_logic_vector({{ m.padded_bits - 1 }} downto 0);
-  signal whole_b : std_logic_vector({{ m.padded_bits - 1 }} downto 0);
+  signal whole_a : std_logic_vector({{ m.padded }});
+  signal whole_b : std_logic_vector({{ m.padded }});
 begin
   moves <= asked and (lines_taken or not found);
   accepts <= moves or not asked;
@@ -56,8 +60,8 @@ begin
   whole_b <= {% for i in m.word_places %}words_b({{ i }}){% if !loop.last %}
     & {% endif %}{% endfor %};
   -- A line ends within its last word: what is above is not of the line.
-  line_a <= whole_a({{ m.line_bits - 1 }} downto 0);
-  line_b <= whole_b({{ m.line_bits - 1 }} downto 0);
+  line_a <= whole_a({{ m.line }});
+  line_b <= whole_b({{ m.line }});
   place_a <= unsigned(write_line) when write_valid = '1' else asked_a;
 
   -- Control runs no query whose tree ends beyond the memory, and the traversal asks for nothing beyond the tree: what is dropped of
@@ -66,8 +70,8 @@ begin
   begin
     if rising_edge(clk) then
       if accepts = '1' then
-        asked_a <= unsigned(base_a) + unsigned(request_a({{ m.used_number_bits - 1 }} downto 0));
-        asked_b <= unsigned(base_b) + unsigned(request_b({{ m.used_number_bits - 1 }} downto 0));
+        asked_a <= unsigned(base_a) + unsigned(request_a({{ m.used_number }}));
+        asked_b <= unsigned(base_b) + unsigned(request_b({{ m.used_number }}));
       end if;
       if reset = '1' then
         asked <= '0';
@@ -83,7 +87,7 @@ begin
     end if;
   end process ask;
 
-  banks : for i in 0 to {{ m.words_per_line - 1 }} generate
+  banks : for i in 0 to words_per_line - 1 generate
     signal bank : words := (others => (others => '0'));
     signal written : std_logic;
   begin

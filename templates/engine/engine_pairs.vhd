@@ -33,11 +33,14 @@ entity {{ prefix }}engine_pairs is
 end entity {{ prefix }}engine_pairs;
 
 architecture rtl of {{ prefix }}engine_pairs is
-  type pairs is array (0 to {{ e.traversal.pairs - 1 }}) of std_logic_vector(55 downto 0);
+  constant places : natural := {{ e.traversal.pairs }};
+  constant place_bits : natural := {{ e.traversal.pair_bits }};
+  constant open_bits : natural := {{ e.traversal.open_bits }};
+  type pairs is array (0 to places - 1) of std_logic_vector(55 downto 0);
   signal queue : pairs := (others => (others => '0'));
-  signal written : unsigned({{ e.traversal.pair_bits - 1 }} downto 0) := (others => '0');
-  signal fetched : unsigned({{ e.traversal.pair_bits - 1 }} downto 0) := (others => '0');
-  signal waiting : unsigned({{ e.traversal.pair_bits }} downto 0) := (others => '0');  -- in the queue
+  signal written : unsigned(place_bits - 1 downto 0) := (others => '0');
+  signal fetched : unsigned(place_bits - 1 downto 0) := (others => '0');
+  signal waiting : unsigned(place_bits downto 0) := (others => '0');  -- in the queue
   signal full : std_logic := '0';
   signal head : std_logic_vector(55 downto 0) := (others => '0');
   signal head_valid : std_logic := '0';
@@ -47,7 +50,7 @@ architecture rtl of {{ prefix }}engine_pairs is
   signal opens : std_logic;  -- one pair more has to be answered
   signal drops : std_logic;
   signal asks : std_logic;
-  signal open_pairs : unsigned({{ e.traversal.open_bits - 1 }} downto 0) := (others => '0');
+  signal open_pairs : unsigned(open_bits - 1 downto 0) := (others => '0');
   signal idle_now : std_logic := '1';  -- clear as soon as a pair has come
 begin
   accepts <= pair_valid and not full;
@@ -118,7 +121,7 @@ begin
         end if;
         if accepts = '1' and fetches = '0' then
           waiting <= waiting + 1;
-          if waiting = {{ e.traversal.pairs - 1 }} then
+          if waiting = places - 1 then
             full <= '1';
           end if;
         elsif accepts = '0' and fetches = '1' then

@@ -19,6 +19,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}engine_read_master is
   port (
@@ -32,7 +33,7 @@ entity {{ prefix }}engine_read_master is
     ask_address_2 : in std_logic_vector(25 downto 0);
     ask_address_3 : in std_logic_vector(25 downto 0);
     fill_valid : out std_logic_vector(3 downto 0);
-    fill_data : out std_logic_vector({{ e.memory.memory_width - 1 }} downto 0);
+    fill_data : out std_logic_vector(memory_width - 1 downto 0);
     failed : out std_logic;  -- until restart
     draining : out std_logic;  -- bursts from before restart are under way: nothing is asked
     silent : out std_logic;  -- memory does not answer
@@ -43,7 +44,7 @@ entity {{ prefix }}engine_read_master is
     m_axi_arburst : out std_logic_vector(1 downto 0);
     m_axi_arvalid : out std_logic;
     m_axi_arready : in std_logic;
-    m_axi_rdata : in std_logic_vector({{ e.memory.memory_width - 1 }} downto 0);
+    m_axi_rdata : in std_logic_vector(memory_width - 1 downto 0);
     m_axi_rresp : in std_logic_vector(1 downto 0);
     m_axi_rlast : in std_logic;
     m_axi_rvalid : in std_logic;
@@ -53,8 +54,10 @@ end entity {{ prefix }}engine_read_master;
 
 architecture rtl of {{ prefix }}engine_read_master is
   constant nobody : std_logic_vector(3 downto 0) := "0000";
-  constant last_of_block : unsigned(3 downto 0) := to_unsigned({{ e.memory.block_words - 1 }}, 4);
-  constant last_of_triangle : unsigned(3 downto 0) := to_unsigned({{ e.memory.triangle_words - 1 }}, 4);
+  constant block_words : natural := {{ e.memory.block_words }};
+  constant triangle_words : natural := {{ e.memory.triangle_words }};
+  constant last_of_block : unsigned(3 downto 0) := to_unsigned(block_words - 1, 4);
+  constant last_of_triangle : unsigned(3 downto 0) := to_unsigned(triangle_words - 1, 4);
   signal picked : std_logic := '0';  -- somebody is to be served
   signal turn : unsigned(1 downto 0) := "00";  -- who is served next, or was last
   signal served : std_logic_vector(3 downto 0);
@@ -83,7 +86,9 @@ architecture rtl of {{ prefix }}engine_read_master is
   signal failed_now : std_logic := '0';
   signal draining_now : std_logic := '0';
 {%- if e.memory.watchdog > 0 %}
-  signal silence : unsigned({{ e.memory.watchdog_bits - 1 }} downto 0) := (others => '0');  -- clocks without a word
+  constant watchdog : natural := {{ e.memory.watchdog }};
+  constant silence_bits : natural := {{ e.memory.watchdog_bits }};
+  signal silence : unsigned(silence_bits - 1 downto 0) := (others => '0');  -- clocks without a word
   signal silent_now : std_logic := '0';
 {%- endif %}
 begin
@@ -219,7 +224,7 @@ begin
       if reset = '1' or m_axi_rvalid = '1' or nothing_under_way = '1' then
         silence <= (others => '0');
         silent_now <= '0';
-      elsif silence = {{ e.memory.watchdog - 1 }} then
+      elsif silence = watchdog - 1 then
         silent_now <= '1';
       else
         silence <= silence + 1;

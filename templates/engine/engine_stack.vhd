@@ -9,37 +9,40 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}engine_stack is
   port (
     clk : in std_logic;
     clear : in std_logic;  -- empties it
     push : in std_logic;
-    push_entry : in std_logic_vector({{ e.traversal.entry_bits - 1 }} downto 0);
+    push_entry : in std_logic_vector(entry_bits - 1 downto 0);
     pop : in std_logic;  -- only while filled
-    top_entry : out std_logic_vector({{ e.traversal.entry_bits - 1 }} downto 0);
+    top_entry : out std_logic_vector(entry_bits - 1 downto 0);
     filled : out std_logic;  -- there is an entry
     greatest : out unsigned(15 downto 0)  -- number of entries, the most since it was emptied
   );
 end entity {{ prefix }}engine_stack;
 
 architecture rtl of {{ prefix }}engine_stack is
-  type entries is array (0 to {{ e.traversal.stack_places - 1 }}) of std_logic_vector({{ e.traversal.entry_bits - 1 }} downto 0);
+  constant places : natural := {{ e.traversal.stack_places }};
+  constant place_bits : natural := {{ e.traversal.stack_bits }};
+  type entries is array (0 to places - 1) of std_logic_vector(entry_bits - 1 downto 0);
   signal memory : entries := (others => (others => '0'));  -- all entries but the two uppermost
-  signal used : unsigned({{ e.traversal.stack_bits }} downto 0) := (others => '0');  -- entries
-  signal push_place : unsigned({{ e.traversal.stack_bits - 1 }} downto 0) := (others => '0');  -- used - 2: where the second goes
-  signal pop_place : unsigned({{ e.traversal.stack_bits - 1 }} downto 0) := (others => '0');  -- used - 4: the third after a pop
-  signal place : unsigned({{ e.traversal.stack_bits - 1 }} downto 0);
-  signal top : std_logic_vector({{ e.traversal.entry_bits - 1 }} downto 0) := (others => '0');
-  signal second : std_logic_vector({{ e.traversal.entry_bits - 1 }} downto 0) := (others => '0');
-  signal pushed_over : std_logic_vector({{ e.traversal.entry_bits - 1 }} downto 0) := (others => '0');  -- second before the last push
-  signal remembered : std_logic_vector({{ e.traversal.entry_bits - 1 }} downto 0) := (others => '0');  -- output of the memory
-  signal third : std_logic_vector({{ e.traversal.entry_bits - 1 }} downto 0);
+  signal used : unsigned(place_bits downto 0) := (others => '0');  -- entries
+  signal push_place : unsigned(place_bits - 1 downto 0) := (others => '0');  -- used - 2: where the second goes
+  signal pop_place : unsigned(place_bits - 1 downto 0) := (others => '0');  -- used - 4: the third after a pop
+  signal place : unsigned(place_bits - 1 downto 0);
+  signal top : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
+  signal second : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
+  signal pushed_over : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');  -- second before the last push
+  signal remembered : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');  -- output of the memory
+  signal third : std_logic_vector(entry_bits - 1 downto 0);
   signal last_was_push : std_logic := '0';
   signal grows : std_logic;
   signal shrinks : std_logic;
   signal filled_now : std_logic := '0';
-  signal most : unsigned({{ e.traversal.stack_bits }} downto 0) := (others => '0');
+  signal most : unsigned(place_bits downto 0) := (others => '0');
 begin
   filled <= filled_now;
   top_entry <= top;
@@ -79,8 +82,8 @@ begin
       if clear = '1' then
         used <= (others => '0');
         filled_now <= '0';
-        push_place <= to_unsigned({{ e.traversal.stack_places - 2 }}, {{ e.traversal.stack_bits }});
-        pop_place <= to_unsigned({{ e.traversal.stack_places - 4 }}, {{ e.traversal.stack_bits }});
+        push_place <= to_unsigned(places - 2, place_bits);
+        pop_place <= to_unsigned(places - 4, place_bits);
         most <= (others => '0');
         last_was_push <= '0';
       else

@@ -44,22 +44,22 @@ architecture rtl of {{ prefix }}efsat_uart_top is
   signal silent_bit : std_logic;
   signal silence : natural range 0 to silence_bits := 0;  -- bit times
 
-  signal collected : std_logic_vector({{ width - 1 }} downto 0) := (others => '0');  -- the bytes of the next word
+  signal collected : std_logic_vector({{ word }}) := (others => '0');  -- the bytes of the next word
   signal collected_bytes : natural range 0 to word_bytes - 1 := 0;
-  signal held : std_logic_vector({{ width - 1 }} downto 0) := (others => '0');  -- a whole word, perhaps the last
+  signal held : std_logic_vector({{ word }}) := (others => '0');  -- a whole word, perhaps the last
   signal held_valid : std_logic := '0';
-  signal s_tdata : std_logic_vector({{ width - 1 }} downto 0) := (others => '0');
-  signal s_tkeep : std_logic_vector({{ word_bytes - 1 }} downto 0) := (others => '1');
+  signal s_tdata : std_logic_vector({{ word }}) := (others => '0');
+  signal s_tkeep : std_logic_vector(word_bytes - 1 downto 0) := (others => '1');
   signal s_tvalid : std_logic := '0';
   signal s_tlast : std_logic := '0';
   signal s_tready : std_logic;
 
-  signal m_tdata : std_logic_vector({{ answer_width - 1 }} downto 0);
-  signal m_tkeep : std_logic_vector({{ answer_bytes - 1 }} downto 0);
+  signal m_tdata : std_logic_vector({{ answer }});
+  signal m_tkeep : std_logic_vector(answer_bytes - 1 downto 0);
   signal m_tvalid : std_logic;
   signal m_tlast : std_logic;
   signal m_tready : std_logic;
-  signal leaving : std_logic_vector({{ answer_width - 1 }} downto 0) := (others => '0');  -- the next byte in the low bits
+  signal leaving : std_logic_vector({{ answer }}) := (others => '0');  -- the next byte in the low bits
   signal leaving_bytes : natural range 0 to answer_bytes := 0;
   signal byte_out_valid : std_logic;
   signal byte_out_ready : std_logic;
@@ -94,7 +94,7 @@ begin
   begin
     if rising_edge(clk) then
       if byte_in_valid = '1' then
-        collected <= byte_in & collected({{ width - 1 }} downto 8);
+        collected <= byte_in & collected({{ word.high }} downto 8);
       end if;
       if reset_in = '1' then
         silence <= 0;
@@ -116,7 +116,7 @@ begin
           end if;
           if collected_bytes = word_bytes - 1 then
             collected_bytes <= 0;
-            held <= byte_in & collected({{ width - 1 }} downto 8);
+            held <= byte_in & collected({{ word.high }} downto 8);
             held_valid <= '1';
           else
             collected_bytes <= collected_bytes + 1;
@@ -168,7 +168,7 @@ begin
       if (m_tvalid and m_tready) = '1' then
         leaving <= m_tdata;
       elsif (byte_out_valid and byte_out_ready) = '1' then
-        leaving <= "00000000" & leaving({{ answer_width - 1 }} downto 8);
+        leaving <= "00000000" & leaving({{ answer.high }} downto 8);
       end if;
       if reset_in = '1' then
         leaving_bytes <= 0;

@@ -10,13 +10,13 @@ entity {{ prefix }}efsat_stream is
   port (
     aclk : in std_logic;  -- all ports change with its rising edge
     aresetn : in std_logic;  -- synchronous to aclk, active low: for one clock at the least
-    s_axis_tdata : in std_logic_vector({{ width - 1 }} downto 0);
-    s_axis_tkeep : in std_logic_vector({{ width_bytes - 1 }} downto 0) := (others => '1');  -- ones where the source has none, or it is left open
+    s_axis_tdata : in std_logic_vector({{ word }});
+    s_axis_tkeep : in std_logic_vector({{ keep }}) := (others => '1');  -- ones where the source has none, or it is left open
     s_axis_tvalid : in std_logic;
     s_axis_tlast : in std_logic;  -- last word of a packet
     s_axis_tready : out std_logic;
-    m_axis_tdata : out std_logic_vector({{ answer_width - 1 }} downto 0);
-    m_axis_tkeep : out std_logic_vector({{ answer_bytes - 1 }} downto 0);  -- always ones
+    m_axis_tdata : out std_logic_vector({{ answer }});
+    m_axis_tkeep : out std_logic_vector({{ answer_keep }});  -- always ones
     m_axis_tvalid : out std_logic;
     m_axis_tlast : out std_logic;  -- last answer to a packet
     m_axis_tready : in std_logic := '1'  -- left open where the sink takes an answer in every clock
@@ -28,10 +28,12 @@ architecture rtl of {{ prefix }}efsat_stream is
 {%- if has_pose %}
   constant pose_header : std_logic_vector(31 downto 0) := x"{{ pose_header }}";
 {%- endif %}
-  constant all_bytes : std_logic_vector({{ width_bytes - 1 }} downto 0) := (others => '1');
-  constant pair_end : unsigned(5 downto 0) := to_unsigned({{ pair_words - 1 }}, 6);  -- last word of a pair, counted from 0
+  constant all_bytes : std_logic_vector({{ keep }}) := (others => '1');
+  constant pair_words : natural := {{ pair_words }};
+  constant pair_end : unsigned(5 downto 0) := to_unsigned(pair_words - 1, 6);  -- last word of a pair, counted from 0
 {%- if has_pose %}
-  constant pose_end : unsigned(5 downto 0) := to_unsigned({{ pose_words - 1 }}, 6);  -- last word of a pose
+  constant pose_words : natural := {{ pose_words }};
+  constant pose_end : unsigned(5 downto 0) := to_unsigned(pose_words - 1, 6);  -- last word of a pose
 {%- endif %}
 
   -- What the next word is.
@@ -68,12 +70,14 @@ architecture rtl of {{ prefix }}efsat_stream is
 {%- if signs.len() > 0 %} Of a pair bit 0
   -- says that a number of it or its pose does not fit.
 {%- endif %}
-  type order_words is array (0 to {{ places - 1 }}) of std_logic_vector(3 downto 0);
+  constant places : natural := {{ places }};
+  constant place_bits : natural := {{ place_bits }};
+  type order_words is array (0 to places - 1) of std_logic_vector(3 downto 0);
   signal order_memory : order_words := (others => "0000");
   signal order_entry : std_logic_vector(3 downto 0);
   signal order_write : std_logic;
-  signal owed_count : unsigned({{ place_bits }} downto 0) := (others => '0');
-  signal given_count : unsigned({{ place_bits }} downto 0) := (others => '0');
+  signal owed_count : unsigned(place_bits downto 0) := (others => '0');
+  signal given_count : unsigned(place_bits downto 0) := (others => '0');
   signal order_full : std_logic;
   signal owing : std_logic;
   signal head : std_logic_vector(3 downto 0);
@@ -82,10 +86,10 @@ architecture rtl of {{ prefix }}efsat_stream is
   signal out_ready : std_logic;
   signal out_verdict : std_logic_vector(1 downto 0);
 {%- if tag_width > 0 %}
-  signal out_tag : std_logic_vector({{ tag_width - 1 }} downto 0);
+  signal out_tag : std_logic_vector({{ tag }});
 {%- endif %}
-  signal out_separated : std_logic_vector({{ flags - 1 }} downto 0);
-  signal out_overlapping : std_logic_vector({{ flags - 1 }} downto 0);
+  signal out_separated : std_logic_vector({{ flags }});
+  signal out_overlapping : std_logic_vector({{ flags }});
 {%- if guarded %}
   signal out_outside : std_logic;
 {%- endif %}
@@ -106,9 +110,9 @@ architecture rtl of {{ prefix }}efsat_stream is
   signal outside_answer : std_logic;
   signal code_answer : std_logic_vector(1 downto 0);
 {%- endif %}
-  constant report_zeros : std_logic_vector({{ answer_width - 9 }} downto 0) := (others => '0');
-  signal verdict_answer : std_logic_vector({{ answer_width - 1 }} downto 0);
-  signal report_answer : std_logic_vector({{ answer_width - 1 }} downto 0);
+  constant report_zeros : std_logic_vector({{ report_zeros }}) := (others => '0');
+  signal verdict_answer : std_logic_vector({{ answer }});
+  signal report_answer : std_logic_vector({{ answer }});
   signal answer_valid : std_logic;
   signal answer_taken : std_logic;
 begin
@@ -243,15 +247,15 @@ begin
   order_write <= word_taken and (s_axis_tlast or at_pair_end) when expectation = pair_state else
     word_taken and s_axis_tlast;
   order_full <= '1' when owed_count(owed_count'high) /= given_count(given_count'high)
-    and owed_count({{ place_bits - 1 }} downto 0) = given_count({{ place_bits - 1 }} downto 0) else '0';
+    and owed_count(place_bits - 1 downto 0) = given_count(place_bits - 1 downto 0) else '0';
   owing <= '1' when owed_count /= given_count else '0';
-  head <= order_memory(to_integer(given_count({{ place_bits - 1 }} downto 0)));
+  head <= order_memory(to_integer(given_count(place_bits - 1 downto 0)));
 
   keep_order : process (aclk)
   begin
     if rising_edge(aclk) then
       if order_write = '1' then
-        order_memory(to_integer(owed_count({{ place_bits - 1 }} downto 0))) <= order_entry;
+        order_memory(to_integer(owed_count(place_bits - 1 downto 0))) <= order_entry;
       end if;
       if aresetn = '0' then
         owed_count <= (others => '0');

@@ -36,13 +36,13 @@ architecture simulation of {{ prefix }}efsat_stream_tb is
   signal done : boolean := false;
   signal aresetn : std_logic := '0';
   -- Without TVALID nobody may look at the others.
-  signal s_tdata : std_logic_vector({{ width - 1 }} downto 0) := (others => 'X');
-  signal s_tkeep : std_logic_vector({{ width_bytes - 1 }} downto 0) := (others => 'X');
+  signal s_tdata : std_logic_vector({{ word }}) := (others => 'X');
+  signal s_tkeep : std_logic_vector({{ keep }}) := (others => 'X');
   signal s_tvalid : std_logic := '0';
   signal s_tlast : std_logic := 'X';
   signal s_tready : std_logic;
-  signal m_tdata : std_logic_vector({{ answer_width - 1 }} downto 0);
-  signal m_tkeep : std_logic_vector({{ answer_bytes - 1 }} downto 0);
+  signal m_tdata : std_logic_vector({{ answer }});
+  signal m_tkeep : std_logic_vector({{ answer_keep }});
   signal m_tvalid : std_logic;
   signal m_tlast : std_logic;
   signal m_tready : std_logic := '0';

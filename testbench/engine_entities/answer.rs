@@ -217,7 +217,7 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
         ("decided_ready <= not next_valid;", "decided_ready <= '1';"),
         ("head_valid and separate_too and not dropping;", "head_valid and separate_too;"),
         ("counts <= taken and not dropping;", "counts <= taken;"),
-        ("reason = \"00001\" and short = '0'", "reason = \"00001\""),
+        ("reason = reason_contact and short = '0'", "reason = reason_contact"),
         ("offered_last <= ends;", "offered_last <= '0';"),
         // A restart takes back what is offered, or lets a report go on.
         ("offered <= offered and not free;", "offered <= '0';"),

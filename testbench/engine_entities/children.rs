@@ -115,7 +115,7 @@ fn blocks_and_links_are_checked() {
         ),
         ("or other_before /= same", ""),
         ("data(151 downto 147) /= \"00000\"", "data(150 downto 147) /= \"0000\""),
-        ("target(30 downto 24) /= 0", "target(29 downto 24) /= 0"),
+        ("target(30 downto node_bits) /= 0", "target(29 downto node_bits) /= 0"),
     ];
     tried(&small(Memory::Axi), "engine_children", &changes, children);
 }

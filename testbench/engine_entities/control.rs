@@ -418,7 +418,7 @@ fn a_job_is_checked_and_run_and_reported() {
         ("if memory_draining = '1' then", "if memory_draining = '1' and flushing = '1' then"),
         ("            if memory_silent = '1' then\n", "            if flushing = '1' then\n"),
         ("if (memory_error or memory_silent) = '1' then", "if memory_error = '1' then"),
-        ("next_reason := \"01010\";\n        known <= '0';", "next_reason := \"01010\";"),
+        ("next_reason := reason_reset;\n        known <= '0';", "next_reason := reason_reset;"),
         ("number_now <= forget_number;", "number_now <= job_number;"),
         ("above /= \"1111\" or cut = \"100000000000000000\"", "above /= \"1111\""),
         ("if ending_now = '0' then", "if running_now = '1' then"),

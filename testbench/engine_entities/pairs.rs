@@ -118,7 +118,7 @@ fn pairs(entity: &mut Entity) -> Outcome {
 #[test]
 fn pairs_are_asked_for_in_order_and_counted() {
     let changes = [
-        ("waiting = 15 then", "waiting = 14 then"),
+        ("waiting = places - 1 then", "waiting = places - 2 then"),
         ("head_leaves <= head_valid and (ending or request_ready);", "head_leaves <= head_valid and request_ready;"),
         ("opens <= accepts or sent;", "opens <= accepts;"),
         ("request_b <= head(27 downto 0);", "request_b <= head(55 downto 28);"),

@@ -1,9 +1,11 @@
 //! An entity in GHDL, driven clock by clock through two pipes.
 
+use crate::tools::Ghdl;
+use efsat_hardware::tools::Tool;
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write as _};
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdin, ChildStdout};
 
 /// Bits of a port in the row of all inputs or all outputs.
 #[derive(Clone, Copy)]
@@ -21,7 +23,8 @@ pub struct Entity {
     /// The lowest bit first.
     inputs: Vec<bool>,
     outputs: Vec<bool>,
-    _dir: tempfile::TempDir,
+    /// Its folder.
+    _ghdl: Ghdl,
 }
 
 struct Port {
@@ -32,16 +35,26 @@ struct Port {
     unsigned: bool,
 }
 
-/// The ports of the first entity of a text but for `clk`.
-fn ports(text: &str) -> Vec<Port> {
+/// The value of a constant of the package in front, or a number.
+fn number(text: &str, package: &str) -> usize {
+    let declared = || package.split(&format!("constant {text} : natural := ")).nth(1)?.split(';').next();
+    declared().unwrap_or(text).parse().unwrap_or_else(|_| panic!("no number: {text}"))
+}
+
+/// The ports of the first entity of a text but for `clk`. The highest bit is a number, or a constant less one.
+fn ports(text: &str, package: &str) -> Vec<Port> {
     let declarations = text.split("port (\n").nth(1).and_then(|rest| rest.split("\n  );").next()).expect("ports");
     let code =
         declarations.lines().filter_map(|line| line.split("--").next()?.trim().trim_end_matches(';').split_once(':'));
     let port = |(name, kind): (&str, &str)| {
         let (direction, kind) = kind.trim().split_once(' ').expect("a direction");
-        let high = kind.split_once('(').map(|(_, range)| range.split(' ').next().unwrap().parse::<usize>().unwrap());
+        let range = kind.split_once('(').and_then(|(_, range)| range.split_once(" downto"));
+        let bits = range.map(|(high, _)| match high.strip_suffix(" - 1") {
+            Some(bits) => number(bits, package),
+            None => number(high, package) + 1,
+        });
         let unsigned = kind.trim().starts_with("unsigned");
-        Port { name: name.trim().to_owned(), input: direction == "in", bits: high.map(|high| high + 1), unsigned }
+        Port { name: name.trim().to_owned(), input: direction == "in", bits, unsigned }
     };
     code.map(port).filter(|port| port.name != "clk").collect()
 }
@@ -121,8 +134,8 @@ end architecture simulation;
 
 impl Entity {
     /// Analyses a text, behind that of the entities in it, and starts it; all inputs are 0.
-    pub fn new(ghdl: &str, name: &str, text: &str, parts: &str) -> Self {
-        let ports = ports(text);
+    pub fn new(ghdl: &'static Tool, name: &str, text: &str, parts: &str) -> Self {
+        let ports = ports(text, parts);
         let mut places = HashMap::new();
         let mut ends = [0; 2];
         for port in &ports {
@@ -131,24 +144,14 @@ impl Entity {
             places.insert(port.name.clone(), Place { low: *end, bits });
             *end += bits;
         }
-        let dir = tempfile::tempdir().unwrap();
-        let write = |file: &str, text: &str| std::fs::write(dir.path().join(file), text).unwrap();
-        write("entity.vhd", &[parts, text].concat());
-        write("player.vhd", &testbench(name, &ports, &places));
-        for arguments in [&["-a", "--std=93", "entity.vhd", "player.vhd"][..], &["-e", "--std=93", "player"]] {
-            let output = Command::new(ghdl).args(arguments).current_dir(dir.path()).output().unwrap();
-            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        }
-        let mut simulation = Command::new(ghdl)
-            .args(["-r", "--std=93", "player", "--ieee-asserts=disable"])
-            .current_dir(dir.path())
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .unwrap();
+        let ghdl = Ghdl::new(ghdl);
+        ghdl.write("entity.vhd", &[parts, text].concat());
+        ghdl.write("player.vhd", &testbench(name, &ports, &places));
+        ghdl.analyse(&["entity.vhd", "player.vhd"]);
+        let mut simulation = ghdl.start("player", &["--ieee-asserts=disable"]);
         let (to, from) = (simulation.stdin.take().unwrap(), BufReader::new(simulation.stdout.take().unwrap()));
         let [outputs, inputs] = ends.map(|end| vec![false; end]);
-        Self { simulation, to, from, places, inputs, outputs, _dir: dir }
+        Self { simulation, to, from, places, inputs, outputs, _ghdl: ghdl }
     }
 
     /// Gives an input a number.

@@ -234,7 +234,7 @@ fn every_client_gets_its_words() {
         ),
         // Old bursts fail for new requests; memory is silent too late, or for ever.
         ("if restart = '1' or draining_now = '1' then", "if restart = '1' then"),
-        ("elsif silence = 299 then", "elsif silence = 300 then"),
+        ("elsif silence = watchdog - 1 then", "elsif silence = watchdog then"),
         ("reset = '1' or m_axi_rvalid = '1' or nothing", "reset = '1' or nothing"),
     ];
     let design = small(Memory::Axi);

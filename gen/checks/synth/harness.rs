@@ -28,9 +28,9 @@ struct Harness<'a> {
     instance: &'a str,
     clock: &'a str,
     inputs: Vec<Port>,
-    input_bits: u32,
+    input_high: u32,
     outputs: Vec<Port>,
-    output_bits: u32,
+    output_high: u32,
 }
 
 /// Ports side by side, and the bits of all.
@@ -67,6 +67,7 @@ fn text(
     (inputs, input_bits): (Vec<Port>, u32),
     (outputs, output_bits): (Vec<Port>, u32),
 ) -> String {
-    let harness = Harness { name: TOP, top, instance: INSTANCE, clock, inputs, input_bits, outputs, output_bits };
+    let [input_high, output_high] = [input_bits - 1, output_bits - 1];
+    let harness = Harness { name: TOP, top, instance: INSTANCE, clock, inputs, input_high, outputs, output_high };
     harness.render().expect("the template renders")
 }

@@ -1,5 +1,6 @@
 //! The example design: the wrapped unit, or the engine, behind a UART; and the testbench of the former.
 
+use super::bits::Bits;
 use super::file_lists::FileLists;
 use super::{FileSet, Prefix, origin};
 use crate::design::Design;
@@ -72,9 +73,9 @@ struct Top<'a> {
     prefix: &'a Prefix,
     core: Core,
     frequency: u32,
-    width: u32,
+    word: Bits,
     word_bytes: u32,
-    answer_width: u32,
+    answer: Bits,
     answer_bytes: u32,
 }
 
@@ -179,9 +180,9 @@ pub(super) fn add_top(set: &mut FileSet, core: Core, frequency: u32, [width, ans
         prefix,
         core,
         frequency,
-        width,
+        word: Bits::all(width),
         word_bytes: width / 8,
-        answer_width,
+        answer: Bits::all(answer_width),
         answer_bytes: answer_width / 8,
     };
     let texts = [Receiver { header, prefix }.render(), Transmitter { header, prefix }.render(), top.render()];

@@ -3,6 +3,7 @@
 //! [`design_files`] makes the whole set of a design, [`FileSet`] writes or compares it as a whole. Texts are printed by
 //! templates from ready values; nothing here decides a number of the design.
 
+mod bits;
 mod board;
 mod design_files;
 mod drop_in;

@@ -1,9 +1,10 @@
 //! The AXI4-Stream wrapper of a design and its testbench: strict VHDL-93 from the layout in [`StreamFormat`].
 
+use super::bits::Bits;
 use super::{Prefix, stream_vectors, testbench};
 use crate::design::Design;
 use crate::design::top::{pair_ports, pose_ports};
-use crate::params::stream::{BYPASS_AT, Kind, StreamFormat, TAG_AT};
+use crate::params::stream::{BYPASS_AT, Kind, STATUS_BITS, StreamFormat, TAG_AT};
 use crate::params::{Method, Params, Upper};
 use askama::Template;
 
@@ -31,9 +32,10 @@ struct Wrapper<'a> {
     header: Vec<String>,
     prefix: &'a Prefix,
     width: u32,
-    width_bytes: u32,
-    answer_width: u32,
-    answer_bytes: u32,
+    word: Bits,
+    keep: Bits,
+    answer: Bits,
+    answer_keep: Bits,
     pairs_header: String,
     pose_header: String,
     has_pose: bool,
@@ -43,7 +45,9 @@ struct Wrapper<'a> {
     places: usize,
     place_bits: u32,
     tag_width: u32,
-    flags: u32,
+    tag: Bits,
+    flags: Bits,
+    report_zeros: Bits,
     guarded: bool,
     signs: Vec<Sign>,
     sign_high: u32,
@@ -60,10 +64,10 @@ struct Testbench<'a> {
     header: &'a [String],
     prefix: &'a Prefix,
     formats: String,
-    width: u32,
-    width_bytes: u32,
-    answer_width: u32,
-    answer_bytes: u32,
+    word: Bits,
+    keep: Bits,
+    answer: Bits,
+    answer_keep: Bits,
     patience: usize,
     full_after: usize,
     begun: u32,
@@ -228,9 +232,10 @@ pub fn wrapper(design: &Design, format: &StreamFormat, prefix: &Prefix, origin: 
         header,
         prefix,
         width: format.width.bits(),
-        width_bytes: format.width.bits() / 8,
-        answer_width: format.answer_width(),
-        answer_bytes: format.answer_width() / 8,
+        word: Bits::all(format.width.bits()),
+        keep: Bits::all(format.width.bits() / 8),
+        answer: Bits::all(format.answer_width()),
+        answer_keep: Bits::all(format.answer_width() / 8),
         pairs_header: format!("{:08x}", format.header(Kind::Pairs)),
         pose_header: format!("{:08x}", format.header(Kind::Pose)),
         has_pose: format.has_pose(),
@@ -240,7 +245,9 @@ pub fn wrapper(design: &Design, format: &StreamFormat, prefix: &Prefix, origin: 
         places,
         place_bits: places.trailing_zeros(),
         tag_width: p.tag_width,
-        flags: format.flags,
+        tag: Bits::all(p.tag_width.max(1)),
+        flags: Bits::all(format.flags),
+        report_zeros: Bits::all(format.answer_width() - STATUS_BITS),
         guarded: p.guarded(),
         signs: signs(format),
         sign_high: format.spare_bits(),
@@ -260,10 +267,10 @@ pub fn bench(design: &Design, format: &StreamFormat, prefix: &Prefix, origin: &[
         header: origin,
         prefix,
         formats: stream_vectors::formats_line(p, format),
-        width: format.width.bits(),
-        width_bytes: format.width.bits() / 8,
-        answer_width: format.answer_width(),
-        answer_bytes: format.answer_width() / 8,
+        word: Bits::all(format.width.bits()),
+        keep: Bits::all(format.width.bits() / 8),
+        answer: Bits::all(format.answer_width()),
+        answer_keep: Bits::all(format.answer_width() / 8),
         patience: 4096 + 4 * design.latency,
         full_after: testbench::full_after(design) + 64,
         // The header, a pair in the unit, and one that waits for its slot.

@@ -5,6 +5,7 @@
 //! are one clocked process, so that the built-in simulator can do the same, clock for clock.
 
 use super::Prefix;
+use super::bits::Bits;
 use super::vectors::{Word, answer_word, formats_line, pair_word, pose_word};
 use crate::design::sequencer;
 use crate::design::top::{Channel, Design};
@@ -65,6 +66,7 @@ struct Testbench<'a> {
     answer: Vec<Field>,
     answer_high: u32,
     tag_width: u32,
+    tag: Bits,
     tags: u64,
     half_period: String,
     patience: usize,
@@ -123,6 +125,7 @@ pub fn text(design: &Design, prefix: &Prefix, origin: &[String]) -> String {
         answer: fields(&answer),
         probes: fields(&probes),
         tag_width: p.tag_width,
+        tag: Bits::all(p.tag_width.max(1)),
         tags: 1 << p.tag_width.min(30),
         half_period: format!("{} ps", half_period(p)),
         patience: patience(design),

@@ -125,6 +125,10 @@ pub fn engine_design_files_with(
             &format!("{prefix}{NAME}.vhd"),
             "The engine; the other `.vhd` files are its entities and those of the units.",
         ),
+        row(
+            &format!("{}.vhd", prefix.of("engine_layout")),
+            "The package of the widths that the entities share, and of the fields of their words.",
+        ),
         row(&bench_file, "Testbench, for simulation only."),
         row(
             &vector_file,

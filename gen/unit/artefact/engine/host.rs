@@ -195,7 +195,7 @@ fn of_engine(design: &EngineDesign) -> Vec<Constant> {
 }
 
 /// The constant of a reason, and what sentences call it.
-fn reason(reason: Reason) -> (Constant, &'static str) {
+pub(super) fn reason(reason: Reason) -> (Constant, &'static str) {
     let (name, what, called) = match reason {
         Reason::Complete => ("reason_complete", "everything was traversed", "complete"),
         Reason::Contact => ("reason_contact", "stopped at a certain contact", "stopped at a certain contact"),

@@ -117,6 +117,7 @@ macro_rules! entities {
 }
 
 entities! {
+    Layout "engine/engine_layout.vhd";
     Stack "engine/engine_stack.vhd";
     Children "engine/engine_children.vhd";
     Traverse "engine/engine_traverse.vhd";
@@ -160,6 +161,7 @@ pub fn engine_files(
     let mut files = vhdl_files(&design.unit, prefix, command_line)?;
     files.extend(volume_files(&design.volume, prefix)?);
     let mut add = |name: &str, text: String| files.push((format!("{}.vhd", prefix.of(name)), text));
+    add("engine_layout", Layout::text(&header, prefix, &values));
     for lines in &values.memory.memories {
         let text = match design.params.memory {
             Memory::BlockRam => MemoryText { header: &header, prefix, m: lines }.render(),

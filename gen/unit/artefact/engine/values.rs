@@ -1,6 +1,7 @@
 //! The numbers that the templates of the engine print.
 
 mod blocks;
+mod layout;
 mod memory;
 mod query;
 mod traversal;
@@ -8,9 +9,11 @@ mod unit;
 
 use super::EngineDesign;
 use super::vectors::formats_line;
+use crate::artefact::bits::Bits;
 use crate::artefact::testbench::half_period;
 use crate::params::engine::Memory;
 use blocks::Blocks;
+use layout::Group;
 use memory::Memories;
 use query::Query;
 use traversal::Traversal;
@@ -21,34 +24,12 @@ pub(super) use memory::Lines;
 /// Words of a stream into the engine.
 pub(super) const WORD: u32 = 64;
 
-/// Bits of a word.
-#[derive(Debug)]
-pub(super) struct Bits {
-    pub high: u32,
-    pub low: u32,
-}
-
-/// Bits to one place and where they come from.
-#[derive(Debug)]
-pub(super) struct Slice {
-    pub high: u32,
-    pub low: u32,
-    pub from_high: u32,
-    pub from_low: u32,
-}
-
-impl Slice {
-    /// So many bits from `low` on, from those from `from_low` on.
-    fn new(low: u32, bits: u32, from_low: u32, from_bits: u32) -> Self {
-        Self { high: low + bits - 1, low, from_high: from_low + from_bits - 1, from_low }
-    }
-}
-
 /// All of them.
 #[derive(Debug)]
 pub(super) struct Values {
     pub axi: bool,
     pub block_ram: bool,
+    pub layout: Vec<Group>,
     pub traversal: Traversal,
     pub blocks: Blocks,
     pub unit: Unit,
@@ -66,6 +47,7 @@ impl Values {
         Self {
             axi,
             block_ram: !axi,
+            layout: layout::groups(design),
             traversal: Traversal::new(design),
             blocks: Blocks::new(format),
             unit: Unit::new(design),

@@ -1,13 +1,12 @@
 //! Blocks of trees, and what they are compared with, in parts that a device compares fast.
 
-use super::{binary, zeros};
+use super::{Bits, binary, zeros};
 use crate::params::engine::{BlockLayout, EngineFormat};
 
 /// Bits that are compared together, and what they are compared with, the highest first.
 #[derive(Debug)]
 pub(in super::super) struct Part {
-    pub high: u32,
-    pub low: u32,
+    pub bits: Bits,
     pub due: String,
 }
 
@@ -21,7 +20,6 @@ pub(in super::super) struct Code {
 /// What is where in a block.
 #[derive(Debug)]
 pub(in super::super) struct Blocks {
-    pub block_bits: u32,
     pub codes: Vec<Code>,
     pub code_count: usize,
     pub offset_bits: u32,
@@ -33,7 +31,6 @@ pub(in super::super) struct Blocks {
 impl Blocks {
     pub fn new(format: &EngineFormat) -> Self {
         Self {
-            block_bits: block_bits(format),
             codes: (0..2 * format.k()).map(|i| code(format, i)).collect(),
             code_count: 2 * format.k() as usize,
             offset_bits: format.offset_bits,
@@ -53,8 +50,9 @@ pub(super) fn block_bits(format: &EngineFormat) -> u32 {
 fn code(format: &EngineFormat, i: u32) -> Code {
     let (low, bits) = (BlockLayout::CODES_AT + format.offset_bits * i, format.offset_bits);
     let (middle, end) = (low + bits / 2, low + bits);
-    let upper = Part { high: end - 1, low: middle, due: binary(1 << (end - middle - 1), end - middle) };
-    Code { upper, lower: Part { high: middle - 1, low, due: zeros(middle - low) } }
+    let part = |low, end, due| Part { bits: Bits { high: end - 1, low }, due };
+    let upper = part(middle, end, binary(1 << (end - middle - 1), end - middle));
+    Code { upper, lower: part(low, middle, zeros(middle - low)) }
 }
 
 /// The tag of a block and the zeros behind it, in parts that are no longer than those of a code.
@@ -65,7 +63,7 @@ fn tag_parts(block: &BlockLayout) -> Vec<Part> {
         .map(|low| {
             let bits = LONGEST.min(BlockLayout::CODES_AT - low);
             let due = block.tag.checked_shr(low - block.tag_at).unwrap_or(0) & ((1 << bits) - 1);
-            Part { high: low + bits - 1, low, due: binary(due, bits) }
+            Part { bits: Bits::new(low, bits), due: binary(due, bits) }
         })
         .collect()
 }

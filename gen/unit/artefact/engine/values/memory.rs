@@ -1,7 +1,7 @@
 //! Memories and caches.
 
 use super::blocks::block_bits;
-use super::{Slice, WORD, binary, places, zeros};
+use super::{Bits, WORD, binary, places, zeros};
 use crate::artefact::engine::EngineDesign;
 use crate::params::engine::{ADDRESS_BITS as LINE_ADDRESS_BITS, LINK_NUMBER_BITS, Memory};
 
@@ -20,23 +20,35 @@ pub(in super::super) struct Cache {
     pub line: &'static str,
 }
 
+/// Bits of a tag that are compared together, and those of an address that they are compared with.
+#[derive(Debug)]
+pub(in super::super) struct TagPart {
+    pub tag: Bits,
+    pub address: Bits,
+}
+
 /// A memory of lines, or a cache.
 #[derive(Debug)]
 pub(in super::super) struct Lines {
     pub entity: &'static str,
     pub what: &'static str,
     pub lines: u32,
+    /// Bits of a line, of its place, of its number, and of a word.
+    pub line: Bits,
+    pub place: Bits,
+    pub number: Bits,
+    pub word: Bits,
     pub line_bits: u32,
     pub line_address_bits: u32,
     pub number_bits: u32,
-    pub used_number_bits: u32,
+    /// Bits of a number that can be set.
+    pub used_number: Bits,
     pub word_bits: u32,
     pub words_per_line: u32,
     pub word_places: Vec<u32>,
-    pub padded_bits: u32,
+    pub padded: Bits,
     pub tag_bits: u32,
-    /// Bits of a tag that are compared together, and those of an address that they are compared with.
-    pub tag_parts: Vec<Slice>,
+    pub tag_parts: Vec<TagPart>,
     pub places: u32,
     pub place_bits: u32,
     pub return_words: u32,
@@ -50,11 +62,12 @@ pub(in super::super) struct Memories {
     pub triangle_lines: u32,
     pub blocks: u32,
     pub triangles: u32,
-    pub block_line_bits: u32,
-    pub triangle_line_bits: u32,
-    pub load_bits: u32,
+    /// Bits of the number of a line in an address of a load, and those above, which are zero.
+    pub load_line: Bits,
+    pub load_above: Bits,
     pub load_zeros: String,
     pub memory_width: u32,
+    pub word: Bits,
     pub memory_size: String,
     pub block_words: u32,
     pub triangle_words: u32,
@@ -62,7 +75,7 @@ pub(in super::super) struct Memories {
     /// Clocks of the watchdog, none if 0, and the bits that count them.
     pub watchdog: u32,
     pub watchdog_bits: u32,
-    pub axi_id_bits: u32,
+    pub id: Option<Bits>,
     pub memory_words: u32,
     pub memories: Vec<Lines>,
     pub caches: Vec<Cache>,
@@ -73,25 +86,26 @@ impl Memories {
         let params = &design.params;
         let memories = vec![lines(design, false), lines(design, true)];
         let [block_line_bits, triangle_line_bits] = [0, 1].map(|i: usize| memories[i].line_address_bits);
-        let load_bits = block_line_bits.max(triangle_line_bits);
+        // Behind the place of a byte in its line.
+        let load_line = Bits::new(6, block_line_bits.max(triangle_line_bits));
         let all_lines = |lines: u32| if params.memory == Memory::Axi { 1 << LINE_ADDRESS_BITS } else { lines };
         Self {
             block_lines: all_lines(params.block_lines),
             triangle_lines: all_lines(params.triangle_lines),
             blocks: params.block_lines,
             triangles: params.triangle_lines,
-            block_line_bits,
-            triangle_line_bits,
-            load_bits,
-            load_zeros: zeros(31 - (load_bits + 6)),
+            load_line,
+            load_above: Bits { high: 30, low: load_line.high + 1 },
+            load_zeros: zeros(30 - load_line.high),
             memory_width: params.memory_width,
+            word: Bits::all(params.memory_width),
             memory_size: binary((params.memory_width / 8).ilog2(), 3),
             block_words: memories[0].words_per_line,
             triangle_words: memories[1].words_per_line,
             memory_bytes: params.memory_width / 8,
             watchdog: params.watchdog,
             watchdog_bits: u32::BITS - params.watchdog.leading_zeros(),
-            axi_id_bits: params.axi_id_bits,
+            id: (params.axi_id_bits > 0).then(|| Bits::all(params.axi_id_bits)),
             memory_words: params.memory_width.div_ceil(WORD),
             memories,
             caches: caches(),
@@ -124,20 +138,24 @@ fn lines(design: &EngineDesign, triangles: bool) -> Lines {
     const LONGEST: u32 = 3;
     let part = |low: u32| {
         let bits = LONGEST.min(tag_bits - low);
-        Slice::new(low, bits, line_address_bits + low, bits)
+        TagPart { tag: Bits::new(low, bits), address: Bits::new(line_address_bits + low, bits) }
     };
     Lines {
         entity,
         what,
         lines: count,
+        line: Bits::all(line_bits),
+        place: Bits::all(line_address_bits),
+        number: Bits::all(number_bits),
+        word: Bits::all(word_bits),
         line_bits,
         line_address_bits,
         number_bits,
-        used_number_bits: number_bits.min(address_bits),
+        used_number: Bits::all(number_bits.min(address_bits)),
         word_bits,
         words_per_line,
         word_places: (0..words_per_line).rev().collect(),
-        padded_bits: word_bits * words_per_line,
+        padded: Bits::all(word_bits * words_per_line),
         tag_bits,
         tag_parts: (0..tag_bits).step_by(LONGEST as usize).map(part).collect(),
         places: PLACES,

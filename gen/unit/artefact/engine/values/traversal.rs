@@ -2,19 +2,14 @@
 
 use super::{binary, places, zeros};
 use crate::artefact::engine::EngineDesign;
+use crate::params::engine::EngineParams;
 
 /// Entries of the stack, and how many of everything there may be.
 #[derive(Debug)]
 pub(in super::super) struct Traversal {
-    pub node_bits: u32,
-    pub level_bits: u32,
     pub levels: u32,
     pub deepest: String,
     pub entry_bits: u32,
-    pub a_high: u32,
-    pub a_low: u32,
-    pub b_high: u32,
-    pub b_low: u32,
     pub root_entry: String,
     pub stack: u32,
     pub stack_places: u32,
@@ -33,10 +28,7 @@ impl Traversal {
     pub fn new(design: &EngineDesign) -> Self {
         let params = &design.params;
         let node_bits = params.block_number_bits;
-        let level_bits = 32 - params.tree_height.leading_zeros();
-        let b_low = level_bits + 2;
-        let a_low = b_low + node_bits + 2;
-        let entry_bits = a_low + node_bits;
+        let level_bits = level_bits(params);
         let root = format!("{}11", zeros(node_bits));
         let (stack_places, stack_bits) = places(params.stack);
         let (flight_places, flight_bits) = places(params.in_flight);
@@ -46,15 +38,9 @@ impl Traversal {
         // front of the answers, fewer than 32 all together.
         let open = params.pair_queue + design.unit.places as u32 + 32;
         Self {
-            node_bits,
-            level_bits,
             levels: params.tree_height,
             deepest: binary(params.tree_height, level_bits),
-            entry_bits,
-            a_high: entry_bits - 1,
-            a_low,
-            b_high: b_low + node_bits - 1,
-            b_low,
+            entry_bits: entry_bits(params),
             root_entry: format!("{root}{root}{}", zeros(level_bits)),
             stack: params.stack,
             stack_places,
@@ -69,4 +55,14 @@ impl Traversal {
             open_bits: 32 - open.leading_zeros(),
         }
     }
+}
+
+/// Bits of a level.
+pub(super) fn level_bits(params: &EngineParams) -> u32 {
+    u32::BITS - params.tree_height.leading_zeros()
+}
+
+/// Bits of an entry of the stack: a level, and for both trees a node and which of its children are to be tested.
+pub(super) fn entry_bits(params: &EngineParams) -> u32 {
+    level_bits(params) + 2 * (params.block_number_bits + 2)
 }

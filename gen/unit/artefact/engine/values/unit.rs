@@ -1,10 +1,10 @@
 //! What goes to the triangle unit and comes from it.
 
-use super::{Bits, WORD, word_at, zeros};
+use super::{Bits, WORD, zeros};
 use crate::artefact::engine::EngineDesign;
 use crate::design::top::{pair_ports, pose_ports};
-use crate::params::engine::{EngineFormat, LINK_NUMBER_BITS};
-use crate::params::stream::{BYPASS_AT, Kind, StreamFormat};
+use crate::params::engine::LINK_NUMBER_BITS;
+use crate::params::stream::{Kind, StreamFormat};
 use crate::params::{Params, Upper};
 
 /// A port and what is connected to it.
@@ -17,7 +17,6 @@ pub(in super::super) struct Connection {
 /// Triangles, and packets of pairs and poses.
 #[derive(Debug)]
 pub(in super::super) struct Unit {
-    pub triangle_bits: u32,
     pub triangle_number_bits: u32,
     pub number_above: String,
     pub unit_inputs: Vec<Connection>,
@@ -26,17 +25,19 @@ pub(in super::super) struct Unit {
     pub guarded: bool,
     pub sticky: bool,
     /// Flags of each kind that the unit gives.
-    pub flags: u32,
+    pub flags: Bits,
     pub pairs_header: String,
     pub pose_header: String,
     pub pair_words: u32,
     pub pose_words: u32,
-    /// Place of the last pair in the words of a job.
-    pub pair_at: u32,
     pub pair_tag_bits: u32,
+    pub pair_tag: Bits,
+    /// Bits of the unit's tag above that of a pair.
+    pub tag_last: u32,
+    pub tag_unfit: u32,
+    /// The bits above these.
     pub unit_tag_zeros: String,
     pub flag_zeros: String,
-    pub bypass_at: u32,
     /// Bits of a word that are to be the sign of a number, if the unit has a guard and does not read them.
     pub signs: Vec<Bits>,
     pub sign_high: u32,
@@ -46,8 +47,8 @@ impl Unit {
     pub fn new(design: &EngineDesign) -> Self {
         let (format, unit) = (&design.format, &design.unit.params);
         let (triangle, stream) = (format.triangle(), &format.stream);
+        let signs = signs(stream);
         Self {
-            triangle_bits: triangle.bits,
             triangle_number_bits: triangle.number_bits,
             number_above: match LINK_NUMBER_BITS - triangle.number_bits {
                 0 => String::new(),
@@ -57,41 +58,39 @@ impl Unit {
             paced: design.unit.interval > 1,
             guarded: unit.guarded(),
             sticky: unit.upper == Upper::Sticky,
-            flags: stream.flags,
+            flags: Bits::all(stream.flags),
             pairs_header: format!("{:08x}", stream.header(Kind::Pairs)),
             pose_header: format!("{:08x}", stream.header(Kind::Pose)),
             pair_words: stream.record_words(Kind::Pairs),
             pose_words: format.pose_words,
-            pair_at: word_at(format.query_words() - stream.record_words(Kind::Pairs)),
             pair_tag_bits: stream.tag_width,
-            unit_tag_zeros: zeros(unit.tag_width - stream.tag_width - 1),
+            pair_tag: Bits::all(stream.tag_width),
+            tag_last: stream.tag_width,
+            tag_unfit: stream.tag_width + 1,
+            unit_tag_zeros: zeros(unit.tag_width - stream.tag_width - 1 - u32::from(!signs.is_empty())),
             flag_zeros: zeros(WORD - stream.answer_bits()),
-            bypass_at: word_at(EngineFormat::POSE_AT) + BYPASS_AT,
-            signs: signs(stream),
+            signs,
             sign_high: stream.spare_bits(),
         }
     }
 }
 
-/// The inputs of the unit: the numbers of both triangles, and those of the pose in the words of the job.
-fn unit_inputs(p: &Params, pose: &StreamFormat) -> Vec<Connection> {
+/// The inputs of the unit: the numbers of both triangles, and those of the pose, whose places in the words of a job have names.
+fn unit_inputs(p: &Params, stream: &StreamFormat) -> Vec<Connection> {
+    let sticky = p.upper == Upper::Sticky;
     let mut inputs = vec![];
-    let mut add = |port: String, word: &str, low: u32, bits: Option<u32>| {
-        let place = bits.map_or(low.to_string(), |bits| format!("{} downto {low}", low + bits - 1));
-        inputs.push(Connection { port, value: format!("{word}({place})") });
-    };
+    let mut add = |port: String, value: String| inputs.push(Connection { port, value });
     for (i, port) in (0..).zip(pair_ports()) {
-        let [word, sticky] = if i < 9 { ["unit_v", "sticky_v"] } else { ["unit_w", "sticky_w"] };
-        add(port.clone(), word, pose.lane() * (i % 9), Some(p.transform_width));
-        if p.upper == Upper::Sticky {
-            add(format!("{port}_sticky"), sticky, i % 9, None);
+        let [word, flags] = if i < 9 { ["unit_v", "sticky_v"] } else { ["unit_w", "sticky_w"] };
+        add(port.clone(), format!("{word}({})", Bits::new(stream.lane() * (i % 9), p.transform_width)));
+        if sticky {
+            add(format!("{port}_sticky"), format!("{flags}({})", i % 9));
         }
     }
-    for (i, port) in (0..).zip(pose_ports(p)) {
-        let at = word_at(EngineFormat::POSE_AT);
-        add(port.clone(), "job_words", at + pose.number_at(i), Some(p.transform_width));
-        if p.upper == Upper::Sticky {
-            add(format!("{port}_sticky"), "job_words", at + i, None);
+    for port in pose_ports(p) {
+        let sticky = sticky.then(|| format!("{port}_sticky"));
+        for port in [port].into_iter().chain(sticky) {
+            add(port.clone(), format!("job_words(job_{port})"));
         }
     }
     inputs
