@@ -1,9 +1,8 @@
 //! The pages whose files a reader types: what stands there is what runs, and answers as printed.
 
 use crate::book::text;
-use crate::drop_in::{efsat, run};
-use crate::tools::ghdl;
-use std::fs;
+use crate::tools::program::succeeds;
+use crate::tools::{Ghdl, ghdl};
 
 /// The blocks of a language on a page.
 fn blocks<'a>(page: &'a str, language: &str) -> Vec<&'a str> {
@@ -22,18 +21,17 @@ fn the_core_answers_as_its_page_prints() {
     let printed = blocks(&page, "text");
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();
-    assert_eq!(efsat(dir, "generate --device xc7a100t-1 --out rtl"), printed[0]);
-    let Some(ghdl) = ghdl() else { return };
-    let names = ["collide.vhd", "collide_tb.vhd"];
-    for (name, text) in names.iter().zip(blocks(&page, "vhdl")) {
-        fs::write(dir.join(name), text).unwrap();
+    assert_eq!(succeeds(dir, "generate --device xc7a100t-1 --out rtl"), printed[0]);
+    let Some(tool) = ghdl() else { return };
+    let ghdl = Ghdl::at(tool, dir);
+    let mut files: Vec<String> =
+        ghdl.read("rtl/files-synthesis.txt").lines().map(|name| format!("rtl/{name}")).collect();
+    for (name, text) in ["collide.vhd", "collide_tb.vhd"].into_iter().zip(blocks(&page, "vhdl")) {
+        ghdl.write(name, text);
+        files.push(name.to_owned());
     }
-    let list = fs::read_to_string(dir.join("rtl/files-synthesis.txt")).unwrap();
-    let core: Vec<String> = list.lines().map(|name| format!("rtl/{name}")).collect();
-    let files = core.iter().map(String::as_str).chain(names);
-    run(dir, ghdl, &["-a", "--std=93", "--warn-error"].into_iter().chain(files).collect::<Vec<_>>());
-    run(dir, ghdl, &["-e", "--std=93", "collide_tb"]);
-    let said = run(dir, ghdl, &["-r", "--std=93", "collide_tb"]);
-    assert_eq!(reports(&said), reports(printed[1]));
-    assert_eq!(reports(&said).len(), 5);
+    ghdl.analyse(&files);
+    let (fine, said) = ghdl.run("collide_tb", &[]);
+    assert!(fine, "{said}");
+    assert_eq!((reports(&said).len(), reports(&said)), (5, reports(printed[1])));
 }
