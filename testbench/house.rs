@@ -204,7 +204,7 @@ fn unfinished(text: &str) -> Option<&'static str> {
 fn computing(template: &str) -> Vec<&str> {
     let tags = [("{{", "}}"), ("{%", "%}")];
     let inside = tags.iter().flat_map(|(open, close)| {
-        template.split(open).skip(1).filter_map(|rest| rest.split_once(close)).map(|(inside, _)| inside)
+        template.split(open).skip(1).filter_map(move |rest| rest.split_once(close)).map(|(inside, _)| inside)
     });
     let computes = |inside: &&str| {
         let code: String = inside.split('"').step_by(2).collect();
