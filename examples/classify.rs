@@ -4,8 +4,8 @@
 
 use efsat::NotFinite;
 use efsat::exact::Exact;
-use efsat::golden::{Golden, Pose, Verdict};
-use efsat::host::{Host, loose_pair};
+use efsat::golden::Verdict;
+use efsat::host::Reference;
 use efsat::pair_file;
 use efsat::params::Params;
 use efsat::software::retest::retest;
@@ -24,18 +24,12 @@ fn main() -> Result<(), Box<dyn Error>> {
 /// The verdict of the unit for every pair of a file, and the exact answer.
 pub fn answers(file: &str) -> Result<Vec<(Verdict, Exact)>, Box<dyn Error>> {
     // The default design: separating axes, 18 bits. Both triangles of a pair are in one frame.
-    let params = Params::default();
-    let unit = Golden::new(&params);
-    let pose = Pose::identity(&params);
+    let unit = Reference::new(&Params::default());
     let pairs = pair_file::read(file)?;
     let answer = |points: &[[f64; 3]; 6]| -> Result<(Verdict, Exact), NotFinite> {
-        // Each pair is moved and scaled into the range of the unit. What does not fit the host decides.
-        let verdict = match loose_pair(points, &params)? {
-            Host::Unit(pair) => unit.verdict(&pose, &pair),
-            Host::Decided(verdict) => verdict,
-        };
-        // Needed only where the verdict is possibly incorrect: a definite verdict is never wrong.
-        Ok((verdict, retest(points)?))
+        // Each pair is moved and scaled into the range of the unit. What does not fit the host decides. The retest is needed only
+        // where the verdict is possibly incorrect: a definite verdict is never wrong.
+        Ok((unit.loose(points)?.verdict, retest(points)?))
     };
     Ok(pairs.iter().map(answer).collect::<Result<_, _>>()?)
 }

@@ -44,7 +44,7 @@
 
 /// Campaigns: what shows that the unit is right, and what accuracy costs in time.
 pub mod evidence {
-    pub use efsat_checks::{cosim, mutation, process, soak, stress, synth};
+    pub use efsat_checks::{cosim, mutation, process, stress, synth};
     pub use efsat_studies::{accuracy, planner, times, wall};
 }
 

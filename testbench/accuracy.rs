@@ -1,10 +1,11 @@
 //! `efsat accuracy` as others use it: a small sweep end to end, a run that is killed, shards and their merge, a page
 //! without network, and one clear line for every error. The models behind it are tested in `gen/studies/accuracy`.
 
+use crate::tools::program::{command, refuses, succeeds};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output, Stdio};
+use std::process::Stdio;
 use std::time::{Duration, Instant};
 
 /// The built-in meshes in a few poses, so that their pairs are found at once.
@@ -12,17 +13,9 @@ const SCENE: &str = "name = \"few poses\"\n[a]\nmesh = \"builtin:headlight\"\n[b
     [tumble]\nsteps = 12\ndistances = [1.45]\ndirection = [0, 0, 1]\n";
 
 /// A sweep of some points over a sample of that scene, with the paper's roundings, which leave pairs undecided.
-const SMALL: [&str; 9] = [
-    "--like-paper",
-    "--scene",
-    "few.toml",
-    "--sweep",
-    "width=12..20/4; width=18; upper=sticky,axes=17; frequency=50; width=12|16,axes-per-clock=2",
-    "--pairs",
-    "1500",
-    "--multipliers",
-    "72,144",
-];
+const SMALL: &str = "accuracy --like-paper --scene few.toml --sweep 'width=12..20/4; width=18; upper=sticky,axes=17; \
+    frequency=50; width=12|16,axes-per-clock=2' --pairs 1500 --multipliers 72,144";
+
 /// A folder with that scene.
 fn folder() -> tempfile::TempDir {
     let dir = tempfile::tempdir().unwrap();
@@ -33,21 +26,8 @@ fn folder() -> tempfile::TempDir {
 /// Results of that sweep beside its points: pairs, ladder, floor and causes, the pairs not being counted.
 const SCENE_RESULTS: usize = 3;
 
-fn command(dir: &Path, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    command.arg("accuracy").args(arguments).current_dir(dir);
-    command
-}
-
-fn succeeds(dir: &Path, arguments: &[&str]) -> String {
-    let Output { status, stdout, stderr } = command(dir, arguments).output().unwrap();
-    let errors = String::from_utf8(stderr).unwrap();
-    assert_eq!((status.code(), errors.as_str()), (Some(0), ""), "efsat accuracy {arguments:?}");
-    String::from_utf8(stdout).unwrap()
-}
-
-fn small(dir: &Path, more: &[&str]) -> String {
-    succeeds(dir, &[&SMALL[..], more].concat())
+fn small(dir: &Path, more: &str) -> String {
+    succeeds(dir, &format!("{SMALL} {more}"))
 }
 
 fn object(text: &str) -> Value {
@@ -89,7 +69,7 @@ fn files(dir: &Path) -> Vec<String> {
 #[test]
 fn a_small_sweep_end_to_end() {
     let dir = folder();
-    let found = object(&small(dir.path(), &["--out", "out", "--json"]));
+    let found = object(&small(dir.path(), "--out out --json"));
     let out = dir.path().join("out");
     let expected = [
         "accuracy.json",
@@ -212,7 +192,7 @@ fn the_page_in_the_repository_is_that_of_its_results() {
         fs::copy(kept.join(scene).join("accuracy.json"), dir.path().join(scene).join("accuracy.json")).unwrap();
     }
     assert_eq!(
-        succeeds(dir.path(), &["page", scenes[0], scenes[1], scenes[2], "--out", "."]),
+        succeeds(dir.path(), &format!("accuracy page {} --out .", scenes.join(" "))),
         "The page: ./index.html\n"
     );
     assert_eq!(files(dir.path()), files(&kept));
@@ -230,7 +210,7 @@ fn the_page_in_the_repository_is_that_of_its_results() {
 #[test]
 fn a_killed_run_goes_on_where_it_stopped() {
     let dir = folder();
-    let arguments = [&SMALL[..], &["--out", "out", "--json"]].concat();
+    let arguments = format!("{SMALL} --out out --json");
     let mut child = command(dir.path(), &arguments).stdout(Stdio::null()).spawn().unwrap();
     let store = dir.path().join("out/points.jsonl");
     let begin = Instant::now();
@@ -243,7 +223,7 @@ fn a_killed_run_goes_on_where_it_stopped() {
     // What a crash leaves of a line in the making.
     fs::write(&store, format!("{before}{{\"key\":\"0123")).unwrap();
     let whole: Vec<&str> = before.split_inclusive('\n').filter(|line| line.ends_with('\n')).collect();
-    let second = object(&small(dir.path(), &["--out", "out", "--json"]));
+    let second = object(&small(dir.path(), "--out out --json"));
     let rows = second["rows"].as_array().unwrap().len();
     // One line is that of the pairs, which is no point.
     assert_eq!(
@@ -253,7 +233,7 @@ fn a_killed_run_goes_on_where_it_stopped() {
     let after = fs::read_to_string(&store).unwrap();
     assert!(after.starts_with(&whole.concat()) && after.lines().count() == rows + SCENE_RESULTS + 1);
     // Once more: nothing is done again, and with another transfer, neither.
-    let third = object(&small(dir.path(), &["--out", "out", "--json", "--transfer", "500"]));
+    let third = object(&small(dir.path(), "--out out --json --transfer 500"));
     assert_eq!((number(&third["found"]), number(&third["made"])), (rows + SCENE_RESULTS, 0));
     assert_eq!(fs::read_to_string(&store).unwrap(), after);
     let cost = |run: &Value| run["rows"][0]["cost_ns"].as_f64().unwrap();
@@ -264,15 +244,15 @@ fn a_killed_run_goes_on_where_it_stopped() {
 fn shards_merge_to_the_whole() {
     let dir = folder();
     // Thread counts differ, answers do not.
-    let mut whole = command(dir.path(), &[&SMALL[..], &["--out", "whole", "--json"]].concat());
+    let mut whole = command(dir.path(), &format!("{SMALL} --out whole --json"));
     let whole = whole.env("RAYON_NUM_THREADS", "1").output().unwrap();
     let whole = object(&String::from_utf8(whole.stdout).unwrap());
     for part in ["1", "2"] {
-        let text = small(dir.path(), &["--out", part, "--shard", &format!("{part}/2")]);
+        let text = small(dir.path(), &format!("--out {part} --shard {part}/2"));
         assert!(text.starts_with(&format!("{part}: part {part} of 2, ")), "{text}");
         assert_eq!(files(&dir.path().join(part)), ["campaign.json", "points.jsonl"]);
     }
-    let merged = object(&succeeds(dir.path(), &["merge", "1", "2", "--out", "merged", "--json"]));
+    let merged = object(&succeeds(dir.path(), "accuracy merge 1 2 --out merged --json"));
     assert_eq!(untimed(&merged), untimed(&whole));
     assert!(number(&merged["rows"].as_array().unwrap().len().into()) > 5);
     assert_eq!(files(&dir.path().join("merged")), files(&dir.path().join("whole")));
@@ -280,30 +260,16 @@ fn shards_merge_to_the_whole() {
     let request = fs::read_to_string(dir.path().join("2/campaign.json")).unwrap();
     let other = request.replace("few.toml", "it's few.toml");
     ["1", "2"].iter().for_each(|part| fs::write(dir.path().join(part).join("campaign.json"), &other).unwrap());
-    let quoted = object(&succeeds(dir.path(), &["merge", "1", "2", "--out", "quoted", "--json"]));
+    let quoted = object(&succeeds(dir.path(), "accuracy merge 1 2 --out quoted --json"));
     let command = quoted["command"].as_str().unwrap();
     assert!(command.contains(r"--scene 'it'\''s few.toml' --"), "{command}");
     // A part alone, and parts of different campaigns, are no whole.
-    fails(dir.path(), &["merge", "1", "--out", "none"], "results are missing, the first is");
+    refuses(dir.path(), "accuracy merge 1 --out none", "results are missing, the first is");
     fs::create_dir(dir.path().join("other")).unwrap();
     fs::copy(dir.path().join("2/points.jsonl"), dir.path().join("other/points.jsonl")).unwrap();
     fs::write(dir.path().join("other/campaign.json"), other.replace("\"seed\": 1", "\"seed\": 2")).unwrap();
-    fails(
-        dir.path(),
-        &["merge", "1", "other", "--out", "none"],
-        "other: found seed 2, but 1 in 1; expected parts of one",
-    );
+    refuses(dir.path(), "accuracy merge 1 other --out none", "other: found seed 2, but 1 in 1; expected parts of one");
     assert!(!dir.path().join("none").exists());
-}
-
-/// Runs the tool and expects status 2, one line on standard error with `part` in it, and nothing on standard output.
-fn fails(dir: &Path, arguments: &[&str], part: &str) {
-    let output = command(dir, arguments).output().unwrap();
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "efsat accuracy {arguments:?}: {errors}");
-    assert_eq!(errors.lines().count(), 1, "efsat accuracy {arguments:?}: {errors}");
-    assert!(errors.starts_with("error: ") && errors.contains(part), "efsat accuracy {arguments:?}: {errors}");
-    assert!(output.stdout.is_empty(), "efsat accuracy {arguments:?}");
 }
 
 #[test]
@@ -313,23 +279,23 @@ fn wrong_input_is_told_and_leaves_nothing() {
     fs::create_dir(&foreign).unwrap();
     fs::write(foreign.join("thesis.tex"), "mine").unwrap();
     fs::write(dir.path().join("broken.toml"), "name = ").unwrap();
-    let cases: [(&[&str], &str); 13] = [
-        (&["--sweep", "width=12..20,hight=3"], "--sweep: at character 14: found 'hight'; expected OPTION=VALUES"),
-        (&["--sweep", "width=12; width=20..12"], "--sweep: at character 17: found '20..12'; expected FIRST..LAST"),
-        (&["--sweep", "upper=sticky,width=33"], "--sweep: at character 20: invalid value '33' for '--width <N>'"),
-        (&["--sweep", "width=24|28,transform-width=26"], "expected 28 to 48 (at least --width 28)"),
-        (&["--scene", "none.toml"], "none.toml"),
-        (&["--scene", "broken.toml"], "broken.toml"),
-        (&["--pairs", "0"], "expected `all` or a whole number"),
-        (&["--shard", "3/2"], "expected I/N with I from 1 to N"),
-        (&["--transfer", "-1"], "expected a number of nanoseconds"),
-        (&["--multipliers", "72,none"], "expected a whole number"),
-        (&["--out", "foreign"], "foreign: found files and no campaign.json; expected a new or empty folder"),
-        (&["merge", "foreign", "--out", "out"], "expected a folder that efsat accuracy wrote"),
-        (&["page", "foreign", "--out", "."], "foreign/accuracy.json: No such file or directory (os error 2); expected"),
+    let cases = [
+        ("--sweep width=12..20,hight=3", "--sweep: at character 14: found 'hight'; expected OPTION=VALUES"),
+        ("--sweep 'width=12; width=20..12'", "--sweep: at character 17: found '20..12'; expected FIRST..LAST"),
+        ("--sweep upper=sticky,width=33", "--sweep: at character 20: invalid value '33' for '--width <N>'"),
+        ("--sweep width=24|28,transform-width=26", "expected 28 to 48 (at least --width 28)"),
+        ("--scene none.toml", "none.toml"),
+        ("--scene broken.toml", "broken.toml"),
+        ("--pairs 0", "expected `all` or a whole number"),
+        ("--shard 3/2", "expected I/N with I from 1 to N"),
+        ("--transfer -1", "expected a number of nanoseconds"),
+        ("--multipliers 72,none", "expected a whole number"),
+        ("--out foreign", "foreign: found files and no campaign.json; expected a new or empty folder"),
+        ("merge foreign --out out", "expected a folder that efsat accuracy wrote"),
+        ("page foreign --out .", "foreign/accuracy.json: No such file or directory (os error 2); expected"),
     ];
     for (arguments, part) in cases {
-        fails(dir.path(), arguments, part);
+        refuses(&dir, &format!("accuracy {arguments}"), part);
     }
     assert_eq!(files(dir.path()), ["broken.toml", "foreign"]);
     assert_eq!(files(&foreign), ["thesis.tex"]);

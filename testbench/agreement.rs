@@ -346,8 +346,7 @@ fn equals_oracle(p: &Params, stimulus: &Stimulus) {
             let (truth, found) = (relation(&points).unwrap(), golden.outcome(pose, pair));
             let expected = match truth.class {
                 _ if !fits => Verdict::PossiblyIncorrect,
-                Exact::Separate => Verdict::Separate,
-                Exact::Touch | Exact::Intersect => Verdict::Intersect,
+                truth => truth.into(),
             };
             let crosses = fits && truth.class == Exact::Intersect;
             assert_eq!((found.verdict, found.outside), (expected, !fits), "{points:?}: {truth}");

@@ -3,11 +3,12 @@
 
 mod messages;
 
+use crate::tools::program::{Ran, command, efsat, fails, object, succeeds};
 use serde_json::Value;
 use std::fs;
 use std::io::Write;
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Output, Stdio};
 
 /// A pair that intersects, one that is separate, one that shares a vertex.
 const PAIRS: [[f64; 18]; 3] = [
@@ -25,46 +26,14 @@ fn raw() -> Vec<u8> {
     PAIRS.iter().flatten().flat_map(|x| x.to_le_bytes()).collect()
 }
 
-/// Runs the tool in `dir`, with `input` on its standard input.
-fn efsat_with(dir: &Path, arguments: &str, input: &[u8]) -> Output {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_efsat"))
-        .args(arguments.split_whitespace())
-        .current_dir(dir)
-        .stdin(Stdio::piped())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+/// Runs the program with `input` on its standard input.
+fn efsat_with(dir: &Path, line: &str, input: &[u8]) -> Ran {
+    let mut command = command(dir, line);
+    let mut child = command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     // It may end without reading.
     let _ = child.stdin.take().unwrap().write_all(input);
-    child.wait_with_output().unwrap()
-}
-
-fn efsat(dir: &Path, arguments: &str) -> Output {
-    efsat_with(dir, arguments, b"")
-}
-
-/// Standard output of a run that succeeds and says nothing else.
-fn succeeds(dir: &Path, arguments: &str) -> String {
-    let output = efsat(dir, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""), "efsat {arguments}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-/// Runs the tool and expects `status`, one line on standard error with `part` in it, and nothing on standard output.
-fn fails(dir: &Path, arguments: &str, status: i32, part: &str) {
-    let output = efsat(dir, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(status), "efsat {arguments}: {errors}");
-    assert_eq!(errors.lines().count(), 1, "efsat {arguments}: {errors}");
-    assert!(errors.starts_with("error: ") && errors.contains(part), "efsat {arguments}: {errors}");
-    assert!(output.stdout.is_empty(), "efsat {arguments}");
-}
-
-fn object(text: &str) -> Value {
-    assert_eq!(text.lines().count(), 1);
-    serde_json::from_str(text).unwrap()
+    let Output { status, stdout, stderr } = child.wait_with_output().unwrap();
+    (status.code(), String::from_utf8(stdout).unwrap(), String::from_utf8(stderr).unwrap())
 }
 
 /// Names and bytes of all files below a directory.
@@ -93,18 +62,18 @@ fn classify_prints_one_row_a_pair() {
     for name in ["pairs.csv", "pairs.f64"] {
         assert_eq!(succeeds(dir, &format!("classify {name}")), expected);
     }
-    let output = efsat_with(dir, "classify -", format!("{}\n{}", "x,".repeat(17), csv()).as_bytes());
-    assert_eq!(String::from_utf8(output.stdout).unwrap(), expected, "with a header, on standard input");
+    let (_, output, _) = efsat_with(dir, "classify -", format!("{}\n{}", "x,".repeat(17), csv()).as_bytes());
+    assert_eq!(output, expected, "with a header, on standard input");
     assert_eq!(
         succeeds(dir, "classify pairs.csv --exact"),
         "pair,verdict,exact\n0,intersect,intersect\n1,separate,separate\n2,possibly-incorrect,touch\n"
     );
     assert_eq!(
-        object(&succeeds(dir, "classify pairs.csv --json")),
+        object(dir, "classify pairs.csv --json"),
         serde_json::json!({"pairs": 3, "host_decided": 0,
             "verdicts": {"separate": 1, "intersect": 1, "possibly_incorrect": 1}})
     );
-    let exact = object(&succeeds(dir, "classify pairs.f64 --json --exact"));
+    let exact = object(dir, "classify pairs.f64 --json --exact");
     assert_eq!(exact["exact"], serde_json::json!({"separate": 1, "touch": 1, "intersect": 1, "coplanar": 0}));
     assert_eq!(exact["wrong"], 0);
     assert!(succeeds(dir, "classify pairs.csv --summary").contains("possibly-incorrect             1"));
@@ -119,12 +88,12 @@ fn classify_takes_scenes_and_random_pairs() {
     fs::write(dir.join("s.toml"), scene).unwrap();
     let by_file = succeeds(dir, "classify s.toml --exact");
     assert_eq!(by_file, succeeds(dir, "classify --scene s.toml --exact"));
-    let counts = object(&succeeds(dir, "classify --scene s.toml --exact --json"));
+    let counts = object(dir, "classify --scene s.toml --exact --json");
     assert_eq!(counts["pairs"], by_file.lines().count() - 1);
     assert!(counts["pairs"].as_u64().unwrap() > 100);
     // Without a transform the host applies the pose and decides what then lies outside; nothing becomes wrong.
     for options in ["--transform off", "--transform translate --axes 17 --upper sticky", "--width 6"] {
-        let other = object(&succeeds(dir, &format!("classify s.toml --exact --json {options}")));
+        let other = object(dir, &format!("classify s.toml --exact --json {options}"));
         assert_eq!((&other["pairs"], &other["exact"]), (&counts["pairs"], &counts["exact"]), "{options}");
         assert_eq!(other["wrong"], 0, "{options}");
     }
@@ -142,12 +111,12 @@ fn snapped_geometry_has_answers_of_its_own() {
     let scene = "name = \"s\"\n[a]\nmesh = \"builtin:headlight\"\n[b]\nmesh = \"builtin:headlight\"\n\
                  [tumble]\nsteps = 4\ndistances = [1.6, 1.45]\n";
     fs::write(dir.join("s.toml"), scene).unwrap();
-    let given = object(&succeeds(dir, "classify s.toml --method exact --exact --json"));
+    let given = object(dir, "classify s.toml --method exact --exact --json");
     let mut differ = vec![];
     // Coarse grids tell more pairs otherwise. Without room for the differences the host decides, for the same points.
     for (options, by_host) in [("--width 8 --transform-width 9", false), ("", false), ("--transform-width 32", true)] {
         let command = format!("classify s.toml --method exact --truth snapped --exact --json {options}");
-        let counts = object(&succeeds(dir, &command));
+        let counts = object(dir, &command);
         assert_eq!((&counts["pairs"], &counts["wrong"]), (&given["pairs"], &0.into()));
         assert_eq!(counts["verdicts"]["possibly_incorrect"], 0);
         assert_eq!(counts["host_decided"].as_u64().unwrap() > 0, by_host, "{options}");
@@ -199,12 +168,11 @@ fn classify_by_the_exact_method_answers_every_pair() {
     let rows = answers.iter().enumerate().map(|(i, answer)| format!("{i},{}\n", verdict(*answer)));
     let expected = rows.fold("pair,verdict\n".to_owned(), |text, row| text + &row);
     for options in ["", " --width 32 --transform translate", " --width 6 --transform-width 6"] {
-        let output = efsat(dir, &format!("classify pairs.f64 --method exact{options}"));
-        let [rows, said] = [output.stdout, output.stderr].map(|text| String::from_utf8(text).unwrap());
-        assert_eq!((output.status.code(), rows), (Some(0), expected.clone()), "{options}");
+        let (status, rows, said) = efsat(dir, &format!("classify pairs.f64 --method exact{options}"));
+        assert_eq!((status, &rows), (Some(0), &expected), "{options}");
         assert!(said.contains(" of 19 pairs do not fit the exact unit: decided on the host, exactly; "), "{said}");
     }
-    let report = object(&succeeds(dir, "classify pairs.f64 --method exact --exact --json"));
+    let report = object(dir, "classify pairs.f64 --method exact --exact --json");
     let counts = ["pairs", "host_decided", "wrong"].map(|name| report[name].as_u64().unwrap());
     assert_eq!(counts, [19, 7, 0]);
     assert_eq!(report["verdicts"]["possibly_incorrect"], 0);
@@ -216,13 +184,13 @@ fn classify_by_the_exact_method_answers_every_pair() {
                  angle_degrees = 30\n[[pose]]\nmatrix = [0, -1, 0, 1, 0, 0, 0, 0, 1]\n[[pose]]\naxis = [0, 0, 1]\n\
                  angle_degrees = 0\ntranslation = [0.25, 0, 0]\n";
     fs::write(dir.join("s.toml"), scene).unwrap();
-    let report = object(&succeeds(dir, "classify --scene s.toml --method exact --exact --json"));
+    let report = object(dir, "classify --scene s.toml --method exact --exact --json");
     let counts = ["pairs", "host_decided", "wrong"].map(|name| report[name].as_u64().unwrap());
     assert_eq!((counts, &report["verdicts"]["possibly_incorrect"]), ([3, 1, 0], &0.into()));
     for command in ["scene plan s.toml --method exact", "accuracy --method exact", "accuracy --sweep method=exact"] {
         fails(dir, command, 2, "expected axes");
     }
-    let report = object(&succeeds(dir, "soak --pairs 1 --family shared-edge --sweep method=axes|exact --json"));
+    let report = object(dir, "stress --once --pairs 1 --family shared-edge --sweep method=axes|exact --json");
     let designs: Vec<[u64; 2]> = report["total"]["designs"]
         .as_array()
         .unwrap()
@@ -234,12 +202,8 @@ fn classify_by_the_exact_method_answers_every_pair() {
 
 #[test]
 fn a_reader_that_leaves_is_no_error() {
-    let mut child = Command::new(env!("CARGO_BIN_EXE_efsat"))
-        .args(["classify", "--random", "200000"])
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .unwrap();
+    let mut command = command(".", "classify --random 200000");
+    let mut child = command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().unwrap();
     drop(child.stdout.take());
     let output = child.wait_with_output().unwrap();
     assert_eq!((output.status.code(), output.stderr.as_slice()), (Some(0), &b""[..]));
@@ -310,7 +274,7 @@ fn the_manifest_has_the_fields_of_the_contract() {
 fn cosim_reports_the_fields_of_the_contract() {
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();
-    let report = object(&succeeds(dir, "cosim --random 20 --simulator builtin --json"));
+    let report = object(dir, "cosim --random 20 --simulator builtin --json");
     assert_eq!(
         (&report["vectors"], &report["mismatches"], &report["host_decided"]),
         (&20.into(), &0.into(), &0.into())
@@ -327,7 +291,7 @@ fn cosim_reports_the_fields_of_the_contract() {
     assert!(said.contains("All 20 vectors, and 39 for the guard, agree bit for bit.\n"), "{said}");
 
     fs::write(dir.join("pairs.csv"), csv()).unwrap();
-    let report = object(&succeeds(dir, "cosim --pairs pairs.csv --limit 2 --simulator builtin --json"));
+    let report = object(dir, "cosim --pairs pairs.csv --limit 2 --simulator builtin --json");
     assert_eq!((&report["vectors"], &report["mismatches"]), (&2.into(), &0.into()));
     assert_eq!(report["verdicts"], serde_json::json!({"separate": 1, "intersect": 1, "possibly_incorrect": 0}));
 }
@@ -341,7 +305,7 @@ fn cosim_takes_pairs_that_the_host_decides() {
                  angle_degrees = 30\ntranslation = [0, 0, 0]\n[[pose]]\nmatrix = [3, 0, 0, 0, 3, 0, 0, 0, 3]\n";
     fs::write(dir.join("far.toml"), scene).unwrap();
     fs::write(dir.join("t.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n").unwrap();
-    let report = object(&succeeds(dir, "cosim --scene far.toml --simulator builtin --json"));
+    let report = object(dir, "cosim --scene far.toml --simulator builtin --json");
     assert_eq!((&report["vectors"], &report["host_decided"]), (&1.into(), &1.into()));
     let sum: u64 = report["verdicts"].as_object().unwrap().values().filter_map(Value::as_u64).sum();
     assert_eq!(sum, 2, "both are counted");
@@ -351,7 +315,7 @@ fn cosim_takes_pairs_that_the_host_decides() {
 fn cosim_of_a_guarded_unit_counts_its_own_vectors_apart() {
     let home = tempfile::tempdir().unwrap();
     let small = "--width 6 --transform-width 8 --transform off --simulator builtin";
-    let report = object(&succeeds(home.path(), &format!("cosim --random 20 {small} --json")));
+    let report = object(home.path(), &format!("cosim --random 20 {small} --json"));
     let counts = ["vectors", "guard_vectors", "mismatches", "host_decided"].map(|name| report[name].as_u64());
     assert_eq!(counts, [20, 24, 0, 0].map(Some));
     let sum: u64 = report["verdicts"].as_object().unwrap().values().filter_map(Value::as_u64).sum();
@@ -404,11 +368,11 @@ fn a_retest_leaves_nothing_open() {
     fs::write(dir.join("pairs.csv"), csv()).unwrap();
     let rows = "pair,verdict\n0,intersect\n1,separate\n2,intersect\n";
     assert_eq!(succeeds(dir, "classify pairs.csv --retest"), rows, "touching pairs have a common point");
-    let report = object(&succeeds(dir, "classify pairs.csv --retest --exact --json"));
+    let report = object(dir, "classify pairs.csv --retest --exact --json");
     assert_eq!(report["verdicts"], serde_json::json!({"separate": 1, "intersect": 2, "possibly_incorrect": 0}));
     assert_eq!((&report["retested"], &report["wrong"]), (&1.into(), &0.into()));
     assert!(succeeds(dir, "classify pairs.csv --retest --summary").contains("\n1 of them tested again in software\n"));
-    let report = object(&succeeds(dir, "classify --random 2000 --retest --exact --json"));
+    let report = object(dir, "classify --random 2000 --retest --exact --json");
     assert_eq!((&report["verdicts"]["possibly_incorrect"], &report["wrong"]), (&0.into(), &0.into()));
 }
 
@@ -416,15 +380,14 @@ fn a_retest_leaves_nothing_open() {
 fn generate_says_what_it_wrote_and_what_does_not_fit() {
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();
-    let said = object(&succeeds(dir, "generate --json --out a"));
+    let said = object(dir, "generate --json --out a");
     let number = |field: &str| said[field].as_u64().unwrap();
     assert_eq!((&said["out"], &said["device"]), (&"a".into(), &"xc2v6000-4".into()));
     assert_eq!(["files", "multipliers", "initiation_interval"].map(number), [45, 48, 11]);
     assert!(said["expected_mhz"].as_f64().unwrap() >= 100.0);
     let wide = "--width 32 --axes-per-clock 11";
-    let output = efsat(dir, &format!("generate --out b {wide}"));
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert!(output.status.success(), "{errors}");
+    let (status, _, errors) = efsat(dir, &format!("generate --out b {wide}"));
+    assert_eq!(status, Some(0), "{errors}");
     assert!(errors.starts_with("warning: xc2v6000-4 has 144 multipliers; the design is predicted to take"), "{errors}");
     succeeds(dir, "generate --out c --device xc7a200t-1 --method determinants");
 }
@@ -432,12 +395,10 @@ fn generate_says_what_it_wrote_and_what_does_not_fit() {
 #[test]
 fn the_ready_designs_are_current() {
     let repository = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let output = efsat(repository, "generate --ready --check");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "run `efsat generate --ready` in the repository: {errors}");
+    let (status, told, errors) = efsat(repository, "generate --ready --check");
+    assert_eq!(status, Some(0), "run `efsat generate --ready` in the repository: {errors}");
     // What the demo prints of them is on the page of the first hour.
     let page = fs::read_to_string(repository.join("docs/start.md")).unwrap();
-    let told = String::from_utf8(output.stdout).unwrap();
     let files = told.split(',').next().unwrap();
     let manifest: Value =
         serde_json::from_slice(&fs::read(repository.join("rtl-out/axes/manifest.json")).unwrap()).unwrap();
@@ -453,13 +414,12 @@ fn rows_say_which_pairs_the_host_decided() {
     // A pair on the grid of the exact unit, and one that does not fit 18 bits.
     let pairs = "0,0,0,4,0,0,0,4,0,1,1,-1,1,1,1,2,1,1\n0,0,0,1,0,0,0,1,0,0.1,0.1,-1,0.3,0.1,1,0.2,0.1,1\n";
     fs::write(dir.join("pairs.csv"), pairs).unwrap();
-    let output = efsat(dir, "classify --method exact pairs.csv");
-    assert_eq!(String::from_utf8(output.stdout).unwrap(), "pair,verdict\n0,intersect\n1,intersect\n");
+    let (_, rows, said) = efsat(dir, "classify --method exact pairs.csv");
+    assert_eq!(rows, "pair,verdict\n0,intersect\n1,intersect\n");
     let note = "note: 1 of 2 pairs do not fit the exact unit: decided on the host, exactly; --decided-by shows which\n";
-    assert_eq!(String::from_utf8(output.stderr).unwrap(), note);
-    let rows = |arguments: &str| String::from_utf8(efsat(dir, arguments).stdout).unwrap();
+    assert_eq!(said, note);
     assert_eq!(
-        rows("classify --method exact --exact --decided-by pairs.csv"),
+        efsat(dir, "classify --method exact --exact --decided-by pairs.csv").1,
         "pair,verdict,exact,decided_by\n0,intersect,intersect,unit\n1,intersect,intersect,host\n"
     );
     fs::write(dir.join("three.csv"), csv()).unwrap();

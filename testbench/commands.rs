@@ -167,13 +167,13 @@ fn script(path: &str, arguments: &[String], whole: bool) -> Option<String> {
     if let Some(fault) = efsat(&[&["generate".to_owned()], design].concat(), whole) {
         return Some(fault);
     }
+    let figures = fs::read_to_string(root().join("docs/figures.toml")).unwrap();
     let known = |word: &&str| {
         is_placeholder(word)
             || knows(&script, word)
             || (path == "scripts/prove"
                 && cargo::tests("testbench").iter().any(|test| test.starts_with(&format!("proofs::{word}"))))
-            || (path == "scripts/predictions"
-                && efsat(&["synth".to_owned(), "--device".to_owned(), (*word).to_owned()], whole).is_none())
+            || (path == "scripts/figures" && figures.contains(&format!("\n[{word}]\n")))
     };
     let words = own.iter().flat_map(|word| word.split('|'));
     words.filter(|word| !known(word)).map(|word| format!("{word}: no argument of {path}")).next()
@@ -281,7 +281,7 @@ fn the_checks_can_fail() {
         ```sh\n\
         efsat classify                # a file is left out? no: pairs\n\
         printf 'efsat nonsense # '; scripts/nothing && scripts/prove quick produkts | cat > scripts/none.txt\n\
-        scripts/prove full products; scripts/board --frequency 100; scripts/board --frequenzy 100; scripts/test all\n\
+        scripts/prove full products; scripts/board --frequency 100; scripts/board --frequenzy 100; scripts/test all; scripts/figures sweeps\n\
         X=1 cargo test -p efsat-unit --features scnes determinants::\n\
         cargo test -p efsat-unit --features scenes \\\n  nothing_of_this_name\n\
         cargo test --release --test testbnech; cargo test -p efsat-units; cargo test --test testbench books::\n\
@@ -296,6 +296,7 @@ fn the_checks_can_fail() {
         ("scripts/prove quick produkts", "produkts: no argument of scripts/prove"),
         ("scripts/board --frequenzy 100", "error: unexpected argument '--frequenzy' found"),
         ("scripts/test all", "all: no argument of scripts/test"),
+        ("scripts/figures sweeps", "sweeps: no argument of scripts/figures"),
         ("cargo test -p efsat-unit --features scnes determinants::", "scnes: no feature of efsat-unit"),
         (
             "cargo test -p efsat-unit --features scenes nothing_of_this_name",

@@ -1,35 +1,12 @@
 //! `efsat compare` as others script against it: the paper's table, its fields, and one clear line for every error.
 
+use crate::tools::program::{self, refuses, succeeds};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
-
-fn efsat(dir: &Path, arguments: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    command.arg("compare").args(arguments.split_whitespace()).current_dir(dir).output().expect("it runs")
-}
-
-/// Standard output of a run that succeeds and says nothing else.
-fn succeeds(dir: &Path, arguments: &str) -> String {
-    let output = efsat(dir, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""), "efsat compare {arguments}");
-    String::from_utf8(output.stdout).unwrap()
-}
 
 fn object(dir: &Path, arguments: &str) -> Value {
-    serde_json::from_str(&succeeds(dir, &format!("{arguments} --json"))).unwrap()
-}
-
-/// Runs the tool and expects status 2, one line on standard error with `part` in it, and nothing on standard output.
-fn fails(dir: &Path, arguments: &str, part: &str) {
-    let output = efsat(dir, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(2), "efsat compare {arguments}: {errors}");
-    assert_eq!(errors.lines().count(), 1, "efsat compare {arguments}: {errors}");
-    assert!(errors.starts_with("error: ") && errors.contains(part), "efsat compare {arguments}: {errors}");
-    assert!(output.stdout.is_empty(), "efsat compare {arguments}");
+    program::object(dir, &format!("compare {arguments} --json"))
 }
 
 fn number(value: &Value) -> u64 {
@@ -106,7 +83,7 @@ fn known_pairs_come_in_their_rows() {
     // With 17 axes the unit finds the coplanar separation.
     let more = object(dir, "pairs.csv --axes 17 --upper sticky");
     assert_eq!(row(&more, ["separate", "separate", "intersect"])["pairs"], 1);
-    let text = succeeds(dir, "pairs.csv");
+    let text = succeeds(dir, "compare pairs.csv");
     assert!(text.contains("separate            intersect  separate            1   20.000 %"), "{text}");
     assert!(text.contains("EFSAT, definite                                   0    0.0000 %"), "{text}");
 }
@@ -224,12 +201,12 @@ fn wrong_command_lines_and_files_are_one_line_and_status_2() {
         ("--width 5", "expected a whole number from 6 to 32"),
     ];
     for (arguments, part) in cases {
-        fails(dir, arguments, part);
+        refuses(dir, &format!("compare {arguments}"), part);
     }
     fs::write(dir.join("t.obj"), "v 0 0 0\nv 9 0 0\nv 0 9 5\nf 1 2 3\n").unwrap();
-    fails(
+    refuses(
         dir,
-        "--mesh t.obj --distances 1e308",
+        "compare --mesh t.obj --distances 1e308",
         "the translation of b overflows: expected smaller meshes or distances",
     );
 }

@@ -1,13 +1,15 @@
 //! Dataflow pictures: those of the documents are current, and the command line draws every unit or says why not.
 
 use crate::extent::share;
+use crate::tools::has;
+use crate::tools::program::{efsat, succeeds};
 use efsat::design::{Design, Probes};
 use efsat::diagram::{Picture, units};
 use efsat::params::{Axes, Params, Projections};
 use efsat::schedule::Scheduler;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 
 /// The pictures of docs/diagrams.md; scripts/diagrams draws them.
 const SHOWN: [&str; 3] = ["comparator_network", "interval_multiply", "projection"];
@@ -16,10 +18,6 @@ fn pictures(params: &Params) -> Vec<Picture> {
     let design = Design::new(params, Probes::None).unwrap();
     let mut scheduler = Scheduler::new(design.device, params.frequency);
     units(&design.pipeline).iter().map(|unit| Picture::new(&scheduler.schedule(unit), scheduler.period())).collect()
-}
-
-fn efsat(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_efsat")).args(arguments).output().unwrap()
 }
 
 #[test]
@@ -60,14 +58,10 @@ fn every_unit_has_a_picture() {
 #[test]
 fn generate_writes_the_picture_and_nothing_else() {
     let home = tempfile::tempdir().unwrap();
-    let path = |name: &str| home.path().join(name).to_str().unwrap().to_owned();
-    let (svg, dot) = (path("p.svg"), path("p.dot"));
-    let output = efsat(&["generate", "--unit", "projection", "--svg", &svg, "--dot", &dot]);
-    assert!(output.status.success(), "{output:?}");
-    let said = String::from_utf8_lossy(&output.stdout).into_owned();
-    assert!(said.starts_with(&format!("{dot}: projection, ")) && said.lines().count() == 2, "{said}");
+    let said = succeeds(&home, "generate --unit projection --svg p.svg --dot p.dot");
+    assert!(said.starts_with("p.dot: projection, ") && said.lines().count() == 2, "{said}");
     assert_eq!(fs::read_dir(home.path()).unwrap().count(), 2);
-    assert!(fs::read_to_string(&dot).unwrap().starts_with("digraph \"projection\" {\n"));
+    assert!(fs::read_to_string(home.path().join("p.dot")).unwrap().starts_with("digraph \"projection\" {\n"));
 }
 
 #[test]
@@ -97,10 +91,8 @@ fn wrong_command_lines_are_told_in_one_line() {
     let home = tempfile::tempdir().unwrap();
     fs::create_dir(home.path().join("d")).unwrap();
     for (line, words) in lines {
-        let output =
-            Command::new(env!("CARGO_BIN_EXE_efsat")).args(line.split(' ')).current_dir(&home).output().unwrap();
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        if output.status.code() != Some(2) || said.lines().count() != 1 || !said.contains(words) {
+        let (status, _, said) = efsat(&home, line);
+        if status != Some(2) || said.lines().count() != 1 || !said.contains(words) {
             wrong.push(format!("{line}: {said}"));
         }
     }
@@ -111,8 +103,7 @@ fn wrong_command_lines_are_told_in_one_line() {
 /// Graphviz reads what is written for it.
 #[test]
 fn graphviz_takes_every_dot_file() {
-    if Command::new("dot").arg("-V").output().is_err() {
-        eprintln!("skipped: Graphviz is not installed (apt-get install graphviz)");
+    if !has("Graphviz", "dot", "-V") {
         return;
     }
     let home = tempfile::tempdir().unwrap();

@@ -1,10 +1,11 @@
 //! Effects: the planned unit of a scene says what the full one says, `efsat scene plan` and `efsat scene run`.
 
+use crate::tools::program::{command, efsat, object, ran, refuses, succeeds};
+use crate::tools::{ghdl, made};
 use efsat::evidence::planner::{Front, Options, Plan, Request, Sampling, TooMany, frame_contacts, plan, run};
-use efsat::exact::Exact;
 use efsat::golden::{Golden, Verdict};
+use efsat::host::Stage;
 use efsat::host::settings::Settings;
-use efsat::host::{Host, Stage};
 use efsat::params::Params;
 use efsat::scene::hierarchy::{Directions, Scratch};
 use efsat::scene::{Scene, Survivors, load};
@@ -13,7 +14,6 @@ use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
 
 fn root() -> &'static Path {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -63,17 +63,10 @@ fn wrong(scene: &Scene, plan: &Plan) -> Vec<String> {
                 let exact = posed[0].relation(pair).class;
                 let verdicts = [0, 1].map(|unit: usize| {
                     let [a, b] = posed[unit].faces(pair);
-                    match hosts[unit].pair(a, b) {
-                        Host::Unit(inputs) => goldens[unit].verdict(&hosts[unit].pose, &inputs),
-                        Host::Decided(verdict) => verdict,
-                    }
+                    hosts[unit].pair(a, b).answer(&goldens[unit], &hosts[unit].pose).verdict
                 });
-                let refuted = |verdict: Verdict| match verdict {
-                    Verdict::PossiblyIncorrect => false,
-                    verdict => (verdict == Verdict::Separate) != (exact == Exact::Separate),
-                };
                 let kept = verdicts[0] == Verdict::PossiblyIncorrect || verdicts[0] == verdicts[1];
-                if verdicts.into_iter().any(refuted) || !kept {
+                if verdicts.into_iter().any(|verdict| verdict.is_wrong(exact)) || !kept {
                     wrong.push(format!("frame {frame}, pair {pair:?}: {verdicts:?}, exactly {exact}"));
                 }
             }
@@ -152,28 +145,6 @@ fn contacts_of_a_frame_are_retested() {
     assert!(contacts.iter().all(|contact| contact.exact.is_some()));
     // One on the other: the two triangles of the lower top and of the upper bottom, at least.
     assert!(contacts.iter().filter(|contact| contact.touches()).count() >= 4);
-}
-
-/// Runs the tool; status, output and errors.
-fn efsat(dir: &Path, arguments: &str, threads: &str) -> (Option<i32>, String, String) {
-    let output = Command::new(env!("CARGO_BIN_EXE_efsat"))
-        .args(arguments.split_whitespace())
-        .current_dir(dir)
-        .env("RAYON_NUM_THREADS", threads)
-        .output()
-        .unwrap();
-    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
-    (output.status.code(), text(output.stdout), text(output.stderr))
-}
-
-fn succeeds(dir: &Path, arguments: &str) -> String {
-    let (status, output, errors) = efsat(dir, arguments, "2");
-    assert_eq!((status, errors.as_str()), (Some(0), ""), "efsat {arguments}");
-    output
-}
-
-fn object(dir: &Path, arguments: &str) -> Value {
-    serde_json::from_str(&succeeds(dir, arguments)).expect("one JSON object")
 }
 
 /// A folder with three blocks, one of them with a degenerate triangle, in a scene with further lines.
@@ -265,7 +236,7 @@ fn plans_name_each_effect_with_its_reason_and_saving() {
     let words: Vec<&str> = command.split_whitespace().skip(1).collect();
     succeeds(dir, &format!("{} --out rtl", words.join(" ")));
     // Other commands say that they do not look at these tables.
-    let (status, _, errors) = efsat(dir, "scene pairs s.toml", "2");
+    let (status, _, errors) = efsat(dir, "scene pairs s.toml");
     assert_eq!(status, Some(0));
     assert!(errors.contains("[effects] and [parameters] are for scene plan and scene run"), "{errors}");
 }
@@ -364,7 +335,7 @@ fn runs_are_answered_by_the_engine_too() {
     let count = |key: &str| report[key].as_u64().unwrap();
     assert_eq!((count("queries"), count("mismatches")), (2, 0));
     assert!(count("expansions") > 5 && count("leaf_pairs") > 10, "{report}");
-    if crate::tools::ghdl().is_some() {
+    if ghdl().is_some() {
         let small =
             "--width 10 --transform-width 26 --block-lines 16 --triangle-lines 16 --limit 1 --gaps 3 --latency 2-9";
         let report = object(dir, &format!("cosim --engine --scene s.toml --simulator ghdl --json {small}"));
@@ -382,9 +353,7 @@ fn runs_are_answered_by_the_engine_too() {
         ("--simulator builtin --keep k", "--keep with --engine --simulator builtin: expected verilator or ghdl"),
         ("--simulator ghdl --memory block-ram --latency 5", "--latency with --memory block-ram: expected --memory axi"),
     ] {
-        let (status, output, errors) = efsat(dir, &format!("cosim --engine --scene s.toml {options}"), "1");
-        assert_eq!((status, output.as_str()), (Some(2), ""), "{options}");
-        assert!(errors.contains(part), "{options}: {errors}");
+        refuses(dir, &format!("cosim --engine --scene s.toml {options}"), part);
     }
     // What plans a unit, or needs the engine.
     for (options, part) in [
@@ -401,9 +370,7 @@ fn runs_are_answered_by_the_engine_too() {
         ("--directions 6", "--directions 6: expected --engine, which has this option"),
         ("--frames 3", "--engine <MACHINE>"),
     ] {
-        let (status, output, errors) = efsat(dir, &format!("scene run s.toml {options}"), "1");
-        assert_eq!((status, output.as_str()), (Some(2), ""), "{options}");
-        assert!(errors.contains(part), "{options}: {errors}");
+        refuses(dir, &format!("scene run s.toml {options}"), part);
     }
 }
 
@@ -413,12 +380,8 @@ fn runs_are_answered_by_the_engine_too() {
 fn runs_are_answered_by_the_simulated_engine() {
     let home = blocks("[[pose]]\nobject = 'q'\ntranslation = [0.75, 0.5, 0.25]\n");
     let dir = home.path();
-    let (status, output, errors) = efsat(dir, "scene run s.toml --engine verilator --json", "2");
-    if errors.contains("is not installed") {
-        eprintln!("skipped: {errors}");
-        return;
-    }
-    assert_eq!(status, Some(0), "{errors}");
+    let (status, output, errors) = efsat(dir, "scene run s.toml --engine verilator --json");
+    let Some(output) = made(if status == Some(0) { Ok(output) } else { Err(errors) }) else { return };
     let report: Value = serde_json::from_str(&output).unwrap();
     assert_eq!((&report["total"]["queries"], &report["mismatches"]), (&1.into(), &0.into()));
     assert!(report["total"]["clocks"].as_u64() > Some(100));
@@ -507,11 +470,12 @@ fn runs_do_not_depend_on_the_number_of_threads() {
     let scene = "name = \"s\"\n[a]\nmesh = \"builtin:gear\"\n[b]\nmesh = \"builtin:globe\"\nscale = 4\n\
         [tumble]\nsteps = 12\ndistances = [1.3, 0.9, 0.4]\n";
     fs::write(home.path().join("s.toml"), scene).unwrap();
+    let with = |threads: &str, line: &str| ran(command(&home, line).env("RAYON_NUM_THREADS", threads));
     let run = |threads: &str| {
         let [one, two] = ["json", "summary"].map(|how| {
             let options =
                 "--simulator builtin --sample 40 --close 30 --csv r.csv --pairs p.csv --picture p.png --view v.html";
-            efsat(home.path(), &format!("scene run s.toml --{how} {options}"), threads)
+            with(threads, &format!("scene run s.toml --{how} {options}"))
         });
         assert_eq!((one.0, two.0), (Some(0), Some(0)), "{} {}", one.2, two.2);
         let files = ["r.csv", "p.csv", "p.png", "v.html"].map(|name| fs::read(home.path().join(name)).unwrap());
@@ -520,7 +484,7 @@ fn runs_do_not_depend_on_the_number_of_threads() {
     assert_eq!(run("1"), run("2"));
     // Plans but for the measured time.
     let plan = |threads: &str| {
-        let mut plan: Value = serde_json::from_str(&efsat(home.path(), "scene plan s.toml --json", threads).1).unwrap();
+        let mut plan: Value = serde_json::from_str(&with(threads, "scene plan s.toml --json").1).unwrap();
         plan["saving"]["simulation"].take();
         for finding in plan["effects"].as_array_mut().unwrap() {
             finding["saving"]["simulation"].take();
@@ -566,7 +530,7 @@ fn wrong_input_is_named() {
     let mut failures = vec![];
     for (lines, options, expected) in cases {
         let home = blocks(lines);
-        let (status, output, errors) = efsat(home.path(), &format!("scene run s.toml {options}"), "1");
+        let (status, output, errors) = efsat(home.path(), &format!("scene run s.toml {options}"));
         if status != Some(2) || !errors.contains(expected) || errors.lines().count() != 1 || !output.is_empty() {
             failures.push(format!("{lines:?} {options}: {status:?} {errors:?} {output:?}"));
         }

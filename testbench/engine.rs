@@ -2,6 +2,7 @@
 
 use crate::extent::share;
 use crate::hierarchy::brute_force;
+use crate::tools::program::{fails, object, succeeds};
 use efsat::golden::Verdict;
 use efsat::golden::engine::{Model, Query};
 use efsat::host::engine::{Image, Numbers, memory};
@@ -14,7 +15,6 @@ use rayon::prelude::*;
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 fn scenes() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("scenes")
@@ -123,25 +123,6 @@ fn no_touching_pair_of_any_mesh_is_lost() {
     assert!(queries > 3 * cases.len(), "{queries} queries of {} answered", 4 * cases.len());
 }
 
-fn efsat(dir: &Path, arguments: &str) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_efsat")).args(arguments.split_whitespace()).current_dir(dir).output().unwrap()
-}
-
-fn succeeds(dir: &Path, arguments: &str) -> String {
-    let output = efsat(dir, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""), "efsat {arguments}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
-fn fails(dir: &Path, arguments: &str, status: i32, part: &str) {
-    let output = efsat(dir, arguments);
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!(output.status.code(), Some(status), "efsat {arguments}: {errors}");
-    assert!(errors.contains(part) && errors.lines().count() == 1, "efsat {arguments}: {errors}");
-    assert!(output.stdout.is_empty(), "efsat {arguments}");
-}
-
 #[test]
 fn images_are_built_inspected_and_verified() {
     let home = tempfile::tempdir().unwrap();
@@ -154,7 +135,7 @@ fn images_are_built_inspected_and_verified() {
     assert!(told.starts_with(&format!("nut.image: 4218 triangles, {size} bytes, height ")), "{told}");
     assert_eq!(succeeds(dir, "tree verify nut.image"), "nut.image: 4217 blocks and 4218 triangles are in order\n");
     assert_eq!(succeeds(dir, "tree verify nut.image m8_nut.stl"), succeeds(dir, "tree verify nut.image"));
-    let report: Value = serde_json::from_str(&succeeds(dir, "tree inspect nut.image --json")).unwrap();
+    let report: Value = object(dir, "tree inspect nut.image --json");
     assert_eq!((&report["bytes"], &report["blocks"]), (&Value::from(size), &Value::from(4217)));
     let exponents = report["exponents"].as_array().unwrap().iter().map(|count| count.as_u64().unwrap());
     assert_eq!((report["directions"].as_u64(), exponents.sum::<u64>()), (Some(18), 4217));
@@ -162,7 +143,7 @@ fn images_are_built_inspected_and_verified() {
     assert!(table.contains("code                    10 bits, steps of 2^exponent 2^-22\n"), "{table}");
     // The scale is that of both: alone, the nut is larger.
     succeeds(dir, "tree build m8_nut.stl --out alone.image --directions 6 --offset-bits 8 --transform-width 48");
-    let alone: Value = serde_json::from_str(&succeeds(dir, "tree inspect alone.image --json")).unwrap();
+    let alone: Value = object(dir, "tree inspect alone.image --json");
     assert!(alone["power"].as_i64() > report["power"].as_i64());
     assert_eq!((alone["bytes_per_block"].as_u64(), alone["bytes_per_triangle"].as_u64()), (Some(32), Some(128)));
     // Bad images: a code made smaller is seen with the mesh or without, and another mesh is another mesh.
@@ -198,7 +179,7 @@ fn images_are_built_inspected_and_verified() {
 /// What docs/engine.md says of the default scene.
 #[test]
 fn the_counts_of_the_page_are_those_of_the_model() {
-    let counts: Value = serde_json::from_str(&succeeds(&scenes(), "tree count headlight --json")).unwrap();
+    let counts = object(scenes(), "tree count headlight --json");
     let page = fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/engine.md")).unwrap();
     let row = page.lines().find(|line| line.starts_with("| headlight | 18 | 18 | 10 | 12 |")).unwrap();
     let found: Vec<String> = row.split('|').skip(6).map(|cell| cell.trim().replace(',', "")).collect();

@@ -1,6 +1,7 @@
 //! The collision engine in Verilator: answers of queries of the default scene against the reference model, with and without
 //! gaps, and the clocks that they take, so that a change that makes the engine slower is noticed.
 
+use crate::tools::made;
 use efsat::artefact::Stimulus;
 use efsat::artefact::engine::EngineDesign;
 use efsat::artefact::engine::samples::{cuboid, hills, turn};
@@ -40,14 +41,7 @@ fn queries(design: &EngineDesign) -> (Images, Vec<Query>) {
 
 /// None, where a tool is missing.
 fn machine(engine: &EngineParams) -> Option<Machine> {
-    match Machine::build(EngineDesign::new(engine, &Params::default()).unwrap(), None) {
-        Ok(machine) => Some(machine),
-        Err(error) if error.to_string().contains("is not installed") => {
-            eprintln!("skipped: {error}");
-            None
-        }
-        Err(error) => panic!("{error}"),
-    }
+    made(Machine::build(EngineDesign::new(engine, &Params::default()).unwrap(), None))
 }
 
 /// Runs the queries; all have to agree with the reference model.

@@ -2,7 +2,7 @@
 //! latencies and gaps.
 
 use crate::extent::{full, share};
-use crate::tools::{ghdl, replaced};
+use crate::tools::{Ghdl, ghdl, replaced};
 use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::artefact::engine::vectors::EngineVectors;
 use efsat::artefact::engine::{EngineDesign, engine_design_files, samples};
@@ -14,11 +14,11 @@ use efsat::host::engine::{Image, Numbers, memory};
 use efsat::mesh::Mesh;
 use efsat::params::engine::{EngineParams, EngineReport, Memory, Reason};
 use efsat::params::{Guard, Method, Params, Upper};
+use efsat_hardware::tools::Tool;
 use nalgebra::Point3;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
-use std::process::Command;
 
 /// A unit that simulates fast.
 fn small() -> Params {
@@ -36,52 +36,36 @@ fn axi() -> EngineParams {
 
 /// A generated engine in a folder of its own.
 struct Bench {
-    ghdl: &'static str,
+    ghdl: Ghdl,
     design: EngineDesign,
     files: FileSet,
-    dir: tempfile::TempDir,
 }
 
 impl Bench {
-    fn new(ghdl: &'static str, engine: &EngineParams, unit: &Params) -> Self {
+    fn new(ghdl: &'static Tool, engine: &EngineParams, unit: &Params) -> Self {
         let design = EngineDesign::new(engine, unit).unwrap();
         let vectors = samples::text(&design).unwrap();
         let files = engine_design_files(&design, &Prefix::default(), &design.command_line(), &vectors).unwrap();
-        let bench = Self { ghdl, design, files, dir: tempfile::tempdir().unwrap() };
+        let bench = Self { ghdl: Ghdl::new(ghdl), design, files };
         for (name, text) in bench.files.iter() {
-            bench.write(name, text);
+            bench.ghdl.write(name, text);
         }
-        bench.analyse(&bench.files.get("files.txt").unwrap().lines().collect::<Vec<_>>());
+        bench.analyse();
         bench
     }
 
-    fn write(&self, name: &str, text: &str) {
-        let path = self.dir.path().join(name);
-        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
-        std::fs::write(path, text).unwrap();
-    }
-
-    fn call(&self, args: &[&str]) -> (bool, String) {
-        let output = Command::new(self.ghdl).args(args).current_dir(self.dir.path()).output().unwrap();
-        let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
-        (output.status.success(), text)
-    }
-
-    fn analyse(&self, names: &[&str]) {
-        let (fine, text) = self.call(&[&["-a", "--std=93", "--warn-error"], names].concat());
-        assert!(fine, "{text}");
+    fn analyse(&self) {
+        self.ghdl.analyse(&self.files.get("files.txt").unwrap().lines().collect::<Vec<_>>());
     }
 
     /// Runs the testbench; what it says.
     fn run(&self, options: &[&str]) -> String {
-        let (fine, text) = self.call(&["-e", "--std=93", "efsat_engine_tb"]);
-        assert!(fine, "{text}");
-        self.call(&[&["-r", "--std=93", "efsat_engine_tb", "--ieee-asserts=disable-at-0"], options].concat()).1
+        self.ghdl.run("efsat_engine_tb", &[&["--ieee-asserts=disable-at-0"], options].concat()).1
     }
 
     /// Runs it on other vectors.
     fn run_vectors(&self, vectors: &str, options: &[&str]) -> String {
-        self.write("other.vec", vectors);
+        self.ghdl.write("other.vec", vectors);
         self.run(&[&["-gvectors=other.vec"], options].concat())
     }
 }
@@ -490,12 +474,11 @@ fn a_wrong_engine_is_noticed() {
 /// Runs vectors after a change of the text; what the testbench says.
 fn changed(bench: &Bench, (file, from, to): (&str, &str, &str), vectors: &str, options: &[&str]) -> String {
     let text = bench.files.get(file).unwrap();
-    let files: Vec<&str> = bench.files.get("files.txt").unwrap().lines().collect();
-    bench.write(file, &replaced(text, from, to));
-    bench.analyse(&files);
+    bench.ghdl.write(file, &replaced(text, from, to));
+    bench.analyse();
     let report = bench.run_vectors(vectors, options);
-    bench.write(file, text);
-    bench.analyse(&files);
+    bench.ghdl.write(file, text);
+    bench.analyse();
     report
 }
 
@@ -577,7 +560,7 @@ fn caches_are_emptied() {
     let options = ["-gpasses=1", "-glatency_least=5", "-glatency_most=9", "-ganswers=answers.txt"];
     // Blocks and triangles read from memory, by query.
     let reads = |report: &str| -> Option<Vec<[u32; 2]>> {
-        let text = std::fs::read_to_string(bench.dir.path().join("answers.txt")).unwrap();
+        let text = bench.ghdl.read("answers.txt");
         // A word and its TLAST in a line.
         let word = |line: &str| u64::from_str_radix(line.split_whitespace().next()?, 16).ok();
         let words: Vec<u64> = text.lines().filter_map(word).collect();

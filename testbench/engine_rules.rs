@@ -1,6 +1,6 @@
 //! The checks of the engine's driver in Verilator: each is broken by a mistake in the VHDL, and has to complain.
 
-use crate::tools::replaced;
+use crate::tools::{made, replaced};
 use efsat::artefact::Prefix;
 use efsat::artefact::engine::samples::{cuboid, hills, turn};
 use efsat::artefact::engine::{EngineDesign, engine_files};
@@ -74,14 +74,7 @@ fn machine(change: impl Fn(String) -> String) -> Option<Machine> {
     let mut files = engine_files(&design, &Prefix::default(), "efsat generate --engine").unwrap();
     let (_, top) = files.last_mut().unwrap();
     *top = change(std::mem::take(top));
-    match Machine::of(design, &files, None) {
-        Ok(machine) => Some(machine),
-        Err(error) if error.to_string().contains("is not installed") => {
-            eprintln!("skipped: {error}");
-            None
-        }
-        Err(error) => panic!("{error}"),
-    }
+    made(Machine::of(design, &files, None))
 }
 
 /// The top with its outputs behind what breaks them.
@@ -175,14 +168,7 @@ impl Alone {
         let (memory, sides) = memory(&[&image]);
         let query = numbers.query([(&image, sides[0]); 2], &turn(2), &[0.25, 0.5, 0.5]).unwrap();
         let files = engine_files(&design, &Prefix::default(), "efsat generate --engine").unwrap();
-        match Machine::of(design, &files, None) {
-            Ok(machine) => Some(Self { machine, memory, query }),
-            Err(error) if error.to_string().contains("is not installed") => {
-                eprintln!("skipped: {error}");
-                None
-            }
-            Err(error) => panic!("{error}"),
-        }
+        Some(Self { machine: made(Machine::of(design, &files, None))?, memory, query })
     }
 
     fn ask(&self, number: u32) -> Step {

@@ -1,24 +1,20 @@
 //! The volume unit: graph, built-in simulation and GHDL give the answers of the reference model.
 
 use crate::extent::share;
-use crate::tools;
+use crate::tools::clocked::Clocked;
+use crate::tools::{Ghdl, ghdl};
+use efsat::artefact::Prefix;
 use efsat::artefact::volume::{BENCH, Expansion, NAME, VolumeStimulus, volume_bench, volume_files};
-use efsat::artefact::{Prefix, Scratch};
 use efsat::design::engine::volume_path;
 use efsat::design::engine::volume_unit::VolumeDesign;
-use efsat::device::Resources;
 use efsat::directions::Directions;
-use efsat::evidence::synth;
 use efsat::graph::evaluate::Evaluator;
 use efsat::graph::{Op, Unit};
-use efsat::netlist::simulate::Simulation;
 use efsat::op::Comb;
 use efsat::params::engine::EngineFormat;
 use efsat::params::{EngineParams, Params};
 use efsat::vhdl::lint::lint;
 use std::collections::HashMap;
-use std::fmt::Write;
-use std::process::Command;
 use std::rc::Rc;
 
 /// An engine of other directions, widths (of origins, codes and factors) and pace.
@@ -150,16 +146,7 @@ fn the_hardware_answers_as_the_reference_model() {
     for (engine, params) in cases {
         let design = VolumeDesign::new(&engine, &params).unwrap();
         let stimulus = VolumeStimulus::random(&design.format, 200, 2);
-        let names: Vec<String> = design.stage.inputs.iter().map(|id| design.stage.signal(*id).name()).collect();
-        let port = |name: &str| names.iter().position(|n| n == name).unwrap_or_else(|| panic!("{name}"));
-        let outputs: Vec<String> = design.stage.outputs.iter().map(|(place, _)| place.to_string()).collect();
-        let output = |name: &str| outputs.iter().position(|n| n == name).unwrap_or_else(|| panic!("{name}"));
-        let [ready, valid, survive] = ["in_ready", "out_valid", "out_survive"].map(output);
-        let mut unit = Simulation::new(&design.stage, 1);
-        unit.set(port("reset"), 0, 1);
-        unit.set(port("in_valid"), 0, 0);
-        (0..4).for_each(|_| unit.run());
-        unit.set(port("reset"), 0, 0);
+        let mut unit = Clocked::new(&design.stage);
         let mut due: Vec<(usize, u32)> = vec![];
         let (mut next, mut clock, mut accepted, mut offered) = (0, 0, None, false);
         let (mut random, mut fastest) = (0xace1u16, usize::MAX);
@@ -170,18 +157,18 @@ fn the_hardware_answers_as_the_reference_model() {
                 let same = next == 0 || stimulus.expansions[next - 1].frame == expansion.frame;
                 if !offered && (same || due.is_empty()) && (full_speed || random & 3 == 0) {
                     for (name, value) in stimulus.numbers(expansion) {
-                        unit.set(port(&name), 0, value);
+                        unit.set(&name, value);
                     }
                     offered = true;
                 }
             }
-            unit.set(port("in_valid"), 0, offered.into());
-            unit.run();
-            let answer = (unit.output(valid, 0) == 1).then(|| unit.output(survive, 0) as u32);
+            unit.set("in_valid", offered.into());
+            unit.clock();
+            let answer = (unit.get("out_valid") == 1).then(|| unit.get("out_survive") as u32);
             let expected = due.first().filter(|(at, _)| *at == clock).map(|due| due.1);
             assert_eq!(answer, expected, "{}: clock {clock}", name(&engine));
             due.retain(|(at, _)| *at > clock);
-            if offered && unit.output(ready, 0) == 1 {
+            if offered && unit.get("in_ready") == 1 {
                 due.push((clock + design.latency, stimulus.answer(&stimulus.expansions[next])));
                 if let Some(before) = accepted.replace(clock) {
                     fastest = fastest.min(clock - before);
@@ -192,23 +179,24 @@ fn the_hardware_answers_as_the_reference_model() {
         }
         assert_eq!(fastest, design.interval, "{}", name(&engine));
         // After a reset there is no answer to what was in flight.
-        unit.set(port("in_valid"), 0, 1);
-        (0..2 * design.interval).for_each(|_| unit.run());
-        unit.set(port("in_valid"), 0, 0);
-        unit.set(port("reset"), 0, 1);
-        unit.run();
-        unit.set(port("reset"), 0, 0);
+        unit.set("in_valid", 1);
+        (0..2 * design.interval).for_each(|_| unit.clock());
+        unit.set("in_valid", 0);
+        unit.reset(1);
         for _ in 0..2 * design.latency {
-            unit.run();
-            assert_eq!(unit.output(valid, 0), 0, "{}", name(&engine));
+            unit.clock();
+            assert_eq!(unit.get("out_valid"), 0, "{}", name(&engine));
         }
     }
 }
 
 /// Runs the printed VHDL under its testbench; the last line that it prints.
-fn ghdl(design: &VolumeDesign, stimulus: &VolumeStimulus, change: impl Fn(&str, String) -> String) -> Option<String> {
-    let command = tools::ghdl()?;
-    let folder = Scratch::new().unwrap();
+fn simulated(
+    design: &VolumeDesign,
+    stimulus: &VolumeStimulus,
+    change: impl Fn(&str, String) -> String,
+) -> Option<String> {
+    let ghdl = Ghdl::new(ghdl()?);
     let prefix = Prefix::default();
     let mut files = volume_files(design, &prefix).unwrap();
     files.push((format!("{BENCH}.vhd"), volume_bench(design, &prefix)));
@@ -216,25 +204,12 @@ fn ghdl(design: &VolumeDesign, stimulus: &VolumeStimulus, change: impl Fn(&str, 
     let texts: Vec<(&str, &str)> = files[..files.len() - 1].iter().map(|(name, text)| (&name[..], &text[..])).collect();
     assert_eq!(lint(&texts), []);
     for (name, text) in files {
-        let text = change(&name, text);
-        std::fs::write(folder.path().join(name), text).unwrap();
+        ghdl.write(&name, &change(&name, text));
     }
-    std::fs::write(folder.path().join(format!("{BENCH}.vec")), stimulus.text(design)).unwrap();
-    let run = |arguments: &[String]| {
-        let output = Command::new(command).args(arguments).current_dir(folder.path()).output().unwrap();
-        let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
-        (output.status.success(), text)
-    };
-    let call = |arguments: &[String]| {
-        let (succeeds, text) = run(arguments);
-        assert!(succeeds, "{arguments:?}: {text}");
-    };
-    let words = |words: &[&str]| words.iter().map(|word| (*word).to_owned()).collect::<Vec<_>>();
-    let flags = ["--std=93", "--warn-error", "--warn-unused"];
-    call(&[words(&["-a"]), words(&flags), names].concat());
-    call(&[words(&["-e"]), words(&flags[..1]), words(&[BENCH])].concat());
+    ghdl.write(&format!("{BENCH}.vec"), &stimulus.text(design));
+    ghdl.analyse(&names);
     let half = format!("-gfull_speed={}", stimulus.expansions.len() / 2);
-    let (succeeds, text) = run(&[words(&["-r"]), words(&flags[..1]), words(&[BENCH, &half])].concat());
+    let (succeeds, text) = ghdl.run(BENCH, &[&half]);
     let count = text.lines().find(|line| line.ends_with(" mismatches")).expect("the bench counts").to_owned();
     // Its status tells too.
     assert_eq!(succeeds, count.ends_with(" 0 mismatches"), "{text}");
@@ -246,7 +221,7 @@ fn the_printed_vhdl_answers_as_the_reference_model() {
     for engine in share(4, engines()) {
         let design = VolumeDesign::new(&engine, &Params::default()).unwrap();
         let stimulus = VolumeStimulus::random(&design.format, 150, 4);
-        let Some(line) = ghdl(&design, &stimulus, |_, text| text) else { return };
+        let Some(line) = simulated(&design, &stimulus, |_, text| text) else { return };
         let expected = format!("{BENCH}: {} expansions, 0 mismatches", stimulus.expansions.len());
         assert_eq!(line, expected, "{}", name(&engine));
     }
@@ -285,40 +260,7 @@ fn mistakes_in_the_text_are_noticed() {
             assert!(text.contains(right), "{file}: no {right}");
             text.replacen(right, wrong, 1)
         };
-        let Some(line) = ghdl(&design, &stimulus, change) else { return };
+        let Some(line) = simulated(&design, &stimulus, change) else { return };
         assert!(line.starts_with(BENCH) && !line.ends_with(" 0 mismatches"), "{file}: {wrong}: {line}");
     }
-}
-
-/// The table of docs/engine-volume.md: cells by Yosys, beside what the device model predicts.
-#[test]
-#[ignore = "minutes: scripts/test full"]
-fn resources() {
-    let mut table = String::new();
-    for name in ["xc2v6000-4", "lfe5u-85-6"] {
-        for clocks in [4, 2, 1] {
-            let params = Params { device: name.to_owned(), ..Params::default() };
-            let design = VolumeDesign::new(&engine(18, WIDTHS, clocks), &params).unwrap();
-            let mut files = volume_files(&design, &Prefix::default()).unwrap();
-            files.pop();
-            let unit = match synth::count(&files, &design.stage, design.device) {
-                Ok(unit) => unit,
-                Err(e) if e.to_string().contains("is not installed") => return eprintln!("skipped: {e}"),
-                Err(e) => panic!("{e}"),
-            };
-            let actual = unit.actual.expect("a tool ran");
-            let [found, model] = [actual.resources, unit.foreseen()];
-            assert_eq!(found.multipliers, model.multipliers, "{name}, E = {clocks}");
-            let latency = design.latency;
-            let counts = |x: &Resources| format!("{} | {} | {} | {}", x.luts, x.memory_luts, x.flip_flops, x.carry);
-            let _ = writeln!(
-                table,
-                "| {name} | {clocks} | {latency} | {} | {} | {} |",
-                found.multipliers,
-                counts(&found),
-                counts(&model)
-            );
-        }
-    }
-    println!("{table}");
 }

@@ -1,9 +1,9 @@
 //! The programs in `examples/`, each run once.
 
+use crate::tools::program::succeeds;
 use efsat::exact::Exact;
 use efsat::golden::Verdict;
 use std::path::Path;
-use std::process::Command;
 
 #[path = "../examples/classify.rs"]
 #[allow(dead_code, reason = "the test calls what main calls")]
@@ -45,10 +45,8 @@ fn pairs_are_classified() {
 /// The same file as the command line reads it.
 #[test]
 fn the_command_line_says_the_same() {
-    let output = Command::new(env!("CARGO_BIN_EXE_efsat")).args(["classify", PAIRS, "--exact"]).output().unwrap();
-    let rows = String::from_utf8(output.stdout).unwrap();
     let expected = "pair,verdict,exact\n0,intersect,intersect\n1,separate,separate\n2,possibly-incorrect,touch\n";
-    assert_eq!((output.status.code(), rows.as_str()), (Some(0), expected));
+    assert_eq!(succeeds(".", &format!("classify '{PAIRS}' --exact")), expected);
 }
 
 #[test]

@@ -1,38 +1,17 @@
 //! What commands leave in folders: interrupted, twice at the same time, through links, beside files of others.
 
+use crate::tools::program::{PROGRAM, command, efsat, ran, refuses, succeeds};
 use std::fs::{self, File, OpenOptions, Permissions};
 use std::io::Read;
 use std::os::unix::fs::{PermissionsExt, symlink};
 use std::path::Path;
-use std::process::{Command, Output, Stdio};
+use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// Two triangles that cross, beside each other in one frame.
 const SCENE: &str = "name = \"s\"\n[a]\nmesh = \"t.obj\"\n[b]\nmesh = \"t.obj\"\n[[pose]]\naxis = [0, 0, 1]\n\
                      angle_degrees = 90\ntranslation = [0.25, 0.25, 0]\n";
 const MESH: &str = "v 0 0 0\nv 1 0 0\nv 0 1 0.5\nf 1 2 3\n";
-
-fn command(dir: &Path, arguments: &str) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    command.args(arguments.split_whitespace()).current_dir(dir).stdin(Stdio::null());
-    command
-}
-
-fn efsat(dir: &Path, arguments: &str) -> Output {
-    command(dir, arguments).output().unwrap()
-}
-
-fn succeeds(dir: &Path, arguments: &str) {
-    let output = efsat(dir, arguments);
-    assert!(output.status.success(), "efsat {arguments}: {}", String::from_utf8_lossy(&output.stderr));
-}
-
-fn fails(dir: &Path, arguments: &str, part: &str) {
-    let output = efsat(dir, arguments);
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "efsat {arguments}: {errors}");
-    assert!(errors.lines().count() == 1 && errors.contains(part), "efsat {arguments}: {errors}");
-}
 
 fn names(dir: &Path) -> Vec<String> {
     let mut names: Vec<String> =
@@ -112,7 +91,7 @@ fn two_runs_of_accuracy_do_not_mix() {
     let first = OpenOptions::new().create(true).append(true).open(&results).unwrap();
     first.lock().unwrap();
     let arguments = "accuracy --pairs 100 --sweep width=12 --multipliers 72 --shard 1/1 --out out";
-    fails(dir, arguments, "points.jsonl: found another run that writes it; expected one at a time");
+    refuses(dir, arguments, "points.jsonl: found another run that writes it; expected one at a time");
     assert_eq!((names(&dir.join("out")), fs::read(&results).unwrap().len()), (vec!["points.jsonl".to_owned()], 0));
     drop(first);
     succeeds(dir, arguments);
@@ -150,7 +129,7 @@ fn outputs_of_a_scene_inside_and_beside_the_design() {
         ("--csv x.csv --out here", "and no manifest.json of efsat"),
         ("--picture d/dataflow/x.svg --csv d/efsat.csv --pairs d/./efsat.csv --out d", "found twice"),
     ] {
-        fails(dir, &run(options), part);
+        refuses(dir, &run(options), part);
     }
     fs::remove_file(dir.join("here")).unwrap();
     assert_eq!(names(dir), before, "nothing is written");
@@ -186,16 +165,16 @@ fn links_are_followed_and_permissions_stay() {
         assert_eq!(fs::read_link(dir.join(name)).unwrap(), target, "{name} is a link still");
         assert!(fs::read(&target).unwrap() != b"old" && mode(&target) == 0o640, "{name}");
     }
-    fails(dir, "generate --unit projection --svg elsewhere", "found a directory");
+    refuses(dir, "generate --unit projection --svg elsewhere", "found a directory");
     symlink("nowhere", dir.join("dangling.svg")).unwrap();
-    fails(dir, "generate --unit projection --svg dangling.svg", "dangling.svg");
+    refuses(dir, "generate --unit projection --svg dangling.svg", "dangling.svg");
 }
 
 #[test]
 fn a_picture_goes_into_a_pipe() {
     let home = tempfile::tempdir().unwrap();
-    let output = efsat(home.path(), "generate --unit projection --svg /dev/stdout");
-    assert!(output.status.success() && output.stdout.starts_with(b"<svg"), "{output:?}");
+    let (status, output, errors) = efsat(&home, "generate --unit projection --svg /dev/stdout");
+    assert!(status == Some(0) && output.starts_with("<svg"), "{errors}");
     let fifo = home.path().join("pipe.svg");
     assert!(Command::new("mkfifo").arg(&fifo).status().unwrap().success());
     let reader = std::thread::spawn({
@@ -225,11 +204,9 @@ fn memory_does_not_grow_with_the_number_of_pairs() {
     let limited = |arguments: &str, part: &str| {
         let script = format!("ulimit -v 250000; exec \"$0\" {arguments}");
         let mut command = Command::new("sh");
-        let command = command.args(["-c", &script, env!("CARGO_BIN_EXE_efsat")]).current_dir(dir);
-        let output = command.env("RAYON_NUM_THREADS", "2").output().unwrap();
-        let text = String::from_utf8_lossy(&output.stdout);
-        let errors = String::from_utf8_lossy(&output.stderr);
-        assert!(output.status.success() && text.contains(part), "{arguments}: {text}{errors}");
+        let command = command.args(["-c", &script, PROGRAM]).current_dir(dir).env("RAYON_NUM_THREADS", "2");
+        let (status, text, errors) = ran(command);
+        assert!(status == Some(0) && text.contains(part), "{arguments}: {text}{errors}");
     };
     limited("scene pairs many.toml --first-hit --json", "\"touching\":1");
     limited("cosim --scene many.toml --limit 3 --simulator builtin --json", "\"vectors\":3");
@@ -245,9 +222,6 @@ fn a_pose_with_too_many_contacts_is_refused() {
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();
     many_times(dir, 515);
-    let output = efsat(dir, "scene run many.toml --cosim none --csv x.csv");
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2), "{errors}");
-    assert!(errors.contains("more than 262144 pairs that touch"), "{errors}");
+    refuses(dir, "scene run many.toml --cosim none --csv x.csv", "more than 262144 pairs that touch");
     assert_eq!(names(dir), ["many.obj", "many.toml"], "nothing is left behind");
 }

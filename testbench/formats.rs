@@ -1,10 +1,10 @@
 //! The JSON objects of all commands have the keys that docs/formats.md lists, of the types that it says, and no others.
 
+use crate::tools::program::{efsat, succeeds};
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::Path;
-use std::process::Command;
 
 /// Commands, and runs that together have every key. The object of `efsat mutate` is checked by its own tests.
 const RUNS: [(&str, &[&str]); 18] = [
@@ -27,7 +27,7 @@ const RUNS: [(&str, &[&str]); 18] = [
     ("efsat cosim", &["cosim --random 20 --simulator builtin"]),
     ("efsat compare", &["compare pairs.csv", "compare s.toml"]),
     ("efsat stress", &["stress --pairs 100"]),
-    ("efsat soak", &["soak --pairs 32768 --family lattice-5 --width 12"]),
+    ("efsat stress --once", &["stress --once --pairs 32768 --family lattice-5 --width 12"]),
     ("efsat wall", &["wall edge-on-face --step 2^-11 --software moeller --out w"]),
     ("efsat synth", &["synth --predict", "synth --predict --engine"]),
     ("efsat scene pairs", &["scene pairs s.toml", "scene pairs tumble.toml", "scene pairs boxes.toml --containment"]),
@@ -127,12 +127,10 @@ fn faults(command: &str, objects: &[Value], table: &BTreeMap<String, String>) ->
 }
 
 fn object(dir: &Path, arguments: &str) -> Value {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
     // One command prints nothing else.
-    let json = (!arguments.starts_with("tree answer")).then_some("--json");
-    let output = command.args(arguments.split(' ')).args(json).current_dir(dir).output().unwrap();
-    let (text, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
-    assert!(output.status.success(), "{arguments}: {errors}");
+    let json = if arguments.starts_with("tree answer") { "" } else { "--json" };
+    let (status, text, errors) = efsat(dir, &format!("{arguments} {json}"));
+    assert_eq!(status, Some(0), "{arguments}: {errors}");
     serde_json::from_str(&text).unwrap_or_else(|e| panic!("{arguments}: {e}: {text}"))
 }
 
@@ -156,9 +154,7 @@ fn objects_have_the_keys_of_the_page() {
     let boxes = "name = \"boxes\"\n[a]\nmesh = \"outer.obj\"\n[b]\nmesh = \"inner.obj\"\n";
     write("boxes.toml", &format!("{boxes}[[pose]]\ntranslation = [1, 1, 1]\n[[pose]]\ntranslation = [0, 0, 0]\n"));
     write("tumble.toml", &format!("{objects}[tumble]\nsteps = 3\ndistances = [0.1]\n"));
-    let build = ["tree", "build", "m.obj", "--out", "m.tree"];
-    let built = Command::new(env!("CARGO_BIN_EXE_efsat")).args(build).current_dir(dir).status().unwrap();
-    assert!(built.success());
+    succeeds(dir, "tree build m.obj --out m.tree");
 
     let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/formats.md");
     let tables = tables(&fs::read_to_string(page).unwrap());
@@ -175,10 +171,7 @@ fn objects_have_the_keys_of_the_page() {
 
 #[test]
 fn every_command_with_json_is_on_the_page() {
-    let help = |arguments: &[&str]| {
-        let output = Command::new(env!("CARGO_BIN_EXE_efsat")).args(arguments).arg("--help").output().unwrap();
-        String::from_utf8(output.stdout).unwrap()
-    };
+    let help = |command: &str| succeeds(".", &format!("{command} --help"));
     let below = |text: &str| -> Vec<String> {
         let listed = text.lines().skip_while(|line| *line != "Commands:").skip(1).take_while(|line| !line.is_empty());
         listed
@@ -187,14 +180,14 @@ fn every_command_with_json_is_on_the_page() {
             .collect()
     };
     let mut with_json = vec![];
-    for name in below(&help(&[])) {
-        let text = help(&[&name]);
+    for name in below(&help("")) {
+        let text = help(&name);
         if text.contains("--json") {
             with_json.push(format!("efsat {name}"));
         }
         // `accuracy merge` prints what `accuracy` does.
         for inner in below(&text).iter().filter(|inner| *inner != "merge") {
-            if help(&[&name, inner]).contains("--json") {
+            if help(&format!("{name} {inner}")).contains("--json") {
                 with_json.push(format!("efsat {name} {inner}"));
             }
         }

@@ -4,7 +4,6 @@
 use efsat::design::guard::guard;
 use efsat::design::number::{Number, input_type};
 use efsat::design::{Design, Probes};
-use efsat::estimate;
 use efsat::evidence::cosim::inputs;
 use efsat::exact::{self, Exact};
 use efsat::golden::{Golden, Input, Pair, Pose, Verdict};
@@ -13,7 +12,7 @@ use efsat::graph::{Library, Signals, Unit};
 use efsat::host::sample;
 use efsat::op::Type;
 use efsat::params::options::Choice;
-use efsat::params::{Guard, Method, Params, Transform, Upper};
+use efsat::params::{Guard, Params, Transform, Upper};
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
@@ -220,60 +219,4 @@ fn no_word_outside_is_answered_definitely() {
     assert!(wrong.is_empty(), "{} of {}:\n{}", wrong.len(), cases.len(), wrong[0]);
     let sum = |i: usize| results.iter().flatten().map(|counts| counts[i]).sum::<usize>();
     assert!(sum(0) > 10_000 && sum(1) > 10_000, "{} definite inside, {} outside", sum(0), sum(1));
-}
-
-/// LUTs (shift registers included), flip-flops, and clocks to the verdict that are predicted.
-fn predicted(p: &Params) -> [u64; 3] {
-    let design = Design::new(p, Probes::None).unwrap();
-    let cells = estimate::whole(&design.top, design.device);
-    [cells.luts + cells.memory_luts, cells.flip_flops, design.latency as u64]
-}
-
-/// The table of costs in docs/guard.md.
-#[test]
-fn the_costs_are_as_recorded() {
-    let text = include_str!("../docs/guard.md");
-    let rows: Vec<Vec<String>> = text
-        .lines()
-        .filter(|line| line.starts_with("| `--guard always"))
-        .map(|line| line.split('|').map(|cell| cell.trim().trim_matches('`').to_owned()).collect())
-        .collect();
-    let recorded: Vec<String> = rows.iter().map(|row| row[2..=4].join(", ")).collect();
-    let base = Params::default();
-    let determinants = |clocks_per_pair| Params { clocks_per_pair, ..Params::of(Method::Determinants) };
-    let sets = [
-        base.clone(),
-        Params { upper: Upper::Sticky, ..base.clone() },
-        Params { axes_per_clock: 3, ..base.clone() },
-        Params { axes_per_clock: 11, ..base.clone() },
-        Params::paper(),
-        determinants(1),
-        determinants(2),
-        determinants(11),
-    ];
-    let costs = sets.iter().map(|p| {
-        let [without, with] = [Guard::LeftOut, Guard::Always].map(|guard| predicted(&Params { guard, ..p.clone() }));
-        let change = |i: usize| format!("{} + {}", without[i], with[i] as i64 - without[i] as i64);
-        [0, 1, 2].map(change).join(", ")
-    });
-    let costs: Vec<String> = costs.collect();
-    assert_eq!(recorded, costs, "columns LUTs, flip-flops, clocks of docs/guard.md");
-
-    let rows = text.lines().filter(|line| line.starts_with("| `--transform") || line.starts_with("| `--renormalise"));
-    let recorded: Vec<String> =
-        rows.map(|row| row.split('|').map(str::trim).collect::<Vec<_>>()[2..=3].join(", ")).collect();
-    let sets = [
-        Params { transform: Transform::Off, ..base.clone() },
-        Params { transform: Transform::Translate, ..base.clone() },
-        Params { renormalise: false, ..base.clone() },
-        Params { transform: Transform::Off, renormalise: false, ..base },
-    ];
-    let alone = sets.iter().map(|p| {
-        let design = Design::new(p, Probes::None).unwrap();
-        let path = design.top.hierarchy().into_iter().find(|module| module.name == "pair_pipeline").unwrap();
-        let guards: Vec<_> = path.instances.iter().filter(|i| i.module.name.starts_with("guard_")).collect();
-        let luts: u64 = guards.iter().map(|i| estimate::whole(&i.module, design.device).luts).sum();
-        format!("{}, {luts}", guards.len())
-    });
-    assert_eq!(recorded, alone.collect::<Vec<_>>(), "columns guards, LUTs of docs/guard.md");
 }

@@ -52,7 +52,8 @@ fn relative(path: &Path) -> String {
 /// Rust sources of the library and the binary that are no tests: path below the repository and text.
 fn sources() -> Vec<(String, String)> {
     let all = files("gen").into_iter().map(|path| (relative(&path), path));
-    let sources = all.filter(|(name, _)| name.ends_with(".rs") && !name.ends_with("/tests.rs"));
+    let is_test = |name: &str| name.ends_with("/tests.rs") || name.contains("/tests/");
+    let sources = all.filter(|(name, _)| name.ends_with(".rs") && !is_test(name));
     sources.map(|(name, path)| (name, fs::read_to_string(path).unwrap())).collect()
 }
 

@@ -1,16 +1,17 @@
 //! Progress as somebody at a terminal sees it: each phase of a long run has a name, and what is counted has one.
 
-use std::path::Path;
+use crate::tools::has;
+use crate::tools::program::{PROGRAM, ran};
 use std::process::{Command, Stdio};
 
-/// What a run shows on a terminal, which the command `script` stands for; nothing without that command.
-fn shown(arguments: &str) -> Option<String> {
-    let command = format!("{} {arguments} > /dev/null", env!("CARGO_BIN_EXE_efsat"));
+/// What a run shows on a terminal, which the command `script` stands for.
+fn shown(arguments: &str) -> String {
+    let command = format!("{PROGRAM} {arguments} > /dev/null");
     let mut script = Command::new("script");
     script.args(["-q", "-e", "-c", &command, "/dev/null"]).stdin(Stdio::null());
-    let output = script.current_dir(Path::new(env!("CARGO_MANIFEST_DIR"))).output().ok()?;
-    assert!(output.status.success(), "efsat {arguments}: {output:?}");
-    Some(String::from_utf8(output.stdout).unwrap())
+    let (status, shown, _) = ran(script.current_dir(env!("CARGO_MANIFEST_DIR")));
+    assert_eq!(status, Some(0), "efsat {arguments}: {shown}");
+    shown
 }
 
 #[test]
@@ -26,11 +27,11 @@ fn phases_and_what_they_count_have_names_on_a_terminal() {
         ("self-intersections scenes/m8_bolt.stl", "finding intersections", " triangles, "),
         ("wall", "mapping", " contacts, "),
     ];
+    if !has("the command script", "script", "--version") {
+        return;
+    }
     for (arguments, phase, counts) in runs {
-        let Some(shown) = shown(arguments) else {
-            eprintln!("skipped: the command script is not installed");
-            return;
-        };
+        let shown = shown(arguments);
         // One state after the other, each in the place of the one before.
         let states: Vec<&str> = shown.split(['\r', '\n']).map(|state| state.trim_start_matches("\u{1b}[2K")).collect();
         let named = |state: &&str| state.starts_with(phase) && state.contains(counts);

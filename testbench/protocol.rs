@@ -1,12 +1,12 @@
 //! The protocol of the top, clock by clock: which pose a pair gets, what reset does, what back-pressure does.
 
 use crate::extent::share;
+use crate::tools::clocked::Clocked;
 use efsat::artefact::Stimulus;
 use efsat::artefact::vectors::{Word, answer_word, pair_word, pose_word};
 use efsat::design::{Design, Probes};
 use efsat::golden::{Golden, Input, Pair, Pose};
 use efsat::host::sample;
-use efsat::netlist::simulate::Simulation;
 use efsat::params::{CLOCKS_PER_PAIR, Method, Params, Transform};
 use rand::SeedableRng;
 
@@ -30,7 +30,7 @@ fn determinants(clocks_per_pair: u32) -> Params {
 /// The top, driven one clock at a time.
 pub struct Unit {
     pub design: Design,
-    simulation: Simulation,
+    ports: Clocked,
 }
 
 impl Unit {
@@ -39,20 +39,12 @@ impl Unit {
     }
 
     pub fn of(design: Design) -> Self {
-        let simulation = Simulation::new(&design.top, 1);
-        let mut unit = Self { design, simulation };
-        unit.set("reset", 1);
-        unit.clock();
-        unit.clock();
-        unit.set("reset", 0);
-        unit.clock();
-        unit
+        let ports = Clocked::new(&design.top);
+        Self { design, ports }
     }
 
     pub fn set(&mut self, name: &str, value: i128) {
-        let top = &self.design.top;
-        let port = top.inputs.iter().position(|id| top.signal(*id).name() == name);
-        self.simulation.set(port.unwrap_or_else(|| panic!("no input {name}")), 0, value);
+        self.ports.set(name, value);
     }
 
     fn put(&mut self, word: &Word) {
@@ -62,13 +54,12 @@ impl Unit {
     }
 
     pub fn clock(&mut self) {
-        self.simulation.run();
+        self.ports.clock();
     }
 
     /// An output in the clock just run.
     pub fn get(&self, name: &str) -> i128 {
-        let port = self.design.top.outputs.iter().position(|(n, _)| n.to_string() == name);
-        self.simulation.output(port.unwrap_or_else(|| panic!("no output {name}")), 0)
+        self.ports.get(name)
     }
 
     pub fn answer(&self) -> [i128; 3] {
@@ -201,10 +192,10 @@ fn changes_of_operands(params: &Params, pauses: usize) -> (usize, bool) {
     let latency = unit.design.second.as_ref().map_or(unit.design.latency, |second| second.latency);
     let mut rng = rand::rngs::ChaCha8Rng::seed_from_u64(5);
     let mut pair = || sample::random_pair_under(&mut rng, params, &Pose::identity(params));
-    let (mut before, mut changes) = (unit.simulation.multiplied(), 0);
+    let (mut before, mut changes) = (unit.ports.multiplied(), 0);
     let mut clock = |unit: &mut Unit| {
         unit.clock();
-        let now = unit.simulation.multiplied();
+        let now = unit.ports.multiplied();
         let changed = before.iter().zip(&now).filter(|(before, now)| before != now).count();
         before = now;
         changes += changed;

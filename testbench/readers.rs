@@ -5,9 +5,10 @@
 //! `EFSAT_ROUNDS=N` asks for N changed files of every kind in place of a few hundred ([the campaign](../docs/evidence.md)).
 //! The changes depend on the number of the round alone.
 
+use crate::tools::program::{efsat, succeeds};
 use efsat::artefact::FileSet;
 use efsat::evidence::accuracy::{self, Results, Store};
-use efsat::evidence::soak::{Log, Soak, Tally};
+use efsat::evidence::stress::once::{Log, Once, Tally};
 use efsat::evidence::{stress, times};
 use efsat::golden::{Golden, Pose};
 use efsat::host::settings::Settings;
@@ -269,24 +270,23 @@ fn read_store(path: &Path) -> Result<(), String> {
 fn read_request(path: &Path) -> Result<(), String> {
     let dir = path.parent().unwrap();
     fs::write(dir.join("points.jsonl"), &CAMPAIGN[1]).unwrap();
-    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    let output = command.args(["accuracy", "merge", ".", "--out", "whole"]).current_dir(dir).output().unwrap();
+    let (status, _, errors) = efsat(dir, "accuracy merge . --out whole");
     let whole = dir.join("whole/index.html");
-    match output.status.code() {
+    match status {
         Some(0) if whole.exists() => Ok(()),
-        Some(2) if !whole.exists() => Err(String::from_utf8(output.stderr).unwrap().trim_end().to_owned()),
-        _ => panic!("{output:?}"),
+        Some(2) if !whole.exists() => Err(errors.trim_end().to_owned()),
+        _ => panic!("{status:?}: {errors}"),
     }
 }
 
 fn read_log(path: &Path) -> Result<(), String> {
     let params = Params { width: 12, ..Params::default() };
     let family = stress::FAMILIES.iter().filter(|family| family.name == "lattice-5").collect();
-    let soak = Soak::new(7, family, &[params]);
-    let log = Log::open(path, "q".to_owned(), |block| soak.fits(block)).map_err(text)?;
+    let once = Once::new(7, family, &[params]);
+    let log = Log::open(path, "q".to_owned(), |block| once.fits(block)).map_err(text)?;
     let mut total = Tally::default();
     log.blocks().values().for_each(|block| total.add(&block.total()));
-    total.pairs();
+    total.truths.total();
     Ok(())
 }
 
@@ -374,9 +374,7 @@ fn manifest() -> Vec<u8> {
 fn log() -> Vec<u8> {
     let home = tempfile::tempdir().unwrap();
     let path = home.path().join("log");
-    let arguments = "soak --family lattice-5 --seed 7 --width 12 --pairs 32768 --log";
-    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    assert!(command.args(arguments.split(' ')).arg(&path).output().unwrap().status.success());
+    succeeds(&home, "stress --once --family lattice-5 --seed 7 --width 12 --pairs 32768 --log log");
     let text = fs::read_to_string(path).unwrap();
     let mut line: Value = serde_json::from_str(text.lines().next().unwrap()).unwrap();
     line["question"] = "q".into();
@@ -386,10 +384,7 @@ fn log() -> Vec<u8> {
 /// What was asked for, and the results, of a small campaign.
 static CAMPAIGN: LazyLock<[Vec<u8>; 2]> = LazyLock::new(|| {
     let home = tempfile::tempdir().unwrap();
-    let arguments = "accuracy --pairs 50 --sweep width=12 --multipliers 72 --shard 1/1 --out out";
-    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    let done = command.args(arguments.split(' ')).current_dir(home.path()).output().unwrap();
-    assert!(done.status.success(), "{done:?}");
+    succeeds(&home, "accuracy --pairs 50 --sweep width=12 --multipliers 72 --shard 1/1 --out out");
     ["campaign.json", "points.jsonl"].map(|name| fs::read(home.path().join("out").join(name)).unwrap())
 });
 

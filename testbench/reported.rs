@@ -1,13 +1,13 @@
 //! Mesh files that users of other programs have reported, in `testbench/reported/`: each gives its right answer or its right
 //! refusal. The answers are those of an oracle that is not part of this repository.
 
+use crate::tools::program::efsat;
 use efsat::mesh;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
 
 /// What a file gives.
 enum Right {
@@ -62,20 +62,15 @@ fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("testbench/reported").join(name)
 }
 
-fn efsat(dir: &Path, arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_efsat")).args(arguments).current_dir(dir).output().unwrap()
-}
-
 #[test]
 fn every_mesh_file_gives_its_right_answer_or_refusal() {
     let home = tempfile::tempdir().unwrap();
     for (source, name, right) in &FILES {
         let path = file(name);
-        let output = efsat(home.path(), &["self-intersections", path.to_str().unwrap(), "--json"]);
-        let errors = String::from_utf8(output.stderr).unwrap();
+        let (status, output, errors) = efsat(&home, &format!("self-intersections '{}' --json", path.display()));
         let (triangles, [crossing, touching], said) = match right {
             Refused(part) => {
-                assert_eq!(output.status.code(), Some(2), "{source}: {name}");
+                assert_eq!(status, Some(2), "{source}: {name}");
                 let expected = format!("error: {}:{part}", path.display());
                 assert!(errors.starts_with(&expected) && errors.lines().count() == 1, "{source}: {errors}");
                 continue;
@@ -83,12 +78,12 @@ fn every_mesh_file_gives_its_right_answer_or_refusal() {
             Pairs(triangles, crossing) => (*triangles, *crossing, None),
             Said(triangles, crossing, part) => (*triangles, *crossing, Some(part)),
         };
-        assert!(output.status.success(), "{source}: {errors}");
+        assert_eq!(status, Some(0), "{source}: {errors}");
         match said {
             None => assert_eq!(errors, "", "{source}: {name}"),
             Some(part) => assert_eq!(errors, format!("warning: {}: {part}\n", path.display()), "{source}"),
         }
-        let told: Value = serde_json::from_slice(&output.stdout).unwrap();
+        let told: Value = serde_json::from_str(&output).unwrap();
         let found = ["triangles", "crossing", "touching", "defects"].map(|key| told[key].as_u64().unwrap());
         assert_eq!(found, [triangles, crossing, touching, crossing + touching], "{source}: {name}");
     }
@@ -112,9 +107,8 @@ fn all_commands_say_the_same_of_a_file_and_number_its_faces() {
         "scene run s.toml --cosim none --view v.html --pairs p.csv",
         "classify s.toml --summary",
     ] {
-        let output = efsat(dir, &arguments.split(' ').collect::<Vec<_>>());
-        let errors = String::from_utf8(output.stderr).unwrap();
-        assert!(output.status.success() && errors.contains(said), "{arguments}: {errors}");
+        let (status, _, errors) = efsat(dir, arguments);
+        assert!(status == Some(0) && errors.contains(said), "{arguments}: {errors}");
     }
     let text = |name: &str| fs::read_to_string(dir.join(name)).unwrap();
     assert_eq!(text("d.csv"), "first,second,kind\n1,2,crossing\n");
@@ -128,12 +122,12 @@ fn all_commands_say_the_same_of_a_file_and_number_its_faces() {
     // Behind a quad, and with the triangle of it that is crossed; without the list of faces the image is warned of.
     let quad = "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 0 4 0\nv 1 2 -1\nv 1 2 1\nv 1 3 1\nf 1 2 9\nf 1 2 3 4\nf 5 6 7\n";
     fs::write(dir.join("m.obj"), quad).unwrap();
-    efsat(dir, &["self-intersections", "m.obj", "--csv", "d.csv"]);
+    efsat(dir, "self-intersections m.obj --csv d.csv");
     assert_eq!(text("d.csv"), "first,second,kind,first_part,second_part\n1,2,crossing,1,0\n");
     fs::write(dir.join("t.obj"), "v 1 2 -1\nv 1 2 1\nv 1 3 1\nf 1 2 3\n").unwrap();
-    efsat(dir, &["scene", "run", "s.toml", "--cosim", "none", "--pairs", "q.csv"]);
+    efsat(dir, "scene run s.toml --cosim none --pairs q.csv");
     assert_eq!(faces("q.csv", &[3, 4, 7, 8]), ["triangle_a,triangle_b,part_a,part_b", "1,0,1,0", "2,0,0,0"]);
-    let errors = String::from_utf8(efsat(dir, &["tree", "build", "m.obj", "--out", "m.tree"]).stderr).unwrap();
+    let (_, _, errors) = efsat(dir, "tree build m.obj --out m.tree");
     assert!(errors.contains("which are not the numbers of the faces in the file: --faces FILE lists both"), "{errors}");
 }
 
@@ -147,12 +141,11 @@ fn long_names_are_cut_in_errors() {
     fs::write(home.path().join("s.toml"), format!("{scene}mesh = \"builtin:gear\"\n")).unwrap();
     fs::write(home.path().join("m.obj"), format!("v 0 0 {name}\nf 1 1 1\n")).unwrap();
     let typed = &name[..100_000];
-    for arguments in [["scene", "pairs", "s.toml"], ["scene", "pairs", typed], ["tree", "inspect", typed]] {
-        let output = efsat(home.path(), &arguments);
-        assert!(!output.status.success() && (20..2000).contains(&output.stderr.len()), "{}", output.stderr.len());
+    for arguments in ["scene pairs s.toml", &format!("scene pairs {typed}"), &format!("tree inspect {typed}")] {
+        let (status, _, errors) = efsat(&home, arguments);
+        assert!(status != Some(0) && (20..2000).contains(&errors.len()), "{}", errors.len());
     }
-    let errors = efsat(home.path(), &["self-intersections", "m.obj"]).stderr;
-    assert!(String::from_utf8(errors).unwrap().contains("is no number: expected 'v x y z'"));
+    assert!(efsat(&home, "self-intersections m.obj").2.contains("is no number: expected 'v x y z'"));
 }
 
 /// Random changes of bytes; what is accepted is a mesh.

@@ -2,6 +2,7 @@
 //! makes most of them definite, and both formulations of the exact answer agree on every pair.
 
 use crate::extent::share;
+use crate::tools::program::object;
 use efsat::exact::{Exact, linear_programme, posed_relation, relation};
 use efsat::golden::{Golden, Pair, Pose, Verdict};
 use efsat::host::{Host, SceneHost, loose_pair};
@@ -15,7 +16,6 @@ use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
 use serde_json::Value;
 use std::collections::HashMap;
-use std::process::Command;
 
 type Triangle = [[f64; 3]; 3];
 
@@ -26,11 +26,7 @@ type Faces = (u32, u32);
 type Matrix = [[f64; 3]; 3];
 
 fn classify(args: &[&str]) -> Value {
-    let output =
-        Command::new(env!("CARGO_BIN_EXE_efsat")).arg("classify").args(args).args(["--exact", "--json"]).output();
-    let output = output.expect("it runs");
-    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-    serde_json::from_slice(&output.stdout).expect("one JSON object")
+    object(".", &format!("classify {} --exact --json", args.join(" ")))
 }
 
 /// Share of definite verdicts.

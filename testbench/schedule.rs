@@ -44,7 +44,7 @@ fn the_default_design_is_within_ten_per_cent_of_the_optimum() {
         .collect();
     let recorded = recorded();
     let as_recorded: Vec<(String, usize, u64)> = recorded.iter().map(|(u, i, b, _)| (u.clone(), *i, *b)).collect();
-    assert_eq!(ours, as_recorded, "run scripts/optimum and look at docs/schedule.md");
+    assert_eq!(ours, as_recorded, "run scripts/figures schedule and look at docs/schedule.md");
     // The modules have some more, which no program counts.
     let far: Vec<_> = recorded.iter().filter(|(unit, .., optimum)| modules[unit] as f64 > 1.1 * optimum).collect();
     assert!(far.is_empty(), "{far:?}");

@@ -1,5 +1,6 @@
 //! `efsat self-intersections`: the list is that of the file, and with a grid a line says that it is not.
 
+use crate::tools::program::{PROGRAM, ran, succeeds};
 use serde_json::Value;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,12 +8,7 @@ use std::process::Command;
 
 /// Standard output of a run that succeeds and says nothing else.
 fn told(dir: &Path, arguments: &str) -> String {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    let command = command.arg("self-intersections").args(arguments.split(' ')).current_dir(dir);
-    let output = command.output().unwrap();
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""), "{arguments}");
-    String::from_utf8(output.stdout).unwrap()
+    succeeds(dir, &format!("self-intersections {arguments}"))
 }
 
 fn object(dir: &Path, arguments: &str) -> Value {
@@ -124,10 +120,7 @@ fn the_unit_answers_on_a_grid() {
     assert_eq!(pairs.lines().count() as u64, object["asked"].as_u64().unwrap());
     let some: Vec<&str> = pairs.lines().step_by(500).collect();
     fs::write(dir.join("some.csv"), some.join("\n")).unwrap();
-    let cosim = "cosim --method exact --simulator builtin --pairs some.csv";
-    let status =
-        Command::new(env!("CARGO_BIN_EXE_efsat")).args(cosim.split(' ')).current_dir(dir).output().unwrap().status;
-    assert!(status.success());
+    succeeds(dir, "cosim --method exact --simulator builtin --pairs some.csv");
     // A coarser unit has a coarser grid; on a finer one some pairs do not fit, and the host decides them.
     let told = told(dir, "builtin:gear --width 12 --grid 0.001 --exact");
     let count = |part: &str| told.lines().find(|line| line.contains(part)).unwrap().rsplit(' ').next().unwrap();
@@ -176,9 +169,7 @@ fn triangles_around_one_vertex_take_no_second() {
         let run = || {
             let script = "\"$0\" self-intersections mesh.obj --json; times";
             let mut command = Command::new("sh");
-            let output =
-                command.args(["-c", script, env!("CARGO_BIN_EXE_efsat")]).current_dir(home.path()).output().unwrap();
-            let text = String::from_utf8(output.stdout).unwrap();
+            let (_, text, _) = ran(command.args(["-c", script, PROGRAM]).current_dir(&home));
             let object: Value = serde_json::from_str(text.lines().next().unwrap()).unwrap();
             assert_eq!((counts(&object), object["neighbours"].as_u64()), ([0; 5], Some(17_997_000)), "{name}");
             let seconds = text.lines().last().unwrap().split_whitespace().map(|time| {

@@ -1,7 +1,7 @@
 //! The stream wrapper, the example and the driver in GHDL, against the reference model and the exact oracle.
 
 use crate::extent::share;
-use crate::tools::ghdl;
+use crate::tools::{Ghdl, ghdl};
 use efsat::artefact::{FileSet, Packaging, design_files_with, stream, stream_vectors};
 use efsat::design::{Design, Probes};
 use efsat::exact::{self, Exact};
@@ -9,11 +9,11 @@ use efsat::host::driver::{Driver, StandIn, Statistics, Transfer};
 use efsat::params::stream::{StreamFormat, StreamWidth, StreamWord};
 use efsat::params::{Axes, Method, Params, Transform, Upper};
 use efsat::sample::random_points;
+use efsat_hardware::tools::Tool;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 use std::path::Path;
-use std::process::Command;
 
 /// Small, fast and complete.
 fn small() -> Params {
@@ -31,26 +31,23 @@ fn packaging(stream_width: StreamWidth) -> Packaging {
 
 /// A generated design in a folder of its own.
 struct Bench {
-    ghdl: &'static str,
+    ghdl: Ghdl,
     params: Params,
     format: StreamFormat,
     files: FileSet,
-    dir: tempfile::TempDir,
 }
 
 impl Bench {
-    fn new(ghdl: &'static str, params: &Params, width: StreamWidth) -> Self {
+    fn new(ghdl: &'static Tool, params: &Params, width: StreamWidth) -> Self {
         let design = Design::new(params, Probes::None).unwrap();
         let files = design_files_with(&design, &packaging(width), &params.command_line()).unwrap();
-        let dir = tempfile::tempdir().unwrap();
-        std::fs::create_dir(dir.path().join("example")).unwrap();
         let format = StreamFormat::new(params, width);
-        let bench = Self { ghdl, params: params.clone(), format, files, dir };
+        let bench = Self { ghdl: Ghdl::new(ghdl), params: params.clone(), format, files };
         for name in bench.names() {
-            bench.write(name, bench.files.get(name).unwrap());
+            bench.ghdl.write(name, bench.files.get(name).unwrap());
         }
-        bench.write("efsat_stream_tb.vec", bench.files.get("efsat_stream_tb.vec").unwrap());
-        bench.analyse(&bench.names());
+        bench.ghdl.write("efsat_stream_tb.vec", bench.files.get("efsat_stream_tb.vec").unwrap());
+        bench.ghdl.analyse(&bench.names());
         bench
     }
 
@@ -59,33 +56,10 @@ impl Bench {
         self.files.get("files.txt").unwrap().lines().collect()
     }
 
-    fn write(&self, name: &str, text: &str) {
-        std::fs::write(self.dir.path().join(name), text).unwrap();
-    }
-
-    /// Runs GHDL; whether it succeeded, and what it says.
-    fn call(&self, args: &[&str]) -> (bool, String) {
-        let output = Command::new(self.ghdl).args(args).current_dir(self.dir.path()).output().unwrap();
-        let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
-        (output.status.success(), text)
-    }
-
-    fn analyse(&self, names: &[&str]) {
-        let (fine, text) = self.call(&[&["-a", "--std=93", "--warn-error"], names].concat());
-        assert!(fine, "{text}");
-    }
-
-    /// Runs a testbench; what it says.
-    fn run(&self, entity: &str, options: &[&str]) -> String {
-        let (fine, text) = self.call(&["-e", "--std=93", entity]);
-        assert!(fine, "{text}");
-        self.call(&[&["-r", "--std=93", entity], options].concat()).1
-    }
-
     /// Runs the stream testbench on other vectors, at full speed only.
     fn run_vectors(&self, vectors: &str) -> String {
-        self.write("other.vec", vectors);
-        self.run("efsat_stream_tb", &["-gvectors=other.vec", "-ganswers=answers.txt", "-gpasses=1"])
+        self.ghdl.write("other.vec", vectors);
+        self.ghdl.run("efsat_stream_tb", &["-gvectors=other.vec", "-ganswers=answers.txt", "-gpasses=1"]).1
     }
 
     /// Sends transfers through the simulated wrapper; what comes back.
@@ -93,7 +67,7 @@ impl Bench {
         let vectors = self.vectors(transfers, &[]);
         let report = self.run_vectors(&vectors);
         assert!(report.contains(" mismatches 0 "), "{report}");
-        let text = std::fs::read_to_string(self.dir.path().join("answers.txt")).unwrap();
+        let text = self.ghdl.read("answers.txt");
         let transfer = |line: &str| {
             let (data, last) = line.split_once(' ').unwrap();
             Transfer { data: StreamWord::from_hex(data).unwrap(), last: last == "1" }
@@ -143,7 +117,7 @@ fn answers_equal_the_reference_models() {
             let bench = Bench::new(ghdl, params, *width);
             let vectors = stream_vectors::mixed(params, &bench.format, stream_vectors::FILLING);
             let answers = vectors.answers.len();
-            let report = bench.run("efsat_stream_tb", &[]);
+            let report = bench.ghdl.run("efsat_stream_tb", &[]).1;
             let fine = number(&report, "answers") == Some(answers)
                 && number(&report, "compared") == Some(2 * answers)
                 && number(&report, "mismatches") == Some(0);
@@ -159,8 +133,8 @@ fn a_wrong_wrapper_is_noticed() {
     let params = small();
     let bench = Bench::new(ghdl, &params, StreamWidth::Bits64);
     let few = stream_vectors::mixed(&params, &bench.format, 3);
-    bench.write("efsat_stream_tb.vec", &stream_vectors::text(&params, &bench.format, &few));
-    let report = bench.run("efsat_stream_tb", &[]);
+    bench.ghdl.write("efsat_stream_tb.vec", &stream_vectors::text(&params, &bench.format, &few));
+    let report = bench.ghdl.run("efsat_stream_tb", &[]).1;
     assert_eq!(number(&report, "mismatches"), Some(0), "{report}");
     let wrapper = bench.files.get("efsat_stream.vhd").unwrap();
     // With the number of passes that show it: stalls and the reset come with the second.
@@ -197,9 +171,9 @@ fn a_wrong_wrapper_is_noticed() {
     for (passes, old, new) in share(7, changes) {
         let changed = wrapper.replace(old, new);
         assert_ne!(changed, wrapper, "{old}");
-        bench.write("efsat_stream.vhd", &changed);
-        bench.analyse(&["efsat_stream.vhd", "efsat_stream_tb.vhd"]);
-        let report = bench.run("efsat_stream_tb", &[&format!("-gpasses={passes}")]);
+        bench.ghdl.write("efsat_stream.vhd", &changed);
+        bench.ghdl.analyse(&["efsat_stream.vhd", "efsat_stream_tb.vhd"]);
+        let report = bench.ghdl.run("efsat_stream_tb", &[&format!("-gpasses={passes}")]).1;
         if number(&report, "mismatches") == Some(0) {
             missed.push(format!("{old} -> {new}:\n{report}"));
         }
@@ -214,8 +188,8 @@ fn a_wrapper_that_loses_the_flag_of_the_guard_is_noticed() {
     let params = Params { width: 14, transform_width: 16, transform: Transform::Translate, ..small() };
     let bench = Bench::new(ghdl, &params, StreamWidth::Bits64);
     let few = stream_vectors::mixed(&params, &bench.format, 2);
-    bench.write("efsat_stream_tb.vec", &stream_vectors::text(&params, &bench.format, &few));
-    let report = bench.run("efsat_stream_tb", &["-gpasses=1"]);
+    bench.ghdl.write("efsat_stream_tb.vec", &stream_vectors::text(&params, &bench.format, &few));
+    let report = bench.ghdl.run("efsat_stream_tb", &["-gpasses=1"]).1;
     assert_eq!(number(&report, "mismatches"), Some(0), "{report}");
     let wrapper = bench.files.get("efsat_stream.vhd").unwrap();
     let changes = [
@@ -236,9 +210,9 @@ fn a_wrapper_that_loses_the_flag_of_the_guard_is_noticed() {
     for (old, new) in changes {
         let changed = wrapper.replace(old, new);
         assert_ne!(changed, wrapper, "{old}");
-        bench.write("efsat_stream.vhd", &changed);
-        bench.analyse(&["efsat_stream.vhd", "efsat_stream_tb.vhd"]);
-        let report = bench.run("efsat_stream_tb", &["-gpasses=1"]);
+        bench.ghdl.write("efsat_stream.vhd", &changed);
+        bench.ghdl.analyse(&["efsat_stream.vhd", "efsat_stream_tb.vhd"]);
+        let report = bench.ghdl.run("efsat_stream_tb", &["-gpasses=1"]).1;
         if number(&report, "mismatches") == Some(0) {
             missed.push(format!("{old} -> {new}:\n{report}"));
         }
@@ -375,10 +349,10 @@ fn a_pair_goes_through_the_uart_example() {
             let example = bench.files.get("example/efsat_uart_top.vhd").unwrap();
             assert!(example.contains(old));
             if *broken {
-                bench.write("example/efsat_uart_top.vhd", &example.replace(old, new));
-                bench.analyse(&["example/efsat_uart_top.vhd", "example/efsat_uart_tb.vhd"]);
+                bench.ghdl.write("example/efsat_uart_top.vhd", &example.replace(old, new));
+                bench.ghdl.analyse(&["example/efsat_uart_top.vhd", "example/efsat_uart_tb.vhd"]);
             }
-            let report = bench.run("efsat_uart_tb", &[]);
+            let report = bench.ghdl.run("efsat_uart_tb", &[]).1;
             let fine = report.contains(&format!("efsat_uart_tb: bytes compared {bytes} mismatches 0"));
             (fine == *broken).then_some(report)
         })
@@ -403,9 +377,9 @@ fn the_instances_to_copy_fit_their_entities() {
         let library = "library ieee;\nuse ieee.std_logic_1164.all;\n";
         let entity = "entity pasted is\nend entity pasted;\n";
         let body = format!("architecture rtl of pasted is\n{signals}\nbegin\n{instances}\nend architecture rtl;\n");
-        bench.write("pasted.vhd", &[library, entity, &body].concat());
-        bench.analyse(&["pasted.vhd"]);
-        let (fine, said) = bench.call(&["-e", "--std=93", "pasted"]);
+        bench.ghdl.write("pasted.vhd", &[library, entity, &body].concat());
+        bench.ghdl.analyse(&["pasted.vhd"]);
+        let (fine, said) = bench.ghdl.call("-e", &["pasted"]);
         assert!(fine && signals.contains("s_axis_tkeep"), "{}: {said}", params.command_line());
     }
 }

@@ -2,17 +2,16 @@
 //! errors; and read back by synthesis. `scripts/strict` runs this with more analysers than a distribution has
 //! (docs/strictness.md).
 
+use crate::tools::ghdl;
 use efsat::artefact::{FileSet, Scratch, design_files};
 use efsat::design::{Design, Probes};
 use efsat::number::Upper;
 use efsat::params::{Axes, Bound, Method, Params, Projections, Transform};
 use efsat::vhdl::lint::{lint, rules};
+use efsat_hardware::tools::{Tool, find};
 use rayon::prelude::*;
 use std::path::Path;
 use std::process::Command;
-
-/// The GHDL commands there may be; any back end analyses and synthesizes.
-const GHDLS: [&str; 4] = ["ghdl-mcode", "ghdl-llvm", "ghdl-gcc", "ghdl"];
 
 /// More analysers: paths with colons between.
 const MORE: &str = "EFSAT_ANALYSERS";
@@ -69,79 +68,59 @@ fn settings() -> Vec<(&'static str, Params)> {
     ]
 }
 
-/// An analyser: its command and what it calls itself.
-struct Tool {
-    command: String,
-    version: String,
-}
-
 /// GHDL as installed, and what the environment names.
 fn tools() -> Vec<Tool> {
-    let version = |command: &str| {
-        let output = Command::new(command).arg("--version").output().ok().filter(|o| o.status.success())?;
-        let line = String::from_utf8_lossy(&output.stdout).lines().next()?.to_owned();
-        Some(line.split_whitespace().take(2).collect::<Vec<_>>().join(" "))
-    };
-    let tool = |command: &str| Some(Tool { command: command.to_owned(), version: version(command)? });
-    let mut tools: Vec<Tool> = GHDLS.into_iter().find_map(tool).into_iter().collect();
+    let mut tools: Vec<Tool> = ghdl().cloned().into_iter().collect();
     let more = std::env::var(MORE).unwrap_or_default();
     for command in more.split(':').filter(|c| !c.is_empty()) {
-        tools.push(tool(command).unwrap_or_else(|| panic!("{MORE}: {command} does not run")));
-    }
-    if tools.is_empty() {
-        eprintln!("skipped: GHDL is not installed (apt-get install ghdl-mcode)");
+        tools.push(find(&[command], "--version").unwrap_or_else(|| panic!("{MORE}: {command} does not run")));
     }
     tools
 }
 
-impl Tool {
-    fn nvc(&self) -> bool {
-        self.version.starts_with("nvc")
-    }
+fn is_nvc(tool: &Tool) -> bool {
+    tool.version.starts_with("nvc")
+}
 
-    /// Analyses files in order, elaborates `benches` and synthesizes `tops`; all that is said against them.
-    fn complaints(&self, dir: &Path, standard: &str, files: &[&str], benches: &[&str], tops: &[&str]) -> Vec<String> {
-        let mut complaints = vec![];
-        let mut run = |step: &[&str], more: &[&str]| {
-            let output = Command::new(&self.command).args(step).args(more).current_dir(dir).output();
-            let output = output.unwrap_or_else(|e| panic!("{}: {e}", self.command));
-            let text = String::from_utf8_lossy(&output.stderr);
-            // A message that is not a note of what was found, such as a memory; the other lines quote the source.
-            let message = |line: &&str| line.contains(":error:") || line.contains("warning") || line.starts_with("** ");
-            let note = |line: &&str| line.contains(":note:") || line.starts_with("** Note");
-            let said: Vec<&str> = text.lines().filter(message).filter(|line| !note(line)).collect();
-            let other = text.lines().filter(|line| line.contains("latch") || line.contains("not bound"));
-            let said: Vec<&str> = said.into_iter().chain(other).collect();
-            complaints.extend(said.iter().map(|line| format!("{} {}: {line}", self.version, more.join(" "))));
-            // GHDL 2.0 says nothing of a latch or of a signal without a driver: what it makes of them is X.
-            let netlist = String::from_utf8_lossy(&output.stdout);
-            let lines: Vec<&str> = netlist.lines().collect();
-            let unknown = (0..lines.len())
-                .filter(|_| step.contains(&"--synth"))
-                .filter(|n| {
-                    (lines[*n].contains("'X'") || lines[*n].contains("\"X")) && !is_never_reached(&lines[..=*n])
-                })
-                .map(|n| lines[n]);
-            complaints.extend(
-                unknown.map(|line| format!("{} {}: a latch or no driver: {line}", self.version, more.join(" "))),
-            );
-            if said.is_empty() && !output.status.success() {
-                complaints.push(format!("{} {}: {text}", self.version, step.join(" ")));
-            }
-        };
-        if self.nvc() {
-            let standard = if standard == "93" { "--std=1993" } else { "--std=2008" };
-            run(&[standard, "-a"], files);
-            benches.iter().for_each(|bench| run(&[standard, "-e"], &[bench]));
-            return complaints;
-        }
-        let standard = format!("--std={standard}");
-        let step = |command| [&[command, standard.as_str()], &WARNINGS[..]].concat();
-        run(&step("-a"), files);
-        benches.iter().for_each(|bench| run(&step("-e"), &[bench]));
-        tops.iter().for_each(|top| run(&step("--synth"), &[top]));
+/// Analyses files in order, elaborates `benches` and synthesizes `tops`; all that is said against them.
+fn complaints(tool: &Tool, dir: &Path, standard: &str, files: &[&str], benches: &[&str], tops: &[&str]) -> Vec<String> {
+    let mut complaints = vec![];
+    let mut run = |step: &[&str], more: &[&str]| {
+        let output = Command::new(&tool.path).args(step).args(more).current_dir(dir).output();
+        let output = output.unwrap_or_else(|e| panic!("{}: {e}", tool.path.display()));
+        let text = String::from_utf8_lossy(&output.stderr);
+        // A message that is not a note of what was found, such as a memory; the other lines quote the source.
+        let message = |line: &&str| line.contains(":error:") || line.contains("warning") || line.starts_with("** ");
+        let note = |line: &&str| line.contains(":note:") || line.starts_with("** Note");
+        let said: Vec<&str> = text.lines().filter(message).filter(|line| !note(line)).collect();
+        let other = text.lines().filter(|line| line.contains("latch") || line.contains("not bound"));
+        let said: Vec<&str> = said.into_iter().chain(other).collect();
+        complaints.extend(said.iter().map(|line| format!("{} {}: {line}", tool.version, more.join(" "))));
+        // GHDL 2.0 says nothing of a latch or of a signal without a driver: what it makes of them is X.
+        let netlist = String::from_utf8_lossy(&output.stdout);
+        let lines: Vec<&str> = netlist.lines().collect();
+        let unknown = (0..lines.len())
+            .filter(|_| step.contains(&"--synth"))
+            .filter(|n| (lines[*n].contains("'X'") || lines[*n].contains("\"X")) && !is_never_reached(&lines[..=*n]))
+            .map(|n| lines[n]);
         complaints
+            .extend(unknown.map(|line| format!("{} {}: a latch or no driver: {line}", tool.version, more.join(" "))));
+        if said.is_empty() && !output.status.success() {
+            complaints.push(format!("{} {}: {text}", tool.version, step.join(" ")));
+        }
+    };
+    if is_nvc(tool) {
+        let standard = if standard == "93" { "--std=1993" } else { "--std=2008" };
+        run(&[standard, "-a"], files);
+        benches.iter().for_each(|bench| run(&[standard, "-e"], &[bench]));
+        return complaints;
     }
+    let standard = format!("--std={standard}");
+    let step = |command| [&[command, standard.as_str()], &WARNINGS[..]].concat();
+    run(&step("-a"), files);
+    benches.iter().for_each(|bench| run(&step("-e"), &[bench]));
+    tops.iter().for_each(|top| run(&step("--synth"), &[top]));
+    complaints
 }
 
 /// Whether the last line is what a selection has for all others, behind a choice for every value.
@@ -201,7 +180,7 @@ fn every_generated_file_is_taken_without_a_warning() {
             let benches: Vec<&str> =
                 list.iter().filter(|name| name.ends_with("_tb.vhd")).map(|name| entity(name)).collect();
             assert!(!tops.is_empty() && !benches.is_empty());
-            let complaints = tool.complaints(dir.path(), standard, &list, &benches, &tops);
+            let complaints = complaints(tool, dir.path(), standard, &list, &benches, &tops);
             let row = format!("| {} | {standard} | {name} | {} | {} |", tool.version, list.len(), complaints.len());
             (row, complaints)
         })
@@ -229,7 +208,7 @@ const BAD: [(&str, &str, &str); 6] = [
 #[test]
 fn every_analyser_sees_what_is_wrong() {
     let mut missed = vec![];
-    for tool in tools().iter().filter(|tool| !tool.nvc()) {
+    for tool in tools().iter().filter(|tool| !is_nvc(tool)) {
         for (word, declaration, body) in BAD {
             let dir = Scratch::new().unwrap();
             let text = format!(
@@ -237,7 +216,7 @@ fn every_analyser_sees_what_is_wrong() {
                  end entity;\narchitecture rtl of bad is\n{declaration}\nbegin\n{body}\nend architecture;\n"
             );
             std::fs::write(dir.path().join("bad.vhd"), text).unwrap();
-            let complaints = tool.complaints(dir.path(), "93", &["bad.vhd"], &["bad"], &["bad"]);
+            let complaints = complaints(tool, dir.path(), "93", &["bad.vhd"], &["bad"], &["bad"]);
             if !complaints.iter().any(|line| line.contains(word)) {
                 missed.push(format!("{}: {body}: {complaints:?}", tool.version));
             }
@@ -245,7 +224,7 @@ fn every_analyser_sees_what_is_wrong() {
         let dir = Scratch::new().unwrap();
         std::fs::write(dir.path().join("later.vhd"), "entity later is end entity;\n/* a comment of VHDL-2008 */\n")
             .unwrap();
-        if tool.complaints(dir.path(), "93", &["later.vhd"], &[], &[]).is_empty() {
+        if complaints(tool, dir.path(), "93", &["later.vhd"], &[], &[]).is_empty() {
             missed.push(format!("{}: takes VHDL-2008 as 93", tool.version));
         }
     }

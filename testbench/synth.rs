@@ -3,16 +3,18 @@
 //! Tests whose tools are not installed say so on standard error and check nothing.
 
 use crate::extent::share;
+use crate::tools::made;
+use crate::tools::program::{efsat, object, refuses, without_tools};
 use efsat::artefact::{Stimulus, vhdl_files};
 use efsat::design::{Design, Probes};
 use efsat::device;
 use efsat::estimate;
 use efsat::evidence::cosim::{self, Netlist, Options, Simulator};
-use efsat::evidence::synth::{self, Flow, Report, Subject, SynthError, ToolError, tools, verilog, yosys};
+use efsat::evidence::synth::{self, Flow, Report, Subject, verilog, yosys};
 use efsat::params::{Params, Projections, Transform};
 use serde_json::Value;
 use std::path::Path;
-use std::process::{Command, Output};
+use std::process::Command;
 use std::time::Duration;
 use tempfile::TempDir;
 
@@ -21,28 +23,14 @@ fn small() -> Params {
     Params { width: 8, transform_width: 10, ..Params::default() }
 }
 
-/// Whether an error means that a tool is not installed, which is then said.
-fn skipped(e: &dyn std::fmt::Display) -> bool {
-    let missing = e.to_string().contains("is not installed");
-    if missing {
-        eprintln!("skipped: {e}");
-    }
-    missing
-}
-
 /// Answers that differ from the reference model's in a run on Verilator; none if a tool is missing.
 fn mismatches(params: &Params, count: usize, netlist: Netlist) -> Option<u64> {
     let stimulus = Stimulus::random(params, count, 2009);
     let options = Options { simulator: Simulator::Verilator(netlist), keep: None, wave: None, probe: false };
-    match cosim::run(params, "", &stimulus, &options) {
-        Ok(report) => {
-            assert_eq!(report.vectors, count as u64);
-            assert_eq!(report.initiation_interval, params.interval() as u64);
-            Some(report.mismatches)
-        }
-        Err(e) if skipped(&e) => None,
-        Err(e) => panic!("{e}"),
-    }
+    let report = made(cosim::run(params, "", &stimulus, &options))?;
+    assert_eq!(report.vectors, count as u64);
+    assert_eq!(report.initiation_interval, params.interval() as u64);
+    Some(report.mismatches)
 }
 
 #[test]
@@ -87,10 +75,8 @@ fn a_mutated_netlist_is_noticed() {
     let stimulus = Stimulus::random(&params, 2000, 2009);
     let simulator = Simulator::Verilator(Netlist::Rtl);
     let options = Options { simulator, keep: Some(dir.path().to_owned()), wave: None, probe: false };
-    match cosim::run(&params, "", &stimulus, &options) {
-        Err(e) if skipped(&e) => return,
-        report => assert_eq!(report.unwrap().mismatches, 0),
-    }
+    let Some(report) = made(cosim::run(&params, "", &stimulus, &options)) else { return };
+    assert_eq!(report.mismatches, 0);
     let netlist = dir.path().join("netlist.v");
     let text = std::fs::read_to_string(&netlist).unwrap();
     let unit = text.find("module axis_subtract").or(text.find("module cross_product")).unwrap();
@@ -112,11 +98,8 @@ fn report(params: &Params, seeds: u32, keep: Option<&Path>) -> Option<Report> {
     let (flow, keep) = (Flow::of(device::find(&params.device).unwrap()), keep.map(Path::to_owned));
     let design = Design::new(params, Probes::None).unwrap();
     let subject = Subject::Unit(&design);
-    match synth::run(&subject, "", &synth::Options { flow, seeds, limit: Duration::from_secs(600), keep }, &|_| ()) {
-        Ok(report) => Some(report),
-        Err(SynthError::Tool(e @ ToolError::Missing { .. })) if skipped(&e) => None,
-        Err(e) => panic!("{e}"),
-    }
+    let limit = Duration::from_secs(600);
+    made(synth::run(&subject, "", &synth::Options { flow, seeds, limit, keep }, &|_| ()))
 }
 
 /// The counts of a unit are at least those of its parts.
@@ -164,22 +147,17 @@ fn ecp5_is_placed_and_routed() {
     assert_eq!(report.faults(500).iter().filter(|fault| fault.contains("MHz instead of 500")).count(), 1);
 }
 
-fn efsat(args: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_efsat")).args(args).output().unwrap()
-}
-
 /// The options of [`small`].
-const SMALL: [&str; 4] = ["--width", "8", "--transform-width", "10"];
+const SMALL: &str = "--width 8 --transform-width 10";
 
 #[test]
 #[ignore = "a minute or more: scripts/test full"]
 fn an_engine_has_the_multipliers_of_its_units_and_fits() {
-    if verilog::ghdl().is_err() || yosys::find().is_err() {
-        return eprintln!("skipped: GHDL or Yosys is not installed");
+    if made(verilog::ghdl()).is_none() || made(yosys::find()).is_none() {
+        return;
     }
-    let output = efsat(&["synth", "--engine", "--json"]);
-    let value: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!((output.status.code(), &value["faults"]), (Some(0), &Value::Array(vec![])));
+    let value = object(".", "synth --engine --json");
+    assert_eq!(value["faults"], Value::Array(vec![]));
     adds_up(&value["units"]);
     let (top, capacity) = (&value["units"], &value["capacity"]);
     assert!(top["predicted"].is_null(), "the entities of the engine are not predicted");
@@ -193,13 +171,12 @@ fn an_engine_has_the_multipliers_of_its_units_and_fits() {
 
 #[test]
 fn virtex_ii_has_the_predicted_cells() {
-    if verilog::ghdl().is_err() || yosys::find().is_err() {
-        return eprintln!("skipped: GHDL or Yosys is not installed");
+    if made(verilog::ghdl()).is_none() || made(yosys::find()).is_none() {
+        return;
     }
     let dir = TempDir::new().unwrap();
-    let output = efsat(&[&["synth", "--json", "--keep", dir.path().to_str().unwrap()], &SMALL[..]].concat());
-    let value: Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!((output.status.code(), &value["faults"]), (Some(0), &Value::Array(vec![])));
+    let value = object(".", &format!("synth --json --keep {} {SMALL}", dir.path().display()));
+    assert_eq!(value["faults"], Value::Array(vec![]));
     assert_eq!((&value["flow"], &value["units"]["entity"]), (&Value::from("yosys-xc2v"), &Value::from("efsat")));
     let count = |kind: &str, field: &str| value["units"][kind][field].as_u64().unwrap();
     for field in ["multipliers", "luts", "memory_luts", "flip_flops", "carry"] {
@@ -224,28 +201,21 @@ fn virtex_ii_has_the_predicted_cells() {
 fn a_foreign_folder_is_refused() {
     let foreign = TempDir::new().unwrap();
     std::fs::write(foreign.path().join("letter.txt"), "").unwrap();
-    let refused = efsat(&["synth", "--keep", foreign.path().to_str().unwrap()]);
-    let said = String::from_utf8_lossy(&refused.stderr).into_owned();
+    let (status, _, said) = efsat(&foreign, "synth --keep .");
     // Without Yosys that is said first.
     assert!(said.contains("holds files that efsat did not write") || said.contains("is not installed"), "{said}");
-    assert_eq!(refused.status.code(), Some(2));
+    assert_eq!(status, Some(2));
 }
 
 /// The model's counts need no tool, and are the ones beside which a tool's are set.
 #[test]
 fn predictions_need_no_tools() {
     let empty = TempDir::new().unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_efsat"))
-        .args([&["synth", "--predict", "--json"], &SMALL[..]].concat())
-        .env("PATH", empty.path())
-        .env_remove(tools::FOLDER)
-        .current_dir(empty.path())
-        .output()
-        .unwrap();
-    let value: Value = serde_json::from_slice(&output.stdout).unwrap();
+    let (status, output, errors) = without_tools(&empty, &format!("synth --predict --json {SMALL}"));
+    assert_eq!((status, errors.as_str()), (Some(0), ""));
+    let value: Value = serde_json::from_str(&output).unwrap();
     let design = Design::new(&small(), Probes::None).unwrap();
     let resources = estimate::whole(&design.top, design.device);
-    assert_eq!(output.status.code(), Some(0));
     assert_eq!(value["units"]["predicted"]["luts"], resources.luts);
     assert_eq!(value["units"]["predicted"]["flip_flops"], resources.flip_flops);
     assert_eq!((&value["latency"], &value["initiation_interval"]), (&design.latency.into(), &design.interval.into()));
@@ -254,37 +224,27 @@ fn predictions_need_no_tools() {
 
 #[test]
 fn wrong_options_are_told() {
-    let cases: [(&[&str], &str); 9] = [
-        (&["synth", "--flow", "quartus"], "expected one of yosys-xc2v, yosys-xc6s, yosys-xc7, ecp5"),
-        (&["synth", "--flow", "yosys-xc7", "--seeds", "3"], "--seeds: flow yosys-xc7 ends after Yosys"),
-        (&["synth", "--predict", "--keep", "x"], "'--predict' cannot be used with '--keep <DIR>'"),
-        (&["synth", "--minutes", "3"], "--minutes: flow yosys-xc2v ends after Yosys; expected --flow ecp5"),
-        (&["synth", "--flow", "ecp5", "--minutes", "0"], "expected a whole number from 1 to 1440"),
-        (&["synth", "--no-route"], "--no-route: flow yosys-xc2v ends after Yosys"),
-        (&["synth", "--flow", "ecp5", "--seeds", "0"], "expected a whole number from 1 to 32"),
-        (&["cosim", "--netlist", "rtl"], "--netlist needs --simulator verilator, not ghdl"),
-        (&["cosim", "--simulator", "verilator", "--probe"], "--probe needs --simulator ghdl, nvc or builtin"),
+    let cases = [
+        ("synth --flow quartus", "expected one of yosys-xc2v, yosys-xc6s, yosys-xc7, ecp5"),
+        ("synth --flow yosys-xc7 --seeds 3", "--seeds: flow yosys-xc7 ends after Yosys"),
+        ("synth --predict --keep x", "'--predict' cannot be used with '--keep <DIR>'"),
+        ("synth --minutes 3", "--minutes: flow yosys-xc2v ends after Yosys; expected --flow ecp5"),
+        ("synth --flow ecp5 --minutes 0", "expected a whole number from 1 to 1440"),
+        ("synth --no-route", "--no-route: flow yosys-xc2v ends after Yosys"),
+        ("synth --flow ecp5 --seeds 0", "expected a whole number from 1 to 32"),
+        ("cosim --netlist rtl", "--netlist needs --simulator verilator, not ghdl"),
+        ("cosim --simulator verilator --probe", "--probe needs --simulator ghdl, nvc or builtin"),
     ];
-    let wrong = cases.iter().filter(|(args, message)| {
-        let output = efsat(args);
-        let said = String::from_utf8_lossy(&output.stderr).into_owned();
-        output.status.code() != Some(2) || !said.contains(message) || said.lines().count() != 1
-    });
-    assert_eq!(wrong.collect::<Vec<_>>(), Vec::<&(&[&str], &str)>::new());
+    for (line, part) in cases {
+        refuses(".", line, part);
+    }
 }
 
 #[test]
 fn a_missing_tool_is_named() {
     let empty = TempDir::new().unwrap();
-    let output = Command::new(env!("CARGO_BIN_EXE_efsat"))
-        .args(["synth", "--width", "8", "--transform-width", "8"])
-        .env("PATH", empty.path())
-        .env_remove(tools::FOLDER)
-        .current_dir(empty.path())
-        .output()
-        .unwrap();
-    let said = String::from_utf8_lossy(&output.stderr);
-    assert_eq!(output.status.code(), Some(2));
+    let (status, _, said) = without_tools(&empty, "synth --width 8 --transform-width 8");
+    assert_eq!(status, Some(2));
     assert!(said.starts_with("error: Yosys is not installed: apt-get install yosys"), "{said}");
 }
 
@@ -293,8 +253,6 @@ fn a_missing_tool_is_named() {
 fn products_stay_signed() {
     let files = vhdl_files(&Design::new(&small(), Probes::None).unwrap(), &Default::default(), "").unwrap();
     let dir = TempDir::new().unwrap();
-    match verilog::from_vhdl(&files, "efsat", dir.path()) {
-        Ok(text) => assert!(text.matches("$signed(").count() >= 2 && !text.contains("// smul")),
-        Err(e) => assert!(skipped(&e), "{e}"),
-    }
+    let Some(text) = made(verilog::from_vhdl(&files, "efsat", dir.path())) else { return };
+    assert!(text.matches("$signed(").count() >= 2 && !text.contains("// smul"));
 }

@@ -1,4 +1,11 @@
-//! Tools that some tests need.
+//! What tests have in common: the program, GHDL, netlists clock by clock, and other tools that some need.
+
+pub mod clocked;
+pub mod ghdl;
+pub mod program;
+
+pub use efsat_hardware::testing::skip;
+pub use ghdl::{Ghdl, ghdl};
 
 use std::io::Write;
 use std::path::Path;
@@ -31,12 +38,7 @@ pub fn compiles_everywhere(header: &Path) {
     };
     let c = versions("cc", "c", &[99, 11, 17]);
     let cpp = versions("c++", "c++", &[98, 11, 14, 17, 20]);
-    let compiled = if Command::new("c++").arg("--version").output().is_ok() {
-        [c, cpp].concat()
-    } else {
-        eprintln!("skipped in part: no compiler of C++ is installed");
-        c
-    };
+    let compiled = if has("a compiler of C++", "c++", "--version") { [c, cpp].concat() } else { c };
     for (compiler, language, standard) in compiled {
         let mut command = Command::new(compiler);
         command.args(["-x", language, &standard, "-fsyntax-only", "-Wall", "-Wextra", "-pedantic", "-Werror"]);
@@ -50,14 +52,31 @@ pub fn compiles_everywhere(header: &Path) {
     }
 }
 
-/// The GHDL that compiles fastest; where none is installed none, which is said.
-pub fn ghdl() -> Option<&'static str> {
-    let found = |name: &&str| Command::new(name).arg("--version").output().is_ok_and(|o| o.status.success());
-    let command = ["ghdl-mcode", "ghdl", "ghdl-llvm", "ghdl-gcc"].into_iter().find(found);
-    if command.is_none() {
-        eprintln!("skipped: GHDL is not installed");
+/// Runs a program in a folder; what it says, if it succeeds.
+pub fn run(dir: &Path, program: &str, arguments: &[&str]) -> String {
+    let (status, output, errors) = program::ran(Command::new(program).args(arguments).current_dir(dir));
+    assert_eq!(status, Some(0), "{program} {arguments:?}: {output}{errors}");
+    output + &errors
+}
+
+/// Whether a tool is installed, so that its command takes an option; where it is not, this is said.
+pub fn has(tool: &str, command: &str, option: &str) -> bool {
+    let found = Command::new(command).arg(option).output().is_ok_and(|output| output.status.success());
+    if !found {
+        skip(format!("{tool} is not installed"));
     }
-    command
+    found
+}
+
+/// What tools have made; none where one is not installed, which is said.
+pub fn made<T, E: std::fmt::Display>(made: Result<T, E>) -> Option<T> {
+    match made {
+        Err(error) if error.to_string().contains("is not installed") => {
+            skip(error.to_string().trim_start_matches("error: ").trim_end());
+            None
+        }
+        made => Some(made.unwrap_or_else(|error| panic!("{error}"))),
+    }
 }
 
 /// Two runs would unpack the same folders, so the second waits for the first.
@@ -74,8 +93,7 @@ fn one_run_of_the_set_up_waits_for_the_other() {
     for found in ["bash", "dirname", "flock", "head", "id", "mkdir", "sleep"] {
         let path = ["/usr/bin", "/bin"].map(|folder| format!("{folder}/{found}"));
         let Some(path) = path.iter().find(|path| std::path::Path::new(path).exists()) else {
-            eprintln!("skipped: {found} is not installed");
-            return;
+            return skip(format!("{found} is not installed"));
         };
         std::os::unix::fs::symlink(path, tools.join(found)).unwrap();
     }

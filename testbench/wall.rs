@@ -2,12 +2,12 @@
 //! report sees what is wrong is shown in `gen/studies/wall/report.rs`.
 
 use crate::extent::share;
+use crate::tools::program::{command, ran, refuses, succeeds};
 use efsat::evidence::wall::{Answer, CONTACTS, Contact, Grid, Map, Report, SIZE, Step};
 use efsat::params::{Axes, Params, Projections, Upper};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 
 /// The commands of docs/walls.md that draw its pictures, and where they put them.
 const PICTURES: [(&str, &str); 10] = [
@@ -22,20 +22,6 @@ const PICTURES: [(&str, &str); 10] = [
     ("wall edge-on-edge --upper sticky --projections intersect --like-paper", "sticky-intersect"),
     ("wall edge-on-edge --step binary64 --software guigue-devillers", "software"),
 ];
-
-fn efsat(dir: &Path, arguments: &str, threads: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    command.args(arguments.split_whitespace()).current_dir(dir).env("RAYON_NUM_THREADS", threads);
-    command.output().unwrap()
-}
-
-/// Standard output of a run that succeeds and says nothing else.
-fn succeeds(dir: &Path, arguments: &str) -> String {
-    let output = efsat(dir, arguments, "2");
-    let errors = String::from_utf8(output.stderr).unwrap();
-    assert_eq!((output.status.code(), errors.as_str()), (Some(0), ""), "efsat {arguments}");
-    String::from_utf8(output.stdout).unwrap()
-}
 
 /// Names and bytes of the files of a directory, folders left out.
 fn pictures(dir: &Path) -> Vec<(String, Vec<u8>)> {
@@ -161,9 +147,10 @@ fn the_documented_pictures_and_figures_are_what_the_commands_give() {
 fn equal_whatever_the_number_of_threads() {
     let home = tempfile::tempdir().unwrap();
     let run = |threads: &str| {
-        let output = efsat(home.path(), &format!("wall edge-on-face --out {threads}"), threads);
-        assert_eq!(output.status.code(), Some(0));
-        (output.stdout, pictures(&home.path().join(threads)))
+        let mut command = command(&home, &format!("wall edge-on-face --out {threads}"));
+        let (status, output, _) = ran(command.env("RAYON_NUM_THREADS", threads));
+        assert_eq!(status, Some(0));
+        (output, pictures(&home.path().join(threads)))
     };
     assert_eq!(run("1"), run("3"));
 }
@@ -215,11 +202,7 @@ fn what_is_wrong_is_one_line_and_nothing_is_written() {
         ("wall coplanar --out file/below", "file/below: "),
     ];
     for (arguments, part) in cases {
-        let output = efsat(home.path(), arguments, "2");
-        let errors = String::from_utf8(output.stderr).unwrap();
-        assert_eq!((output.status.code(), errors.lines().count()), (Some(2), 1), "efsat {arguments}: {errors}");
-        assert!(errors.starts_with("error: ") && errors.contains(part), "efsat {arguments}: {errors}");
-        assert!(output.stdout.is_empty(), "efsat {arguments}");
+        refuses(&home, arguments, part);
     }
     assert_eq!(pictures(home.path()), [("file".to_owned(), b"mine".to_vec())]);
     assert!(!home.path().join("new").exists());

@@ -2,8 +2,8 @@
 //! answer, changes that must be noticed.
 
 pub mod cosim;
+pub mod journal;
 pub mod mutation;
 pub mod process;
-pub mod soak;
 pub mod stress;
 pub mod synth;

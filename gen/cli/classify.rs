@@ -1,7 +1,7 @@
 //! `efsat classify`.
 
 use super::error::Failure;
-use super::output::{Verdicts, failure, print, print_json, tell};
+use super::output::{failure, print, print_json, table, tell};
 use super::params::ParamArguments;
 use super::progress;
 use super::source::{Source, SourceArguments};
@@ -10,8 +10,8 @@ use efsat_geometry::exact::{self, Exact, Relation};
 use efsat_geometry::sample::random_points;
 use efsat_geometry::scene::{Meeting, Scene};
 use efsat_geometry::software::retest::retest;
-use efsat_unit::golden::{Golden, Pose, Verdict};
-use efsat_unit::host::{Host, Stage, loose_pair};
+use efsat_unit::golden::{Pose, Verdict};
+use efsat_unit::host::{self, Host, Reference, Relations, Stage, Verdicts, loose_pair};
 use efsat_unit::params::{Method, Params, Truth};
 use indicatif::ProgressBar;
 use rand::SeedableRng;
@@ -80,15 +80,6 @@ impl Answer {
     }
 }
 
-/// Exact answers as counts; coplanar pairs are counted once more.
-#[derive(Default, Serialize)]
-struct ExactCounts {
-    separate: u64,
-    touch: u64,
-    intersect: u64,
-    coplanar: u64,
-}
-
 /// All counts; also the JSON object.
 #[derive(Default, Serialize)]
 struct Counts {
@@ -100,7 +91,7 @@ struct Counts {
     #[serde(skip_serializing_if = "Option::is_none")]
     retested: Option<u64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    exact: Option<ExactCounts>,
+    exact: Option<Relations>,
     #[serde(skip_serializing_if = "Option::is_none")]
     wrong: Option<u64>,
     /// Pairs of which the exact answer for the geometry as it is given is not that for the snapped one.
@@ -123,7 +114,7 @@ impl Counts {
         Self {
             second_stage: params.exact_clocks.map(|_| 0),
             retested: retest.then_some(0),
-            exact: exact.then(ExactCounts::default),
+            exact: exact.then(Relations::default),
             wrong: exact.then_some(0),
             by_host,
             ..Self::default()
@@ -131,7 +122,7 @@ impl Counts {
     }
 
     fn add(&mut self, answer: Answer) {
-        self.verdicts.add(answer.verdict);
+        self.verdicts.count(answer.verdict);
         self.host_decided += u64::from(answer.host_decided);
         if let Some(second_stage) = &mut self.second_stage {
             *second_stage += u64::from(answer.open);
@@ -140,15 +131,8 @@ impl Counts {
             *retested += u64::from(answer.retested);
         }
         if let (Some(exact), Some(counts), Some(wrong)) = (answer.exact, &mut self.exact, &mut self.wrong) {
-            counts.coplanar += u64::from(exact.coplanar);
-            match exact.class {
-                Exact::Separate => counts.separate += 1,
-                Exact::Touch => counts.touch += 1,
-                Exact::Intersect => counts.intersect += 1,
-            }
-            if answer.verdict != Verdict::PossiblyIncorrect
-                && (answer.verdict == Verdict::Separate) != (exact.class == Exact::Separate)
-            {
+            counts.count(exact);
+            if answer.verdict.is_wrong(exact.class) {
                 *wrong += 1;
                 self.first_wrong.get_or_insert(self.pairs);
             }
@@ -160,7 +144,7 @@ impl Counts {
     }
 
     fn table(&self) -> String {
-        let mut text = self.verdicts.table();
+        let mut text = table(&self.verdicts);
         if self.host_decided > 0 {
             text.push_str(&format!("{} of them {}\n", self.host_decided, self.by_host));
         }
@@ -173,7 +157,7 @@ impl Counts {
         if let (Some(exact), Some(wrong)) = (&self.exact, self.wrong) {
             text.push_str(&format!(
                 "exact: {} separate, {} touch, {} intersect; {} coplanar; {wrong} wrong definite verdicts\n",
-                exact.separate, exact.touch, exact.intersect, exact.coplanar
+                exact.truths.separate, exact.truths.touch, exact.truths.intersect, exact.coplanar
             ));
         }
         if let Some(differ) = self.truths_differ {
@@ -224,9 +208,7 @@ impl Sink {
 
 /// Answers pairs one by one.
 struct Classifier {
-    golden: Golden,
-    params: Params,
-    identity: Pose,
+    reference: Reference,
     exact: bool,
     retest: bool,
 }
@@ -240,24 +222,24 @@ impl Classifier {
         retest: impl FnOnce() -> Exact,
         exact: impl FnOnce() -> Relation,
     ) -> Answer {
-        let (verdict, host_decided, open) = match pair {
-            Host::Unit(pair) => (self.golden.verdict(pose, pair), false, self.golden.is_open(pose, pair)),
-            Host::Decided(verdict) => (*verdict, true, false),
-        };
+        let golden = &self.reference.golden;
+        let open = matches!(pair, Host::Unit(pair) if golden.is_open(pose, pair));
+        let host::Answer { verdict, host_decided } = pair.answer(golden, pose);
         let retested = self.retest && verdict == Verdict::PossiblyIncorrect;
-        let verdict = match retested.then(retest) {
-            Some(Exact::Separate) => Verdict::Separate,
-            Some(Exact::Touch | Exact::Intersect) => Verdict::Intersect,
-            None => verdict,
-        };
+        let verdict = if retested { retest().into() } else { verdict };
         Answer { verdict, host_decided, open, retested, exact: self.exact.then(exact), truths_differ: None }
     }
 
     fn loose(&self, points: &[Points]) -> Vec<Answer> {
         const FINITE: &str = "pairs are finite";
         let one = |p: &Points| {
-            let pair = loose_pair(p, &self.params).expect(FINITE);
-            self.answer(&self.identity, &pair, || retest(p).expect(FINITE), || exact::relation(p).expect(FINITE))
+            let pair = loose_pair(p, &self.reference.params).expect(FINITE);
+            self.answer(
+                &self.reference.identity,
+                &pair,
+                || retest(p).expect(FINITE),
+                || exact::relation(p).expect(FINITE),
+            )
         };
         points.par_iter().map(one).collect()
     }
@@ -281,7 +263,7 @@ impl Classifier {
     }
 
     fn scene(&self, scene: &Scene, sink: &mut Sink, bar: &ProgressBar) -> Result<(), Failure> {
-        let stage = Stage::new(scene, &self.params);
+        let stage = Stage::new(scene, &self.reference.params);
         let answers = |meeting: &Meeting, pairs: &[(u32, u32)]| -> Vec<Answer> {
             if pairs.is_empty() {
                 return vec![];
@@ -294,7 +276,7 @@ impl Classifier {
                 let answer = self.answer(&host.pose, &host.pair(a, b), retest, exact);
                 let differs =
                     |exact: Relation| (exact.class == Exact::Separate) != (posed.given(pair) == Exact::Separate);
-                let snapped = answer.exact.filter(|_| self.params.truth == Truth::Snapped);
+                let snapped = answer.exact.filter(|_| self.reference.params.truth == Truth::Snapped);
                 Answer { truths_differ: snapped.map(differs), ..answer }
             };
             pairs.par_iter().map(answer).collect()
@@ -322,9 +304,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         _ => return Err(Failure::Usage("no pairs: expected one of FILE, --scene FILE and --random N".to_owned())),
     };
     let mut sink = Sink::new(arguments, &params)?;
-    let (golden, identity) = (Golden::new(&params), Pose::identity(&params));
     let Arguments { exact, retest, .. } = *arguments;
-    let classifier = Classifier { golden, identity, params, exact, retest };
+    let classifier = Classifier { reference: Reference::new(&params), exact, retest };
     let bar = |count: u64, steps| progress::bar("answering", count, steps, arguments.rows());
     match (&given, arguments.source.random) {
         (Some(Source::Pairs(pairs)), _) => classifier.pairs(pairs, &mut sink, &bar(pairs.len() as u64, "pairs"))?,

@@ -12,9 +12,9 @@ use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample::random_points;
 use efsat_geometry::scene::Scene;
 use efsat_geometry::software::Test;
-use efsat_unit::golden::{Golden, Pose};
-use efsat_unit::host::{Host, Stage, loose_pair};
-use efsat_unit::params::{Params, Truth};
+use efsat_unit::golden::Pose;
+use efsat_unit::host::{self, Host, Reference, Stage, loose_pair};
+use efsat_unit::params::Truth;
 use indicatif::ProgressBar;
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
@@ -141,17 +141,12 @@ impl Arguments {
 
 /// Answers pairs by the reference model, exactly and in software.
 struct Comparison {
-    golden: Golden,
-    params: Params,
-    identity: Pose,
+    reference: Reference,
 }
 
 impl Comparison {
     fn answer(&self, pose: &Pose, pair: &Host, points: &Points, truth: Exact, rounded: Option<Exact>) -> Answer {
-        let (verdict, host_decided) = match pair {
-            Host::Unit(pair) => (self.golden.verdict(pose, pair), false),
-            Host::Decided(verdict) => (*verdict, true),
-        };
+        let host::Answer { verdict, host_decided } = pair.answer(&self.reference.golden, pose);
         let mut software = [false; TESTS];
         for (seen, test) in software.iter_mut().zip(Test::ALL) {
             // What has been moved may have become infinite, where these tests see no contact.
@@ -164,8 +159,8 @@ impl Comparison {
     fn loose(&self, pairs: &[Points], first: u64) -> Tally {
         const FINITE: &str = "pairs are finite";
         let answer = |p: &Points| {
-            let (pair, truth) = (loose_pair(p, &self.params).expect(FINITE), exact::pair(p).expect(FINITE));
-            self.answer(&self.identity, &pair, p, truth, None)
+            let (pair, truth) = (loose_pair(p, &self.reference.params).expect(FINITE), exact::pair(p).expect(FINITE));
+            self.answer(&self.reference.identity, &pair, p, truth, None)
         };
         tally(pairs, first, answer)
     }
@@ -185,7 +180,7 @@ impl Comparison {
     }
 
     fn scene(&self, scene: &Scene, units: Units, bar: &ProgressBar) -> Tally {
-        let stage = Stage::new(scene, &self.params);
+        let stage = Stage::new(scene, &self.reference.params);
         let factor = units.factor(scene);
         let mut total = Tally::default();
         let mut done = 0;
@@ -231,7 +226,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Usage(format!("--truth snapped: expected given, as {why}")));
     }
     let (source, pairs) = arguments.pairs()?;
-    let comparison = Comparison { golden: Golden::new(&params), identity: Pose::identity(&params), params };
+    let comparison = Comparison { reference: Reference::new(&params) };
     let bar = |count: u64, steps| progress::bar("comparing", count, steps, false);
     let (tally, poses, units) = match &pairs {
         Pairs::Loose(pairs) => {

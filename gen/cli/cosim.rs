@@ -4,7 +4,7 @@ mod engine;
 
 use super::error::Failure;
 use super::file;
-use super::output::{Verdicts, print, print_json};
+use super::output::{print, print_json, table};
 use super::params::{ParamArguments, choice, whole};
 use super::progress;
 use super::source::{Source, SourceArguments, count};
@@ -14,7 +14,7 @@ use efsat_geometry::scene::Scene;
 use efsat_unit::artefact::Stimulus;
 use efsat_unit::design::top::pace;
 use efsat_unit::golden::{Pair, Pose, Verdict};
-use efsat_unit::host::{Host, Stage, loose_pair};
+use efsat_unit::host::{Host, Stage, Verdicts, loose_pair};
 use efsat_unit::params::{Params, options::Choice};
 use engine::EngineRun;
 use rayon::prelude::*;
@@ -214,7 +214,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
     let [separate, intersect, possibly_incorrect] = report.verdicts;
     let mut verdicts = Verdicts { separate, intersect, possibly_incorrect };
-    decided.iter().for_each(|verdict| verdicts.add(*verdict));
+    decided.iter().for_each(|verdict| verdicts.count(*verdict));
     let host_decided = decided.len() as u64;
     if arguments.json {
         print_json(&Summary {
@@ -245,7 +245,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn text(report: &Report, verdicts: &Verdicts, host_decided: u64) -> String {
-    let mut text = verdicts.table();
+    let mut text = table(verdicts);
     if host_decided > 0 {
         text.push_str(&format!("{host_decided} of them decided on the host\n"));
     }

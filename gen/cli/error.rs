@@ -2,6 +2,7 @@
 
 use clap::error::ErrorKind;
 use efsat_checks::cosim::CosimError;
+use efsat_checks::journal::JournalError;
 use efsat_checks::synth::SynthError;
 use efsat_geometry::pair_file::PairFileError;
 use efsat_geometry::scene::SceneError;
@@ -86,6 +87,12 @@ impl From<PairFileError> for Failure {
 
 impl From<SceneError> for Failure {
     fn from(e: SceneError) -> Self {
+        Self::Usage(e.to_string())
+    }
+}
+
+impl From<JournalError> for Failure {
+    fn from(e: JournalError) -> Self {
         Self::Usage(e.to_string())
     }
 }

@@ -12,6 +12,7 @@ mod diagram;
 mod error;
 mod file;
 mod generate;
+mod list;
 mod manual;
 mod mutate;
 mod output;
@@ -19,7 +20,6 @@ mod params;
 mod progress;
 mod scene;
 mod self_intersections;
-mod soak;
 mod source;
 mod stress;
 mod synth;
@@ -54,7 +54,6 @@ enum Command {
     Classify(classify::Arguments),
     Compare(compare::Arguments),
     Stress(stress::Arguments),
-    Soak(soak::Arguments),
     Wall(wall::Arguments),
     Mutate(mutate::Arguments),
     Synth(synth::Arguments),
@@ -62,6 +61,7 @@ enum Command {
     Tree(tree::Arguments),
     SelfIntersections(self_intersections::Arguments),
     Accuracy(accuracy::Arguments),
+    List(list::Arguments),
     Completions(completions::Arguments),
     Manual(manual::Arguments),
 }
@@ -75,7 +75,6 @@ pub fn main() -> ExitCode {
             Command::Classify(arguments) => classify::run(&arguments),
             Command::Compare(arguments) => compare::run(&arguments),
             Command::Stress(arguments) => stress::run(&arguments),
-            Command::Soak(arguments) => soak::run(&arguments),
             Command::Wall(arguments) => wall::run(&arguments),
             Command::Mutate(arguments) => mutate::run(&arguments),
             Command::Synth(arguments) => synth::run(&arguments),
@@ -83,6 +82,7 @@ pub fn main() -> ExitCode {
             Command::Tree(arguments) => tree::run(&arguments),
             Command::SelfIntersections(arguments) => self_intersections::run(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
+            Command::List(arguments) => list::run(&arguments, &CommandLine::command()),
             Command::Completions(arguments) => completions::run(&arguments, &mut CommandLine::command()),
             Command::Manual(arguments) => manual::run(&arguments, CommandLine::command()),
         },

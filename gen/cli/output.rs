@@ -2,44 +2,23 @@
 
 use super::error::Failure;
 use efsat_unit::golden::Verdict;
+use efsat_unit::host::Verdicts;
 use serde::Serialize;
 use std::borrow::Cow;
 use std::io::{self, Write};
 
-/// Verdicts as counts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-pub(super) struct Verdicts {
-    /// Pairs without a common point.
-    pub separate: u64,
-    /// Pairs with one.
-    pub intersect: u64,
-    /// Undecided pairs.
-    pub possibly_incorrect: u64,
-}
-
-impl Verdicts {
-    /// Counts one more.
-    pub fn add(&mut self, verdict: Verdict) {
-        match verdict {
-            Verdict::Separate => self.separate += 1,
-            Verdict::Intersect => self.intersect += 1,
-            Verdict::PossiblyIncorrect => self.possibly_incorrect += 1,
-        }
-    }
-
-    /// Counts, shares and words, in the order of the codes.
-    pub fn table(&self) -> String {
-        let total = self.separate + self.intersect + self.possibly_incorrect;
-        let rows = [
-            (Verdict::Separate.to_string(), self.separate),
-            (Verdict::Intersect.to_string(), self.intersect),
-            (Verdict::PossiblyIncorrect.to_string(), self.possibly_incorrect),
-            ("all".to_owned(), total),
-        ];
-        let share = |count: u64| if total == 0 { 0.0 } else { 100.0 * count as f64 / total as f64 };
-        let line = |(word, count): &(String, u64)| format!("{word:<20}{count:>12}{:>9.2} %\n", share(*count));
-        format!("{:<20}{:>12}{:>11}\n{}", "verdict", "pairs", "share", rows.iter().map(line).collect::<String>())
-    }
+/// Verdicts as counts, shares and words, in the order of the codes.
+pub(super) fn table(verdicts: &Verdicts) -> String {
+    let total = verdicts.total();
+    let rows = [
+        (Verdict::Separate.to_string(), verdicts.separate),
+        (Verdict::Intersect.to_string(), verdicts.intersect),
+        (Verdict::PossiblyIncorrect.to_string(), verdicts.possibly_incorrect),
+        ("all".to_owned(), total),
+    ];
+    let share = |count: u64| if total == 0 { 0.0 } else { 100.0 * count as f64 / total as f64 };
+    let line = |(word, count): &(String, u64)| format!("{word:<20}{count:>12}{:>9.2} %\n", share(*count));
+    format!("{:<20}{:>12}{:>11}\n{}", "verdict", "pairs", "share", rows.iter().map(line).collect::<String>())
 }
 
 /// A number of things, named in the plural, which has an s.
@@ -107,17 +86,17 @@ mod tests {
     fn the_table_of_verdicts() {
         let mut verdicts = Verdicts::default();
         for verdict in [Verdict::Separate, Verdict::Separate, Verdict::Separate, Verdict::PossiblyIncorrect] {
-            verdicts.add(verdict);
+            verdicts.count(verdict);
         }
         assert_eq!(
-            verdicts.table(),
+            table(&verdicts),
             "verdict                    pairs      share\n\
              separate                       3    75.00 %\n\
              intersect                      0     0.00 %\n\
              possibly-incorrect             1    25.00 %\n\
              all                            4   100.00 %\n"
         );
-        assert!(Verdicts::default().table().contains("0.00 %"));
+        assert!(table(&Verdicts::default()).contains("0.00 %"));
     }
 
     #[test]

@@ -1,5 +1,8 @@
 //! `efsat stress`.
 
+mod once;
+
+use super::accuracy::shard;
 use super::error::Failure;
 use super::file;
 use super::output::{print, print_json};
@@ -7,7 +10,9 @@ use super::params::ParamArguments;
 use super::progress;
 use super::source;
 use clap::builder::{PossibleValuesParser, TypedValueParser};
-use efsat_checks::stress::{Campaign, Counts, FAMILIES, Family, Model, Plan, Report};
+use efsat_checks::stress::{Campaign, Counts, FAMILIES, Family, Plan, Report};
+use efsat_studies::accuracy::Shard;
+use efsat_unit::host::{Reference, Truths};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -16,12 +21,17 @@ use std::path::{Path, PathBuf};
 /// Every pair is asked in all 72 orders of vertices and roles, with permuted and mirrored axes, at exact scales and
 /// translations, on other widths and options, and under a pose. The exit status is 1 if a definite answer is wrong.
 /// Case i of a family depends on the seed, the family and i alone.
+///
+/// With --once each pair is asked as its family makes it and no other way, so that very many can be asked, of one or more
+/// designs. The exact answer is then that of the software retest, checked by the oracle on every 1,024th case and on every
+/// contradiction. Finished blocks of 16,384 cases per family are appended to the log: a run that was interrupted goes on where it
+/// stopped, and logs of several shards can be concatenated.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// Pairs of all families together, before they are written in other ways
-    #[arg(long, value_name = "N", default_value_t = 40_000, value_parser = source::count)]
-    #[arg(allow_negative_numbers = true)]
-    pairs: u64,
+    /// Pairs of all families together, before they are written in other ways; with --once rounded up to whole blocks [default:
+    /// 40000, with --once 1000000]
+    #[arg(long, value_name = "N", value_parser = source::count, allow_negative_numbers = true)]
+    pairs: Option<u64>,
     /// Seed of all pairs
     #[arg(long, value_name = "S", default_value_t = 1, value_parser = source::seed, allow_negative_numbers = true)]
     seed: u64,
@@ -32,11 +42,23 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "INDEX", default_value_t = 0, value_parser = source::seed, allow_negative_numbers = true)]
     first: u64,
     /// List the families and do nothing else
-    #[arg(long, conflicts_with_all = ["pairs", "seed", "families", "first", "json"])]
+    #[arg(long, conflicts_with_all = ["pairs", "seed", "families", "first", "json", "once"])]
     list: bool,
     /// Write the pairs to DIR/FAMILY.f64 (18 little-endian binary64 numbers per pair) and do nothing else
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["list", "json"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["list", "json", "once"])]
     emit: Option<PathBuf>,
+    /// Ask each pair once, as its family makes it
+    #[arg(long, conflicts_with = "first")]
+    once: bool,
+    /// Designs to ask, as in `efsat accuracy --sweep`; without it the one design of the other options
+    #[arg(long, value_name = "SPEC", requires = "once")]
+    sweep: Option<String>,
+    /// File that finished blocks are appended to, and taken from
+    #[arg(long, value_name = "FILE", requires = "once")]
+    log: Option<PathBuf>,
+    /// Only part I of N of the blocks
+    #[arg(long, value_name = "I/N", value_parser = shard, allow_hyphen_values = true, requires_all = ["once", "log"])]
+    shard: Option<Shard>,
     /// Print one JSON object instead of a table
     #[arg(long)]
     json: bool,
@@ -44,7 +66,7 @@ pub(super) struct Arguments {
     params: ParamArguments,
 }
 
-pub(super) fn family() -> impl TypedValueParser<Value = &'static Family> {
+fn family() -> impl TypedValueParser<Value = &'static Family> {
     PossibleValuesParser::new(FAMILIES.iter().map(|family| family.name))
         .map(|name| Family::by_name(&name).expect("clap lets names of the list through"))
 }
@@ -62,9 +84,8 @@ struct Row {
 struct Columns {
     pairs: u64,
     answers: u64,
-    separate: u64,
-    touch: u64,
-    intersect: u64,
+    #[serde(flatten)]
+    truths: Truths,
     definite: u64,
     definite_separate: u64,
     definite_intersect: u64,
@@ -78,15 +99,13 @@ struct Columns {
 impl From<&Counts> for Columns {
     fn from(counts: &Counts) -> Self {
         Self {
-            pairs: counts.pairs,
-            answers: counts.answers,
-            separate: counts.separate,
-            touch: counts.touch,
-            intersect: counts.intersect,
-            definite: counts.definite(),
-            definite_separate: counts.answered_separate,
-            definite_intersect: counts.answered_intersect,
-            possibly_incorrect: counts.possibly_incorrect,
+            pairs: counts.truths.total(),
+            answers: counts.answers.total(),
+            truths: counts.truths,
+            definite: counts.answers.separate + counts.answers.intersect,
+            definite_separate: counts.answers.separate,
+            definite_intersect: counts.answers.intersect,
+            possibly_incorrect: counts.answers.possibly_incorrect,
             host_decided: counts.host_decided,
             wrong: counts.wrong,
             disagreements: counts.disagreements,
@@ -126,14 +145,14 @@ fn table(plan: &Plan, report: &Report) -> String {
     };
     let row = |name: &str, counts: &Counts| {
         let cells = [
-            counts.pairs,
-            counts.separate,
-            counts.touch,
-            counts.intersect,
-            counts.answers,
-            counts.answered_separate,
-            counts.answered_intersect,
-            counts.possibly_incorrect,
+            counts.truths.total(),
+            counts.truths.separate,
+            counts.truths.touch,
+            counts.truths.intersect,
+            counts.answers.total(),
+            counts.answers.separate,
+            counts.answers.intersect,
+            counts.answers.possibly_incorrect,
             counts.wrong,
         ];
         let cells = cells.map(|cell| cell.to_string());
@@ -181,7 +200,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let asked = |family: &&Family| arguments.families.is_empty() || arguments.families.contains(family);
     let families: Vec<&Family> = FAMILIES.iter().filter(asked).collect();
-    let Arguments { pairs, first, seed, .. } = *arguments;
+    if arguments.once {
+        return once::run(arguments, &families, params);
+    }
+    let Arguments { first, seed, .. } = *arguments;
+    let pairs = arguments.pairs.unwrap_or(40_000);
     if first.checked_add(pairs.div_ceil(families.len() as u64) - 1).is_none() {
         return Err(Failure::Usage(format!("--first {first}: expected an index with --pairs {pairs} below 2^64")));
     }
@@ -190,7 +213,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return emit(&plan, dir);
     }
     let bar = progress::bar("testing", pairs, "pairs", false);
-    let report = Campaign::new(&params, Model::new).run(&plan, &|| bar.inc(1));
+    let report = Campaign::new(&params, Reference::new).run(&plan, &|| bar.inc(1));
     bar.finish_and_clear();
     if arguments.json {
         print_json(&Summary::new(&plan, &report))?;

@@ -281,15 +281,17 @@ impl Display for Expression {
                 write!(f, "to_{}({index}, {})", if ty.signed { "signed" } else { "unsigned" }, ty.bits)
             }
             Self::Binary(a, op, b) => {
-                // In arithmetic and comparisons numeric_std takes small numbers as they are.
+                let binding = self.binding();
+                // In sums and comparisons numeric_std takes small numbers as they are: logic it does not have on numbers, and a
+                // product with one has twice the bits of the other factor.
+                let plain = binding == 1 || matches!(*op, "+" | "-");
                 let number = |x: &Self| match x {
-                    Self::Number(value, ty) if *op != "&" && !ty.is_flag() && (0..1 << 31).contains(value) => {
+                    Self::Number(value, ty) if plain && !ty.is_flag() && (0..1 << 31).contains(value) => {
                         Some(value.to_string())
                     }
-                    Self::Count(index, _) if *op != "&" => Some(index.to_string()),
+                    Self::Count(index, _) if plain => Some(index.to_string()),
                     _ => None,
                 };
-                let binding = self.binding();
                 // Logic mixes with nothing without parentheses, and neither do two kinds of it.
                 let tight = if binding == 0 { 2 } else { binding };
                 let left = match **a {

@@ -2,12 +2,13 @@
 //! netlists, simulated, estimated, drawn and printed as VHDL-93.
 //!
 //! A module knows those before it alone: [`number`], [`types`], [`device`], [`expression`] (of VHDL), [`cells`], [`op`] (all there is
-//! to know of an operation), [`graph`] (the builder), [`schedule`], [`netlist`], and their readers [`estimate`], [`vhdl`]
-//! and [`diagram`].
+//! to know of an operation), [`graph`] (the builder), [`schedule`], [`netlist`], and their readers [`estimate`], [`vhdl`],
+//! [`diagram`] and [`dump`]. [`tools`] finds the programs that read what is printed.
 
 pub mod cells;
 pub mod device;
 pub mod diagram;
+pub mod dump;
 pub mod estimate;
 pub mod expression;
 pub mod graph;
@@ -15,5 +16,8 @@ pub mod netlist;
 pub mod number;
 pub mod op;
 pub mod schedule;
+#[doc(hidden)]
+pub mod testing;
+pub mod tools;
 pub mod types;
 pub mod vhdl;

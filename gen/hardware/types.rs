@@ -1,7 +1,7 @@
 //! Types of values: how many bits, with a sign or without, and where the binary point is.
 
 /// Type of a value: a two's-complement or unsigned integer of `bits` bits. One unsigned bit is a flag.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Type {
     /// Whether the top bit is a sign.
     pub signed: bool,
@@ -93,5 +93,11 @@ impl std::fmt::Display for Type {
             None if self.is_flag() => write!(f, "flag"),
             None => write!(f, "{} bits", self.bits),
         }
+    }
+}
+
+impl std::fmt::Debug for Type {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{self}")
     }
 }

@@ -3,49 +3,17 @@
 
 use super::vectors::Segment;
 use super::{Seen, Signals};
+use crate::tools::clocked::Clocked;
 use efsat::artefact::vectors::{Word, pair_word, pose_word};
 use efsat::design::{Design, Probes};
 use efsat::golden::Golden;
-use efsat::netlist::simulate::Simulation;
 use efsat::params::{Params, Projections, Transform};
-use std::collections::HashMap;
-
-/// Clocks of reset.
-const RESET: usize = 4;
 
 /// What is answered.
 const ANSWER: [&str; 4] = ["out_verdict", "out_separated", "out_overlapping", "out_outside"];
 
 /// Clocks without an answer after which there will be none.
 const PATIENCE: usize = 10_000;
-
-/// The unit, driven at its ports.
-struct Ports {
-    simulation: Simulation,
-    inputs: HashMap<String, usize>,
-    outputs: HashMap<String, usize>,
-}
-
-impl Ports {
-    fn new(design: &Design) -> Self {
-        let top = &design.top;
-        let inputs = top.inputs.iter().enumerate().map(|(i, id)| (top.signal(*id).name(), i));
-        let outputs = top.outputs.iter().enumerate().map(|(i, (name, _))| (name.to_string(), i));
-        Self { simulation: Simulation::new(top, 1), inputs: inputs.collect(), outputs: outputs.collect() }
-    }
-
-    /// Sets an input in the coming clock; not every unit has every port.
-    fn set(&mut self, name: &str, value: i128) {
-        if let Some(port) = self.inputs.get(name) {
-            self.simulation.set(*port, 0, value);
-        }
-    }
-
-    /// An output in the clock last run; zero where there is no such port.
-    fn get(&self, name: &str) -> i128 {
-        self.outputs.get(name).map_or(0, |port| self.simulation.output(*port, 0))
-    }
-}
 
 /// What there is to be taken by the unit.
 struct Offer {
@@ -70,21 +38,23 @@ fn offers(p: &Params, segments: &[Segment]) -> Vec<Offer> {
 pub fn seen(p: &Params, segments: &[Segment]) -> Vec<Seen> {
     let design = Design::new(p, Probes::All).unwrap_or_else(|e| panic!("{e}"));
     let probes: Vec<String> = design.probes.iter().map(|probe| format!("probe_{}", probe.name)).collect();
-    let mut ports = Ports::new(&design);
+    let mut ports = Clocked::new(&design.top);
+    ports.set("out_ready", 1);
     let offers = offers(p, segments);
     let pairs = segments.iter().map(|segment| segment.1.len()).sum();
     let (mut next, mut accepted, mut answers, mut log, mut silent) = (0, vec![], vec![], vec![], 0);
     while answers.len() < pairs {
-        let offer = if log.len() < RESET { None } else { offers.get(next) };
-        ports.set("reset", i128::from(log.len() < RESET));
-        ports.set("out_ready", 1);
+        let offer = offers.get(next);
+        // Not every unit has every port.
         for valid in ["in_valid", "pose_valid"] {
-            ports.set(valid, i128::from(offer.is_some_and(|offer| offer.valid == valid)));
+            if ports.has(valid) {
+                ports.set(valid, i128::from(offer.is_some_and(|offer| offer.valid == valid)));
+            }
         }
         for (name, value, _) in offer.iter().flat_map(|offer| &offer.word.fields) {
             ports.set(name, *value);
         }
-        ports.simulation.run();
+        ports.clock();
         if let Some(offer) = offer.filter(|offer| ports.get(offer.ready) == 1) {
             if offer.valid == "in_valid" {
                 accepted.push(log.len());
@@ -93,7 +63,7 @@ pub fn seen(p: &Params, segments: &[Segment]) -> Vec<Seen> {
         }
         silent += 1;
         if ports.get("out_valid") == 1 {
-            answers.push(ANSWER.map(|name| ports.get(name)));
+            answers.push(ANSWER.map(|name| if ports.has(name) { ports.get(name) } else { 0 }));
             silent = 0;
         }
         assert!(silent < PATIENCE, "{} of {pairs} pairs are answered", answers.len());

@@ -50,7 +50,6 @@ fn every_wrong_value_is_one_line_and_status_2() {
         ("generate more", "unexpected argument 'more'"),
         ("generate --stream-width 48", "expected one of 32, 64, 128"),
         ("accuracy --method determinants", "--method determinants: expected axes, whose stages the page examines"),
-        ("accuracy --method determinants", "--method determinants: expected axes, whose stages the page examines"),
         ("cosim --random 0", "expected a whole number, 1 or greater"),
         ("cosim --random 1000001", "--random 1000001: expected a whole number from 1 to 1000000"),
         ("cosim --seed -1", "expected a whole number from 0 to 18446744073709551615"),
@@ -155,9 +154,9 @@ fn mistakes_about_self_intersections() {
 
 /// What a command that succeeds warns of.
 fn warns(dir: &Path, arguments: &str) -> String {
-    let output = efsat(dir, arguments);
-    assert_eq!(output.status.code(), Some(0), "efsat {arguments}");
-    String::from_utf8(output.stderr).unwrap()
+    let (status, _, errors) = efsat(dir, arguments);
+    assert_eq!(status, Some(0), "efsat {arguments}");
+    errors
 }
 
 #[test]
@@ -174,7 +173,7 @@ fn what_does_not_fit_is_said() {
     assert_eq!(said, "warning: xc2v6000-4 has 144 block RAMs; the design is predicted to take 836\n");
     let many = warns(dir, "generate --engine --out many --method determinants");
     assert!(many.contains("xc2v6000-4 has 144 multipliers; the units of the design are predicted to take "), "{many}");
-    let predicted = |options: &str| object(&succeeds(dir, &format!("synth --predict --engine --json {options}")));
+    let predicted = |options: &str| object(dir, &format!("synth --predict --engine --json {options}"));
     let block_rams = |options: &str| predicted(options)["block_rams"].clone();
     assert_eq!(block_rams(""), serde_json::json!({"predicted": 68, "capacity": 144}));
     assert_eq!(block_rams(large)["predicted"], 836);
@@ -227,8 +226,7 @@ fn errors_name_what_was_typed() {
         says("generate --out /dev/full", "/dev/full: found no directory; expected one");
         says("stress --pairs 49 --emit /dev/full", "/dev/full: found no directory; expected one");
         let full = "/dev/full: No space left on device (os error 28)";
-        let output = efsat(dir, "self-intersections builtin:gear --csv /dev/full");
-        assert_eq!(String::from_utf8(output.stderr).unwrap(), format!("error: {full}\n"));
+        assert_eq!(efsat(dir, "self-intersections builtin:gear --csv /dev/full").2, format!("error: {full}\n"));
         says("generate --out /proc/x", "expected files and directories that can be read and written");
     }
     let names: Vec<String> = tree(dir).into_iter().map(|(name, _)| name).collect();
@@ -242,11 +240,7 @@ fn queries_that_no_engine_takes_are_refused_with_the_reason() {
     let says = |arguments: &str, part: &str| fails(dir, arguments, 2, part);
     fs::write(dir.join("empty"), "").unwrap();
     fs::write(dir.join("m.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").unwrap();
-    let build = Command::new(env!("CARGO_BIN_EXE_efsat"))
-        .args(["tree", "build", "m.obj", "--out", "m.tree"])
-        .current_dir(dir)
-        .output();
-    assert!(build.unwrap().status.success());
+    succeeds(dir, "tree build m.obj --out m.tree");
     let query = "tree answer m.tree m.tree --pose";
     says(&format!("{query} 1,0,0"), "--pose: found 3 numbers; expected 12, nine of M and three of t");
     says(&format!("{query} 1,0,0,0,1,0,0,0,1,0,0,inf"), "--pose: found inf; expected finite numbers");

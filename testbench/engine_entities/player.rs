@@ -1,9 +1,11 @@
 //! An entity in GHDL, driven clock by clock through two pipes.
 
+use crate::tools::Ghdl;
+use efsat_hardware::tools::Tool;
 use std::collections::HashMap;
 use std::fmt::Write as _;
 use std::io::{BufRead, BufReader, Write as _};
-use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
+use std::process::{Child, ChildStdin, ChildStdout};
 
 /// Bits of a port in the row of all inputs or all outputs.
 #[derive(Clone, Copy)]
@@ -21,7 +23,8 @@ pub struct Entity {
     /// The lowest bit first.
     inputs: Vec<bool>,
     outputs: Vec<bool>,
-    _dir: tempfile::TempDir,
+    /// Its folder.
+    _ghdl: Ghdl,
 }
 
 struct Port {
@@ -131,7 +134,7 @@ end architecture simulation;
 
 impl Entity {
     /// Analyses a text, behind that of the entities in it, and starts it; all inputs are 0.
-    pub fn new(ghdl: &str, name: &str, text: &str, parts: &str) -> Self {
+    pub fn new(ghdl: &'static Tool, name: &str, text: &str, parts: &str) -> Self {
         let ports = ports(text, parts);
         let mut places = HashMap::new();
         let mut ends = [0; 2];
@@ -141,24 +144,14 @@ impl Entity {
             places.insert(port.name.clone(), Place { low: *end, bits });
             *end += bits;
         }
-        let dir = tempfile::tempdir().unwrap();
-        let write = |file: &str, text: &str| std::fs::write(dir.path().join(file), text).unwrap();
-        write("entity.vhd", &[parts, text].concat());
-        write("player.vhd", &testbench(name, &ports, &places));
-        for arguments in [&["-a", "--std=93", "entity.vhd", "player.vhd"][..], &["-e", "--std=93", "player"]] {
-            let output = Command::new(ghdl).args(arguments).current_dir(dir.path()).output().unwrap();
-            assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        }
-        let mut simulation = Command::new(ghdl)
-            .args(["-r", "--std=93", "player", "--ieee-asserts=disable"])
-            .current_dir(dir.path())
-            .stdin(Stdio::piped())
-            .stdout(Stdio::piped())
-            .spawn()
-            .unwrap();
+        let ghdl = Ghdl::new(ghdl);
+        ghdl.write("entity.vhd", &[parts, text].concat());
+        ghdl.write("player.vhd", &testbench(name, &ports, &places));
+        ghdl.analyse(&["entity.vhd", "player.vhd"]);
+        let mut simulation = ghdl.start("player", &["--ieee-asserts=disable"]);
         let (to, from) = (simulation.stdin.take().unwrap(), BufReader::new(simulation.stdout.take().unwrap()));
         let [outputs, inputs] = ends.map(|end| vec![false; end]);
-        Self { simulation, to, from, places, inputs, outputs, _dir: dir }
+        Self { simulation, to, from, places, inputs, outputs, _ghdl: ghdl }
     }
 
     /// Gives an input a number.

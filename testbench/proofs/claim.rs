@@ -225,35 +225,34 @@ impl Claim {
 
     /// Proves the claim of the unit and refutes it of every mutant.
     pub fn run(&self) -> Row {
-        let (outcome, seconds) = self.ask(&self.subject.files);
-        let mut failures = vec![];
-        let verdict = match outcome {
-            Outcome::Proved => "proved".to_owned(),
-            Outcome::Refuted(found) => {
-                failures.push(format!("counterexample:\n{found}"));
-                "REFUTED".to_owned()
-            }
-            Outcome::Undecided => {
-                failures.push("no answer in the time allowed".to_owned());
-                "UNDECIDED".to_owned()
-            }
+        let claim = [self.subject.name.clone(), self.widths.clone(), self.property.to_owned()];
+        let mutated = |mutant: &Mutant| self.subject.mutated(mutant).map(|files| self.ask(&files).0);
+        Row::new(claim, self.ask(&self.subject.files), &share(6, &self.mutants), mutated)
+    }
+}
+
+impl Row {
+    /// Of the answer to a claim, and to the same of its mutants; none where there is nothing to mutate.
+    pub fn new(
+        claim: [String; 3],
+        (outcome, seconds): (Outcome, f64),
+        mutants: &[&Mutant],
+        mutated: impl Fn(&Mutant) -> Option<Outcome>,
+    ) -> Self {
+        let (verdict, failure) = match outcome {
+            Outcome::Proved => ("proved", None),
+            Outcome::Refuted(found) => ("REFUTED", Some(format!("counterexample:\n{found}"))),
+            Outcome::Undecided => ("UNDECIDED", Some("no answer in the time allowed".to_owned())),
         };
-        let alive = |mutant: &Mutant| match self.subject.mutated(mutant).map(|files| self.ask(&files).0) {
+        let alive = |mutant: &&Mutant| match mutated(mutant) {
             Some(Outcome::Refuted(_)) => None,
-            Some(_) => Some(format!("not refuted: {mutant:?}")),
+            Some(outcome) => Some(format!("not refuted: {mutant:?}: {outcome:?}")),
             None => Some(format!("nothing to mutate: {mutant:?}")),
         };
-        let mutants = share(6, &self.mutants);
-        let alive: Vec<String> = mutants.iter().copied().filter_map(alive).collect();
+        let alive: Vec<String> = mutants.iter().filter_map(alive).collect();
         let refuted = [mutants.len() - alive.len(), mutants.len()];
-        failures.extend(alive);
-        Row {
-            claim: [self.subject.name.clone(), self.widths.clone(), self.property.to_owned()],
-            seconds,
-            verdict,
-            refuted,
-            failures,
-        }
+        let failures = failure.into_iter().chain(alive).collect();
+        Self { claim, seconds, verdict: verdict.to_owned(), refuted, failures }
     }
 }
 

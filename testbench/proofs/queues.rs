@@ -18,8 +18,8 @@ use std::fmt::Write;
 /// Name of the package of types.
 const PACKAGE: &str = "efsat_types";
 
-/// A claim about a clocked entity, as a Verilog module.
-pub struct Claim {
+/// A claim about a clocked entity that is proved by induction, as a Verilog module.
+pub struct Invariant {
     entity: &'static str,
     property: &'static str,
     sizes: String,
@@ -36,7 +36,7 @@ pub struct Claim {
     mutants: Vec<Mutant>,
 }
 
-impl Claim {
+impl Invariant {
     fn see(&mut self, signals: &[(&str, u32)]) {
         self.seen.extend(signals.iter().map(|(name, bits)| ((*name).to_owned(), *bits)));
     }
@@ -85,31 +85,9 @@ impl Claim {
 
     /// Proves the claim, and sees that the proof of no wrong text goes through.
     pub fn run(&self) -> Row {
-        let (outcome, seconds) = self.ask(&self.files);
-        let mut failures = vec![];
-        let verdict = match outcome {
-            Outcome::Proved => "proved",
-            outcome => {
-                failures.push(format!("{outcome:?}"));
-                "NOT PROVED"
-            }
-        };
-        let mutants = share(7, &self.mutants);
-        let alive = |mutant: &&Mutant| match mutant.applied(&self.files).map(|files| self.ask(&files).0) {
-            Some(Outcome::Refuted(_)) => None,
-            Some(outcome) => Some(format!("{outcome:?}: {mutant:?}")),
-            None => Some(format!("nothing to mutate: {mutant:?}")),
-        };
-        let alive: Vec<String> = mutants.iter().copied().filter_map(|mutant| alive(&mutant)).collect();
-        let refuted = [mutants.len() - alive.len(), mutants.len()];
-        failures.extend(alive);
-        Row {
-            claim: [self.entity.to_owned(), self.sizes.clone(), self.property.to_owned()],
-            seconds,
-            verdict: verdict.to_owned(),
-            refuted,
-            failures,
-        }
+        let claim = [self.entity.to_owned(), self.sizes.clone(), self.property.to_owned()];
+        let mutated = |mutant: &Mutant| mutant.applied(&self.files).map(|files| self.ask(&files).0);
+        Row::new(claim, self.ask(&self.files), &share(7, &self.mutants), mutated)
     }
 }
 
@@ -161,8 +139,8 @@ impl Cascade {
         printed.chain(stubs.iter().map(stub)).chain([whole(&last)]).collect()
     }
 
-    fn claim(&self, entity: &'static str, property: &'static str, files: Vec<(String, String)>) -> Claim {
-        Claim {
+    fn claim(&self, entity: &'static str, property: &'static str, files: Vec<(String, String)>) -> Invariant {
+        Invariant {
             entity,
             property,
             sizes: format!("{} places, {} clocks", self.places, self.slot),
@@ -184,7 +162,7 @@ impl Cascade {
     }
 
     /// The second stage: the n-th answer is that of the n-th pair, if never more pairs are pushed than there are places.
-    pub fn second_stage(&self) -> Claim {
+    pub fn second_stage(&self) -> Invariant {
         let Self { places, bits: w, latency, slot, .. } = *self;
         let (top, ages) = (w - 1, latency / slot + 1);
         let files =
@@ -269,7 +247,7 @@ begin
     }
 
     /// What the claim looks at, and the counts that follow from it.
-    fn look(&self, claim: &mut Claim) {
+    fn look(&self, claim: &mut Invariant) {
         let Self { places, bits: w, latency, slot, .. } = *self;
         let (top, width, ages) = (w - 1, self.params.width, latency / slot + 1);
         claim.inputs = vec!["push", "take"];
@@ -318,7 +296,7 @@ begin
     }
 
     /// How the counters of the stage stand to each other.
-    fn counters(&self, claim: &mut Claim) {
+    fn counters(&self, claim: &mut Invariant) {
         let Self { places, bits: w, latency, slot, .. } = *self;
         let pointer = PLACES.trailing_zeros() + 1;
         claim.shown(["ahead == 1", "accepted_ahead == 1", "taken_ahead == 1", "begun <= in_use", "pushed_lag <= 1"]);
@@ -348,7 +326,7 @@ begin
     }
 
     /// Clocks until the oldest answer is offered; they pass one by one.
-    fn bound(&self, claim: &mut Claim, holds: &[String]) {
+    fn bound(&self, claim: &mut Invariant, holds: &[String]) {
         let Self { latency, slot, .. } = *self;
         let ages = latency / slot + 1;
         let mut remaining = "out_valid || !outstanding ? 0 : done != 0 ? 1 + control_empty".to_owned();
@@ -366,7 +344,7 @@ begin
 
 /// The queue of answers of a unit, in the first stage of a cascade: no pair is accepted without a place, the pairs are decided
 /// and taken in the order in which they were accepted, and the oldest is taken in time if nothing holds it up.
-pub fn answers(params: &Params) -> Claim {
+pub fn answers(params: &Params) -> Invariant {
     let design = Design::new(params, Probes::None).unwrap_or_else(|e| panic!("{params:?}: {e}"));
     let files = vhdl::print(&design.top, "", PACKAGE, &[]).expect("legal names");
     let text = |name: &str| files.iter().find(|(file, _)| file == name).expect("an entity of every unit").1.clone();
@@ -377,7 +355,7 @@ pub fn answers(params: &Params) -> Claim {
     let inputs: Vec<&str> = inputs.filter(|name| control.contains(&format!("{name} "))).collect();
     let able = if inputs.contains(&"head_ready") { "head_ready && output_free" } else { "output_free" };
     let outputs = ["accept", "decide", "take", "out_valid", "accept_address", "decide_address", "take_address"];
-    let mut claim = Claim {
+    let mut claim = Invariant {
         entity: "sequencer",
         property: "answers in order, none lost, each in time",
         sizes: format!("{places} places, {slot} clock{}", if slot == 1 { "" } else { "s" }),
@@ -430,7 +408,7 @@ pub fn answers(params: &Params) -> Claim {
 
 /// What the claim about a sequencer says of the pairs in the data path: how many there are, and in how many clocks the oldest
 /// can be taken.
-fn in_data_path(claim: &mut Claim, latency: usize, slot: usize) -> (String, String) {
+fn in_data_path(claim: &mut Invariant, latency: usize, slot: usize) -> (String, String) {
     if slot == 1 {
         claim.see(&[("holds", latency as u32), ("decide_pair", 1)]);
         let holds = (0..latency).rev().map(|age| (format!("holds[{age}]"), latency - age + 2));

@@ -3,7 +3,7 @@
 use super::claim::Row;
 use std::io::Write;
 
-/// Prints on standard error past the capture of the test harness: a skip must be seen where tests pass.
+/// Prints on standard error past the capture of the test harness: what was proved is seen where tests pass.
 pub fn print(text: &str) {
     // A closed standard error is no reason to fail.
     let _ = std::io::stderr().lock().write_all(text.as_bytes());

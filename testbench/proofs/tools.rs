@@ -1,10 +1,9 @@
 //! The tools of a machine proof: GHDL turns the generated VHDL into Verilog, Yosys joins it with a claim and asks its
 //! SAT solver.
 
+use crate::tools::{has, made, run};
 use efsat::evidence::synth::verilog;
 use std::fs;
-use std::path::Path;
-use std::process::Command;
 use tempfile::TempDir;
 
 /// Most seconds for one question to the solver.
@@ -29,26 +28,9 @@ pub enum Outcome {
     Undecided,
 }
 
-fn works(command: &str) -> bool {
-    Command::new(command).arg("-V").output().is_ok_and(|o| o.status.success())
-}
-
-/// Which tool is missing, if one is.
-pub fn missing() -> Option<String> {
-    if !works("yosys") {
-        return Some("yosys is not installed".to_owned());
-    }
-    verilog::ghdl().err().map(|e| e.to_string())
-}
-
-/// Runs a command to its end; what it printed.
-fn call(dir: &Path, command: &str, args: &[&str]) -> String {
-    let output = Command::new(command).args(args).current_dir(dir).output();
-    let output = output.unwrap_or_else(|e| panic!("{command}: {e}"));
-    let text = String::from_utf8_lossy(&output.stdout).into_owned();
-    let errors = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{command} {}: {errors}\n{text}", args.join(" "));
-    text
+/// Whether both tools are installed.
+pub fn there() -> bool {
+    has("Yosys", "yosys", "-V") && made(verilog::ghdl()).is_some()
 }
 
 /// VHDL files (name and text, in dependency order) as Verilog.
@@ -63,7 +45,7 @@ fn yosys(sources: &[(&str, &str)], script: &str) -> (String, f64) {
     for (name, text) in sources.iter().chain(&[("script.ys", script)]) {
         fs::write(dir.path().join(name), text).expect("a source for Yosys");
     }
-    let text = call(dir.path(), "yosys", &["-s", "script.ys"]);
+    let text = run(dir.path(), "yosys", &["-s", "script.ys"]);
     let seconds = text.rsplit_once("CPU: user ").and_then(|(_, rest)| rest.split_once('s')?.0.parse().ok());
     (text, seconds.unwrap_or(f64::NAN))
 }

@@ -2,21 +2,15 @@
 
 use super::{CosimError, Options, Run, Simulator, wave};
 use crate::process;
+use efsat_hardware::tools::{self, Tool};
 use efsat_unit::artefact::{self, Prefix, Scratch, Stimulus, testbench};
 use efsat_unit::design::Design;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::{Duration, Instant};
 
-/// The GHDL commands there may be, the fastest simulation first.
-const GHDLS: [&str; 4] = ["ghdl-llvm", "ghdl-gcc", "ghdl-mcode", "ghdl"];
-
 /// Up to so many vectors the back end that compiles fastest is taken.
 const FEW: usize = 64;
-
-fn found(command: &str) -> bool {
-    Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success())
-}
 
 pub(super) fn file_error(path: &Path) -> impl Fn(std::io::Error) -> CosimError + '_ {
     move |source| CosimError::File { path: path.display().to_string(), source }
@@ -71,13 +65,13 @@ pub(super) fn check_keep(dir: &Path) -> Result<(), CosimError> {
     Err(CosimError::Option(message))
 }
 
-/// The command of a simulator; with `short` the one that compiles fastest, whatever its speed afterwards.
-pub(super) fn command(simulator: Simulator, short: bool) -> Result<&'static str, CosimError> {
+/// A simulator; with `short` the one that compiles fastest, whatever its speed afterwards.
+pub(super) fn command(simulator: Simulator, short: bool) -> Result<Tool, CosimError> {
     match simulator {
-        Simulator::Nvc if found("nvc") => Ok("nvc"),
-        Simulator::Nvc => Err(CosimError::Missing("nvc", "see https://www.nickg.me.uk/nvc")),
-        _ if short && found("ghdl-mcode") => Ok("ghdl-mcode"),
-        _ => GHDLS.iter().find(|c| found(c)).copied().ok_or(CosimError::Missing("GHDL", "apt-get install ghdl-llvm")),
+        Simulator::Nvc => {
+            tools::find(&["nvc"], "--version").ok_or(CosimError::Missing("nvc", "see https://www.nickg.me.uk/nvc"))
+        }
+        _ => tools::ghdl(short).ok_or(CosimError::Missing("GHDL", "apt-get install ghdl-llvm")),
     }
 }
 
@@ -100,10 +94,11 @@ fn write(design: &Design, command_line: &str, stimulus: &Stimulus, dir: &Path) -
 }
 
 /// Runs a command in a folder; its whole output if it succeeds or ran to the end.
-pub(super) fn call(dir: &Path, command: &str, args: &[String], must: bool) -> Result<String, CosimError> {
-    let failed = |message: String| CosimError::Failed { tool: command.to_owned(), message };
+pub(super) fn call(dir: &Path, program: &Path, args: &[String], must: bool) -> Result<String, CosimError> {
+    let name = program.file_name().unwrap_or_default().to_string_lossy();
+    let failed = |message: String| CosimError::Failed { tool: name.clone().into_owned(), message };
     let output =
-        process::output(Command::new(command).args(args).current_dir(dir)).map_err(|e| failed(e.to_string()))?;
+        process::output(Command::new(program).args(args).current_dir(dir)).map_err(|e| failed(e.to_string()))?;
     let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
     if must && !output.status.success() {
         let line = text.lines().find(|l| l.contains("error")).or(text.lines().next()).unwrap_or("failed");
@@ -125,8 +120,8 @@ pub(super) fn run(
     let wave = options.wave.as_ref().map(|w| absolute(w)).transpose()?;
     let names = write(design, command_line, stimulus, &dir)?;
     let dir = dir.canonicalize().map_err(file_error(&dir))?;
-    let (text, simulation) = execute(command, &dir, &names, wave.as_deref())?;
-    let simulator = version(command);
+    let (text, simulation) = execute(&command, &dir, &names, wave.as_deref())?;
+    let simulator = version(&command);
     if let Some(wave) = &wave {
         let layout = wave.with_extension("gtkw");
         // A layout that somebody has saved from GTKWave stays.
@@ -139,7 +134,7 @@ pub(super) fn run(
         let log = dir.join("simulation.log");
         std::fs::write(&log, &text).map_err(file_error(&log))?;
     }
-    let mut run = parse(&text, command)?;
+    let mut run = parse(&text, &command.name())?;
     run.simulator = simulator;
     run.simulation = simulation;
     if options.probe {
@@ -163,17 +158,15 @@ fn absolute(path: &Path) -> Result<PathBuf, CosimError> {
     }
 }
 
-pub(super) fn version(command: &str) -> String {
-    let output = Command::new(command).arg("--version").output().map(|o| o.stdout).unwrap_or_default();
-    let line = String::from_utf8_lossy(&output).lines().next().unwrap_or_default().to_owned();
-    let words: Vec<&str> = line.split_whitespace().take(2).collect();
-    format!("{command} ({})", words.join(" "))
+pub(super) fn version(command: &Tool) -> String {
+    format!("{} ({})", command.name(), command.version)
 }
 
 /// The calls that bring the sources from text to a testbench `top` that is ready to run, in strict VHDL-93.
-pub(super) fn build(command: &str, names: &[String], top: &str) -> Vec<Vec<String>> {
+pub(super) fn build(command: &Tool, names: &[String], top: &str) -> Vec<Vec<String>> {
+    let command = command.name();
     let optimised = command == "ghdl-llvm" || command == "ghdl-gcc";
-    let analyse = match command {
+    let analyse = match &command[..] {
         "nvc" => "--std=1993 -a",
         _ if optimised => "-a --std=93 -O2",
         _ => "-a --std=93",
@@ -187,10 +180,10 @@ pub(super) fn build(command: &str, names: &[String], top: &str) -> Vec<Vec<Strin
 }
 
 /// The call that runs a testbench, with some options more; every metavalue warning is let through.
-pub(super) fn simulate(command: &str, top: &str, options: impl IntoIterator<Item = String>) -> Vec<String> {
+pub(super) fn simulate(command: &Tool, top: &str, options: impl IntoIterator<Item = String>) -> Vec<String> {
     let name = top.to_owned();
     let mut args;
-    if command == "nvc" {
+    if command.name() == "nvc" {
         args = words("--std=1993 -r");
         args.extend(options);
         args.push(name);
@@ -207,24 +200,30 @@ fn words(text: &str) -> Vec<String> {
 }
 
 /// Builds and runs; the simulation's lines and its duration.
-fn execute(command: &str, dir: &Path, names: &[String], wave: Option<&Path>) -> Result<(String, Duration), CosimError> {
+fn execute(
+    command: &Tool,
+    dir: &Path,
+    names: &[String],
+    wave: Option<&Path>,
+) -> Result<(String, Duration), CosimError> {
     let vcd = wave.is_some_and(|wave| wave.extension().is_some_and(|e| e == "vcd"));
-    if command == "nvc" && wave.is_some() && !vcd {
+    let nvc = command.name() == "nvc";
+    if nvc && wave.is_some() && !vcd {
         return Err(CosimError::Option("--wave: nvc writes .vcd, not .ghw".to_owned()));
     }
     for args in build(command, names, testbench::NAME) {
-        call(dir, command, &args, true)?;
+        call(dir, &command.path, &args, true)?;
     }
     let mut options = vec![];
     if let Some(wave) = wave {
-        if command == "nvc" {
+        if nvc {
             options.push("--format=vcd".to_owned());
         }
-        let option = if vcd && command != "nvc" { "--vcd" } else { "--wave" };
+        let option = if vcd && !nvc { "--vcd" } else { "--wave" };
         options.push(format!("{option}={}", wave.display()));
     }
     let start = Instant::now();
-    let text = call(dir, command, &simulate(command, testbench::NAME, options), false)?;
+    let text = call(dir, &command.path, &simulate(command, testbench::NAME, options), false)?;
     Ok((text, start.elapsed()))
 }
 

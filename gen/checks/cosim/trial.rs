@@ -3,6 +3,7 @@
 use super::external::{self, file_error};
 use super::{CosimError, Simulator, probe};
 use crate::process::{self, FOREVER, Running};
+use efsat_hardware::tools::Tool;
 use efsat_unit::artefact::{Scratch, Stimulus, testbench};
 use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
@@ -41,7 +42,7 @@ pub struct Bench {
     params: Params,
     probed: bool,
     stimulus: Stimulus,
-    command: &'static str,
+    command: Tool,
     /// Sources in dependency order, the testbench last.
     sources: Vec<(String, String)>,
     vectors: String,
@@ -64,7 +65,7 @@ impl Bench {
         let (trial, total) = bench.simulate(None)?;
         if trial != Trial::Agrees {
             let message = format!("the unchanged design does not agree: {trial:?}");
-            return Err(CosimError::Failed { tool: command.to_owned(), message });
+            return Err(CosimError::Failed { tool: bench.command.name(), message });
         }
         bench.total = Some(total);
         Ok(bench)
@@ -103,8 +104,8 @@ impl Bench {
     /// Analyses and elaborates; the first error if there is one.
     fn analyse(&self, dir: &Path) -> Result<Option<String>, CosimError> {
         let names: Vec<String> = self.sources.iter().map(|(name, _)| name.clone()).collect();
-        for args in external::build(self.command, &names, testbench::NAME) {
-            let output = process::output(Command::new(self.command).args(&args).current_dir(dir));
+        for args in external::build(&self.command, &names, testbench::NAME) {
+            let output = process::output(Command::new(&self.command.path).args(&args).current_dir(dir));
             let output = output.map_err(|e| self.failed(&e.to_string()))?;
             if !output.status.success() {
                 let text = String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
@@ -120,9 +121,9 @@ impl Bench {
         let failed = |e: std::io::Error| self.failed(&e.to_string());
         let log = dir.join("errors.log");
         let errors = std::fs::File::create(&log).map_err(file_error(&log))?;
-        let mut command = Command::new(self.command);
+        let mut command = Command::new(&self.command.path);
         command
-            .args(external::simulate(self.command, testbench::NAME, self.total.map(|total| self.stop_time(total))))
+            .args(external::simulate(&self.command, testbench::NAME, self.total.map(|total| self.stop_time(total))))
             .current_dir(dir)
             .stdin(Stdio::null())
             .stdout(Stdio::piped())
@@ -163,7 +164,7 @@ impl Bench {
         if let Some(invalid) = lines.iter().find(|line| line.contains("bound check failure")) {
             return Ok((Trial::Invalid(invalid.clone()), 0));
         }
-        let broken = match external::parse(&lines.join("\n"), self.command) {
+        let broken = match external::parse(&lines.join("\n"), &self.command.name()) {
             Ok(run) if self.total.is_some_and(|total| total != run.total) => {
                 let total = self.total.unwrap_or_default();
                 return Ok((Trial::Timing(format!("{} clocks in all instead of {total}", run.total)), run.total));
@@ -189,6 +190,6 @@ impl Bench {
     }
 
     fn failed(&self, message: &str) -> CosimError {
-        CosimError::Failed { tool: self.command.to_owned(), message: message.to_owned() }
+        CosimError::Failed { tool: self.command.name(), message: message.to_owned() }
     }
 }

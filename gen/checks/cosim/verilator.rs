@@ -154,7 +154,7 @@ fn simulate(verilator: &Tool, netlist: Netlist, dir: &Path, vectors: &str) -> Re
     };
     let program = compile(verilator, dir, TOP, NETLIST, BENCH, cost)?;
     let start = Instant::now();
-    let text = external::call(dir, &program.to_string_lossy(), &[vectors.to_owned()], false)?;
+    let text = external::call(dir, &program, &[vectors.to_owned()], false)?;
     let seconds = start.elapsed();
     let log = dir.join("simulation.log");
     std::fs::write(&log, &text).map_err(file_error(&log))?;

@@ -3,9 +3,10 @@
 use super::fault::{Asked, Fault, Kind};
 use super::hash::{BASIS, fnv};
 use super::variants::{Variant, vertex_orders};
-use super::{Answer, Answerer, Counts, Family, Posed, Report, VertexOrder, ladder, truth};
+use super::{Answerer, Counts, Family, Posed, Report, VertexOrder, ladder, truth};
 use efsat_geometry::exact::Exact;
 use efsat_unit::golden::Verdict;
+use efsat_unit::host::Answer;
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 
@@ -71,7 +72,7 @@ impl<A: Answerer> Campaign<A> {
 
         let answers = truth::loose(&points);
         let exact = answers.class();
-        case.counts.count_case(exact);
+        case.counts.truths.count(exact);
         case.compare_formulations(&answers, || ("as made".to_owned(), Asked::Loose(points)));
         let given = self.answerer.loose(&points);
         let variants = Variant::all(&points, &mut rng);
@@ -129,7 +130,7 @@ impl Case<'_> {
         self.counts.count_answer(answer);
         self.hash = fnv(self.hash, &[answer.verdict as u8]);
         let verdict = answer.verdict;
-        if verdict != Verdict::PossiblyIncorrect && (verdict == Verdict::Separate) != (truth == Exact::Separate) {
+        if verdict.is_wrong(truth) {
             self.blame(Kind::Wrong { verdict, truth }, asked);
         }
     }

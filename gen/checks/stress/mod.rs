@@ -6,6 +6,8 @@
 //! other widths and options (`ladder`) and under a pose (`posed`). All these are the same pair of triangles, or a pair
 //! with an exact answer of its own, so that one exact answer (`truth`) judges many verdicts. Since `separate` and
 //! `intersect` are each compared with it, no two definite answers can contradict each other unnoticed.
+//!
+//! [`once`] asks very many cases, each as its family makes it, of many designs.
 
 mod answerer;
 mod campaign;
@@ -13,12 +15,13 @@ mod families;
 mod fault;
 mod hash;
 mod ladder;
+pub mod once;
 mod posed;
 mod report;
 mod truth;
 mod variants;
 
-pub use answerer::{Answer, Answerer, Model, VertexOrder};
+pub use answerer::{Answerer, VertexOrder};
 pub use campaign::{Campaign, Plan};
 pub use families::{FAMILIES, Family};
 pub use fault::{Asked, Fault, Kind};

@@ -1,9 +1,8 @@
 //! What a campaign counts.
 
+use super::Family;
 use super::fault::{Fault, Kind};
-use super::{Answer, Family};
-use efsat_geometry::exact::Exact;
-use efsat_unit::golden::Verdict;
+use efsat_unit::host::{Answer, Truths, Verdicts};
 
 /// Faults that are kept to be shown; all are counted.
 const SHOWN: usize = 5;
@@ -11,22 +10,10 @@ const SHOWN: usize = 5;
 /// Counts of one family, or of all.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Counts {
-    /// Cases.
-    pub pairs: u64,
-    /// Cases that are exactly separate, touching and intersecting.
-    pub separate: u64,
-    /// See `separate`.
-    pub touch: u64,
-    /// See `separate`.
-    pub intersect: u64,
+    /// Cases by their exact answers.
+    pub truths: Truths,
     /// Answers, over all ways to write the cases, all rungs of the ladder and all poses.
-    pub answers: u64,
-    /// Answers `separate`.
-    pub answered_separate: u64,
-    /// Answers `intersect`.
-    pub answered_intersect: u64,
-    /// Answers `possibly-incorrect`.
-    pub possibly_incorrect: u64,
+    pub answers: Verdicts,
     /// Answers that the host gave.
     pub host_decided: u64,
     /// Definite answers that are not the exact ones.
@@ -38,33 +25,14 @@ pub struct Counts {
 }
 
 impl Counts {
-    /// Answers `separate` and `intersect`.
-    pub fn definite(&self) -> u64 {
-        self.answered_separate + self.answered_intersect
-    }
-
     /// Everything that must not be.
     pub fn faults(&self) -> u64 {
         self.wrong + self.disagreements + self.unstable
     }
 
-    pub(super) fn count_case(&mut self, truth: Exact) {
-        self.pairs += 1;
-        *match truth {
-            Exact::Separate => &mut self.separate,
-            Exact::Touch => &mut self.touch,
-            Exact::Intersect => &mut self.intersect,
-        } += 1;
-    }
-
     pub(super) fn count_answer(&mut self, answer: Answer) {
-        self.answers += 1;
+        self.answers.count(answer.verdict);
         self.host_decided += u64::from(answer.host_decided);
-        *match answer.verdict {
-            Verdict::Separate => &mut self.answered_separate,
-            Verdict::Intersect => &mut self.answered_intersect,
-            Verdict::PossiblyIncorrect => &mut self.possibly_incorrect,
-        } += 1;
     }
 
     pub(super) fn count_fault(&mut self, kind: &Kind) {
@@ -76,14 +44,8 @@ impl Counts {
     }
 
     fn add(&mut self, other: &Self) {
-        self.pairs += other.pairs;
-        self.separate += other.separate;
-        self.touch += other.touch;
-        self.intersect += other.intersect;
+        self.truths += other.truths;
         self.answers += other.answers;
-        self.answered_separate += other.answered_separate;
-        self.answered_intersect += other.answered_intersect;
-        self.possibly_incorrect += other.possibly_incorrect;
         self.host_decided += other.host_decided;
         self.wrong += other.wrong;
         self.disagreements += other.disagreements;

@@ -72,15 +72,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let plan = plan(&request).map_err(|message| output::wrong_request(first, &message))?;
     // Joined beside the target first, so that parts that are not complete leave nothing behind.
     let scratch = Scratch::new().map_err(|e| Failure::Usage(e.to_string()))?;
-    let mut store = Store::open(scratch.path()).map_err(output::failure)?;
-    arguments.parts.iter().try_for_each(|part| store.join(part)).map_err(output::failure)?;
+    let mut store = Store::open(scratch.path())?;
+    arguments.parts.iter().try_for_each(|part| store.join(part))?;
     let text = command(&request, arguments.transfer);
     let join = |store: &Store| Results::join(&request, &plan, store, arguments.transfer, text.clone());
     let part_of_it =
         |e: Missing| output::wrong_request(first, &format!("{e}; expected all parts of this campaign, finished"));
     join(&store).map_err(part_of_it)?;
     let mut whole = output::claim(&arguments.out, &request)?;
-    whole.join(scratch.path()).map_err(output::failure)?;
+    whole.join(scratch.path())?;
     let results = join(&whole).map_err(|e| Failure::Check(e.to_string()))?;
     let progress = Progress { found: whole.records().count(), made: 0 };
     finish(&results, &arguments.out, progress, arguments.json)

@@ -3,7 +3,7 @@
 use crate::error::Failure;
 use crate::file;
 use efsat_studies::accuracy::campaign::CampaignError;
-use efsat_studies::accuracy::store::{FILE, StoreError};
+use efsat_studies::accuracy::store::FILE;
 use efsat_studies::accuracy::{Progress, Request, Results, Store};
 use serde::Serialize;
 use std::fs;
@@ -14,10 +14,6 @@ use std::path::Path;
 const REQUEST: &str = "campaign.json";
 /// The page.
 pub(super) const PAGE: &str = "index.html";
-
-pub(super) fn failure(e: StoreError) -> Failure {
-    Failure::Usage(e.to_string())
-}
 
 pub(super) fn ended(e: CampaignError) -> Failure {
     match e {
@@ -51,7 +47,7 @@ pub(super) fn claimable(dir: &Path) -> Result<(), Failure> {
 /// Makes a folder ours, unless another run is at work there, and says in it what was asked for; its results.
 pub(super) fn claim(dir: &Path, request: &Request) -> Result<Store, Failure> {
     file::folder(dir)?;
-    let store = Store::open(dir).map_err(failure)?;
+    let store = Store::open(dir)?;
     let text = serde_json::to_string_pretty(request).expect("keys are strings and numbers are finite");
     write(dir, &[(REQUEST.to_owned(), text + "\n")])?;
     Ok(store)

@@ -3,6 +3,7 @@
 use efsat_geometry::exact::Exact;
 use efsat_geometry::software::Test;
 use efsat_unit::golden::Verdict;
+use efsat_unit::host::Truths;
 use serde::Serialize;
 
 /// The number of software tests.
@@ -23,14 +24,6 @@ pub(super) struct Answer {
     pub rounded: Option<Exact>,
     /// Whether each of `Test::ALL` sees a common point.
     pub software: [bool; TESTS],
-}
-
-/// Exact answers as counts.
-#[derive(Clone, Copy, Default, Serialize)]
-struct Truths {
-    separate: u64,
-    touch: u64,
-    intersect: u64,
 }
 
 /// Wrong answers as counts.
@@ -74,17 +67,12 @@ pub(super) struct Tally {
 impl Tally {
     /// Counts pair number `number`.
     pub fn add(mut self, number: u64, answer: &Answer) -> Self {
-        let contact = answer.truth != Exact::Separate;
         let verdict = VERDICTS.iter().position(|v| *v == answer.verdict).expect("there are three");
         let column = |test: Test| usize::from(answer.software[test as usize]);
         let row = &mut self.rows[4 * verdict + 2 * column(MOELLER) + column(SAT)];
-        match answer.truth {
-            Exact::Separate => row.separate += 1,
-            Exact::Touch => row.touch += 1,
-            Exact::Intersect => row.intersect += 1,
-        }
+        row.count(answer.truth);
         self.host_decided += u64::from(answer.host_decided);
-        if answer.verdict != Verdict::PossiblyIncorrect && (answer.verdict == Verdict::Intersect) != contact {
+        if answer.verdict.is_wrong(answer.truth) {
             self.wrong += 1;
             self.first_wrong = Some(self.first_wrong.map_or(number, |first| first.min(number)));
         }
@@ -103,9 +91,7 @@ impl Tally {
     /// The sum of two tallies.
     pub fn merge(mut self, other: &Self) -> Self {
         for (row, more) in self.rows.iter_mut().zip(&other.rows) {
-            row.separate += more.separate;
-            row.touch += more.touch;
-            row.intersect += more.intersect;
+            *row += *more;
         }
         self.host_decided += other.host_decided;
         self.wrong += other.wrong;
@@ -127,7 +113,7 @@ impl Tally {
             efsat: VERDICTS[index / 4].to_string(),
             moeller: word(index / 2),
             sat: word(index),
-            pairs: truth.separate + truth.touch + truth.intersect,
+            pairs: truth.total(),
             truth: *truth,
         };
         let rows: Vec<Row> = self.rows.iter().enumerate().map(row).collect();

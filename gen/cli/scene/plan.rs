@@ -81,7 +81,7 @@ fn conclusion(plan: &Plan) -> String {
         [first @ .., last] => format!("{}: leave out {} and {last}.", plan.scene, first.join(", ")),
     };
     let open = undecided(tally);
-    text.push_str(&match tally.pairs() {
+    text.push_str(&match tally.verdicts.total() {
         0 => " No pair comes to the unit.".to_owned(),
         pairs => format!(" The unit decides all but {open} of {pairs} pairs."),
     });
@@ -99,7 +99,7 @@ fn conclusion(plan: &Plan) -> String {
         text.push_str(&format!(" CONTRADICTIONS: {}.", tally.contradictions));
     }
     text.push_str(&format!("\n\n  {}\n", command(&plan.params)));
-    if let Some(other) = plan.other.as_ref().filter(|_| tally.pairs() > 0) {
+    if let Some(other) = plan.other.as_ref().filter(|_| tally.verdicts.total() > 0) {
         text.push('\n');
         text.push_str(&compared(plan, other));
     }
@@ -109,7 +109,7 @@ fn conclusion(plan: &Plan) -> String {
 /// What the other method does with the same pairs.
 fn compared(plan: &Plan, other: &Other) -> String {
     let [here, there] = [&plan.planned, &other.answers];
-    let (fewer, equal) = (there.tally.possibly_incorrect, here.tally.possibly_incorrect);
+    let (fewer, equal) = (there.tally.verdicts.possibly_incorrect, here.tally.verdicts.possibly_incorrect);
     let says = match fewer.cmp(&equal) {
         Ordering::Less => "leaves fewer pairs undecided",
         Ordering::Equal => "leaves as many pairs undecided",
@@ -143,11 +143,11 @@ fn command(params: &Params) -> String {
 }
 
 fn undecided(tally: &Tally) -> String {
-    let share = match tally.pairs() {
+    let share = match tally.verdicts.total() {
         0 => 0.0,
-        pairs => 100.0 * tally.possibly_incorrect as f64 / pairs as f64,
+        pairs => 100.0 * tally.verdicts.possibly_incorrect as f64 / pairs as f64,
     };
-    format!("{} ({share:.2} %)", tally.possibly_incorrect)
+    format!("{} ({share:.2} %)", tally.verdicts.possibly_incorrect)
 }
 
 fn line(finding: &Finding) -> String {
@@ -202,8 +202,8 @@ fn unit(name: &str, answers: &Answers) -> String {
     let column = |pick: fn(&Cost) -> u64| cost.as_ref().map_or(String::new(), |cost| pick(cost).to_string());
     format!(
         "{name:<20}{:>10}{:>11}{:>19}{:>13}{:>8}{:>12}{:>10}{:>10}\n",
-        tally.separate,
-        tally.intersect,
+        tally.verdicts.separate,
+        tally.verdicts.intersect,
         undecided(tally),
         column(|cost| cost.multipliers),
         column(|cost| cost.luts),

@@ -143,6 +143,15 @@ pub fn find(name: &str) -> Result<&'static Device, UnknownDevice> {
 }
 
 impl Device {
+    /// The delays that pages list, ns, each with what a bit more adds: clock to output, set-up, LUT, net, net with many loads,
+    /// carry chain of two bits, product, register behind a product with what its net takes more.
+    pub fn delays(&self) -> [(f64, f64); 8] {
+        let alone = |ns| (ns, 0.0);
+        let [launch, setup, lut] = [self.clock_to_output, self.setup, self.lut].map(alone);
+        let [net, wide_net, behind] = [self.net, self.wide_net, self.product_to_output].map(alone);
+        [launch, setup, lut, net, wide_net, (self.carry, self.carry_bit), self.product, behind]
+    }
+
     /// Arrival of a register's output after the clock edge, ns.
     pub fn launch(&self) -> f64 {
         self.clock_to_output

@@ -4,7 +4,7 @@ use super::*;
 use crate::cells::{Gate, Source};
 use crate::device;
 use crate::netlist::{Control, SignalId, Wire};
-use crate::vhdl;
+use crate::{testing, tools, vhdl};
 use std::collections::{BTreeSet, HashMap};
 use std::path::Path;
 use std::process::{self, Command};
@@ -186,11 +186,7 @@ fn evaluate(words: &Words, args: &[Word], values: &[i128], result: &[Bit]) -> i1
 /// GHDL makes the values of the printed text.
 #[test]
 fn vhdl_computes_the_values() {
-    let runs = |command: &&str| Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success());
-    let Some(command) = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(runs) else {
-        eprintln!("skipped: GHDL is not installed");
-        return;
-    };
+    let Some(ghdl) = tools::ghdl(true) else { return testing::skip("GHDL is not installed") };
     let cases = cases();
     let folder = std::env::temp_dir().join(format!("efsat-operations-{}", process::id()));
     std::fs::create_dir_all(&folder).expect("a folder");
@@ -201,7 +197,7 @@ fn vhdl_computes_the_values() {
         std::fs::write(folder.join(name), text).expect("a file");
     }
     let call = |step: &str, more: &[&str]| {
-        let output = Command::new(command).args([step, "--std=93"]).args(more).current_dir(&folder).output();
+        let output = Command::new(&ghdl.path).args([step, "--std=93"]).args(more).current_dir(&folder).output();
         let output = output.expect("GHDL runs");
         let text = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
         (output.status.success(), text)

@@ -115,7 +115,7 @@ pub struct LinearProgram {
 
 impl Stream {
     /// Clocks by which the value is carried.
-    fn carried(&self, starts: &[i32]) -> i32 {
+    pub(crate) fn carried(&self, starts: &[i32]) -> i32 {
         self.uses.iter().map(|u| u.clock(starts)).max().map_or(0, |last| (last - self.from.clock(starts)).max(0))
     }
 }
@@ -129,6 +129,11 @@ impl LinearProgram {
         (missing.saturating_add(self.interval - 1)).div_euclid(self.interval).max(i32::from(reading.captured))
     }
 
+    /// Captures of a per-pair value for all of its uses.
+    pub(crate) fn most_captures(&self, held: &Held, starts: &[i32]) -> i32 {
+        held.uses.iter().map(|u| self.captures(held, u, starts)).max().unwrap_or(0)
+    }
+
     /// Demands that one event is not before another.
     pub fn order(&mut self, earlier: Event, later: Event) {
         order(&mut self.constraints, earlier, later);
@@ -137,10 +142,7 @@ impl LinearProgram {
     /// Register bits of a schedule.
     pub fn cost(&self, starts: &[i32]) -> u64 {
         let streams = self.streams.iter().map(|s| u64::from(s.bits) * s.carried(starts) as u64);
-        let held = self.held.iter().map(|h| {
-            let most = h.uses.iter().map(|u| self.captures(h, u, starts)).max().unwrap_or(0);
-            u64::from(h.bits) * most as u64
-        });
+        let held = self.held.iter().map(|h| u64::from(h.bits) * self.most_captures(h, starts) as u64);
         self.fixed + streams.chain(held).sum::<u64>()
     }
 

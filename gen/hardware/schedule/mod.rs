@@ -71,6 +71,8 @@ pub struct Schedule {
     pub critical: (f64, String),
     /// All schedules of this latency as a linear program.
     pub program: LinearProgram,
+    /// This one as a solution of it: the start of each variable.
+    pub starts: Vec<i32>,
     /// Register bits of this one by the program.
     pub register_bits: u64,
     /// Schedules of the instances, by node.
@@ -235,8 +237,7 @@ impl Pass<'_> {
         // What the program does not see (windows of values made from many) may push a node back: then nothing moves.
         let (slots, starts) =
             if as_wished && self.late_operands_arrive(&slots) { (slots, best) } else { (earliest, starts) };
-        let register_bits = program.cost(&starts);
-        Some(self.schedule(slots, program, register_bits))
+        Some(self.schedule(slots, program, starts))
     }
 
     /// The earliest schedule in which the elements of a vector or record start together, unless one is made of another.
@@ -331,7 +332,7 @@ impl Pass<'_> {
         (latency, late.map(|s| s.ns).fold(self.launch(), f64::max))
     }
 
-    fn schedule(&self, slots: Vec<Slot>, program: LinearProgram, register_bits: u64) -> Schedule {
+    fn schedule(&self, slots: Vec<Slot>, program: LinearProgram, starts: Vec<i32>) -> Schedule {
         let unit = self.unit;
         let (latency, output_ns) = self.latency(&slots);
         // Every node that starts in clock 0 lies on a path from the inputs to the first register.
@@ -371,8 +372,9 @@ impl Pass<'_> {
             output_ns,
             lag: self.lag,
             critical,
+            register_bits: program.cost(&starts),
             program,
-            register_bits,
+            starts,
             children: self.children.clone(),
         }
     }

@@ -4,38 +4,13 @@ use super::pairs::{Asked, Pairs};
 use super::timing::{Timing, Yardstick, batch_ns};
 use super::wilson;
 use efsat_geometry::Points;
-use efsat_geometry::exact::{Exact, Relation};
 use efsat_unit::golden::Verdict;
+use efsat_unit::host::{Relations, Verdicts};
 use efsat_unit::params::Params;
 use serde::{Deserialize, Serialize};
 
 /// Possibly incorrect pairs that the retest is timed on at most, evenly spread.
 const TIMED: usize = 1 << 16;
-
-/// Exact answers as counts.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Truths {
-    /// No common point.
-    pub separate: u64,
-    /// Common points, the insides disjoint.
-    pub touch: u64,
-    /// The insides meet.
-    pub intersect: u64,
-    /// Pairs of these in one plane.
-    pub coplanar: u64,
-}
-
-impl Truths {
-    /// Counts one more.
-    pub fn add(&mut self, relation: Relation) {
-        match relation.class {
-            Exact::Separate => self.separate += 1,
-            Exact::Touch => self.touch += 1,
-            Exact::Intersect => self.intersect += 1,
-        }
-        self.coplanar += u64::from(relation.coplanar);
-    }
-}
 
 /// A count as a share, with its 95 % bounds.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -58,16 +33,13 @@ impl Share {
 pub struct Answers {
     /// All pairs.
     pub pairs: u64,
-    /// Called separate.
-    pub separate: u64,
-    /// Called intersecting.
-    pub intersect: u64,
-    /// Left possibly incorrect.
-    pub possibly_incorrect: u64,
-    /// What the possibly incorrect ones are, exactly.
-    pub undecided: Truths,
+    /// Their verdicts.
+    #[serde(flatten)]
+    pub verdicts: Verdicts,
     /// Definite answers that contradict the exact one.
     pub wrong: u64,
+    /// What the possibly incorrect ones are, exactly.
+    pub undecided: Relations,
     /// Answered by the host, because they are outside the declared ranges.
     pub host_decided: u64,
     /// The exact retest of the possibly incorrect pairs; none if there are none.
@@ -77,35 +49,23 @@ pub struct Answers {
 impl Answers {
     /// Asks all pairs. Also gives the places of the possibly incorrect ones. Nothing is timed.
     pub(super) fn ask(pairs: &Pairs, params: &Params) -> (Self, Vec<u32>) {
-        let answered = Asked::new(pairs, params).all(|verdict, host| (verdict, host));
+        let answered = Asked::new(pairs, params).all(|answer| answer);
         let mut answers = Self {
             pairs: pairs.len() as u64,
-            separate: 0,
-            intersect: 0,
-            possibly_incorrect: 0,
-            undecided: Truths::default(),
+            verdicts: Verdicts::default(),
             wrong: 0,
+            undecided: Relations::default(),
             host_decided: 0,
             retest: None,
         };
         let mut undecided = vec![];
-        for (place, ((verdict, host), relation)) in answered.into_iter().zip(pairs.relations()).enumerate() {
-            let apart = relation.class == Exact::Separate;
-            answers.host_decided += u64::from(host);
-            match verdict {
-                Verdict::Separate => {
-                    answers.separate += 1;
-                    answers.wrong += u64::from(!apart);
-                }
-                Verdict::Intersect => {
-                    answers.intersect += 1;
-                    answers.wrong += u64::from(apart);
-                }
-                Verdict::PossiblyIncorrect => {
-                    answers.possibly_incorrect += 1;
-                    answers.undecided.add(*relation);
-                    undecided.push(place as u32);
-                }
+        for (place, (answer, relation)) in answered.into_iter().zip(pairs.relations()).enumerate() {
+            answers.host_decided += u64::from(answer.host_decided);
+            answers.verdicts.count(answer.verdict);
+            answers.wrong += u64::from(answer.verdict.is_wrong(relation.class));
+            if answer.verdict == Verdict::PossiblyIncorrect {
+                answers.undecided.count(*relation);
+                undecided.push(place as u32);
             }
         }
         (answers, undecided)
@@ -120,6 +80,6 @@ impl Answers {
 
     /// The share of possibly incorrect pairs.
     pub fn share(&self) -> f64 {
-        self.possibly_incorrect as f64 / self.pairs.max(1) as f64
+        self.verdicts.possibly_incorrect as f64 / self.pairs.max(1) as f64
     }
 }

@@ -7,11 +7,13 @@ use super::ladder::Ladder;
 use super::pairs::{Amount, Pairs, TooMany};
 use super::plan::{Plan, Request};
 use super::point::{Options, Point, model_options, options};
-use super::store::{Drawn, Record, Store, StoreError, key};
+use super::store::{Drawn, Record, Store, key};
 use super::timing::Yardstick;
-use super::{Answers, Hardware, Truths};
+use super::{Answers, Hardware};
+use efsat_checks::journal::JournalError;
 use efsat_checks::synth::SynthError;
 use efsat_geometry::scene::Scene;
+use efsat_unit::host::Relations;
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 
@@ -26,7 +28,7 @@ pub enum CampaignError {
     Empty(String),
     /// Results that cannot be read or written.
     #[error(transparent)]
-    Store(#[from] StoreError),
+    Store(#[from] JournalError),
     /// A design that cannot be made, or a tool that fails.
     #[error(transparent)]
     Synth(#[from] SynthError),
@@ -184,8 +186,8 @@ impl Campaign<'_> {
             return Err(CampaignError::Empty(self.request.scene.clone()));
         }
         if store.get(&keys.drawn()).is_none() {
-            let mut truths = Truths::default();
-            pairs.relations().iter().for_each(|relation| truths.add(*relation));
+            let mut truths = Relations::default();
+            pairs.relations().iter().for_each(|relation| truths.count(*relation));
             let drawn = Drawn { candidates: pairs.candidates, pairs: pairs.len() as u64, truths };
             store.add(&keys.drawn(), Record::Drawn(drawn))?;
         }
@@ -195,7 +197,7 @@ impl Campaign<'_> {
                 store.add(key, record)?;
                 progress.made += 1;
                 done();
-                Ok::<(), StoreError>(())
+                Ok::<(), JournalError>(())
             };
             match item {
                 Item::Ladder => add(&keys.ladder(), Record::Ladder(Ladder::climb(&pairs, &yardstick)))?,

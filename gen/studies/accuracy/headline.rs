@@ -107,7 +107,7 @@ fn definite(results: &Results) -> String {
 }
 
 fn all_definite(results: &Results) -> u64 {
-    results.rows.iter().map(|row| row.point.answers.separate + row.point.answers.intersect).sum()
+    results.rows.iter().map(|row| row.point.answers.verdicts.separate + row.point.answers.verdicts.intersect).sum()
 }
 
 /// What no width decides.
@@ -122,7 +122,7 @@ fn floor(results: &Results) -> String {
     let counts: Vec<String> =
         named.iter().filter(|n| n.0 > 0).map(|(count, what)| format!("{} {what}", grouped(*count))).collect();
     if counts.is_empty() {
-        return match floor.answers.possibly_incorrect {
+        return match floor.answers.verdicts.possibly_incorrect {
             0 => "The widest unit decides every pair.".to_owned(),
             open => format!(
                 "The widest unit leaves {} pairs open, all of them because of rounding: no pair needs a retest at every width.",
@@ -130,7 +130,7 @@ fn floor(results: &Results) -> String {
             ),
         };
     }
-    let all = if floor.examined < floor.answers.possibly_incorrect { " examined" } else { "" };
+    let all = if floor.examined < floor.answers.verdicts.possibly_incorrect { " examined" } else { "" };
     format!(
         "No width decides {} of the pairs. Of the {}{all} that the widest unit leaves open, {}.",
         percent(floor.share()),

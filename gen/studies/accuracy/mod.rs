@@ -28,7 +28,7 @@ mod table;
 mod timing;
 mod wilson;
 
-pub use answers::{Answers, Share, Truths};
+pub use answers::{Answers, Share};
 pub use campaign::{Campaign, Progress, Shard};
 pub use hardware::{Cells, Hardware};
 pub use join::Missing;

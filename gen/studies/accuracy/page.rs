@@ -259,9 +259,9 @@ fn pairs(drawn: &Drawn) -> String {
     };
     format!(
         "{of} pairs of triangles whose boxes overlap: {} separate, {} touching, {} intersecting, {} in one plane",
-        grouped(truths.separate),
-        grouped(truths.touch),
-        grouped(truths.intersect),
+        grouped(truths.truths.separate),
+        grouped(truths.truths.touch),
+        grouped(truths.truths.intersect),
         grouped(truths.coplanar)
     )
 }
@@ -386,12 +386,12 @@ fn stages(results: &Results) -> Vec<Line> {
 fn floor_about(results: &Results) -> Vec<String> {
     let floor = &results.floor;
     let reasons = floor.reasons;
-    let [low, high] = super::wilson(floor.answers.possibly_incorrect, floor.answers.pairs);
+    let [low, high] = super::wilson(floor.answers.verdicts.possibly_incorrect, floor.answers.pairs);
     vec![
         format!(
             "The widest unit there is (32 bits, transform 48, 17 axes, exact ceilings, intersected projections) leaves {} of {} \
              pairs possibly incorrect: {} (95 % bounds {} to {}).",
-            grouped(floor.answers.possibly_incorrect),
+            grouped(floor.answers.verdicts.possibly_incorrect),
             grouped(floor.answers.pairs),
             percent(floor.answers.share()),
             significant(100.0 * low),

@@ -5,8 +5,8 @@ use efsat_geometry::exact::{self, Relation};
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::{Meeting, Scene};
 use efsat_unit::dyadic::Dyadic;
-use efsat_unit::golden::{Golden, Numbers, Outcome, Pose, Verdict};
-use efsat_unit::host::{Host, SceneHost};
+use efsat_unit::golden::{Golden, Numbers, Outcome, Pose};
+use efsat_unit::host::{Answer, Host, SceneHost};
 use efsat_unit::params::Params;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -186,19 +186,16 @@ impl<'a> Asked<'a> {
     }
 
     /// What `answer` makes of every pair, in order.
-    pub fn all<T: Send>(&self, answer: impl Fn(Verdict, bool) -> T + Sync) -> Vec<T> {
-        let of = |met: &Met| {
+    pub fn all<T: Send>(&self, of: impl Fn(Answer) -> T + Sync) -> Vec<T> {
+        let answers = |met: &Met| {
             let posed = self.hosts[&met.meeting.meshes].pose(&met.m, &met.t).expect(FINITE);
             let one = |pair| {
                 let [a, b] = self.pairs.vertices_of(met, pair);
-                match posed.pair(a, b) {
-                    Host::Unit(pair) => answer(self.golden.verdict(&posed.pose, &pair), false),
-                    Host::Decided(verdict) => answer(verdict, true),
-                }
+                of(posed.pair(a, b).answer(&self.golden, &posed.pose))
             };
             met.range.clone().map(one).collect::<Vec<T>>()
         };
-        self.pairs.met.par_iter().flat_map_iter(of).collect()
+        self.pairs.met.par_iter().flat_map_iter(answers).collect()
     }
 
     /// A pair as the unit reads it, and the pose; the pair alone if the host decides it.

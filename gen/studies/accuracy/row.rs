@@ -2,6 +2,7 @@
 
 use super::point::{Options, Point};
 use super::{Answers, Share};
+use efsat_unit::host::Verdicts;
 use serde::{Deserialize, Serialize};
 
 /// A point with what follows from it.
@@ -36,7 +37,8 @@ pub struct Row {
 
 impl Row {
     pub(super) fn new(point: Point, base: &Options, yardstick_ns: f64, transfer_ns: f64) -> Self {
-        let Answers { pairs, separate, intersect, possibly_incorrect, retest, .. } = point.answers;
+        let Answers { pairs, verdicts: Verdicts { separate, intersect, possibly_incorrect }, retest, .. } =
+            point.answers;
         let hardware_ns = point.hardware.ns();
         let cost_ns = retest.map_or(0.0, |timing| timing.yardsticks * yardstick_ns + transfer_ns);
         Self {

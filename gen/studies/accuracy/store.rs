@@ -1,21 +1,18 @@
-//! Finished results, a line of JSON each: only ever appended to, so that whatever ends a run, what was finished stays.
-//!
-//! A line that a crash cut off has no line feed; it is cut away when the file is opened next. Every line has the key of
-//! what it is the result of: digest of scene and pairs, parameters, version. Equal keys are equal questions.
+//! Finished results, in a journal. Every line has the key of what it is the result of: digest of scene and pairs, parameters,
+//! version. Equal keys are equal questions.
 
-use super::Truths;
 use super::causes::Causes;
 use super::floor::Floor;
 use super::hardware::Cells;
 use super::ladder::Ladder;
 use super::pairs::hex;
 use super::point::{Options, Point};
+use efsat_checks::journal::{Form, Journal, JournalError};
+use efsat_unit::host::Relations;
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 use std::collections::HashMap;
-use std::fs::{File, OpenOptions, TryLockError};
-use std::io::{self, Read, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// The file of a folder of results.
 pub const FILE: &str = "points.jsonl";
@@ -28,7 +25,7 @@ pub struct Drawn {
     /// Those that were asked.
     pub pairs: u64,
     /// Their exact answers.
-    pub truths: Truths,
+    pub truths: Relations,
 }
 
 /// A result.
@@ -55,36 +52,8 @@ struct Line {
     result: Record,
 }
 
-/// What is wrong with a folder of results. Each prints as one line.
-#[derive(Debug, thiserror::Error)]
-pub enum StoreError {
-    /// The operating system says no.
-    #[error("{}: {source}", path.display())]
-    Io {
-        /// The file or folder.
-        path: PathBuf,
-        /// What it says.
-        source: io::Error,
-    },
-    /// Another process has the results open.
-    #[error("{}: found another run that writes it; expected one at a time", .0.display())]
-    Busy(PathBuf),
-    /// A line that is no result of this version.
-    #[error("{}, line {line}: found {found}; expected a result that efsat {} wrote", path.display(), env!("CARGO_PKG_VERSION"))]
-    Line {
-        /// The file.
-        path: PathBuf,
-        /// Its number, from 1.
-        line: usize,
-        /// What is wrong with it.
-        found: String,
-    },
-}
-
-/// Names a path in an error of the operating system.
-pub(super) fn at(path: &Path) -> impl FnOnce(io::Error) -> StoreError + '_ {
-    move |source| StoreError::Io { path: path.to_owned(), source }
-}
+const FORM: Form =
+    Form { beginning: "{\"key\":", what: concat!("a result that efsat ", env!("CARGO_PKG_VERSION"), " wrote") };
 
 /// The key of a result: what kind, of what, with which options.
 pub fn key(kind: &str, of: &str, options: &Options) -> String {
@@ -96,10 +65,8 @@ pub fn key(kind: &str, of: &str, options: &Options) -> String {
 
 /// The results of a folder. Nobody else opens them as long as this is there.
 pub struct Store {
-    path: PathBuf,
-    file: File,
+    journal: Journal,
     records: HashMap<String, Record>,
-    lines: Vec<(String, String)>,
 }
 
 impl Store {
@@ -107,30 +74,15 @@ impl Store {
     ///
     /// # Errors
     /// A file that cannot be read or written, that another process has open, or that holds something else.
-    pub fn open(dir: &Path) -> Result<Self, StoreError> {
-        let path = dir.join(FILE);
-        let mut file = OpenOptions::new().create(true).read(true).append(true).open(&path).map_err(at(&path))?;
-        match file.try_lock() {
-            Err(TryLockError::WouldBlock) => return Err(StoreError::Busy(path)),
-            // Not every file system has locks.
-            Err(TryLockError::Error(e)) if e.kind() != io::ErrorKind::Unsupported => return Err(at(&path)(e)),
-            _ => {}
-        }
-        let mut bytes = vec![];
-        file.read_to_end(&mut bytes).map_err(at(&path))?;
-        let whole = whole(&bytes);
-        let lines = read(&path, whole)?;
-        file.set_len(whole.len() as u64).map_err(at(&path))?;
-        let mut store = Self { path, file, records: HashMap::new(), lines: vec![] };
-        lines.into_iter().for_each(|(line, text)| store.know(line, text));
+    pub fn open(dir: &Path) -> Result<Self, JournalError> {
+        let (journal, lines) = Journal::open(&dir.join(FILE), FORM)?;
+        let mut store = Self { journal, records: HashMap::new() };
+        lines.into_iter().for_each(|(line, _)| store.know(line));
         Ok(store)
     }
 
-    fn know(&mut self, line: Line, text: String) {
-        if !self.records.contains_key(&line.key) {
-            self.lines.push((line.key.clone(), text));
-            self.records.insert(line.key, line.result);
-        }
+    fn know(&mut self, line: Line) {
+        self.records.entry(line.key).or_insert(line.result);
     }
 
     /// A finished result.
@@ -143,22 +95,13 @@ impl Store {
         self.records.values()
     }
 
-    /// Adds a finished result, for good.
+    /// Adds a finished result, for good. It is known as it will be read again.
     ///
     /// # Errors
     /// What the operating system says.
-    pub fn add(&mut self, key: &str, result: Record) -> Result<(), StoreError> {
-        let line = Line { key: key.to_owned(), result };
-        let text = serde_json::to_string(&line).expect("keys are strings and numbers are finite");
-        self.append(text)
-    }
-
-    /// Adds a line, and what it says as it will be read again.
-    fn append(&mut self, text: String) -> Result<(), StoreError> {
-        // One write, so that a crash leaves a whole line or one without an end.
-        self.file.write_all(format!("{text}\n").as_bytes()).and_then(|()| self.file.flush()).map_err(at(&self.path))?;
-        let line = serde_json::from_str(&text).expect("it was a line a moment ago");
-        self.know(line, text);
+    pub fn add(&mut self, key: &str, result: Record) -> Result<(), JournalError> {
+        let text = self.journal.add(&Line { key: key.to_owned(), result })?;
+        self.know(serde_json::from_str(&text).expect("it was a line a moment ago"));
         Ok(())
     }
 
@@ -166,29 +109,15 @@ impl Store {
     ///
     /// # Errors
     /// A file that cannot be read, or that holds something else.
-    pub fn join(&mut self, dir: &Path) -> Result<(), StoreError> {
-        let path = dir.join(FILE);
-        let bytes = std::fs::read(&path).map_err(at(&path))?;
-        for (line, text) in read(&path, whole(&bytes))? {
+    pub fn join(&mut self, dir: &Path) -> Result<(), JournalError> {
+        for (line, text) in FORM.read::<Line>(&dir.join(FILE))? {
             if !self.records.contains_key(&line.key) {
-                self.append(text)?;
+                self.journal.append(&text)?;
+                self.know(line);
             }
         }
         Ok(())
     }
-}
-
-/// The lines that are whole. One that a crash cut off may end inside a letter.
-fn whole(bytes: &[u8]) -> &[u8] {
-    &bytes[..bytes.iter().rposition(|&byte| byte == b'\n').map_or(0, |end| end + 1)]
-}
-
-fn read(path: &Path, text: &[u8]) -> Result<Vec<(Line, String)>, StoreError> {
-    let parse = |(i, line): (usize, &[u8])| match serde_json::from_slice(line) {
-        Ok(parsed) => Ok((parsed, String::from_utf8_lossy(line).trim_end().to_owned())),
-        Err(e) => Err(StoreError::Line { path: path.to_owned(), line: i + 1, found: e.to_string() }),
-    };
-    text.split_inclusive(|&byte| byte == b'\n').enumerate().map(parse).collect()
 }
 
 #[cfg(test)]
@@ -196,7 +125,7 @@ mod tests {
     use super::*;
 
     fn drawn(pairs: u64) -> Record {
-        Record::Drawn(Drawn { candidates: 9, pairs, truths: Truths::default() })
+        Record::Drawn(Drawn { candidates: 9, pairs, truths: Relations::default() })
     }
 
     #[test]
@@ -215,29 +144,6 @@ mod tests {
         drop(store);
         let store = Store::open(dir.path()).unwrap();
         assert_eq!((store.get("a"), store.get("b"), store.get("c")), (Some(&drawn(1)), None, Some(&drawn(3))));
-    }
-
-    #[test]
-    fn one_run_at_a_time() {
-        let dir = tempfile::tempdir().unwrap();
-        let first = Store::open(dir.path()).unwrap();
-        let message = Store::open(dir.path()).err().unwrap().to_string();
-        assert!(
-            message.ends_with("points.jsonl: found another run that writes it; expected one at a time"),
-            "{message}"
-        );
-        drop(first);
-        Store::open(dir.path()).unwrap();
-    }
-
-    #[test]
-    fn a_line_cut_off_inside_a_letter_is_forgotten() {
-        let dir = tempfile::tempdir().unwrap();
-        Store::open(dir.path()).unwrap().add("a", drawn(1)).unwrap();
-        let path = dir.path().join(FILE);
-        let text = [&std::fs::read(&path).unwrap()[..], b"{\"key\":\"\xc3"].concat();
-        std::fs::write(&path, text).unwrap();
-        assert_eq!(Store::open(dir.path()).unwrap().get("a"), Some(&drawn(1)));
     }
 
     #[test]

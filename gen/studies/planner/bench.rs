@@ -94,7 +94,7 @@ impl<'a, 'b> Bench<'a, 'b> {
     /// Whether a unit is as definite as the full one, as far as asked for.
     fn suffices(&self, stages: Stages) -> bool {
         let tally = self.tally(stages);
-        tally.contradictions == 0 && tally.less_definite as f64 <= self.request.allowed * tally.pairs() as f64
+        tally.contradictions == 0 && tally.less_definite as f64 <= self.request.allowed * tally.verdicts.total() as f64
     }
 
     /// Leaves out what no pose calls for.

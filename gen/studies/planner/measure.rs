@@ -3,7 +3,7 @@
 use super::Front;
 use efsat_geometry::scene::Meeting;
 use efsat_unit::golden::{Golden, Verdict};
-use efsat_unit::host::{Host, Posed, ScenePose, Stage};
+use efsat_unit::host::{Answer, Host, Posed, ScenePose, Stage, Verdicts};
 use efsat_unit::params::{Params, Transform};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -17,12 +17,9 @@ const ELEVEN: u32 = (1 << 11) - 1;
 /// What a unit answers, and how that compares with another unit, the reference.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Tally {
-    /// Pairs without a common point.
-    pub separate: u64,
-    /// Pairs with one.
-    pub intersect: u64,
-    /// Undecided pairs.
-    pub possibly_incorrect: u64,
+    /// By verdict.
+    #[serde(flatten)]
+    pub verdicts: Verdicts,
     /// Those of all that the host decides.
     pub host_decided: u64,
     /// Undecided pairs that the reference decides.
@@ -32,18 +29,9 @@ pub struct Tally {
 }
 
 impl Tally {
-    /// All pairs.
-    pub fn pairs(&self) -> u64 {
-        self.separate + self.intersect + self.possibly_incorrect
-    }
-
     /// Counts a verdict beside that of the reference.
     pub fn add(&mut self, verdict: Verdict, reference: Verdict) {
-        match verdict {
-            Verdict::Separate => self.separate += 1,
-            Verdict::Intersect => self.intersect += 1,
-            Verdict::PossiblyIncorrect => self.possibly_incorrect += 1,
-        }
+        self.verdicts.count(verdict);
         if verdict != reference && reference != Verdict::PossiblyIncorrect {
             match verdict {
                 Verdict::PossiblyIncorrect => self.less_definite += 1,
@@ -54,9 +42,7 @@ impl Tally {
 
     /// Adds other counts.
     pub fn merge(&mut self, other: &Self) {
-        self.separate += other.separate;
-        self.intersect += other.intersect;
-        self.possibly_incorrect += other.possibly_incorrect;
+        self.verdicts += other.verdicts;
         self.host_decided += other.host_decided;
         self.less_definite += other.less_definite;
         self.contradictions += other.contradictions;
@@ -120,12 +106,9 @@ impl<'a> Units<'a> {
 
 impl Met<'_, '_> {
     /// The verdict of a unit, and whether the host has made it.
-    pub fn verdict(&self, unit: usize, pair: (u32, u32)) -> (Verdict, bool) {
+    pub fn answer(&self, unit: usize, pair: (u32, u32)) -> Answer {
         let Member { golden, stage } = &self.units.list[unit];
-        match self.host(*stage, pair) {
-            Host::Unit(inputs) => (golden.verdict(&self.hosts[*stage].pose, &inputs), false),
-            Host::Decided(verdict) => (verdict, true),
-        }
+        self.host(*stage, pair).answer(golden, &self.hosts[*stage].pose)
     }
 
     /// Whether none of the 11 axes says anything of a pair: it is coplanar within the tolerance of the unit.
@@ -213,7 +196,7 @@ fn share(
     let mut verdicts = vec![Verdict::Separate; units];
     for &pair in pairs.iter().filter(|pair| !front.answers(meeting, **pair)) {
         for (unit, tally) in measured.tallies.iter_mut().enumerate() {
-            let (verdict, host_decided) = met.verdict(unit, pair);
+            let Answer { verdict, host_decided } = met.answer(unit, pair);
             verdicts[unit] = verdict;
             tally.add(verdict, verdicts[0]);
             tally.host_decided += u64::from(host_decided);

@@ -123,7 +123,7 @@ pub fn plan(scene: &Scene, request: &Request) -> Result<Plan, CosimError> {
     let planned = Answers { tally: bench.tally(planned), cost: prices.of(planned)? };
     Ok(Plan {
         scene: scene.name.clone(),
-        unit_pairs: full.tally.pairs(),
+        unit_pairs: full.tally.verdicts.total(),
         census,
         allowed: request.allowed,
         effects,

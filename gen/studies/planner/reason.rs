@@ -46,40 +46,40 @@ pub(super) fn transform(census: &Census, measured: bool) -> String {
 }
 
 pub(super) fn renormalise(census: &Census, with: &Tally, without: &Tally) -> String {
-    if with.pairs() == 0 {
+    if with.verdicts.total() == 0 {
         return no_pair();
     }
     format!(
         "smallest pair extent is {} of the domain; {} possibly incorrect without it, {} with it; {}",
         census.smallest.map_or("0".to_owned(), power),
-        share(without.possibly_incorrect, without.pairs()),
-        share(with.possibly_incorrect, with.pairs()),
+        share(without.verdicts.possibly_incorrect, without.verdicts.total()),
+        share(with.verdicts.possibly_incorrect, with.verdicts.total()),
         lost(without)
     )
 }
 
 pub(super) fn in_plane_axes(measured: &Measured, with: &Tally, without: &Tally) -> String {
-    if with.pairs() == 0 {
+    if with.verdicts.total() == 0 {
         return no_pair();
     }
     format!(
         "{} of {} pairs are within tolerance of coplanar; the six axes decide {}; {}",
         grouped(measured.coplanar),
-        grouped(with.pairs()),
+        grouped(with.verdicts.total()),
         grouped(measured.in_plane),
         lost(without)
     )
 }
 
 pub(super) fn exact_ceiling(with: &Tally, without: &Tally) -> String {
-    if with.pairs() == 0 {
+    if with.verdicts.total() == 0 {
         return no_pair();
     }
     format!(
         "{} of {} pairs possibly incorrect without it, {} with it; {}",
-        grouped(without.possibly_incorrect),
-        grouped(with.pairs()),
-        grouped(with.possibly_incorrect),
+        grouped(without.verdicts.possibly_incorrect),
+        grouped(with.verdicts.total()),
+        grouped(with.verdicts.possibly_incorrect),
         lost(without)
     )
 }

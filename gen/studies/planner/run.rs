@@ -153,7 +153,7 @@ impl<'a, 'b> Answering<'a, 'b> {
                 }
                 continue;
             }
-            let verdict = met.verdict(0, pair).0;
+            let verdict = met.answer(0, pair).verdict;
             self.compare(met, pair, verdict, &mut found);
             match verdict {
                 Verdict::Separate => found.sums.counts.separate += 1,
@@ -183,7 +183,7 @@ impl<'a, 'b> Answering<'a, 'b> {
         if !self.differs {
             return;
         }
-        let full = met.verdict(1, pair).0;
+        let full = met.answer(1, pair).verdict;
         if full != verdict && full != Verdict::PossiblyIncorrect {
             match verdict {
                 Verdict::PossiblyIncorrect => found.sums.less_definite += 1,
@@ -201,7 +201,7 @@ impl<'a, 'b> Answering<'a, 'b> {
                 let lot = place.lot(self.options.seed);
                 found.strata[verdict as usize].push((lot, place));
                 let open = verdict == Verdict::PossiblyIncorrect;
-                if open || (self.narrower && met.verdict(2, place.pair).0 == Verdict::PossiblyIncorrect) {
+                if open || (self.narrower && met.answer(2, place.pair).verdict == Verdict::PossiblyIncorrect) {
                     found.sums.close += 1;
                     found.near.push(((!open, lot), place));
                     found.all.push(place);

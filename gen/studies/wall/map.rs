@@ -3,8 +3,8 @@
 use super::grid::{Grid, SIZE};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::software;
-use efsat_unit::golden::{Golden, Pose, Verdict};
-use efsat_unit::host::{Host, loose_pair};
+use efsat_unit::golden::Verdict;
+use efsat_unit::host::Reference;
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 
@@ -57,11 +57,8 @@ impl Map {
 
     /// What the unit answers.
     pub fn verdicts(grid: &Grid, params: &Params) -> Self {
-        let (golden, identity) = (Golden::new(params), Pose::identity(params));
-        Self::of(grid, |points| match loose_pair(points, params).expect(FINITE) {
-            Host::Unit(pair) => golden.verdict(&identity, &pair).into(),
-            Host::Decided(verdict) => verdict.into(),
-        })
+        let reference = Reference::new(params);
+        Self::of(grid, |points| reference.loose(points).expect(FINITE).verdict.into())
     }
 
     /// What is true.

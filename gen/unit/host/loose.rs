@@ -34,7 +34,8 @@ pub fn loose_pair(points: &[[f64; 3]; 6], params: &Params) -> Result<Host, NotFi
         } else {
             grid::pair(&points_at::<BigInt>(&numbers, grid), params.grid_bits())
         };
-        return pair.map_or_else(|| retest(points).map(Host::exactly), |pair| Ok(Host::Unit(pair)));
+        return pair
+            .map_or_else(|| retest(points).map(|truth| Host::Decided(truth.into())), |pair| Ok(Host::Unit(pair)));
     }
     let fraction = params.input().fraction;
     Ok(Host::Unit(if short {

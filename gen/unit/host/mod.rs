@@ -3,6 +3,7 @@
 //! Nothing here rounds: binary64 numbers are taken as exact reals, differences and products are formed on integers
 //! with a common power of two, and only [`Input`](crate::golden::Input) is a floor, with its sticky bit.
 
+mod answer;
 mod boxes;
 pub mod driver;
 pub mod engine;
@@ -21,13 +22,13 @@ mod stage;
 mod tests;
 mod whole;
 
+pub use answer::{Answer, Judged, Reference, Relations, Truths, Verdicts};
 pub use loose::loose_pair;
 pub use scene::{SceneHost, ScenePose};
 #[cfg(feature = "scenes")]
 pub use stage::{Posed, Stage};
 
 use crate::golden::{Pair, Verdict};
-use efsat_geometry::exact::Exact;
 
 /// What the host makes of a pair.
 // A boxed pair would cost an allocation for every pair of a scene.
@@ -39,14 +40,4 @@ pub enum Host {
     /// Outside the declared ranges: decided here, `separate` if the boxes are strictly disjoint, else
     /// `possibly-incorrect`. Beside the exact unit the host decides exactly, `separate` or `intersect`, what does not fit.
     Decided(Verdict),
-}
-
-impl Host {
-    /// A pair that is decided here by its exact answer.
-    fn exactly(answer: Exact) -> Self {
-        Self::Decided(match answer {
-            Exact::Separate => Verdict::Separate,
-            Exact::Touch | Exact::Intersect => Verdict::Intersect,
-        })
-    }
 }

@@ -71,7 +71,7 @@ impl OffGrid<'_> {
     fn decided(&self, a: [usize; 3], b: [usize; 3]) -> Host {
         let [of_a, of_b] = &self.host.vertices;
         let answer = retest_posed(&a.map(|i| of_a[i]), &b.map(|i| of_b[i]), &self.m, &self.t);
-        Host::exactly(answer.expect("vertices and poses are finite"))
+        Host::Decided(answer.expect("vertices and poses are finite").into())
     }
 }
 
@@ -266,7 +266,7 @@ impl ScenePose<'_> {
             Outside::All(boxes) => Host::Decided(boxes.verdict(a, b)),
             Outside::Vertices(marked, boxes) if b.iter().any(|&i| marked[i]) => Host::Decided(boxes.verdict(a, b)),
             _ => match self.snap(a, b) {
-                Some((points, false)) => Host::exactly(retest(&points).expect("whole numbers are finite")),
+                Some((points, false)) => Host::Decided(retest(&points).expect("whole numbers are finite").into()),
                 _ => Host::Unit(self.read(a, b)),
             },
         }

@@ -120,7 +120,7 @@ macro_rules! options {
 }
 
 options! {
-    /// Directions of a bounding volume
+    /// Directions of a bounding volume; 26 need --offset-bits of 6 or less
     "directions" directions: Directions = Directions::Eighteen,
         [value_name = "K", value_parser = choice::<Directions>(), allow_negative_numbers = true];
     /// Bits of a coordinate of a block's origin, and of a matrix entry that meets it, 4 to 22
@@ -132,10 +132,10 @@ options! {
     /// Bits of a factor of the realignment, 4 to 16
     "factor-bits" factor_bits: u32 = 12,
         [value_name = "N", value_parser = whole(FACTOR_BITS), allow_negative_numbers = true];
-    /// Clocks between expansions, which test up to four pairs of volumes
+    /// Clocks between expansions, which test up to four pairs of volumes; fewer clocks take more multipliers
     "expansion-clocks" expansion_clocks: u32 = 4,
         [value_name = "N", value_parser = one_of(EXPANSION_CLOCKS), allow_negative_numbers = true];
-    /// Where trees are: in memory behind an AXI4 read master, or in block RAM
+    /// Where trees are: in memory behind an AXI4 read master with caches, or in block RAM that the stream fills
     "memory" memory: Memory = Memory::Axi,
         [value_name = "KIND", value_parser = choice::<Memory>()];
     /// Bits of a word of memory
@@ -153,7 +153,7 @@ options! {
     /// Lines of the caches of triangles, half for each mesh; with --memory block-ram the triangles of both meshes
     "triangle-lines" triangle_lines: u32 = 256,
         [value_name = "N", value_parser = one_of(LINES), allow_negative_numbers = true];
-    /// Pairs of nodes in flight, 1 to 64
+    /// Pairs of nodes in flight, 1 to 64; fewer wait longer for memory
     "in-flight" in_flight: u32 = 16,
         [value_name = "N", value_parser = whole(IN_FLIGHT), allow_negative_numbers = true];
     /// Pairs of nodes that the stack holds, at least 3 x tree-height + 2
@@ -162,7 +162,7 @@ options! {
     /// Greatest level of a pair of nodes; no tree is higher
     "tree-height" tree_height: u32 = 32,
         [value_name = "N", value_parser = whole(TREE_HEIGHT), allow_negative_numbers = true];
-    /// Pairs of triangles that wait for their turn to be read from memory
+    /// Pairs of triangles that wait for their turn to be read from memory; when it is full, the traversal waits
     "pair-queue" pair_queue: u32 = 128,
         [value_name = "N", value_parser = one_of(PAIR_QUEUE), allow_negative_numbers = true];
     /// Bits of the number of a block, 8 to 28, with --memory axi at most 26: a tree has no more blocks

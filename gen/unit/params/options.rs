@@ -220,7 +220,7 @@ options! {
     /// How pairs are decided: by separating axes as in the paper, by determinants, which need fewer multipliers, or exactly on a grid
     "method" method: Method = Method::Axes, Verdicts, [Determinants Exact],
         [value_name = "METHOD", value_parser = choice::<Method>()];
-    /// Working width in bits, 6 to 32
+    /// Working width in bits, 6 to 32; each bit more up to 20 halves the undecided pairs of meshes, and above 18 bits a product takes up to four multipliers
     "width" width: u32 = 18, Verdicts, [Axes Determinants Exact],
         [value_name = "N", value_parser = whole(WIDTH), allow_negative_numbers = true];
     /// Integral digits of the input format, sign included: 4 to 8, and at most width - 2
@@ -230,14 +230,14 @@ options! {
     "transform-width" transform_width: u32 = 32, Verdicts, [Axes Determinants Exact],
         [value_name = "N", value_parser = whole(*WIDTH.start()..=TRANSFORM_WIDTH), allow_negative_numbers = true,
             default_value_if("truth", "snapped", SNAPPED_WIDTH.spelled())];
-    /// Axis set: the paper's 11, or 17 with the six in-plane edge normals
+    /// Axis set: the paper's 11, or 17 with the six in-plane edge normals, which separate coplanar triangles
     "axes" axes: Axes = Axes::Eleven, Verdicts, [Axes],
         [value_name = "SET", value_parser = choice::<Axes>(), allow_negative_numbers = true];
     /// Axis units in parallel, 1 to the number of axes; one pair every ceil(axes / N) clocks
     "axes-per-clock" axes_per_clock: usize = 1, Hardware, [Axes],
         [value_name = "N", value_parser = whole(1..=Axes::Seventeen.count() as u32).map(|n| n as usize),
             allow_negative_numbers = true];
-    /// What is done with duplicate projections
+    /// Projections that are equal in exact arithmetic: all are computed (60 multipliers), one of them is (skip, 48), or all are and their enclosures intersected (60)
     "projections" projections: Projections = Projections::Skip; paper Projections::All, Verdicts, [Axes],
         [value_name = "POLICY", value_parser = choice::<Projections>()];
     /// Bits of the projections that are compared: +N (N more than width, up to 31), full (all), or rounded (to width, as in the paper)
@@ -255,7 +255,7 @@ options! {
     /// Whether pairs are re-normalised one by one (the paper's 2.5)
     "renormalise" renormalise: bool = true, Verdicts, [Axes],
         [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
-    /// Determinants, exact: clocks between pairs
+    /// Determinants, exact: clocks between pairs, the initiation interval
     "clocks-per-pair" clocks_per_pair: u32 = 1, Hardware, [Determinants Exact],
         [value_name = "N", value_parser = one_of(CLOCKS_PER_PAIR), allow_negative_numbers = true];
     /// Exact: off, or a cascade: rounded determinants first, then the exact unit for what they leave open, with 11 to 32 clocks per pair
@@ -276,7 +276,7 @@ options! {
     /// Determinants: whether the boxes of the triangles are compared as well
     "boxes" boxes: bool = true, Verdicts, [Determinants],
         [value_name = "SWITCH", action = clap::ArgAction::Set, value_parser = choice::<bool>()];
-    /// Frame transform: B = M B~ + t, translation only, or none
+    /// How triangle B reaches the frame of A: B = M B~ + t, translation only, or as it is; off with --method exact without --truth snapped
     "transform" transform: Transform = Transform::On, Verdicts, [Axes Determinants Exact],
         [value_name = "KIND", value_parser = choice::<Transform>(),
             default_value_ifs([("truth", "snapped", "on"), ("method", "exact", "off")])];

@@ -3,6 +3,7 @@
 use super::super::CosimError;
 use super::super::external::{self, call, file_error};
 use super::{Channel, Packet, failed};
+use efsat_hardware::tools::Tool;
 use efsat_unit::artefact::engine::vectors::formats_line;
 use efsat_unit::artefact::engine::{EngineDesign, TESTBENCH, bench, engine_files};
 use efsat_unit::artefact::{Prefix, Scratch};
@@ -14,19 +15,21 @@ use std::path::Path;
 const SEEDS: u32 = 0xffff;
 
 /// Writes sources and testbench, and makes them ready to run.
-pub(super) fn build(design: &EngineDesign, command: &str, dir: &Path) -> Result<(), CosimError> {
+pub(super) fn build(design: &EngineDesign, command: &Tool, dir: &Path) -> Result<(), CosimError> {
     let prefix = Prefix::default();
     let mut files = engine_files(design, &prefix, &design.command_line())?;
     files.push((format!("{TESTBENCH}.vhd"), bench(design, &prefix)));
     files.iter().try_for_each(|(name, text)| external::write_file(dir, name, text))?;
     let names: Vec<String> = files.into_iter().map(|(name, _)| name).collect();
-    external::build(command, &names, TESTBENCH).iter().try_for_each(|args| call(dir, command, args, true).map(drop))
+    external::build(command, &names, TESTBENCH)
+        .iter()
+        .try_for_each(|args| call(dir, &command.path, args, true).map(drop))
 }
 
 /// Sends packets one behind the other; the answers, in order.
 pub(super) fn exchange(
     design: &EngineDesign,
-    command: &str,
+    command: &Tool,
     dir: &Path,
     memory: &[u64],
     packets: &[Vec<u64>],
@@ -61,7 +64,7 @@ pub(super) fn exchange(
         options.push(format!("latency_most={}", channel.latency.end()));
     }
     let args = external::simulate(command, TESTBENCH, options.iter().map(|option| format!("-g{option}")));
-    let said = call(dir, command, &args, false)?;
+    let said = call(dir, &command.path, &args, false)?;
     if !said.contains(" mismatches 0 ") {
         let complaint = said.lines().find(|line| line.contains(TESTBENCH)).or(said.lines().last());
         return Err(failed(complaint.unwrap_or("the testbench said nothing")));

@@ -12,6 +12,7 @@ use super::external::{self, call, file_error};
 use super::{CosimError, Simulator, verilator};
 use crate::synth::verilog;
 use askama::Template;
+use efsat_hardware::tools::Tool;
 use efsat_unit::artefact::engine::{EngineDesign, NAME, TESTBENCH, engine_files};
 use efsat_unit::artefact::testbench::RESET_CLOCKS;
 use efsat_unit::artefact::{Prefix, Scratch, origin};
@@ -145,8 +146,8 @@ impl Bench {
 enum Runner {
     /// The program that Verilator has made.
     Verilator(PathBuf),
-    /// The command of GHDL, which has elaborated the testbench.
-    Ghdl(&'static str),
+    /// GHDL, which has elaborated the testbench.
+    Ghdl(Tool),
 }
 
 /// The folder of an engine as tools need it that run in it.
@@ -203,8 +204,8 @@ impl Machine {
     pub fn in_ghdl(design: EngineDesign, keep: Option<&Path>) -> Result<Self, CosimError> {
         let command = external::command(Simulator::Ghdl, false)?;
         let (dir, scratch) = folder(keep)?;
-        ghdl::build(&design, command, &dir)?;
-        let simulator = external::version(command);
+        ghdl::build(&design, &command, &dir)?;
+        let simulator = external::version(&command);
         Ok(Self { simulator, design, runner: Runner::Ghdl(command), dir, _scratch: scratch })
     }
 
@@ -267,7 +268,7 @@ impl Machine {
             arguments.extend([channel.latency.start(), channel.latency.end()].map(ToString::to_string));
         }
         arguments.extend([u32::from(channel.gaps), channel.seed, channel.patience].map(|number| number.to_string()));
-        let said = call(&self.dir, &program.to_string_lossy(), &arguments, false)?;
+        let said = call(&self.dir, program, &arguments, false)?;
         if !said.trim_end().ends_with(" clocks") {
             return Err(failed(said.trim().trim_start_matches("error: ")));
         }

@@ -7,27 +7,24 @@
 pub mod fixes;
 
 use super::ToolError;
-use super::tools::{self, Tool};
 use crate::process;
+use efsat_hardware::tools::{self, Tool};
 use efsat_unit::artefact::{FileSet, Scratch, VerilogFile, origin};
 use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use std::process::Command;
 
-/// The GHDL commands there may be; any back end synthesizes.
-const GHDLS: [&str; 4] = ["ghdl-mcode", "ghdl-llvm", "ghdl-gcc", "ghdl"];
-
 /// What GHDL says of hardware that nobody asked for, some of it as a warning only.
 const UNWANTED: [&str; 3] = ["latch", "not bound", "multiple assignments"];
 
-/// Finds GHDL.
+/// Finds GHDL; any back end synthesizes.
 ///
 /// # Errors
 /// That it is not installed.
 pub fn ghdl() -> Result<Tool, ToolError> {
     let missing = ToolError::Missing { tool: "GHDL", install: "apt-get install ghdl-mcode" };
-    tools::find(&GHDLS, "--version").ok_or(missing)
+    tools::ghdl(true).ok_or(missing)
 }
 
 /// VHDL files (name and text, in dependency order) as one Verilog text, a module an entity. The files are written to
@@ -96,6 +93,7 @@ fn module_name(text: &str) -> Option<&str> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use efsat_hardware::testing;
 
     const HEAD: &str = "library ieee;\nuse ieee.std_logic_1164.all;\nentity u is port (a, b : in std_logic; q : out std_logic); end;\narchitecture x of u is\n";
 
@@ -106,8 +104,8 @@ mod tests {
 
     #[test]
     fn unwanted_hardware_is_an_error() {
-        if ghdl().is_err() {
-            return eprintln!("skipped: GHDL is not installed");
+        if let Err(missing) = ghdl() {
+            return testing::skip(missing);
         }
         let refusal = |body: &str| read_back(body).unwrap_err().to_string();
         let latch = "begin\nprocess (a, b) begin if a = '1' then q <= b; end if; end process;";

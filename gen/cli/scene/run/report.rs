@@ -1,9 +1,10 @@
 //! What `efsat scene run` prints.
 
 use super::{Failure, failure, output, quoted};
-use crate::output::Verdicts;
+use crate::output::table;
 use crate::scene::summary::Summary;
 use efsat_studies::planner::{Cosimulation, Counted, Counts, Finding, Plan, Row, Total, Wish};
+use efsat_unit::host::Verdicts;
 use serde::Serialize;
 use std::io::{self, BufWriter, StdoutLock, Write};
 
@@ -153,7 +154,7 @@ pub(super) fn words(
     };
     let stages: Vec<String> = plan.effects.iter().map(stage).collect();
     let mut text = format!("stages: {}\n{}\n\n", stages.join(", "), plan.command_line);
-    text.push_str(&Verdicts { separate, intersect, possibly_incorrect }.table());
+    text.push_str(&table(&Verdicts { separate, intersect, possibly_incorrect }));
     if in_software > 0 {
         text.push_str(&format!("{in_software} pairs with a degenerate triangle were answered in software\n"));
     }

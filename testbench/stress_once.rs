@@ -1,33 +1,13 @@
-//! `efsat soak` as others use it: the log, a run that goes on, shards, and one clear line for every error.
+//! `efsat stress --once` as others use it: the log, a run that goes on, shards, and one clear line for every error.
 
+use crate::tools::program::{object, refuses, succeeds};
 use serde_json::Value;
 use std::fs;
-use std::path::Path;
-use std::process::{Command, Output};
 
 /// Two families, so that a block is small.
-const FEW: &str = "--family lattice-5 --family vertex-on-face-sweep --seed 7 --width 12";
+const FEW: &str = "stress --once --family lattice-5 --family vertex-on-face-sweep --seed 7 --width 12";
 /// Two blocks.
 const PAIRS: &str = "--pairs 65536";
-
-fn efsat(dir: &Path, arguments: &str) -> Output {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_efsat"));
-    command.arg("soak").args(arguments.split_whitespace()).current_dir(dir).output().unwrap()
-}
-
-fn succeeds(dir: &Path, arguments: &str) -> String {
-    let Output { status, stdout, stderr } = efsat(dir, arguments);
-    let errors = String::from_utf8(stderr).unwrap();
-    assert_eq!((status.code(), errors.as_str()), (Some(0), ""), "efsat soak {arguments}");
-    String::from_utf8(stdout).unwrap()
-}
-
-fn fails(dir: &Path, arguments: &str, expected: &str) {
-    let Output { status, stdout, stderr } = efsat(dir, arguments);
-    let errors = String::from_utf8(stderr).unwrap();
-    assert_eq!((status.code(), stdout.as_slice()), (Some(2), &b""[..]), "efsat soak {arguments}: {errors}");
-    assert!(errors.starts_with("error: ") && errors.lines().count() == 1 && errors.contains(expected), "{errors}");
-}
 
 #[test]
 fn a_run_goes_on_and_shards_are_the_whole() {
@@ -65,8 +45,8 @@ fn a_run_goes_on_and_shards_are_the_whole() {
 #[test]
 fn a_sweep_asks_every_design() {
     let home = tempfile::tempdir().unwrap();
-    let sweep = "--sweep method=axes|determinants,width=8|18 --family lattice-5 --pairs 1";
-    let value: Value = serde_json::from_str(&succeeds(home.path(), &format!("{sweep} --json"))).unwrap();
+    let sweep = "stress --once --sweep method=axes|determinants,width=8|18 --family lattice-5 --pairs 1";
+    let value = object(&home, &format!("{sweep} --json"));
     let open: Vec<u64> = value["total"]["designs"]
         .as_array()
         .unwrap()
@@ -85,15 +65,15 @@ fn errors_say_what_was_expected() {
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();
     succeeds(dir, &format!("{FEW} --pairs 1 --log log"));
-    fails(dir, &format!("{} --pairs 1 --log log", FEW.replace("12", "13")), "found a block of another test");
+    refuses(dir, &format!("{} --pairs 1 --log log", FEW.replace("12", "13")), "found a block of another test");
     fs::write(dir.join("notes"), "mine\n").unwrap();
-    fails(dir, "--log notes", "line 1: found expected value");
+    refuses(dir, "stress --once --log notes", "line 1: found expected value");
     assert_eq!(fs::read_to_string(dir.join("notes")).unwrap(), "mine\n");
-    fails(dir, "--log .", "directory");
-    fails(dir, "--shard 1/2", "--log");
-    fails(dir, "--shard 3/2 --log x", "I from 1 to N");
-    fails(dir, "--pairs 0", "expected a whole number, 1 or greater");
-    fails(dir, "--pairs 18446744073709551615", "expected fewer than 2^64 pairs");
-    fails(dir, "--sweep width=1", "--sweep: at character");
-    fails(dir, "--family nobody", "nobody");
+    refuses(dir, "stress --once --log .", "directory");
+    refuses(dir, "stress --once --shard 1/2", "--log");
+    refuses(dir, "stress --once --shard 3/2 --log x", "I from 1 to N");
+    refuses(dir, "stress --once --pairs 0", "expected a whole number, 1 or greater");
+    refuses(dir, "stress --once --pairs 18446744073709551615", "expected fewer than 2^64 pairs");
+    refuses(dir, "stress --once --sweep width=1", "--sweep: at character");
+    refuses(dir, "stress --once --family nobody", "nobody");
 }

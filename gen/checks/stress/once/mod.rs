@@ -1,19 +1,17 @@
-//! The soak test: very many hard pairs, each asked once of every design, all answers compared with the exact ones.
-//!
-//! Where the stress campaign writes each pair in every way, this one makes as many pairs as time allows. The pairs are those
-//! of the stress families. The batched exact retest gives the truth; the two formulations of the oracle check it on every
+//! Very many pairs of the families, each asked once of every design, all answers compared with the exact ones: as many pairs as time
+//! allows, where the campaign writes each in every way. The batched exact retest gives the truth; the two formulations of the oracle check it on every
 //! [`SAMPLE`]th case of a family and wherever a definite answer contradicts it.
 
 mod log;
 
-pub use log::{Log, LogError};
+pub use log::Log;
 
-use crate::stress::Family;
+use super::Family;
 use efsat_geometry::Points;
-use efsat_geometry::exact::{self, Exact, linear_programme};
+use efsat_geometry::exact::{self, linear_programme};
 use efsat_geometry::software::retest::retest_batch;
-use efsat_unit::golden::{Golden, Pair, Pose, Verdict};
-use efsat_unit::host::{Host, loose_pair};
+use efsat_unit::golden::{Pair, Verdict};
+use efsat_unit::host::{Host, Judged, Reference, Truths, Verdicts, loose_pair};
 use efsat_unit::params::{Method, Params};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -32,47 +30,24 @@ const SHARE: u64 = 1 << 9;
 const SHOWN: usize = 5;
 
 /// What is asked: designs, families and the seed of their cases.
-pub struct Soak {
+pub struct Once {
     seed: u64,
     families: Vec<&'static Family>,
-    designs: Vec<Asked>,
-}
-
-/// A design, with the host side before it.
-struct Asked {
-    params: Params,
-    golden: Golden,
-    identity: Pose,
-}
-
-/// What a design answered.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
-pub struct Answers {
-    /// Answers *separate*.
-    pub separate: u64,
-    /// Answers *intersect*.
-    pub intersect: u64,
-    /// Answers *possibly incorrect*.
-    pub possibly_incorrect: u64,
-    /// Definite answers that are not the exact one.
-    pub wrong: u64,
+    designs: Vec<Reference>,
 }
 
 /// The cases of a family, exactly and as each design answers them.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Tally {
-    /// Pairs without a common point.
-    pub separate: u64,
-    /// Pairs with common points, of which none is inside both triangles.
-    pub touch: u64,
-    /// All other pairs.
-    pub intersect: u64,
+    /// By their exact answers.
+    #[serde(flatten)]
+    pub truths: Truths,
     /// Pairs that the oracle decided too.
     pub checked: u64,
     /// Those for which oracle and retest do not agree.
     pub disagreements: u64,
     /// By design.
-    pub designs: Vec<Answers>,
+    pub designs: Vec<Judged>,
 }
 
 /// The result of a block.
@@ -85,11 +60,6 @@ pub struct Block {
 }
 
 impl Tally {
-    /// The number of cases.
-    pub fn pairs(&self) -> u64 {
-        self.separate + self.touch + self.intersect
-    }
-
     /// Everything that must not be.
     pub fn faults(&self) -> u64 {
         self.disagreements + self.designs.iter().map(|answers| answers.wrong).sum::<u64>()
@@ -97,26 +67,11 @@ impl Tally {
 
     /// Adds the counts of another.
     pub fn add(&mut self, other: &Self) {
-        self.separate += other.separate;
-        self.touch += other.touch;
-        self.intersect += other.intersect;
+        self.truths += other.truths;
         self.checked += other.checked;
         self.disagreements += other.disagreements;
-        self.designs.resize(other.designs.len(), Answers::default());
-        for (mine, theirs) in self.designs.iter_mut().zip(&other.designs) {
-            mine.separate += theirs.separate;
-            mine.intersect += theirs.intersect;
-            mine.possibly_incorrect += theirs.possibly_incorrect;
-            mine.wrong += theirs.wrong;
-        }
-    }
-
-    fn count(&mut self, truth: Exact) {
-        *match truth {
-            Exact::Separate => &mut self.separate,
-            Exact::Touch => &mut self.touch,
-            Exact::Intersect => &mut self.intersect,
-        } += 1;
+        self.designs.resize(other.designs.len(), Judged::default());
+        self.designs.iter_mut().zip(&other.designs).for_each(|(mine, theirs)| *mine += *theirs);
     }
 }
 
@@ -133,35 +88,6 @@ impl Block {
         let mut total = Tally::default();
         self.families.iter().for_each(|tally| total.add(tally));
         total
-    }
-}
-
-impl Answers {
-    fn count(&mut self, verdict: Verdict) {
-        *match verdict {
-            Verdict::Separate => &mut self.separate,
-            Verdict::Intersect => &mut self.intersect,
-            Verdict::PossiblyIncorrect => &mut self.possibly_incorrect,
-        } += 1;
-    }
-}
-
-/// Whether a definite answer is not the exact one.
-fn wrong(verdict: Verdict, truth: Exact) -> bool {
-    verdict != Verdict::PossiblyIncorrect && (verdict == Verdict::Separate) != (truth == Exact::Separate)
-}
-
-impl Asked {
-    fn new(params: &Params) -> Self {
-        Self { params: params.clone(), golden: Golden::new(params), identity: Pose::identity(params) }
-    }
-
-    /// The verdicts of many pairs, in their order.
-    fn verdicts(&self, read: &Read) -> Vec<Verdict> {
-        let mut verdicts = Vec::with_capacity(read.pairs.len());
-        self.golden.verdicts(&self.identity, &read.pairs, &mut verdicts);
-        read.decided.iter().for_each(|(i, verdict)| verdicts[*i] = *verdict);
-        verdicts
     }
 }
 
@@ -187,6 +113,14 @@ impl Read {
         }
         read
     }
+
+    /// The verdicts of a design that reads pairs so, in their order.
+    fn verdicts(&self, design: &Reference) -> Vec<Verdict> {
+        let mut verdicts = Vec::with_capacity(self.pairs.len());
+        design.golden.verdicts(&design.identity, &self.pairs, &mut verdicts);
+        self.decided.iter().for_each(|(i, verdict)| verdicts[*i] = *verdict);
+        verdicts
+    }
 }
 
 /// Designs of which this is equal read the same numbers: a format, or for the exact unit a width.
@@ -194,10 +128,10 @@ fn reading(params: &Params) -> (i32, Option<u32>) {
     (params.input().fraction, (params.method == Method::Exact).then_some(params.grid_bits()))
 }
 
-impl Soak {
+impl Once {
     /// Prepares a test of validated designs.
     pub fn new(seed: u64, families: Vec<&'static Family>, designs: &[Params]) -> Self {
-        Self { seed, families, designs: designs.iter().map(Asked::new).collect() }
+        Self { seed, families, designs: designs.iter().map(Reference::new).collect() }
     }
 
     /// What this test asks, in words: equal tests give equal results.
@@ -211,10 +145,12 @@ impl Soak {
     /// Whether counts can be those of a block of this test.
     pub fn fits(&self, block: &Block) -> bool {
         let sum = |counts: [u64; 3]| counts.into_iter().try_fold(0, u64::checked_add);
-        let design =
-            |a: &Answers| sum([a.separate, a.intersect, a.possibly_incorrect]) == Some(BLOCK) && a.wrong <= BLOCK;
+        let design = |judged: &Judged| {
+            let Verdicts { separate, intersect, possibly_incorrect } = judged.verdicts;
+            sum([separate, intersect, possibly_incorrect]) == Some(BLOCK) && judged.wrong <= BLOCK
+        };
         let family = |tally: &Tally| {
-            sum([tally.separate, tally.touch, tally.intersect]) == Some(BLOCK)
+            sum([tally.truths.separate, tally.truths.touch, tally.truths.intersect]) == Some(BLOCK)
                 && tally.disagreements <= tally.checked
                 && tally.checked <= BLOCK
                 && tally.designs.len() == self.designs.len()
@@ -247,16 +183,14 @@ impl Soak {
         let mut truths = vec![];
         retest_batch(&pairs, &mut truths).expect(FINITE);
         let (mut tally, mut faults) = (Tally::default(), vec![]);
-        truths.iter().for_each(|truth| tally.count(*truth));
+        truths.iter().for_each(|truth| tally.truths.count(*truth));
         let mut checked: Vec<usize> = (0..pairs.len()).filter(|i| (first + *i as u64).is_multiple_of(SAMPLE)).collect();
         let mut all: HashMap<(i32, Option<u32>), Read> = HashMap::new();
         for design in &self.designs {
             let read = all.entry(reading(&design.params)).or_insert_with(|| Read::new(&pairs, &design.params));
-            let mut answers = Answers::default();
-            for (i, (verdict, truth)) in design.verdicts(read).into_iter().zip(&truths).enumerate() {
-                answers.count(verdict);
-                if wrong(verdict, *truth) {
-                    answers.wrong += 1;
+            let mut judged = Judged::default();
+            for (i, (verdict, truth)) in read.verdicts(design).into_iter().zip(&truths).enumerate() {
+                if judged.count(verdict, *truth) {
                     checked.push(i);
                     let index = first + i as u64;
                     let replay = format!("--seed {} --family {} --first {index} --pairs 1", self.seed, family.name);
@@ -265,7 +199,7 @@ impl Soak {
                     faults.push(format!("{verdict}, exactly {truth}: efsat stress {options} {replay}"));
                 }
             }
-            tally.designs.push(answers);
+            tally.designs.push(judged);
         }
         checked.sort_unstable();
         checked.dedup();
@@ -290,35 +224,28 @@ impl Soak {
 
 #[cfg(test)]
 mod tests {
+    use super::super::FAMILIES;
     use super::*;
-    use crate::stress::FAMILIES;
 
     #[test]
     fn a_block_is_the_same_whatever_the_threads() {
-        let soak = Soak::new(3, FAMILIES.iter().take(2).collect(), &[Params::default()]);
+        let once = Once::new(3, FAMILIES.iter().take(2).collect(), &[Params::default()]);
         let pool = |threads| rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
-        let (one, three) = (pool(1).install(|| soak.block(1)), pool(3).install(|| soak.block(1)));
+        let (one, three) = (pool(1).install(|| once.block(1)), pool(3).install(|| once.block(1)));
         assert_eq!(one, three);
-        assert_eq!(one.total().pairs(), 2 * BLOCK);
+        assert_eq!(one.total().truths.total(), 2 * BLOCK);
         assert_eq!(one.total().checked, 2 * BLOCK / SAMPLE);
-        assert_ne!(one, soak.block(0));
-    }
-
-    #[test]
-    fn only_contradictions_are_wrong() {
-        let found = [Verdict::Separate, Verdict::Intersect, Verdict::PossiblyIncorrect]
-            .map(|verdict| [Exact::Separate, Exact::Touch, Exact::Intersect].map(|truth| wrong(verdict, truth)));
-        assert_eq!(found, [[false, true, true], [true, false, false], [false; 3]]);
+        assert_ne!(one, once.block(0));
     }
 
     /// A design that moves B a little answers for other pairs, which is noticed and can be shown again.
     #[test]
     fn wrong_answers_are_noticed() {
         let family = Family::by_name("vertex-on-face-sweep").unwrap();
-        let mut soak = Soak::new(3, vec![family], &[Params::default()]);
-        let pose = &mut soak.designs[0].identity;
+        let mut once = Once::new(3, vec![family], &[Params::default()]);
+        let pose = &mut once.designs[0].identity;
         (pose.bypass, pose.t[0].lo) = (false, 1 << 26);
-        let (tally, faults) = soak.share(family, 0);
+        let (tally, faults) = once.share(family, 0);
         assert!(tally.designs[0].wrong > 0 && tally.disagreements == 0, "{tally:?}");
         assert!(faults[0].contains("--family vertex-on-face-sweep --first "), "{faults:?}");
     }

@@ -1,0 +1,86 @@
+//! GHDL in a folder: files are written, analysed, elaborated and run.
+
+use super::skip;
+use efsat_hardware::tools::{self, Tool};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::sync::LazyLock;
+use tempfile::TempDir;
+
+/// The GHDL of all tests, that which compiles fastest; where none is installed none, which is said.
+pub fn ghdl() -> Option<&'static Tool> {
+    static FOUND: LazyLock<Option<Tool>> = LazyLock::new(|| tools::ghdl(true));
+    if FOUND.is_none() {
+        skip("GHDL is not installed");
+    }
+    FOUND.as_ref()
+}
+
+/// A folder in which GHDL works, in strict VHDL-93.
+pub struct Ghdl {
+    tool: &'static Tool,
+    dir: PathBuf,
+    /// Deletes the folder at the end.
+    _scratch: Option<TempDir>,
+}
+
+impl Ghdl {
+    /// In a new folder.
+    pub fn new(tool: &'static Tool) -> Self {
+        let scratch = tempfile::tempdir().unwrap();
+        Self { tool, dir: scratch.path().to_owned(), _scratch: Some(scratch) }
+    }
+
+    /// In a folder that is there.
+    pub fn at(tool: &'static Tool, dir: &Path) -> Self {
+        Self { tool, dir: dir.to_owned(), _scratch: None }
+    }
+
+    pub fn write(&self, name: &str, text: &str) {
+        let path = self.dir.join(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        std::fs::write(path, text).unwrap();
+    }
+
+    pub fn read(&self, name: &str) -> String {
+        std::fs::read_to_string(self.dir.join(name)).unwrap()
+    }
+
+    fn command(&self, step: &str, args: &[&str]) -> Command {
+        let mut command = Command::new(&self.tool.path);
+        command.args([step, "--std=93"]).args(args).current_dir(&self.dir);
+        command
+    }
+
+    /// Runs GHDL; whether it succeeded, and what it says.
+    pub fn call(&self, step: &str, args: &[&str]) -> (bool, String) {
+        let output = self.command(step, args).output().unwrap();
+        let text = String::from_utf8_lossy(&output.stdout).into_owned() + &String::from_utf8_lossy(&output.stderr);
+        (output.status.success(), text)
+    }
+
+    /// Analyses files in order, with warnings as errors.
+    pub fn analyse(&self, names: &[impl AsRef<str>]) {
+        let names = names.iter().map(AsRef::as_ref);
+        let (fine, text) = self.call("-a", &["--warn-error"].into_iter().chain(names).collect::<Vec<_>>());
+        assert!(fine, "{text}");
+    }
+
+    pub fn elaborate(&self, entity: &str) {
+        let (fine, text) = self.call("-e", &[entity]);
+        assert!(fine, "{entity}: {text}");
+    }
+
+    /// Elaborates and runs a testbench; whether it ended well, and what it says.
+    pub fn run(&self, entity: &str, options: &[&str]) -> (bool, String) {
+        self.elaborate(entity);
+        self.call("-r", &[&[entity], options].concat())
+    }
+
+    /// As [`Ghdl::run`], and goes on without waiting for its end: it reads standard input and answers on standard output.
+    pub fn start(&self, entity: &str, options: &[&str]) -> Child {
+        self.elaborate(entity);
+        let mut command = self.command("-r", &[&[entity], options].concat());
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).spawn().unwrap()
+    }
+}
