@@ -138,6 +138,8 @@ def make(figure):
     command = figure["command"]
     if "columns" in figure:
         head, *rows = rows_of(figure)
+        if not rows:
+            raise SystemExit(f"error: {figure['name']}: expected a row at least")
         return table(head, rows)
     name, *arguments = command.split()
     if name in SPECIAL:
