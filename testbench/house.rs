@@ -9,7 +9,9 @@ use std::process::Command;
 
 /// Folders, and modules of their own crate or of one below that they must not know: the reference model is written from
 /// the contract alone, the design without the model, and what judges answers without the design.
-const STRANGERS: [(&str, &[&str]); 6] = [
+const STRANGERS: [(&str, &[&str]); 8] = [
+    ("gen/unit/pair/", &["words", "design", "golden", "artefact", "host"]),
+    ("gen/unit/words/", &["golden", "artefact", "host"]),
     ("gen/unit/golden/", &["graph", "device", "vhdl", "design", "host"]),
     ("gen/unit/design/", &["golden", "host"]),
     ("gen/engine/model/", &["graph", "device", "vhdl", "design", "host"]),

@@ -18,7 +18,7 @@ use efsat_unit::design::Design;
 use efsat_unit::design::top::pace;
 use efsat_unit::params::Params;
 use efsat_unit::params::options::Choice;
-use efsat_unit::params::stream::StreamWidth;
+use efsat_unit::words::StreamWidth;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};

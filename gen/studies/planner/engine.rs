@@ -5,7 +5,7 @@ use super::outcome::Counted;
 use super::{Contact, Front, Place, Row};
 use efsat_checks::cosim::CosimError;
 use efsat_checks::cosim::engine::{Channel, Machine};
-use efsat_engine::driver::{Contacts, Engine, Job, Objects, Options, StandIn};
+use efsat_engine::driver::{Contacts, Engine, Job, Objects, QueryOptions, StandIn};
 use efsat_engine::words::{EngineReport, Sums};
 use efsat_geometry::scene::{Frame, Meeting};
 use rayon::prelude::*;
@@ -109,7 +109,7 @@ pub fn run<E: Engine, F: From<E::Error>>(
     for batch in frames.chunks(BATCH) {
         let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.near.meetings(frame)).collect();
         // The memory stays as it is.
-        let options = Options { keep_caches: true, ..Options::default() };
+        let options = QueryOptions { keep_caches: true, ..QueryOptions::default() };
         let job = |meeting: &Meeting| -> Job<'_, '_> { objects.query(meeting.meshes, &meeting.pose, options) };
         let jobs: Vec<Job<'_, '_>> = meetings.par_iter().map(job).collect();
         let answers = objects.contacts(jobs, engine)?;

@@ -3,8 +3,8 @@
 use super::Reply;
 use efsat_engine::artefact::EngineDesign;
 use efsat_engine::host::{Image, memory};
-use efsat_engine::model::{Model, Outcome, Query};
-use efsat_engine::words::{Answer, EngineReport, Reason, Sums};
+use efsat_engine::model::{EngineOutcome, Model, Query};
+use efsat_engine::words::{EngineAnswer, EngineReport, Reason, Sums};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::borrow::Borrow;
@@ -97,7 +97,7 @@ pub fn check(
 }
 
 /// What differs where everything has to be equal.
-fn difference(due: &Outcome, reply: &Reply) -> Option<String> {
+fn difference(due: &EngineOutcome, reply: &Reply) -> Option<String> {
     let counts = |report: &EngineReport| {
         [
             ("reason", report.reason as u32),
@@ -114,7 +114,7 @@ fn difference(due: &Outcome, reply: &Reply) -> Option<String> {
     if let Some(((name, due), (_, found))) = pairs.find(|(due, found)| due != found) {
         return Some(format!("{name} {found}; expected {due}"));
     }
-    let sorted = |answers: &[Answer]| {
+    let sorted = |answers: &[EngineAnswer]| {
         let mut answers = answers.to_vec();
         answers.sort_unstable_by_key(|answer| (answer.triangles, answer.verdict));
         answers
@@ -129,7 +129,7 @@ fn difference(due: &Outcome, reply: &Reply) -> Option<String> {
 }
 
 /// What differs where a query ends early: the reason, or an answer that is none of `all`.
-fn early_end(due: &Outcome, all: &[Answer], reply: &Reply) -> Option<String> {
+fn early_end(due: &EngineOutcome, all: &[EngineAnswer], reply: &Reply) -> Option<String> {
     let (found, expected) = (reply.report.reason, due.report.reason);
     if found != expected {
         return Some(format!("reason {found:?}; expected {expected:?}"));

@@ -1,6 +1,5 @@
-//! What the unit reads: quantised numbers, triangle pairs and poses (contract section 2, the paper's equation 5).
+//! What the unit reads: quantised numbers, pairs of triangles and poses (contract section 2, the paper's equation 5).
 
-use super::interval::{Triple, Vector};
 use crate::params::Params;
 use efsat_hardware::number::{Interval, Upper};
 
@@ -57,22 +56,16 @@ pub struct Pose {
 impl Pose {
     /// The identity: M = I, t = 0, bypassed.
     pub fn identity(params: &Params) -> Self {
-        let one = Input::exact(params.one() as i64);
+        Self::with_one(params.one() as i64)
+    }
+
+    /// The identity where 1 has that mantissa.
+    pub fn with_one(one: i64) -> Self {
+        let one = Input::exact(one);
         let mut m = [[Input::default(); 3]; 3];
         for (i, row) in m.iter_mut().enumerate() {
             row[i] = one;
         }
         Self { m, t: [Input::default(); 3], bypass: true }
     }
-}
-
-/// A pair and its pose as enclosures, in units of the last place of [`Params::input`].
-#[derive(Clone, Debug)]
-pub struct Numbers<M> {
-    /// V0, V1, V2.
-    pub a: Triple<M>,
-    /// The vertices of B~.
-    pub b: Triple<M>,
-    /// M and t; none where B = B~.
-    pub pose: Option<(Triple<M>, Vector<M>)>,
 }

@@ -6,7 +6,8 @@
 //! low bits up.
 
 use crate::design::top::{pair_ports, pose_ports};
-use crate::golden::{Golden, Input, Outcome, Pair, Pose};
+use crate::golden::Golden;
+use crate::pair::{Input, Outcome, Pair, Pose};
 use crate::params::{Method, Params, Transform, options::Choice};
 use efsat_hardware::number::Upper;
 

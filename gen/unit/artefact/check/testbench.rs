@@ -4,12 +4,12 @@
 //! random gaps and back-pressure. Both passes
 //! are one clocked process, so that the built-in simulator can do the same, clock for clock.
 
-use super::Prefix;
-use super::bits::Bits;
 use super::vectors::{Word, answer_word, formats_line, pair_word, pose_word};
+use crate::artefact::Prefix;
+use crate::artefact::bits::Bits;
 use crate::design::sequencer;
 use crate::design::top::{Channel, Design};
-use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
+use crate::pair::{Input, Outcome, Pair, Pose, Verdict};
 use crate::params::Params;
 use askama::Template;
 

@@ -1,7 +1,7 @@
 //! Project files for ISE, for devices that it knows: the last release with Virtex-II is 10.1, Spartan-6 ends with 14.7.
 
-use super::project::Project;
-use super::{FileSet, Prefix, origin};
+use crate::artefact::files::project::Project;
+use crate::artefact::{FileSet, Prefix, origin};
 use crate::design::Design;
 use askama::Template;
 use efsat_hardware::device::{Family, Part};
@@ -42,7 +42,12 @@ struct ProjectScript<'a> {
 }
 
 /// Adds the project if ISE knows the device; `sources` are the synthesizable files in dependency order.
-pub(super) fn add(set: &mut FileSet, design: &Design, prefix: &Prefix, sources: &[String]) -> Option<Project> {
+pub(in crate::artefact) fn add(
+    set: &mut FileSet,
+    design: &Design,
+    prefix: &Prefix,
+    sources: &[String],
+) -> Option<Project> {
     let (releases, ending, options): (_, _, &[&str]) = match design.device.family {
         Family::Virtex2 => (
             "ISE 8.1 to 10.1",

@@ -1,11 +1,12 @@
 //! The AXI4-Stream wrapper of a design and its testbench: strict VHDL-93 from the layout in [`StreamFormat`].
 
-use super::bits::Bits;
-use super::{Prefix, stream_vectors, testbench};
+use crate::artefact::Prefix;
+use crate::artefact::bits::Bits;
+use crate::artefact::check::{stream_vectors, testbench};
 use crate::design::Design;
 use crate::design::top::{pair_ports, pose_ports};
-use crate::params::stream::{BYPASS_AT, Kind, STATUS_BITS, StreamFormat, TAG_AT};
 use crate::params::{Method, Params, Upper};
+use crate::words::{BYPASS_AT, PacketKind, STATUS_BITS, StreamFormat, TAG_AT};
 use askama::Template;
 
 /// Name of the wrapper's entity, without a prefix.
@@ -81,23 +82,23 @@ fn unit_inputs(p: &Params, format: &StreamFormat, assembly: u32) -> Vec<Field> {
         let place = if bits == 1 { low.to_string() } else { format!("{} downto {low}", low + bits - 1) };
         fields.push(Field { port: port.to_owned(), place });
     };
-    let mut numbers = |kind: Kind, names: &[String], base: u32| {
+    let mut numbers = |kind: PacketKind, names: &[String], base: u32| {
         for (i, name) in (0..).zip(names) {
             field(name, base + format.number_at(i), p.transform_width);
             if p.upper == Upper::Sticky {
                 field(&format!("{name}_sticky"), base + i, 1);
             }
         }
-        if kind == Kind::Pose {
+        if kind == PacketKind::Pose {
             field("pose_bypass", base + BYPASS_AT, 1);
         } else if p.tag_width > 0 {
             field("in_tag", base + TAG_AT, p.tag_width);
         }
     };
     let base = |kind| assembly - format.record_words(kind) * format.width.bits();
-    numbers(Kind::Pairs, &pair_ports(), base(Kind::Pairs));
+    numbers(PacketKind::Pairs, &pair_ports(), base(PacketKind::Pairs));
     if format.has_pose() {
-        numbers(Kind::Pose, &pose_ports(p), base(Kind::Pose));
+        numbers(PacketKind::Pose, &pose_ports(p), base(PacketKind::Pose));
     }
     fields
 }
@@ -131,13 +132,13 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
         format!(
             "In: packets of {width}-bit words, the last with TLAST. The first word is the header, in its low 32 bits:"
         ),
-        format!("  16#{:08x}#  pairs: any number of records follow, at least one", format.header(Kind::Pairs)),
+        format!("  16#{:08x}#  pairs: any number of records follow, at least one", format.header(PacketKind::Pairs)),
     ];
     if format.has_pose() {
-        lines.push(format!("  16#{:08x}#  pose: one record follows", format.header(Kind::Pose)));
+        lines.push(format!("  16#{:08x}#  pose: one record follows", format.header(PacketKind::Pose)));
     }
     lines.extend([
-        match format.record_words(Kind::Pairs) {
+        match format.record_words(PacketKind::Pairs) {
             1 => "A record is one word for a pair:".to_owned(),
             words => format!("A record is {words} words for a pair, the first in the low bits:"),
         },
@@ -160,7 +161,7 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
         lines.extend([
             format!(
                 "and {} for a pose, in the same places: bit 31 bypass, no tag, numbers",
-                match format.record_words(Kind::Pose) {
+                match format.record_words(PacketKind::Pose) {
                     1 => "one word".to_owned(),
                     words => format!("{words} words"),
                 }
@@ -203,7 +204,7 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
         String::new(),
         format!(
             "Full back-pressure both ways: neither ready depends on a valid or ready of the other side. A pair {}.",
-            match pair_period(p, format) {
+            match format.pair_period(p.interval()) {
                 1 => "per clock".to_owned(),
                 clocks => format!("every {clocks} clocks"),
             }
@@ -212,18 +213,13 @@ fn description(p: &Params, format: &StreamFormat) -> Vec<String> {
     lines
 }
 
-/// Clocks from pair to pair inside a long packet: as many as it has words, in whole slots of the unit.
-pub fn pair_period(p: &Params, format: &StreamFormat) -> usize {
-    (format.record_words(Kind::Pairs) as usize).next_multiple_of(p.interval())
-}
-
 /// The text of the wrapper, `origin` on top.
 pub fn wrapper(design: &Design, format: &StreamFormat, prefix: &Prefix, origin: &[String]) -> String {
     let p = &design.params;
     let mut header = origin.to_vec();
     header.push(String::new());
     header.extend(description(p, format));
-    let [pair_words, pose_words] = [Kind::Pairs, Kind::Pose].map(|kind| format.record_words(kind));
+    let [pair_words, pose_words] = [PacketKind::Pairs, PacketKind::Pose].map(|kind| format.record_words(kind));
     let assembly = format.width.bits() * if format.has_pose() { pair_words.max(pose_words) } else { pair_words };
     // More than the unit holds, so that it is never the first to be full.
     let places = 2 * design.places;
@@ -236,8 +232,8 @@ pub fn wrapper(design: &Design, format: &StreamFormat, prefix: &Prefix, origin: 
         keep: Bits::all(format.width.bits() / 8),
         answer: Bits::all(format.answer_width()),
         answer_keep: Bits::all(format.answer_width() / 8),
-        pairs_header: format!("{:08x}", format.header(Kind::Pairs)),
-        pose_header: format!("{:08x}", format.header(Kind::Pose)),
+        pairs_header: format!("{:08x}", format.header(PacketKind::Pairs)),
+        pose_header: format!("{:08x}", format.header(PacketKind::Pose)),
         has_pose: format.has_pose(),
         pair_words,
         pose_words,
@@ -274,7 +270,7 @@ pub fn bench(design: &Design, format: &StreamFormat, prefix: &Prefix, origin: &[
         patience: 4096 + 4 * design.latency,
         full_after: testbench::full_after(design) + 64,
         // The header, a pair in the unit, and one that waits for its slot.
-        begun: 1 + 2 * format.record_words(Kind::Pairs),
+        begun: 1 + 2 * format.record_words(PacketKind::Pairs),
         half_period: format!("{} ps", testbench::half_period(p)),
     };
     bench.render().expect("the template renders")

@@ -1,11 +1,11 @@
 //! Projects for build tools, and instances to copy.
 
-use super::file_lists::{Bench, FileLists};
-use super::{FileSet, Packaging, Prefix, origin};
+use crate::artefact::files::file_lists::{BenchFiles, FileLists};
+use crate::artefact::{FileSet, Packaging, Prefix, origin};
 use crate::design::Design;
 use crate::params::options::Choice;
-use crate::params::stream::{StreamFormat, StreamWidth};
 use crate::params::{Method, Params};
+use crate::words::{StreamFormat, StreamWidth};
 use askama::Template;
 use efsat_hardware::device::{Device, Family, Part};
 use efsat_hardware::op::Type;
@@ -21,7 +21,7 @@ struct Core<'a> {
     synthesis: Synthesis,
     sources: &'a [String],
     example: &'a [String],
-    benches: &'a [Bench],
+    benches: &'a [BenchFiles],
 }
 
 /// The tool that synthesises for a device, as FuseSoC calls it, and what it must know.
@@ -48,7 +48,7 @@ impl Synthesis {
 
 /// The name of the FuseSoC core: by what it differs from the default design of its method, so that cores of all parameters
 /// can lie in one library; or by the prefix.
-pub(super) fn core_name(params: &Params, packaging: &Packaging) -> String {
+pub(in crate::artefact) fn core_name(params: &Params, packaging: &Packaging) -> String {
     let mut name = packaging.prefix.of("efsat");
     if packaging.prefix.name().is_none() {
         if params.method != Method::Axes {
@@ -69,7 +69,7 @@ pub(super) fn core_name(params: &Params, packaging: &Packaging) -> String {
 struct VUnit<'a> {
     header: &'a [String],
     prefix: &'a Prefix,
-    benches: &'a [Bench],
+    benches: &'a [BenchFiles],
 }
 
 #[derive(Template)]
@@ -121,7 +121,7 @@ fn instances(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [Instan
 }
 
 /// Adds all projects; returns name (or folder) and description of each.
-pub(super) fn add(
+pub(in crate::artefact) fn add(
     set: &mut FileSet,
     design: &Design,
     format: &StreamFormat,

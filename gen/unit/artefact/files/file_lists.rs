@@ -4,7 +4,7 @@ use super::Prefix;
 
 /// A testbench.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Bench {
+pub struct BenchFiles {
     /// Its entity.
     pub entity: String,
     /// Its file.
@@ -29,7 +29,7 @@ pub struct FileLists {
     /// The example design around the wrapper.
     pub example: [String; 3],
     /// Testbenches of the unit, the wrapper and the example.
-    pub benches: [Bench; 3],
+    pub benches: [BenchFiles; 3],
 }
 
 impl FileLists {
@@ -46,7 +46,7 @@ impl FileLists {
         let file = |folder: &str, entity: &str| format!("{folder}{prefix}{entity}.vhd");
         let bench = |entity, folder: &str, has_vectors, what, target| {
             let vectors = if has_vectors { format!("{prefix}{entity}.vec") } else { String::new() };
-            Bench { entity: prefix.of(entity), file: file(folder, entity), vectors, what, target }
+            BenchFiles { entity: prefix.of(entity), file: file(folder, entity), vectors, what, target }
         };
         Self {
             constants: file("", "efsat_constants"),

@@ -58,7 +58,7 @@ impl Drop for Scratch {
 }
 
 /// Runs `action`; an interruption waits until it is done.
-pub(super) fn uninterrupted<T>(action: impl FnOnce() -> T) -> T {
+pub(in crate::artefact) fn uninterrupted<T>(action: impl FnOnce() -> T) -> T {
     let _waits = live();
     action()
 }

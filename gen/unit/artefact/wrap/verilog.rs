@@ -1,9 +1,10 @@
 //! The design in Verilog, for tools that read no VHDL: which file is made of which. Who has GHDL makes them.
 
+use super::board;
 use super::example::Core;
-use super::file_lists::FileLists;
-use super::verilog_file::VerilogFile;
-use super::{FileSet, Prefix, board};
+use crate::artefact::VerilogFile;
+use crate::artefact::files::file_lists::FileLists;
+use crate::artefact::{FileSet, Prefix};
 use crate::design::Design;
 
 /// The Verilog files of a set of VHDL files: the unit in its wrapper, and what is around it on a board whose tools read no

@@ -1,7 +1,7 @@
 //! The ready designs: those that are generated ahead, each in a folder of its own.
 
-use crate::params::stream::StreamWidth;
 use crate::params::{Method, Params};
+use crate::words::StreamWidth;
 
 /// A design that is generated ahead for its users.
 pub struct ReadyDesign {

@@ -1,15 +1,10 @@
-//! What others must know of a design, as named constants: one list, which is printed as a VHDL package, a C header and a
-//! Python module. So all of them agree.
+//! What others must know of a design, as named constants: one list, of which a VHDL package, a C header and a Python module are
+//! printed. So all of them agree.
 
-use super::{Prefix, origin, stream};
+use super::{BYPASS_AT, MALFORMED, OUTSIDE, PacketKind, REASON_AT, REPORT, STATUS_BITS, StreamFormat, TAG_AT};
 use crate::design::Design;
-use crate::golden::Verdict;
-use crate::params::options::Choice;
-use crate::params::stream::{
-    BYPASS_AT, Kind, MALFORMED, OUTSIDE, REASON_AT, REPORT, STATUS_BITS, StreamFormat, TAG_AT,
-};
+use crate::pair::Verdict;
 use crate::params::{Method, Params, Quantity, Transform, Upper};
-use askama::Template;
 
 /// A constant.
 pub struct Constant {
@@ -35,6 +30,38 @@ impl Constant {
     /// An end of a range, for hosts alone.
     fn end(name: &'static str, value: i64, what: &'static str) -> Self {
         Self { name, value: Value::End(value), what }
+    }
+
+    /// Its name in upper case.
+    pub fn upper(&self) -> String {
+        self.name.to_uppercase()
+    }
+
+    /// Its value in C.
+    pub fn c(&self) -> String {
+        match self.value {
+            Value::Number(number) => number.to_string(),
+            Value::Word(word) => format!("UINT32_C(0x{word:08x})"),
+            Value::End(end) => format!("INT64_C({end})"),
+        }
+    }
+
+    /// Its value in Python.
+    pub fn python(&self) -> String {
+        match self.value {
+            Value::Number(number) => number.to_string(),
+            Value::Word(word) => format!("0x{word:08x}"),
+            Value::End(end) => end.to_string(),
+        }
+    }
+
+    /// The subtype and the value in VHDL.
+    pub fn vhdl(&self) -> String {
+        match self.value {
+            Value::Number(number) => format!("natural := {number}"),
+            Value::Word(word) => format!("std_logic_vector(31 downto 0) := x\"{word:08x}\""),
+            Value::End(_) => unreachable!("packages in VHDL have no ranges, which may be beyond its integers"),
+        }
     }
 }
 
@@ -108,7 +135,7 @@ pub fn refusals<const N: usize>(list: [(&'static str, &'static str); N]) -> Vec<
 }
 
 /// All constants of a design with a stream of that format. What the design does not have is not among them.
-pub(super) fn groups(design: &Design, format: &StreamFormat) -> Vec<Group> {
+pub fn groups(design: &Design, format: &StreamFormat) -> Vec<Group> {
     let p = &design.params;
     let number = |name, value, what| Some(Constant::number(name, value, what));
     let word = |name, value, what| Some(Constant::word(name, value, what));
@@ -152,16 +179,17 @@ pub(super) fn groups(design: &Design, format: &StreamFormat) -> Vec<Group> {
             vec![
                 number("word_bits", format.width.bits(), "bits of a word in"),
                 number("answer_word_bits", format.answer_width(), "bits of a word out"),
-                number("pair_words", format.record_words(Kind::Pairs), "words of the record of a pair"),
-                number("pair_numbers", format.numbers(Kind::Pairs), "numbers in it"),
-                number("pose_words", format.record_words(Kind::Pose), "words of the record of a pose")
+                number("pair_words", format.record_words(PacketKind::Pairs), "words of the record of a pair"),
+                number("pair_numbers", format.numbers(PacketKind::Pairs), "numbers in it"),
+                number("pose_words", format.record_words(PacketKind::Pose), "words of the record of a pose")
                     .filter(|_| has_pose),
-                number("pose_numbers", format.numbers(Kind::Pose), "numbers in it").filter(|_| has_pose),
-                word("pairs_header", format.header(Kind::Pairs), "header of a packet of pairs"),
-                word("pose_header", format.header(Kind::Pose), "header of a packet of a pose").filter(|_| has_pose),
+                number("pose_numbers", format.numbers(PacketKind::Pose), "numbers in it").filter(|_| has_pose),
+                word("pairs_header", format.header(PacketKind::Pairs), "header of a packet of pairs"),
+                word("pose_header", format.header(PacketKind::Pose), "header of a packet of a pose")
+                    .filter(|_| has_pose),
                 number(
                     "stream_clocks_per_pair",
-                    stream::pair_period(p, format) as u32,
+                    format.pair_period(p.interval()) as u32,
                     "clocks from pair to pair in a long packet",
                 ),
             ],
@@ -191,138 +219,4 @@ pub(super) fn groups(design: &Design, format: &StreamFormat) -> Vec<Group> {
             ],
         ),
     ]
-}
-
-#[derive(Template)]
-#[template(path = "efsat_constants.vhd", escape = "none")]
-struct Package<'a> {
-    header: Vec<String>,
-    prefix: &'a Prefix,
-    /// What the constants are of, whose name begins that of the package, and for whom they are.
-    of: &'a str,
-    whose: &'a str,
-    groups: Vec<Group>,
-}
-
-impl Constant {
-    /// Its name in upper case.
-    pub fn upper(&self) -> String {
-        self.name.to_uppercase()
-    }
-
-    /// Its value in C.
-    pub fn c(&self) -> String {
-        match self.value {
-            Value::Number(number) => number.to_string(),
-            Value::Word(word) => format!("UINT32_C(0x{word:08x})"),
-            Value::End(end) => format!("INT64_C({end})"),
-        }
-    }
-
-    /// Its value in Python.
-    pub fn python(&self) -> String {
-        match self.value {
-            Value::Number(number) => number.to_string(),
-            Value::Word(word) => format!("0x{word:08x}"),
-            Value::End(end) => end.to_string(),
-        }
-    }
-
-    /// The subtype and the value in VHDL.
-    fn vhdl(&self) -> String {
-        match self.value {
-            Value::Number(number) => format!("natural := {number}"),
-            Value::Word(word) => format!("std_logic_vector(31 downto 0) := x\"{word:08x}\""),
-            Value::End(_) => unreachable!("packages in VHDL have no ranges, which may be beyond its integers"),
-        }
-    }
-}
-
-/// What the files of the host side are made of.
-struct Host<'a> {
-    header: Vec<String>,
-    prefix: &'a Prefix,
-    /// The entity behind the words, and what stands before the names of constants.
-    base: &'static str,
-    upper: String,
-    groups: Vec<Group>,
-    refusals: Vec<Refusal>,
-    /// The first refusals that are about unsigned numbers, and that expect nothing in particular.
-    unsigned: &'static str,
-    unexpected: &'static str,
-    has_tag: bool,
-    is_sticky: bool,
-    has_pose: bool,
-    has_matrix: bool,
-    has_outside: bool,
-    /// Whether a guard takes numbers outside their ranges, and which functions there are for it.
-    has_guards: bool,
-    variants: &'static [bool],
-    method: &'static str,
-    edge_test: bool,
-}
-
-/// The file in C.
-#[derive(Template)]
-#[template(path = "host/efsat.h", escape = "none")]
-struct Header<'a> {
-    h: &'a Host<'a>,
-}
-
-/// The file in Python.
-#[derive(Template)]
-#[template(path = "host/efsat.py", escape = "none")]
-struct Module<'a> {
-    h: &'a Host<'a>,
-}
-
-/// The host side in C and in Python: names and texts.
-pub(super) fn host(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [(String, String); 2] {
-    let p = &design.params;
-    let mut groups = groups(design, format);
-    groups.insert(1, ranges(p));
-    let host = Host {
-        header: origin(),
-        prefix,
-        base: "efsat",
-        upper: prefix.of("efsat").to_uppercase(),
-        groups,
-        refusals: refusals([
-            ("COORDINATE", Quantity::Coordinate.name()),
-            ("ENTRY", Quantity::Entry.name()),
-            ("TRANSLATION", Quantity::Translation.name()),
-            ("NUMBER", Quantity::Unread.name()),
-            ("STICKY", "sticky bits"),
-            ("TAG", "tag"),
-            ("ORDER", "tag of answer"),
-            ("SIZE", "bytes of the answer"),
-            ("REPORT", "a report in place of a verdict, answer"),
-            ("ANSWER", "a word that no unit of this design sends, answer"),
-        ]),
-        unsigned: "TAG",
-        unexpected: "REPORT",
-        has_tag: p.tag_width > 0,
-        is_sticky: p.upper == Upper::Sticky,
-        has_pose: format.has_pose(),
-        has_matrix: p.transform == Transform::On,
-        has_outside: p.guarded(),
-        has_guards: p.has_guards(),
-        variants: if p.has_guards() { &[false, true] } else { &[false] },
-        method: p.method.name(),
-        edge_test: p.edge_test,
-    };
-    let texts = [("efsat.h", Header { h: &host }.render()), ("efsat.py", Module { h: &host }.render())];
-    texts.map(|(name, text)| (format!("host/{}", prefix.of(name)), text.expect("the template renders")))
-}
-
-/// The package of constants in VHDL.
-pub(super) fn package(design: &Design, format: &StreamFormat, prefix: &Prefix) -> String {
-    let whose = format!("{prefix}efsat or {prefix}efsat_stream. The unit");
-    constants_package(groups(design, format), prefix, "efsat", &whose)
-}
-
-/// The package of constants of an entity; `whose` says for whom they are, and who does not use them.
-pub fn constants_package(groups: Vec<Group>, prefix: &Prefix, of: &str, whose: &str) -> String {
-    let package = Package { header: origin(), prefix, of, whose, groups };
-    package.render().expect("the template renders")
 }

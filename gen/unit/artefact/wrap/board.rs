@@ -2,10 +2,10 @@
 //! bitstream.
 
 use super::example::Core;
-use super::file_lists::FileLists;
-use super::project::Project;
-use super::verilog_file::VerilogFile;
-use super::{FileSet, Prefix, origin};
+use crate::artefact::VerilogFile;
+use crate::artefact::files::file_lists::FileLists;
+use crate::artefact::files::project::Project;
+use crate::artefact::{FileSet, Prefix, origin};
 use crate::design::Design;
 use askama::Template;
 

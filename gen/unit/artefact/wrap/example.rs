@@ -1,12 +1,13 @@
 //! The example design: the wrapped unit, or the engine, behind a UART; and the testbench of the former.
 
-use super::bits::Bits;
-use super::file_lists::FileLists;
-use super::{FileSet, Prefix, origin};
+use crate::artefact::bits::Bits;
+use crate::artefact::files::file_lists::FileLists;
+use crate::artefact::{FileSet, Prefix, origin};
 use crate::design::Design;
-use crate::golden::{Golden, Input, Pose};
+use crate::golden::Golden;
 use crate::host::{Host, loose_pair};
-use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, StreamWord, verdict_status};
+use crate::pair::Pose;
+use crate::words::{AnswerFields, PacketKind, StreamFormat, StreamReport, StreamWord};
 use askama::Template;
 
 /// What is behind the UART. Both have the ports of an AXI4-Stream in and of one out.
@@ -119,16 +120,10 @@ fn bench(design: &Design, format: &StreamFormat, prefix: &Prefix, header: &[Stri
         unreachable!("a loose pair is inside the declared ranges")
     };
     let pose = Pose::identity(p);
-    let plain = |x: &Input| (x.lo, x.sticky);
     let header_word = |kind| StreamWord::from(u128::from(format.header(kind)));
     let tag = TAG & u64::MAX.checked_shr(64 - p.tag_width).unwrap_or(0);
     let outcome = Golden::new(p).outcome(&pose, &pair);
-    let verdict = AnswerFields {
-        status: verdict_status(outcome.verdict as u8, outcome.outside),
-        tag,
-        separated: outcome.separated,
-        overlapping: outcome.overlapping,
-    };
+    let verdict = AnswerFields::verdict(tag, &outcome);
     let (width, answer_width) = (format.width.bits(), format.answer_width());
     let answer = |name, what, fields: &AnswerFields| packet(name, what, &[format.answer(fields).into()], answer_width);
     let (mut packets, mut steps) = (vec![], vec![]);
@@ -137,9 +132,9 @@ fn bench(design: &Design, format: &StreamFormat, prefix: &Prefix, header: &[Stri
         packets.extend([bytes, expected]);
     };
     if format.has_pose() {
-        let record = format.pose_record(true, pose.m.iter().flatten().chain(&pose.t).map(plain));
-        let words = [vec![header_word(Kind::Pose)], record].concat();
-        let taken = AnswerFields::report(Report::PoseTaken);
+        let record = format.pose_record(&pose);
+        let words = [vec![header_word(PacketKind::Pose)], record].concat();
+        let taken = AnswerFields::report(StreamReport::PoseTaken);
         exchange(
             "pose_packet",
             "pose_answer",
@@ -147,15 +142,15 @@ fn bench(design: &Design, format: &StreamFormat, prefix: &Prefix, header: &[Stri
             answer("pose_answer", "Pose taken.", &taken),
         );
     }
-    let record = format.pair_record(tag, pair.a.iter().chain(&pair.b).flatten().map(plain));
-    let words = [vec![header_word(Kind::Pairs)], record].concat();
+    let record = format.pair_record(tag, &pair);
+    let words = [vec![header_word(PacketKind::Pairs)], record].concat();
     exchange(
         "pair_packet",
         "pair_answer",
         packet("pair_packet", "A vertex through a face.", &words, width),
         answer("pair_answer", "Verdict, tag and flags of the reference model.", &verdict),
     );
-    let unknown = AnswerFields::report(Report::UnknownHeader);
+    let unknown = AnswerFields::report(StreamReport::UnknownHeader);
     exchange(
         "stray_bytes",
         "stray_answer",
@@ -167,7 +162,13 @@ fn bench(design: &Design, format: &StreamFormat, prefix: &Prefix, header: &[Stri
 }
 
 /// Adds the example with its testbench.
-pub(super) fn add(set: &mut FileSet, design: &Design, format: &StreamFormat, prefix: &Prefix, lists: &FileLists) {
+pub(in crate::artefact) fn add(
+    set: &mut FileSet,
+    design: &Design,
+    format: &StreamFormat,
+    prefix: &Prefix,
+    lists: &FileLists,
+) {
     add_top(set, Core::Unit, design.params.frequency, [format.width.bits(), format.answer_width()], prefix);
     set.insert(&lists.benches[2].file, bench(design, format, prefix, &origin()));
 }

@@ -1,8 +1,8 @@
 //! Seeded stimuli that reach every part of the unit.
 
 use super::Stimulus;
-use crate::golden::Pose;
 use crate::host::sample::{self, Outside};
+use crate::pair::Pose;
 use crate::params::{Params, Transform};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};

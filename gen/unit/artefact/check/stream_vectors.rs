@@ -5,9 +5,10 @@
 //! A word that is not whole lacks its highest byte by TKEEP.
 
 use super::{Stimulus, vectors};
-use crate::golden::{Golden, Input, Pair, Pose};
+use crate::golden::Golden;
+use crate::pair::{Input, Pair, Pose};
 use crate::params::Params;
-use crate::params::stream::{AnswerFields, Kind, Report, StreamFormat, StreamWord, verdict_status};
+use crate::words::{AnswerFields, PacketKind, StreamFormat, StreamReport, StreamWord};
 
 /// Pairs of the first packet that fill the default design.
 pub const FILLING: usize = 22;
@@ -44,10 +45,6 @@ pub fn formats_line(p: &Params, format: &StreamFormat) -> String {
     format!("{vectors} tag {} stream {} to {}", p.tag_width, format.width.bits(), format.answer_width())
 }
 
-fn plain(x: &Input) -> (i64, bool) {
-    (x.lo, x.sticky)
-}
-
 /// Makes vectors packet by packet.
 pub struct Maker<'a> {
     golden: Golden,
@@ -66,7 +63,7 @@ impl<'a> Maker<'a> {
         Self { golden: Golden::new(p), format, pose: Pose::identity(p), tag: 0, vectors }
     }
 
-    fn header(&self, kind: Kind) -> Vec<StreamWord> {
+    fn header(&self, kind: PacketKind) -> Vec<StreamWord> {
         vec![u128::from(self.format.header(kind)).into()]
     }
 
@@ -86,7 +83,7 @@ impl<'a> Maker<'a> {
         self.vectors.words[end - from_end].whole = false;
     }
 
-    fn report(&mut self, report: Report) {
+    fn report(&mut self, report: StreamReport) {
         self.vectors.answers.push((self.format.answer(&AnswerFields::report(report)), true));
     }
 
@@ -96,19 +93,14 @@ impl<'a> Maker<'a> {
         // Some tag that uses all bits.
         self.tag = self.tag.wrapping_add(0x9e37_79b9_7f4a_7c15);
         let tag = self.tag & u64::MAX.checked_shr(64 - self.format.tag_width).unwrap_or(0);
-        let fields = AnswerFields {
-            status: verdict_status(outcome.verdict as u8, outcome.outside),
-            tag,
-            separated: outcome.separated,
-            overlapping: outcome.overlapping,
-        };
+        let fields = AnswerFields::verdict(tag, &outcome);
         self.vectors.answers.push((self.format.answer(&fields), last));
-        self.format.pair_record(tag, pair.a.iter().chain(&pair.b).flatten().map(plain))
+        self.format.pair_record(tag, pair)
     }
 
     /// A packet of pairs.
     pub fn pairs(&mut self, pairs: &[Pair]) {
-        let mut words = self.header(Kind::Pairs);
+        let mut words = self.header(PacketKind::Pairs);
         for (i, pair) in pairs.iter().enumerate() {
             words.extend(self.pair(pair, i + 1 == pairs.len()));
         }
@@ -116,8 +108,8 @@ impl<'a> Maker<'a> {
     }
 
     fn pose_words(&self, pose: &Pose) -> Vec<StreamWord> {
-        let mut words = self.header(Kind::Pose);
-        words.extend(self.format.pose_record(pose.bypass, pose.m.iter().flatten().chain(&pose.t).map(plain)));
+        let mut words = self.header(PacketKind::Pose);
+        words.extend(self.format.pose_record(pose));
         words
     }
 
@@ -126,7 +118,7 @@ impl<'a> Maker<'a> {
         if self.format.has_pose() {
             let words = self.pose_words(pose);
             self.send(words);
-            self.report(Report::PoseTaken);
+            self.report(StreamReport::PoseTaken);
             self.pose = *pose;
         }
     }
@@ -168,26 +160,26 @@ impl<'a> Maker<'a> {
     /// Packets of pairs or a pose that are none, with what is to be said of each.
     pub fn malformed(&mut self, pair: &Pair, pose: &Pose) {
         // A header of another design, with a pair after it.
-        let record = self.format.pair_record(0, pair.a.iter().chain(&pair.b).flatten().map(plain));
-        let other = u128::from(self.format.header(Kind::Pairs) ^ 1 << 8).into();
+        let record = self.format.pair_record(0, pair);
+        let other = u128::from(self.format.header(PacketKind::Pairs) ^ 1 << 8).into();
         self.send([vec![other], record.clone()].concat());
-        self.report(Report::UnknownHeader);
-        self.send(self.header(Kind::Pairs));
-        self.report(Report::TooShort);
+        self.report(StreamReport::UnknownHeader);
+        self.send(self.header(PacketKind::Pairs));
+        self.report(StreamReport::TooShort);
         let several = record.len() > 1;
         if several {
             // A pair, and then another that lacks its last word.
-            let mut words = self.header(Kind::Pairs);
+            let mut words = self.header(PacketKind::Pairs);
             words.extend(self.pair(pair, false));
             words.extend_from_within(1..words.len() - 1);
             self.send(words);
-            self.report(Report::TooShort);
+            self.report(StreamReport::TooShort);
         }
         // A pair that lacks a byte, in its last word and elsewhere; a header that does.
-        let words = [self.header(Kind::Pairs), record.clone()].concat();
+        let words = [self.header(PacketKind::Pairs), record.clone()].concat();
         let size = words.len();
-        let mut lacking = vec![(0, Report::TooShort), (size - 1, Report::UnknownHeader)];
-        lacking.extend(several.then_some((1, Report::TooShort)));
+        let mut lacking = vec![(0, StreamReport::TooShort), (size - 1, StreamReport::UnknownHeader)];
+        lacking.extend(several.then_some((1, StreamReport::TooShort)));
         for (from_end, report) in lacking {
             self.send(words.clone());
             self.lacks_byte(from_end);
@@ -197,19 +189,19 @@ impl<'a> Maker<'a> {
             let words = self.pose_words(pose);
             self.send(words.clone());
             self.lacks_byte(0);
-            self.report(Report::TooShort);
+            self.report(StreamReport::TooShort);
             self.send([words.clone(), vec![StreamWord::default()]].concat());
-            self.report(Report::TooLong);
+            self.report(StreamReport::TooLong);
             self.send([words.clone(), words.clone()].concat());
-            self.report(Report::TooLong);
+            self.report(StreamReport::TooLong);
             self.send(words[..words.len() - 1].to_vec());
-            self.report(Report::TooShort);
+            self.report(StreamReport::TooShort);
             self.send(words[..1].to_vec());
-            self.report(Report::TooShort);
+            self.report(StreamReport::TooShort);
         } else {
             // A pose for a unit that has none.
-            self.send([self.header(Kind::Pose), vec![StreamWord::default(); 3]].concat());
-            self.report(Report::UnknownHeader);
+            self.send([self.header(PacketKind::Pose), vec![StreamWord::default(); 3]].concat());
+            self.report(StreamReport::UnknownHeader);
         }
     }
 }
@@ -231,7 +223,7 @@ pub fn mixed(p: &Params, format: &StreamFormat, first: usize) -> StreamVectors {
     maker.outside(p);
     let other = pairs(1, 9)[0].0;
     maker.send(vec![StreamWord::default()]);
-    maker.report(Report::UnknownHeader);
+    maker.report(StreamReport::UnknownHeader);
     maker.malformed(&first[0], &other);
     // The old pose still holds: pairs that the malformed one would answer differently, where there are such.
     let answer = |pose: &Pose, pair: &Pair| maker.golden.outcome(pose, pair);

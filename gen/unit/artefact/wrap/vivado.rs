@@ -1,8 +1,8 @@
 //! Project and IP packaging for Vivado, for devices that it knows.
 
 use super::drop_in::core_name;
-use super::project::Project;
-use super::{FileSet, Packaging, Prefix, origin};
+use crate::artefact::files::project::Project;
+use crate::artefact::{FileSet, Packaging, Prefix, origin};
 use crate::design::Design;
 use askama::Template;
 use efsat_hardware::device::Family;
@@ -38,7 +38,7 @@ struct PackageIp<'a> {
 }
 
 /// Adds the project if Vivado knows the device; `sources` are the synthesizable files in dependency order.
-pub(super) fn add(
+pub(in crate::artefact) fn add(
     set: &mut FileSet,
     design: &Design,
     packaging: &Packaging,

@@ -8,7 +8,7 @@ use super::edge_test::{Seen, Side, pierced, seen};
 use super::interval::{Factor, Factors, Interval};
 use super::projection::projection;
 use super::rounding::{Rounding, Roundings, working};
-use crate::params::{AxisKind, Formats, Params, Projections, Row};
+use crate::params::{AxisKind, FormatRow, Formats, Params, Projections};
 use efsat_hardware::graph::{Phases, Sig, Signals, Top, Vec3};
 use efsat_hardware::op::Type;
 
@@ -50,7 +50,8 @@ pub(super) fn axes<'l>(
         (jobs.late(|axis| axis.in_plane() && !pure), pure)
     };
     let jobs: Vec<(Phases<Axis>, bool)> = (0..units).map(jobs).collect();
-    let stage = Stage { u, p, edges, cross: Table::crosses(formats, &all), project: Table::projections(formats, &all) };
+    let stage =
+        Tester { u, p, edges, cross: Table::crosses(formats, &all), project: Table::projections(formats, &all) };
     // The normals as the in-plane axes take them: connected when they have been computed.
     let promised = [AxisKind::NormalA, AxisKind::NormalB].map(|kind| {
         let bound = formats.axis(kind).bound;
@@ -104,7 +105,7 @@ pub(super) fn axes<'l>(
 }
 
 /// What all axis units share.
-struct Stage<'l, 'a> {
+struct Tester<'l, 'a> {
     u: Top<'l>,
     p: &'a Params,
     edges: &'a Edges<'l>,
@@ -112,7 +113,7 @@ struct Stage<'l, 'a> {
     project: Table,
 }
 
-impl<'l> Stage<'l, '_> {
+impl<'l> Tester<'l, '_> {
     fn factor(&self, of: Of, normals: [Option<Factors<'l>>; 2]) -> Factors<'l> {
         match of {
             Of::EdgeA(k) => self.edges.a[k],
@@ -270,7 +271,7 @@ impl Table {
     }
 
     /// `row` gives the exact fraction bits, the row of the result and the formats of the operands.
-    fn new<'f>(axes: &[Axis], names: [&str; 3], row: impl Fn(&Axis) -> (i32, &'f Row, [String; 2])) -> Self {
+    fn new<'f>(axes: &[Axis], names: [&str; 3], row: impl Fn(&Axis) -> (i32, &'f FormatRow, [String; 2])) -> Self {
         let [e, f, l] = names;
         let mut text = vec![format!("  {:<12} {e:<7} {f:<7} {l:<7} {:<10} rounding", "axis", format!("|{l}| <="))];
         let mut ways: Vec<(AxisKind, Rounding)> = vec![];
@@ -317,7 +318,7 @@ fn kind_name(kind: AxisKind) -> String {
     }
 }
 
-fn row_of(formats: &Formats, factor: Of) -> &Row {
+fn row_of(formats: &Formats, factor: Of) -> &FormatRow {
     match factor {
         Of::EdgeA(k) => &formats.edge_a[k],
         Of::EdgeB(_) => &formats.edge_b,

@@ -1,8 +1,8 @@
-//! The stages in which accuracy is lost, and sets of those that are made exact.
+//! Where accuracy is lost, and sets of such places that are made exact.
 
 /// Where numbers are rounded, in the order of the data flow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Stage {
+pub enum Loss {
     /// Vertices and pose to the input format (contract section 2).
     Input,
     /// B = M B~ + t to the input format (section 3).
@@ -15,11 +15,11 @@ pub enum Stage {
     Projection,
 }
 
-impl Stage {
-    /// All stages.
+impl Loss {
+    /// All of them.
     pub const ALL: [Self; 5] = [Self::Input, Self::Transform, Self::Renormalise, Self::Axis, Self::Projection];
 
-    /// What the stage is called.
+    /// What it is called.
     pub fn name(self) -> &'static str {
         match self {
             Self::Input => "input quantisation",
@@ -31,11 +31,11 @@ impl Stage {
     }
 }
 
-/// The stages that are exact, a bit each.
+/// The places that are exact, a bit each.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Exact(u8);
+pub struct Lossless(u8);
 
-impl Exact {
+impl Lossless {
     /// As the unit computes.
     pub const NONE: Self = Self(0);
     /// No rounding at all.
@@ -51,14 +51,14 @@ impl Exact {
         self.0.into()
     }
 
-    /// Whether a stage is exact.
-    pub fn has(self, stage: Stage) -> bool {
-        self.0 >> stage as u8 & 1 == 1
+    /// Whether one is exact.
+    pub fn has(self, loss: Loss) -> bool {
+        self.0 >> loss as u8 & 1 == 1
     }
 
     /// With one more.
-    pub fn and(self, stage: Stage) -> Self {
-        Self(self.0 | 1 << stage as u8)
+    pub fn and(self, loss: Loss) -> Self {
+        Self(self.0 | 1 << loss as u8)
     }
 
     /// How many.

@@ -1,9 +1,9 @@
 //! `manifest.json`: what a design is, for programs that read it.
 
-use super::{FileSet, stream};
+use super::FileSet;
 use crate::design::Design;
 use crate::params::Params;
-use crate::params::stream::{Kind, StreamFormat};
+use crate::words::{PacketKind, StreamFormat};
 use efsat_hardware::op::{Range, Type};
 use efsat_hardware::vhdl;
 use serde::Serialize;
@@ -59,15 +59,15 @@ struct Stream {
 
 impl Stream {
     fn new(params: &Params, format: &StreamFormat) -> Self {
-        let pose = format.has_pose().then_some(Kind::Pose);
+        let pose = format.has_pose().then_some(PacketKind::Pose);
         Self {
             word_bits: format.width.bits(),
             answer_word_bits: format.answer_width(),
-            pairs_header: format.header(Kind::Pairs),
+            pairs_header: format.header(PacketKind::Pairs),
             pose_header: pose.map(|kind| format.header(kind)),
-            pair_words: format.record_words(Kind::Pairs),
+            pair_words: format.record_words(PacketKind::Pairs),
             pose_words: pose.map(|kind| format.record_words(kind)),
-            clocks_per_pair: stream::pair_period(params, format),
+            clocks_per_pair: format.pair_period(params.interval()),
         }
     }
 }
@@ -137,7 +137,12 @@ fn value(text: &str) -> serde_json::Value {
 }
 
 /// The manifest of a design, the format of its stream where there is a wrapper, and of all other files of the set.
-pub(super) fn text(design: &Design, format: Option<&StreamFormat>, command_line: &str, files: &FileSet) -> String {
+pub(in crate::artefact) fn text(
+    design: &Design,
+    format: Option<&StreamFormat>,
+    command_line: &str,
+    files: &FileSet,
+) -> String {
     let part = design.device.part;
     let manifest = Manifest {
         generator: format!("efsat {}", env!("CARGO_PKG_VERSION")),
@@ -184,7 +189,7 @@ mod tests {
     use super::*;
     use crate::params::Method;
     use crate::params::options::Choice;
-    use crate::params::stream::StreamWidth;
+    use crate::words::StreamWidth;
 
     #[test]
     fn the_default_manifest() {

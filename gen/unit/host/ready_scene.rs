@@ -13,7 +13,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 const FINITE: &str = "meshes and poses are finite";
 
 /// A scene made ready for its pairs: trees, and the meshes of every meeting normalised and quantised.
-pub struct Stage<'a> {
+pub struct ReadyScene<'a> {
     scene: &'a Scene,
     params: Params,
     /// Finds the meetings and their candidate pairs.
@@ -25,7 +25,7 @@ pub struct Stage<'a> {
 }
 
 /// Two objects in the pose in which they meet.
-pub struct Posed<'a> {
+pub struct ReadyMeeting<'a> {
     meshes: [&'a Mesh; 2],
     vertices: [&'a [[f64; 3]]; 2],
     host: Arc<SceneHost>,
@@ -33,7 +33,7 @@ pub struct Posed<'a> {
     t: [f64; 3],
 }
 
-impl<'a> Stage<'a> {
+impl<'a> ReadyScene<'a> {
     /// Prepares a scene.
     pub fn new(scene: &'a Scene, params: &Params) -> Self {
         let (meshes, _) = scene.meshes();
@@ -49,7 +49,7 @@ impl<'a> Stage<'a> {
     }
 
     /// A meeting of the scene.
-    pub fn posed(&'a self, meeting: &Meeting) -> Posed<'a> {
+    pub fn posed(&'a self, meeting: &Meeting) -> ReadyMeeting<'a> {
         let meshes = meeting.meshes;
         let vertices = meshes.map(|mesh| self.vertices[mesh].as_slice());
         let known = self.hosts.lock().unwrap_or_else(PoisonError::into_inner).get(&meshes).cloned();
@@ -60,11 +60,11 @@ impl<'a> Stage<'a> {
             Arc::clone(hosts.entry(meshes).or_insert(made))
         });
         let m = meeting.pose.rows();
-        Posed { meshes: self.near.meshes(meeting), vertices, host, m, t: meeting.pose.translation().into() }
+        ReadyMeeting { meshes: self.near.meshes(meeting), vertices, host, m, t: meeting.pose.translation().into() }
     }
 }
 
-impl Posed<'_> {
+impl ReadyMeeting<'_> {
     /// What the unit loads, and the pairs as it reads them.
     pub fn host(&self) -> ScenePose<'_> {
         self.host.pose(&self.m, &self.t).expect(FINITE)
