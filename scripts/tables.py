@@ -90,14 +90,25 @@ def units(options):
     return [part.predicted for part in found.units.parts if hasattr(part, "predicted")]
 
 
+def changed_list(mesh, width):
+    """Self-intersections that a mesh has only after it was moved to a grid, and those that it has only before."""
+
+    def pairs(options):
+        run(f"efsat self-intersections {mesh} {options} --csv {KEPT}/pairs.csv")
+        return {tuple(row[:2]) for row in csv.reader((KEPT / "pairs.csv").read_text().splitlines()[1:])}
+
+    file, moved = pairs(""), pairs(f"--width {width}")
+    return len(moved - file), len(file - moved)
+
+
 def rows_of(figure):
     """The cells of a table by its description in the registry, the head first."""
     dear = figure["cost"] == "dear"
-    names = {"ask": functools.partial(ask, dear=dear)} | {f.__name__: f for f in (share, code, luts, against, routed, parts, mean, busy, units)}
+    names = {"ask": functools.partial(ask, dear=dear)} | {f.__name__: f for f in (share, code, luts, against, routed, parts, mean, busy, units, changed_list)}
     columns, command = figure["columns"], figure["command"].removeprefix("efsat ")
     yield ([figure["head"]] if "cell" in figure else []) + [column[0] for column in columns]
     rows = figure.get("rows", [""])
-    for row in eval(rows, names) if isinstance(rows, str) else rows:
+    for row in eval(f"({rows})", names) if isinstance(rows, str) else rows:
         row = row if isinstance(row, list | tuple) else [code(row), row]
         label, options = row[0], row[-1]
 
@@ -208,7 +219,7 @@ def synthesis(part):
     stands behind the units."""
     text = kept(f"efsat synth --device {part}")
     lines = text[text.index(f"\n{part}: ") :] if part.startswith("lfe5u") else "\n".join(
-        line[:130].rstrip() if " | " in line else line for line in text.split("\n"))
+        line[:124].rstrip() if " | " in line else line for line in text.split("\n"))
     return f"```text\n{lines.strip()}\n```"
 
 
@@ -224,7 +235,8 @@ def comparison(what="answers"):
         rows = [[test.test, *(pair(one.software[i]) for one in found)] for i, test in enumerate(found[0].software)]
         return table(["<missed / false", *COMPARED], [["EFSAT, definite", *(one.wrong.efsat for one in found)], *rows])
     paper = ["70.93", "0", "0.02", "0", "0.13", "0", "0.04", "0.77", "0", "0", "0", "28.13"]
-    rows = [[*(getattr(row, key) for key in ("efsat", "moeller", "sat")), figure,
+    short = {"separate": "sep.", "intersect": "int.", "possibly-incorrect": "int. (p.i.)"}
+    rows = [[*(short[getattr(row, key)] for key in ("efsat", "moeller", "sat")), figure,
              *(share(one.rows[i].pairs, one.pairs, 3) if one.rows[i].pairs else "0" for one in found)]
             for i, (row, figure) in enumerate(zip(found[0].rows, paper, strict=True))]
     return table(["<EFSAT", "<Moeller", "<SAT", "paper", *COMPARED], [*rows, ["pairs", "", "", "-", *(one.pairs for one in found)]])
@@ -279,7 +291,9 @@ def busy_over_distance():
     for one in (one for ones in both for one in ones):
         one.queries = getattr(one, "queries", 1)
     head = ["distance", "A: triangle unit", "volume unit", "bus", "MB/s", "B: triangle unit", "volume unit", "bus", "MB/s"]
-    return table(head, ([f"{a.distance:g}", *cells(a), *cells(b)] for a, b in zip(*both, strict=True)))
+    # Every third distance shows how the shares change.
+    shown = list(zip(*both, strict=True))[2::3]
+    return table(head, ([f"{a.distance:g}", *cells(a), *cells(b)] for a, b in shown))
 
 
 def torus(turned):

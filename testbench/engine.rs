@@ -3,12 +3,13 @@
 use crate::extent::share;
 use crate::hierarchy::brute_force;
 use crate::tools::program::{fails, object, succeeds};
+use efsat::engine::host::{Image, Numbers, memory};
+use efsat::engine::model::{Model, Query};
+use efsat::engine::params::EngineParams;
+use efsat::engine::words::Reason;
 use efsat::golden::Verdict;
-use efsat::golden::engine::{Model, Query};
-use efsat::host::engine::{Image, Numbers, memory};
 use efsat::mesh::{Mesh, read};
-use efsat::params::engine::Reason;
-use efsat::params::{EngineParams, Params};
+use efsat::params::Params;
 use efsat::scene::hierarchy::Directions;
 use efsat::scene::{Pose, Scene, load};
 use rayon::prelude::*;

@@ -2,13 +2,14 @@
 
 use crate::tools::{made, replaced};
 use efsat::artefact::Prefix;
-use efsat::artefact::engine::samples::{cuboid, hills, turn};
-use efsat::artefact::engine::{EngineDesign, engine_files};
+use efsat::engine::artefact::samples::{cuboid, hills, turn};
+use efsat::engine::artefact::{EngineDesign, engine_files};
+use efsat::engine::host::{Image, Numbers, memory};
+use efsat::engine::model::Query;
+use efsat::engine::params::EngineParams;
+use efsat::engine::words::{Command, EngineReport, Reason};
 use efsat::evidence::cosim::engine::{Channel, Machine, Packet, Step};
-use efsat::golden::engine::Query;
-use efsat::host::engine::{Image, Numbers, memory};
 use efsat::params::Params;
-use efsat::params::engine::{Command, EngineParams, EngineReport, Reason};
 
 /// Signals between the entities and the ports of the top, and what breaks the rules in a query by its number.
 const SIGNALS: &str = "  signal raw_araddr : std_logic_vector(31 downto 0);

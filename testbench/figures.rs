@@ -1,5 +1,6 @@
 //! The tables of the pages are those that their commands make (scripts/figures, docs/figures.toml).
 
+use crate::tools::skip;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -12,7 +13,7 @@ fn repository() -> &'static Path {
 fn python() -> bool {
     let found = Command::new("python3").args(["-c", "import tomllib"]).output().is_ok_and(|o| o.status.success());
     if !found {
-        eprintln!("skipped: Python 3.11 is not installed");
+        skip("Python 3.11 is not installed");
     }
     found
 }

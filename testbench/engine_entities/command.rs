@@ -1,7 +1,8 @@
 //! Packets in: what becomes of each, good or bad, and what waits for what.
 
 use super::*;
-use efsat::params::engine::{Command, EngineFormat, QueryFlags, Reason};
+use efsat::engine::format::EngineFormat;
+use efsat::engine::words::{Command, QueryFlags, Reason};
 use efsat::params::stream::{Kind, Report};
 use std::collections::VecDeque;
 

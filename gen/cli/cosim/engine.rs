@@ -8,12 +8,13 @@ use crate::progress;
 use crate::source::{HEADLIGHT, load_scene};
 use efsat_checks::cosim::Simulator;
 use efsat_checks::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
+use efsat_engine::artefact::EngineDesign;
+use efsat_engine::host::{Image, Images, Layout, Numbers, memory};
+use efsat_engine::model::Query;
+use efsat_engine::params::Memory;
+use efsat_engine::words::QueryFlags;
 use efsat_geometry::scene::Scene;
-use efsat_unit::artefact::engine::EngineDesign;
 use efsat_unit::design::top::DesignError;
-use efsat_unit::golden::engine::Query;
-use efsat_unit::host::engine::{Image, Images, Layout, Numbers, memory};
-use efsat_unit::params::engine::{Memory, QueryFlags};
 use efsat_unit::params::options::Choice;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -327,8 +328,9 @@ fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usi
 #[cfg(test)]
 mod tests {
     use super::*;
+    use efsat_engine::params::EngineParams;
+    use efsat_engine::words::EngineReport;
     use efsat_unit::params::Params;
-    use efsat_unit::params::engine::{EngineParams, EngineReport};
 
     /// What the clocks are is always said; that no pair of triangles was reached, if it was so.
     #[test]

@@ -6,13 +6,13 @@ use crate::file::{self, Output};
 use crate::output::{counted, print, warn};
 use crate::params::{choice, whole};
 use crate::source::load_mesh;
+use efsat_engine::host::Image;
+use efsat_engine::params::{EngineParams, FACTOR_BITS};
 use efsat_geometry::mesh::{Findings, Mesh};
 use efsat_hardware::number::Upper;
 use efsat_unit::design::top::DesignError;
-use efsat_unit::host::engine::Image;
-use efsat_unit::params::engine::FACTOR_BITS;
+use efsat_unit::params::Params;
 use efsat_unit::params::options::{INT_BITS, TRANSFORM_WIDTH, WIDTH};
-use efsat_unit::params::{EngineParams, Params};
 use std::path::PathBuf;
 
 /// Builds the image of a mesh: its tree of local blocks and its triangles, as the engine reads them

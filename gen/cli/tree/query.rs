@@ -6,10 +6,11 @@ use crate::file::{self, Output};
 use crate::output::{counted, print};
 use crate::params::{EngineArguments, ParamArguments};
 use crate::source::load_scene;
+use efsat_engine::host::{Images, Layout, Numbers, memory};
+use efsat_engine::model::Query;
+use efsat_engine::params::Memory;
+use efsat_engine::words::QueryFlags;
 use efsat_unit::design::top::DesignError;
-use efsat_unit::golden::engine::Query;
-use efsat_unit::host::engine::{Images, Layout, Numbers, memory};
-use efsat_unit::params::engine::{Memory, QueryFlags};
 use std::path::PathBuf;
 
 /// Writes the packets of a scene's queries, for a host without Rust: one query for each two objects whose boxes overlap in a frame

@@ -316,9 +316,14 @@ impl<'l> Sig<'l> {
         });
         let ranges = columns(&args, |ranges| op.range(ranges, &types, ty));
         // Two numbers as operands would leave VHDL without a type to find the operator by.
-        let constant = |arg: &Self| arg.node(|n| matches!(n.op, Op::Comb(Comb::Constant(_))));
-        if args.iter().all(constant) {
-            return self.unit().element(ranges[0].0, ty);
+        let constant = |arg: &Self| {
+            arg.node(|n| match &n.op {
+                Op::Comb(Comb::Constant(Constant(value, _))) => Some(*value),
+                _ => None,
+            })
+        };
+        if let Some(values) = args.iter().map(constant).collect::<Option<Vec<i128>>>() {
+            return self.unit().element(op.value(&values, &types, ty), ty);
         }
         self.make(Op::Comb(op), &args, ty, ranges)
     }
@@ -359,6 +364,9 @@ impl<'l> Sig<'l> {
 
     /// Running disjunction over phases, anew where `first` is set.
     pub fn or_over_phases(self, first: Self) -> Self {
+        if first.range() == (1, 1) {
+            return self;
+        }
         let (mine, first_ranges) = (self.ranges(), first.ranges());
         let (mut ranges, mut so_far) = (vec![], (0, 0));
         for column in 0..self.columns() {

@@ -183,14 +183,10 @@ impl Unit {
             && (self.interval, &self.doc) == (other.interval, &other.doc)
     }
 
-    /// Whether the unit or a unit in it depends on the phase, and so has a `phase` port.
+    /// Whether the unit has a `phase` port: values of pairs are captured in some phase of a slot of several clocks, if only to
+    /// be held until the others are there.
     pub fn phased(&self) -> bool {
         self.interval > 1
-            && self.nodes.iter().any(|n| match &n.op {
-                Op::Phase(..) | Op::Capture { .. } | Op::Mux { .. } | Op::Earlier(_) => true,
-                Op::Instance(unit) => unit.phased(),
-                _ => false,
-            })
     }
 
     /// Whether a node is its first operand under another name, format or bound: no hardware.

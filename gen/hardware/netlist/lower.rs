@@ -142,7 +142,10 @@ impl Lowered<'_> {
                 "phase of the slot: 0 in the first clock of the inputs",
             );
             let place = |age: i32| Place::at(HOLDS, &[Step::Index(age as usize)]);
-            let ages = 0..=latency / unit.interval as i32;
+            // Outputs of every phase leave until the last phase of the slot that begins with the latency.
+            let per_phase = unit.outputs.iter().any(|(_, node)| unit.node(*node).rate == Rate::Phase);
+            let last = latency + if per_phase { unit.interval as i32 - 1 } else { 0 };
+            let ages = 0..=last / unit.interval as i32;
             self.holds =
                 ages.map(|age| port(place(age), Type::FLAG, "whether the slot k slots ago holds a pair")).collect();
             self.phase = Some(phase);
@@ -235,8 +238,9 @@ impl Lowered<'_> {
             Op::Capture { phase, late } => {
                 let arg = node.args[0].0;
                 let lag = if *late { self.schedule.lag_clocks() } else { 0 };
-                let enable = self.strobe(self.schedule.slots[arg].from + *phase as i32 + lag);
-                let args = vec![self.base[arg].expect("operands come first")];
+                let from = self.schedule.slots[arg].from.max(0);
+                let enable = self.strobe(from + *phase as i32 + lag);
+                let args = vec![self.fetch(arg, from)];
                 self.of_node(i, Driver::Register { op: None, args, enable, reset: None });
             }
             Op::Mux { .. } => {

@@ -140,7 +140,10 @@ impl<'a> Constraints<'a> {
             Op::Capture { phase, late } => {
                 self.program.fixed += bits;
                 let lag = if *late { self.pass.lag_clocks() } else { 0 };
-                let Valid::Stream(from) = self.valid[node.args[0].0] else { return Valid::Always };
+                let from = match self.valid[node.args[0].0] {
+                    Valid::Stream(from) => from,
+                    _ => PORTS,
+                };
                 let from = from.later(*phase as i32 + 1 + lag);
                 Valid::Pair(vec![Window { from, until: from.later(interval) }])
             }
@@ -197,6 +200,11 @@ impl<'a> Constraints<'a> {
     /// What node `i` needs of its operands.
     fn uses(&mut self, i: usize) {
         let (unit, slot) = (self.pass.unit, self.earliest[i]);
+        if let (Op::Capture { .. }, Some(arg)) = (&unit.nodes[i].op, unit.nodes[i].args.first())
+            && let (Op::Earlier(_), Valid::Stream(from)) = (&unit.nodes[self.carrier(arg.0)].op, &self.valid[arg.0])
+        {
+            return self.carry(arg.0, *from);
+        }
         let Some(variable) = self.variables[i] else { return };
         let start = Event { variable, offset: 0 };
         if let Op::Mux { late } = &unit.nodes[i].op {
@@ -209,8 +217,9 @@ impl<'a> Constraints<'a> {
                 match self.valid[arg].clone() {
                     Valid::Always => {}
                     Valid::Stream(from) => {
-                        self.order(from, start);
-                        self.carry(arg, start);
+                        let registered = *late && self.earliest[arg].ns > limit + 1e-9;
+                        self.order(from.later(i32::from(registered)), start.later(lag));
+                        self.carry(arg, start.later(lag));
                     }
                     Valid::Pair(windows) => {
                         let captured = self.earliest[arg].ns > limit + 1e-9;
@@ -233,6 +242,10 @@ impl<'a> Constraints<'a> {
                 Valid::Pair(windows) => {
                     let captured = slot.registered && self.earliest[arg].ns > self.pass.launch();
                     let last = start.later(self.pass.interval() - 1);
+                    let there = self.earliest[arg].until - self.earliest[arg].from;
+                    if slot.registered && there < self.pass.interval() {
+                        windows.iter().for_each(|w| self.order(w.from.later(1), start));
+                    }
                     self.hold(arg, &windows, Reading { first: start, last, captured });
                 }
             }
@@ -310,8 +323,14 @@ impl<'a> Constraints<'a> {
         arrivals[origin] = arrival;
         let mut open: BTreeSet<usize> = self.pass.users[origin].iter().copied().collect();
         while let Some(i) = open.pop_first() {
-            let args = self.pass.unit.nodes[i].args.iter();
-            let mut before = args.map(|a| arrivals[a.0]).fold(f64::NEG_INFINITY, f64::max);
+            let node = &self.pass.unit.nodes[i];
+            // Late operands come from registers.
+            let late = |k: usize| matches!(&node.op, Op::Mux { late } if k > 0 && late[k - 1]);
+            let in_time = node.args.iter().enumerate().filter(|(k, _)| !late(*k));
+            let mut before = in_time.map(|(_, a)| arrivals[a.0]).fold(f64::NEG_INFINITY, f64::max);
+            if before == f64::NEG_INFINITY {
+                continue;
+            }
             if self.pass.unit.renames(i) || matches!(self.pass.unit.nodes[i].op, Op::Output(_)) {
                 arrivals[i] = before;
                 open.extend(&self.pass.users[i]);

@@ -394,7 +394,8 @@ impl Pass<'_> {
             Op::Capture { phase, late } => {
                 let arg = slots[node.args[0].0];
                 let lag = if *late { self.lag * interval } else { 0 };
-                let from = arg.from + *phase as i32 + 1 + lag;
+                // What is there at any time changes with the phase of the slot.
+                let from = arg.from.max(0) + *phase as i32 + 1 + lag;
                 Slot { start: from - 1, from, until: from + interval, ns: self.launch(), registered: false }
             }
             // In time with its operand, whose delay line it is a tap of.
@@ -424,7 +425,8 @@ impl Pass<'_> {
                 }
                 if matches!(op, Op::Comb(Comb::Multiply(_))) {
                     // Operands straight from registers, and the register behind the product is the multiplier's own.
-                    let more = i32::from(arrival.ns > self.launch()) + i32::from(self.registers_operands(i));
+                    let captured = arrival.ns > self.launch() || self.too_short(i, slots, arrival.clock);
+                    let more = i32::from(captured) + i32::from(self.registers_operands(i));
                     let start = arrival.clock + more;
                     let ns = self.device.product_launch();
                     return Slot { start, from: start + 1, until: i32::MAX, ns, registered: true };
@@ -440,7 +442,14 @@ impl Pass<'_> {
     fn start(&self, i: usize, slots: &[Slot], delay: f64, wish: Wish) -> (Arrival, i32, f64, bool) {
         let in_register = self.launch() + delay;
         if wish.captured {
-            return (self.arrival(i, slots, i32::MIN), wish.start, in_register, true);
+            // Operands that arrive after the edge, or are gone before the slot is over, are captured in the clock before.
+            let earliest = self.unit.nodes[i].args.iter().map(|a| slots[a.0]).map(|s| match s.until {
+                _ if s.from == i32::MIN => i32::MIN,
+                i32::MAX => s.from + i32::from(s.ns > self.launch()),
+                until => s.from + i32::from(s.ns > self.launch() || until < wish.start.saturating_add(self.interval())),
+            });
+            let start = earliest.fold(wish.start, i32::max);
+            return (self.arrival(i, slots, i32::MIN), start, in_register, true);
         }
         let arrival = self.arrival(i, slots, wish.start);
         if self.fits(arrival.ns + delay) || arrival.ns <= self.launch() {
@@ -451,6 +460,12 @@ impl Pass<'_> {
         let arrival = self.arrival(i, slots, wish.start.saturating_sub(1));
         let start = arrival.clock.saturating_add(1);
         (arrival, start, in_register, true)
+    }
+
+    /// Whether an operand that is first there in a clock is gone before a slot is over: it has to be captured first.
+    fn too_short(&self, i: usize, slots: &[Slot], clock: i32) -> bool {
+        let until = clock.saturating_add(self.interval());
+        self.unit.nodes[i].args.iter().map(|a| slots[a.0]).any(|s| s.from == clock && s.until < until)
     }
 
     /// When the last operand of a node arrives, or where that is later, clock `least`.
@@ -525,6 +540,8 @@ impl Pass<'_> {
                 let slot = slots[node.args[1 + operand].0];
                 let read = |phase: usize| slots[i].start + phase as i32 + self.lag * self.interval();
                 let direct = slot.ns <= self.launch() && read(last) < slot.until;
+                // What follows the phases is delayed from its own phase 0 on.
+                let first = if slot.until == i32::MAX { 0 } else { first };
                 slot.from + i32::from(!direct) <= read(first)
             })
         })

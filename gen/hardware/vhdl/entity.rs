@@ -354,6 +354,7 @@ impl Printer<'_, '_> {
                 Some(source) => format!("{name} <= {source} & {name}(1 to {before});"),
                 None => format!("{name}(2 to {length}) <= {name}(1 to {before});"),
             };
+            line.source.iter().for_each(|source| note(source, functions));
             line.parts.iter().for_each(|part| sequential(self.view, part, 2, functions, lines));
             lines.extend(wrapped(&text, 4));
         }

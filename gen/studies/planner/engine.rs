@@ -5,9 +5,9 @@ use super::outcome::Counted;
 use super::{Contact, Front, Place, Row};
 use efsat_checks::cosim::CosimError;
 use efsat_checks::cosim::engine::{Channel, Machine};
+use efsat_engine::driver::{Contacts, Engine, Job, Objects, Options, StandIn};
+use efsat_engine::words::EngineReport;
 use efsat_geometry::scene::{Frame, Meeting};
-use efsat_unit::host::driver::engine::{Contacts, Engine, Job, Objects, Options, StandIn};
-use efsat_unit::params::engine::EngineReport;
 use rayon::prelude::*;
 use serde::Serialize;
 

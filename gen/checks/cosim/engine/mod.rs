@@ -12,13 +12,14 @@ use super::external::{self, call, file_error};
 use super::{CosimError, Simulator, verilator};
 use crate::synth::verilog;
 use askama::Template;
+use efsat_engine::artefact::{EngineDesign, NAME, TESTBENCH, engine_files};
+use efsat_engine::host::{Image, Layout, memory};
+use efsat_engine::model::Query;
+use efsat_engine::params::Memory;
+use efsat_engine::words::{Answer, Command, EngineReport};
 use efsat_hardware::tools::Tool;
-use efsat_unit::artefact::engine::{EngineDesign, NAME, TESTBENCH, engine_files};
 use efsat_unit::artefact::testbench::RESET_CLOCKS;
 use efsat_unit::artefact::{Prefix, Scratch, origin};
-use efsat_unit::golden::engine::Query;
-use efsat_unit::host::engine::{Image, Layout, memory};
-use efsat_unit::params::engine::{Answer, Command, EngineReport, Memory};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 

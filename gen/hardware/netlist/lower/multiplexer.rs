@@ -76,14 +76,14 @@ impl Lowered<'_> {
             let (first, last) = (slot.start + first as i32 + lag, slot.start + last as i32 + lag);
             // The scheduler's own figure: an operand is direct exactly where the scheduler took it to be.
             let limit = slot.latest_operand(self.device, late.len(), *is_late);
-            operands.push(Some(self.mux_operand(arg, slot.start, first, last, limit)));
+            operands.push(Some(self.mux_operand(arg, slot.start + lag, first, last, limit)));
         }
         let any = operands.iter().flatten().next().copied().expect("some operand is read");
         operands.into_iter().map(|o| o.unwrap_or(any)).collect()
     }
 
-    /// An operand of a multiplexer that starts in clock `start`, read from clock `first` to clock `last`; values that
-    /// arrive after `limit` nanoseconds are captured first.
+    /// An operand of a multiplexer whose phase 0 is read in clock `start`, and it from clock `first` to clock `last`; values
+    /// that arrive after `limit` nanoseconds are captured first.
     fn mux_operand(&mut self, arg: usize, start: i32, first: i32, last: i32, limit: f64) -> SignalId {
         let slot = self.schedule.slots[arg];
         if slot.from == i32::MIN || slot.until == i32::MAX {

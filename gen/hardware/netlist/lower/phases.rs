@@ -41,6 +41,9 @@ impl Lowered<'_> {
             }
             // Late phases are those of a pair of an earlier slot.
             let clocks: BTreeSet<i32> = uses.iter().flat_map(|clock| [*clock, clock + late]).collect();
+            // Behind the latency nothing of a pair is read.
+            let in_flight = |clock: &i32| (clock - 2).div_euclid(self.interval()) < self.holds.len() as i32;
+            let clocks: Vec<i32> = clocks.into_iter().filter(in_flight).collect();
             let flags: Vec<SignalId> = clocks.into_iter().map(|clock| self.busy(clock)).collect();
             let any = flags.into_iter().reduce(|any, flag| self.either(any, flag));
             if let Driver::Register { enable, .. } = &mut self.out.signals[select.0].driver {

@@ -53,7 +53,15 @@ fn operations_on_constants_are_constants() {
         let flag = a.less(five).named("flag");
         // A flag that is always set changes nothing.
         let both = (top.constant(1, Type::FLAG) & flag).named("both");
-        vec![both, (a + (five + five)).named("sum")]
+        // Values, not the bounds of their ranges.
+        let or = five.low(3).at_point(None) | top.constant(2, Type::unsigned(3));
+        let odd = five.low(1).at_point(None) & five.equals(five);
+        vec![
+            both,
+            (a + (five + five)).named("sum"),
+            (a.low(3).at_point(None) & or).named("or"),
+            (flag | odd).named("odd"),
+        ]
     });
     expect![[r#"
         unit sample, 1 phase

@@ -11,6 +11,7 @@ mod lower;
 mod names;
 mod phases;
 mod prune;
+mod random;
 mod schedule;
 mod simulate;
 mod vhdl;
@@ -40,7 +41,11 @@ fn unit(interval: usize, body: impl for<'l> FnOnce(Top<'l>) -> Vec<Sig<'l>>) -> 
 
 /// On a Virtex-II.
 fn scheduled(unit: &Rc<Unit>, megahertz: u32) -> Rc<Schedule> {
-    Scheduler::new(part("xc2v6000-4"), megahertz).schedule(unit)
+    scheduled_for("xc2v6000-4", unit, megahertz)
+}
+
+fn scheduled_for(device: &str, unit: &Rc<Unit>, megahertz: u32) -> Rc<Schedule> {
+    Scheduler::new(part(device), megahertz).schedule(unit)
 }
 
 fn lowered_for(device: &str, unit: &Rc<Unit>, megahertz: u32) -> (Rc<Module>, Vec<Probe>) {

@@ -94,6 +94,9 @@ fn simple(shapes: &dyn Shapes, target: &Name, legs: &[Expression]) -> bool {
 
 /// `index = i`, as a condition.
 pub(super) fn is(index: &crate::op::Operand, i: usize) -> String {
+    if let (Some(value), true) = (index.value.number(), index.ty.is_flag()) {
+        return (value == i as i128).to_string();
+    }
     let value = index.value.clone().known(index.ty);
     if index.ty.is_flag() { format!("{value} = '{i}'") } else { format!("{value} = {i}") }
 }
@@ -101,6 +104,8 @@ pub(super) fn is(index: &crate::op::Operand, i: usize) -> String {
 /// A flag as a condition.
 pub(super) fn condition(flag: &Expression) -> String {
     match flag {
+        // Two literals would leave VHDL without a type to find the comparison by.
+        Expression::Number(value, _) => (*value == 1).to_string(),
         Expression::Call("flag", args) => args[0].to_string(),
         Expression::Unary("not", x) if matches!(**x, Expression::Name(_)) => format!("{x} = '0'"),
         Expression::Name(_) | Expression::Bit(..) | Expression::Call(..) => format!("{flag} = '1'"),
