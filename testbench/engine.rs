@@ -108,8 +108,8 @@ fn no_touching_pair_of_any_mesh_is_lost() {
     // Every ready scene: of their meetings a sample over all frames, and of the bolt in its nut every second one at least.
     for (name, most) in READY {
         let scene = load(&scenes().join(format!("{name}.toml"))).unwrap();
-        let broad_phase = scene.broad_phase();
-        let all: Vec<_> = (0..scene.frames()).flat_map(|frame| broad_phase.meetings(frame)).collect();
+        let near = scene.near();
+        let all: Vec<_> = (0..scene.frames()).flat_map(|frame| near.meetings(frame)).collect();
         for meeting in share(2, all.iter().step_by(all.len().div_ceil(most))) {
             let [a, b] = [meeting.a, meeting.b].map(|object| (*scene.objects[object].mesh).clone());
             cases.push((format!("{name}, frame {}", meeting.frame), a, b, meeting.pose));

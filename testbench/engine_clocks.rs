@@ -32,8 +32,8 @@ fn queries(design: &EngineDesign) -> (Images, Vec<Query>) {
     let numbers = Numbers::new(&design.params, &design.unit.params).unwrap();
     let images = Images::new(&scene.meshes().0, numbers).unwrap();
     let (_, sides) = memory(&images.all());
-    let broad_phase = scene.broad_phase();
-    let found: Vec<_> = (0..scene.frames()).flat_map(|frame| broad_phase.meetings(frame)).collect();
+    let near = scene.near();
+    let found: Vec<_> = (0..scene.frames()).flat_map(|frame| near.meetings(frame)).collect();
     let chosen = (0..QUERIES).map(|i| &found[i * found.len() / QUERIES]);
     // As `efsat cosim --engine` asks.
     let query = |meeting: &Meeting| images.query(meeting.meshes, &meeting.pose, &sides).unwrap();

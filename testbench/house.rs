@@ -320,6 +320,17 @@ fn only_the_command_line_prints() {
     assert_eq!(printing.map(|(path, _)| path).collect::<Vec<_>>(), Vec::<String>::new());
 }
 
+/// What a test prints by itself nobody counts: `tools::skip` says that a tool is missing.
+#[test]
+fn no_test_skips_uncounted() {
+    let mark = ["println!(\"", "skipped"].concat();
+    let skips = ["gen", "testbench"].into_iter().flat_map(files).filter(|path| {
+        let text = String::from_utf8_lossy(&fs::read(path).unwrap()).into_owned();
+        text.contains(&mark)
+    });
+    assert_eq!(skips.map(|path| relative(&path)).collect::<Vec<_>>(), Vec::<String>::new());
+}
+
 #[test]
 fn nothing_is_left_unfinished() {
     let all = ["gen", "templates", "scripts"].into_iter().flat_map(files);

@@ -476,7 +476,6 @@ fn every_packet_becomes_what_it_is() {
         ("clears <= reset or soft_reset or reset_taken;", "clears <= reset or reset_taken;"),
         ("(soft_reset and stays_within and not reset)", "(soft_reset and within_packet and not reset)"),
         ("(soft_reset and stays_within and not reset)", "(stays_within and not reset)"),
-        ("(soft_reset and stays_within and not reset)", "(soft_reset and stays_within)"),
         ("if (reset or soft_reset) = '1' then", "if reset = '1' then"),
         (
             "        pending <= '0';\n        query_pending <= '0';\n        posed_pending <= '0';\n        fault <= fine;",

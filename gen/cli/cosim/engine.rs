@@ -123,14 +123,14 @@ struct Asked {
 
 /// The queries of a scene.
 fn queries(images: &Images, scene: &Scene, arguments: &Arguments) -> Asked {
-    let broad_phase = scene.broad_phase();
+    let near = scene.near();
     let (_, sides) = memory(&images.all());
     let frames = scene.frames();
     let bar = progress::bar("making queries", frames as u64, "poses", false);
     let made = (0..frames).into_par_iter().flat_map_iter(|frame| {
         bar.inc(1);
         let distance = scene.frame(frame).distance;
-        let found = broad_phase.meetings(frame).into_iter();
+        let found = near.meetings(frame).into_iter();
         found.map(|meeting| (distance, images.query(meeting.meshes, &meeting.pose, &sides).ok())).collect::<Vec<_>>()
     });
     let made: Vec<(Option<f64>, Option<Query>)> = made.collect();

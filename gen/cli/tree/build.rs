@@ -46,15 +46,11 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let paths = || std::iter::once(&arguments.mesh).chain(&arguments.beside);
-    // A mesh may be named twice, but is not overwritten.
-    for mesh in paths().filter(|mesh| mesh.exists()) {
-        file::distinct([mesh.as_path(), &arguments.out].into_iter().chain(arguments.faces.as_deref()))?;
-    }
+    let (meshes, findings): (Vec<Mesh>, Vec<Findings>) =
+        paths().map(|path| load_mesh(path)).collect::<Result<Vec<_>, Failure>>()?.into_iter().unzip();
     file::distinct(std::iter::once(arguments.out.as_path()).chain(arguments.faces.as_deref()))?;
     let mut out = Output::new(&arguments.out)?;
     let faces = arguments.faces.as_deref().map(Output::new).transpose()?;
-    let (meshes, findings): (Vec<Mesh>, Vec<Findings>) =
-        paths().map(|path| load_mesh(path)).collect::<Result<Vec<_>, Failure>>()?.into_iter().unzip();
     let numbers = &findings[0].numbers;
     if !numbers.are_plain() && faces.is_none() {
         let why = "the image numbers triangles from 0, which are not the numbers of the faces in the file";

@@ -46,8 +46,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.image.is_some() && design.params.memory == Memory::BlockRam {
         return Err(Failure::Usage("--image with --memory block-ram: expected --memory axi".to_owned()));
     }
-    file::distinct([&arguments.out].into_iter().chain(&arguments.image).map(PathBuf::as_path))?;
     let scene = load_scene(&arguments.file)?;
+    file::distinct([&arguments.out].into_iter().chain(&arguments.image).map(PathBuf::as_path))?;
     let frames = match arguments.frame {
         Some(frame) if frame >= scene.frames() => {
             let message = format!("--frame {frame}: expected a number below {}", scene.frames());
@@ -69,8 +69,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         out.write(format!("load,,,,{}\n", text(load)))?;
     }
     let (mut queries, mut refused) = (0u32, 0u32);
-    let broad_phase = scene.broad_phase();
-    for meeting in frames.flat_map(|frame| broad_phase.meetings(frame)) {
+    let near = scene.near();
+    for meeting in frames.flat_map(|frame| near.meetings(frame)) {
         let number = queries % QueryFlags::NUMBERS;
         let words = images.query(meeting.meshes, &meeting.pose, &sides).map(|query| {
             let query = Query { number, first_contact: arguments.first_contact, ..query };

@@ -125,7 +125,7 @@ pub fn run<E: Engine, F: From<E::Error>>(
 ) -> Result<(), F> {
     let scene = front.scene();
     for batch in frames.chunks(BATCH) {
-        let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.survivors.meetings(frame)).collect();
+        let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.near.meetings(frame)).collect();
         // The memory stays as it is.
         let options = Options { keep_caches: true, ..Options::default() };
         let job = |meeting: &Meeting| -> Job<'_, '_> { objects.query(meeting.meshes, &meeting.pose, options) };

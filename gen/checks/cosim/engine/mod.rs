@@ -60,6 +60,9 @@ pub enum Step {
     Begin(Vec<u64>),
     /// All answers come before the next step.
     Wait,
+    /// A copy of the engine and of memory, as they are in this clock, takes these steps to their end, and its answers come before
+    /// those of the engine itself, which goes on with the next step a clock later.
+    Apart(Vec<Step>),
 }
 
 impl Step {
@@ -71,6 +74,10 @@ impl Step {
             Self::SoftReset => (2, vec![]),
             Self::Begin(words) => (3, words.clone()),
             Self::Wait => (4, vec![]),
+            Self::Apart(steps) => {
+                let inner = steps.iter().flat_map(Self::words);
+                return [5, 1, steps.len() as u64].into_iter().chain(inner).collect();
+            }
         };
         [vec![kind, words.len() as u64], words].concat()
     }
