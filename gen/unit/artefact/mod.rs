@@ -7,6 +7,7 @@ mod bits;
 mod board;
 mod design_files;
 mod drop_in;
+mod dumps;
 pub mod engine;
 mod example;
 pub mod file_lists;
@@ -33,6 +34,7 @@ mod vivado;
 pub mod volume;
 
 pub use design_files::{DesignFilesError, Packaging, design_files, design_files_with};
+pub use dumps::dump_files;
 pub use file_set::{Difference, FileSet, FileSetError};
 pub use prefix::{Prefix, PrefixError};
 pub use programmes::programme_files;

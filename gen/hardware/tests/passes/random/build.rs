@@ -190,12 +190,15 @@ const OTHERS: [(&str, More); 18] = [
     ("recall", |b, n| {
         // Values of one stream, in another order.
         let Some((value, _)) = b.stream(n[0]) else { return };
-        let phases: Vec<usize> = value.meaning.phases().into_iter().filter(|(_, late)| !late).map(|(s, _)| s).take(5).collect();
+        let phases: Vec<usize> =
+            value.meaning.phases().into_iter().filter(|(_, late)| !late).map(|(s, _)| s).take(5).collect();
         if phases.is_empty() {
             return;
         }
         let held = phases.iter().map(|s| value.sig.capture(*s, false)).collect::<Vec<_>>().named(&b.next());
-        let again = Phases::new(b.interval, |s| ((n[2] >> s) % 8 > 0 || s == 0).then(|| held[(s * (1 + n[1] % 2) + n[3]) % held.len()]));
+        let again = Phases::new(b.interval, |s| {
+            ((n[2] >> s) % 8 > 0 || s == 0).then(|| held[(s * (1 + n[1] % 2) + n[3]) % held.len()])
+        });
         let meaning = again.marks().into_iter().map(|busy| busy.then_some(false)).collect();
         b.keep(again.mux(), Meaning::Phases(meaning), value.of_late);
     }),
