@@ -4,8 +4,7 @@ use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use efsat::golden::{Golden, Pair, Pose};
-use efsat::host::sample;
-use efsat::host::{Host, loose_pair};
+use efsat::host::{Host, loose_pair, sample};
 use efsat::params::{Bound, Method, Params, Transform};
 use efsat::sample::random_points;
 use rand::SeedableRng;

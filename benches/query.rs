@@ -39,8 +39,8 @@ fn main() {
     };
     let (meshes, _) = scene.meshes();
     let trees: Vec<DopTree> = meshes.iter().map(|mesh| DopTree::new(mesh, Directions::Eighteen)).collect();
-    let broad_phase = scene.broad_phase();
-    let meetings: Vec<Meeting> = (0..scene.frames()).flat_map(|frame| broad_phase.meetings(frame)).collect();
+    let near = scene.near();
+    let meetings: Vec<Meeting> = (0..scene.frames()).flat_map(|frame| near.meetings(frame)).collect();
     let distance = |meeting: &Meeting| scene.frame(meeting.frame).distance.unwrap_or(f64::NAN);
     let distances: Vec<f64> = meetings.iter().map(distance).collect();
     emit(dir.as_ref(), &meshes, &meetings, &distances).unwrap_or_else(|error| panic!("{dir}: {error}"));

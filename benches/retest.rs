@@ -102,14 +102,13 @@ fn scene_pairs() -> [Vec<Points>; 2] {
     let (scene, params) = (Scene::default_scene(), Params::default());
     let meshes = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
     let [a, b] = meshes.map(|mesh| mesh.vertices().iter().map(|v| [v.x, v.y, v.z]).collect::<Vec<_>>());
-    let (host, golden, broad_phase) =
-        (SceneHost::new(&a, &b, &params).unwrap(), Golden::new(&params), scene.broad_phase());
+    let (host, golden, near) = (SceneHost::new(&a, &b, &params).unwrap(), Golden::new(&params), scene.near());
     let [mut all, mut undecided] = [vec![], vec![]];
-    for meeting in (0..scene.frames()).step_by(POSE_STEP).flat_map(|frame| broad_phase.meetings(frame)) {
+    for meeting in (0..scene.frames()).step_by(POSE_STEP).flat_map(|frame| near.meetings(frame)) {
         let m = meeting.pose.rotation();
         let rows = [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)]));
         let posed = host.pose(&rows, &meeting.pose.translation().into()).unwrap();
-        for (of_a, of_b) in broad_phase.pairs(&meeting) {
+        for (of_a, of_b) in near.pairs(&meeting) {
             let (of_a, of_b) = (meshes[0].faces()[of_a as usize], meshes[1].faces()[of_b as usize]);
             let [a0, a1, a2] = of_a.map(|i| a[i as usize]);
             let [b0, b1, b2] = of_b.map(|i| meeting.pose.image(&meshes[1].vertices()[i as usize]).into());

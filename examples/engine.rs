@@ -5,8 +5,9 @@
 //! `Job::packet` through its DMA, and gives what comes back to `Job::finish`.
 
 use efsat::NotFinite;
-use efsat::host::driver::engine::{Contacts, Objects, Options, StandIn};
-use efsat::params::{EngineParams, Params};
+use efsat::engine::driver::{Contacts, Objects, Options, StandIn};
+use efsat::engine::params::EngineParams;
+use efsat::params::Params;
 use efsat::scene::Scene;
 use std::error::Error;
 

@@ -33,6 +33,7 @@
 //! Where to go on:
 //!
 //! * [`params`], [`design`], [`artefact`]: parameters, the units as dataflow graphs, the generated files;
+//! * [`engine`]: the collision engine around the unit, with modules of the same names;
 //! * [`golden`]: the reference model, which gives every answer of the unit bit for bit;
 //! * [`host`]: quantising triangles for the unit, and the driver of its AXI4-Stream wrapper;
 //! * [`exact`], [`software`]: the exact oracle, and tests in floating point with an exact retest;
@@ -48,6 +49,7 @@ pub mod evidence {
     pub use efsat_studies::{accuracy, planner, times, wall};
 }
 
+pub use efsat_engine as engine;
 pub use efsat_geometry::{
     NotFinite, Points, directions, exact, finite, mesh, pair_file, sample, scene, self_intersections, software,
 };

@@ -90,14 +90,25 @@ def units(options):
     return [part.predicted for part in found.units.parts if hasattr(part, "predicted")]
 
 
+def changed_list(mesh, width):
+    """Self-intersections that a mesh has only after it was moved to a grid, and those that it has only before."""
+
+    def pairs(options):
+        run(f"efsat self-intersections {mesh} {options} --csv {KEPT}/pairs.csv")
+        return {tuple(row[:2]) for row in csv.reader((KEPT / "pairs.csv").read_text().splitlines()[1:])}
+
+    file, moved = pairs(""), pairs(f"--width {width}")
+    return len(moved - file), len(file - moved)
+
+
 def rows_of(figure):
     """The cells of a table by its description in the registry, the head first."""
     dear = figure["cost"] == "dear"
-    names = {"ask": functools.partial(ask, dear=dear)} | {f.__name__: f for f in (share, code, luts, against, routed, parts, mean, busy, units)}
+    names = {"ask": functools.partial(ask, dear=dear)} | {f.__name__: f for f in (share, code, luts, against, routed, parts, mean, busy, units, changed_list)}
     columns, command = figure["columns"], figure["command"].removeprefix("efsat ")
     yield ([figure["head"]] if "cell" in figure else []) + [column[0] for column in columns]
     rows = figure.get("rows", [""])
-    for row in eval(rows, names) if isinstance(rows, str) else rows:
+    for row in eval(f"({rows})", names) if isinstance(rows, str) else rows:
         row = row if isinstance(row, list | tuple) else [code(row), row]
         label, options = row[0], row[-1]
 
@@ -142,17 +153,6 @@ def stored(scene):
     return json.loads(Path(f"docs/accuracy/{scene}/accuracy.json").read_text())
 
 
-def software():
-    """Tests in software on the default scene."""
-    tests = {test["name"]: test for test in stored("headlight")["ladder"]}
-    rows = [("exact: `efsat::software::retest`, in batches ([8.4 on an idle machine](docs/benchmarks.md#the-exact-retest))", "retest, batch"), ("Held 1997, binary64", "f64, Held"),
-            ("Moeller 1997 without an epsilon, binary64", "f64, Moeller"), ("Guigue and Devillers 2003, binary64", "f64, Guigue"),
-            ("17 separating axes, binary64", "f64, 17 axes"), ("11 separating axes, binary64", "f64"),
-            ("Moeller 1997 with its published epsilon, binary64", "f64, epsilon")]
-    cells = lambda test: [f"{test['ns']:.0f}", test["undecided"], test["missed"] + test["invented"]]
-    return table(["<test", "ns per pair", "undecided", "wrong"], ([name, *cells(tests[key])] for name, key in rows))
-
-
 def row_of(rows, paper=False, method="axes", width="18"):
     """The row of a design in stored results."""
     for row in rows:
@@ -167,7 +167,7 @@ def budgets():
     """How many units fit into a part and what they do together: multipliers all used, look-up tables to four fifths, 100 MHz."""
     # To meet 100 MHz after routing, determinants are asked for more on the ECP5.
     parts = {"xc2v6000-4": "", "lfe5u-85-6": "--frequency 130", "xc7a200t-1": ""}
-    designs = ["--like-paper", "", *(f"--method determinants --clocks-per-pair {n}" for n in (11, 2)), "--method determinants"]
+    designs = ["", *(f"--method determinants --clocks-per-pair {n}" for n in (11, 2)), "--method determinants"]
     rows = stored("headlight")["rows"]
 
     def row(part, extra, design):
@@ -176,13 +176,12 @@ def budgets():
         cells, capacity = found.units.predicted, found.capacity
         number = min(capacity.multipliers // cells.multipliers, 4 * capacity.luts // 5 // luts(cells))
         rate = number * 100 / found.initiation_interval
-        result = row_of(rows, "paper" in design, "determinants" if "determinants" in design else "axes")
+        result = row_of(rows, False, "determinants" if "determinants" in design else "axes")
         undecided = result["answers"]["possibly_incorrect"] / result["answers"]["pairs"]
         time = f"{1000 / rate + undecided * result['cost_ns']:.2f}" if number else "does not fit"
-        return [part, code(options), f"{cells.multipliers} of {capacity.multipliers}", f"{luts(cells):,} of {capacity.luts:,}", number,
-                f"{rate:.1f}", f"{100 * undecided:.3f} %", time]
+        return [part, code(options), number, f"{rate:.1f}", time]
 
-    head = ["<part", "<options", "multipliers", "LUTs", "units", "million pairs per second", "undecided", "ns per pair, all decided"]
+    head = ["<part", "<options", "units", "million pairs per second", "ns per pair, all decided"]
     return table(head, (row(part, extra, design) for part, extra in parts.items() for design in designs))
 
 
@@ -204,12 +203,9 @@ def schedule(*options):
 
 
 def synthesis(part):
-    """What `efsat synth` prints of the default design: all of it for Virtex-II, without the columns of carry bits; of the ECP5 what
-    stands behind the units."""
+    """What `efsat synth` prints of the default design behind its units."""
     text = kept(f"efsat synth --device {part}")
-    lines = text[text.index(f"\n{part}: ") :] if part.startswith("lfe5u") else "\n".join(
-        line[:130].rstrip() if " | " in line else line for line in text.split("\n"))
-    return f"```text\n{lines.strip()}\n```"
+    return f"```text\n{text[text.index(chr(10) + part + ': ') :].strip()}\n```"
 
 
 COMPARED = {"headlight": "--scene headlight", "headlight, mm": "--scene headlight --units file", "bolt and nut": "--scene scenes/bolt_nut.toml",
@@ -218,22 +214,25 @@ COMPARED = {"headlight": "--scene headlight", "headlight, mm": "--scene headligh
 
 def comparison(what="answers"):
     """The paper's Table 1 and ours, or the wrong answers of every test."""
-    found = [ask(f"compare --like-paper {options}") for options in COMPARED.values()]
+    compared = {name: options for name, options in COMPARED.items() if what == "wrong" or "mm" not in name}
+    found = [ask(f"compare --like-paper {options}") for options in compared.values()]
     if what == "wrong":
         pair = lambda one: f"{one.missed:,} / {one.false:,}" if one.missed or one.false else "."
         rows = [[test.test, *(pair(one.software[i]) for one in found)] for i, test in enumerate(found[0].software)]
-        return table(["<missed / false", *COMPARED], [["EFSAT, definite", *(one.wrong.efsat for one in found)], *rows])
+        rows = [row for row in rows if set(row[1:]) != {"."}]
+        return table(["<missed / false", *compared], [["EFSAT, definite", *(one.wrong.efsat for one in found)], *rows])
     paper = ["70.93", "0", "0.02", "0", "0.13", "0", "0.04", "0.77", "0", "0", "0", "28.13"]
-    rows = [[*(getattr(row, key) for key in ("efsat", "moeller", "sat")), figure,
+    short = {"separate": "sep.", "intersect": "int.", "possibly-incorrect": "int. (p.i.)"}
+    rows = [[*(short[getattr(row, key)] for key in ("efsat", "moeller", "sat")), figure,
              *(share(one.rows[i].pairs, one.pairs, 3) if one.rows[i].pairs else "0" for one in found)]
             for i, (row, figure) in enumerate(zip(found[0].rows, paper, strict=True))]
-    return table(["<EFSAT", "<Moeller", "<SAT", "paper", *COMPARED], [*rows, ["pairs", "", "", "-", *(one.pairs for one in found)]])
+    return table(["<EFSAT", "<Moeller", "<SAT", "paper", *compared], [*rows, ["pairs", "", "", "-", *(one.pairs for one in found)]])
 
 
 def scenes():
-    """The ready scenes; what one shows is the first paragraph of its comment."""
-    first = lambda text: " ".join(line.removeprefix("#").strip() for line in re.match(r"(# .*\n)+", text)[0].splitlines())
-    return table(["<file", "<what it shows"], ([f"`{file.name}`", first(file.read_text())] for file in sorted(Path("scenes").glob("*.toml"))))
+    """The ready scenes; what one shows is how its comment begins."""
+    comment = lambda text: " ".join(line.removeprefix("#").strip() for line in re.match(r"(# .*\n)+", text)[0].splitlines())
+    return table(["<file", "<what it shows"], ([f"`{file.name}`", re.split(r"[.:]( |$)", comment(file.read_text()))[0]] for file in sorted(Path("scenes").glob("*.toml"))))
 
 
 LARGE = "--method determinants --block-lines 2048 --triangle-lines 1024"
@@ -279,7 +278,9 @@ def busy_over_distance():
     for one in (one for ones in both for one in ones):
         one.queries = getattr(one, "queries", 1)
     head = ["distance", "A: triangle unit", "volume unit", "bus", "MB/s", "B: triangle unit", "volume unit", "bus", "MB/s"]
-    return table(head, ([f"{a.distance:g}", *cells(a), *cells(b)] for a, b in zip(*both, strict=True)))
+    # Every third distance shows how the shares change.
+    shown = list(zip(*both, strict=True))[2::3]
+    return table(head, ([f"{a.distance:g}", *cells(a), *cells(b)] for a, b in shown))
 
 
 def torus(turned):
@@ -326,4 +327,4 @@ def tori():
     return table(head, ([n, size, *build, *verify, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
 
 
-SPECIAL = {f.__name__: f for f in (software, scenes, budgets, schedule, synthesis, comparison, distances, busy_over_distance, tori)}
+SPECIAL = {f.__name__: f for f in (scenes, budgets, schedule, synthesis, comparison, distances, busy_over_distance, tori)}

@@ -266,11 +266,11 @@ fn scene_segment(p: &Params) -> (Pose, Vec<Pair>) {
     static CHOSEN: OnceLock<SceneSample> = OnceLock::new();
     let (scene, meeting, pairs) = CHOSEN.get_or_init(|| {
         let scene = Scene::default_scene();
-        let broad_phase = scene.broad_phase();
-        let meetings = (0..scene.frames()).step_by(30).flat_map(|frame| broad_phase.meetings(frame));
-        let candidates = meetings.map(|meeting| (broad_phase.pairs(&meeting), meeting));
+        let near = scene.near();
+        let meetings = (0..scene.frames()).step_by(30).flat_map(|frame| near.meetings(frame));
+        let candidates = meetings.map(|meeting| (near.pairs(&meeting), meeting));
         let (all, meeting) = candidates.max_by_key(|(pairs, _)| pairs.len()).expect("the scene has poses");
-        drop(broad_phase);
+        drop(near);
         let step = (all.len() / 8).max(1);
         let pairs = all.iter().copied().step_by(step).collect();
         (scene, meeting, pairs)

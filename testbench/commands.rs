@@ -323,7 +323,7 @@ fn the_checks_can_fail() {
         ("--spam", "--spam: no option of any command"),
         (
             "boek::",
-            "boek::: no test of efsat, efsat-hardware, efsat-geometry, efsat-unit, efsat-checks, efsat-studies, efsat-cli, benches, testbench",
+            "boek::: no test of efsat, efsat-hardware, efsat-geometry, efsat-unit, efsat-engine, efsat-checks, efsat-studies, efsat-cli, benches, testbench",
         ),
         ("-p efsat-hardware opp::", "opp::: no test of efsat-hardware"),
         ("gen/unit/nothing.rs", "gen/unit/nothing.rs: no such file"),

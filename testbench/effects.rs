@@ -8,7 +8,7 @@ use efsat::host::Stage;
 use efsat::host::settings::Settings;
 use efsat::params::Params;
 use efsat::scene::hierarchy::{Directions, Scratch};
-use efsat::scene::{Scene, Survivors, load};
+use efsat::scene::{Near, Scene, load};
 use rayon::prelude::*;
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
@@ -45,15 +45,15 @@ fn request() -> Request {
 
 /// What is wrong about the planned unit, pair by pair: against the full unit and against the exact answer.
 fn wrong(scene: &Scene, plan: &Plan) -> Vec<String> {
-    let survivors = Survivors::new(scene, true, Directions::of(18));
+    let near = Near::by_dops(scene, true, Directions::of(18));
     let full = Params { ..plan.full_params.clone() };
     let stages = [Stage::new(scene, &full), Stage::new(scene, &plan.params)];
     let goldens = [Golden::new(&full), Golden::new(&plan.params)];
     let of_frame = |frame: usize| {
         let mut wrong = vec![];
-        for meeting in survivors.meetings(frame) {
+        for meeting in near.meetings(frame) {
             let mut pairs = vec![];
-            survivors.pairs(&meeting, &mut Scratch::default(), |some| pairs.extend_from_slice(some));
+            near.pieces(&meeting, &mut Scratch::default(), |some| pairs.extend_from_slice(some));
             if pairs.is_empty() {
                 continue;
             }

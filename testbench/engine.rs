@@ -3,12 +3,13 @@
 use crate::extent::share;
 use crate::hierarchy::brute_force;
 use crate::tools::program::{fails, object, succeeds};
+use efsat::engine::host::{Image, Numbers, memory};
+use efsat::engine::model::{Model, Query};
+use efsat::engine::params::EngineParams;
+use efsat::engine::words::Reason;
 use efsat::golden::Verdict;
-use efsat::golden::engine::{Model, Query};
-use efsat::host::engine::{Image, Numbers, memory};
 use efsat::mesh::{Mesh, read};
-use efsat::params::engine::Reason;
-use efsat::params::{EngineParams, Params};
+use efsat::params::Params;
 use efsat::scene::hierarchy::Directions;
 use efsat::scene::{Pose, Scene, load};
 use rayon::prelude::*;
@@ -107,8 +108,8 @@ fn no_touching_pair_of_any_mesh_is_lost() {
     // Every ready scene: of their meetings a sample over all frames, and of the bolt in its nut every second one at least.
     for (name, most) in READY {
         let scene = load(&scenes().join(format!("{name}.toml"))).unwrap();
-        let broad_phase = scene.broad_phase();
-        let all: Vec<_> = (0..scene.frames()).flat_map(|frame| broad_phase.meetings(frame)).collect();
+        let near = scene.near();
+        let all: Vec<_> = (0..scene.frames()).flat_map(|frame| near.meetings(frame)).collect();
         for meeting in share(2, all.iter().step_by(all.len().div_ceil(most))) {
             let [a, b] = [meeting.a, meeting.b].map(|object| (*scene.objects[object].mesh).clone());
             cases.push((format!("{name}, frame {}", meeting.frame), a, b, meeting.pose));

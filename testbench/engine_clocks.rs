@@ -3,14 +3,16 @@
 
 use crate::tools::made;
 use efsat::artefact::Stimulus;
-use efsat::artefact::engine::EngineDesign;
-use efsat::artefact::engine::samples::{cuboid, hills, turn};
+use efsat::engine::artefact::EngineDesign;
+use efsat::engine::artefact::samples::{cuboid, hills, turn};
+use efsat::engine::driver::{Objects, Options, StandIn, UnitPackets};
+use efsat::engine::format::EngineFormat;
+use efsat::engine::host::{Image, Images, Numbers, memory};
+use efsat::engine::model::Query;
+use efsat::engine::params::{EngineParams, Memory};
+use efsat::engine::words::EngineReport;
 use efsat::evidence::cosim::engine::{Channel, Machine, Measure, Reply, check};
-use efsat::golden::engine::Query;
-use efsat::host::driver::engine::{Objects, Options, StandIn, UnitPackets};
-use efsat::host::engine::{Image, Images, Numbers, memory};
 use efsat::params::Params;
-use efsat::params::engine::{EngineFormat, EngineParams, EngineReport, Memory};
 use efsat::scene::{Meeting, Pose, Scene};
 use nalgebra::Matrix3;
 
@@ -30,8 +32,8 @@ fn queries(design: &EngineDesign) -> (Images, Vec<Query>) {
     let numbers = Numbers::new(&design.params, &design.unit.params).unwrap();
     let images = Images::new(&scene.meshes().0, numbers).unwrap();
     let (_, sides) = memory(&images.all());
-    let broad_phase = scene.broad_phase();
-    let found: Vec<_> = (0..scene.frames()).flat_map(|frame| broad_phase.meetings(frame)).collect();
+    let near = scene.near();
+    let found: Vec<_> = (0..scene.frames()).flat_map(|frame| near.meetings(frame)).collect();
     let chosen = (0..QUERIES).map(|i| &found[i * found.len() / QUERIES]);
     // As `efsat cosim --engine` asks.
     let query = |meeting: &Meeting| images.query(meeting.meshes, &meeting.pose, &sides).unwrap();

@@ -15,9 +15,9 @@ mod traverse;
 
 use crate::tools::{ghdl, replaced};
 use efsat::artefact::Prefix;
-use efsat::artefact::engine::{EngineDesign, engine_files};
+use efsat::engine::artefact::{EngineDesign, engine_files};
+use efsat::engine::params::{EngineParams, Memory};
 use efsat::params::Params;
-use efsat::params::engine::{EngineParams, Memory};
 use player::Entity;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};

@@ -2,12 +2,15 @@
 
 use crate::tools::program::{object, refuses, succeeds};
 use crate::tools::{CHECKED, compiles_everywhere, has, run};
-use efsat::golden::engine::{Model, Query, Row, Side};
+use efsat::engine::format::EngineFormat;
+use efsat::engine::model::{Model, Query, Row, Side};
+use efsat::engine::params::EngineParams;
+use efsat::engine::params::Memory;
+use efsat::engine::words::{Answer, Command as Order, EngineReport, QueryFlags, Reason};
 use efsat::golden::{Input, Pose};
 use efsat::number::Upper;
-use efsat::params::engine::{Answer, Command as Order, EngineFormat, EngineReport, Memory, QueryFlags, Reason};
 use efsat::params::options::Choice;
-use efsat::params::{EngineParams, Params, Quantity};
+use efsat::params::{Params, Quantity};
 use efsat::scene::hierarchy::Directions;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};

@@ -3,16 +3,17 @@
 
 use crate::extent::{full, share};
 use crate::tools::{Ghdl, ghdl, replaced};
-use efsat::artefact::engine::samples::{cuboid, hills, turn};
-use efsat::artefact::engine::vectors::EngineVectors;
-use efsat::artefact::engine::{EngineDesign, engine_design_files, samples};
 use efsat::artefact::{FileSet, Prefix};
 use efsat::directions::Directions;
+use efsat::engine::artefact::samples::{cuboid, hills, turn};
+use efsat::engine::artefact::vectors::EngineVectors;
+use efsat::engine::artefact::{EngineDesign, engine_design_files, samples};
+use efsat::engine::host::{Image, Numbers, memory};
+use efsat::engine::model::{Model, Query};
+use efsat::engine::params::{EngineParams, Memory};
+use efsat::engine::words::{EngineReport, Reason};
 use efsat::golden::Pair;
-use efsat::golden::engine::{Model, Query};
-use efsat::host::engine::{Image, Numbers, memory};
 use efsat::mesh::Mesh;
-use efsat::params::engine::{EngineParams, EngineReport, Memory, Reason};
 use efsat::params::{Guard, Method, Params, Upper};
 use efsat_hardware::tools::Tool;
 use nalgebra::Point3;

@@ -1,5 +1,7 @@
 //! The tables of the pages are those that their commands make (scripts/figures, docs/figures.toml).
 
+use crate::tools::has;
+use crate::tools::program::PROGRAM;
 use std::fs;
 use std::path::Path;
 use std::process::{Command, Output};
@@ -10,17 +12,13 @@ fn repository() -> &'static Path {
 
 /// Whether there is a Python that runs the script; where there is none, this is said.
 fn python() -> bool {
-    let found = Command::new("python3").args(["-c", "import tomllib"]).output().is_ok_and(|o| o.status.success());
-    if !found {
-        eprintln!("skipped: Python 3.11 is not installed");
-    }
-    found
+    has("Python 3.11", "python3", "-cimport tomllib")
 }
 
 /// Runs the script of a repository.
 fn figures(root: &Path, arguments: &[&str]) -> Output {
     let script = root.join("scripts/figures");
-    Command::new("python3").arg(script).args(arguments).env("EFSAT", env!("CARGO_BIN_EXE_efsat")).output().unwrap()
+    Command::new("python3").arg(script).args(arguments).env("EFSAT", PROGRAM).output().unwrap()
 }
 
 #[track_caller]
@@ -126,8 +124,7 @@ fn the_check_notices_what_differs() {
 
 #[test]
 fn tables_are_written_with_their_commit() {
-    if !python() || Command::new("git").arg("--version").output().is_err() {
-        eprintln!("skipped where git is not installed");
+    if !python() || !has("git", "git", "--version") {
         return;
     }
     let dir = small();

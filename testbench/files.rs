@@ -145,6 +145,72 @@ fn outputs_of_a_scene_inside_and_beside_the_design() {
     assert!(!fs::read_to_string(dir.join("beside.svg")).unwrap().contains("922337203685"));
 }
 
+/// By whatever name: a link, or a path that goes around.
+#[test]
+fn no_file_that_is_read_is_written_over() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::write(dir.join("t.obj"), MESH).unwrap();
+    fs::write(dir.join("s.toml"), SCENE).unwrap();
+    for (link, file) in
+        [("l.csv", "t.obj"), ("l.svg", "t.obj"), ("l.html", "t.obj"), ("m.csv", "s.toml"), ("l.obj", "t.obj")]
+    {
+        symlink(file, dir.join(link)).unwrap();
+    }
+    let before = names(dir);
+    for line in [
+        "scene run s.toml --cosim none --csv l.csv",
+        "scene run s.toml --cosim none --pairs m.csv",
+        "scene run s.toml --cosim none --picture l.svg",
+        "scene run s.toml --cosim none --view l.html",
+        "scene run s.toml --engine model --csv l.csv",
+        "tree query s.toml --out l.obj",
+        "tree query s.toml --out q --image ./t.obj",
+        "tree build t.obj --out l.obj",
+        "tree build builtin:gear --beside l.obj --out t.obj",
+        "tree build t.obj --out x --faces l.csv",
+        "self-intersections l.obj --csv l.csv",
+        "self-intersections t.obj --picture l.svg",
+    ] {
+        refuses(dir, line, "found twice; expected two different files");
+        assert_eq!(names(dir), before, "{line}");
+    }
+    assert_eq!(fs::read_to_string(dir.join("t.obj")).unwrap(), MESH);
+    assert_eq!(fs::read_to_string(dir.join("s.toml")).unwrap(), SCENE);
+}
+
+/// The status of a file that cannot be written, whichever command prints.
+#[test]
+#[cfg(target_os = "linux")]
+fn a_full_standard_output_is_no_failed_check() {
+    let home = tempfile::tempdir().unwrap();
+    let dir = home.path();
+    fs::write(dir.join("t.obj"), MESH).unwrap();
+    fs::write(dir.join("s.toml"), SCENE).unwrap();
+    for line in [
+        "--help",
+        "list",
+        "classify --random 20000",
+        "classify --random 9 --json",
+        "compare --random 9",
+        "scene pairs s.toml",
+        "scene plan s.toml",
+        "scene run s.toml --cosim none",
+        "tree count s.toml",
+        "self-intersections t.obj",
+        "stress --pairs 9",
+        "generate --out rtl",
+        "completions bash",
+    ] {
+        let full = OpenOptions::new().write(true).open("/dev/full").unwrap();
+        let output = command(dir, line).stdout(full).output().unwrap();
+        let errors = String::from_utf8(output.stderr).unwrap();
+        let expected =
+            "error: standard output: No space left on device (os error 28); expected one that can be written\n";
+        assert_eq!((output.status.code(), errors.as_str()), (Some(2), expected), "efsat {line}");
+    }
+}
+
 #[test]
 fn links_are_followed_and_permissions_stay() {
     let home = tempfile::tempdir().unwrap();
@@ -222,6 +288,7 @@ fn a_pose_with_too_many_contacts_is_refused() {
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();
     many_times(dir, 515);
-    refuses(dir, "scene run many.toml --cosim none --csv x.csv", "more than 262144 pairs that touch");
+    let (status, _, errors) = efsat(dir, "scene run many.toml --cosim none --csv x.csv");
+    assert!(status == Some(2) && errors.contains("more than 262144 pairs that touch"), "{errors}");
     assert_eq!(names(dir), ["many.obj", "many.toml"], "nothing is left behind");
 }

@@ -50,24 +50,41 @@ const OTHERS: [&str; 2] = ["efsat mutate", "efsat cosim --engine"];
 
 const TYPES: [&str; 6] = ["text", "count", "number", "flag", "list", "object"];
 
-/// The tables of the page: key and type of each row, by heading.
+/// `a.{b, c}` is `a.b` and `a.c`.
+fn expanded(keys: &str) -> Vec<String> {
+    let braces = keys.split_once('{').and_then(|(before, rest)| Some((before, rest.split_once('}')?)));
+    let Some((before, (inner, after))) = braces else {
+        return vec![keys.to_owned()];
+    };
+    inner.split(',').flat_map(|one| expanded(&format!("{before}{}{after}", one.trim()))).collect()
+}
+
+/// The lists of the page: the type of each key, by heading. An item is keys, a type if they are no counts, and what they mean.
 fn tables(page: &str) -> BTreeMap<String, BTreeMap<String, String>> {
-    let mut tables: BTreeMap<String, BTreeMap<String, String>> = BTreeMap::new();
-    let mut heading = String::new();
+    let mut items: Vec<(&str, String)> = vec![];
+    let mut heading = "";
     for line in page.lines() {
-        if let Some(text) = line.strip_prefix("### ") {
-            heading = text.trim_matches('`').to_owned();
-        }
-        let cells: Vec<&str> = line.trim_matches('|').split('|').map(str::trim).collect();
-        if let (true, [keys, kind, ..]) = (line.starts_with("| `"), &cells[..])
-            && heading.starts_with("efsat ")
+        if line.starts_with("## ") {
+            heading = "";
+        } else if let Some(text) = line.strip_prefix("### ") {
+            heading = text.trim_matches('`');
+        } else if line.starts_with("- `") && heading.starts_with("efsat ") {
+            items.push((heading, line.to_owned()));
+        } else if let (Some(more), Some((of, item))) = (line.strip_prefix("  "), items.last_mut())
+            && *of == heading
         {
-            assert!(TYPES.contains(kind), "{heading}: {line}");
-            // Several keys of one type may be in a row.
-            for key in keys.split(',').map(|key| key.trim().trim_matches('`')) {
-                let before = tables.entry(heading.clone()).or_default().insert(key.to_owned(), (*kind).to_owned());
-                assert!(before.is_none(), "{heading}: {key} is there twice");
-            }
+            *item += " ";
+            *item += more;
+        }
+    }
+    let mut tables: BTreeMap<String, BTreeMap<String, String>> = BTreeMap::new();
+    for (heading, item) in &items {
+        let keys = item.split(": ").next().unwrap();
+        let kind = keys.strip_suffix(')').and_then(|keys| Some(keys.rsplit_once(" (")?.1)).unwrap_or("count");
+        assert!(TYPES.contains(&kind), "{heading}: {item}");
+        for key in keys.split('`').skip(1).step_by(2).flat_map(expanded) {
+            let before = tables.entry((*heading).to_owned()).or_default().insert(key.clone(), kind.to_owned());
+            assert!(before.is_none(), "{heading}: {key} is there twice");
         }
     }
     tables
@@ -101,7 +118,7 @@ fn is(value: &Value, kind: &str) -> bool {
     }
 }
 
-/// What is wrong with objects, if the page has this table.
+/// What is wrong with objects, if the page has this list.
 fn faults(command: &str, objects: &[Value], table: &BTreeMap<String, String>) -> Vec<String> {
     let mut found = BTreeSet::new();
     let mut faults = vec![];
@@ -160,7 +177,7 @@ fn objects_have_the_keys_of_the_page() {
     let tables = tables(&fs::read_to_string(page).unwrap());
     let on_page: BTreeSet<&str> = tables.keys().map(String::as_str).collect();
     let expected: BTreeSet<&str> = RUNS.map(|run| run.0).into_iter().chain(OTHERS).collect();
-    assert_eq!(on_page, expected, "the page has a table for each command");
+    assert_eq!(on_page, expected, "the page has a list for each command");
     let all = RUNS.iter().flat_map(|(command, runs)| {
         let objects: Vec<Value> = runs.iter().map(|arguments| object(dir, arguments)).collect();
         faults(command, &objects, &tables[*command])
@@ -200,9 +217,10 @@ fn every_command_with_json_is_on_the_page() {
 /// The checks are shown something that they have to complain of.
 #[test]
 fn the_checks_can_fail() {
-    let tables = tables(
-        "### `efsat x`\n\n| key | type | |\n| --- | --- | --- |\n| `a`, `b[].c` | count | |\n| `d` | list | |\n",
-    );
+    let tables = tables("### `efsat x`\n\n- `a`,\n  `b[].{c}`: what (these) are\n- `d` (list)\n\n## Others\n\n- `f`\n");
+    let keys = [("a", "count"), ("b[].c", "count"), ("d", "list")].map(|(key, kind)| (key.to_owned(), kind.to_owned()));
+    assert_eq!(tables, BTreeMap::from([("efsat x".to_owned(), BTreeMap::from(keys))]));
+    assert_eq!(expanded("{a, b[]}.{c, d}.e"), ["a.c.e", "a.d.e", "b[].c.e", "b[].d.e"]);
     let table = &tables["efsat x"];
     let say = |object: Value| faults("x", &[object], table);
     assert!(say(serde_json::json!({"a": 1, "b": [{"c": 2}], "d": [{"anything": 1}]})).is_empty());

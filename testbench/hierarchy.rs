@@ -164,7 +164,7 @@ fn no_pair_is_lost_in_a_pose_at_the_end_of_the_numbers() {
         ["lost.toml", "same.toml"].into_iter().flat_map(|scene| ["6", "14", "18", "26"].map(|k| (scene, k)))
     {
         for options in ["", "--first-hit"] {
-            let report = object(&reported().join("lost"), &format!("scene pairs {scene} --k {k} --json {options}"));
+            let report = object(reported().join("lost"), &format!("scene pairs {scene} --k {k} --json {options}"));
             assert_eq!(report["total"]["touching"], 1, "{scene}, k = {k} {options}");
         }
     }

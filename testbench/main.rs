@@ -43,5 +43,6 @@ mod stress;
 mod stress_once;
 mod strict;
 mod synth;
+mod thirty_minutes;
 mod tools;
 mod wall;

@@ -5,9 +5,8 @@ use crate::tools::ghdl;
 use efsat::artefact::Stimulus;
 use efsat::evidence::cosim::{Bench, Simulator, Trial};
 use efsat::evidence::mutation::campaign::{self, Campaign, Options};
-use efsat::evidence::mutation::model::{self, ModelCampaign};
 use efsat::evidence::mutation::score::{Entry, Standing};
-use efsat::evidence::mutation::{Kind, Mutant, capped, explained, spread};
+use efsat::evidence::mutation::{Kind, Mutant, explained, spread};
 use efsat::params::{Axes, Params, Projections, Transform, Upper};
 use rayon::prelude::*;
 use std::collections::HashSet;
@@ -135,22 +134,4 @@ fn co_simulation_kills_mutants_of_every_kind() {
         Entry::new(mutant, fate, &explained::vhdl(&params))
     };
     assert_eq!(holes(slice.into_par_iter().map(run).collect()), Vec::<String>::new());
-}
-
-#[test]
-fn the_evaluated_graph_kills_mutants_of_the_reference_model() {
-    let all = model::mutants();
-    let files: HashSet<&str> = all.iter().map(|m| m.unit.as_str()).collect();
-    assert!(all.len() > 200 && files.len() >= 10, "{} in {files:?}", all.len());
-    let slice = spread(capped(all, 1), if full() { 6 } else { 2 });
-    let campaign = ModelCampaign::new(64, 1).unwrap();
-    let run = |mutant: Mutant| {
-        let fate = campaign.fate(&mutant).unwrap();
-        Entry::new(mutant, fate, &explained::model())
-    };
-    // What rustc refuses tells nothing.
-    let entries: Vec<Entry> =
-        slice.into_par_iter().map(run).filter(|entry| entry.standing() != Standing::Invalid).collect();
-    assert!(entries.iter().any(|entry| entry.standing() == Standing::Killed));
-    assert_eq!(holes(entries), Vec::<String>::new());
 }

@@ -227,10 +227,10 @@ fn read_scene(path: &Path) -> Result<(), String> {
     let stage = Stage::new(&scene, &params);
     let golden = Golden::new(&params);
     for frame in [0, scene.frames() / 2, scene.frames() - 1] {
-        for meeting in stage.broad_phase.meetings(frame).iter().take(3) {
+        for meeting in stage.near.meetings(frame).iter().take(3) {
             let posed = stage.posed(meeting);
             let host = posed.host();
-            for pair in stage.broad_phase.pairs(meeting).into_iter().take(3) {
+            for pair in stage.near.pairs(meeting).into_iter().take(3) {
                 let [a, b] = posed.faces(pair);
                 if let Host::Unit(unit) = host.pair(a, b) {
                     golden.verdict(&host.pose, &unit);

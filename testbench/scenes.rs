@@ -10,7 +10,7 @@ use efsat::mesh::Mesh;
 use efsat::number::{Interval, Upper};
 use efsat::params::Params;
 use efsat::sample::random_points;
-use efsat::scene::{BroadPhase, Meeting, Scene, load};
+use efsat::scene::{Meeting, Near, Scene, load};
 use rand::SeedableRng;
 use rand::rngs::ChaCha8Rng;
 use rayon::prelude::*;
@@ -85,7 +85,7 @@ fn twelve(pose: &efsat::scene::Pose) -> (Matrix, [f64; 3]) {
 }
 
 /// The meetings of all frames.
-fn meetings<'a>(scene: &Scene, trees: &'a BroadPhase<'_>) -> impl ParallelIterator<Item = Meeting> + 'a {
+fn meetings<'a>(scene: &Scene, trees: &'a Near<'_>) -> impl ParallelIterator<Item = Meeting> + 'a {
     (0..scene.frames()).into_par_iter().flat_map_iter(|frame| trees.meetings(frame))
 }
 
@@ -97,7 +97,7 @@ fn triangles([a, b]: [&Mesh; 2], pair: Faces) -> (Triangle, Triangle) {
 
 /// The pairs of a scene, and those on which the two formulations disagree, as pose and faces.
 fn disagreements(scene: &Scene) -> (usize, Vec<(usize, Faces)>) {
-    let trees = scene.broad_phase();
+    let trees = scene.near();
     let compared = |meeting: Meeting| {
         let (m, t) = twelve(&meeting.pose);
         let pairs = trees.pairs(&meeting);
@@ -172,7 +172,7 @@ fn weaker_on_scene(scene: &Scene, params: &Params) -> Weaker {
     let [a, b] = [0, 1].map(|object: usize| scene.objects[object].mesh.as_ref());
     let vertices = [a, b].map(|mesh| mesh.vertices().iter().map(|&v| v.into()).collect::<Vec<[f64; 3]>>());
     let host = SceneHost::new(&vertices[0], &vertices[1], params).unwrap();
-    let trees = scene.broad_phase();
+    let trees = scene.near();
     let in_pose = |meeting: Meeting| {
         let (m, t) = twelve(&meeting.pose);
         let posed = host.pose(&m, &t).unwrap();

@@ -79,6 +79,31 @@ pub fn made<T, E: std::fmt::Display>(made: Result<T, E>) -> Option<T> {
     }
 }
 
+fn script(path: &Path, text: &str) {
+    std::fs::write(path, text).unwrap();
+    std::fs::set_permissions(path, std::os::unix::fs::PermissionsExt::from_mode(0o755)).unwrap();
+}
+
+/// The last line of `scripts/test` only filters what cargo says, which stands for it here.
+#[test]
+fn the_last_line_of_all_tests_counts_what_was_skipped() {
+    let home = tempfile::tempdir().unwrap();
+    let path = format!("{}:{}", home.path().display(), std::env::var("PATH").unwrap());
+    let last = |said: &str, ends: u32| {
+        script(&home.path().join("cargo"), &format!("#!/bin/sh\ncat <<'END'\n{said}END\nexit {ends}\n"));
+        let (status, output, _) = program::ran(Command::new("scripts/test").args(["only", "a::"]).env("PATH", &path));
+        (status, output.lines().last().unwrap_or_default().to_owned())
+    };
+    let results = "test result: ok. 30 passed; 0 failed; 2 ignored\ntest result: ok. 12 passed; 0 failed; 0 ignored\n";
+    assert_eq!(last(results, 0), (Some(0), "42 passed, 0 failed".to_owned()));
+    let skips = "skipped: a::b: GHDL is not installed: apt-get install ghdl\ntest a::c ... skipped: a::c: Yosys is not installed\n\
+                 skipped: a::b: a compiler of C++ is not installed\n";
+    let line = "40 passed, 0 failed, 2 skipped in whole or in part (not installed: GHDL, Yosys, a compiler of C++)";
+    assert_eq!(last(&[skips, results].concat(), 0), (Some(0), line.to_owned()));
+    assert_eq!(last("test result: FAILED. 3 passed; 1 failed;\n", 101), (Some(1), "3 passed, 1 failed".to_owned()));
+    assert_eq!(last("error: could not compile\n", 101), (Some(1), "0 passed, 1 failed".to_owned()));
+}
+
 /// Two runs would unpack the same folders, so the second waits for the first.
 #[test]
 fn one_run_of_the_set_up_waits_for_the_other() {
@@ -97,11 +122,7 @@ fn one_run_of_the_set_up_waits_for_the_other() {
         };
         std::os::unix::fs::symlink(path, tools.join(found)).unwrap();
     }
-    let tool = |name: &str, text: &str| {
-        std::fs::write(tools.join(name), format!("#!{}/bash\n{text}\n", tools.display())).unwrap();
-        let mode = std::os::unix::fs::PermissionsExt::from_mode(0o755);
-        std::fs::set_permissions(tools.join(name), mode).unwrap();
-    };
+    let tool = |name: &str, text: &str| script(&tools.join(name), &format!("#!{}/bash\n{text}\n", tools.display()));
     for name in ["ghdl-llvm", "ghdl-mcode", "verilator", "g++", "make"] {
         tool(name, ":");
     }

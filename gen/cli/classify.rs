@@ -281,7 +281,7 @@ impl Classifier {
             };
             pairs.par_iter().map(answer).collect()
         };
-        stage.broad_phase.in_order(answers, |meeting, answers| {
+        stage.near.meetings_in_order(answers, |meeting, answers| {
             bar.set_position(meeting.frame as u64);
             sink.take(&answers)
         })

@@ -185,7 +185,7 @@ impl Comparison {
         let mut total = Tally::default();
         let mut done = 0;
         let mut frame = 0;
-        let Ok(()) = stage.broad_phase.try_for_each(|meeting, pairs| {
+        let Ok(()) = stage.near.try_for_each(|meeting, pairs| {
             bar.inc((meeting.frame - frame) as u64);
             frame = meeting.frame;
             if pairs.is_empty() {
@@ -193,7 +193,7 @@ impl Comparison {
             }
             let posed = stage.posed(meeting);
             let host = posed.host();
-            let [mesh_a, mesh_b] = stage.broad_phase.meshes(meeting);
+            let [mesh_a, mesh_b] = stage.near.meshes(meeting);
             // The factor is a power of two and rounds nothing.
             let a = |vertex: u32| mesh_a.vertices()[vertex as usize].into();
             let images: Vec<[f64; 3]> = mesh_b.vertices().iter().map(|x| meeting.pose.image(x).into()).collect();

@@ -11,6 +11,7 @@ use super::source::{Source, SourceArguments, count};
 use efsat_checks::cosim::{self, Netlist, Options, Report, Simulator};
 use efsat_geometry::Points;
 use efsat_geometry::scene::Scene;
+use efsat_geometry::scene::hierarchy::Scratch;
 use efsat_unit::artefact::Stimulus;
 use efsat_unit::design::top::pace;
 use efsat_unit::golden::{Pair, Pose, Verdict};
@@ -19,7 +20,6 @@ use efsat_unit::params::{Params, options::Choice};
 use engine::EngineRun;
 use rayon::prelude::*;
 use serde::Serialize;
-use std::convert::Infallible;
 use std::path::PathBuf;
 
 /// Random pairs where nothing else is asked for.
@@ -126,14 +126,11 @@ impl Job {
         let bar = progress::bar("counting pairs", frames as u64, "poses", false);
         let counts: Vec<u64> = (0..frames)
             .into_par_iter()
-            .map(|frame| {
+            .map_init(Scratch::default, |scratch, frame| {
                 bar.inc(1);
                 let mut count = 0;
-                for meeting in stage.broad_phase.meetings(frame) {
-                    let Ok(()) = stage.broad_phase.candidates(&meeting).pieces(|pairs| {
-                        count += pairs.len() as u64;
-                        Ok::<(), Infallible>(())
-                    });
+                for meeting in stage.near.meetings(frame) {
+                    stage.near.pieces(&meeting, scratch, |pairs| count += pairs.len() as u64);
                 }
                 count
             })
@@ -146,14 +143,13 @@ impl Job {
                 start += count;
                 continue;
             }
-            for meeting in stage.broad_phase.meetings(frame) {
+            for meeting in stage.near.meetings(frame) {
                 let mut here: Vec<(u32, u32)> = vec![];
-                let Ok(()) = stage.broad_phase.candidates(&meeting).pieces(|pairs| {
+                stage.near.pieces(&meeting, &mut Scratch::default(), |pairs| {
                     let end = start + pairs.len() as u64;
                     let numbers = std::iter::from_fn(|| chosen.next_if(|i| *i < end));
                     here.extend(numbers.map(|i| pairs[(i - start) as usize]));
                     start = end;
-                    Ok::<(), Infallible>(())
                 });
                 if !here.is_empty() {
                     let posed = stage.posed(&meeting);

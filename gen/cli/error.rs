@@ -4,12 +4,12 @@ use clap::error::ErrorKind;
 use efsat_checks::cosim::CosimError;
 use efsat_checks::journal::JournalError;
 use efsat_checks::synth::SynthError;
+use efsat_engine::driver::{EngineError, ObjectsError};
 use efsat_geometry::pair_file::PairFileError;
 use efsat_geometry::scene::SceneError;
 use efsat_studies::planner::TooMany;
 use efsat_unit::artefact::FileSetError;
 use efsat_unit::design::top::DesignError;
-use efsat_unit::host::driver::engine::{EngineError, ObjectsError};
 
 /// Why a command ends early or without success.
 #[derive(Debug)]

@@ -5,6 +5,7 @@ use efsat_unit::artefact::Scratch;
 use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 /// A file that takes its name when it is finished.
 pub(super) struct Output {
@@ -23,6 +24,7 @@ impl Output {
     /// Begins a file; a target that cannot be written is found out here.
     pub fn new(path: &Path) -> Result<Self, Failure> {
         named(path, "file")?;
+        distinct(std::iter::once(path))?;
         let target = place(path)?;
         let found = fs::metadata(&target).ok();
         if found.as_ref().is_some_and(fs::Metadata::is_dir) {
@@ -105,9 +107,19 @@ pub(super) fn named(path: &Path, what: &str) -> Result<(), Failure> {
     }
 }
 
-/// Refuses names that lead to one file.
+/// The places of the files that this run reads.
+static READ: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
+
+/// Says that a file is read, so that it is not written over.
+pub(super) fn reads(path: &Path) {
+    if let Ok(place) = place(path) {
+        READ.lock().unwrap_or_else(PoisonError::into_inner).push(place);
+    }
+}
+
+/// Refuses names of outputs that lead to one file, or to one that is read.
 pub(super) fn distinct<'a>(paths: impl Iterator<Item = &'a Path>) -> Result<(), Failure> {
-    let mut places = vec![];
+    let mut places = READ.lock().unwrap_or_else(PoisonError::into_inner).clone();
     for path in paths {
         let place = place(path)?;
         if places.contains(&place) {

@@ -6,12 +6,13 @@ use super::file;
 use super::output::{print, print_json, warn};
 use super::params::{EngineArguments, ParamArguments, choice};
 use efsat_checks::synth::{SynthError, verilog};
+use efsat_engine::artefact::{engine_design_files_with, engine_verilog_files, samples};
+use efsat_engine::ready::ready_files;
 use efsat_hardware::device::Resources;
 use efsat_hardware::estimate;
-use efsat_unit::artefact::engine::{engine_design_files_with, samples};
 use efsat_unit::artefact::{
-    DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, dump_files, engine_verilog_files,
-    programme_files, ready_designs, ready_files, verilog_files,
+    DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, dump_files, programme_files,
+    ready_designs, verilog_files,
 };
 use efsat_unit::design::Design;
 use efsat_unit::design::top::pace;

@@ -2,10 +2,11 @@
 
 use super::error::Failure;
 use super::output::print;
+use efsat_engine::params::EngineParams;
 use efsat_geometry::mesh::{BUILTIN, builtin};
 use efsat_hardware::device::{self, Device};
 use efsat_unit::params::options::Row;
-use efsat_unit::params::{EngineParams, Method, Params};
+use efsat_unit::params::{Method, Params};
 
 /// Prints what there is to choose from, as a table in Markdown: options with their defaults, devices, or built-in meshes
 #[derive(Debug, clap::Args)]

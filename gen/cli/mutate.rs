@@ -8,32 +8,25 @@ use super::source::seed;
 use efsat_checks::cosim::Simulator;
 use efsat_checks::mutation::campaign::{self, Campaign, Options};
 use efsat_checks::mutation::explained::{self, Table};
-use efsat_checks::mutation::model::{self, ModelCampaign, ModelError};
 use efsat_checks::mutation::score::{Entry, Score, Standing, Tally};
 use efsat_checks::mutation::{Fate, Mutant, capped, spread};
-use efsat_unit::params::options::Choice;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::collections::BTreeMap;
 use std::sync::mpsc;
 use std::time::Instant;
 
-/// Changes the generated VHDL or the reference model, one line at a time, and shows that the checks notice it
+/// Changes the generated VHDL, one statement at a time, and shows that the checks notice it
 ///
 /// Every mutant of the VHDL is run on 16 chosen pairs, then with internal signals compared on 48 and on --vectors pairs,
-/// until an answer, a flag, a tag, the latency or a node differs: killed. Every mutant of the reference model
-/// (--target golden) is compiled with rustc and compared with the evaluated graph under several parameter sets. Mutants
-/// that no compiler takes are listed and do not count. Survivors are explained by a table of the program, most of them
-/// as equivalent: one that is not explained makes exit status 1, and so does an equivalent one that is killed.
+/// until an answer, a flag, a tag, the latency or a node differs: killed. Mutants that no compiler takes are listed and do not
+/// count. Survivors are explained by a table of the program, most of them as equivalent: one that is not explained makes exit status 1, and so does an equivalent one that is killed.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// What is changed: the generated VHDL, or the sources of the reference model under parameters of its own
-    #[arg(long, value_name = "TARGET", default_value = "vhdl", value_parser = choice::<Target>())]
-    target: Target,
     /// Print the mutants and run none
     #[arg(long)]
     list: bool,
-    /// Only mutants of this entity or source file
+    /// Only mutants of this entity
     #[arg(long, value_name = "NAME")]
     unit: Option<String>,
     /// At most N mutants of each kind in each unit, evenly spread
@@ -45,7 +38,7 @@ pub(super) struct Arguments {
     /// What runs the changed VHDL: ghdl or nvc
     #[arg(long, value_name = "NAME", default_value = "ghdl", value_parser = choice::<Simulator>())]
     simulator: Simulator,
-    /// Pairs for mutants that the first runs do not kill; for --target golden pairs for each parameter set
+    /// Pairs for mutants that the first runs do not kill
     #[arg(long, value_name = "N", default_value_t = 192, value_parser = whole(COUNT), allow_negative_numbers = true)]
     vectors: u32,
     /// Seed of the pairs
@@ -59,24 +52,6 @@ pub(super) struct Arguments {
 }
 
 const COUNT: std::ops::RangeInclusive<u32> = 1..=100_000;
-
-/// What is changed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Target {
-    Vhdl,
-    Golden,
-}
-
-impl Choice for Target {
-    const ALL: &'static [Self] = &[Self::Vhdl, Self::Golden];
-
-    fn name(self) -> &'static str {
-        match self {
-            Self::Vhdl => "vhdl",
-            Self::Golden => "golden",
-        }
-    }
-}
 
 /// A mutant in the JSON object.
 #[derive(Serialize)]
@@ -95,7 +70,6 @@ struct Row {
 /// The JSON object.
 #[derive(Serialize)]
 struct Summary {
-    target: &'static str,
     /// All that the forms of the text allow.
     existing: usize,
     #[serde(flatten)]
@@ -105,16 +79,6 @@ struct Summary {
     units: BTreeMap<String, Tally>,
     seconds: f64,
     results: Vec<Row>,
-}
-
-impl From<ModelError> for Failure {
-    fn from(e: ModelError) -> Self {
-        match e {
-            ModelError::Baseline(_) => Self::Check(e.to_string()),
-            ModelError::Design(e) => e.into(),
-            e => Self::Usage(e.to_string()),
-        }
-    }
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -128,37 +92,24 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return Err(Failure::Usage(format!("--simulator {refused}; expected one of ghdl, nvc")));
     }
     let start = Instant::now();
-    let all = match arguments.target {
-        Target::Vhdl => campaign::mutants(&params)?,
-        Target::Golden => model::mutants(),
-    };
+    let all = campaign::mutants(&params)?;
     let existing = all.len();
     let chosen = choose(arguments, all)?;
     if arguments.list {
         return print(&chosen.iter().map(|mutant| format!("{}\n", place(mutant))).collect::<String>());
     }
-    let vectors = arguments.vectors as usize;
     let spinner = progress::spinner("testing the unchanged text");
-    let entries = match arguments.target {
-        Target::Vhdl => {
-            let options = Options { simulator: arguments.simulator, vectors, seed: arguments.seed };
-            let campaign = Campaign::new(&params, &options)?;
-            spinner.finish_and_clear();
-            results(arguments, chosen, &explained::vhdl(&params), |mutant| Ok(campaign.fate(mutant)?))?
-        }
-        Target::Golden => {
-            let campaign = ModelCampaign::new(vectors, arguments.seed)?;
-            spinner.finish_and_clear();
-            results(arguments, chosen, &explained::model(), |mutant| Ok(campaign.fate(mutant)?))?
-        }
-    };
+    let vectors = arguments.vectors as usize;
+    let options = Options { simulator: arguments.simulator, vectors, seed: arguments.seed };
+    let campaign = Campaign::new(&params, &options)?;
+    spinner.finish_and_clear();
+    let entries = results(arguments, chosen, &explained::vhdl(&params), |mutant| Ok(campaign.fate(mutant)?))?;
     let mut score = Score::default();
     entries.iter().for_each(|entry| score.add(entry));
     let seconds = start.elapsed().as_secs_f64();
     if arguments.json {
         let kinds = score.kinds.iter().map(|(kind, tally)| (kind.to_string(), *tally)).collect();
         print_json(&Summary {
-            target: arguments.target.name(),
             existing,
             all: score.all,
             score: score.all.score(),

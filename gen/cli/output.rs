@@ -37,7 +37,7 @@ pub(super) fn readable(x: f64) -> String {
 pub(super) fn failure(e: io::Error) -> Failure {
     match e.kind() {
         io::ErrorKind::BrokenPipe => Failure::Closed,
-        _ => Failure::Check(format!("standard output: {e}")),
+        _ => Failure::Usage(format!("standard output: {e}; expected one that can be written")),
     }
 }
 

@@ -3,12 +3,12 @@
 use super::error::Failure;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
-use efsat_unit::artefact::engine::EngineDesign;
+use efsat_engine::artefact::EngineDesign;
+use efsat_engine::params::{EngineParams, Memory};
 use efsat_unit::design::top::DesignError;
-use efsat_unit::params::engine::Memory;
 use efsat_unit::params::options::{Choice, Row};
 pub(super) use efsat_unit::params::options::{choice, whole};
-use efsat_unit::params::{EngineParams, Method, Params};
+use efsat_unit::params::{Method, Params};
 
 /// Parameters of the design, and which of them were typed.
 #[derive(Debug)]

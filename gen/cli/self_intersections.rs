@@ -199,9 +199,7 @@ fn answers(arguments: &Arguments, mesh: &Mesh) -> Result<Answers, Failure> {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let outputs = [&arguments.csv, &arguments.pairs, &arguments.picture];
     let (original, findings) = load_mesh(&arguments.mesh)?;
-    // The mesh is not overwritten either.
-    let mesh = Some(arguments.mesh.as_path()).filter(|mesh| mesh.exists());
-    file::distinct(mesh.into_iter().chain(outputs.into_iter().flatten().map(PathBuf::as_path)))?;
+    file::distinct(outputs.into_iter().flatten().map(PathBuf::as_path))?;
     let answers = answers(arguments, &original)?;
     let [csv, pairs, picture] = outputs.map(|path| path.as_deref().map(Output::new).transpose());
     let (csv, pairs, picture) = (csv?, pairs?, picture?);

@@ -1,6 +1,7 @@
 //! Where pairs come from: files of pairs, scenes and seeded random numbers.
 
 use super::error::Failure;
+use super::file;
 use super::output::warn;
 use efsat_geometry::mesh::{self, BUILTIN, Findings, Mesh};
 use efsat_geometry::pair_file::PairFileError;
@@ -42,6 +43,7 @@ impl Source {
         if Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
             return Self::scene(name);
         }
+        file::reads(name.as_ref());
         pair_file::read(name).map(Self::Pairs).map_err(|e| match e {
             // Here scenes are read as well.
             PairFileError::Kind { file, found, hint } => {
@@ -67,6 +69,7 @@ impl Source {
 /// standard error.
 pub(super) fn load_mesh(path: &Path) -> Result<(Mesh, Findings), Failure> {
     let Some(name) = path.to_str().and_then(|name| name.strip_prefix("builtin:")) else {
+        file::reads(path);
         let (mesh, findings) = mesh::survey(path).map_err(|e| Failure::Usage(e.to_string()))?;
         if findings.must_be_said() {
             warn(&format!("{}: {findings}", path.display()));
@@ -100,6 +103,8 @@ pub(super) fn load_planned(name: &str) -> Result<(Scene, Settings), Failure> {
         return Err(Failure::Usage(format!("{name}: not found: expected {}", known_scenes())));
     }
     let scene = scene::load(path)?;
+    file::reads(path);
+    scene.files().iter().for_each(|mesh| file::reads(mesh));
     let settings = Settings::of(&scene, name.as_ref())?;
     for object in scene.objects.iter().filter(|object| object.findings.must_be_said()) {
         warn(&format!("{name}: object {}: {}", object.name, object.findings));

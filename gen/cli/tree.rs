@@ -10,10 +10,9 @@ mod verify;
 use super::error::Failure;
 use super::params::{choice, whole};
 use clap::Subcommand;
+use efsat_engine::host::{Image, ImageError};
+use efsat_engine::params::{EngineParams, OFFSET_BITS, ORIGIN_BITS};
 use efsat_geometry::scene::hierarchy::Directions;
-use efsat_unit::host::engine::{Image, ImageError};
-use efsat_unit::params::EngineParams;
-use efsat_unit::params::engine::{OFFSET_BITS, ORIGIN_BITS};
 use std::fs;
 use std::path::Path;
 

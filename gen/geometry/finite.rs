@@ -30,6 +30,8 @@ pub enum Place {
     },
     /// A coordinate of a vertex of a mesh.
     Vertex {
+        /// Which mesh, if there are two: 0 is A, 1 is B.
+        mesh: Option<usize>,
         /// The vertex.
         vertex: usize,
         /// x, y or z.
@@ -61,7 +63,10 @@ impl fmt::Display for Place {
                 }
                 write!(f, "{} of {}", AXES[axis], CORNERS[corner])
             }
-            Self::Vertex { vertex, axis } => write!(f, "{} of vertex {vertex}", AXES[axis]),
+            Self::Vertex { mesh, vertex, axis } => {
+                let of_mesh = mesh.map_or("", |mesh| [" of mesh a", " of mesh b"][mesh]);
+                write!(f, "{} of vertex {vertex}{of_mesh}", AXES[axis])
+            }
             Self::Matrix { row, column } => write!(f, "the entry in row {row}, column {column} of the matrix"),
             Self::Translation { axis } => write!(f, "{} of the translation", AXES[axis]),
         }
@@ -91,7 +96,17 @@ pub fn pair(points: &Points) -> Result<(), NotFinite> {
 /// # Errors
 /// The first that is not.
 pub fn vertices(vertices: &[[f64; 3]]) -> Result<(), NotFinite> {
-    first(vertices.as_flattened(), |index| Place::Vertex { vertex: index / 3, axis: index % 3 })
+    first(vertices.as_flattened(), |index| Place::Vertex { mesh: None, vertex: index / 3, axis: index % 3 })
+}
+
+/// Whether all coordinates of the vertices of two meshes are finite.
+///
+/// # Errors
+/// The first that is not, with its mesh.
+pub fn meshes(a: &[[f64; 3]], b: &[[f64; 3]]) -> Result<(), NotFinite> {
+    let of = |mesh: usize| move |i: usize| Place::Vertex { mesh: Some(mesh), vertex: i / 3, axis: i % 3 };
+    first(a.as_flattened(), of(0))?;
+    first(b.as_flattened(), of(1))
 }
 
 /// Whether all twelve numbers of a pose are finite; `m` is indexed `[row][column]`.

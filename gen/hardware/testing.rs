@@ -31,7 +31,7 @@ pub fn full() -> bool {
 pub fn skip(missing: impl std::fmt::Display) {
     assert!(!full(), "{missing}; expected every tool with EFSAT_TESTS=full");
     let thread = std::thread::current();
-    let line = format!("skipped: {}: {missing}\n", thread.name().unwrap_or("a thread of a test"));
+    let line = format!("skipped: {}: {missing}\n", thread.name().unwrap_or("unnamed"));
     // A closed standard error is no reason to fail.
     let _ = std::io::stderr().lock().write_all(line.as_bytes());
 }

@@ -36,26 +36,28 @@ pub struct Dyadic {
 }
 
 impl Dyadic {
-    pub(crate) fn zero() -> Self {
+    /// 0.
+    pub fn zero() -> Self {
         Self { mantissa: BigInt::ZERO, exponent: 0 }
     }
 
-    pub(crate) fn is_zero(&self) -> bool {
+    /// Whether it is 0.
+    pub fn is_zero(&self) -> bool {
         self.mantissa.is_zero()
     }
 
     /// Times 2^power.
-    pub(crate) fn scaled(self, power: i64) -> Self {
+    pub fn scaled(self, power: i64) -> Self {
         Self { exponent: self.exponent + power, ..self }
     }
 
     /// The least p with a magnitude below 2^p; none for zero.
-    pub(crate) fn length(&self) -> Option<i64> {
+    pub fn length(&self) -> Option<i64> {
         (!self.is_zero()).then(|| self.mantissa.bits() as i64 + self.exponent)
     }
 
     /// The least p with self <= 2^p, for a positive number.
-    pub(crate) fn ceil_log2(&self) -> i64 {
+    pub fn ceil_log2(&self) -> i64 {
         (&self.mantissa - 1u32).bits() as i64 + self.exponent
     }
 
@@ -66,18 +68,18 @@ impl Dyadic {
     }
 
     /// With a last place of 1 or finer.
-    pub(crate) fn at_last_place(self) -> Self {
+    pub fn at_last_place(self) -> Self {
         self.refined(0)
     }
 
     /// The greatest whole number that is not above.
-    pub(crate) fn floor(self) -> Self {
+    pub fn floor(self) -> Self {
         let Self { mantissa, exponent } = self.refined(0);
         Self { mantissa: mantissa >> -exponent, exponent: 0 }
     }
 
     /// A whole number above by the rule for upper bounds; itself if there are no places below 1.
-    pub(crate) fn upper(self, rule: Upper) -> Self {
+    pub fn upper(self, rule: Upper) -> Self {
         match rule {
             Upper::Implied if self.exponent < 0 => self.floor() + Self::from(1),
             _ => -(-self).floor(),
@@ -85,14 +87,14 @@ impl Dyadic {
     }
 
     /// The greatest whole number that is not above, if it has at most 64 bits, and whether the number is above it.
-    pub(crate) fn floor_and_rest(self) -> Option<(i64, bool)> {
+    pub fn floor_and_rest(self) -> Option<(i64, bool)> {
         let floor = self.clone().floor();
         let rest = floor != self;
         Some((floor.mantissa.to_i64()?, rest))
     }
 
     /// The coordinates of points as integers, all with one last place.
-    pub(crate) fn together<const N: usize>(points: [[Self; 3]; N]) -> [[BigInt; 3]; N] {
+    pub fn together<const N: usize>(points: [[Self; 3]; N]) -> [[BigInt; 3]; N] {
         let exponent = points.iter().flatten().filter(|x| !x.is_zero()).map(|x| x.exponent).min().unwrap_or(0);
         points.map(|point| point.map(|x| if x.is_zero() { BigInt::ZERO } else { x.refined(exponent).mantissa }))
     }

@@ -7,3 +7,4 @@ pub mod dyadic;
 pub mod golden;
 pub mod host;
 pub mod params;
+pub mod parts;

@@ -52,8 +52,10 @@ architecture rtl of efsat_stream is
   constant pairs_header : std_logic_vector(31 downto 0) := x"4410a001";
   constant pose_header : std_logic_vector(31 downto 0) := x"4410a002";
   constant all_bytes : std_logic_vector(127 downto 0) := (others => '1');
-  constant pair_end : unsigned(5 downto 0) := to_unsigned(0, 6);  -- last word of a pair, counted from 0
-  constant pose_end : unsigned(5 downto 0) := to_unsigned(0, 6);  -- last word of a pose
+  constant pair_words : natural := 1;
+  constant pair_end : unsigned(5 downto 0) := to_unsigned(pair_words - 1, 6);  -- last word of a pair, counted from 0
+  constant pose_words : natural := 1;
+  constant pose_end : unsigned(5 downto 0) := to_unsigned(pose_words - 1, 6);  -- last word of a pose
 
   -- What the next word is.
   type expectation_state is (header_state, pair_state, pose_state, long_pose_state, broken_state, unknown_state);
@@ -80,12 +82,14 @@ architecture rtl of efsat_stream is
   signal vacant : std_logic;
 
   -- The answers owed, in order: bit 3 last of its packet, bit 2 a report, bits 1 downto 0 its reason.
-  type order_words is array (0 to 127) of std_logic_vector(3 downto 0);
+  constant places : natural := 128;
+  constant place_bits : natural := 7;
+  type order_words is array (0 to places - 1) of std_logic_vector(3 downto 0);
   signal order_memory : order_words := (others => "0000");
   signal order_entry : std_logic_vector(3 downto 0);
   signal order_write : std_logic;
-  signal owed_count : unsigned(7 downto 0) := (others => '0');
-  signal given_count : unsigned(7 downto 0) := (others => '0');
+  signal owed_count : unsigned(place_bits downto 0) := (others => '0');
+  signal given_count : unsigned(place_bits downto 0) := (others => '0');
   signal order_full : std_logic;
   signal owing : std_logic;
   signal head : std_logic_vector(3 downto 0);
@@ -187,15 +191,15 @@ begin
   order_write <= word_taken and (s_axis_tlast or at_pair_end) when expectation = pair_state else
     word_taken and s_axis_tlast;
   order_full <= '1' when owed_count(owed_count'high) /= given_count(given_count'high)
-    and owed_count(6 downto 0) = given_count(6 downto 0) else '0';
+    and owed_count(place_bits - 1 downto 0) = given_count(place_bits - 1 downto 0) else '0';
   owing <= '1' when owed_count /= given_count else '0';
-  head <= order_memory(to_integer(given_count(6 downto 0)));
+  head <= order_memory(to_integer(given_count(place_bits - 1 downto 0)));
 
   keep_order : process (aclk)
   begin
     if rising_edge(aclk) then
       if order_write = '1' then
-        order_memory(to_integer(owed_count(6 downto 0))) <= order_entry;
+        order_memory(to_integer(owed_count(place_bits - 1 downto 0))) <= order_entry;
       end if;
       if aresetn = '0' then
         owed_count <= (others => '0');

@@ -22,6 +22,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.engine_layout.all;
 
 entity efsat_engine is
   port (
@@ -72,7 +73,7 @@ architecture rtl of efsat_engine is
   signal job_short : std_logic;
   signal job_reason : std_logic_vector(4 downto 0);
   signal job_number : std_logic_vector(23 downto 0);
-  signal job_words : std_logic_vector(1983 downto 0);
+  signal job_words : std_logic_vector(job_bits - 1 downto 0);
   signal packet_valid : std_logic;  -- a pair of a packet, not of a query
   signal packet_taken : std_logic;
   signal packet_last : std_logic;
@@ -98,10 +99,10 @@ architecture rtl of efsat_engine is
   signal stop_at_contact : std_logic;
   signal separate_too : std_logic;
   signal leaves_only : std_logic;
-  signal query_pose : std_logic_vector(161 downto 0);
-  signal query_shift : std_logic_vector(77 downto 0);
+  signal query_pose : std_logic_vector(query_pose_bits - 1 downto 0);
+  signal query_shift : std_logic_vector(query_shift_bits - 1 downto 0);
   signal query_errors : std_logic_vector(47 downto 0);
-  signal query_rows : std_logic_vector(1043 downto 0);
+  signal query_rows : std_logic_vector(query_rows_bits - 1 downto 0);
   signal short : std_logic;
   signal reason : std_logic_vector(4 downto 0);
   signal number : std_logic_vector(23 downto 0);
@@ -117,12 +118,12 @@ architecture rtl of efsat_engine is
   -- Blocks and volumes
   signal block_request : std_logic;
   signal block_accepted : std_logic;
-  signal request_a : std_logic_vector(23 downto 0);
-  signal request_b : std_logic_vector(23 downto 0);
+  signal request_a : std_logic_vector(node_bits - 1 downto 0);
+  signal request_b : std_logic_vector(node_bits - 1 downto 0);
   signal blocks_valid : std_logic;
   signal blocks_taken : std_logic;
-  signal block_a : std_logic_vector(511 downto 0);
-  signal block_b : std_logic_vector(511 downto 0);
+  signal block_a : std_logic_vector(block_bits - 1 downto 0);
+  signal block_b : std_logic_vector(block_bits - 1 downto 0);
   signal volume_ready : std_logic;
   signal take_a : std_logic_vector(1 downto 0);
   signal take_b : std_logic_vector(1 downto 0);
@@ -144,8 +145,8 @@ architecture rtl of efsat_engine is
   signal triangles_there : std_logic;  -- and not sent yet
   signal triangles_passed : std_logic;  -- dropped, or by the unit
   signal triangles_sent : std_logic := '0';  -- the unit has taken them, a clock ago
-  signal triangle_a : std_logic_vector(319 downto 0);
-  signal triangle_b : std_logic_vector(319 downto 0);
+  signal triangle_a : std_logic_vector(triangle_bits - 1 downto 0);
+  signal triangle_b : std_logic_vector(triangle_bits - 1 downto 0);
   signal numbers : std_logic_vector(55 downto 0);
   signal unit_v : std_logic_vector(287 downto 0);  -- nine words for each triangle
   signal unit_w : std_logic_vector(287 downto 0);
@@ -158,6 +159,7 @@ architecture rtl of efsat_engine is
   signal tested_overlapping : std_logic_vector(10 downto 0);
   signal tested_outside : std_logic;
   signal tested_numbers : std_logic_vector(55 downto 0);
+  constant tag_last : natural := 16;  -- of a pair of a packet: it is the last one
   signal tested_flags : std_logic_vector(39 downto 0);
   signal tested_taken : std_logic;
   signal decided_valid : std_logic;
@@ -201,7 +203,7 @@ architecture rtl of efsat_engine is
   signal ask_address_2 : std_logic_vector(25 downto 0);
   signal ask_address_3 : std_logic_vector(25 downto 0);
   signal fill_valid : std_logic_vector(3 downto 0);
-  signal fill_data : std_logic_vector(63 downto 0);
+  signal fill_data : std_logic_vector(memory_width - 1 downto 0);
   signal line_ready : std_logic_vector(3 downto 0);
   signal line_valid : std_logic_vector(3 downto 0);
   signal missed : std_logic_vector(3 downto 0);
@@ -380,15 +382,15 @@ begin
   -- While no query runs, the unit tests pairs of packets: the last words of the stream. Above the 16 bits of their tag the
   -- unit's tag says which is the last of its packet.
   -- A number of a triangle has a place of 32 bits, of which the unit reads the low ones: the others are its sign.
-  unit_v <= triangle_a(319 downto 32) when running = '1' else job_words(1695 downto 1408);
-  unit_w <= triangle_b(319 downto 32) when running = '1' else job_words(1983 downto 1696);
+  unit_v <= triangle_a(triangle_corners) when running = '1' else job_words(job_pair_v);
+  unit_w <= triangle_b(triangle_corners) when running = '1' else job_words(job_pair_w);
   unit_tag <= numbers when running = '1' else
-    "000000000000000000000000000000000000000" & packet_last & job_words(1391 downto 1376);
+    "000000000000000000000000000000000000000" & packet_last & job_words(job_pair_tag);
   packet_taken <= packet_valid and unit_ready;
 
   -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
   -- The numbers of triangles are in the low bits of the first word, 28 of them.
-  numbers <= triangle_b(27 downto 0) & triangle_a(27 downto 0);
+  numbers <= triangle_b(triangle_number) & triangle_a(triangle_number);
   bypass_free <= decided_ready or not bypassed_valid;
   unit_valid <= (triangles_there and not leaves_only and not ending) or packet_valid;
   bypass_valid <= triangles_there and leaves_only and not ending;
@@ -444,21 +446,21 @@ begin
       in_w2_x => unit_w(223 downto 192),
       in_w2_y => unit_w(255 downto 224),
       in_w2_z => unit_w(287 downto 256),
-      pose_m00 => job_words(479 downto 448),
-      pose_m01 => job_words(511 downto 480),
-      pose_m02 => job_words(543 downto 512),
-      pose_m10 => job_words(575 downto 544),
-      pose_m11 => job_words(607 downto 576),
-      pose_m12 => job_words(639 downto 608),
-      pose_m20 => job_words(671 downto 640),
-      pose_m21 => job_words(703 downto 672),
-      pose_m22 => job_words(735 downto 704),
-      pose_t_x => job_words(767 downto 736),
-      pose_t_y => job_words(799 downto 768),
-      pose_t_z => job_words(831 downto 800),
+      pose_m00 => job_words(job_pose_m00),
+      pose_m01 => job_words(job_pose_m01),
+      pose_m02 => job_words(job_pose_m02),
+      pose_m10 => job_words(job_pose_m10),
+      pose_m11 => job_words(job_pose_m11),
+      pose_m12 => job_words(job_pose_m12),
+      pose_m20 => job_words(job_pose_m20),
+      pose_m21 => job_words(job_pose_m21),
+      pose_m22 => job_words(job_pose_m22),
+      pose_t_x => job_words(job_pose_t_x),
+      pose_t_y => job_words(job_pose_t_y),
+      pose_t_z => job_words(job_pose_t_z),
       pose_valid => pose_valid,
       pose_ready => pose_ready,
-      pose_bypass => job_words(415),
+      pose_bypass => job_words(job_bypass),
       out_valid => tested_valid,
       out_ready => tested_taken,
       out_verdict => tested_verdict,
@@ -475,7 +477,7 @@ begin
   decided_numbers <= bypassed_numbers when leaves_only = '1' else
     tested_numbers when running = '1' else
     tested_flags & tested_numbers(15 downto 0);
-  decided_last <= tested_numbers(16) and not running;
+  decided_last <= tested_numbers(tag_last) and not running;
 
   -- ===== Answers =====
   answer : entity work.engine_answer

@@ -190,6 +190,7 @@ begin
 
   -- Memory: bursts are answered in order, each not before its latency is over.
   memory : process
+    constant beat_words : natural := 1;
     constant most_bursts : natural := 64;
     constant most_faults : natural := 64;
     type memory_words is array (natural range <>) of word_64;
@@ -235,8 +236,8 @@ begin
     -- Half of a word of 64 bits in 32-bit memories, else whole ones.
     procedure read_beat(from : in natural; number : in natural) is
     begin
-      for i in 0 to 0 loop
-        place := from + 1 * number + i;
+      for i in 0 to beat_words - 1 loop
+        place := from + beat_words * number + i;
         if place < size then
           rdata(64 * i + 63 downto 64 * i) <= words(place);
         end if;

@@ -16,6 +16,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.engine_layout.all;
 
 entity engine_answer is
   port (
@@ -155,7 +156,7 @@ begin
   end process hold;
 
   -- ===== Report =====
-  incomplete <= '0' when reason = "00000" or (reason = "00001" and short = '0') else '1';
+  incomplete <= '0' when reason = reason_complete or (reason = reason_contact and short = '0') else '1';
   -- Each expansion asks for two blocks and each pair for two triangles: twice the count, whose highest bit is lost as every count
   -- of 32 bits begins again.
   report_word <=

@@ -7,14 +7,15 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.engine_layout.all;
 
 entity engine_children is
   port (
     clk : in std_logic;
     reset : in std_logic;
     taken : in std_logic;  -- the block is taken in this clock
-    data : in std_logic_vector(511 downto 0);
-    own : in std_logic_vector(23 downto 0);  -- number of the block
+    data : in std_logic_vector(block_bits - 1 downto 0);
+    own : in std_logic_vector(node_bits - 1 downto 0);  -- number of the block
     block_count : in std_logic_vector(31 downto 0);
     triangle_count : in std_logic_vector(31 downto 0);
     present : out std_logic_vector(1 downto 0);  -- bit 0 left, bit 1 right child: there is one
@@ -29,20 +30,22 @@ end entity engine_children;
 architecture rtl of engine_children is
   constant none : std_logic_vector(31 downto 0) := (others => '1');
   -- The bits of a block come out of block RAM, late in their clock: they are compared in short parts, and the parts are put
-  -- together a clock later. A code is unusable if it is -2^9. The tag has k in bits 7..0, bits of a code in 11..8, version in
-  -- 15..12, then zeros.
-  constant usable : std_logic_vector(35 downto 0) := (others => '0');
-  constant same : std_logic_vector(5 downto 0) := (others => '0');
-  signal upper : std_logic_vector(35 downto 0);  -- bit i: the upper bits of code i are those of the unusable one
-  signal upper_before : std_logic_vector(35 downto 0) := (others => '0');
-  signal lower : std_logic_vector(35 downto 0);
-  signal lower_before : std_logic_vector(35 downto 0) := (others => '0');
-  signal other : std_logic_vector(5 downto 0);  -- parts of the tag that differ
-  signal other_before : std_logic_vector(5 downto 0) := (others => '0');
+  -- together a clock later. A code is unusable if it has its sign bit alone. The tag has k in bits 7..0, bits of a code in 11..8,
+  -- version in 15..12, then zeros.
+  constant codes : natural := 36;
+  constant tag_parts : natural := 6;
+  constant usable : std_logic_vector(codes - 1 downto 0) := (others => '0');
+  constant same : std_logic_vector(tag_parts - 1 downto 0) := (others => '0');
+  signal upper : std_logic_vector(codes - 1 downto 0);  -- bit i: the upper bits of code i are those of the unusable one
+  signal upper_before : std_logic_vector(codes - 1 downto 0) := (others => '0');
+  signal lower : std_logic_vector(codes - 1 downto 0);
+  signal lower_before : std_logic_vector(codes - 1 downto 0) := (others => '0');
+  signal other : std_logic_vector(tag_parts - 1 downto 0);  -- parts of the tag that differ
+  signal other_before : std_logic_vector(tag_parts - 1 downto 0) := (others => '0');
   signal taken_before : std_logic := '0';
   type links is array (0 to 1) of std_logic_vector(31 downto 0);
   signal link : links := (others => (others => '0'));
-  signal number : std_logic_vector(23 downto 0) := (others => '0');
+  signal number : std_logic_vector(node_bits - 1 downto 0) := (others => '0');
 begin
   upper(0) <= '1' when data(161 downto 157) = "10000" else '0';
   lower(0) <= '1' when data(156 downto 152) = "00000" else '0';
@@ -150,7 +153,7 @@ begin
     leaf(i) <= link(i)(31);
     beyond <= '1' when target >= unsigned(triangle_count) else '0';
     astray <= '1' when target >= unsigned(block_count) or target <= unsigned(number)
-      or target(30 downto 24) /= 0 else '0';
+      or target(30 downto node_bits) /= 0 else '0';
     fault(i) <= beyond when link(i)(31) = '1' else astray;
   end generate children;
   -- Bits 30..28 are zero where there is no fault: no tree that a query can name has so many blocks or triangles.

@@ -20,6 +20,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.engine_layout.all;
 
 entity engine_command is
   port (
@@ -39,7 +40,7 @@ entity engine_command is
     -- Of the report: 0 loaded, 6 unknown header, 7 too short, 8 too long. Of a short one: 0 pose taken, 1, 2, 3.
     job_reason : out std_logic_vector(4 downto 0);
     job_number : out std_logic_vector(23 downto 0);
-    job_words : out std_logic_vector(1983 downto 0);  -- of the query without its header, the first in the low bits
+    job_words : out std_logic_vector(job_bits - 1 downto 0);  -- of the query without its header, the first in the low bits
     busy : in std_logic;  -- a query runs, or something waits for its turn
     pair_valid : out std_logic;  -- the last 10 words are a pair
     pair_taken : in std_logic;
@@ -58,10 +59,10 @@ architecture rtl of engine_command is
   constant stop_header : std_logic_vector(39 downto 0) := x"0044102005";
   constant reset_header : std_logic_vector(39 downto 0) := x"0044102006";
   constant all_bytes : std_logic_vector(7 downto 0) := (others => '1');
-  constant fine : std_logic_vector(4 downto 0) := "00000";
-  constant unknown : std_logic_vector(4 downto 0) := "00110";
-  constant too_short : std_logic_vector(4 downto 0) := "00111";
-  constant too_long : std_logic_vector(4 downto 0) := "01000";
+  constant fine : std_logic_vector(4 downto 0) := reason_complete;
+  constant unknown : std_logic_vector(4 downto 0) := reason_unknown_header;
+  constant too_short : std_logic_vector(4 downto 0) := reason_too_short;
+  constant too_long : std_logic_vector(4 downto 0) := reason_too_long;
 
   -- Two words are held, so that TREADY depends on registers alone. What a word is as a header is found when it arrives.
   constant is_query : natural := 0;
@@ -71,18 +72,19 @@ architecture rtl of engine_command is
   constant is_pose : natural := 4;
   constant is_short : natural := 5;  -- of kind 1 or 2, be it known or not
   constant is_reset : natural := 6;  -- with nothing behind it
-  signal kind : std_logic_vector(6 downto 0);
+  constant kinds : natural := 7;
+  signal kind : std_logic_vector(kinds - 1 downto 0);
   signal running : std_logic := '0';
   signal head_valid : std_logic := '0';
   signal head : std_logic_vector(63 downto 0) := (others => '0');
   signal head_last : std_logic := '0';
   signal head_whole : std_logic := '0';
-  signal head_kind : std_logic_vector(6 downto 0) := (others => '0');
+  signal head_kind : std_logic_vector(kinds - 1 downto 0) := (others => '0');
   signal next_valid : std_logic := '0';
   signal next_word : std_logic_vector(63 downto 0) := (others => '0');
   signal next_last : std_logic := '0';
   signal next_whole : std_logic := '0';
-  signal next_kind : std_logic_vector(6 downto 0) := (others => '0');
+  signal next_kind : std_logic_vector(kinds - 1 downto 0) := (others => '0');
   signal ready : std_logic;
   signal arrives : std_logic;
   signal within_packet : std_logic := '0';  -- the last word that came was not the last of its packet
@@ -92,6 +94,8 @@ architecture rtl of engine_command is
 
   type expectation_state is (header_state, query_state, pose_state, pair_state, skip_state);
   signal expectation : expectation_state := header_state;
+  -- Behind its header a pair begins here, to end where a pose does.
+  constant pair_place : unsigned(5 downto 0) := to_unsigned(row_word - pair_words, 6);
   signal place : unsigned(5 downto 0) := "000000";  -- of the word in its packet, if that is a query; records of pairs and poses end where a query's pose does
   signal at_options : std_logic := '0';  -- the word with the options of a query
   signal at_record : std_logic := '0';  -- the first word of a pose or a pair
@@ -104,6 +108,8 @@ architecture rtl of engine_command is
   signal moving : std_logic := '0';  -- a pose does
   signal fault : std_logic_vector(4 downto 0) := fine;
   signal waits : std_logic;
+  signal reset_taken : std_logic;  -- the word of a soft reset
+  signal clears : std_logic;
   signal shifts : std_logic;
   signal unfit : std_logic;  -- the word of a query has a value that there is not
   signal pending : std_logic := '0';
@@ -111,7 +117,7 @@ architecture rtl of engine_command is
   signal posed_pending : std_logic := '0';
   signal short : std_logic := '0';  -- the packet is of kind 1 or 2
   signal last_pair : std_logic := '0';
-  signal words : std_logic_vector(1983 downto 0) := (others => '0');
+  signal words : std_logic_vector(job_bits - 1 downto 0) := (others => '0');
   signal number : std_logic_vector(23 downto 0) := (others => '0');
 begin
   ready <= running and not next_valid;
@@ -175,6 +181,8 @@ begin
   waits <= pending or (busy and head_kind(is_pairs));
   taken <= head_valid and (head_kind(is_reset) or (not occupied and (head_kind(is_stop) or not waits))) when expectation = header_state else
     head_valid and not occupied;
+  reset_taken <= taken and head_kind(is_reset) when expectation = header_state else '0';
+  clears <= reset or soft_reset or reset_taken;
   shifts <= (head_valid and gathers) or moving;
   -- A word that is none, in front of the first one or between two, is not looked at.
   unfit <= '0' when head_valid = '0' else '1' when
@@ -189,13 +197,167 @@ begin
   begin
     if rising_edge(clk) then
       if shifts = '1' then
-        words <= head & words(1983 downto 64);
+        words <= head & words(job_bits - 1 downto 64);
       end if;
       stop <= '0';
-      reset_word <= '0';
-      stop_number <= head(63 downto 40);
-      if reset = '1' then
+      reset_word <= reset_taken and not (reset or soft_reset);
+      stop_number <= head(option_number);
+      if job_taken = '1' then
+        pending <= '0';
+      end if;
+      if at_options = '1' and gathers = '1' then
+        number <= head(option_number);
+      end if;
+      if taken = '1' or moving = '1' then
+        place <= place + 1;
+        at_options <= '0';
+        if place = options_word - 1 then
+          at_options <= '1';
+        end if;
+        at_record <= '0';
+        if place = pose_word - 1 and expectation = query_state then
+          at_record <= '1';
+        end if;
+        at_record_end <= '0';
+        if place = row_word - 2 then
+          at_record_end <= '1';
+        end if;
+        if place = row_word - 1 then
+          at_rows <= '1';
+        end if;
+        at_end <= '0';
+        if place = query_words - 2 then
+          at_end <= '1';
+        end if;
+        if at_end = '1' then
+          behind <= '1';
+          gathers <= '0';
+        end if;
+      end if;
+      if moving = '1' and at_end = '1' then
+        moving <= '0';
+        occupied <= '0';
+        pending <= '1';
+        job_reason <= fine;
+        query_pending <= '0';
+        posed_pending <= '1';
+      end if;
+      if pair_taken = '1' then
+        occupied <= '0';
+        if expectation = pair_state then
+          gathers <= '1';
+        end if;
+      end if;
+      if taken = '1' then
+        found := fault;
+        answer_short := short;
+        if expectation = header_state then
+          place <= "000001";
+          at_options <= '0';
+          at_record <= '0';
+          at_record_end <= '0';
+          at_rows <= '0';
+          at_end <= '0';
+          behind <= '0';
+          answer_short := head_kind(is_short);
+          if head_kind(is_stop) = '0' then
+            short <= head_kind(is_short);
+          end if;
+          gathers <= head_kind(is_query) or head_kind(is_pose) or head_kind(is_pairs);
+          if head_kind(is_query) = '1' then
+            expectation <= query_state;
+            if head_last = '1' then
+              found := too_short;
+            end if;
+          elsif head_kind(is_pose) = '1' then
+            expectation <= pose_state;
+            place <= to_unsigned(pose_word, 6);
+            at_record <= '1';
+            if head_last = '1' then
+              found := too_short;
+            end if;
+          elsif head_kind(is_pairs) = '1' then
+            expectation <= pair_state;
+            place <= pair_place;
+            at_record <= '1';
+            if head_last = '1' then
+              found := too_short;
+            end if;
+          elsif head_kind(is_stop) = '1' then
+            stop <= '1';
+          elsif head_kind(is_long_stop) = '1' then
+            found := too_long;
+          elsif head_kind(is_reset) = '0' then
+            found := unknown;
+          end if;
+          if found /= fine then
+            expectation <= skip_state;
+          end if;
+        elsif expectation = query_state then
+          if fault = fine then
+            if head_whole = '0' then
+              found := too_short;
+            elsif behind = '1' then
+              found := too_long;
+            elsif unfit = '1' then
+              found := unknown;
+            elsif head_last = '1' and at_end = '0' then
+              found := too_short;
+            end if;
+          end if;
+        elsif expectation = pose_state then
+          if fault = fine then
+            if at_rows = '1' then
+              found := too_long;
+            elsif head_whole = '0' or (head_last = '1' and at_record_end = '0') then
+              found := too_short;
+            elsif at_record_end = '1' then
+              gathers <= '0';
+              occupied <= head_last;
+              moving <= head_last;
+            end if;
+          end if;
+        elsif expectation = pair_state then
+          if head_whole = '0' or (head_last = '1' and at_record_end = '0') then
+            found := too_short;
+            gathers <= '0';
+            expectation <= skip_state;
+          elsif at_record_end = '1' then
+            gathers <= '0';
+            occupied <= '1';
+            last_pair <= head_last;
+            place <= pair_place;
+            at_record <= '1';
+            at_rows <= '0';
+          end if;
+        end if;
+        fault <= found;
+        if head_last = '1' then
+          expectation <= header_state;
+          fault <= fine;
+          gathers <= '0';
+          -- A stop has no answer, pairs are no job, and a pose becomes one when it is in its place.
+          if found /= fine or expectation = query_state then
+            pending <= '1';
+            query_pending <= '0';
+            posed_pending <= '0';
+            job_reason <= found;
+            if found = fine and expectation = query_state then
+              query_pending <= '1';
+              posed_pending <= '1';
+            elsif answer_short = '1' then
+              -- 6, 7 and 8 become 1, 2 and 3: the two low bits tell them apart.
+              job_reason <= "000" & std_logic_vector(unsigned(found(1 downto 0)) - 1);
+            end if;
+          end if;
+        end if;
+      end if;
+      -- What is forgotten by reset and by both kinds of soft reset. That of the port drops the rest of a packet, too.
+      if clears = '1' then
         expectation <= header_state;
+        if (soft_reset and stays_within and not reset) = '1' then
+          expectation <= skip_state;
+        end if;
         pending <= '0';
         query_pending <= '0';
         posed_pending <= '0';
@@ -203,179 +365,7 @@ begin
         gathers <= '0';
         occupied <= '0';
         moving <= '0';
-      else
-        if job_taken = '1' then
-          pending <= '0';
-        end if;
-        if at_options = '1' and gathers = '1' then
-          number <= head(63 downto 40);
-        end if;
-        if taken = '1' or moving = '1' then
-          place <= place + 1;
-          at_options <= '0';
-          if place = 4 then
-            at_options <= '1';
-          end if;
-          at_record <= '0';
-          if place = 6 and expectation = query_state then
-            at_record <= '1';
-          end if;
-          at_record_end <= '0';
-          if place = 12 then
-            at_record_end <= '1';
-          end if;
-          if place = 13 then
-            at_rows <= '1';
-          end if;
-          at_end <= '0';
-          if place = 30 then
-            at_end <= '1';
-          end if;
-          if at_end = '1' then
-            behind <= '1';
-            gathers <= '0';
-          end if;
-        end if;
-        if moving = '1' and at_end = '1' then
-          moving <= '0';
-          occupied <= '0';
-          pending <= '1';
-          job_reason <= fine;
-          query_pending <= '0';
-          posed_pending <= '1';
-        end if;
-        if pair_taken = '1' then
-          occupied <= '0';
-          if expectation = pair_state then
-            gathers <= '1';
-          end if;
-        end if;
-        if taken = '1' then
-          found := fault;
-          answer_short := short;
-          if expectation = header_state then
-            place <= "000001";
-            at_options <= '0';
-            at_record <= '0';
-            at_record_end <= '0';
-            at_rows <= '0';
-            at_end <= '0';
-            behind <= '0';
-            answer_short := head_kind(is_short);
-            if head_kind(is_stop) = '0' then
-              short <= head_kind(is_short);
-            end if;
-            gathers <= head_kind(is_query) or head_kind(is_pose) or head_kind(is_pairs);
-            if head_kind(is_query) = '1' then
-              expectation <= query_state;
-              if head_last = '1' then
-                found := too_short;
-              end if;
-            elsif head_kind(is_pose) = '1' then
-              expectation <= pose_state;
-              place <= to_unsigned(7, 6);
-              at_record <= '1';
-              if head_last = '1' then
-                found := too_short;
-              end if;
-            elsif head_kind(is_pairs) = '1' then
-              expectation <= pair_state;
-              place <= to_unsigned(4, 6);
-              at_record <= '1';
-              if head_last = '1' then
-                found := too_short;
-              end if;
-            elsif head_kind(is_stop) = '1' then
-              stop <= '1';
-            elsif head_kind(is_reset) = '1' then
-              reset_word <= '1';
-              pending <= '0';
-              query_pending <= '0';
-              posed_pending <= '0';
-              occupied <= '0';
-              moving <= '0';
-            elsif head_kind(is_long_stop) = '1' then
-              found := too_long;
-            else
-              found := unknown;
-            end if;
-            if found /= fine then
-              expectation <= skip_state;
-            end if;
-          elsif expectation = query_state then
-            if fault = fine then
-              if head_whole = '0' then
-                found := too_short;
-              elsif behind = '1' then
-                found := too_long;
-              elsif unfit = '1' then
-                found := unknown;
-              elsif head_last = '1' and at_end = '0' then
-                found := too_short;
-              end if;
-            end if;
-          elsif expectation = pose_state then
-            if fault = fine then
-              if at_rows = '1' then
-                found := too_long;
-              elsif head_whole = '0' or (head_last = '1' and at_record_end = '0') then
-                found := too_short;
-              elsif at_record_end = '1' then
-                gathers <= '0';
-                occupied <= head_last;
-                moving <= head_last;
-              end if;
-            end if;
-          elsif expectation = pair_state then
-            if head_whole = '0' or (head_last = '1' and at_record_end = '0') then
-              found := too_short;
-              gathers <= '0';
-              expectation <= skip_state;
-            elsif at_record_end = '1' then
-              gathers <= '0';
-              occupied <= '1';
-              last_pair <= head_last;
-              place <= to_unsigned(4, 6);
-              at_record <= '1';
-              at_rows <= '0';
-            end if;
-          end if;
-          fault <= found;
-          if head_last = '1' then
-            expectation <= header_state;
-            fault <= fine;
-            gathers <= '0';
-            -- A stop has no answer, pairs are no job, and a pose becomes one when it is in its place.
-            if found /= fine or expectation = query_state then
-              pending <= '1';
-              query_pending <= '0';
-              posed_pending <= '0';
-              job_reason <= found;
-              if found = fine and expectation = query_state then
-                query_pending <= '1';
-                posed_pending <= '1';
-              elsif answer_short = '1' then
-                -- 6, 7 and 8 become 1, 2 and 3: the two low bits tell them apart.
-                job_reason <= "000" & std_logic_vector(unsigned(found(1 downto 0)) - 1);
-              end if;
-            end if;
-          end if;
-        end if;
-        if soft_reset = '1' then
-          expectation <= header_state;
-          if stays_within = '1' then
-            expectation <= skip_state;
-          end if;
-          pending <= '0';
-          query_pending <= '0';
-          posed_pending <= '0';
-          fault <= fine;
-          gathers <= '0';
-          occupied <= '0';
-          moving <= '0';
-          stop <= '0';
-          reset_word <= '0';
-        end if;
+        stop <= '0';
       end if;
     end if;
   end process receive;

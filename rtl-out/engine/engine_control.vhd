@@ -14,6 +14,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.engine_layout.all;
 
 entity engine_control is
   port (
@@ -28,7 +29,7 @@ entity engine_control is
     job_short : in std_logic;
     job_reason : in std_logic_vector(4 downto 0);
     job_number : in std_logic_vector(23 downto 0);
-    job_words : in std_logic_vector(1983 downto 0);
+    job_words : in std_logic_vector(job_bits - 1 downto 0);
     stop : in std_logic;
     stop_number : in std_logic_vector(23 downto 0);
     -- The pose is taken from the words of the job.
@@ -53,10 +54,10 @@ entity engine_control is
     stop_at_contact : out std_logic;
     separate_too : out std_logic;  -- also while no query runs
     leaves_only : out std_logic;  -- no triangle test
-    query_pose : out std_logic_vector(161 downto 0);
-    query_shift : out std_logic_vector(77 downto 0);
+    query_pose : out std_logic_vector(query_pose_bits - 1 downto 0);
+    query_shift : out std_logic_vector(query_shift_bits - 1 downto 0);
     query_errors : out std_logic_vector(47 downto 0);
-    query_rows : out std_logic_vector(1043 downto 0);
+    query_rows : out std_logic_vector(query_rows_bits - 1 downto 0);
     -- How it goes.
     idle : in std_logic;  -- nothing is to be done any more
     contact : in std_logic;
@@ -76,7 +77,7 @@ entity engine_control is
 end entity engine_control;
 
 architecture rtl of engine_control is
-  constant fine : std_logic_vector(4 downto 0) := "00000";
+  constant fine : std_logic_vector(4 downto 0) := reason_complete;
   type phase_state is (waiting_state, take_state, check_state, flush_state, run_state, abort_state, report_state);
   signal phase : phase_state := waiting_state;
   -- What follows from phase and reason, each in a register of its own, because it is read in many places.
@@ -127,23 +128,25 @@ begin
   stops_waiting <= stop and job_valid and job_query and not stops_running when job_number = stop_number else '0';
 
   -- Entries of the matrix: cut off and saturated.
-  entry(0) <= job_words(479 downto 448);
-  entry(1) <= job_words(511 downto 480);
-  entry(2) <= job_words(543 downto 512);
-  entry(3) <= job_words(575 downto 544);
-  entry(4) <= job_words(607 downto 576);
-  entry(5) <= job_words(639 downto 608);
-  entry(6) <= job_words(671 downto 640);
-  entry(7) <= job_words(703 downto 672);
-  entry(8) <= job_words(735 downto 704);
+  entry(0) <= job_words(job_pose_m00);
+  entry(1) <= job_words(job_pose_m01);
+  entry(2) <= job_words(job_pose_m02);
+  entry(3) <= job_words(job_pose_m10);
+  entry(4) <= job_words(job_pose_m11);
+  entry(5) <= job_words(job_pose_m12);
+  entry(6) <= job_words(job_pose_m20);
+  entry(7) <= job_words(job_pose_m21);
+  entry(8) <= job_words(job_pose_m22);
   entries : for i in 0 to 8 generate
     signal cut : std_logic_vector(17 downto 0);
-    signal above : std_logic_vector(3 downto 0);  -- sign bits, if it fits
+    constant sign : natural := 31;
+    constant above_bits : natural := 4;
+    signal above : std_logic_vector(above_bits - 1 downto 0);  -- sign bits, if it fits
   begin
     cut <= entry(i)(28 downto 11);
     above <= entry(i)(31 downto 28);
-    saturated(i) <= "011111111111111111" when entry(i)(31) = '0' and above /= "0000" else
-      "100000000000000001" when entry(i)(31) = '1' and (above /= "1111" or cut = "100000000000000000") else
+    saturated(i) <= "011111111111111111" when entry(i)(sign) = '0' and above /= "0000" else
+      "100000000000000001" when entry(i)(sign) = '1' and (above /= "1111" or cut = "100000000000000000") else
       cut;
   end generate entries;
 
@@ -157,57 +160,56 @@ begin
         number_now <= job_number;
         short <= job_short;
       end if;
-      separate_too <= options(33) or not running_now;
-      leaves_only <= options(34) and running_now;
+      separate_too <= options(option_separate) or not running_now;
+      leaves_only <= options(option_leaves) and running_now;
       if taken = '1' and job_query = '1' then
-        bases(0) <= unsigned(job_words(31 downto 0));
-        bases(1) <= unsigned(job_words(63 downto 32));
-        bases(2) <= unsigned(job_words(95 downto 64));
-        bases(3) <= unsigned(job_words(127 downto 96));
-        counts(0) <= unsigned(job_words(159 downto 128));
-        counts(1) <= unsigned(job_words(191 downto 160));
-        counts(2) <= unsigned(job_words(223 downto 192));
-        counts(3) <= unsigned(job_words(255 downto 224));
-        options <= job_words(319 downto 256);
-        -- Word 6 ends with the three errors: the bits above are not read.
-        query_errors <= job_words(367 downto 320);
-        query_pose(17 downto 0) <= saturated(0);
-        query_pose(35 downto 18) <= saturated(1);
-        query_pose(53 downto 36) <= saturated(2);
-        query_pose(71 downto 54) <= saturated(3);
-        query_pose(89 downto 72) <= saturated(4);
-        query_pose(107 downto 90) <= saturated(5);
-        query_pose(125 downto 108) <= saturated(6);
-        query_pose(143 downto 126) <= saturated(7);
-        query_pose(161 downto 144) <= saturated(8);
+        bases(0) <= unsigned(job_words(job_blocks_a));
+        bases(1) <= unsigned(job_words(job_blocks_b));
+        bases(2) <= unsigned(job_words(job_triangles_a));
+        bases(3) <= unsigned(job_words(job_triangles_b));
+        counts(0) <= unsigned(job_words(job_block_count_a));
+        counts(1) <= unsigned(job_words(job_block_count_b));
+        counts(2) <= unsigned(job_words(job_triangle_count_a));
+        counts(3) <= unsigned(job_words(job_triangle_count_b));
+        options <= job_words(job_options);
+        query_errors <= job_words(job_errors);
+        query_pose(query_m00) <= saturated(0);
+        query_pose(query_m01) <= saturated(1);
+        query_pose(query_m02) <= saturated(2);
+        query_pose(query_m10) <= saturated(3);
+        query_pose(query_m11) <= saturated(4);
+        query_pose(query_m12) <= saturated(5);
+        query_pose(query_m20) <= saturated(6);
+        query_pose(query_m21) <= saturated(7);
+        query_pose(query_m22) <= saturated(8);
         -- Of the shift the bits below s4.22 are cut off, of a row those above its rest are zero: the command has looked.
-        query_shift(25 downto 0) <= job_words(767 downto 742);
-        query_shift(51 downto 26) <= job_words(799 downto 774);
-        query_shift(77 downto 52) <= job_words(831 downto 806);
-        query_rows(57 downto 0) <= job_words(889 downto 832);
-        query_rows(115 downto 58) <= job_words(953 downto 896);
-        query_rows(173 downto 116) <= job_words(1017 downto 960);
-        query_rows(231 downto 174) <= job_words(1081 downto 1024);
-        query_rows(289 downto 232) <= job_words(1145 downto 1088);
-        query_rows(347 downto 290) <= job_words(1209 downto 1152);
-        query_rows(405 downto 348) <= job_words(1273 downto 1216);
-        query_rows(463 downto 406) <= job_words(1337 downto 1280);
-        query_rows(521 downto 464) <= job_words(1401 downto 1344);
-        query_rows(579 downto 522) <= job_words(1465 downto 1408);
-        query_rows(637 downto 580) <= job_words(1529 downto 1472);
-        query_rows(695 downto 638) <= job_words(1593 downto 1536);
-        query_rows(753 downto 696) <= job_words(1657 downto 1600);
-        query_rows(811 downto 754) <= job_words(1721 downto 1664);
-        query_rows(869 downto 812) <= job_words(1785 downto 1728);
-        query_rows(927 downto 870) <= job_words(1849 downto 1792);
-        query_rows(985 downto 928) <= job_words(1913 downto 1856);
-        query_rows(1043 downto 986) <= job_words(1977 downto 1920);
+        query_shift(query_shift_x) <= job_words(job_shift_x);
+        query_shift(query_shift_y) <= job_words(job_shift_y);
+        query_shift(query_shift_z) <= job_words(job_shift_z);
+        query_rows(query_row_0) <= job_words(job_row_0);
+        query_rows(query_row_1) <= job_words(job_row_1);
+        query_rows(query_row_2) <= job_words(job_row_2);
+        query_rows(query_row_3) <= job_words(job_row_3);
+        query_rows(query_row_4) <= job_words(job_row_4);
+        query_rows(query_row_5) <= job_words(job_row_5);
+        query_rows(query_row_6) <= job_words(job_row_6);
+        query_rows(query_row_7) <= job_words(job_row_7);
+        query_rows(query_row_8) <= job_words(job_row_8);
+        query_rows(query_row_9) <= job_words(job_row_9);
+        query_rows(query_row_10) <= job_words(job_row_10);
+        query_rows(query_row_11) <= job_words(job_row_11);
+        query_rows(query_row_12) <= job_words(job_row_12);
+        query_rows(query_row_13) <= job_words(job_row_13);
+        query_rows(query_row_14) <= job_words(job_row_14);
+        query_rows(query_row_15) <= job_words(job_row_15);
+        query_rows(query_row_16) <= job_words(job_row_16);
+        query_rows(query_row_17) <= job_words(job_row_17);
         moved <= '0';
-        if known = '0' or bases(0) /= unsigned(job_words(31 downto 0))
-          or bases(1) /= unsigned(job_words(63 downto 32))
-          or bases(2) /= unsigned(job_words(95 downto 64))
-          or bases(3) /= unsigned(job_words(127 downto 96))
-          or job_words(291) = '0' then
+        if known = '0' or bases(0) /= unsigned(job_words(job_blocks_a))
+          or bases(1) /= unsigned(job_words(job_blocks_b))
+          or bases(2) /= unsigned(job_words(job_triangles_a))
+          or bases(3) /= unsigned(job_words(job_triangles_b))
+          or job_words(job_keep) = '0' then
           moved <= '1';
         end if;
       end if;
@@ -235,8 +237,8 @@ begin
   block_count_b <= std_logic_vector(counts(1));
   triangle_count_a <= std_logic_vector(counts(2));
   triangle_count_b <= std_logic_vector(counts(3));
-  most_expansions <= options(31 downto 0);
-  stop_at_contact <= options(32);
+  most_expansions <= options(option_expansions);
+  stop_at_contact <= options(option_contact);
 
   proceed : process (clk)
     variable next_phase : phase_state;
@@ -258,7 +260,7 @@ begin
         next_phase := report_state;
         stopped <= '0';
         stopped_waiting <= '0';
-        next_reason := "01010";
+        next_reason := reason_reset;
         known <= '0';
       else
         stopped <= stopped or stops_running;
@@ -282,11 +284,11 @@ begin
           checks <= checks + 1;
           if checks = "10" then
             if outside /= "0000" then
-              next_reason := "00100";
+              next_reason := reason_memory;
               next_phase := report_state;
               known <= '0';
             elsif empty = '1' then
-              next_reason := "00011";
+              next_reason := reason_bad_tree;
               next_phase := report_state;
               known <= '0';
             elsif moved = '1' then
@@ -303,7 +305,7 @@ begin
           if memory_draining = '1' then
             if memory_silent = '1' then
               known <= '0';
-              next_reason := "01001";
+              next_reason := reason_silent;
               next_phase := report_state;
             end if;
           elsif flush_now = '0' and flushing = '0' then
@@ -314,17 +316,17 @@ begin
           -- That is, while there is no reason to end.
           if ending_now = '0' then
             if memory_error = '1' then
-              next_reason := "00100";
+              next_reason := reason_memory;
             elsif memory_silent = '1' then
-              next_reason := "01001";
+              next_reason := reason_silent;
             elsif bad_tree = '1' then
-              next_reason := "00011";
+              next_reason := reason_bad_tree;
             elsif contact = '1' then
-              next_reason := "00001";
+              next_reason := reason_contact;
             elsif limit_reached = '1' then
-              next_reason := "00010";
+              next_reason := reason_limit;
             elsif stopped = '1' then
-              next_reason := "00101";
+              next_reason := reason_stopped;
             end if;
           end if;
           -- What memory still answers is drained behind the report.

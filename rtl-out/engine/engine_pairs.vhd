@@ -32,11 +32,14 @@ entity engine_pairs is
 end entity engine_pairs;
 
 architecture rtl of engine_pairs is
-  type pairs is array (0 to 127) of std_logic_vector(55 downto 0);
+  constant places : natural := 128;
+  constant place_bits : natural := 7;
+  constant open_bits : natural := 8;
+  type pairs is array (0 to places - 1) of std_logic_vector(55 downto 0);
   signal queue : pairs := (others => (others => '0'));
-  signal written : unsigned(6 downto 0) := (others => '0');
-  signal fetched : unsigned(6 downto 0) := (others => '0');
-  signal waiting : unsigned(7 downto 0) := (others => '0');  -- in the queue
+  signal written : unsigned(place_bits - 1 downto 0) := (others => '0');
+  signal fetched : unsigned(place_bits - 1 downto 0) := (others => '0');
+  signal waiting : unsigned(place_bits downto 0) := (others => '0');  -- in the queue
   signal full : std_logic := '0';
   signal head : std_logic_vector(55 downto 0) := (others => '0');
   signal head_valid : std_logic := '0';
@@ -46,7 +49,7 @@ architecture rtl of engine_pairs is
   signal opens : std_logic;  -- one pair more has to be answered
   signal drops : std_logic;
   signal asks : std_logic;
-  signal open_pairs : unsigned(7 downto 0) := (others => '0');
+  signal open_pairs : unsigned(open_bits - 1 downto 0) := (others => '0');
   signal idle_now : std_logic := '1';  -- clear as soon as a pair has come
 begin
   accepts <= pair_valid and not full;
@@ -117,7 +120,7 @@ begin
         end if;
         if accepts = '1' and fetches = '0' then
           waiting <= waiting + 1;
-          if waiting = 127 then
+          if waiting = places - 1 then
             full <= '1';
           end if;
         elsif accepts = '0' and fetches = '1' then

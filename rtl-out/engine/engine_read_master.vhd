@@ -16,6 +16,7 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.engine_layout.all;
 
 entity engine_read_master is
   port (
@@ -29,7 +30,7 @@ entity engine_read_master is
     ask_address_2 : in std_logic_vector(25 downto 0);
     ask_address_3 : in std_logic_vector(25 downto 0);
     fill_valid : out std_logic_vector(3 downto 0);
-    fill_data : out std_logic_vector(63 downto 0);
+    fill_data : out std_logic_vector(memory_width - 1 downto 0);
     failed : out std_logic;  -- until restart
     draining : out std_logic;  -- bursts from before restart are under way: nothing is asked
     silent : out std_logic;  -- memory does not answer
@@ -40,7 +41,7 @@ entity engine_read_master is
     m_axi_arburst : out std_logic_vector(1 downto 0);
     m_axi_arvalid : out std_logic;
     m_axi_arready : in std_logic;
-    m_axi_rdata : in std_logic_vector(63 downto 0);
+    m_axi_rdata : in std_logic_vector(memory_width - 1 downto 0);
     m_axi_rresp : in std_logic_vector(1 downto 0);
     m_axi_rlast : in std_logic;
     m_axi_rvalid : in std_logic;
@@ -50,8 +51,10 @@ end entity engine_read_master;
 
 architecture rtl of engine_read_master is
   constant nobody : std_logic_vector(3 downto 0) := "0000";
-  constant last_of_block : unsigned(3 downto 0) := to_unsigned(7, 4);
-  constant last_of_triangle : unsigned(3 downto 0) := to_unsigned(4, 4);
+  constant block_words : natural := 8;
+  constant triangle_words : natural := 5;
+  constant last_of_block : unsigned(3 downto 0) := to_unsigned(block_words - 1, 4);
+  constant last_of_triangle : unsigned(3 downto 0) := to_unsigned(triangle_words - 1, 4);
   signal picked : std_logic := '0';  -- somebody is to be served
   signal turn : unsigned(1 downto 0) := "00";  -- who is served next, or was last
   signal served : std_logic_vector(3 downto 0);
@@ -79,7 +82,9 @@ architecture rtl of engine_read_master is
   signal fault : std_logic;
   signal failed_now : std_logic := '0';
   signal draining_now : std_logic := '0';
-  signal silence : unsigned(16 downto 0) := (others => '0');  -- clocks without a word
+  constant watchdog : natural := 65536;
+  constant silence_bits : natural := 17;
+  signal silence : unsigned(silence_bits - 1 downto 0) := (others => '0');  -- clocks without a word
   signal silent_now : std_logic := '0';
 begin
   -- ===== Addresses =====
@@ -213,7 +218,7 @@ begin
       if reset = '1' or m_axi_rvalid = '1' or nothing_under_way = '1' then
         silence <= (others => '0');
         silent_now <= '0';
-      elsif silence = 65535 then
+      elsif silence = watchdog - 1 then
         silent_now <= '1';
       else
         silence <= silence + 1;

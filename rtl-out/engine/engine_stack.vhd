@@ -8,37 +8,40 @@
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.engine_layout.all;
 
 entity engine_stack is
   port (
     clk : in std_logic;
     clear : in std_logic;  -- empties it
     push : in std_logic;
-    push_entry : in std_logic_vector(57 downto 0);
+    push_entry : in std_logic_vector(entry_bits - 1 downto 0);
     pop : in std_logic;  -- only while filled
-    top_entry : out std_logic_vector(57 downto 0);
+    top_entry : out std_logic_vector(entry_bits - 1 downto 0);
     filled : out std_logic;  -- there is an entry
     greatest : out unsigned(15 downto 0)  -- number of entries, the most since it was emptied
   );
 end entity engine_stack;
 
 architecture rtl of engine_stack is
-  type entries is array (0 to 511) of std_logic_vector(57 downto 0);
+  constant places : natural := 512;
+  constant place_bits : natural := 9;
+  type entries is array (0 to places - 1) of std_logic_vector(entry_bits - 1 downto 0);
   signal memory : entries := (others => (others => '0'));  -- all entries but the two uppermost
-  signal used : unsigned(9 downto 0) := (others => '0');  -- entries
-  signal push_place : unsigned(8 downto 0) := (others => '0');  -- used - 2: where the second goes
-  signal pop_place : unsigned(8 downto 0) := (others => '0');  -- used - 4: the third after a pop
-  signal place : unsigned(8 downto 0);
-  signal top : std_logic_vector(57 downto 0) := (others => '0');
-  signal second : std_logic_vector(57 downto 0) := (others => '0');
-  signal pushed_over : std_logic_vector(57 downto 0) := (others => '0');  -- second before the last push
-  signal remembered : std_logic_vector(57 downto 0) := (others => '0');  -- output of the memory
-  signal third : std_logic_vector(57 downto 0);
+  signal used : unsigned(place_bits downto 0) := (others => '0');  -- entries
+  signal push_place : unsigned(place_bits - 1 downto 0) := (others => '0');  -- used - 2: where the second goes
+  signal pop_place : unsigned(place_bits - 1 downto 0) := (others => '0');  -- used - 4: the third after a pop
+  signal place : unsigned(place_bits - 1 downto 0);
+  signal top : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
+  signal second : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
+  signal pushed_over : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');  -- second before the last push
+  signal remembered : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');  -- output of the memory
+  signal third : std_logic_vector(entry_bits - 1 downto 0);
   signal last_was_push : std_logic := '0';
   signal grows : std_logic;
   signal shrinks : std_logic;
   signal filled_now : std_logic := '0';
-  signal most : unsigned(9 downto 0) := (others => '0');
+  signal most : unsigned(place_bits downto 0) := (others => '0');
 begin
   filled <= filled_now;
   top_entry <= top;
@@ -78,8 +81,8 @@ begin
       if clear = '1' then
         used <= (others => '0');
         filled_now <= '0';
-        push_place <= to_unsigned(510, 9);
-        pop_place <= to_unsigned(508, 9);
+        push_place <= to_unsigned(places - 2, place_bits);
+        pop_place <= to_unsigned(places - 4, place_bits);
         most <= (others => '0');
         last_was_push <= '0';
       else

@@ -11,12 +11,12 @@
 -- of the first kind happen, used <= 415. With nothing in flight an entry of level l leaves at most 3 (32 - l) + 1
 -- entries above what lay below it, and entries of level 32 push nothing: used <= 415 + 3 x 32 + 1 = 512 at all times.
 --
--- An entry of the stack, from the low bits: level (6), children of B's block (2), number of B's block (24), the same of A.
--- Children are 11 (both), 01 (left) or 10 (right): a leaf has no block, its volume is in that of its parent.
+-- A leaf has no block: its volume is in that of its parent.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.engine_layout.all;
 
 entity engine_traverse is
   port (
@@ -33,11 +33,11 @@ entity engine_traverse is
     -- Blocks asked for, and blocks that come, in the same order.
     request_valid : out std_logic;
     request_ready : in std_logic;
-    request_a : out std_logic_vector(23 downto 0);
-    request_b : out std_logic_vector(23 downto 0);
+    request_a : out std_logic_vector(node_bits - 1 downto 0);
+    request_b : out std_logic_vector(node_bits - 1 downto 0);
     blocks_taken : in std_logic;  -- the volume unit takes both in this clock
-    block_a : in std_logic_vector(511 downto 0);
-    block_b : in std_logic_vector(511 downto 0);
+    block_a : in std_logic_vector(block_bits - 1 downto 0);
+    block_b : in std_logic_vector(block_bits - 1 downto 0);
     take_a : out std_logic_vector(1 downto 0);  -- children to be tested, if there are such
     take_b : out std_logic_vector(1 downto 0);
     survive_valid : in std_logic;
@@ -60,38 +60,43 @@ entity engine_traverse is
 end entity engine_traverse;
 
 architecture rtl of engine_traverse is
-  constant everything : std_logic_vector(5 downto 0) := "100000";  -- level 32
+  constant wide : integer := 415;  -- of the rule of issue
+  constant room_bits : natural := 12;
+  constant in_flight : natural := 16;
+  constant flight_places : natural := 16;
+  constant flight_bits : natural := 4;
+  constant everything : std_logic_vector(level_bits - 1 downto 0) := "100000";  -- level 32
 
   signal root_due : std_logic := '0';
   signal push : std_logic;
-  signal push_entry : std_logic_vector(57 downto 0);
+  signal push_entry : std_logic_vector(entry_bits - 1 downto 0);
   signal pop : std_logic;
   signal may_pop : std_logic;
-  signal top_entry : std_logic_vector(57 downto 0);
+  signal top_entry : std_logic_vector(entry_bits - 1 downto 0);
   signal filled : std_logic;
-  signal room : unsigned(11 downto 0) := (others => '0');  -- 412 - used - 4 flying in two's complement: not negative while a pair may be popped although others fly
-  signal flying : unsigned(4 downto 0) := (others => '0');
+  signal room : unsigned(room_bits - 1 downto 0) := (others => '0');  -- wide - 3 - used - 4 flying in two's complement: not negative while a pair may be popped although others fly
+  signal flying : unsigned(flight_bits downto 0) := (others => '0');
   signal nothing_flies : std_logic := '1';  -- flying = 0
-  signal all_fly : std_logic := '0';  -- flying = 16
+  signal all_fly : std_logic := '0';  -- flying = in_flight
   signal allowed : unsigned(31 downto 0) := (others => '0');  -- expansions
   signal spent : std_logic := '0';  -- no expansion more
 
   -- Pairs in flight, each in a place of its own: popped, taken by the volume unit, answered by it, finished.
-  signal popped_place : unsigned(3 downto 0) := (others => '0');
-  signal taken_place : unsigned(3 downto 0) := (others => '0');
-  signal listed_place : unsigned(3 downto 0) := (others => '0');
-  signal answered_place : unsigned(3 downto 0) := (others => '0');
-  signal finished_place : unsigned(3 downto 0) := (others => '0');
-  signal answers : unsigned(4 downto 0) := (others => '0');  -- pairs answered and not opened
+  signal popped_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
+  signal taken_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
+  signal listed_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
+  signal answered_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
+  signal finished_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
+  signal answers : unsigned(flight_bits downto 0) := (others => '0');  -- pairs answered and not opened
   signal answered : std_logic;
-  type entries is array (0 to 15) of std_logic_vector(57 downto 0);
+  type entries is array (0 to flight_places - 1) of std_logic_vector(entry_bits - 1 downto 0);
   signal entry_memory : entries := (others => (others => '0'));
-  type children is array (0 to 15) of std_logic_vector(123 downto 0);
+  type children is array (0 to flight_places - 1) of std_logic_vector(123 downto 0);
   signal children_memory : children := (others => (others => '0'));
-  type survivals is array (0 to 15) of std_logic_vector(3 downto 0);
+  type survivals is array (0 to flight_places - 1) of std_logic_vector(3 downto 0);
   signal survive_memory : survivals := (others => "0000");
 
-  signal taken_entry : std_logic_vector(57 downto 0);
+  signal taken_entry : std_logic_vector(entry_bits - 1 downto 0);
   signal wanted_a : std_logic_vector(1 downto 0);
   signal wanted_b : std_logic_vector(1 downto 0);
   signal listed_a : std_logic_vector(1 downto 0) := "00";  -- wanted one clock ago
@@ -116,11 +121,11 @@ architecture rtl of engine_traverse is
   -- Survivors one by one, from right and right to left and left.
   signal opened : std_logic := '0';  -- there is a pair whose survivors are taken
   signal opens : std_logic;
-  signal opened_entry : std_logic_vector(57 downto 0);
+  signal opened_entry : std_logic_vector(entry_bits - 1 downto 0);
   signal opened_children : std_logic_vector(123 downto 0);
   signal own_is_deepest : std_logic := '0';
   signal present_pairs : std_logic_vector(3 downto 0);
-  signal own : std_logic_vector(57 downto 0) := (others => '0');
+  signal own : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
   signal family : std_logic_vector(119 downto 0) := (others => '0');
   signal left_over : std_logic_vector(3 downto 0) := "0000";
   signal pick : std_logic_vector(3 downto 0);
@@ -143,15 +148,15 @@ architecture rtl of engine_traverse is
   signal side_b : std_logic := '0';
   signal whole_a : std_logic := '0';  -- both leaves
   signal whole_b : std_logic := '0';
-  signal parents : std_logic_vector(57 downto 0) := (others => '0');
+  signal parents : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
   signal both_leaves : std_logic;
   signal wrong : std_logic;
   signal is_pair : std_logic := '0';  -- what becomes of the survivor
   signal is_entry : std_logic := '0';
   signal is_wrong : std_logic := '0';
-  signal next_a : std_logic_vector(25 downto 0);
-  signal next_b : std_logic_vector(25 downto 0);
-  signal next_level : std_logic_vector(5 downto 0) := (others => '0');
+  signal next_a : std_logic_vector(node_bits + 1 downto 0);
+  signal next_b : std_logic_vector(node_bits + 1 downto 0);
+  signal next_level : std_logic_vector(level_bits - 1 downto 0) := (others => '0');
   signal ended : std_logic := '1';  -- ending, a clock later: near to what reads it
   signal pair_due : std_logic;
   signal push_due : std_logic;
@@ -162,8 +167,8 @@ begin
   may_pop <= filled and not start and not ending and not all_fly and not spent and (nothing_flies or not room(room'high));
   request_valid <= may_pop;
   pop <= may_pop and request_ready;
-  request_a <= top_entry(57 downto 34);
-  request_b <= top_entry(31 downto 8);
+  request_a <= top_entry(entry_node_a);
+  request_b <= top_entry(entry_node_b);
   limit_reached <= filled and spent and not start and not ending;
   expanded <= pop;
   idle <= nothing_flies and (ending or not filled) and not start and not root_due;
@@ -204,7 +209,7 @@ begin
       end if;
       root_due <= start;
       if reset = '1' or start = '1' then
-        room <= unsigned(to_signed(412, 12));
+        room <= unsigned(to_signed(wide - 3, room_bits));
         flying <= (others => '0');
         nothing_flies <= '1';
         all_fly <= '0';
@@ -220,7 +225,7 @@ begin
         if pop = '1' and finished = '0' then
           flying <= flying + 1;
           nothing_flies <= '0';
-          if flying = 15 then
+          if flying = in_flight - 1 then
             all_fly <= '1';
           end if;
         elsif pop = '0' and finished = '1' then
@@ -242,8 +247,8 @@ begin
 
   -- ===== Blocks =====
   taken_entry <= entry_memory(to_integer(taken_place));
-  wanted_a <= taken_entry(33 downto 32);
-  wanted_b <= taken_entry(7 downto 6);
+  wanted_a <= taken_entry(entry_children_a);
+  wanted_b <= taken_entry(entry_children_b);
   take_a <= wanted_a;
   take_b <= wanted_b;
 
@@ -253,7 +258,7 @@ begin
       reset => reset,
       taken => blocks_taken,
       data => block_a,
-      own => taken_entry(57 downto 34),
+      own => taken_entry(entry_node_a),
       block_count => block_count_a,
       triangle_count => triangle_count_a,
       present => present_a,
@@ -270,7 +275,7 @@ begin
       reset => reset,
       taken => blocks_taken,
       data => block_b,
-      own => taken_entry(31 downto 8),
+      own => taken_entry(entry_node_b),
       block_count => block_count_b,
       triangle_count => triangle_count_b,
       present => present_b,
@@ -370,12 +375,12 @@ begin
         is_pair <= both_leaves and not wrong;
         is_entry <= not both_leaves and not wrong;
         is_wrong <= wrong;
-        next_level <= std_logic_vector(unsigned(own(5 downto 0)) + 1);
+        next_level <= std_logic_vector(unsigned(own(entry_level)) + 1);
       end if;
       if opens = '1' then
         own <= opened_entry;
         own_is_deepest <= '0';
-        if opened_entry(5 downto 0) = everything then
+        if opened_entry(entry_level) = everything then
           own_is_deepest <= '1';
         end if;
         family <= opened_children(119 downto 0);
@@ -421,12 +426,12 @@ begin
   pair_b <= child_b(27 downto 0);
 
   -- The number of a block without a fault has no more bits than these.
-  next_a <= child_a(23 downto 0) & "11" when child_a(29) = '0' else
-    parents(57 downto 34) & "11" when whole_a = '1' else
-    parents(57 downto 34) & side_a & not side_a;
-  next_b <= child_b(23 downto 0) & "11" when child_b(29) = '0' else
-    parents(31 downto 8) & "11" when whole_b = '1' else
-    parents(31 downto 8) & side_b & not side_b;
+  next_a <= child_a(node_bits - 1 downto 0) & "11" when child_a(29) = '0' else
+    parents(entry_node_a) & "11" when whole_a = '1' else
+    parents(entry_node_a) & side_a & not side_a;
+  next_b <= child_b(node_bits - 1 downto 0) & "11" when child_b(29) = '0' else
+    parents(entry_node_b) & "11" when whole_b = '1' else
+    parents(entry_node_b) & side_b & not side_b;
   push <= root_due or push_due;
   push_entry <= "0000000000000000000000001100000000000000000000000011000000" when root_due = '1' else next_a & next_b & next_level;
 end architecture rtl;

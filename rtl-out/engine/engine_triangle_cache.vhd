@@ -34,6 +34,16 @@ entity engine_triangle_cache is
 end entity engine_triangle_cache;
 
 architecture rtl of engine_triangle_cache is
+  constant line_count : natural := 128;
+  constant place_bits : natural := 7;  -- of the place of a line
+  constant tag_bits : natural := 19;
+  constant word_bits : natural := 64;
+  constant words_per_line : natural := 5;
+  constant most_orders : natural := 16;
+  constant order_bits : natural := 4;  -- of the place of an order
+  constant most_returned : natural := 128;
+  constant return_bits : natural := 7;  -- of the place of a word that has come
+
   -- Requests: two are held, so that readiness depends on registers alone.
   signal arrives : std_logic;
   signal ready : std_logic;
@@ -47,12 +57,12 @@ architecture rtl of engine_triangle_cache is
   -- Look-up in two stages: a tag is read, then compared. A tag has a bit that says that the line is there. What the memory
   -- says of a place is too old while a request for that place is in one of the two stages: then the youngest such request
   -- counts, because its line is there after it.
-  type tags is array (0 to 127) of std_logic_vector(19 downto 0);
+  type tags is array (0 to line_count - 1) of std_logic_vector(tag_bits downto 0);
   signal tag_memory : tags := (others => (others => '0'));
-  signal tag_found : std_logic_vector(19 downto 0) := (others => '0');
+  signal tag_found : std_logic_vector(tag_bits downto 0) := (others => '0');
   signal tag_write : std_logic;
-  signal tag_place : unsigned(6 downto 0);
-  signal tag_written : std_logic_vector(19 downto 0);
+  signal tag_place : unsigned(place_bits - 1 downto 0);
+  signal tag_written : std_logic_vector(tag_bits downto 0);
   signal looked : std_logic := '0';
   signal looked_at : unsigned(25 downto 0) := (others => '0');
   signal follows : std_logic := '0';  -- another request for the place was under way
@@ -60,54 +70,55 @@ architecture rtl of engine_triangle_cache is
   signal looked_leaves : std_logic;
   signal judged : std_logic := '0';
   signal judged_at : unsigned(25 downto 0) := (others => '0');
-  constant all_same : std_logic_vector(7 downto 0) := (others => '1');
-  signal same : std_logic_vector(7 downto 0) := (others => '0');  -- parts of the comparison: short ones, because tags come late in their clock
+  constant tag_parts : natural := 7;
+  constant all_same : std_logic_vector(tag_parts downto 0) := (others => '1');
+  signal same : std_logic_vector(tag_parts downto 0) := (others => '0');  -- parts of the comparison: short ones, because tags come late in their clock
   signal hit : std_logic;
   signal passes : std_logic;
   signal misses : std_logic;
   signal sweeping : std_logic := '1';
-  signal sweep_place : unsigned(6 downto 0) := (others => '0');
+  signal sweep_place : unsigned(place_bits - 1 downto 0) := (others => '0');
   signal asking : std_logic := '0';
   signal asked_address : unsigned(25 downto 0) := (others => '0');
-  signal reserved : unsigned(4 downto 0) := (others => '0');  -- lines asked for and not written yet
+  signal reserved : unsigned(order_bits downto 0) := (others => '0');  -- lines asked for and not written yet
   signal all_reserved : std_logic;
 
   -- Requests in order, each with the place of its line and whether that is still to be written. The first is in registers.
-  type orders is array (0 to 15) of std_logic_vector(7 downto 0);
+  type orders is array (0 to most_orders - 1) of std_logic_vector(place_bits downto 0);
   signal order_memory : orders := (others => (others => '0'));
-  signal order_in : unsigned(3 downto 0) := (others => '0');
-  signal order_out : unsigned(3 downto 0) := (others => '0');
-  signal orders_waiting : unsigned(4 downto 0) := (others => '0');
+  signal order_in : unsigned(order_bits - 1 downto 0) := (others => '0');
+  signal order_out : unsigned(order_bits - 1 downto 0) := (others => '0');
+  signal orders_waiting : unsigned(order_bits downto 0) := (others => '0');
   signal some_wait : std_logic := '0';
   signal order_free : std_logic;
-  signal new_order : std_logic_vector(7 downto 0);
+  signal new_order : std_logic_vector(place_bits downto 0);
   signal order_valid : std_logic := '0';
-  signal order : std_logic_vector(7 downto 0) := (others => '0');
+  signal order : std_logic_vector(place_bits downto 0) := (others => '0');
   signal order_leaves : std_logic;
-  signal order_place : unsigned(6 downto 0);
+  signal order_place : unsigned(place_bits - 1 downto 0);
   signal filled : std_logic := '0';  -- the line of the first request is written
   signal serves : std_logic;
   signal found : std_logic := '0';
 
   -- Words from memory
-  type words is array (0 to 127) of std_logic_vector(63 downto 0);
+  type words is array (0 to most_returned - 1) of std_logic_vector(word_bits - 1 downto 0);
   signal return_memory : words := (others => (others => '0'));
-  signal return_in : unsigned(6 downto 0) := (others => '0');
-  signal return_out : unsigned(6 downto 0) := (others => '0');
-  signal returned : unsigned(7 downto 0) := (others => '0');
+  signal return_in : unsigned(return_bits - 1 downto 0) := (others => '0');
+  signal return_out : unsigned(return_bits - 1 downto 0) := (others => '0');
+  signal returned : unsigned(return_bits downto 0) := (others => '0');
   signal some_returned : std_logic := '0';
   signal fetches : std_logic;
   -- A word that was read, and one in front of the banks, far from the memory.
   signal read_valid : std_logic := '0';
-  signal read_word : std_logic_vector(63 downto 0) := (others => '0');
+  signal read_word : std_logic_vector(word_bits - 1 downto 0) := (others => '0');
   signal moves : std_logic;
   signal word_valid : std_logic := '0';
-  signal word : std_logic_vector(63 downto 0) := (others => '0');
+  signal word : std_logic_vector(word_bits - 1 downto 0) := (others => '0');
   signal word_place : unsigned(3 downto 0) := "0000";
   signal writes : std_logic;
   signal last_word : std_logic;
-  type lines is array (0 to 127) of std_logic_vector(63 downto 0);
-  type line_words is array (0 to 4) of std_logic_vector(63 downto 0);
+  type lines is array (0 to line_count - 1) of std_logic_vector(word_bits - 1 downto 0);
+  type line_words is array (0 to words_per_line - 1) of std_logic_vector(word_bits - 1 downto 0);
   signal line_word : line_words := (others => (others => '0'));
   signal whole : std_logic_vector(319 downto 0);
 begin
@@ -151,8 +162,8 @@ begin
   passes <= judged and order_free and (hit or not (asking or all_reserved));
   misses <= passes and not hit;
   tag_write <= sweeping or misses;
-  tag_place <= sweep_place when sweeping = '1' else judged_at(6 downto 0);
-  tag_written <= (others => '0') when sweeping = '1' else '1' & std_logic_vector(judged_at(25 downto 7));
+  tag_place <= sweep_place when sweeping = '1' else judged_at(place_bits - 1 downto 0);
+  tag_written <= (others => '0') when sweeping = '1' else '1' & std_logic_vector(judged_at(25 downto place_bits));
   flushing <= sweeping;
   missed <= misses;
   ask_valid <= asking;
@@ -165,17 +176,17 @@ begin
         tag_memory(to_integer(tag_place)) <= tag_written;
       end if;
       if head_leaves = '1' then
-        tag_found <= tag_memory(to_integer(address(6 downto 0)));
+        tag_found <= tag_memory(to_integer(address(place_bits - 1 downto 0)));
         looked_at <= address;
         follows <= '0';
         follows_same <= '0';
-        if judged = '1' and judged_at(6 downto 0) = address(6 downto 0) then
+        if judged = '1' and judged_at(place_bits - 1 downto 0) = address(place_bits - 1 downto 0) then
           follows <= '1';
           if judged_at = address then
             follows_same <= '1';
           end if;
         end if;
-        if looked = '1' and looked_at(6 downto 0) = address(6 downto 0) then
+        if looked = '1' and looked_at(place_bits - 1 downto 0) = address(place_bits - 1 downto 0) then
           follows <= '1';
           follows_same <= '0';
           if looked_at = address then
@@ -207,7 +218,7 @@ begin
         if follows = '1' or tag_found(18 downto 18) = std_logic_vector(looked_at(25 downto 25)) then
           same(6) <= '1';
         end if;
-        same(7) <= (follows and follows_same) or (tag_found(19) and not follows);
+        same(tag_parts) <= (follows and follows_same) or (tag_found(tag_bits) and not follows);
       end if;
       if misses = '1' then
         asked_address <= judged_at;
@@ -235,7 +246,7 @@ begin
         if flush = '1' then
           sweeping <= '1';
           sweep_place <= (others => '0');
-        elsif sweep_place = 127 then
+        elsif sweep_place = line_count - 1 then
           sweeping <= '0';
         end if;
         if misses = '1' and last_word = '0' then
@@ -249,12 +260,12 @@ begin
 
   -- ===== Lines in order =====
   order_free <= not orders_waiting(orders_waiting'high);
-  new_order <= (not hit) & std_logic_vector(judged_at(6 downto 0));
+  new_order <= (not hit) & std_logic_vector(judged_at(place_bits - 1 downto 0));
   order_leaves <= serves or not order_valid;
-  order_place <= unsigned(order(6 downto 0));
-  serves <= order_valid and (filled or not order(7)) and (line_taken or not found);
-  writes <= word_valid and order_valid and order(7) and not filled;
-  last_word <= writes when word_place = 4 else '0';
+  order_place <= unsigned(order(place_bits - 1 downto 0));
+  serves <= order_valid and (filled or not order(place_bits)) and (line_taken or not found);
+  writes <= word_valid and order_valid and order(place_bits) and not filled;
+  last_word <= writes when word_place = words_per_line - 1 else '0';
   line_valid <= found;
   whole <= line_word(4)
     & line_word(3)
@@ -326,7 +337,7 @@ begin
     end if;
   end process serve;
 
-  banks : for i in 0 to 4 generate
+  banks : for i in 0 to words_per_line - 1 generate
     signal bank : lines := (others => (others => '0'));
     signal written : std_logic;
   begin

@@ -4,7 +4,9 @@
 {%- endfor %}
 //
 // Arguments: three files of 64-bit words, little-endian: memory from address 0; steps, each its kind, its length and its words:
-// 0 a packet, 1 clocks to pass, 2 a soft reset by the port, 3 words of a packet that goes on, 4 until all is answered; answers, to be written, each the clock of its last word, its length and its words. Then{% if axi %} the least and the most clocks from
+// 0 a packet, 1 clocks to pass, 2 a soft reset by the port, 3 words of a packet that goes on, 4 until all is answered, 5 a copy of
+// engine and memory goes on with so many of the steps that follow, which are left out here; answers, to be written, each the clock
+// of its last word, its length and its words. Then{% if axi %} the least and the most clocks from
 // an address to its first word,{% endif %} 1 for gaps on all sides or 0, and a seed.
 #include "V{{ top }}.h"
 #include "verilated.h"
@@ -18,6 +20,9 @@
 #include <memory>
 #include <string>
 #include <vector>
+
+#include <sys/wait.h>
+#include <unistd.h>
 
 namespace {
 
@@ -62,7 +67,7 @@ private:
   uint64_t state;
 };
 
-enum Kind { whole_packet, pass_clocks, reset_port, begin_packet, wait_answers };
+enum Kind { whole_packet, pass_clocks, reset_port, begin_packet, wait_answers, go_apart };
 
 struct Step {
   Kind kind;
@@ -77,7 +82,7 @@ std::vector<Step> read_steps(const std::string &name) {
   const std::vector<uint64_t> words = read_words(name);
   std::vector<Step> steps;
   for (size_t i = 0; i < words.size(); i += 2 + words[i + 1]) {
-    if (words.size() - i < 2 || words[i] > wait_answers || words[i + 1] > words.size() - i - 2)
+    if (words.size() - i < 2 || words[i] > go_apart || words[i + 1] > words.size() - i - 2)
       fail(name + " is no list of steps");
     const auto first = words.begin() + i + 2;
     steps.push_back({Kind(words[i]), std::vector<uint64_t>(first, first + words[i + 1])});
@@ -239,10 +244,10 @@ int main(int argc, char **argv) {
   std::vector<uint64_t> answer;
   // Packets sent that are to be answered, those up to the last soft reset, and those that are answered.
   size_t sent = 0, sent_before = 0, answered = 0;
-  size_t step = 0, word = 0;
+  size_t step = 0, word = 0, end = steps.size();
   uint64_t quiet = 0, passed = 0;
-  bool in_packet = false;
-  while (step < steps.size() || answered < sent) {
+  bool in_packet = false, is_copy = false;
+  while (step < end || answered < sent) {
     const bool takes = top->s_axis_tvalid && top->s_axis_tready;
     const bool gives = top->m_axis_tvalid && top->m_axis_tready;
     const Offer offer = {top->m_axis_tdata, top->m_axis_tlast != 0};
@@ -280,7 +285,7 @@ int main(int argc, char **argv) {
       }
     }
     top->soft_reset = 0;
-    if (!top->s_axis_tvalid && step < steps.size()) {
+    if (!top->s_axis_tvalid && step < end) {
       const Step &next = steps[step];
       if (next.sends()) {
         if (!gaps || random(2) == 0) {
@@ -300,6 +305,24 @@ int main(int argc, char **argv) {
         // The rest of a packet is dropped: the report stands for it, too.
         sent += !in_packet;
         sent_before = sent + in_packet;
+      } else if (next.kind == go_apart) {
+        quiet = 0;
+        // What was written before is written once, and by one after the other.
+        answers.flush();
+        std::fflush(stdout);
+        const pid_t copy = fork();
+        int status = 0;
+        if (copy < 0 || (copy > 0 && waitpid(copy, &status, 0) != copy))
+          fail("no copy of the engine");
+        // It has said why.
+        if (status != 0)
+          std::_Exit(1);
+        const size_t behind = step + 1 + next.words[0];
+        if (copy == 0) {
+          is_copy = true;
+          end = behind;
+        }
+        step = is_copy ? step + 1 : behind;
       } else if (answered == sent) {
         step++;
       }
@@ -314,6 +337,8 @@ int main(int argc, char **argv) {
   answers.flush();
   if (!answers)
     fail("cannot write " + std::string(argv[3]));
+  if (is_copy)
+    std::_Exit(0);
   std::printf("%llu clocks\n", static_cast<unsigned long long>(clock_now));
   return 0;
 }

@@ -113,7 +113,7 @@ fn wrong_targets_are_refused_and_left_alone() {
     fails(dir, "generate --out file", 2, "file: found no directory; expected one, or a name that does not exist yet");
     fails(dir, "generate --out file/below", 2, "file");
     fails(dir, "generate --out thesis", 2, "thesis: found chapter.tex and no manifest.json of efsat");
-    fails(&dir.join("thesis"), "generate --out ..", 2, "found ");
+    fails(dir.join("thesis"), "generate --out ..", 2, "found ");
     fails(dir, "cosim --random 2 --simulator builtin --keep file", 2, "file");
     fails(dir, "cosim --random 2 --simulator builtin --keep thesis", 2, "did not write");
     let files = tree(dir);

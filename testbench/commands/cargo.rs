@@ -6,11 +6,12 @@ use std::path::Path;
 use std::sync::OnceLock;
 
 /// Packages and their folders.
-const PACKAGES: [(&str, &str); 8] = [
+const PACKAGES: [(&str, &str); 9] = [
     ("efsat", "gen"),
     ("efsat-hardware", "gen/hardware"),
     ("efsat-geometry", "gen/geometry"),
     ("efsat-unit", "gen/unit"),
+    ("efsat-engine", "gen/engine"),
     ("efsat-checks", "gen/checks"),
     ("efsat-studies", "gen/studies"),
     ("efsat-cli", "gen/cli"),

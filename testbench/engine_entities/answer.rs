@@ -1,7 +1,7 @@
 //! Answers, report and counters against what went in.
 
 use super::*;
-use efsat::params::engine::EngineReport;
+use efsat::engine::words::EngineReport;
 use std::collections::VecDeque;
 
 /// A pair with its verdict.

@@ -1,7 +1,8 @@
 //! The check of a block against its layout.
 
 use super::*;
-use efsat::params::engine::{BlockLayout, EngineFormat, LEAF_BIT, NO_CHILD};
+use efsat::engine::format::EngineFormat;
+use efsat::engine::words::{BlockLayout, LEAF_BIT, NO_CHILD};
 
 /// What is known of a block: for each child whether it is there, whether it is a leaf, whether the link is wrong, and its number;
 /// then whether the block is bad.

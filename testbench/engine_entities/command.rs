@@ -1,7 +1,8 @@
 //! Packets in: what becomes of each, good or bad, and what waits for what.
 
 use super::*;
-use efsat::params::engine::{Command, EngineFormat, QueryFlags, Reason};
+use efsat::engine::format::EngineFormat;
+use efsat::engine::words::{Command, QueryFlags, Reason};
 use efsat::params::stream::{Kind, Report};
 use std::collections::VecDeque;
 
@@ -475,7 +476,6 @@ fn every_packet_becomes_what_it_is() {
         ("clears <= reset or soft_reset or reset_taken;", "clears <= reset or reset_taken;"),
         ("(soft_reset and stays_within and not reset)", "(soft_reset and within_packet and not reset)"),
         ("(soft_reset and stays_within and not reset)", "(stays_within and not reset)"),
-        ("(soft_reset and stays_within and not reset)", "(soft_reset and stays_within)"),
         ("if (reset or soft_reset) = '1' then", "if reset = '1' then"),
         (
             "        pending <= '0';\n        query_pending <= '0';\n        posed_pending <= '0';\n        fault <= fine;",

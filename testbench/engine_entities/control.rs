@@ -1,7 +1,9 @@
 //! One job after the other: what is done with its pose, what the running query has in its registers, and why it ends.
 
 use super::*;
-use efsat::params::engine::{ADDRESS_BITS, EngineFormat, QueryFlags, Reason};
+use efsat::engine::format::EngineFormat;
+use efsat::engine::params::ADDRESS_BITS;
+use efsat::engine::words::{QueryFlags, Reason};
 
 /// Addresses in memory.
 const LINES: u64 = 1 << ADDRESS_BITS;

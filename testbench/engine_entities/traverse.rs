@@ -1,7 +1,7 @@
 //! The traversal of random trees against a recursive one: the same leaf pairs and counts, whatever the order of both.
 
 use super::*;
-use efsat::params::engine::{BlockLayout, LEAF_BIT, NO_CHILD};
+use efsat::engine::words::{BlockLayout, LEAF_BIT, NO_CHILD};
 use std::collections::VecDeque;
 
 /// Both children of a block: links as a block has them.

@@ -4,9 +4,10 @@ use super::claim::{Claim, number};
 use super::determinants::cut_product;
 use super::unit::Mistake::{NoUlp, Reversed, WrongArm, WrongSign, WrongSlice};
 use super::unit::Subject;
-use efsat::design::engine::volume_unit::VolumeDesign;
-use efsat::params::engine::EngineFormat;
-use efsat::params::{EngineParams, Params};
+use efsat::engine::design::volume_unit::VolumeDesign;
+use efsat::engine::format::EngineFormat;
+use efsat::engine::params::EngineParams;
+use efsat::params::Params;
 
 /// The formats of the default engine.
 fn format() -> EngineFormat {

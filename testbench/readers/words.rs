@@ -1,16 +1,18 @@
 //! Words and images: what the collision engine and the unit behind its stream read, and what comes back from them.
 
 use super::Reader;
-use efsat::artefact::engine::samples::{cuboid, hills};
-use efsat::golden::engine::{Model, Query};
-use efsat::host::driver::engine::{self, Objects, Options};
+use efsat::engine::artefact::samples::{cuboid, hills};
+use efsat::engine::driver as engine;
+use efsat::engine::driver::{Objects, Options};
+use efsat::engine::host::{Header, Image, Numbers, memory};
+use efsat::engine::model::{Model, Query};
+use efsat::engine::params::{EngineParams, Memory};
+use efsat::engine::words::{Command, EngineReport};
 use efsat::host::driver::{self, Driver};
-use efsat::host::engine::{Header, Image, Numbers, memory};
 use efsat::mesh::Mesh;
 use efsat::number::Upper;
-use efsat::params::engine::{Command, EngineReport, Memory};
+use efsat::params::Params;
 use efsat::params::stream::{Kind, StreamWidth};
-use efsat::params::{EngineParams, Params};
 use efsat::scene::Pose;
 use nalgebra::{Matrix3, Vector3};
 use std::fs;

@@ -16,9 +16,9 @@ pub use builtin::Builtin;
 pub use probe::inputs;
 pub use trial::{Bench, Trial};
 
+use efsat_engine::driver::EngineError;
 use efsat_unit::artefact::Stimulus;
 use efsat_unit::design::{Design, top::DesignError};
-use efsat_unit::host::driver::engine::EngineError;
 use efsat_unit::params::{Params, options::Choice};
 use std::path::PathBuf;
 use std::time::{Duration, Instant};

@@ -63,7 +63,6 @@ const ORIGIN: &str = "V0 is the origin: all its lower bounds are 0";
 const POSE: &str = "a pose is taken in the last phase but one, and first read at the end of phase 0";
 const IDLE: &str = "the bypass changes between slots only, and there the row is idle for two clocks";
 const STEADY: &str = "the input stands still for a slot, and the result is read after it has settled";
-const FASTER: &str = "decides only in what type numbers are held, and the sums fit it in either case";
 const UNUSED: &str = "most designs do not call this function for values of this type";
 const LAST_PHASE: &str = "full counts in the last phase only, and the clock before it accepts nothing";
 const POPPED: &str = "valid counts in the last phase only, ten clocks or more after the last pop, and after reset";
@@ -173,33 +172,7 @@ const WHOLE: &[Explanation] = &[same(
     "no bit that is rounded off is ever set in so few bits",
 )];
 
-/// Mutants of the reference model.
-const MODEL: &[Explanation] = &[
-    same("golden/axis_test.rs:without:constant:*", FASTER),
-    same("golden/axis_test.rs:without:comparison:*", FASTER),
-    hidden(
-        "golden/axis_test.rs:without:operand:*",
-        "sums of 32-bit numbers leave 64 bits in corners of the formats only",
-    ),
-    same("golden/axes.rs:new:comparison:> -> >=", "a shift by at most 0 places is none"),
-    same("golden/transform.rs:new:constant:2 -> 3", FASTER),
-    same("golden/transform.rs:new:comparison:<= -> <", FASTER),
-    same("golden/transform.rs:new:constant:62 -> 63", FASTER),
-    same("params/mod.rs:validate*", "the model is asked about legal parameters only"),
-    same("params/mod.rs:pose_is_free_in_last_phase:*", "the design reads it, not the model"),
-    same(
-        "params/mod.rs:coordinate_bound:constant:1 -> 2",
-        "counts with re-normalisation only, and then no format depends on the range of the input",
-    ),
-    same(
-        "params/formats.rs:row:constant:1 -> 2",
-        "every quantity of the table reaches 1, so no format has one integral digit",
-    ),
-    same("params/formats.rs:row:comparison:> -> >=", "no bound is the greatest number of a format"),
-    same("params/formats.rs:Formats:constant:0 -> 1", "takes another name for a row, and names are for messages"),
-];
-
-/// Explanations that are true of a design or of the model.
+/// Explanations that are true of a design.
 #[derive(Clone, Debug, Default)]
 pub struct Table {
     /// By the names of mutants.
@@ -229,11 +202,6 @@ pub fn vhdl(params: &Params) -> Table {
     let all = at(params.interval()).into_iter().chain(WHOLE.iter().filter(|_| is_whole)).collect();
     let second = params.exact_clocks.map(|clocks| at(clocks as usize));
     Table { all, second: second.unwrap_or_default() }
-}
-
-/// Those of the reference model.
-pub fn model() -> Table {
-    Table { all: MODEL.iter().collect(), second: vec![] }
 }
 
 /// Whether a name has the form of a pattern in which `*` stands for any text.

@@ -1,16 +1,13 @@
 //! Mutation: the checks themselves are checked.
 //!
-//! A *mutant* is a small change of one statement of the generated VHDL ([`vhdl`]) or of the reference model ([`model`]):
-//! bounds swapped, a rounding direction, a comparison, a sign case, an operand, a delay, a constant. Co-simulation, or
-//! the comparison with the evaluated graph, must notice it, which *kills* the mutant. One that survives is either
+//! A *mutant* is a small change of one statement of the generated VHDL ([`vhdl`]): bounds swapped, a rounding direction, a
+//! comparison, a sign case, an operand, a delay, a constant. Co-simulation must notice it, which *kills* the mutant. One that survives is either
 //! *equivalent*, that is, no input whatever tells it from the original, and then [`explained`] says why; or it shows a
 //! hole in the checks. Mutants are enumerated, never drawn, so that a score can be repeated.
 
 pub mod campaign;
 pub mod explained;
 mod in_plane;
-pub mod model;
-pub mod rust;
 pub mod score;
 mod text;
 pub mod vectors;
@@ -61,7 +58,7 @@ impl fmt::Display for Kind {
 /// A change of a file.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Mutant {
-    /// Entity of the design, or source file of the model.
+    /// Entity of the design.
     pub unit: String,
     /// Line of the file, from 1.
     pub line: usize,

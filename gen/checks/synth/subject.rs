@@ -3,8 +3,9 @@
 use super::critical_path::Names;
 use super::netlist::Netlist;
 use super::{Flow, Report, harness, units};
+use efsat_engine::artefact as engine;
+use efsat_engine::artefact::EngineDesign;
 use efsat_hardware::vhdl::Clash;
-use efsat_unit::artefact::engine::{self, EngineDesign};
 use efsat_unit::artefact::{Prefix, vhdl_files};
 use efsat_unit::design::Design;
 

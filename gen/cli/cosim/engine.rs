@@ -8,12 +8,13 @@ use crate::progress;
 use crate::source::{HEADLIGHT, load_scene};
 use efsat_checks::cosim::Simulator;
 use efsat_checks::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
+use efsat_engine::artefact::EngineDesign;
+use efsat_engine::host::{Image, Images, Layout, Numbers, memory};
+use efsat_engine::model::Query;
+use efsat_engine::params::Memory;
+use efsat_engine::words::QueryFlags;
 use efsat_geometry::scene::Scene;
-use efsat_unit::artefact::engine::EngineDesign;
 use efsat_unit::design::top::DesignError;
-use efsat_unit::golden::engine::Query;
-use efsat_unit::host::engine::{Image, Images, Layout, Numbers, memory};
-use efsat_unit::params::engine::{Memory, QueryFlags};
 use efsat_unit::params::options::Choice;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -122,14 +123,14 @@ struct Asked {
 
 /// The queries of a scene.
 fn queries(images: &Images, scene: &Scene, arguments: &Arguments) -> Asked {
-    let broad_phase = scene.broad_phase();
+    let near = scene.near();
     let (_, sides) = memory(&images.all());
     let frames = scene.frames();
     let bar = progress::bar("making queries", frames as u64, "poses", false);
     let made = (0..frames).into_par_iter().flat_map_iter(|frame| {
         bar.inc(1);
         let distance = scene.frame(frame).distance;
-        let found = broad_phase.meetings(frame).into_iter();
+        let found = near.meetings(frame).into_iter();
         found.map(|meeting| (distance, images.query(meeting.meshes, &meeting.pose, &sides).ok())).collect::<Vec<_>>()
     });
     let made: Vec<(Option<f64>, Option<Query>)> = made.collect();
@@ -327,8 +328,9 @@ fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usi
 #[cfg(test)]
 mod tests {
     use super::*;
+    use efsat_engine::params::EngineParams;
+    use efsat_engine::words::EngineReport;
     use efsat_unit::params::Params;
-    use efsat_unit::params::engine::{EngineParams, EngineReport};
 
     /// What the clocks are is always said; that no pair of triangles was reached, if it was so.
     #[test]

@@ -9,7 +9,7 @@ use crate::source::load_scene;
 use efsat_geometry::exact::Exact;
 use efsat_geometry::mesh::{Findings, Mesh};
 use efsat_geometry::scene::hierarchy::{Directions, Forest, Scratch, Statistics, batches, first_hit};
-use efsat_geometry::scene::{BroadPhase, Components, Frame, Meeting, Nesting, Object, Scene, nestings};
+use efsat_geometry::scene::{Components, Frame, Meeting, Near, Nesting, Object, Scene, nestings};
 use efsat_geometry::software::retest::retest_posed;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -116,7 +116,7 @@ struct ObjectReport<'a> {
 /// What finds the pairs and tests them.
 struct Search<'a> {
     scene: &'a Scene,
-    broad_phase: BroadPhase<'a>,
+    near: Near<'a>,
     forest: Forest,
     first_hit: bool,
     /// Those of the objects, if they are asked for.
@@ -127,7 +127,7 @@ impl Search<'_> {
     fn row(&self, frame: usize, scratch: &mut Scratch) -> Row {
         let mut counts = Counts::default();
         let mut containment = self.components.as_ref().map(|_| vec![]);
-        for meeting in self.broad_phase.meetings(frame) {
+        for meeting in self.near.meetings(frame) {
             let (found, nested) = self.meeting(&meeting, scratch);
             counts = counts.plus(&found);
             containment.iter_mut().for_each(|all| all.extend(nested.iter().cloned()));
@@ -138,7 +138,7 @@ impl Search<'_> {
 
     fn meeting(&self, meeting: &Meeting, scratch: &mut Scratch) -> (Counts, Vec<Nested>) {
         let [a, b] = self.forest.trees(meeting);
-        let meshes = self.broad_phase.meshes(meeting);
+        let meshes = self.near.meshes(meeting);
         let (m, t) = (meeting.pose.rows(), meeting.pose.translation().into());
         let touch = |(p, q): (u32, u32)| {
             let [p, q] = [(meshes[0], p), (meshes[1], q)].map(|(mesh, face)| corners(mesh, face));
@@ -273,7 +273,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let components = arguments.containment.then(|| components(&arguments.file, &scene)).transpose()?;
     let search = Search {
         scene: &scene,
-        broad_phase: scene.broad_phase(),
+        near: scene.near(),
         forest: Forest::new(&scene, arguments.k),
         first_hit: arguments.first_hit,
         components,

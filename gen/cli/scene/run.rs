@@ -155,9 +155,7 @@ impl Arguments {
         let files = [&self.csv, &self.pairs, &self.picture, &self.view];
         let files = || files.into_iter().flatten().map(PathBuf::as_path);
         self.out.iter().try_for_each(|dir| file::named(dir, "directory"))?;
-        // The scene is not overwritten either.
-        let scene = Some(Path::new(&self.file)).filter(|file| file.exists());
-        file::distinct(scene.into_iter().chain(files()))?;
+        file::distinct(files())?;
         files().try_for_each(|path| self.inside(path).map(|_| ()))?;
         self.out.as_ref().map_or(Ok(()), |dir| Ok(FileSet::default().check_target(dir)?))
     }

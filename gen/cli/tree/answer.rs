@@ -4,10 +4,10 @@ use super::{hexadecimal, read};
 use crate::error::Failure;
 use crate::output::print_json;
 use crate::params::{EngineArguments, ParamArguments, whole};
+use efsat_engine::host::{Image, Layout, Numbers, memory};
+use efsat_engine::model::{Model, Query};
+use efsat_engine::words::{Answer, QueryFlags};
 use efsat_unit::design::top::DesignError;
-use efsat_unit::golden::engine::{Model, Query};
-use efsat_unit::host::engine::{Image, Layout, Numbers, memory};
-use efsat_unit::params::engine::{Answer, QueryFlags};
 use serde::Serialize;
 use std::path::PathBuf;
 

@@ -6,13 +6,13 @@ use crate::file::{self, Output};
 use crate::output::{counted, print, warn};
 use crate::params::{choice, whole};
 use crate::source::load_mesh;
+use efsat_engine::host::Image;
+use efsat_engine::params::{EngineParams, FACTOR_BITS};
 use efsat_geometry::mesh::{Findings, Mesh};
 use efsat_hardware::number::Upper;
 use efsat_unit::design::top::DesignError;
-use efsat_unit::host::engine::Image;
-use efsat_unit::params::engine::FACTOR_BITS;
+use efsat_unit::params::Params;
 use efsat_unit::params::options::{INT_BITS, TRANSFORM_WIDTH, WIDTH};
-use efsat_unit::params::{EngineParams, Params};
 use std::path::PathBuf;
 
 /// Builds the image of a mesh: its tree of local blocks and its triangles, as the engine reads them
@@ -46,15 +46,11 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let paths = || std::iter::once(&arguments.mesh).chain(&arguments.beside);
-    // A mesh may be named twice, but is not overwritten.
-    for mesh in paths().filter(|mesh| mesh.exists()) {
-        file::distinct([mesh.as_path(), &arguments.out].into_iter().chain(arguments.faces.as_deref()))?;
-    }
+    let (meshes, findings): (Vec<Mesh>, Vec<Findings>) =
+        paths().map(|path| load_mesh(path)).collect::<Result<Vec<_>, Failure>>()?.into_iter().unzip();
     file::distinct(std::iter::once(arguments.out.as_path()).chain(arguments.faces.as_deref()))?;
     let mut out = Output::new(&arguments.out)?;
     let faces = arguments.faces.as_deref().map(Output::new).transpose()?;
-    let (meshes, findings): (Vec<Mesh>, Vec<Findings>) =
-        paths().map(|path| load_mesh(path)).collect::<Result<Vec<_>, Failure>>()?.into_iter().unzip();
     let numbers = &findings[0].numbers;
     if !numbers.are_plain() && faces.is_none() {
         let why = "the image numbers triangles from 0, which are not the numbers of the faces in the file";

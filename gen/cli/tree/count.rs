@@ -6,12 +6,13 @@ use crate::output::{print, print_json};
 use crate::params::whole;
 use crate::progress;
 use crate::source::load_scene;
-use efsat_geometry::scene::{BroadPhase, Meeting};
+use efsat_engine::host::{Images, Numbers, memory};
+use efsat_engine::model::{Model, Query, Side};
+use efsat_engine::params::{EngineParams, FACTOR_BITS};
+use efsat_engine::words::EngineReport;
+use efsat_geometry::scene::{Meeting, Near};
 use efsat_unit::design::top::DesignError;
-use efsat_unit::golden::engine::{Model, Query, Side};
-use efsat_unit::host::engine::{Images, Numbers, memory};
-use efsat_unit::params::engine::{EngineReport, FACTOR_BITS};
-use efsat_unit::params::{EngineParams, Params};
+use efsat_unit::params::Params;
 use rayon::prelude::*;
 use serde::Serialize;
 use std::fmt::Write;
@@ -108,7 +109,7 @@ impl Add for Counts {
 
 /// A scene in the memory of an engine.
 struct Search<'a> {
-    broad_phase: BroadPhase<'a>,
+    near: Near<'a>,
     model: Model,
     images: Images,
     sides: Vec<Side>,
@@ -138,11 +139,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Images::new(&scene.meshes().0, numbers).map_err(|e| Failure::Usage(format!("{}: {e}", arguments.file)))?;
     let (memory, sides) = memory(&images.all());
     let first_contact = arguments.first_contact;
-    let search = Search { broad_phase: scene.broad_phase(), model, images, sides, memory, first_contact };
+    let search = Search { near: scene.near(), model, images, sides, memory, first_contact };
     let frames = scene.frames();
     let bar = progress::bar("counting", frames as u64, "poses", false);
     let counted = (0..frames).into_par_iter().map(|frame| {
-        let meetings = search.broad_phase.meetings(frame);
+        let meetings = search.near.meetings(frame);
         let counts = meetings.iter().map(|meeting| search.meeting(meeting)).fold(Counts::default(), Add::add);
         bar.inc(1);
         counts

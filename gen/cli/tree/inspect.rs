@@ -3,8 +3,8 @@
 use super::read;
 use crate::error::Failure;
 use crate::output::{counted, print, print_json, readable};
-use efsat_unit::golden::engine::Link;
-use efsat_unit::host::engine::{Header, Image};
+use efsat_engine::host::{Header, Image};
+use efsat_engine::model::Link;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;

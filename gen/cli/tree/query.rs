@@ -6,10 +6,11 @@ use crate::file::{self, Output};
 use crate::output::{counted, print};
 use crate::params::{EngineArguments, ParamArguments};
 use crate::source::load_scene;
+use efsat_engine::host::{Images, Layout, Numbers, memory};
+use efsat_engine::model::Query;
+use efsat_engine::params::Memory;
+use efsat_engine::words::QueryFlags;
 use efsat_unit::design::top::DesignError;
-use efsat_unit::golden::engine::Query;
-use efsat_unit::host::engine::{Images, Layout, Numbers, memory};
-use efsat_unit::params::engine::{Memory, QueryFlags};
 use std::path::PathBuf;
 
 /// Writes the packets of a scene's queries, for a host without Rust: one query for each two objects whose boxes overlap in a frame
@@ -45,8 +46,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.image.is_some() && design.params.memory == Memory::BlockRam {
         return Err(Failure::Usage("--image with --memory block-ram: expected --memory axi".to_owned()));
     }
-    file::distinct([&arguments.out].into_iter().chain(&arguments.image).map(PathBuf::as_path))?;
     let scene = load_scene(&arguments.file)?;
+    file::distinct([&arguments.out].into_iter().chain(&arguments.image).map(PathBuf::as_path))?;
     let frames = match arguments.frame {
         Some(frame) if frame >= scene.frames() => {
             let message = format!("--frame {frame}: expected a number below {}", scene.frames());
@@ -68,8 +69,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         out.write(format!("load,,,,{}\n", text(load)))?;
     }
     let (mut queries, mut refused) = (0u32, 0u32);
-    let broad_phase = scene.broad_phase();
-    for meeting in frames.flat_map(|frame| broad_phase.meetings(frame)) {
+    let near = scene.near();
+    for meeting in frames.flat_map(|frame| near.meetings(frame)) {
         let number = queries % QueryFlags::NUMBERS;
         let words = images.query(meeting.meshes, &meeting.pose, &sides).map(|query| {
             let query = Query { number, first_contact: arguments.first_contact, ..query };

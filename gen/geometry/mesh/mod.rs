@@ -65,7 +65,7 @@ impl Mesh {
     pub fn new(vertices: Vec<Point3<f64>>, faces: Vec<[u32; 3]>) -> Result<Self, InvalidMesh> {
         for (vertex, point) in vertices.iter().enumerate() {
             if let Some(axis) = (0..3).find(|&axis| !point[axis].is_finite()) {
-                return Err(NotFinite { place: Place::Vertex { vertex, axis }, value: point[axis] }.into());
+                return Err(NotFinite { place: Place::Vertex { mesh: None, vertex, axis }, value: point[axis] }.into());
             }
         }
         let count = vertices.len();

@@ -18,7 +18,7 @@ impl Scene {
     /// If an object but the last one is distorted, or a pose is too far away.
     pub fn at_rest(name: impl Into<String>, objects: Vec<Object>) -> Result<Self, InvalidScene> {
         let motions = vec![Motion::Rest];
-        Self { name: name.into(), objects, effects: vec![], parameters: vec![], motions }.checked()
+        Self { name: name.into(), objects, effects: vec![], parameters: vec![], motions, files: vec![] }.checked()
     }
 
     /// A mesh against itself in a tumbling turn, the direction that of the default scene: along z.
@@ -41,6 +41,6 @@ impl Scene {
         let tumble = Tumble::about(&object("a"), &object("b"), 1, steps, distances.to_vec(), Vector3::z());
         let objects = vec![object("a"), object("b")];
         let motions = vec![Motion::Tumble(tumble)];
-        Self { name: name.into(), objects, effects: vec![], parameters: vec![], motions }.checked()
+        Self { name: name.into(), objects, effects: vec![], parameters: vec![], motions, files: vec![] }.checked()
     }
 }

@@ -5,7 +5,6 @@
 //! that follows; `M` need not be perfectly orthonormal. If A stands as in its file they are those of B's own pose;
 //! otherwise they are computed from both poses in binary64 ([`Pose::seen`]).
 
-mod broad_phase;
 mod check;
 mod containment;
 mod enclosure;
@@ -14,25 +13,25 @@ pub mod hierarchy;
 mod itself;
 mod meetings;
 mod motion;
+mod near;
 mod pieces;
 mod pose;
 mod split;
-mod survivors;
 mod sweep;
 mod trajectory;
 mod tree;
 
-pub use broad_phase::{BroadPhase, Meeting};
 pub use check::InvalidScene;
 pub use containment::{Components, Nesting, OpenEdge, nestings};
 pub use file::{SceneError, load};
+pub use near::{Meeting, Near};
 pub use pose::Pose;
-pub use survivors::Survivors;
 pub use toml::Value;
 pub use tree::{Candidates, Overlaps, Tree};
 
 use crate::mesh::{Findings, Mesh};
 use motion::Motion;
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// A mesh in a scene.
@@ -61,6 +60,8 @@ pub struct Scene {
     pub parameters: Vec<Entry>,
     /// The frames, in the order in which they are tested.
     motions: Vec<Motion>,
+    /// The mesh files that were read.
+    files: Vec<PathBuf>,
 }
 
 /// What a scene file says to others.
@@ -87,6 +88,11 @@ pub struct Frame {
 }
 
 impl Scene {
+    /// The mesh files that it was read from, as its file and its folder name them.
+    pub fn files(&self) -> &[PathBuf] {
+        &self.files
+    }
+
     /// The paper's benchmark as far as it is known: two identical headlights, one tumbling in front of the other at
     /// several distances. It is defined by `scenes/headlight.toml`.
     pub fn default_scene() -> Self {
@@ -123,9 +129,9 @@ impl Scene {
         panic!("frame {frame} of {before}");
     }
 
-    /// Builds the trees of the meshes; the result yields the meetings of each frame and their candidate pairs.
-    pub fn broad_phase(&self) -> BroadPhase<'_> {
-        BroadPhase::new(self)
+    /// Builds trees of boxes of the meshes; the result yields the meetings of each frame and their near pairs.
+    pub fn near(&self) -> Near<'_> {
+        Near::by_boxes(self)
     }
 
     /// The meshes of the objects, each once, and which of them each object has.

@@ -121,10 +121,7 @@ fn objects_stand_where_they_are_placed_and_move_alone() {
     let still = three("").unwrap();
     assert_eq!((still.frames(), still.frame(0).label.as_str()), (1, "as placed"));
     assert_eq!((still.meshes().0.len(), still.meshes().1), (1, vec![0, 0, 0]));
-    assert_eq!(
-        still.broad_phase().meetings(0).iter().map(|m| (m.a, m.b)).collect::<Vec<_>>(),
-        [(0, 1), (0, 2), (1, 2)]
-    );
+    assert_eq!(still.near().meetings(0).iter().map(|m| (m.a, m.b)).collect::<Vec<_>>(), [(0, 1), (0, 2), (1, 2)]);
 }
 
 #[test]
@@ -418,18 +415,18 @@ fn no_pair_of_exact_boxes_is_missed() {
 #[test]
 fn the_tree_agrees_with_brute_force_on_the_headlight() {
     let scene = Scene::default_scene();
-    let broad_phase = scene.broad_phase();
+    let near = scene.near();
     // The fullest of some poses of the smallest distance.
-    let meetings = (6 * 360..7 * 360).step_by(20).flat_map(|frame| broad_phase.meetings(frame));
-    let meeting = meetings.max_by_key(|meeting| broad_phase.pairs(meeting).len()).unwrap();
-    let [fixed, tumbling] = broad_phase.meshes(&meeting);
+    let meetings = (6 * 360..7 * 360).step_by(20).flat_map(|frame| near.meetings(frame));
+    let meeting = meetings.max_by_key(|meeting| near.pairs(meeting).len()).unwrap();
+    let [fixed, tumbling] = near.meshes(&meeting);
     let vertices = tumbling.vertices().iter().map(|v| meeting.pose.image(v)).collect();
     let moved = Mesh::new(vertices, tumbling.faces().to_vec()).unwrap();
     let boxes = |mesh: &Mesh| (0..mesh.faces().len()).map(|i| mesh::Bounds::of(&mesh.triangle(i))).collect::<Vec<_>>();
     let (a, b) = (boxes(fixed), boxes(&moved));
     // Every fifth triangle of A: the rest would only cost time.
     let tested = |p: usize| p.is_multiple_of(5);
-    let pairs = broad_phase.pairs(&meeting);
+    let pairs = near.pairs(&meeting);
     let found: std::collections::BTreeSet<_> = pairs.into_iter().filter(|&(p, _)| tested(p as usize)).collect();
     assert!(!found.is_empty());
     let mut count = 0;
@@ -449,7 +446,7 @@ fn pairs_come_in_order_whatever_the_number_of_threads() {
         let mut seen = Vec::new();
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
         pool.install(|| {
-            scene.broad_phase().try_for_each(|meeting, pairs| {
+            scene.near().try_for_each(|meeting, pairs| {
                 seen.push((meeting.clone(), pairs.to_vec()));
                 Ok::<(), ()>(())
             })
@@ -462,7 +459,7 @@ fn pairs_come_in_order_whatever_the_number_of_threads() {
     assert!(seen.windows(2).all(|w| w[0].0.frame < w[1].0.frame) && seen.iter().any(|(_, pairs)| !pairs.is_empty()));
     assert!(seen.iter().all(|(_, pairs)| pairs.windows(2).all(|w| w[0] < w[1])));
     let mut calls = 0;
-    let stopped = scene.broad_phase().try_for_each(|_, _| {
+    let stopped = scene.near().try_for_each(|_, _| {
         calls += 1;
         if calls == 3 { Err("enough") } else { Ok(()) }
     });
@@ -535,7 +532,7 @@ fn poses_that_cannot_be_seen_from_each_other_are_refused() {
         placed,
     };
     let rest = |first, last| Scene::at_rest("x", vec![object("p", first), object("q", last)]);
-    let meetings = |scene: Scene| scene.broad_phase().meetings(0).len();
+    let meetings = |scene: Scene| scene.near().meetings(0).len();
     assert_eq!(rest(Pose::identity(), huge).map(meetings), Ok(1));
     let error = rest(turned, huge).unwrap_err().to_string();
     assert!(

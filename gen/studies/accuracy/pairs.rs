@@ -76,10 +76,10 @@ impl<'a> Pairs<'a> {
         let (meshes, _) = scene.meshes();
         let points = |mesh: &&Mesh| mesh.vertices().iter().map(|v| [v.x, v.y, v.z]).collect();
         let vertices: Vec<Vec<[f64; 3]>> = meshes.iter().map(points).collect();
-        let broad_phase = scene.broad_phase();
+        let near = scene.near();
         let mut reservoir = Reservoir::new(amount, seed);
         let mut meetings = vec![];
-        broad_phase.try_for_each(|meeting, pairs| {
+        near.try_for_each(|meeting, pairs| {
             // Very many pairs come in pieces.
             if meetings.last() != Some(meeting) {
                 meetings.push(meeting.clone());

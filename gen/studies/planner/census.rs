@@ -59,14 +59,14 @@ impl Census {
         let ulp = (-f64::from(params.input().fraction + 1)).exp2();
         let mut total = Self::default();
         let mut frames = Least::new(FRAMES);
-        let Ok(()) = front.survivors.in_order(
+        let Ok(()) = front.near.frames_in_order(
             |frame, scratch| {
                 let mut counts = Self { frames: 1, object_pairs: objects * (objects - 1) / 2, ..Self::default() };
                 let mut vectors = Least::new(VECTORS);
-                for meeting in front.survivors.meetings(frame) {
+                for meeting in front.near.meetings(frame) {
                     let mut extent = Extent::new(front, &meeting, ulp);
                     let mut first = None;
-                    let found = front.survivors.pairs(&meeting, scratch, |pairs| {
+                    let found = front.near.pieces(&meeting, scratch, |pairs| {
                         first = first.or(pairs.first().copied());
                         counts.take(front, &meeting, pairs, &mut extent);
                         for &pair in pairs.iter().filter(|pair| !front.answers(&meeting, **pair)) {
@@ -75,7 +75,7 @@ impl Census {
                         }
                     });
                     counts.meetings += 1;
-                    counts.all_pairs += front.survivors.all_pairs(&meeting);
+                    counts.all_pairs += front.near.all_pairs(&meeting);
                     counts.statistics = counts.statistics + found;
                     if let Some(pair) = first {
                         counts.pose(&stage, &meeting, pair);

@@ -5,9 +5,9 @@ use super::outcome::Counted;
 use super::{Contact, Front, Place, Row};
 use efsat_checks::cosim::CosimError;
 use efsat_checks::cosim::engine::{Channel, Machine};
+use efsat_engine::driver::{Contacts, Engine, Job, Objects, Options, StandIn};
+use efsat_engine::words::EngineReport;
 use efsat_geometry::scene::{Frame, Meeting};
-use efsat_unit::host::driver::engine::{Contacts, Engine, Job, Objects, Options, StandIn};
-use efsat_unit::params::engine::EngineReport;
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -125,7 +125,7 @@ pub fn run<E: Engine, F: From<E::Error>>(
 ) -> Result<(), F> {
     let scene = front.scene();
     for batch in frames.chunks(BATCH) {
-        let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.survivors.meetings(frame)).collect();
+        let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.near.meetings(frame)).collect();
         // The memory stays as it is.
         let options = Options { keep_caches: true, ..Options::default() };
         let job = |meeting: &Meeting| -> Job<'_, '_> { objects.query(meeting.meshes, &meeting.pose, options) };

@@ -1,7 +1,7 @@
 //! The stages before the unit: what they leave for it.
 
 use efsat_geometry::scene::hierarchy::Directions;
-use efsat_geometry::scene::{Meeting, Scene, Survivors};
+use efsat_geometry::scene::{Meeting, Near, Scene};
 use serde::Serialize;
 
 /// Which stages there are before the unit.
@@ -19,7 +19,7 @@ pub struct Software {
 #[derive(Clone, Debug)]
 pub struct Front<'a> {
     /// What finds the pairs.
-    pub survivors: Survivors<'a>,
+    pub near: Near<'a>,
     software: Software,
     /// Which triangles are degenerate, by mesh, and which mesh each object has.
     degenerate: Vec<Vec<bool>>,
@@ -29,14 +29,14 @@ pub struct Front<'a> {
 impl<'a> Front<'a> {
     /// Prepares a scene.
     pub fn new(scene: &'a Scene, software: Software, directions: Directions) -> Self {
-        let survivors = Survivors::new(scene, software.broad_phase, software.hierarchy.then_some(directions));
+        let near = Near::by_dops(scene, software.broad_phase, software.hierarchy.then_some(directions));
         let (meshes, mesh_of) = scene.meshes();
         let flags = |mesh: &&efsat_geometry::mesh::Mesh| {
             let mut flags = vec![false; mesh.faces().len()];
             mesh.degenerate().into_iter().for_each(|face| flags[face] = true);
             flags
         };
-        Self { survivors, software, degenerate: meshes.iter().map(flags).collect(), mesh_of }
+        Self { near, software, degenerate: meshes.iter().map(flags).collect(), mesh_of }
     }
 
     /// Which stages there are.
@@ -46,7 +46,7 @@ impl<'a> Front<'a> {
 
     /// The scene.
     pub fn scene(&self) -> &'a Scene {
-        self.survivors.scene()
+        self.near.scene()
     }
 
     /// All triangles of all objects, and the degenerate ones among them.

@@ -157,12 +157,12 @@ impl Measured {
 pub(super) fn measure(front: &Front<'_>, params: &[Params], in_plane: Option<[usize; 2]>) -> Measured {
     let units = Units::new(front, params);
     let mut total = Measured::new(params.len());
-    let Ok(()) = front.survivors.in_order(
+    let Ok(()) = front.near.frames_in_order(
         |frame, scratch| {
             let mut measured = Measured::new(params.len());
-            for meeting in front.survivors.meetings(frame) {
+            for meeting in front.near.meetings(frame) {
                 let mut at = None;
-                front.survivors.pairs(&meeting, scratch, |pairs| {
+                front.near.pieces(&meeting, scratch, |pairs| {
                     if pairs.is_empty() {
                         return;
                     }

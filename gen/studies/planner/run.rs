@@ -63,7 +63,7 @@ pub fn run<E: From<TooMany>>(
     let mut strata = [0, 1, 2].map(|_| Least::new(stratified));
     let mut near = Least::new(close);
     let mut total = Total::default();
-    front.survivors.in_order(
+    front.near.frames_in_order(
         |frame, scratch| answering.frame(frame, scratch),
         |frame, found: Found| {
             let Frame { label, distance, .. } = front.scene().frame(frame);
@@ -114,9 +114,9 @@ impl<'a, 'b> Answering<'a, 'b> {
 
     fn frame(&self, frame: usize, scratch: &mut Scratch) -> Found {
         let mut found = Found::default();
-        for meeting in self.front.survivors.meetings(frame) {
+        for meeting in self.front.near.meetings(frame) {
             let mut at = None;
-            let statistics = self.front.survivors.pairs(&meeting, scratch, |pairs| {
+            let statistics = self.front.near.pieces(&meeting, scratch, |pairs| {
                 if pairs.is_empty() || found.kept() > MOST {
                     return;
                 }

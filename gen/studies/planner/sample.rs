@@ -76,7 +76,7 @@ pub(super) fn stimulus(front: &Front<'_>, params: &Params, places: &[Place]) -> 
     let stage = Stage::new(front.scene(), params);
     let (mut stimulus, mut decided) = (Stimulus::default(), vec![]);
     for of_frame in places.chunk_by(|x, y| x.frame == y.frame) {
-        let meetings = front.survivors.meetings(of_frame[0].frame);
+        let meetings = front.near.meetings(of_frame[0].frame);
         for group in of_frame.chunk_by(|x, y| x.objects == y.objects) {
             let Some(meeting) = meetings.iter().find(|m| (m.a, m.b) == group[0].objects) else { continue };
             let posed = stage.posed(meeting);

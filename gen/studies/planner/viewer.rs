@@ -119,7 +119,7 @@ impl<'a, 'b> Viewer<'a, 'b> {
         }
         let scene = self.front.scene();
         let Frame { poses, .. } = scene.frame(row.frame);
-        let meetings = self.front.survivors.meetings(row.frame);
+        let meetings = self.front.near.meetings(row.frame);
         let mut pairs = vec![];
         for meeting in &meetings {
             let of_meeting = |contact: &&Contact| contact.place.objects == (meeting.a, meeting.b);

@@ -4,8 +4,10 @@ use std::fmt;
 
 /// Bits of a word from the highest to the lowest, printed as the range that VHDL takes: `7 downto 0`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) struct Bits {
+pub struct Bits {
+    /// The highest.
     pub high: u32,
+    /// The lowest.
     pub low: u32,
 }
 

@@ -127,7 +127,7 @@ struct Values<'a> {
 
 /// What is around the core, in Verilog, if the tools for the board read no VHDL; its sources are those behind the
 /// synthesised ones. The PLL is written in Verilog, as GHDL knows no cells; in VHDL there is a stand-in.
-pub(super) fn verilog_file(design: &Design, prefix: &Prefix) -> Option<VerilogFile> {
+pub fn verilog_file(design: &Design, prefix: &Prefix) -> Option<VerilogFile> {
     let board = Board::of(design.device.name).filter(|board| *board == Board::Ulx3s)?.name();
     let top = format!("{prefix}efsat_{board}");
     let file = |ending: &str| format!("{board}/{top}{ending}");
@@ -137,13 +137,7 @@ pub(super) fn verilog_file(design: &Design, prefix: &Prefix) -> Option<VerilogFi
 
 /// Adds the board that has the device of the design, if there is one. `synthesised` are the files of the core in dependency
 /// order.
-pub(super) fn add(
-    set: &mut FileSet,
-    core: Core,
-    design: &Design,
-    prefix: &Prefix,
-    synthesised: &[String],
-) -> Option<Project> {
+pub fn add(set: &mut FileSet, core: Core, design: &Design, prefix: &Prefix, synthesised: &[String]) -> Option<Project> {
     let board = Board::of(design.device.name)?;
     let (folder, frequency) = (board.name(), design.params.frequency);
     let file = |ending: &str| format!("{folder}/{prefix}efsat_{folder}{ending}");

@@ -155,7 +155,7 @@ pub(super) fn add(
     ]
 }
 
-#[cfg(all(test, feature = "scenes"))]
+#[cfg(test)]
 mod tests {
     use super::*;
     use crate::artefact::ready_designs;

@@ -11,7 +11,7 @@ use askama::Template;
 
 /// What is behind the UART. Both have the ports of an AXI4-Stream in and of one out.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Core {
+pub enum Core {
     /// The unit in its stream wrapper.
     Unit,
     /// The collision engine with its trees in block RAM.
@@ -20,7 +20,7 @@ pub(super) enum Core {
 
 impl Core {
     /// What sentences call it.
-    pub(super) fn name(self) -> &'static str {
+    pub fn name(self) -> &'static str {
         match self {
             Self::Unit => "unit",
             Self::Engine => "engine",
@@ -28,7 +28,7 @@ impl Core {
     }
 
     /// The entity with the streams, without a prefix.
-    pub(super) fn entity(self) -> &'static str {
+    pub fn entity(self) -> &'static str {
         match self {
             Self::Unit => "efsat_stream",
             Self::Engine => "efsat_engine",
@@ -44,7 +44,7 @@ impl Core {
     }
 
     /// Its file in Verilog.
-    pub(super) fn verilog(self, prefix: &Prefix) -> String {
+    pub fn verilog(self, prefix: &Prefix) -> String {
         match self {
             Self::Unit => prefix.of("efsat.v"),
             Self::Engine => prefix.of("efsat_engine.v"),
@@ -173,7 +173,7 @@ pub(super) fn add(set: &mut FileSet, design: &Design, format: &StreamFormat, pre
 }
 
 /// Adds the example around a core with words of so many bits in and out.
-pub(super) fn add_top(set: &mut FileSet, core: Core, frequency: u32, [width, answer_width]: [u32; 2], prefix: &Prefix) {
+pub fn add_top(set: &mut FileSet, core: Core, frequency: u32, [width, answer_width]: [u32; 2], prefix: &Prefix) {
     let header = &origin()[..];
     let top = Top {
         header,

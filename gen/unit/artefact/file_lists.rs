@@ -34,10 +34,10 @@ pub struct FileLists {
 
 impl FileLists {
     /// The file that lists what is synthesised.
-    pub(super) const SYNTHESISED: &str = "files-synthesis.txt";
+    pub const SYNTHESISED: &str = "files-synthesis.txt";
 
     /// The files of the example.
-    pub(super) fn example(prefix: &Prefix) -> [String; 3] {
+    pub fn example(prefix: &Prefix) -> [String; 3] {
         ["uart_receiver", "uart_transmitter", "efsat_uart_top"].map(|entity| format!("example/{prefix}{entity}.vhd"))
     }
 

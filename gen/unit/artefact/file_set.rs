@@ -77,7 +77,7 @@ fn at(path: &Path) -> impl FnOnce(io::Error) -> FileSetError + '_ {
 
 impl FileSet {
     /// Adds a file; a text ends with a line feed.
-    pub(super) fn insert(&mut self, name: impl Into<String>, text: impl Into<String>) {
+    pub fn insert(&mut self, name: impl Into<String>, text: impl Into<String>) {
         let mut text = text.into();
         if !text.ends_with('\n') {
             text.push('\n');

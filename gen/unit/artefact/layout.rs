@@ -12,7 +12,7 @@ use crate::params::{Method, Params, Quantity, Transform, Upper};
 use askama::Template;
 
 /// A constant.
-pub(super) struct Constant {
+pub struct Constant {
     /// Its name, in lower case.
     pub name: &'static str,
     /// Its value.
@@ -23,12 +23,12 @@ pub(super) struct Constant {
 
 impl Constant {
     /// A number.
-    pub(super) fn number(name: &'static str, value: u32, what: &'static str) -> Self {
+    pub fn number(name: &'static str, value: u32, what: &'static str) -> Self {
         Self { name, value: Value::Number(value), what }
     }
 
     /// A word.
-    pub(super) fn word(name: &'static str, value: u32, what: &'static str) -> Self {
+    pub fn word(name: &'static str, value: u32, what: &'static str) -> Self {
         Self { name, value: Value::Word(value), what }
     }
 
@@ -40,7 +40,7 @@ impl Constant {
 
 /// What a constant is.
 #[derive(Clone, Copy)]
-pub(super) enum Value {
+pub enum Value {
     /// A number, below 2^31.
     Number(u32),
     /// 32 bits.
@@ -50,7 +50,7 @@ pub(super) enum Value {
 }
 
 /// Constants under a heading.
-pub(super) struct Group {
+pub struct Group {
     /// The heading.
     pub what: &'static str,
     /// The constants.
@@ -58,7 +58,7 @@ pub(super) struct Group {
 }
 
 /// The ranges that hosts keep to, of numbers that a pair has, and a pose if there is one with or without a matrix.
-pub(super) fn ranges(p: &Params) -> Group {
+pub fn ranges(p: &Params) -> Group {
     let both = |of, [least, most]: [&'static str; 2], what: [&'static str; 2]| {
         let [from, to] = p.declared(of);
         [Constant::end(least, from, what[0]), Constant::end(most, to, what[1])]
@@ -94,14 +94,16 @@ pub(super) fn ranges(p: &Params) -> Group {
     }
 }
 
-/// Something that the functions in C refuse: the end of its name, and what explanations call it.
-pub(super) struct Refusal {
+/// Something that the functions in C refuse.
+pub struct Refusal {
+    /// The end of its name.
     pub name: &'static str,
+    /// What explanations call it.
     pub what: &'static str,
 }
 
 /// A list of refusals, in the order of their codes.
-pub(super) fn refusals<const N: usize>(list: [(&'static str, &'static str); N]) -> Vec<Refusal> {
+pub fn refusals<const N: usize>(list: [(&'static str, &'static str); N]) -> Vec<Refusal> {
     list.map(|(name, what)| Refusal { name, what }).into()
 }
 
@@ -203,11 +205,13 @@ struct Package<'a> {
 }
 
 impl Constant {
-    pub(super) fn upper(&self) -> String {
+    /// Its name in upper case.
+    pub fn upper(&self) -> String {
         self.name.to_uppercase()
     }
 
-    pub(super) fn c(&self) -> String {
+    /// Its value in C.
+    pub fn c(&self) -> String {
         match self.value {
             Value::Number(number) => number.to_string(),
             Value::Word(word) => format!("UINT32_C(0x{word:08x})"),
@@ -215,7 +219,8 @@ impl Constant {
         }
     }
 
-    pub(super) fn python(&self) -> String {
+    /// Its value in Python.
+    pub fn python(&self) -> String {
         match self.value {
             Value::Number(number) => number.to_string(),
             Value::Word(word) => format!("0x{word:08x}"),
@@ -317,7 +322,7 @@ pub(super) fn package(design: &Design, format: &StreamFormat, prefix: &Prefix) -
 }
 
 /// The package of constants of an entity; `whose` says for whom they are, and who does not use them.
-pub(super) fn constants_package(groups: Vec<Group>, prefix: &Prefix, of: &str, whose: &str) -> String {
+pub fn constants_package(groups: Vec<Group>, prefix: &Prefix, of: &str, whose: &str) -> String {
     let package = Package { header: origin(), prefix, of, whose, groups };
     package.render().expect("the template renders")
 }

@@ -167,12 +167,13 @@ pub(super) fn text(design: &Design, format: Option<&StreamFormat>, command_line:
     serde_json::to_string_pretty(&manifest).expect("keys are strings and numbers are finite")
 }
 
-pub(super) fn digest(text: &str) -> String {
+/// The SHA-256 of a text in hexadecimal.
+pub fn digest(text: &str) -> String {
     Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 
 /// The files that a manifest of ours names; none if the text is no manifest of ours.
-pub(super) fn files(text: &str) -> Option<BTreeSet<String>> {
+pub fn files(text: &str) -> Option<BTreeSet<String>> {
     let manifest: serde_json::Value = serde_json::from_str(text).ok()?;
     manifest.get("generator")?.as_str()?.strip_prefix("efsat ")?;
     Some(manifest.get("files")?.as_object()?.keys().cloned().collect())

@@ -2,7 +2,7 @@
 //! would synthesise for another part than the one that the design is pipelined for.
 
 /// A project, as the README of a design lists it.
-pub(super) struct Project {
+pub struct Project {
     /// Where it is.
     pub folder: String,
     /// The tool and its releases.

@@ -1,17 +1,7 @@
-//! The ready designs: those that lie in the repository, each in a folder of its own.
+//! The ready designs: those that are generated ahead, each in a folder of its own.
 
-use super::design_files::{DesignFilesError, Packaging, design_files_with};
-use super::engine::{EngineDesign, engine_design_files, samples};
-use super::manifest::{self, digest};
-use super::{FileSet, Prefix};
-use crate::design::Design;
-use crate::design::top::DesignError;
-use crate::params::engine::EngineParams;
 use crate::params::stream::StreamWidth;
 use crate::params::{Method, Params};
-use askama::Template;
-use efsat_hardware::estimate;
-use std::collections::BTreeMap;
 
 /// A design that is generated ahead for its users.
 pub struct ReadyDesign {
@@ -27,52 +17,7 @@ pub struct ReadyDesign {
     pub stream_width: StreamWidth,
 }
 
-/// Why the ready designs cannot be made.
-#[derive(Debug, thiserror::Error)]
-pub enum ReadyError {
-    /// Parameters out of range, or an unknown device.
-    #[error(transparent)]
-    Design(#[from] DesignError),
-    /// A name that is not legal VHDL, or a breach of the rules of the target.
-    #[error(transparent)]
-    Files(#[from] DesignFilesError),
-}
-
-/// A row of the index.
-struct Row {
-    name: &'static str,
-    what: &'static str,
-    options: &'static str,
-    multipliers: usize,
-    luts: u64,
-    flip_flops: u64,
-    interval: usize,
-    latency: usize,
-    million_pairs: String,
-}
-
-#[derive(Template)]
-#[template(path = "ready-readme.md")]
-struct Index {
-    version: &'static str,
-    device: &'static str,
-    frequency: u32,
-    rows: Vec<Row>,
-    engine: EngineRow,
-}
-
-/// What the index says of the engine.
-struct EngineRow {
-    name: &'static str,
-    multipliers: usize,
-    expansion_clocks: usize,
-    pair_clocks: usize,
-}
-
-/// The folder of the ready engine, which has the defaults of all its options.
-const ENGINE: &str = "engine";
-
-/// The ready designs of the unit, the default first; beside them there is an engine.
+/// The ready designs, the default first.
 pub fn ready_designs() -> [ReadyDesign; 5] {
     let determinants = |clocks_per_pair| Params { method: Method::Determinants, clocks_per_pair, ..Params::default() };
     [
@@ -112,83 +57,4 @@ pub fn ready_designs() -> [ReadyDesign; 5] {
             stream_width: StreamWidth::Bits1024,
         },
     ]
-}
-
-/// All ready designs, a folder each, with an index and a manifest of the whole. `command_line` says how a design that is
-/// packaged so is generated.
-///
-/// # Errors
-/// A defect of the generator; see [`ReadyError`].
-pub fn ready_files(command_line: impl Fn(&Params, &Packaging) -> String) -> Result<FileSet, ReadyError> {
-    let (mut set, mut rows) = (FileSet::default(), vec![]);
-    for ready in ready_designs() {
-        let design = Design::new(&ready.params, false)?;
-        let packaging = Packaging { stream_width: ready.stream_width, ..Packaging::default() };
-        let files = design_files_with(&design, &packaging, &command_line(&ready.params, &packaging))?;
-        files.iter().for_each(|(name, text)| set.insert(format!("{}/{name}", ready.name), text));
-        let cells = estimate::whole(&design.top, design.device);
-        rows.push(Row {
-            name: ready.name,
-            what: ready.what,
-            options: ready.options,
-            multipliers: design.top.multipliers(),
-            luts: cells.luts + cells.memory_luts,
-            flip_flops: cells.flip_flops,
-            interval: design.interval,
-            latency: design.latency,
-            million_pairs: format!("{:.1}", f64::from(design.params.frequency) / design.interval as f64),
-        });
-    }
-    let params = Params::default();
-    let device = Design::check(&params)?.name;
-    let engine = engine(&mut set, &params)?;
-    let index = Index { version: env!("CARGO_PKG_VERSION"), device, frequency: params.frequency, rows, engine };
-    set.insert("README.md", index.render().expect("the template renders"));
-    let whole = whole_manifest(&set);
-    set.insert(manifest::NAME, whole);
-    Ok(set)
-}
-
-/// Adds the engine around a unit.
-fn engine(set: &mut FileSet, unit: &Params) -> Result<EngineRow, ReadyError> {
-    let design = EngineDesign::new(&EngineParams::default(), unit)?;
-    let vectors = samples::text(&design).map_err(DesignError::from)?;
-    let files = engine_design_files(&design, &Prefix::default(), &design.command_line(), &vectors)?;
-    files.iter().for_each(|(name, text)| set.insert(format!("{ENGINE}/{name}"), text));
-    Ok(EngineRow {
-        name: ENGINE,
-        multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
-        expansion_clocks: design.volume.interval,
-        pair_clocks: design.unit.interval,
-    })
-}
-
-/// The manifest of the ready designs: their files alone, for each folder has a manifest of its own.
-fn whole_manifest(files: &FileSet) -> String {
-    let digests: BTreeMap<&str, String> = files.iter().map(|(name, text)| (name, digest(text))).collect();
-    let manifest = serde_json::json!({ "generator": format!("efsat {}", env!("CARGO_PKG_VERSION")), "files": digests });
-    serde_json::to_string_pretty(&manifest).expect("keys are strings")
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_ready_design_is_complete() {
-        let set = ready_files(|params, packaging| format!("{} {packaging:?}", params.command_line())).unwrap();
-        for ready in ready_designs() {
-            for file in
-                ["README.md", "efsat.vhd", "efsat_stream.vhd", "efsat_tb.vec", "manifest.json", "ise/project.tcl"]
-            {
-                assert!(set.get(&format!("{}/{file}", ready.name)).is_some(), "{}/{file}", ready.name);
-            }
-            let row = format!("| [{0}]({0}/README.md) |", ready.name);
-            assert!(set.get("README.md").unwrap().contains(&row), "{row}");
-        }
-        for file in ["README.md", "efsat_engine.vhd", "efsat_engine_tb.vec", "manifest.json"] {
-            assert!(set.get(&format!("{ENGINE}/{file}")).is_some(), "{file}");
-        }
-        assert_eq!(manifest::files(set.get(manifest::NAME).unwrap()).unwrap().len(), set.len() - 1);
-    }
 }

@@ -49,18 +49,19 @@ fn plain(x: &Input) -> (i64, bool) {
 }
 
 /// Makes vectors packet by packet.
-pub(super) struct Maker<'a> {
+pub struct Maker<'a> {
     golden: Golden,
     format: &'a StreamFormat,
     /// The pose that holds.
-    pub(super) pose: Pose,
+    pub pose: Pose,
     tag: u64,
     /// What has been made.
-    pub(super) vectors: StreamVectors,
+    pub vectors: StreamVectors,
 }
 
 impl<'a> Maker<'a> {
-    pub(super) fn new(p: &Params, format: &'a StreamFormat) -> Self {
+    /// Nothing yet, under the identity.
+    pub fn new(p: &Params, format: &'a StreamFormat) -> Self {
         let vectors = StreamVectors::default();
         Self { golden: Golden::new(p), format, pose: Pose::identity(p), tag: 0, vectors }
     }
@@ -106,7 +107,7 @@ impl<'a> Maker<'a> {
     }
 
     /// A packet of pairs.
-    pub(super) fn pairs(&mut self, pairs: &[Pair]) {
+    pub fn pairs(&mut self, pairs: &[Pair]) {
         let mut words = self.header(Kind::Pairs);
         for (i, pair) in pairs.iter().enumerate() {
             words.extend(self.pair(pair, i + 1 == pairs.len()));
@@ -121,7 +122,7 @@ impl<'a> Maker<'a> {
     }
 
     /// A packet with a pose, if there are such.
-    pub(super) fn pose(&mut self, pose: &Pose) {
+    pub fn pose(&mut self, pose: &Pose) {
         if self.format.has_pose() {
             let words = self.pose_words(pose);
             self.send(words);
@@ -132,7 +133,7 @@ impl<'a> Maker<'a> {
 
     /// Packets for a guard: words outside the declared ranges, and numbers that are no sign extension of what the unit
     /// reads of them, of pairs and of poses, with what is inside in between.
-    pub(super) fn outside(&mut self, p: &Params) {
+    pub fn outside(&mut self, p: &Params) {
         for (pose, pairs) in Stimulus::outside(p).segments.iter().step_by(EVERY) {
             self.pose(pose);
             self.pairs(pairs);
@@ -165,7 +166,7 @@ impl<'a> Maker<'a> {
     }
 
     /// Packets of pairs or a pose that are none, with what is to be said of each.
-    pub(super) fn malformed(&mut self, pair: &Pair, pose: &Pose) {
+    pub fn malformed(&mut self, pair: &Pair, pose: &Pose) {
         // A header of another design, with a pair after it.
         let record = self.format.pair_record(0, pair.a.iter().chain(&pair.b).flatten().map(plain));
         let other = u128::from(self.format.header(Kind::Pairs) ^ 1 << 8).into();

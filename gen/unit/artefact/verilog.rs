@@ -1,26 +1,19 @@
 //! The design in Verilog, for tools that read no VHDL: which file is made of which. Who has GHDL makes them.
 
-use super::engine::EngineDesign;
 use super::example::Core;
 use super::file_lists::FileLists;
 use super::verilog_file::VerilogFile;
 use super::{FileSet, Prefix, board};
 use crate::design::Design;
-use crate::params::engine::Memory;
 
 /// The Verilog files of a set of VHDL files: the unit in its wrapper, and what is around it on a board whose tools read no
 /// VHDL. A later file has no module that an earlier one has.
 pub fn verilog_files(set: &FileSet, design: &Design, prefix: &Prefix) -> Vec<VerilogFile> {
-    files(set, Core::Unit, board::verilog_file(design, prefix), prefix)
+    verilog_of(set, Core::Unit, board::verilog_file(design, prefix), prefix)
 }
 
-/// The same of an engine. It is on a board only with its trees in block RAM.
-pub fn engine_verilog_files(set: &FileSet, design: &EngineDesign, prefix: &Prefix) -> Vec<VerilogFile> {
-    let on_board = design.params.memory == Memory::BlockRam;
-    files(set, Core::Engine, on_board.then(|| board::verilog_file(&design.unit, prefix)).flatten(), prefix)
-}
-
-fn files(set: &FileSet, core: Core, around: Option<VerilogFile>, prefix: &Prefix) -> Vec<VerilogFile> {
+/// The same of a core, with what is around it on such a board, if there is one.
+pub fn verilog_of(set: &FileSet, core: Core, around: Option<VerilogFile>, prefix: &Prefix) -> Vec<VerilogFile> {
     let list = set.get(FileLists::SYNTHESISED).unwrap_or_default();
     let sources: Vec<String> = list.lines().map(str::to_owned).collect();
     let around = around.map(|around| {

@@ -136,6 +136,6 @@ impl<'l, 'p> Guards<'l, 'p> {
 }
 
 /// Flag: some of the flags is set.
-pub(super) fn any<'l>(flags: &[Sig<'l>]) -> Sig<'l> {
+pub fn any<'l>(flags: &[Sig<'l>]) -> Sig<'l> {
     if let [one] = flags { *one } else { flags[0].below(&flags[1..]).any() }
 }

@@ -3,8 +3,7 @@
 //! One file per unit; the entity that is printed has the file's name. Reading order: [`interval`], [`product`] and
 //! [`rounding`] (operators), [`cross_product`], [`axis_shift`], [`projection`], [`comparator`] (one axis), [`transform_row`],
 //! [`edge_test`], [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
-//! `axis_stage`), [`sequencer`] and [`top`] (handshakes). [`determinants`] is the other data path, in place of `pipeline`;
-//! [`engine`] is what stands before the unit in a collision engine.
+//! `axis_stage`), [`sequencer`] and [`top`] (handshakes). [`determinants`] is the other data path, in place of `pipeline`.
 
 pub mod axes;
 pub mod axis_shift;
@@ -13,7 +12,6 @@ pub mod comparator;
 pub mod cross_product;
 pub mod determinants;
 pub mod edge_test;
-pub mod engine;
 pub mod exact;
 pub mod guard;
 pub mod interval;
@@ -24,7 +22,7 @@ pub mod projection;
 pub mod renormalise;
 pub mod rounding;
 pub mod sequencer;
-mod slots;
+pub(crate) mod slots;
 pub mod top;
 pub mod transform_row;
 

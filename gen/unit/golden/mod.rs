@@ -14,7 +14,6 @@ mod axes;
 mod axis_test;
 mod determinants;
 mod edge_test;
-pub mod engine;
 mod exact;
 mod guard;
 mod input;

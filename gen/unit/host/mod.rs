@@ -6,7 +6,6 @@
 mod answer;
 mod boxes;
 pub mod driver;
-pub mod engine;
 mod grid;
 mod loose;
 mod quantised;

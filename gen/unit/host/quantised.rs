@@ -6,7 +6,7 @@ use crate::golden::Input;
 impl Dyadic {
     /// The floor at `fraction` fraction bits and its sticky bit, if the real number lies in
     /// `[-bound, bound] * 2^-fraction`.
-    pub(crate) fn quantised(self, fraction: u32, bound: i128) -> Option<Input> {
+    pub fn quantised(self, fraction: u32, bound: i128) -> Option<Input> {
         let (lo, sticky) = self.scaled(fraction.into()).floor_and_rest()?;
         let inside = -bound <= lo.into() && i128::from(lo) + i128::from(sticky) <= bound;
         inside.then_some(Input { lo, sticky })

@@ -81,8 +81,7 @@ impl SceneHost {
     /// # Errors
     /// If a coordinate is not finite.
     pub fn new(a: &[[f64; 3]], b: &[[f64; 3]], params: &Params) -> Result<Self, NotFinite> {
-        finite::vertices(a)?;
-        finite::vertices(b)?;
+        finite::meshes(a, b)?;
         let boxes = [a, b].map(bounds);
         let centres = boxes.map(|mesh| mesh.map(|[low, high]| (Dyadic::from(low) + Dyadic::from(high)).scaled(-1)));
         let half = |[low, high]: [f64; 2]| (Dyadic::from(high) - Dyadic::from(low)).scaled(-1);

@@ -4,7 +4,7 @@ use super::{SceneHost, ScenePose};
 use crate::params::Params;
 use efsat_geometry::exact::{self, Exact, Relation};
 use efsat_geometry::mesh::Mesh;
-use efsat_geometry::scene::{BroadPhase, Meeting, Scene};
+use efsat_geometry::scene::{Meeting, Near, Scene};
 use efsat_geometry::software::retest::{retest, retest_posed};
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -17,7 +17,7 @@ pub struct Stage<'a> {
     scene: &'a Scene,
     params: Params,
     /// Finds the meetings and their candidate pairs.
-    pub broad_phase: BroadPhase<'a>,
+    pub near: Near<'a>,
     /// The vertices of the meshes.
     vertices: Vec<Vec<[f64; 3]>>,
     /// Pairs of meshes that have met.
@@ -40,7 +40,7 @@ impl<'a> Stage<'a> {
         let points = |mesh: &&Mesh| mesh.vertices().iter().map(|v| [v.x, v.y, v.z]).collect();
         let vertices = meshes.iter().map(points).collect();
         let params = params.clone();
-        Self { scene, params, broad_phase: scene.broad_phase(), vertices, hosts: Mutex::default() }
+        Self { scene, params, near: scene.near(), vertices, hosts: Mutex::default() }
     }
 
     /// The number of frames.
@@ -60,7 +60,7 @@ impl<'a> Stage<'a> {
             Arc::clone(hosts.entry(meshes).or_insert(made))
         });
         let m = meeting.pose.rows();
-        Posed { meshes: self.broad_phase.meshes(meeting), vertices, host, m, t: meeting.pose.translation().into() }
+        Posed { meshes: self.near.meshes(meeting), vertices, host, m, t: meeting.pose.translation().into() }
     }
 }
 

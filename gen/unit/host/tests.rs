@@ -255,6 +255,17 @@ fn pairs_outside_the_ranges_are_decided_by_their_boxes() {
 }
 
 #[test]
+fn a_vertex_that_is_not_finite_is_named_with_its_mesh() {
+    let good = [[0.0, 1.0, 2.0]; 3];
+    let mut bad = good;
+    bad[2][1] = f64::NAN;
+    let said =
+        |a: &[[f64; 3]], b: &[[f64; 3]]| SceneHost::new(a, b, &Params::default()).map(drop).unwrap_err().to_string();
+    assert_eq!(said(&bad, &good), "y of vertex 2 of mesh a is NaN: expected a finite number");
+    assert_eq!(said(&good, &bad), "y of vertex 2 of mesh b is NaN: expected a finite number");
+}
+
+#[test]
 fn a_point_mesh_keeps_its_scale() {
     let p = Params::default();
     let point = [[3.0, 4.0, 5.0]];

@@ -3,7 +3,6 @@
 //! Everything downstream (golden model, graph builders, host side) reads the same [`Params`] and the same
 //! [`Formats`]; nothing else decides a width.
 
-pub mod engine;
 mod formats;
 mod guard;
 mod method;
@@ -11,7 +10,6 @@ pub mod options;
 pub mod stream;
 
 pub use efsat_hardware::number::Upper;
-pub use engine::{EngineFormat, EngineParams};
 pub use formats::{AxisKind, Clamp, Formats, Row};
 pub use guard::{Guard, Quantity};
 pub use method::{

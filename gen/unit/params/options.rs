@@ -89,7 +89,7 @@ impl Choice for bool {
 }
 
 /// A value as the command line spells it.
-pub(super) trait Spelled {
+pub trait Spelled {
     /// The text.
     fn spelled(&self) -> String;
 }
@@ -345,7 +345,7 @@ fn off_or(legal: RangeInclusive<u32>) -> impl Fn(&str) -> Result<ExactClocks, St
 
 /// Reads the numbers of a list.
 #[cfg(feature = "clap")]
-pub(super) fn one_of(legal: &'static [u32]) -> impl TypedValueParser<Value = u32> {
+pub fn one_of(legal: &'static [u32]) -> impl TypedValueParser<Value = u32> {
     PossibleValuesParser::new(legal.iter().map(u32::to_string))
         .map(|number| number.parse().expect("clap lets numbers of the list through"))
 }

@@ -42,13 +42,13 @@ architecture rtl of efsat_uart_top is
   signal held : std_logic_vector(63 downto 0) := (others => '0');  -- a whole word, perhaps the last
   signal held_valid : std_logic := '0';
   signal s_tdata : std_logic_vector(63 downto 0) := (others => '0');
-  signal s_tkeep : std_logic_vector(7 downto 0) := (others => '1');
+  signal s_tkeep : std_logic_vector(word_bytes - 1 downto 0) := (others => '1');
   signal s_tvalid : std_logic := '0';
   signal s_tlast : std_logic := '0';
   signal s_tready : std_logic;
 
   signal m_tdata : std_logic_vector(63 downto 0);
-  signal m_tkeep : std_logic_vector(7 downto 0);
+  signal m_tkeep : std_logic_vector(answer_bytes - 1 downto 0);
   signal m_tvalid : std_logic;
   signal m_tlast : std_logic;
   signal m_tready : std_logic;

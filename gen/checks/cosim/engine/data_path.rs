@@ -2,14 +2,14 @@
 //! reference model.
 
 use super::super::Builtin;
+use efsat_engine::artefact::EngineDesign;
+use efsat_engine::artefact::volume::VolumeStimulus;
+use efsat_engine::design::volume_unit::VolumeDesign;
+use efsat_engine::host::{Image, memory};
+use efsat_engine::model::{Model, Query};
 use efsat_hardware::netlist::simulate::Simulation;
 use efsat_unit::artefact::Stimulus;
-use efsat_unit::artefact::engine::EngineDesign;
 use efsat_unit::artefact::testbench::RESET_CLOCKS;
-use efsat_unit::artefact::volume::VolumeStimulus;
-use efsat_unit::design::engine::volume_unit::VolumeDesign;
-use efsat_unit::golden::engine::{Model, Query};
-use efsat_unit::host::engine::{Image, memory};
 use serde::Serialize;
 
 /// Clocks simulated at a time.

@@ -3,11 +3,11 @@
 use super::super::CosimError;
 use super::super::external::{self, call, file_error};
 use super::{Channel, Packet, failed};
+use efsat_engine::artefact::vectors::formats_line;
+use efsat_engine::artefact::{EngineDesign, TESTBENCH, bench, engine_files};
+use efsat_engine::params::Memory;
 use efsat_hardware::tools::Tool;
-use efsat_unit::artefact::engine::vectors::formats_line;
-use efsat_unit::artefact::engine::{EngineDesign, TESTBENCH, bench, engine_files};
 use efsat_unit::artefact::{Prefix, Scratch};
-use efsat_unit::params::engine::Memory;
 use std::fmt::Write;
 use std::path::Path;
 

@@ -1,10 +1,10 @@
 //! What simulated queries answered and cost, against the reference model.
 
 use super::Reply;
-use efsat_unit::artefact::engine::EngineDesign;
-use efsat_unit::golden::engine::{Model, Outcome, Query};
-use efsat_unit::host::engine::{Image, memory};
-use efsat_unit::params::engine::{Answer, EngineReport, Reason};
+use efsat_engine::artefact::EngineDesign;
+use efsat_engine::host::{Image, memory};
+use efsat_engine::model::{Model, Outcome, Query};
+use efsat_engine::words::{Answer, EngineReport, Reason};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::borrow::Borrow;

@@ -12,13 +12,14 @@ use super::external::{self, call, file_error};
 use super::{CosimError, Simulator, verilator};
 use crate::synth::verilog;
 use askama::Template;
+use efsat_engine::artefact::{EngineDesign, NAME, TESTBENCH, engine_files};
+use efsat_engine::host::{Image, Layout, memory};
+use efsat_engine::model::Query;
+use efsat_engine::params::Memory;
+use efsat_engine::words::{Answer, Command, EngineReport};
 use efsat_hardware::tools::Tool;
-use efsat_unit::artefact::engine::{EngineDesign, NAME, TESTBENCH, engine_files};
 use efsat_unit::artefact::testbench::RESET_CLOCKS;
 use efsat_unit::artefact::{Prefix, Scratch, origin};
-use efsat_unit::golden::engine::Query;
-use efsat_unit::host::engine::{Image, Layout, memory};
-use efsat_unit::params::engine::{Answer, Command, EngineReport, Memory};
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
 
@@ -59,6 +60,9 @@ pub enum Step {
     Begin(Vec<u64>),
     /// All answers come before the next step.
     Wait,
+    /// A copy of the engine and of memory, as they are in this clock, takes these steps to their end, and its answers come before
+    /// those of the engine itself, which goes on with the next step a clock later.
+    Apart(Vec<Step>),
 }
 
 impl Step {
@@ -70,6 +74,10 @@ impl Step {
             Self::SoftReset => (2, vec![]),
             Self::Begin(words) => (3, words.clone()),
             Self::Wait => (4, vec![]),
+            Self::Apart(steps) => {
+                let inner = steps.iter().flat_map(Self::words);
+                return [5, 1, steps.len() as u64].into_iter().chain(inner).collect();
+            }
         };
         [vec![kind, words.len() as u64], words].concat()
     }

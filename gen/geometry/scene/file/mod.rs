@@ -94,8 +94,11 @@ fn build(table: SceneTable, text: &str, folder: &Path) -> Result<Scene, Fault> {
         }
         motions.push(Motion::Rest);
     }
+    let meshes = table.a.iter().chain(&table.b).chain(&table.object).map(|object| object.get_ref().mesh.get_ref());
+    let read: Vec<String> = meshes.filter(|mesh| !mesh.starts_with(objects::BUILTIN)).cloned().collect();
     let [effects, parameters] = [table.effects, table.parameters].map(|table| entries(table, text));
-    let scene = Scene { name: table.name, objects, effects, parameters, motions };
+    let files = read.into_iter().map(|mesh| folder.join(mesh)).collect();
+    let scene = Scene { name: table.name, objects, effects, parameters, motions, files };
     scene.checked().map_err(|e| Fault::whole(e.to_string()))
 }
 

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use toml::Spanned;
 
 /// What stands before the name of a built-in mesh in a scene file.
-const BUILTIN: &str = "builtin:";
+pub(super) const BUILTIN: &str = "builtin:";
 
 /// Units of length in micrometres.
 const UNITS: [(&str, f64); 6] =

@@ -97,7 +97,7 @@ pub(super) fn traced<'l, B: Signals<'l>>(bundle: B, name: &str) -> B {
 
 /// What a unit makes of each job, held for the pair. There are as few units as the phases of the slot allow: with n of
 /// them, unit k takes the jobs k, k + n, k + 2 n and so on. The unit is told its number.
-pub(super) fn shared<'l, B, R>(u: Top<'l>, name: &str, jobs: &[B], unit: impl Fn(usize, B) -> R) -> Vec<R>
+pub fn shared<'l, B, R>(u: Top<'l>, name: &str, jobs: &[B], unit: impl Fn(usize, B) -> R) -> Vec<R>
 where
     B: Signals<'l>,
     R: Signals<'l>,

@@ -192,7 +192,7 @@ const PLANE_B_I: &[usize] = &[4, 5];
 const ENDS: [&[usize]; 2] = [&[6, 7, 8], &[12, 13, 14]];
 const SIDE_1: &[usize] = &[9, 10, 11];
 
-/// Every constant of section 5 less one, but for c(k) and the lengths of four points in `static`, which section 7.10 shows to have
+/// Every constant of section 5 less one, but for c(k) and the lengths of four points in `static`, which section 7.10 says to have
 /// room.
 fn lowered() -> Vec<Lowered> {
     let mut all = vec![];

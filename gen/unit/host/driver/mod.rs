@@ -28,8 +28,6 @@
 //! ```
 
 mod contradiction;
-#[cfg(feature = "scenes")]
-pub mod engine;
 mod job;
 mod stand_in;
 #[cfg(test)]
@@ -144,7 +142,7 @@ fn number(x: &Input) -> (i64, bool) {
 }
 
 /// Words as one packet.
-fn packet(words: Vec<StreamWord>) -> Vec<Transfer> {
+pub fn packet(words: Vec<StreamWord>) -> Vec<Transfer> {
     let count = words.len();
     words.into_iter().enumerate().map(|(i, data)| Transfer { data, last: i + 1 == count }).collect()
 }

@@ -44,15 +44,13 @@ impl StandIn {
     }
 
     /// The unit under a pose that came another way than as a packet.
-    #[cfg(feature = "scenes")]
-    pub(super) fn set_pose(&mut self, pose: Pose) {
+    pub fn set_pose(&mut self, pose: Pose) {
         self.pose = pose;
         self.pose_unfit = false;
     }
 
     /// The unit after reset.
-    #[cfg(feature = "scenes")]
-    pub(super) fn reset(&mut self) {
+    pub fn reset(&mut self) {
         self.set_pose(Pose::identity(&self.params));
     }
 

@@ -1,0 +1,257 @@
+//! All files of a generated engine, as one value.
+
+use super::values::WORD;
+use super::{EngineDesign, NAME, TESTBENCH, bench, engine_files, host};
+use crate::params::Memory;
+use crate::words::Command;
+use askama::Template;
+use efsat_hardware::vhdl::lint::lint;
+use efsat_unit::artefact::file_lists::FileLists;
+use efsat_unit::artefact::{DesignFilesError, FileSet, Prefix};
+use efsat_unit::design::top::pace;
+use efsat_unit::params::stream::Kind;
+use efsat_unit::parts::manifest::digest;
+use efsat_unit::parts::{Core, Project, add_top, board};
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+/// A row of a table.
+struct Row {
+    name: String,
+    what: String,
+}
+
+#[derive(Template)]
+#[template(path = "engine/engine-readme.md", escape = "none")]
+struct Readme<'a> {
+    version: &'static str,
+    prefix: &'a Prefix,
+    command_line: &'a str,
+    stack: u32,
+    in_flight: u32,
+    pace: String,
+    memory: String,
+    axi: bool,
+    multipliers: usize,
+    unit_multipliers: usize,
+    volume_multipliers: usize,
+    frequency: u32,
+    device: &'static str,
+    entities: Vec<Row>,
+    files: Vec<Row>,
+    project: Option<Project>,
+    testbench: String,
+}
+
+/// The manifest of an engine. It has no date: equal parameters give equal bytes.
+#[derive(Serialize)]
+struct Manifest<'a> {
+    generator: String,
+    command_line: &'a str,
+    unit: BTreeMap<String, String>,
+    engine: BTreeMap<String, String>,
+    clocks_per_pair: usize,
+    clocks_per_expansion: usize,
+    volume_latency: usize,
+    unit_latency: usize,
+    multipliers: usize,
+    query_words: u32,
+    pairs_header: String,
+    pose_header: String,
+    query_header: String,
+    load_header: Option<String>,
+    stop_header: String,
+    reset_header: String,
+    files: BTreeMap<&'a str, String>,
+}
+
+/// What the entities of the engine are for, in the order of the data.
+const ENTITIES: [(&str, &str); 9] = [
+    (
+        "engine_command",
+        "Packets in: pairs, poses, queries, loads, stops and soft resets; what is none of them is reported.",
+    ),
+    ("engine_control", "The query that runs: its registers, its phases, and why it ends."),
+    ("engine_traverse", "The traversal of both trees: issue, pairs in flight, survivors."),
+    ("engine_stack", "The stack of pairs that are still to be opened."),
+    ("engine_children", "The links of a block, and whether block and links are good."),
+    ("volume_unit", "The test of two volumes by directions."),
+    ("engine_pairs", "Pairs of leaves between the traversal and their answers."),
+    ("efsat", "The triangle unit."),
+    ("engine_answer", "Answers out, counters and the report."),
+];
+
+/// As [`engine_design_files_with`], without files in Verilog.
+///
+/// # Errors
+/// A name in the design that is not legal VHDL, or a breach of the [rules](efsat_hardware::vhdl::lint) of the target.
+pub fn engine_design_files(
+    design: &EngineDesign,
+    prefix: &Prefix,
+    command_line: &str,
+    vectors: &str,
+) -> Result<FileSet, DesignFilesError> {
+    engine_design_files_with(design, prefix, command_line, vectors, &[])
+}
+
+/// Sources, testbench, its vectors, lists, a README and the manifest; with block RAM also the example behind a UART and the files
+/// of a board that has the device. `verilog` are name and text of the
+/// [Verilog files](crate::artefact::engine_verilog_files) that are made already. Equal designs, vectors and command lines
+/// give equal bytes.
+///
+/// # Errors
+/// As [`engine_design_files`].
+pub fn engine_design_files_with(
+    design: &EngineDesign,
+    prefix: &Prefix,
+    command_line: &str,
+    vectors: &str,
+    verilog: &[(String, String)],
+) -> Result<FileSet, DesignFilesError> {
+    let mut sources = engine_files(design, prefix, command_line)?;
+    let (constants, package) = host::package(design, prefix);
+    sources.push((constants.clone(), package));
+    let texts: Vec<(&str, &str)> = sources.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
+    if let Some(finding) = lint(&texts).into_iter().next() {
+        return Err(DesignFilesError::Lint(finding));
+    }
+    let (bench_file, vector_file) = (format!("{prefix}{TESTBENCH}.vhd"), format!("{prefix}{TESTBENCH}.vec"));
+    let names: Vec<String> = sources.iter().map(|(name, _)| name.clone()).collect();
+    let mut set = FileSet::default();
+    let row = |name: &str, what: &str| Row { name: name.to_owned(), what: what.to_owned() };
+    let mut files = vec![
+        row(
+            &format!("{prefix}{NAME}.vhd"),
+            "The engine; the other `.vhd` files are its entities and those of the units.",
+        ),
+        row(
+            &format!("{}.vhd", prefix.of("engine_layout")),
+            "The package of the widths that the entities share, and of the fields of their words.",
+        ),
+        row(&bench_file, "Testbench, for simulation only."),
+        row(
+            &vector_file,
+            "Meshes, queries of every kind, packets that are none, and the answers of the reference model.",
+        ),
+        row(
+            &format!("host/{prefix}{NAME}.h"),
+            "The words of the streams in C: packing of packets, unpacking of answers.",
+        ),
+        row(&format!("host/{prefix}{NAME}.py"), "The same in Python."),
+        row(
+            &constants,
+            "Formats, headers and places in the words of the streams, as VHDL constants for those who instantiate the engine.",
+        ),
+        row("files.txt", "All VHDL files in dependency order, the testbench last."),
+        row("files-synthesis.txt", "Those of them that are synthesised."),
+        row("manifest.json", "Parameters, headers of the stream, latencies, and a SHA-256 per file, for programs."),
+    ];
+    sources.into_iter().for_each(|(name, text)| set.insert(name, text));
+    host::files(design, prefix).into_iter().for_each(|(name, text)| set.insert(name, text));
+    set.insert(&bench_file, bench(design, prefix));
+    set.insert(vector_file, vectors.to_owned());
+    set.insert(FileLists::SYNTHESISED, format!("{}\n", names.join("\n")));
+    let (mut all, mut project) = (names.clone(), None);
+    if design.params.memory == Memory::BlockRam {
+        let unit = &design.unit;
+        add_top(&mut set, Core::Engine, unit.params.frequency, [WORD; 2], prefix);
+        all.extend(FileLists::example(prefix));
+        files.push(row("example", "The engine behind a UART, a whole design."));
+        project = board::add(&mut set, Core::Engine, unit, prefix, &names);
+        files.extend(
+            project
+                .as_ref()
+                .map(|project| row(&project.folder, &format!("Project for {}, part {}.", project.tool, project.part))),
+        );
+    }
+    for (name, text) in verilog {
+        files.push(row(name, "A copy in Verilog, made by GHDL."));
+        set.insert(name, text);
+    }
+    set.insert("files.txt", format!("{}\n{bench_file}\n", all.join("\n")));
+    set.insert("README.md", readme(design, prefix, command_line, files, project));
+    let manifest = manifest(design, command_line, &set);
+    set.insert("manifest.json", manifest);
+    Ok(set)
+}
+
+fn readme(
+    design: &EngineDesign,
+    prefix: &Prefix,
+    command_line: &str,
+    files: Vec<Row>,
+    project: Option<Project>,
+) -> String {
+    let params = &design.params;
+    let (unit, volume) = (design.unit.top.multipliers(), design.volume.stage.multipliers());
+    let memory = match params.memory {
+        Memory::BlockRam => format!(
+            "Trees are in block RAM, which holds {} blocks and {} triangles.",
+            params.block_lines, params.triangle_lines
+        ),
+        Memory::Axi => format!(
+            "Trees are in memory behind an AXI4 read master of {} bits, with caches of {} blocks and {} triangles.",
+            params.memory_width, params.block_lines, params.triangle_lines
+        ),
+    };
+    let mut entities: Vec<Row> =
+        ENTITIES.iter().map(|(name, what)| Row { name: prefix.of(name), what: (*what).to_owned() }).collect();
+    let stores: &[(&str, &str)] = match params.memory {
+        Memory::BlockRam => &[("engine_block_memory", "Blocks."), ("engine_triangle_memory", "Triangles.")],
+        Memory::Axi => &[
+            ("engine_block_cache", "Blocks of one tree behind a direct-mapped cache."),
+            ("engine_triangle_cache", "Triangles of one object behind a direct-mapped cache."),
+            ("engine_read_master", "AXI4 reads for the caches."),
+        ],
+    };
+    entities.extend(stores.iter().map(|(name, what)| Row { name: prefix.of(name), what: (*what).to_owned() }));
+
+    let readme = Readme {
+        version: env!("CARGO_PKG_VERSION"),
+        prefix,
+        command_line,
+        stack: params.stack,
+        in_flight: params.in_flight,
+        pace: pace(design.unit.interval),
+        memory,
+        axi: params.memory == Memory::Axi,
+        multipliers: unit + volume,
+        unit_multipliers: unit,
+        volume_multipliers: volume,
+        frequency: design.unit.params.frequency,
+        device: design.unit.device.name,
+        entities,
+        files,
+        project,
+        testbench: prefix.of(TESTBENCH),
+    };
+    readme.render().expect("the template renders")
+}
+
+fn manifest(design: &EngineDesign, command_line: &str, files: &FileSet) -> String {
+    let options = |list: Vec<(&'static str, String)>| list.into_iter().map(|(k, v)| (k.replace('-', "_"), v)).collect();
+    let header = |command| format!("{:016x}", design.format.header(command));
+    let unit = |kind| format!("{:016x}", design.format.stream.header(kind));
+    let load = (design.params.memory == Memory::BlockRam).then(|| header(Command::Load));
+    let manifest = Manifest {
+        generator: format!("efsat {}", env!("CARGO_PKG_VERSION")),
+        command_line,
+        unit: options(design.unit.params.options()),
+        engine: options(design.params.options()),
+        clocks_per_pair: design.unit.interval,
+        clocks_per_expansion: design.volume.interval,
+        volume_latency: design.volume.latency,
+        unit_latency: design.unit.latency,
+        multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
+        query_words: design.format.query_words(),
+        pairs_header: unit(Kind::Pairs),
+        pose_header: unit(Kind::Pose),
+        query_header: header(Command::Query),
+        load_header: load,
+        stop_header: header(Command::Stop),
+        reset_header: header(Command::Reset),
+        files: files.iter().map(|(name, text)| (name, digest(text))).collect(),
+    };
+    let text = serde_json::to_string_pretty(&manifest).expect("texts and numbers");
+    text + "\n"
+}

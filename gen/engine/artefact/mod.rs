@@ -1,0 +1,257 @@
+//! The collision engine around a unit (docs/engine.md): hand-written entities, printed by templates from the numbers that
+//! `values` computes, the unit and the volume unit.
+
+mod files;
+mod host;
+mod memories;
+pub mod samples;
+mod values;
+pub mod vectors;
+mod verilog;
+pub mod volume;
+
+use crate::design::volume_unit::VolumeDesign;
+use crate::format::EngineFormat;
+use crate::params::{EngineParams, Memory, OFFSET_BITS};
+use askama::Template;
+use efsat_hardware::vhdl::Clash;
+use efsat_unit::artefact::{Prefix, origin, vhdl_files};
+use efsat_unit::design::Design;
+use efsat_unit::design::top::DesignError;
+use efsat_unit::params::stream::Kind;
+use efsat_unit::params::{ParamError, Params};
+use values::{Lines, Values};
+use volume::volume_files;
+
+pub use files::{engine_design_files, engine_design_files_with};
+pub use verilog::engine_verilog_files;
+
+/// Name of the entity of the engine, without a prefix.
+pub const NAME: &str = "efsat_engine";
+
+/// Name of the testbench entity, without a prefix.
+pub const TESTBENCH: &str = "efsat_engine_tb";
+
+/// Bits of the tag of the unit: the numbers of both triangles.
+const TAG_WIDTH: u32 = 56;
+
+/// Bytes from a block to the next, and from a triangle to the next, that the memories are made for.
+const STRIDE: u32 = 64;
+
+/// An engine: its parameters, the unit and the volume unit in it.
+pub struct EngineDesign {
+    /// Parameters of the engine.
+    pub params: EngineParams,
+    /// Its formats.
+    pub format: EngineFormat,
+    /// The unit. Its tag are the numbers of a pair.
+    pub unit: Design,
+    /// The volume unit.
+    pub volume: VolumeDesign,
+}
+
+impl EngineDesign {
+    /// Builds the unit and the volume unit. The width of the tag in `unit` is not used.
+    ///
+    /// # Errors
+    /// Parameters out of range, an unknown device, or a format that the memories of the engine are not made for.
+    pub fn new(params: &EngineParams, unit: &Params) -> Result<Self, DesignError> {
+        let unit = Params { tag_width: TAG_WIDTH, ..unit.clone() };
+        let format = params.format(&unit)?;
+        supported(&format)?;
+        let volume = VolumeDesign::new(params, &unit)?;
+        Ok(Self { params: params.clone(), format, unit: Design::new(&unit, false)?, volume })
+    }
+
+    /// The command line that generates the engine, all options spelled out.
+    pub fn command_line(&self) -> String {
+        let unit = self.unit.params.options().into_iter().filter(|(name, _)| *name != "tag-width");
+        let options = unit.chain(self.params.options()).map(|(name, value)| format!(" --{name} {value}"));
+        format!("efsat generate --engine{}", options.collect::<String>())
+    }
+}
+
+/// Whether the memories are made for a format.
+fn supported(format: &EngineFormat) -> Result<(), ParamError> {
+    let wrong = |option, found: String, legal: String| Err(ParamError { option, found, legal });
+    let block = format.block();
+    if block.stride != STRIDE {
+        let bits = 8 * STRIDE;
+        let fits = |offset_bits: &u32| EngineFormat { offset_bits: *offset_bits, ..*format }.block().stride == STRIDE;
+        let fitting: Vec<u32> = OFFSET_BITS.filter(fits).collect();
+        let (least, most) = (fitting.first().unwrap_or(&0), fitting.last().unwrap_or(&0));
+        let why = format!("in the engine, whose blocks have {} to {bits} bits; found {}", bits / 2 + 1, block.bits);
+        // The option that is not as it is by default is to blame.
+        if format.directions != EngineParams::default().directions {
+            let legal = format!("expected --offset-bits {least} to {most} with it {why}");
+            return wrong("directions", format.k().to_string(), legal);
+        }
+        let legal = format!("expected {least} to {most} with --directions {} {why}", format.k());
+        return wrong("offset-bits", format.offset_bits.to_string(), legal);
+    }
+    if format.triangle().stride != STRIDE {
+        let legal = "expected at most 32 in the engine".to_owned();
+        return wrong("transform-width", format.transform_width.to_string(), legal);
+    }
+    if format.matrix_shift() < 0 || format.translation_shift() < 0 {
+        let least = format.int_bits + format.grid_fraction().max(format.origin_fraction());
+        let legal = format!("expected at least {least}: poses as fine as the grid of the volumes");
+        return wrong("transform-width", format.transform_width.to_string(), legal);
+    }
+    Ok(())
+}
+
+macro_rules! entities {
+    ($($name:ident $path:literal;)+) => {$(
+        #[derive(Template)]
+        #[template(path = $path, escape = "none")]
+        struct $name<'a> {
+            header: &'a [String],
+            prefix: &'a Prefix,
+            e: &'a Values,
+        }
+
+        impl<'a> $name<'a> {
+            fn text(header: &'a [String], prefix: &'a Prefix, e: &'a Values) -> String {
+                Self { header, prefix, e }.render().expect("the template renders")
+            }
+        }
+    )+};
+}
+
+entities! {
+    Layout "engine/engine_layout.vhd";
+    Stack "engine/engine_stack.vhd";
+    Children "engine/engine_children.vhd";
+    Traverse "engine/engine_traverse.vhd";
+    Pairs "engine/engine_pairs.vhd";
+    Answer "engine/engine_answer.vhd";
+    Command "engine/engine_command.vhd";
+    Control "engine/engine_control.vhd";
+    ReadMaster "engine/engine_read_master.vhd";
+    Engine "engine/efsat_engine.vhd";
+    Bench "engine/efsat_engine_tb.vhd";
+}
+
+#[derive(Template)]
+#[template(path = "engine/engine_memory.vhd", escape = "none")]
+struct MemoryText<'a> {
+    header: &'a [String],
+    prefix: &'a Prefix,
+    m: &'a Lines,
+}
+
+#[derive(Template)]
+#[template(path = "engine/engine_cache.vhd", escape = "none")]
+struct CacheText<'a> {
+    header: &'a [String],
+    prefix: &'a Prefix,
+    m: &'a Lines,
+}
+
+/// Name and text of each VHDL source that is synthesised, in dependency order: the unit, the volume unit, the entities of the
+/// engine, the engine. All names begin with the prefix.
+///
+/// # Errors
+/// A name that some tool would refuse.
+pub fn engine_files(
+    design: &EngineDesign,
+    prefix: &Prefix,
+    command_line: &str,
+) -> Result<Vec<(String, String)>, Clash> {
+    let values = Values::new(design);
+    let header = origin();
+    let mut files = vhdl_files(&design.unit, prefix, command_line)?;
+    files.extend(volume_files(&design.volume, prefix)?);
+    let mut add = |name: &str, text: String| files.push((format!("{}.vhd", prefix.of(name)), text));
+    add("engine_layout", Layout::text(&header, prefix, &values));
+    for lines in &values.memory.memories {
+        let text = match design.params.memory {
+            Memory::BlockRam => MemoryText { header: &header, prefix, m: lines }.render(),
+            Memory::Axi => CacheText { header: &header, prefix, m: lines }.render(),
+        };
+        add(lines.entity, text.expect("the template renders"));
+    }
+    if design.params.memory == Memory::Axi {
+        add("engine_read_master", ReadMaster::text(&header, prefix, &values));
+    }
+    add("engine_stack", Stack::text(&header, prefix, &values));
+    add("engine_children", Children::text(&header, prefix, &values));
+    add("engine_traverse", Traverse::text(&header, prefix, &values));
+    add("engine_pairs", Pairs::text(&header, prefix, &values));
+    add("engine_answer", Answer::text(&header, prefix, &values));
+    add("engine_command", Command::text(&header, prefix, &values));
+    add("engine_control", Control::text(&header, prefix, &values));
+    let mut top = header.clone();
+    top.push(command_line.to_owned());
+    top.extend(description(design));
+    add(NAME, Engine::text(&top, prefix, &values));
+    Ok(files)
+}
+
+/// The testbench.
+pub fn bench(design: &EngineDesign, prefix: &Prefix) -> String {
+    Bench::text(&origin(), prefix, &Values::new(design))
+}
+
+/// What the header of the engine says.
+fn description(design: &EngineDesign) -> Vec<String> {
+    let (params, format) = (&design.params, &design.format);
+    let memory = match params.memory {
+        Memory::BlockRam => format!(
+            "Trees are in block RAM, {} blocks and {} triangles, filled through the stream.",
+            params.block_lines, params.triangle_lines
+        ),
+        Memory::Axi => {
+            format!("Trees are in memory behind an AXI4 read master, words of {} bits.", params.memory_width)
+        }
+    };
+    let lines = [
+        "The collision engine: two trees and a pose in, the pairs of triangles that touch out.".to_owned(),
+        String::new(),
+        format!(
+            "An expansion every {} clocks, up to {} in flight; the volume unit answers {} clocks after it has taken one.",
+            params.expansion_clocks, params.in_flight, design.volume.latency
+        ),
+        memory,
+        String::new(),
+        format!("In: packets of 64-bit words, the last with TLAST. A query has {} words:", format.query_words()),
+        "  0      header 31..0, format 63..32".to_owned(),
+        "  1, 2   blocks of A and B, triangles of A and B: addresses / 64".to_owned(),
+        "  3, 4   number of blocks of A and B, of triangles of A and B".to_owned(),
+        "  5      most expansions 31..0 (0: 2^32); 32 stop at the first certain contact; 33 answer separate pairs too;"
+            .to_owned(),
+        "         34 leaf pairs only, no triangle test; 35 keep the caches; 63..40 number that the report returns"
+            .to_owned(),
+        "  6      errors of the shift 15..0, 31..16, 47..32".to_owned(),
+        "  7 ...  pose, as in packets of the stream wrapper; then a row for each direction".to_owned(),
+        "Out: for each query one packet: pairs that are not separate, then a report of eight words.".to_owned(),
+        String::new(),
+        "Between queries also packets of pairs and poses, in and out as by a stream wrapper of 64-bit words and 16-bit tags:"
+            .to_owned(),
+        format!(
+            "headers 16#{:08x}# and 16#{:08x}#. The pose of a packet or of a query holds until the next one.",
+            format.stream.header(Kind::Pairs),
+            format.stream.header(Kind::Pose)
+        ),
+    ];
+    lines.to_vec()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use efsat_hardware::vhdl::lint::lint;
+
+    #[test]
+    fn the_texts_keep_to_the_rules_of_the_target() {
+        for memory in [Memory::BlockRam, Memory::Axi] {
+            let params = EngineParams { memory, ..EngineParams::default() };
+            let design = EngineDesign::new(&params, &Params::default()).unwrap();
+            let files = engine_files(&design, &Prefix::default(), "efsat generate --engine").unwrap();
+            let texts: Vec<(&str, &str)> = files.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
+            let findings: Vec<String> = lint(&texts).iter().map(ToString::to_string).collect();
+            assert!(findings.is_empty(), "{}", findings.join("\n"));
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! The reference model of the collision engine (docs/engine.md), in exact integers and without time: blocks, the test of two
+//! volumes, the traversal and the report.
+
+mod block;
+mod overlap;
+mod query;
+#[cfg(test)]
+mod tests;
+mod traversal;
+mod triangle;
+
+pub use block::{BadBlock, Block, Link, Volume};
+pub use overlap::{Distance, Frame, Row, apart, bounds, distance, overlap};
+pub use query::{Query, Side};
+pub use traversal::{Model, Opened, Outcome, Visits};
+pub use triangle::Triangle;

@@ -1,0 +1,14 @@
+//! The words of an engine (docs/engine.md): what it takes, what it answers, and what it reads from memory.
+//!
+//! Where a field has the same place in every engine, it is said here; the places that depend on its options are in the
+//! [`format`](crate::format).
+
+mod answer;
+mod memory;
+mod query;
+#[cfg(test)]
+mod tests;
+
+pub use answer::{Answer, EngineReport, Reason};
+pub use memory::{BlockLayout, LEAF_BIT, LINK_NUMBER_BITS, NO_CHILD, TriangleLayout};
+pub use query::{Command, QueryFlags};

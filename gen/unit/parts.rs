@@ -1,0 +1,53 @@
+//! What a core around the unit shares with it, as the collision engine does: the parts of both, and no more. Whoever uses the
+//! unit alone needs none of them.
+
+// Options of a command line.
+pub use crate::params::options::Spelled;
+#[cfg(feature = "clap")]
+pub use crate::params::options::{choice, one_of, whole};
+
+// Units and control of a design.
+pub use crate::design::determinants::shared;
+pub use crate::design::guard::any;
+pub use crate::design::product::product;
+pub use crate::design::sequencer::output;
+pub use crate::design::slots::Slots;
+
+// Constants for users, in VHDL, C and Python.
+pub use crate::artefact::layout::{Constant, Group, Refusal, Value, constants_package, ranges, refusals};
+
+// Files: bits of words, the example behind a UART, boards, lists, Verilog, and the manifest.
+pub use crate::artefact::bits::Bits;
+pub use crate::artefact::example::{Core, add_top};
+pub use crate::artefact::project::Project;
+pub use crate::artefact::verilog::verilog_of;
+
+// Words of the stream: vectors, and packets.
+pub use crate::artefact::stream_vectors::Maker;
+pub use crate::host::driver::packet;
+
+/// The files of boards.
+pub mod board {
+    pub use crate::artefact::board::{add, verilog_file};
+}
+
+/// What every manifest has.
+pub mod manifest {
+    pub use crate::artefact::manifest::{NAME, digest, files};
+}
+
+use crate::params::options::Choice;
+use efsat_geometry::directions::Directions;
+
+impl Choice for Directions {
+    const ALL: &'static [Self] = &Self::ALL;
+
+    fn name(self) -> &'static str {
+        match self {
+            Self::Six => "6",
+            Self::Fourteen => "14",
+            Self::Eighteen => "18",
+            Self::TwentySix => "26",
+        }
+    }
+}
