@@ -31,7 +31,8 @@ fn misplaced<'e>(excerpt: &[&'e str], text: &str) -> Option<&'e str> {
     };
     let mut at = 0;
     for run in excerpt.split(|line| line.trim() == "...").filter(|run| !run.is_empty()) {
-        let there = |from: &usize| run.iter().enumerate().all(|(k, line)| text.get(from + k).is_some_and(|t| alike(line, t)));
+        let there =
+            |from: &usize| run.iter().enumerate().all(|(k, line)| text.get(from + k).is_some_and(|t| alike(line, t)));
         let Some(from) = (at..text.len()).find(there) else {
             let known = |line: &&&str| !text.iter().any(|of_text| alike(line, of_text));
             return Some(run.iter().find(known).unwrap_or(&run[0]));
