@@ -7,6 +7,7 @@
 pub(crate) mod bits;
 pub mod check;
 mod design_files;
+mod dumps;
 pub mod files;
 mod programmes;
 mod units;
@@ -14,6 +15,7 @@ pub mod wrap;
 
 pub use check::{Stimulus, stream_vectors, testbench, vectors};
 pub use design_files::{DesignFilesError, Packaging, design_files, design_files_with};
+pub use dumps::dump_files;
 pub use files::{
     Difference, FileSet, FileSetError, Prefix, PrefixError, ReadyDesign, Scratch, VerilogFile, file_lists, interrupted,
     origin, ready_designs, sources, vhdl_files,
