@@ -1,6 +1,7 @@
 //! What a design is on its way to VHDL, as text: graphs, schedules and modules.
 
-use super::{FileSet, manifest};
+use super::FileSet;
+use super::files::manifest;
 use crate::design::Design;
 use efsat_hardware::dump;
 
