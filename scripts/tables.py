@@ -288,26 +288,15 @@ def torus(turned):
 def tori():
     """Two large meshes, one through the hole of the other, so that they touch at one side."""
     KEPT.mkdir(parents=True, exist_ok=True)
-    a, b, scene, image = (KEPT / name for name in ("a.obj", "b.obj", "rings.toml", "a.image"))
+    a, b, scene = (KEPT / name for name in ("a.obj", "b.obj", "rings.toml"))
     a.write_text(torus(False))
     b.write_text(torus(True))
     scene.write_text("name = 'rings'\na.mesh = 'a.obj'\nb.mesh = 'b.obj'\n[[pose]]\ntranslation = [0.9, 0.1, 0.05]\n")
 
-    def measured(*words):
-        """Seconds of processor time and megabytes of memory."""
-        process = subprocess.Popen([os.environ["EFSAT"], *map(str, words)], stdout=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
-        assert status == 0, words
-        return f"{usage.ru_utime + usage.ru_stime:.1f}", f"{usage.ru_maxrss / 1024:.0f}"
-
-    build = measured("tree", "build", a, "--beside", b, "--out", image)
-    verify = measured("tree", "verify", image, a)
     keys = ("expansions", "leaf_pairs", "intersect", "possibly_incorrect", "clocks")
     found = {name: engine(scene, name) for name in ENGINES}
-    head = ["<engine", "image, MB", "build, s", "MB", "verify, s", "MB", "expansions", "leaf pairs", "intersect", "possibly incorrect",
-            "clocks", "volume unit busy", "triangle unit busy", "bus busy"]
-    size = f"{image.stat().st_size / 1e6:.1f}"
-    return table(head, ([n, size, *build, *verify, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
+    head = ["<engine", "expansions", "leaf pairs", "intersect", "possibly incorrect", "clocks", "volume unit busy", "triangle unit busy", "bus busy"]
+    return table(head, ([n, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
 
 
 SPECIAL = {f.__name__: f for f in (scenes, budgets, schedule, synthesis, comparison, distances, tori)}
