@@ -3,8 +3,9 @@
 use std::hint::black_box;
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
-use efsat::golden::{Golden, Pair, Pose};
+use efsat::golden::Golden;
 use efsat::host::{Host, loose_pair, sample};
+use efsat::pair::{Pair, Pose};
 use efsat::params::{Bound, Method, Params, Transform};
 use efsat::sample::random_points;
 use rand::SeedableRng;

@@ -6,8 +6,9 @@ use std::hint::black_box;
 
 use criterion::{BenchmarkId, Criterion, SamplingMode, Throughput, criterion_group, criterion_main};
 use efsat::exact;
-use efsat::golden::{Golden, Verdict};
+use efsat::golden::Golden;
 use efsat::host::{Host, SceneHost};
+use efsat::pair::Verdict;
 use efsat::params::Params;
 use efsat::scene::Scene;
 use efsat::software::retest::{retest, retest_batch};

@@ -4,8 +4,8 @@
 
 use efsat::NotFinite;
 use efsat::exact::Exact;
-use efsat::golden::Verdict;
 use efsat::host::Reference;
+use efsat::pair::Verdict;
 use efsat::pair_file;
 use efsat::params::Params;
 use efsat::software::retest::retest;

@@ -6,7 +6,7 @@
 use efsat::exact::Exact;
 use efsat::host::driver::{Driver, StandIn};
 use efsat::params::Params;
-use efsat::params::stream::StreamWidth;
+use efsat::words::StreamWidth;
 use std::error::Error;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -5,7 +5,7 @@
 //! `Job::packet` through its DMA, and gives what comes back to `Job::finish`.
 
 use efsat::NotFinite;
-use efsat::engine::driver::{Contacts, Objects, Options, StandIn};
+use efsat::engine::driver::{Contacts, Objects, QueryOptions, StandIn};
 use efsat::engine::params::EngineParams;
 use efsat::params::Params;
 use efsat::scene::Scene;
@@ -31,7 +31,7 @@ pub fn contacts(frames: &[usize]) -> Result<Vec<(usize, Contacts)>, Box<dyn Erro
         // The pose of the second object as seen from the first.
         let poses = scene.frame(frame).poses;
         let seen = poses[0].seen(&poses[1])?;
-        Ok(objects.query([mesh_of[0], mesh_of[1]], &seen, Options::default()))
+        Ok(objects.query([mesh_of[0], mesh_of[1]], &seen, QueryOptions::default()))
     };
     let jobs = frames.iter().map(job).collect::<Result<_, NotFinite>>()?;
     let answers = objects.contacts(jobs, &mut stand_in)?;

@@ -34,6 +34,7 @@
 //!
 //! * [`params`], [`design`], [`artefact`]: parameters, the units as dataflow graphs, the generated files;
 //! * [`engine`]: the collision engine around the unit, with modules of the same names;
+//! * [`pair`] and [`words`]: what the unit reads and answers, and how that travels in the words of its stream;
 //! * [`golden`]: the reference model, which gives every answer of the unit bit for bit;
 //! * [`host`]: quantising triangles for the unit, and the driver of its AXI4-Stream wrapper;
 //! * [`exact`], [`software`]: the exact oracle, and tests in floating point with an exact retest;
@@ -54,4 +55,4 @@ pub use efsat_geometry::{
     NotFinite, Points, directions, exact, finite, mesh, pair_file, sample, scene, self_intersections, software,
 };
 pub use efsat_hardware::{cells, device, diagram, estimate, graph, netlist, number, op, schedule, vhdl};
-pub use efsat_unit::{artefact, design, golden, host, params};
+pub use efsat_unit::{artefact, design, golden, host, pair, params, words};

@@ -11,10 +11,11 @@ use efsat::artefact::Stimulus;
 use efsat::design::{Design, Probes};
 use efsat::evidence::cosim::{self, Options, Simulator};
 use efsat::exact::{Exact, relation};
-use efsat::golden::{Golden, Input, Pair, Pose, Verdict};
+use efsat::golden::Golden;
 use efsat::graph::evaluate::Evaluator;
 use efsat::host::{Host, SceneHost};
 use efsat::mesh::Mesh;
+use efsat::pair::{Input, Pair, Pose, Verdict};
 use efsat::params::{
     Axes, Bound, CLOCKS_PER_PAIR, Guard, LEVELS, Method, Params, ProjectionWidth, Projections, SPAN, Transform, Truth,
     Upper,

@@ -13,7 +13,8 @@ mod sets;
 mod vectors;
 
 use crate::extent::share;
-use efsat::golden::{Golden, Input};
+use efsat::golden::Golden;
+use efsat::pair::Input;
 use efsat::params::{Params, Transform};
 use rayon::prelude::*;
 use sha2::{Digest, Sha256};

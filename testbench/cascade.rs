@@ -3,9 +3,10 @@
 use crate::protocol::{Unit, expected};
 use efsat::artefact::Stimulus;
 use efsat::design::{Design, Probes};
-use efsat::golden::{Golden, Pair, Pose};
+use efsat::golden::Golden;
 use efsat::netlist::{Driver, Module};
 use efsat::op::{Constant, Type};
+use efsat::pair::{Pair, Pose};
 use efsat::params::{Method, Params};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};

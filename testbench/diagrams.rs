@@ -86,6 +86,14 @@ fn wrong_command_lines_are_told_in_one_line() {
         ("generate --unit projection --dot x.dot --lp lp", "--lp"),
         ("generate --unit projection --dot x.dot --stream-width 32", "--stream-width"),
         ("generate --lp lp --stream-width 32", "--stream-width"),
+        ("generate --lp lp --dump dump", "--dump"),
+        ("generate --dump dump --out rtl", "--out"),
+        ("generate --dump dump --ready", "--ready"),
+        ("generate --dump dump --name x", "--name"),
+        ("generate --dump dump --json", "--json"),
+        ("generate --dump dump --unit projection --dot x.dot", "--dump"),
+        ("generate --dump", "--dump"),
+        ("generate --dump .", ".: found the current directory"),
     ];
     let mut wrong = vec![];
     let home = tempfile::tempdir().unwrap();

@@ -3,9 +3,10 @@
 use crate::tools::program::{command, efsat, object, ran, refuses, succeeds};
 use crate::tools::{ghdl, made};
 use efsat::evidence::planner::{Front, Options, Plan, Request, Sampling, TooMany, frame_contacts, plan, run};
-use efsat::golden::{Golden, Verdict};
-use efsat::host::Stage;
+use efsat::golden::Golden;
+use efsat::host::ReadyScene;
 use efsat::host::settings::Settings;
+use efsat::pair::Verdict;
 use efsat::params::Params;
 use efsat::scene::hierarchy::{Directions, Scratch};
 use efsat::scene::{Near, Scene, load};
@@ -47,7 +48,7 @@ fn request() -> Request {
 fn wrong(scene: &Scene, plan: &Plan) -> Vec<String> {
     let near = Near::by_dops(scene, true, Directions::of(18));
     let full = Params { ..plan.full_params.clone() };
-    let stages = [Stage::new(scene, &full), Stage::new(scene, &plan.params)];
+    let stages = [ReadyScene::new(scene, &full), ReadyScene::new(scene, &plan.params)];
     let goldens = [Golden::new(&full), Golden::new(&plan.params)];
     let of_frame = |frame: usize| {
         let mut wrong = vec![];

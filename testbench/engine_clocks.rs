@@ -5,7 +5,7 @@ use crate::tools::made;
 use efsat::artefact::Stimulus;
 use efsat::engine::artefact::EngineDesign;
 use efsat::engine::artefact::samples::{cuboid, hills, turn};
-use efsat::engine::driver::{Objects, Options, StandIn, UnitPackets};
+use efsat::engine::driver::{Objects, QueryOptions, StandIn, UnitPackets};
 use efsat::engine::format::EngineFormat;
 use efsat::engine::host::{Image, Images, Numbers, memory};
 use efsat::engine::model::Query;
@@ -64,7 +64,7 @@ fn pairs_and_poses(machine: &Machine, channels: &[Channel]) {
     let segments = Stimulus::random(&EngineFormat::packets(&design.unit.params), 208, 1).segments;
     let m = turn(2);
     let near = Pose::new(Matrix3::from_fn(|i, j| m[i][j]), [2.5, 1.0, -1.0].into()).unwrap();
-    let query = objects.query([0, 1], &near, Options::default()).packet().unwrap().to_vec();
+    let query = objects.query([0, 1], &near, QueryOptions::default()).packet().unwrap().to_vec();
     let mut packets: Vec<Vec<u64>> = objects.loads().to_vec();
     for (i, (pose, pairs)) in segments.iter().enumerate() {
         let pairs = unit.pairs((0..).zip(&pairs[..1 + i % 16])).unwrap();

@@ -3,12 +3,12 @@
 use crate::tools::program::{object, refuses, succeeds};
 use crate::tools::{CHECKED, compiles_everywhere, has, run};
 use efsat::engine::format::EngineFormat;
-use efsat::engine::model::{Model, Query, Row, Side};
+use efsat::engine::model::{Model, Query, QueryRow, Side};
 use efsat::engine::params::EngineParams;
 use efsat::engine::params::Memory;
-use efsat::engine::words::{Answer, Command as Order, EngineReport, QueryFlags, Reason};
-use efsat::golden::{Input, Pose};
+use efsat::engine::words::{Command as Order, EngineAnswer, EngineReport, QueryFlags, Reason};
 use efsat::number::Upper;
+use efsat::pair::{Input, Pose};
 use efsat::params::options::Choice;
 use efsat::params::{Params, Quantity};
 use efsat::scene::hierarchy::Directions;
@@ -30,7 +30,7 @@ fn random_query(rng: &mut ChaCha8Rng, format: &EngineFormat, unit: &Params) -> Q
     let m = [(); 3].map(|()| [(); 3].map(|()| input(Quantity::Entry)));
     let pose = Pose { m, t: [(); 3].map(|()| input(Quantity::Translation)), bypass: false };
     let slots = format.directions.slots();
-    let mut row = || Row {
+    let mut row = || QueryRow {
         terms: slots.map(|slot| (rng.random_range(0..slot.len() as u32), rng.random_range(0..1 << format.factor_bits))),
         rest: rng.random_range(0..1 << format.rest_bits()),
     };
@@ -56,7 +56,7 @@ fn random_query(rng: &mut ChaCha8Rng, format: &EngineFormat, unit: &Params) -> Q
     }
 }
 
-fn random_report(rng: &mut ChaCha8Rng, answer: &Answer) -> EngineReport {
+fn random_report(rng: &mut ChaCha8Rng, answer: &EngineAnswer) -> EngineReport {
     let is = |verdict| u32::from(answer.verdict == verdict);
     EngineReport {
         reason: Reason::ALL[rng.random_range(0..Reason::ALL.len())],
@@ -110,7 +110,7 @@ fn query_asked(query: &Query) -> String {
     asked
 }
 
-fn answer_lines(answer: &Answer, report: &EngineReport) -> [String; 2] {
+fn answer_lines(answer: &EngineAnswer, report: &EngineReport) -> [String; 2] {
     let halves: String =
         report.words().iter().map(|word| format!(" {} {}", word & u64::from(u32::MAX), word >> 32)).collect();
     let [a, b] = answer.triangles;
@@ -144,16 +144,16 @@ fn answer_lines(answer: &Answer, report: &EngineReport) -> [String; 2] {
 /// is damaged, in a way that can be recognised.
 fn damaged_lines(rng: &mut ChaCha8Rng, damage: u32) -> [String; 2] {
     let (number, mut report) =
-        (rng.random_range(0..1u64 << 24), random_report(rng, &Answer { verdict: 0, triangles: [0; 2] }));
+        (rng.random_range(0..1u64 << 24), random_report(rng, &EngineAnswer { verdict: 0, triangles: [0; 2] }));
     // Of half of the queries separate pairs are answered, too; then the report counts them among the leaf pairs.
     let all: bool = rng.random();
     let mut words = std::collections::BTreeMap::new();
     let count = rng.random_range(2..20);
     while words.len() < count {
         let triangles = [rng.random_range(0..50), rng.random_range(0..60)];
-        words.insert(triangles, Answer { verdict: rng.random_range(if all { 0 } else { 1 }..3), triangles });
+        words.insert(triangles, EngineAnswer { verdict: rng.random_range(if all { 0 } else { 1 }..3), triangles });
     }
-    let mut pairs: Vec<u64> = words.values().map(Answer::word).collect();
+    let mut pairs: Vec<u64> = words.values().map(EngineAnswer::word).collect();
     let count = |code| pairs.iter().filter(|word| **word & 3 == code).count() as u32;
     (report.intersect, report.possibly_incorrect) = (count(1), count(2));
     (report.reason, report.number, report.leaf_pairs) = (Reason::Complete, number as u32, pairs.len() as u32);
@@ -223,7 +223,7 @@ fn files_in_c_and_python_pack_as_the_host_here_does() {
             let number = |rng: &mut ChaCha8Rng| rng.random_range(0..1 << 28);
             // A word of 63 bits, for programs that read signed numbers.
             let triangles = [number(&mut rng), number(&mut rng) >> 1];
-            let answer = Answer { verdict: rng.random_range(0..3), triangles };
+            let answer = EngineAnswer { verdict: rng.random_range(0..3), triangles };
             add(answer_lines(&answer, &random_report(&mut rng, &answer)));
         }
         for round in 0..4_000 {

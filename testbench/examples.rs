@@ -2,7 +2,7 @@
 
 use crate::tools::program::succeeds;
 use efsat::exact::Exact;
-use efsat::golden::Verdict;
+use efsat::pair::Verdict;
 use std::path::Path;
 
 #[path = "../examples/classify.rs"]

@@ -27,6 +27,7 @@ mod formats;
 mod guard;
 mod hierarchy;
 mod house;
+mod life;
 mod mutation;
 mod operators;
 mod progress;

@@ -5,8 +5,9 @@ use crate::tools::clocked::Clocked;
 use efsat::artefact::Stimulus;
 use efsat::artefact::vectors::{Word, answer_word, pair_word, pose_word};
 use efsat::design::{Design, Probes};
-use efsat::golden::{Golden, Input, Pair, Pose};
+use efsat::golden::Golden;
 use efsat::host::sample;
+use efsat::pair::{Input, Pair, Pose};
 use efsat::params::{CLOCKS_PER_PAIR, Method, Params, Transform};
 use rand::SeedableRng;
 

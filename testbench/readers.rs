@@ -10,9 +10,10 @@ use efsat::artefact::FileSet;
 use efsat::evidence::accuracy::{self, Results, Store};
 use efsat::evidence::stress::once::{Log, Once, Tally};
 use efsat::evidence::{stress, times};
-use efsat::golden::{Golden, Pose};
+use efsat::golden::Golden;
 use efsat::host::settings::Settings;
-use efsat::host::{Host, Stage, loose_pair};
+use efsat::host::{Host, ReadyScene, loose_pair};
+use efsat::pair::Pose;
 use efsat::params::{Method, Params};
 use efsat::{exact, mesh, pair_file, scene};
 use rand::rngs::ChaCha8Rng;
@@ -224,7 +225,7 @@ fn read_scene(path: &Path) -> Result<(), String> {
     let scene = scene::load(path).map_err(text)?;
     Settings::of(&scene, path).map_err(text)?;
     let params = Params::default();
-    let stage = Stage::new(&scene, &params);
+    let stage = ReadyScene::new(&scene, &params);
     let golden = Golden::new(&params);
     for frame in [0, scene.frames() / 2, scene.frames() - 1] {
         for meeting in stage.near.meetings(frame).iter().take(3) {

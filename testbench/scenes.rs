@@ -4,10 +4,11 @@
 use crate::extent::share;
 use crate::tools::program::object;
 use efsat::exact::{Exact, linear_programme, posed_relation, relation};
-use efsat::golden::{Golden, Pair, Pose, Verdict};
+use efsat::golden::Golden;
 use efsat::host::{Host, SceneHost, loose_pair};
 use efsat::mesh::Mesh;
 use efsat::number::{Interval, Upper};
+use efsat::pair::{Pair, Pose, Verdict};
 use efsat::params::Params;
 use efsat::sample::random_points;
 use efsat::scene::{Meeting, Near, Scene, load};

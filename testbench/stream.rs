@@ -2,13 +2,13 @@
 
 use crate::extent::share;
 use crate::tools::{Ghdl, ghdl};
-use efsat::artefact::{FileSet, Packaging, design_files_with, stream, stream_vectors};
+use efsat::artefact::{FileSet, Packaging, design_files_with, stream_vectors};
 use efsat::design::{Design, Probes};
 use efsat::exact::{self, Exact};
 use efsat::host::driver::{Driver, StandIn, Statistics, Transfer};
-use efsat::params::stream::{StreamFormat, StreamWidth, StreamWord};
 use efsat::params::{Axes, Method, Params, Transform, Upper};
 use efsat::sample::random_points;
+use efsat::words::{StreamFormat, StreamWidth, StreamWord};
 use efsat_hardware::tools::Tool;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -326,7 +326,7 @@ fn a_long_packet_runs_at_the_stated_speed() {
                 let report = bench.run_vectors(&stream_vectors::text(params, &bench.format, &vectors));
                 number(&report, "clocks").unwrap_or(0)
             };
-            let stated = stream::pair_period(params, &bench.format);
+            let stated = bench.format.pair_period(params.interval());
             let measured = clocks(14) - clocks(4);
             let fine = stated == *period && measured == 10 * period;
             (!fine).then(|| format!("{} bits: {measured} clocks for 10 pairs, stated {stated} each", width.bits()))

@@ -5,8 +5,8 @@ use crate::extent::full;
 use crate::tools::program::{efsat, refuses, succeeds};
 use efsat::Points;
 use efsat::evidence::stress::{Answerer, Campaign, Counts, FAMILIES, Family, Kind, Plan, Posed, Report, VertexOrder};
-use efsat::golden::Verdict;
 use efsat::host::{Answer, Reference};
+use efsat::pair::Verdict;
 use efsat::params::{Axes, Bound, Method, Params, Projections, Transform, Upper};
 
 fn plan(families: &[&str], each: u64, first: u64, seed: u64) -> Plan {

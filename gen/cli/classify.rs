@@ -10,8 +10,9 @@ use efsat_geometry::exact::{self, Exact, Relation};
 use efsat_geometry::sample::random_points;
 use efsat_geometry::scene::{Meeting, Scene};
 use efsat_geometry::software::retest::retest;
-use efsat_unit::golden::{Pose, Verdict};
-use efsat_unit::host::{self, Host, Reference, Relations, Stage, Verdicts, loose_pair};
+use efsat_unit::host;
+use efsat_unit::host::{Host, ReadyScene, Reference, Relations, Verdicts, loose_pair};
+use efsat_unit::pair::{Pose, Verdict};
 use efsat_unit::params::{Method, Params, Truth};
 use indicatif::ProgressBar;
 use rand::SeedableRng;
@@ -263,7 +264,7 @@ impl Classifier {
     }
 
     fn scene(&self, scene: &Scene, sink: &mut Sink, bar: &ProgressBar) -> Result<(), Failure> {
-        let stage = Stage::new(scene, &self.reference.params);
+        let stage = ReadyScene::new(scene, &self.reference.params);
         let answers = |meeting: &Meeting, pairs: &[(u32, u32)]| -> Vec<Answer> {
             if pairs.is_empty() {
                 return vec![];

@@ -12,8 +12,9 @@ use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample::random_points;
 use efsat_geometry::scene::Scene;
 use efsat_geometry::software::Test;
-use efsat_unit::golden::Pose;
-use efsat_unit::host::{self, Host, Reference, Stage, loose_pair};
+use efsat_unit::host;
+use efsat_unit::host::{Host, ReadyScene, Reference, loose_pair};
+use efsat_unit::pair::Pose;
 use efsat_unit::params::Truth;
 use indicatif::ProgressBar;
 use rand::SeedableRng;
@@ -180,7 +181,7 @@ impl Comparison {
     }
 
     fn scene(&self, scene: &Scene, units: Units, bar: &ProgressBar) -> Tally {
-        let stage = Stage::new(scene, &self.reference.params);
+        let stage = ReadyScene::new(scene, &self.reference.params);
         let factor = units.factor(scene);
         let mut total = Tally::default();
         let mut done = 0;

@@ -14,8 +14,8 @@ use efsat_geometry::scene::Scene;
 use efsat_geometry::scene::hierarchy::Scratch;
 use efsat_unit::artefact::Stimulus;
 use efsat_unit::design::top::pace;
-use efsat_unit::golden::{Pair, Pose, Verdict};
-use efsat_unit::host::{Host, Stage, Verdicts, loose_pair};
+use efsat_unit::host::{Host, ReadyScene, Verdicts, loose_pair};
+use efsat_unit::pair::{Pair, Pose, Verdict};
 use efsat_unit::params::{Params, options::Choice};
 use engine::EngineRun;
 use rayon::prelude::*;
@@ -121,7 +121,7 @@ impl Job {
 
     /// Counts the candidate pairs of all frames, chooses, and makes only those that are chosen.
     fn scene(params: &Params, scene: &Scene, limit: u64) -> Self {
-        let stage = Stage::new(scene, params);
+        let stage = ReadyScene::new(scene, params);
         let frames = stage.frames();
         let bar = progress::bar("counting pairs", frames as u64, "poses", false);
         let counts: Vec<u64> = (0..frames)

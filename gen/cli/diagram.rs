@@ -10,7 +10,7 @@ use std::path::{Path, PathBuf};
 
 /// Options that are of whole designs. Each option here excludes them by itself: clap does not ask for what an option
 /// requires where an option is given that excludes it.
-const OF_DESIGNS: [&str; 5] = ["out", "check", "lp", "stream_width", "name"];
+const OF_DESIGNS: [&str; 6] = ["out", "check", "lp", "dump", "stream_width", "name"];
 
 /// A picture in place of the design.
 #[derive(Debug, clap::Args)]

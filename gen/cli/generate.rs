@@ -11,14 +11,14 @@ use efsat_engine::ready::ready_files;
 use efsat_hardware::device::Resources;
 use efsat_hardware::estimate;
 use efsat_unit::artefact::{
-    DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, programme_files, ready_designs,
-    verilog_files,
+    DesignFilesError, FileSet, Packaging, Prefix, ReadyDesign, design_files_with, dump_files, programme_files,
+    ready_designs, verilog_files,
 };
 use efsat_unit::design::Design;
 use efsat_unit::design::top::pace;
 use efsat_unit::params::Params;
 use efsat_unit::params::options::Choice;
-use efsat_unit::params::stream::StreamWidth;
+use efsat_unit::words::StreamWidth;
 use serde::Serialize;
 use std::fmt;
 use std::path::{Path, PathBuf};
@@ -33,7 +33,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Write all ready designs, each to a folder below DIR, in place of one design
-    #[arg(long, conflicts_with_all = ["lp", "stream_width"])]
+    #[arg(long, conflicts_with_all = ["lp", "dump", "stream_width"])]
     ready: bool,
     /// Write nothing; fail if a generated file in DIR is missing, differs by a byte, or would no longer be written
     #[arg(long)]
@@ -41,21 +41,24 @@ pub(super) struct Arguments {
     /// Write to DIR the schedule of every unit as a linear program in CPLEX LP format, and nothing else
     #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "check", "stream_width"])]
     lp: Option<PathBuf>,
+    /// Write to DIR what the design is on its way to VHDL, graphs, schedules and modules, as text, and nothing else
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["out", "check", "lp", "stream_width"])]
+    dump: Option<PathBuf>,
     /// Bits of a word into the AXI4-Stream wrapper
     #[arg(long, value_name = "BITS", default_value = StreamWidth::default().name())]
     #[arg(value_parser = choice::<StreamWidth>(), allow_negative_numbers = true)]
     stream_width: StreamWidth,
     /// Put NAME_ before the name of every entity, package and file, so that two designs can live in one library
-    #[arg(long, value_name = "NAME", value_parser = Prefix::new, conflicts_with_all = ["lp", "ready"])]
+    #[arg(long, value_name = "NAME", value_parser = Prefix::new, conflicts_with_all = ["lp", "dump", "ready"])]
     name: Option<Prefix>,
     /// Also write the design in Verilog, by GHDL: efsat.v, or efsat_engine.v; other versions of GHDL write other Verilog
-    #[arg(long, conflicts_with_all = ["lp", "ready", "unit"])]
+    #[arg(long, conflicts_with_all = ["lp", "dump", "ready", "unit"])]
     verilog: bool,
     /// Print one JSON object about the design
-    #[arg(long, conflicts_with_all = ["lp", "check", "ready", "unit"])]
+    #[arg(long, conflicts_with_all = ["lp", "dump", "check", "ready", "unit"])]
     json: bool,
     /// Write the collision engine around the unit: two trees and a pose in, the pairs of triangles that touch out
-    #[arg(long, requires = "out", conflicts_with_all = ["lp", "ready", "stream_width", "unit", "svg", "dot"])]
+    #[arg(long, requires = "out", conflicts_with_all = ["lp", "dump", "ready", "stream_width", "unit", "svg", "dot"])]
     engine: bool,
     #[command(flatten)]
     diagram: DiagramArguments,
@@ -76,7 +79,10 @@ impl Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    [&arguments.out, &arguments.lp].into_iter().flatten().try_for_each(|dir| file::named(dir, "directory"))?;
+    [&arguments.out, &arguments.lp, &arguments.dump]
+        .into_iter()
+        .flatten()
+        .try_for_each(|dir| file::named(dir, "directory"))?;
     let params = arguments.params.params()?;
     if arguments.engine {
         return engine(arguments);
@@ -86,8 +92,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return ready(arguments, &params);
     }
     let design = Design::new(&params, false)?;
-    if let Some(dir) = &arguments.lp {
-        let set = programme_files(&design, &params.command_line());
+    let lp = arguments.lp.iter().map(|dir| (dir, programme_files(&design, &params.command_line())));
+    let dump = arguments.dump.iter().map(|dir| (dir, dump_files(&design, &params.command_line())));
+    if let Some((dir, set)) = lp.chain(dump).next() {
         set.write(dir)?;
         return print(&format!("{}: {} files\n", dir.display(), set.len()));
     }

@@ -5,7 +5,7 @@ use super::output::print;
 use efsat_engine::params::EngineParams;
 use efsat_geometry::mesh::{BUILTIN, builtin};
 use efsat_hardware::device::{self, Device};
-use efsat_unit::params::options::Row;
+use efsat_unit::params::options::OptionRow;
 use efsat_unit::params::{Method, Params};
 
 /// Prints what there is to choose from, as a table in Markdown: options with their defaults, devices, or built-in meshes
@@ -61,7 +61,7 @@ fn of(command: &clap::Command, method: Method) -> String {
     options(command, |row| row.of.len() < 3 && row.of.contains(&method) && row.name != "method")
 }
 
-fn options(command: &clap::Command, wanted: impl Fn(&Row) -> bool) -> String {
+fn options(command: &clap::Command, wanted: impl Fn(&OptionRow) -> bool) -> String {
     let paper = Params::paper().differences(&Params::default());
     let names: Vec<_> = Params::OPTIONS.iter().filter(|row| wanted(row)).map(|row| row.name).collect();
     // The flag stands for options of the paper's design.

@@ -1,8 +1,8 @@
 //! Standard output, whose reader may leave at any time; and the shapes that several commands print.
 
 use super::error::Failure;
-use efsat_unit::golden::Verdict;
 use efsat_unit::host::Verdicts;
+use efsat_unit::pair::Verdict;
 use serde::Serialize;
 use std::borrow::Cow;
 use std::io::{self, Write};

@@ -6,7 +6,7 @@ use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
 use efsat_engine::artefact::EngineDesign;
 use efsat_engine::params::{EngineParams, Memory};
 use efsat_unit::design::top::DesignError;
-use efsat_unit::params::options::{Choice, Row};
+use efsat_unit::params::options::{Choice, OptionRow};
 pub(super) use efsat_unit::params::options::{choice, whole};
 use efsat_unit::params::{Method, Params};
 
@@ -159,7 +159,7 @@ fn grouped(command: Command) -> Command {
 
 const AXES: &str = "Parameters of --method axes";
 
-fn heading(row: &Row) -> Option<&'static str> {
+fn heading(row: &OptionRow) -> Option<&'static str> {
     match row.of {
         [Method::Axes] => Some(AXES),
         [Method::Determinants] => Some("Parameters of --method determinants"),

@@ -11,6 +11,16 @@ use std::collections::HashMap;
 use std::fmt::Write;
 
 /// A graph: its nodes in order, each with type, range, rate and what it is made of; its outputs and probes.
+///
+/// ```
+/// # use efsat_hardware::testing::examples::*;
+/// # let library = Library::default();
+/// # let unit = library.unit("square", &[], 1, |top| {
+/// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+/// #     (x * x).named("y")
+/// # });
+/// assert_eq!(dump::unit(&unit).lines().last(), Some("  output y: y"));
+/// ```
 pub fn unit(unit: &Unit) -> String {
     let labels = labels(unit.nodes.iter().map(|node| node.name()));
     let mut text = format!("unit {}, {}\n", unit.name, counted(unit.interval, "phase"));
@@ -75,6 +85,18 @@ fn operation(unit: &Unit, i: usize, labels: &[String]) -> String {
 }
 
 /// A schedule: the slot of every node in clocks after phase 0 of the inputs, and the registers that values wait in.
+///
+/// ```
+/// # use efsat_hardware::testing::examples::*;
+/// # let library = Library::default();
+/// # let unit = library.unit("square", &[], 1, |top| {
+/// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+/// #     (x * x).named("y")
+/// # });
+/// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&unit);
+/// assert!(dump::schedule(&schedule).starts_with("schedule of square: latency 1 clock, 1 phase\n"));
+/// # Ok::<(), device::UnknownDevice>(())
+/// ```
 pub fn schedule(schedule: &Schedule) -> String {
     let unit = &schedule.unit;
     let labels = labels(unit.nodes.iter().map(|node| node.name()));
@@ -107,12 +129,12 @@ pub fn schedule(schedule: &Schedule) -> String {
     }
     table(&mut text, &rows);
     let (program, starts) = (&schedule.program, &schedule.starts);
-    for stream in &program.streams {
+    for stream in program.streams.iter().filter(|stream| stream.carried(starts) > 0) {
         let (from, clocks) = (stream.from.clock(starts), counted(stream.carried(starts) as usize, "clock"));
         let _ =
             writeln!(text, "  {} ({} bits) is there from clock {from}, delayed by {clocks}", stream.name, stream.bits);
     }
-    for held in &program.held {
+    for held in program.held.iter().filter(|held| program.most_captures(held, starts) > 0) {
         let times = counted(program.most_captures(held, starts) as usize, "time");
         let _ = writeln!(text, "  {} ({} bits) is captured again {times}", held.name, held.bits);
     }
@@ -121,6 +143,20 @@ pub fn schedule(schedule: &Schedule) -> String {
 
 /// A module: its signals in order, each with type, range, the clock of a pair in which it is first there, and its driver;
 /// its instances, outputs and delay lines.
+///
+/// ```
+/// # use efsat_hardware::testing::examples::*;
+/// # let library = Library::default();
+/// # let unit = library.unit("square", &[], 1, |top| {
+/// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+/// #     (x * x).named("y")
+/// # });
+/// let device = device::find("xc2v6000-4")?;
+/// let mut scheduler = Scheduler::new(device, 100);
+/// let (module, _) = Lowering::new(&mut scheduler, device).lower(&unit, false);
+/// assert!(dump::module(&module).contains("Register of Multiply x, x"));
+/// # Ok::<(), device::UnknownDevice>(())
+/// ```
 pub fn module(module: &Module) -> String {
     let labels = labels(module.signals.iter().map(|signal| signal.name()));
     let name = |id: SignalId| labels[id.0].clone();

@@ -6,5 +6,7 @@ pub mod design;
 pub mod dyadic;
 pub mod golden;
 pub mod host;
+pub mod pair;
 pub mod params;
 pub mod parts;
+pub mod words;

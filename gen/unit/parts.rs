@@ -13,27 +13,27 @@ pub use crate::design::product::product;
 pub use crate::design::sequencer::output;
 pub use crate::design::slots::Slots;
 
-// Constants for users, in VHDL, C and Python.
-pub use crate::artefact::layout::{Constant, Group, Refusal, Value, constants_package, ranges, refusals};
+// The package of constants for users.
+pub use crate::artefact::wrap::host::constants_package;
 
 // Files: bits of words, the example behind a UART, boards, lists, Verilog, and the manifest.
 pub use crate::artefact::bits::Bits;
-pub use crate::artefact::example::{Core, add_top};
-pub use crate::artefact::project::Project;
-pub use crate::artefact::verilog::verilog_of;
+pub use crate::artefact::files::project::Project;
+pub use crate::artefact::wrap::example::{Core, add_top};
+pub use crate::artefact::wrap::verilog::verilog_of;
 
 // Words of the stream: vectors, and packets.
-pub use crate::artefact::stream_vectors::Maker;
+pub use crate::artefact::check::stream_vectors::Maker;
 pub use crate::host::driver::packet;
 
 /// The files of boards.
 pub mod board {
-    pub use crate::artefact::board::{add, verilog_file};
+    pub use crate::artefact::wrap::board::{add, verilog_file};
 }
 
 /// What every manifest has.
 pub mod manifest {
-    pub use crate::artefact::manifest::{NAME, digest, files};
+    pub use crate::artefact::files::manifest::{NAME, digest, files};
 }
 
 use crate::params::options::Choice;

@@ -1,7 +1,7 @@
 //! Vectors in the unit's own words, from integers alone: nothing here depends on a crate's random numbers or on rounding of
 //! floating point, so that a seed names the same vectors for ever.
 
-use efsat::golden::{Input, Pair, Pose};
+use efsat::pair::{Input, Pair, Pose};
 use efsat::params::{Params, Transform, Upper};
 
 /// A pose, and the pairs under it.

@@ -2,12 +2,13 @@
 
 use crate::tools::program::succeeds;
 use crate::tools::{CHECKED, compiles_everywhere, has, run};
-use efsat::golden::{Golden, Input, Pair, Pose};
-use efsat::host::driver::{Answer, Driver, DriverError, Transfer};
+use efsat::golden::Golden;
+use efsat::host::driver::{Driver, DriverError, Transfer, UnitAnswer};
 use efsat::host::sample::{random_pair_under, random_pose};
+use efsat::pair::{Input, Pair, Pose};
 use efsat::params::options::Choice;
-use efsat::params::stream::{AnswerFields, Kind, Report, StreamFormat, StreamWidth, verdict_status};
 use efsat::params::{Method, Params, Quantity, Transform, Upper};
+use efsat::words::{AnswerFields, PacketKind, StreamFormat, StreamReport, StreamWidth, verdict_status};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::fmt::Write;
@@ -21,10 +22,10 @@ const IN_PYTHON: &str = include_str!("host.py");
 /// An answer as both programs print it.
 fn told(driver: &Driver, word: u128) -> Option<String> {
     let (verdict, reason, outside, malformed, tag, separated, overlapping) = match driver.unpack(word.into())? {
-        Answer::Pair { tag, outcome: o } => {
+        UnitAnswer::Pair { tag, outcome: o } => {
             (o.verdict as u8, 0, u8::from(o.outside), 0, tag, o.separated, o.overlapping)
         }
-        Answer::Report(report) => (3, report as u8, 0, u8::from(report != Report::PoseTaken), 0, 0, 0),
+        UnitAnswer::Report(report) => (3, report as u8, 0, u8::from(report != StreamReport::PoseTaken), 0, 0, 0),
     };
     Some(format!("{verdict} {reason} {outside} {malformed} {tag} {separated} {overlapping}\n"))
 }
@@ -80,7 +81,7 @@ fn host_files_in_c_and_python_pack_and_refuse_as_the_driver_does() {
                 }
             };
             let coordinates: [i64; 18] = std::array::from_fn(|_| number(Quantity::Coordinate, round % 2 == 1));
-            let count = format.numbers(Kind::Pose) as usize;
+            let count = format.numbers(PacketKind::Pose) as usize;
             let of_pose = |i: usize| if i + 3 < count { Quantity::Entry } else { Quantity::Translation };
             let pose: [i64; 18] = std::array::from_fn(|i| number(of_pose(i), round % 2 == 1));
             let sticky = if params.upper == Upper::Sticky { rng.random_range(0..1 << 18) } else { 0 };
@@ -113,7 +114,12 @@ fn host_files_in_c_and_python_pack_and_refuse_as_the_driver_does() {
             let tag = tag_of(&mut rng);
             let mut answer = match round % 5 {
                 0 => format.answer(&AnswerFields::report(
-                    [Report::PoseTaken, Report::UnknownHeader, Report::TooShort, Report::TooLong][round / 5 % 4],
+                    [
+                        StreamReport::PoseTaken,
+                        StreamReport::UnknownHeader,
+                        StreamReport::TooShort,
+                        StreamReport::TooLong,
+                    ][round / 5 % 4],
                 )),
                 // Flags of any kind, few of which go together.
                 1 => {
@@ -150,7 +156,7 @@ fn host_files_in_c_and_python_pack_and_refuse_as_the_driver_does() {
             }
             let said: Option<String> = answers.iter().map(|&word| told(&driver, word)).collect();
             let in_order = answers.iter().zip(&tags).all(|(&word, tag)| {
-                matches!(driver.unpack(word.into()), Some(Answer::Pair { tag: found, .. }) if found == *tag)
+                matches!(driver.unpack(word.into()), Some(UnitAnswer::Pair { tag: found, .. }) if found == *tag)
             });
             let said = said.filter(|_| in_order && answers.len() == good.len());
             accepted += usize::from(said.is_some());

@@ -3,7 +3,7 @@
 use super::*;
 use efsat::engine::format::EngineFormat;
 use efsat::engine::words::{Command, QueryFlags, Reason};
-use efsat::params::stream::{Kind, Report};
+use efsat::words::{PacketKind, StreamReport};
 use std::collections::VecDeque;
 
 /// What comes of a packet.
@@ -53,9 +53,9 @@ struct Packets {
 /// The report of one word that a packet of pairs or a pose has.
 fn short(reason: Reason) -> u64 {
     match reason {
-        Reason::UnknownHeader => Report::UnknownHeader as u64,
-        Reason::TooShort => Report::TooShort as u64,
-        _ => Report::TooLong as u64,
+        Reason::UnknownHeader => StreamReport::UnknownHeader as u64,
+        Reason::TooShort => StreamReport::TooShort as u64,
+        _ => StreamReport::TooLong as u64,
     }
 }
 
@@ -110,7 +110,7 @@ impl Packets {
             self.send(&[self.format.header(command)], None);
             self.refused(Reason::TooShort);
         }
-        for kind in [Kind::Pairs, Kind::Pose] {
+        for kind in [PacketKind::Pairs, PacketKind::Pose] {
             self.send(&[self.format.stream.header(kind).into()], None);
             self.report(short(Reason::TooShort), true);
         }
@@ -168,7 +168,7 @@ impl Packets {
     }
 
     fn pose(&mut self) {
-        let header = u64::from(self.format.stream.header(Kind::Pose));
+        let header = u64::from(self.format.stream.header(PacketKind::Pose));
         let record = self.random(self.format.pose_words);
         let mut words = [vec![header], record.clone()].concat();
         let last = words.len() - 1;
@@ -202,10 +202,10 @@ impl Packets {
     }
 
     fn pairs(&mut self) {
-        let length = self.format.stream.record_words(Kind::Pairs) as usize;
+        let length = self.format.stream.record_words(PacketKind::Pairs) as usize;
         let count = self.rng.random_range(1..4);
         let records = self.random((count * length) as u32);
-        let mut words = [vec![u64::from(self.format.stream.header(Kind::Pairs))], records.clone()].concat();
+        let mut words = [vec![u64::from(self.format.stream.header(PacketKind::Pairs))], records.clone()].concat();
         let (mut whole, mut holed) = (count, None);
         match self.rng.random_range(0..5) {
             0 => {

@@ -8,7 +8,7 @@ use efsat::design::rounding::{Rounding, Roundings};
 use efsat::graph::{Signals, Vec3};
 use efsat::number::{Upper, upper_shift};
 use efsat::op::Type;
-use efsat::params::{AxisKind, Formats, Params, Row, Transform};
+use efsat::params::{AxisKind, FormatRow, Formats, Params, Transform};
 use std::collections::HashSet;
 
 /// Lemma anchored-edge: an edge at V0 stays within 1 + ulp, for every second vertex of A and every common power of two,
@@ -100,7 +100,7 @@ fn holds(x: Bounds, value: i128, drop: i32) -> bool {
 
 /// The rounding to a row, with `fewer` integral digits less than it has; saturated as the row is, or at the least mantissa
 /// above a true bound where that is given as bound, fraction bits and lemma.
-pub(super) fn way(exact: i32, row: &Row, fewer: i32, truth: Option<(i128, i32, &'static str)>) -> Rounding {
+pub(super) fn way(exact: i32, row: &FormatRow, fewer: i32, truth: Option<(i128, i32, &'static str)>) -> Rounding {
     let fraction = row.format.fraction + fewer;
     let saturate = match truth {
         None => row.clamp.map(|c| (c.bound, c.lemma)),

@@ -7,11 +7,11 @@ use efsat::design::interval::{Factors, Interval};
 use efsat::design::projection::projection;
 use efsat::graph::{Library, Sig, Signals, Top};
 use efsat::op::Type;
-use efsat::params::{Axes, AxisKind, Formats, Params, Row, Transform};
+use efsat::params::{Axes, AxisKind, FormatRow, Formats, Params, Transform};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 /// The rows an axis is made of, left and right factor.
-fn factors(f: &Formats, kind: AxisKind) -> [&Row; 2] {
+fn factors(f: &Formats, kind: AxisKind) -> [&FormatRow; 2] {
     match kind {
         AxisKind::NormalA => [&f.edge_a[0], &f.edge_a[2]],
         AxisKind::NormalB => [&f.edge_b, &f.edge_b],
@@ -51,7 +51,7 @@ fn every_row_has_the_least_integral_digits() {
                 let axes = Axes::Seventeen;
                 let p = Params { width, transform_width, axes, transform, renormalise, upper, ..Params::paper() };
                 let f = p.formats();
-                let mut check = |row: &Row, unit: &dyn Fn(i32) -> bool| {
+                let mut check = |row: &FormatRow, unit: &dyn Fn(i32) -> bool| {
                     assert!(unit(0), "{} does not fit: {p:?}", row.name);
                     assert!(!unit(1), "{} is loose: {p:?}", row.name);
                     rows += 1;

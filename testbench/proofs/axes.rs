@@ -13,7 +13,7 @@ use efsat::design::rounding::Rounding;
 use efsat::graph::{Library, Signals};
 use efsat::number::Upper;
 use efsat::op::Type;
-use efsat::params::{AxisKind, Formats, Params, Projections, Row};
+use efsat::params::{AxisKind, FormatRow, Formats, Params, Projections};
 
 /// The names of the coordinates.
 pub const COORDINATES: [&str; 3] = ["x", "y", "z"];
@@ -34,7 +34,7 @@ fn exact_fraction(f: &Formats, kind: AxisKind) -> i32 {
 }
 
 /// The roundings that a shared unit chooses among, numbered as they first occur.
-fn ways<'a>(exact: impl Fn(AxisKind) -> i32, row: impl Fn(AxisKind) -> &'a Row) -> Vec<Rounding> {
+fn ways<'a>(exact: impl Fn(AxisKind) -> i32, row: impl Fn(AxisKind) -> &'a FormatRow) -> Vec<Rounding> {
     let mut ways = vec![];
     for kind in KINDS {
         let way = Rounding::to_row(exact(kind), row(kind));

@@ -10,7 +10,7 @@ use efsat::design::interval::Interval;
 use efsat::design::rounding::{Rounding, Roundings};
 use efsat::graph::{Library, Sig, Signals, Top};
 use efsat::op::Type;
-use efsat::params::{Row, Upper};
+use efsat::params::{FormatRow, Upper};
 use efsat_hardware::entity;
 
 /// An interval of whole numbers, its bounds of all magnitudes that so many bits have with both signs.
@@ -60,7 +60,7 @@ pub fn edges(setting: &Setting) -> Vec<Claim> {
     let grid = formats.coordinate_a.format.fraction;
     // Lemma anchored-edge: a bound on the computed difference.
     let most = (1i128 << grid) + 1;
-    let edge = |name: &str, row: &Row, anchored: bool| {
+    let edge = |name: &str, row: &FormatRow, anchored: bool| {
         let way = Rounding::to_row(grid, row);
         let unit = Library::default().unit("operator", &[], 1, |u| {
             // Re-normalised coordinates are in [-1, 1].

@@ -3,7 +3,7 @@
 use super::Reader;
 use efsat::engine::artefact::samples::{cuboid, hills};
 use efsat::engine::driver as engine;
-use efsat::engine::driver::{Objects, Options};
+use efsat::engine::driver::{Objects, QueryOptions};
 use efsat::engine::host::{Header, Image, Numbers, memory};
 use efsat::engine::model::{Model, Query};
 use efsat::engine::params::{EngineParams, Memory};
@@ -12,8 +12,8 @@ use efsat::host::driver::{self, Driver};
 use efsat::mesh::Mesh;
 use efsat::number::Upper;
 use efsat::params::Params;
-use efsat::params::stream::{Kind, StreamWidth};
 use efsat::scene::Pose;
+use efsat::words::{PacketKind, StreamWidth};
 use nalgebra::{Matrix3, Vector3};
 use std::fs;
 use std::path::Path;
@@ -45,7 +45,7 @@ static PAIRS: LazyLock<[[[f64; 3]; 6]; 2]> = LazyLock::new(|| {
 fn job() -> engine::Job<'static, 'static> {
     static JOB: LazyLock<engine::Job<'static, 'static>> = LazyLock::new(|| {
         let pose = Pose::new(Matrix3::identity(), Vector3::new(0.25, -0.5, -0.5)).unwrap();
-        OBJECTS.query([0, 1], &pose, Options { limit: 5000, ..Options::default() })
+        OBJECTS.query([0, 1], &pose, QueryOptions { limit: 5000, ..QueryOptions::default() })
     });
     JOB.clone()
 }
@@ -131,7 +131,8 @@ fn read_answer(path: &Path) -> Result<(), String> {
 fn read_stream(path: &Path) -> Result<(), String> {
     let format = DRIVER.format();
     let sent = words(path);
-    let is_header = |word: &u64| [Kind::Pairs, Kind::Pose].iter().any(|&kind| *word == u64::from(format.header(kind)));
+    let is_header =
+        |word: &u64| [PacketKind::Pairs, PacketKind::Pose].iter().any(|&kind| *word == u64::from(format.header(kind)));
     let transfers = sent.iter().enumerate().map(|(at, &word)| driver::Transfer {
         data: u128::from(word).into(),
         last: sent.get(at + 1).is_none_or(is_header),

@@ -51,10 +51,10 @@ fn interpret(bits: i128, probe: &Probe) -> i128 {
 }
 
 /// The inputs of the data path for a pair: the pose as its registers hold it.
-pub fn inputs(design: &Design, pose: &efsat_unit::golden::Pose, pair: &efsat_unit::golden::Pair) -> Vec<i128> {
+pub fn inputs(design: &Design, pose: &efsat_unit::pair::Pose, pair: &efsat_unit::pair::Pair) -> Vec<i128> {
     let p = &design.params;
     // With the bypass the registers hold the exact identity.
-    let held = if pose.bypass { efsat_unit::golden::Pose::identity(p) } else { *pose };
+    let held = if pose.bypass { efsat_unit::pair::Pose::identity(p) } else { *pose };
     let words = [pair_word(p, pair), pose_word(p, &held)];
     words.iter().flat_map(|w| w.fields.iter().map(|f| f.1)).collect()
 }

@@ -9,8 +9,9 @@
 use super::in_plane;
 use efsat_hardware::number::Interval;
 use efsat_unit::artefact::Stimulus;
-use efsat_unit::golden::{Golden, Input, Pair, Pose, Verdict};
+use efsat_unit::golden::Golden;
 use efsat_unit::host::sample;
+use efsat_unit::pair::{Input, Pair, Pose, Verdict};
 use efsat_unit::params::{Method, Params, Transform};
 use num_bigint::BigInt;
 use num_traits::Signed;

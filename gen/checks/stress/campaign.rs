@@ -5,8 +5,8 @@ use super::hash::{BASIS, fnv};
 use super::variants::{Variant, vertex_orders};
 use super::{Answerer, Counts, Family, Posed, Report, VertexOrder, ladder, truth};
 use efsat_geometry::exact::Exact;
-use efsat_unit::golden::Verdict;
 use efsat_unit::host::Answer;
+use efsat_unit::pair::Verdict;
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 

@@ -4,7 +4,7 @@ use super::posed::Posed;
 use super::truth::Answers;
 use efsat_geometry::Points;
 use efsat_geometry::exact::Exact;
-use efsat_unit::golden::Verdict;
+use efsat_unit::pair::Verdict;
 use std::fmt;
 
 /// What is wrong.

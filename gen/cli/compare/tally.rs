@@ -2,8 +2,8 @@
 
 use efsat_geometry::exact::Exact;
 use efsat_geometry::software::Test;
-use efsat_unit::golden::Verdict;
 use efsat_unit::host::Truths;
+use efsat_unit::pair::Verdict;
 use serde::Serialize;
 
 /// The number of software tests.

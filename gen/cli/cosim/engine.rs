@@ -287,16 +287,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usize) -> String {
     let mut text = format!("{:<38}{:>14}{:>14}\n", "", "per query", "all");
     let mut row = |name: &str, count: u64| {
-        let mean = count as f64 / measure.queries as f64;
+        let mean = count as f64 / measure.sums.queries as f64;
         let _ = writeln!(text, "{name:<38}{mean:>14.1}{count:>14}");
     };
     row("clocks", measure.clocks);
     row("clocks in which a query ran", measure.running);
-    row("expansions", measure.expansions);
-    row("tests of volumes", measure.tests);
-    row("leaf pairs", measure.leaf_pairs);
-    row("intersect", measure.intersect);
-    row("possibly incorrect", measure.possibly_incorrect);
+    row("expansions", measure.sums.expansions);
+    row("tests of volumes", measure.sums.tests);
+    row("leaf pairs", measure.sums.leaf_pairs);
+    row("intersect", measure.sums.intersect);
+    row("possibly incorrect", measure.sums.possibly_incorrect);
     row("blocks asked for", measure.blocks);
     row("blocks read", measure.blocks_read);
     row("triangles asked for", measure.triangles);
@@ -314,12 +314,12 @@ fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usi
     let _ = writeln!(
         text,
         "{} queries, {refused} more for software; greatest stack {}; an expansion in {} clocks, a pair in {}; {}",
-        measure.queries, measure.greatest_stack, design.volume.interval, design.unit.interval, simulator
+        measure.sums.queries, measure.sums.greatest_stack, design.volume.interval, design.unit.interval, simulator
     );
     text.push_str(
         "clocks are those from the first word in to the last word out; a query runs from its start to its report\n",
     );
-    if measure.leaf_pairs == 0 {
+    if measure.sums.leaf_pairs == 0 {
         text.push_str("no query of this sample reaches a pair of triangles; a greater --limit takes more queries\n");
     }
     text

@@ -8,7 +8,7 @@ use clap::{ArgMatches, Args, Command, FromArgMatches};
 use efsat_geometry::scene::hierarchy::Directions;
 use efsat_studies::planner::{Request, Stages, Wish};
 use efsat_unit::host::settings::{Effect, Parameter, Settings, Switch};
-use efsat_unit::params::options::{Choice, Row};
+use efsat_unit::params::options::{Choice, OptionRow};
 use efsat_unit::params::{Method, Params};
 
 /// The options that say what a stage of the unit is.
@@ -110,7 +110,7 @@ impl Args for Options {
 
 impl FromArgMatches for Options {
     fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
-        let typed = |option: &Row| {
+        let typed = |option: &OptionRow| {
             let name = option.name;
             let id = name.replace('-', "_");
             let is_typed = matches.value_source(&id) == Some(ValueSource::CommandLine);

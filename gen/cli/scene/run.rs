@@ -19,7 +19,7 @@ use efsat_studies::planner::{
 };
 use efsat_unit::artefact::{FileSet, Packaging, design_files};
 use efsat_unit::design::Design;
-use efsat_unit::golden::Verdict;
+use efsat_unit::pair::Verdict;
 use efsat_unit::params::options::Choice;
 use engine::EngineOptions;
 use report::{End, Report, words};

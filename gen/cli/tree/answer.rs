@@ -6,7 +6,7 @@ use crate::output::print_json;
 use crate::params::{EngineArguments, ParamArguments, whole};
 use efsat_engine::host::{Image, Layout, Numbers, memory};
 use efsat_engine::model::{Model, Query};
-use efsat_engine::words::{Answer, QueryFlags};
+use efsat_engine::words::{EngineAnswer, QueryFlags};
 use efsat_unit::design::top::DesignError;
 use serde::Serialize;
 use std::path::PathBuf;
@@ -95,7 +95,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let query = Query { first_contact, number, ..query };
     let model = Model::new(params, unit).map_err(DesignError::from)?;
     let outcome = model.run(&memory, &query.words(numbers.format()));
-    let mut answers: Vec<u64> = outcome.answers.iter().map(Answer::word).collect();
+    let mut answers: Vec<u64> = outcome.answers.iter().map(EngineAnswer::word).collect();
     answers.sort_unstable();
     let report = outcome.report;
     print_json(&Written {

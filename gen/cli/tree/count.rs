@@ -9,7 +9,7 @@ use crate::source::load_scene;
 use efsat_engine::host::{Images, Numbers, memory};
 use efsat_engine::model::{Model, Query, Side};
 use efsat_engine::params::{EngineParams, FACTOR_BITS};
-use efsat_engine::words::EngineReport;
+use efsat_engine::words::Sums;
 use efsat_geometry::scene::{Meeting, Near};
 use efsat_unit::design::top::DesignError;
 use efsat_unit::params::Params;
@@ -41,45 +41,24 @@ pub(super) struct Arguments {
 /// Sums over queries.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 struct Counts {
-    queries: u64,
-    /// Those that the engine cannot answer.
+    #[serde(flatten)]
+    sums: Sums,
+    /// Queries that the engine cannot answer.
     answered_in_software: u64,
-    expansions: u64,
-    tests: u64,
-    survivors: u64,
-    leaf_pairs: u64,
-    intersect: u64,
-    possibly_incorrect: u64,
-    /// The greatest of all queries.
-    greatest_stack: u64,
 }
 
 impl Counts {
-    fn of(report: &EngineReport) -> Self {
-        Self {
-            queries: 1,
-            answered_in_software: 0,
-            expansions: report.expansions.into(),
-            tests: report.tests.into(),
-            survivors: report.survivors.into(),
-            leaf_pairs: report.leaf_pairs.into(),
-            intersect: report.intersect.into(),
-            possibly_incorrect: report.possibly_incorrect.into(),
-            greatest_stack: report.stack.into(),
-        }
-    }
-
     fn table(&self) -> String {
         let rows = [
-            ("queries", self.queries),
+            ("queries", self.sums.queries),
             ("answered in software", self.answered_in_software),
-            ("expansions", self.expansions),
-            ("tests", self.tests),
-            ("survivors", self.survivors),
-            ("leaf pairs", self.leaf_pairs),
-            ("intersect", self.intersect),
-            ("possibly incorrect", self.possibly_incorrect),
-            ("greatest stack", self.greatest_stack),
+            ("expansions", self.sums.expansions),
+            ("tests", self.sums.tests),
+            ("survivors", self.sums.survivors),
+            ("leaf pairs", self.sums.leaf_pairs),
+            ("intersect", self.sums.intersect),
+            ("possibly incorrect", self.sums.possibly_incorrect),
+            ("greatest stack", self.sums.greatest_stack),
         ];
         let mut text = String::new();
         for (name, count) in rows {
@@ -92,18 +71,10 @@ impl Counts {
 impl Add for Counts {
     type Output = Self;
 
-    fn add(self, other: Self) -> Self {
-        Self {
-            queries: self.queries + other.queries,
-            answered_in_software: self.answered_in_software + other.answered_in_software,
-            expansions: self.expansions + other.expansions,
-            tests: self.tests + other.tests,
-            survivors: self.survivors + other.survivors,
-            leaf_pairs: self.leaf_pairs + other.leaf_pairs,
-            intersect: self.intersect + other.intersect,
-            possibly_incorrect: self.possibly_incorrect + other.possibly_incorrect,
-            greatest_stack: self.greatest_stack.max(other.greatest_stack),
-        }
+    fn add(mut self, other: Self) -> Self {
+        self.sums += other.sums;
+        self.answered_in_software += other.answered_in_software;
+        self
     }
 }
 
@@ -120,10 +91,13 @@ struct Search<'a> {
 impl Search<'_> {
     fn meeting(&self, meeting: &Meeting) -> Counts {
         match self.images.query(meeting.meshes, &meeting.pose, &self.sides) {
-            Err(_) => Counts { queries: 1, answered_in_software: 1, ..Counts::default() },
+            Err(_) => Counts { sums: Sums { queries: 1, ..Sums::default() }, answered_in_software: 1 },
             Ok(query) => {
                 let query = Query { first_contact: self.first_contact, ..query };
-                Counts::of(&self.model.run(&self.memory, &query.words(self.model.format())).report)
+                {
+                    let report = self.model.run(&self.memory, &query.words(self.model.format())).report;
+                    Counts { sums: (&report).into(), answered_in_software: 0 }
+                }
             }
         }
     }

@@ -9,9 +9,9 @@ use efsat_hardware::vhdl::lint::lint;
 use efsat_unit::artefact::file_lists::FileLists;
 use efsat_unit::artefact::{DesignFilesError, FileSet, Prefix};
 use efsat_unit::design::top::pace;
-use efsat_unit::params::stream::Kind;
 use efsat_unit::parts::manifest::digest;
 use efsat_unit::parts::{Core, Project, add_top, board};
+use efsat_unit::words::PacketKind;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -244,8 +244,8 @@ fn manifest(design: &EngineDesign, command_line: &str, files: &FileSet) -> Strin
         unit_latency: design.unit.latency,
         multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
         query_words: design.format.query_words(),
-        pairs_header: unit(Kind::Pairs),
-        pose_header: unit(Kind::Pose),
+        pairs_header: unit(PacketKind::Pairs),
+        pose_header: unit(PacketKind::Pose),
         query_header: header(Command::Query),
         load_header: load,
         stop_header: header(Command::Stop),

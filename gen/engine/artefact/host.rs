@@ -4,13 +4,14 @@ use super::{EngineDesign, NAME};
 use crate::format::EngineFormat;
 use crate::host::TRIANGLES_AT;
 use crate::params::Memory;
-use crate::words::{Answer, Command, EngineReport, QueryFlags, Reason};
+use crate::words::{Command, EngineAnswer, EngineReport, QueryFlags, Reason};
 use askama::Template;
 use efsat_unit::artefact::{Prefix, origin};
-use efsat_unit::golden::Verdict;
+use efsat_unit::pair::Verdict;
 use efsat_unit::params::Quantity;
-use efsat_unit::params::stream::REPORT;
-use efsat_unit::parts::{Constant, Group, Refusal, constants_package, ranges, refusals};
+use efsat_unit::parts::constants_package;
+use efsat_unit::words::REPORT;
+use efsat_unit::words::constants::{Constant, Group, Refusal, ranges, refusals};
 
 /// What the files of the host side are made of.
 struct Host<'a> {
@@ -164,9 +165,9 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
         Group {
             what: "Packets out: pairs, then a report.",
             constants: vec![
-                number("answer_a_low", Answer::A_AT, "number of A's triangle"),
-                number("answer_b_low", Answer::B_AT, "number of B's triangle"),
-                number("answer_number_bits", Answer::NUMBER_BITS, "bits of both"),
+                number("answer_a_low", EngineAnswer::A_AT, "number of A's triangle"),
+                number("answer_b_low", EngineAnswer::B_AT, "number of B's triangle"),
+                number("answer_number_bits", EngineAnswer::NUMBER_BITS, "bits of both"),
                 number("report_words", EngineReport::WORDS as u32, "words of the report"),
                 number("report_reason_low", EngineReport::REASON_AT, "reason, five bits of its first word"),
                 number("report_incomplete", EngineReport::INCOMPLETE_AT, "pairs that touch may be missing"),

@@ -2,11 +2,11 @@
 
 use super::EngineDesign;
 use super::values::Values;
-use crate::words::Answer;
+use crate::words::EngineAnswer;
 use efsat_hardware::device::block_rams;
 
 /// Bits of a pair of triangles in its queue.
-const PAIR_BITS: u32 = 2 * Answer::NUMBER_BITS;
+const PAIR_BITS: u32 = 2 * EngineAnswer::NUMBER_BITS;
 
 impl EngineDesign {
     /// Block RAMs of 18 kbit that the engine is expected to take: of its memory or its caches, its stack and its queue of pairs.

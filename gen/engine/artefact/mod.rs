@@ -18,8 +18,8 @@ use efsat_hardware::vhdl::Clash;
 use efsat_unit::artefact::{Prefix, origin, vhdl_files};
 use efsat_unit::design::Design;
 use efsat_unit::design::top::DesignError;
-use efsat_unit::params::stream::Kind;
 use efsat_unit::params::{ParamError, Params};
+use efsat_unit::words::PacketKind;
 use values::{Lines, Values};
 use volume::volume_files;
 
@@ -231,8 +231,8 @@ fn description(design: &EngineDesign) -> Vec<String> {
             .to_owned(),
         format!(
             "headers 16#{:08x}# and 16#{:08x}#. The pose of a packet or of a query holds until the next one.",
-            format.stream.header(Kind::Pairs),
-            format.stream.header(Kind::Pose)
+            format.stream.header(PacketKind::Pairs),
+            format.stream.header(PacketKind::Pose)
         ),
     ];
     lines.to_vec()

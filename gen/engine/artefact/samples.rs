@@ -7,7 +7,7 @@ use crate::model::Query;
 use crate::params::{EngineParams, Memory};
 use crate::words::{Command, Reason};
 use efsat_geometry::mesh::Mesh;
-use efsat_unit::golden::Pair;
+use efsat_unit::pair::Pair;
 use efsat_unit::params::ParamError;
 use nalgebra::Point3;
 

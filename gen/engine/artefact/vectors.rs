@@ -8,9 +8,9 @@ use crate::format::EngineFormat;
 use crate::host::{Image, Layout, memory};
 use crate::model::{Model, Query, Side};
 use crate::params::Memory;
-use crate::words::{Answer, Command, EngineReport, Reason};
+use crate::words::{Command, EngineAnswer, EngineReport, Reason};
 use efsat_unit::artefact::{Stimulus, vectors};
-use efsat_unit::golden::{Pair, Pose};
+use efsat_unit::pair::{Pair, Pose};
 use efsat_unit::parts::Maker;
 use std::fmt::Write;
 
@@ -234,8 +234,8 @@ impl<'a> EngineVectors<'a> {
         writeln!(self.text, "I {word:016x} {} {}", u8::from(last), u8::from(whole)).expect("a string takes text");
     }
 
-    fn expect(&mut self, answers: &[Answer], report: &EngineReport, compared: Compared) {
-        let mut words: Vec<u64> = answers.iter().map(Answer::word).collect();
+    fn expect(&mut self, answers: &[EngineAnswer], report: &EngineReport, compared: Compared) {
+        let mut words: Vec<u64> = answers.iter().map(EngineAnswer::word).collect();
         words.sort_unstable();
         for word in words {
             writeln!(self.text, "A {word:016x}").expect("a string takes text");

@@ -1,13 +1,13 @@
 //! A query: what is sent, and what its answer means.
 
-use super::{EngineError, Objects, Options};
+use super::{EngineError, Objects, QueryOptions};
 use crate::host::Refusal;
-use crate::words::{Answer, EngineReport, Reason};
+use crate::words::{EngineAnswer, EngineReport, Reason};
 use efsat_geometry::exact::Exact;
 use efsat_geometry::scene::Pose;
 use efsat_geometry::scene::hierarchy::{Scratch, contacts, first_hit};
 use efsat_geometry::software::retest::retest_posed;
-use efsat_unit::golden::Verdict;
+use efsat_unit::pair::Verdict;
 use rayon::prelude::*;
 
 /// Why a query was answered in software.
@@ -55,7 +55,7 @@ pub struct Job<'o, 'a> {
     pub(super) objects: &'o Objects<'a>,
     pub(super) pair: [usize; 2],
     pub(super) pose: Pose,
-    pub(super) options: Options,
+    pub(super) options: QueryOptions,
     pub(super) number: u32,
     pub(super) packet: Result<Vec<u64>, Refusal>,
 }
@@ -131,7 +131,7 @@ impl Job<'_, '_> {
     fn read(&self, words: &[u64], report: &EngineReport) -> Result<Vec<([u32; 2], Verdict)>, EngineError> {
         let faces = self.pair.map(|object| self.objects.meshes[object].faces().len());
         let pair = |(at, &word): (usize, &u64)| {
-            let answer = Answer::of(word).filter(|answer| {
+            let answer = EngineAnswer::of(word).filter(|answer| {
                 answer.triangles.iter().zip(faces).all(|(&triangle, count)| (triangle as usize) < count)
             });
             let verdict = answer.and_then(|answer| match answer.verdict {

@@ -11,7 +11,7 @@
 //! ```
 //! use efsat_geometry::mesh::headlight;
 //! use efsat_geometry::scene::{Pose, Scene};
-//! use efsat_engine::driver::{Objects, Options, StandIn};
+//! use efsat_engine::driver::{Objects, QueryOptions, StandIn};
 //! use efsat_engine::params::EngineParams;
 //! use efsat_unit::params::Params;
 //!
@@ -23,7 +23,7 @@
 //! // The mesh against itself, in a pose in which few of its triangles touch, and in one in which none do.
 //! let near = Scene::default_scene().frame(823).poses[1];
 //! let far = Pose::new(near.rotation(), 100.0 * near.translation())?;
-//! let jobs = [near, far].map(|pose| objects.query([0, 0], &pose, Options::default()));
+//! let jobs = [near, far].map(|pose| objects.query([0, 0], &pose, QueryOptions::default()));
 //! let contacts = objects.contacts(jobs.to_vec(), &mut stand_in)?;
 //! assert!(contacts[0].touching().count() == 22 && contacts[0].software.is_none());
 //! // So far away that the words of a query do not hold it: the software has answered.
@@ -39,7 +39,7 @@ mod stand_in;
 mod tests;
 
 pub use job::{Cause, Contact, Contacts, Job};
-pub use objects::{Objects, ObjectsError, Options};
+pub use objects::{Objects, ObjectsError, QueryOptions};
 pub use packets::UnitPackets;
 pub use stand_in::StandIn;
 

@@ -26,7 +26,7 @@ pub enum ObjectsError {
 
 /// What a query asks for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Options {
+pub struct QueryOptions {
     /// Stop at the first pair that touches: whether the objects touch.
     pub first_contact: bool,
     /// The most expansions, 0 for as many as it takes; the software answers a query that needs more.
@@ -90,11 +90,11 @@ impl<'a> Objects<'a> {
     ///
     /// # Panics
     /// If there is no such object.
-    pub fn query(&self, objects: [usize; 2], pose: &Pose, options: Options) -> Job<'_, 'a> {
+    pub fn query(&self, objects: [usize; 2], pose: &Pose, options: QueryOptions) -> Job<'_, 'a> {
         let number = self.next.fetch_add(1, Ordering::Relaxed) % QueryFlags::NUMBERS;
         let query = self.images.query(objects, pose, &self.layout.sides);
         let packet = query.map(|query| {
-            let Options { first_contact, limit, keep_caches } = options;
+            let QueryOptions { first_contact, limit, keep_caches } = options;
             Query { first_contact, limit, keep_caches, number, ..query }.words(self.numbers().format())
         });
         Job { objects: self, pair: objects, pose: *pose, options, number, packet }

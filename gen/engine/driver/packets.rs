@@ -1,10 +1,10 @@
 //! Packets of pairs and poses, which an engine takes between queries.
 
 use crate::format::EngineFormat;
-use efsat_unit::golden::{Pair, Pose};
-use efsat_unit::host::driver::{Answer, Driver, DriverError, Transfer};
-use efsat_unit::params::stream::StreamWidth;
+use efsat_unit::host::driver::{Driver, DriverError, Transfer, UnitAnswer};
+use efsat_unit::pair::{Pair, Pose};
 use efsat_unit::params::{ParamError, Params};
+use efsat_unit::words::StreamWidth;
 
 /// Packs pairs and poses for the unit in an engine, and reads its answers, in 64-bit words. Tags have 16 bits.
 #[derive(Clone, Debug)]
@@ -40,7 +40,7 @@ impl UnitPackets {
     }
 
     /// What a word of the answer to such a packet says; none if no engine sends it.
-    pub fn answer(&self, word: u64) -> Option<Answer> {
+    pub fn answer(&self, word: u64) -> Option<UnitAnswer> {
         self.0.unpack(u128::from(word).into())
     }
 }

@@ -5,11 +5,11 @@ use crate::format::EngineFormat;
 use crate::host::TRIANGLES_AT;
 use crate::model::{Model, Query, Side};
 use crate::params::Memory;
-use crate::words::{Answer, Command, EngineReport, QueryFlags, Reason};
+use crate::words::{Command, EngineAnswer, EngineReport, QueryFlags, Reason};
 use efsat_unit::host::driver::StandIn as Unit;
 use efsat_unit::params::ParamError;
-use efsat_unit::params::stream::{Kind, StreamWidth};
 use efsat_unit::parts::packet;
+use efsat_unit::words::{PacketKind, StreamWidth};
 use rayon::prelude::*;
 
 /// 64-bit words in a line of memory.
@@ -111,7 +111,7 @@ impl StandIn {
 
     fn query(&self, words: &[u64]) -> Vec<u64> {
         let outcome = self.model.run(&self.memory, words);
-        outcome.answers.iter().map(Answer::word).chain(outcome.report.words()).collect()
+        outcome.answers.iter().map(EngineAnswer::word).chain(outcome.report.words()).collect()
     }
 
     /// Writes a line after the other.
@@ -157,7 +157,7 @@ impl StandIn {
 /// Whether a packet is one of pairs or a pose, or would be one.
 fn for_unit(words: &[u64]) -> bool {
     let kind = words.first().map(|header| *header as u8);
-    [Kind::Pairs, Kind::Pose].map(|kind| Some(kind as u8)).contains(&kind)
+    [PacketKind::Pairs, PacketKind::Pose].map(|kind| Some(kind as u8)).contains(&kind)
 }
 
 /// The answer to a packet that was not read, or was read to its end.

@@ -6,16 +6,16 @@ use crate::artefact::samples::{cuboid, hills, turn};
 use crate::host::Refusal;
 use crate::model::Query;
 use crate::params::{EngineParams, Memory};
-use crate::words::{Answer as Answered, Command, EngineReport, Reason};
+use crate::words::{Command, EngineAnswer as Answered, EngineReport, Reason};
 use efsat_geometry::exact::{Exact, posed_pair};
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::Pose;
 use efsat_unit::artefact::Stimulus;
-use efsat_unit::golden;
-use efsat_unit::golden::{Golden, Verdict};
-use efsat_unit::host::driver::Answer;
-use efsat_unit::params::stream::Report;
+use efsat_unit::golden::Golden;
+use efsat_unit::host::driver::UnitAnswer;
+use efsat_unit::pair::Verdict;
 use efsat_unit::params::{Method, Params, Upper};
+use efsat_unit::words::StreamReport;
 use nalgebra::Matrix3;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -85,7 +85,7 @@ fn final_answers_are_exact() {
         let mut stand_in = StandIn::new(&objects).unwrap();
         let pairs = [[0, 1], [1, 0], [0, 0], [1, 1]];
         let asked: Vec<_> = pairs.iter().flat_map(|pair| case.poses.iter().map(move |pose| (*pair, pose))).collect();
-        let jobs = asked.iter().map(|(pair, pose)| objects.query(*pair, pose, Options::default()));
+        let jobs = asked.iter().map(|(pair, pose)| objects.query(*pair, pose, QueryOptions::default()));
         let answers = objects.contacts(jobs.collect(), &mut stand_in).unwrap();
         for (([a, b], pose), contacts) in asked.iter().zip(&answers) {
             assert_eq!(exact(contacts), touching(&case.meshes[*a], &case.meshes[*b], pose), "{pose:?}");
@@ -109,8 +109,9 @@ fn incomplete_queries_are_answered_in_software() {
     let case = Case::new();
     let (objects, pose, expected) = case.crossing();
     let format = *objects.numbers().format();
-    let job =
-        |limit, first_contact| objects.query([0, 1], &pose, Options { limit, first_contact, ..Options::default() });
+    let job = |limit, first_contact| {
+        objects.query([0, 1], &pose, QueryOptions { limit, first_contact, ..QueryOptions::default() })
+    };
     let fair = StandIn::new(&objects).unwrap();
     let mut damaged = fair.clone();
     // The tag of the root's block.
@@ -150,7 +151,7 @@ fn queries_that_the_engine_cannot_answer_are_answered_in_software() {
     let case = Case::new();
     let low = EngineParams { tree_height: 3, ..EngineParams::default() };
     let objects = case.objects(&low, &Params::default());
-    let job = objects.query([0, 1], &case.poses[0], Options::default());
+    let job = objects.query([0, 1], &case.poses[0], QueryOptions::default());
     assert_eq!(job.packet(), None);
     assert_eq!(job.clone().finish(&[0; 8]), Err(EngineError::NotSent));
     let contacts = job.finish(&[]).unwrap();
@@ -162,7 +163,7 @@ fn queries_that_the_engine_cannot_answer_are_answered_in_software() {
     let double = Pose::new(Matrix3::identity() * 2.0, case.poses[0].translation()).unwrap();
     let far = Pose::new(case.poses[0].rotation(), [1e9, 0.0, 0.0].into()).unwrap();
     for (pose, meet) in [(double, true), (far, false)] {
-        let contacts = objects.query([0, 1], &pose, Options::default()).finish(&[]).unwrap();
+        let contacts = objects.query([0, 1], &pose, QueryOptions::default()).finish(&[]).unwrap();
         assert!(matches!(contacts.software, Some(Cause::Refused(Refusal::Entry { .. } | Refusal::Translation { .. }))));
         assert_eq!(exact(&contacts), touching(&case.meshes[0], &case.meshes[1], &pose));
         assert_eq!(!contacts.pairs.is_empty(), meet);
@@ -174,7 +175,7 @@ fn the_first_contact_is_one_pair_or_none() {
     let case = Case::new();
     let objects = case.objects(&EngineParams::default(), &Params::default());
     let mut stand_in = StandIn::new(&objects).unwrap();
-    let options = Options { first_contact: true, ..Options::default() };
+    let options = QueryOptions { first_contact: true, ..QueryOptions::default() };
     let mut ends = vec![];
     for (pair, pose) in [[0, 1], [1, 1]].into_iter().flat_map(|pair| case.poses.iter().map(move |pose| (pair, pose))) {
         let job = objects.query(pair, pose, options);
@@ -195,9 +196,9 @@ fn the_first_contact_is_one_pair_or_none() {
 fn a_contact_is_no_list() {
     let case = Case::new();
     let (objects, pose, expected) = case.crossing();
-    let first = objects.query([0, 1], &pose, Options { first_contact: true, ..Options::default() });
+    let first = objects.query([0, 1], &pose, QueryOptions { first_contact: true, ..QueryOptions::default() });
     let mut words = StandIn::new(&objects).unwrap().packet(first.packet().unwrap());
-    let all = objects.query([0, 1], &pose, Options::default());
+    let all = objects.query([0, 1], &pose, QueryOptions::default());
     let head = words.len() - EngineReport::WORDS;
     words[head] ^= u64::from(first.number() ^ all.number()) << EngineReport::NUMBER_AT;
     let contacts = all.finish(&words).unwrap();
@@ -209,7 +210,7 @@ fn a_contact_is_no_list() {
 fn answers_that_do_not_fit_are_refused() {
     let case = Case::new();
     let (objects, pose, expected) = case.crossing();
-    let asked = objects.query([0, 1], &pose, Options::default());
+    let asked = objects.query([0, 1], &pose, QueryOptions::default());
     let (number, job) = (asked.number(), || asked.clone());
     let good = StandIn::new(&objects).unwrap().packet(job().packet().unwrap());
     assert_eq!(job().finish(&good).map(|contacts| exact(&contacts)), Ok(expected));
@@ -261,7 +262,7 @@ fn damage_that_can_be_recognised_is_never_accepted() {
     let pairs = [[0, 1], [1, 0], [0, 0], [1, 1]];
     let asked: Vec<_> = pairs.iter().flat_map(|pair| case.poses.iter().map(move |pose| (*pair, pose))).collect();
     let answered = asked.iter().map(|(pair, pose)| {
-        let job = objects.query(*pair, pose, Options::default());
+        let job = objects.query(*pair, pose, QueryOptions::default());
         let words = stand_in.packet(job.packet().unwrap());
         let expected = touching(&case.meshes[pair[0]], &case.meshes[pair[1]], pose);
         (job, words, expected)
@@ -347,27 +348,27 @@ fn pairs_and_poses_go_between_queries() {
     let unit = UnitPackets::new(&Params::default()).unwrap();
     let mut stand_in = StandIn::new(&objects).unwrap();
     let segments = Stimulus::random(&Params::default(), 32, 1).segments;
-    let (golden, identity) = (Golden::new(&Params::default()), golden::Pose::identity(&Params::default()));
-    let query = objects.query([0, 1], &pose, Options::default()).packet().unwrap().to_vec();
+    let (golden, identity) = (Golden::new(&Params::default()), efsat_unit::pair::Pose::identity(&Params::default()));
+    let query = objects.query([0, 1], &pose, QueryOptions::default()).packet().unwrap().to_vec();
     let own = Query::of(&query, objects.numbers().format()).unwrap().pose;
     let tagged = || (7..).zip(&segments[0].1);
-    let expect = |pose: &golden::Pose| {
-        let answer = |(tag, pair)| Some(Answer::Pair { tag, outcome: golden.outcome(pose, pair) });
+    let expect = |pose: &efsat_unit::pair::Pose| {
+        let answer = |(tag, pair)| Some(UnitAnswer::Pair { tag, outcome: golden.outcome(pose, pair) });
         tagged().map(answer).collect::<Vec<_>>()
     };
-    let mut answers = |packet: &[u64]| -> Vec<Option<Answer>> {
+    let mut answers = |packet: &[u64]| -> Vec<Option<UnitAnswer>> {
         stand_in.packet(packet).into_iter().map(|word| unit.answer(word)).collect()
     };
     let pairs = unit.pairs(tagged()).unwrap();
     assert_eq!(answers(&pairs), expect(&identity));
-    let taken = [Some(Answer::Report(Report::PoseTaken))];
+    let taken = [Some(UnitAnswer::Report(StreamReport::PoseTaken))];
     assert_eq!(answers(&unit.pose(&segments[1].0).unwrap()), taken);
     assert_eq!(answers(&pairs), expect(&segments[1].0));
     answers(&query);
     assert_eq!(answers(&pairs), expect(&own));
     // A pose that ends early is not taken; the packet of another design is none.
     let cut = unit.pose(&segments[1].0).unwrap()[..4].to_vec();
-    assert_eq!(answers(&cut), [Some(Answer::Report(Report::TooShort))]);
-    assert_eq!(answers(&[pairs[0] ^ 1 << 16]), [Some(Answer::Report(Report::UnknownHeader))]);
+    assert_eq!(answers(&cut), [Some(UnitAnswer::Report(StreamReport::TooShort))]);
+    assert_eq!(answers(&[pairs[0] ^ 1 << 16]), [Some(UnitAnswer::Report(StreamReport::UnknownHeader))]);
     assert_eq!(answers(&pairs), expect(&own));
 }

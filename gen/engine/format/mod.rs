@@ -13,7 +13,7 @@ use crate::words::{BlockLayout, Command, LINK_NUMBER_BITS, QueryFlags, TriangleL
 use efsat_geometry::directions::Directions;
 use efsat_hardware::number::Upper;
 use efsat_unit::params::Params;
-use efsat_unit::params::stream::{Kind, StreamFormat, StreamWidth};
+use efsat_unit::words::{PacketKind, StreamFormat, StreamWidth};
 
 /// The step of the grid is 2^-(bits of a code + this), so that the greatest exponent, 15, reaches 3 (1 + 2^-17), the
 /// farthest that a projection is from an origin.
@@ -67,7 +67,7 @@ impl EngineFormat {
             transform_width: unit.transform_width,
             int_bits: unit.int_bits,
             sticky: unit.upper == Upper::Sticky,
-            pose_words: stream.record_words(Kind::Pose),
+            pose_words: stream.record_words(PacketKind::Pose),
             stream,
         }
     }
@@ -171,7 +171,7 @@ impl EngineFormat {
     /// The header word of a command.
     pub fn header(&self, command: Command) -> u64 {
         let high = if command == Command::Query { self.header_high() } else { 0 };
-        let low = self.stream.header(Kind::Pose) - Kind::Pose as u32 + command as u32;
+        let low = self.stream.header(PacketKind::Pose) - PacketKind::Pose as u32 + command as u32;
         u64::from(low) | u64::from(high) << 32
     }
 

@@ -5,7 +5,7 @@ use crate::format::EngineFormat;
 use crate::model::{Block, Link, Triangle};
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::hierarchy::{LocalBlock, LocalChild, LocalFormat, LocalTree, Placement};
-use efsat_unit::golden::Input;
+use efsat_unit::pair::Input;
 
 /// Why there is no image of a mesh.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]

@@ -78,8 +78,8 @@ impl Image {
         let triangles = triangles.collect::<Result<Vec<Triangle>, _>>()?;
         // The real corner is not below its lower bound, nor above the next grid point: a code that excludes both is wrong.
         self.check_codes(format.word_fraction(), |number, n| {
-            let corner = |corner: &[efsat_unit::golden::Input; 3]| {
-                let along = |(&n, x): (&i8, &efsat_unit::golden::Input)| {
+            let corner = |corner: &[efsat_unit::pair::Input; 3]| {
+                let along = |(&n, x): (&i8, &efsat_unit::pair::Input)| {
                     let x = x.interval(upper);
                     i64::from(n) * if n < 0 { x.hi } else { x.lo }
                 };

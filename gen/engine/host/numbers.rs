@@ -2,11 +2,11 @@
 
 use super::image::{Header, Image};
 use crate::format::EngineFormat;
-use crate::model::{Frame, Query, Row, Side};
+use crate::model::{Frame, Query, QueryRow, Side};
 use crate::params::EngineParams;
 use efsat_geometry::finite::{self, NotFinite};
 use efsat_unit::dyadic::Dyadic;
-use efsat_unit::golden::{Input, Pose};
+use efsat_unit::pair::{Input, Pose};
 use efsat_unit::params::{ParamError, Params};
 use nalgebra::{Matrix3, Vector3};
 
@@ -187,7 +187,7 @@ impl Numbers {
     }
 
     /// The row of a direction h: w = M^T h as a sum of three directions, and an upper bound of what the rounded factors miss.
-    pub(super) fn row(&self, h: usize, m: &[[f64; 3]; 3], fine: &[[Fine; 3]; 3]) -> Result<Row, Refusal> {
+    pub(super) fn row(&self, h: usize, m: &[[f64; 3]; 3], fine: &[[Fine; 3]; 3]) -> Result<QueryRow, Refusal> {
         let format = &self.format;
         let normal = format.directions.vector(h);
         let w = Matrix3::from_fn(|i, j| m[i][j]).transpose() * Vector3::from(normal.map(f64::from));
@@ -209,7 +209,7 @@ impl Numbers {
         let found = up(missed * i64::from(format.most()), step);
         let most = (1i64 << format.rest_bits()) - 1;
         match found <= most {
-            true => Ok(Row { terms, rest: found as u32 }),
+            true => Ok(QueryRow { terms, rest: found as u32 }),
             false => Err(Refusal::Rest { direction: h, found, most }),
         }
     }

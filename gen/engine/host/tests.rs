@@ -5,7 +5,7 @@ mod tiny;
 
 use super::*;
 use crate::format::EngineFormat;
-use crate::model::{Block, Link, Model, Outcome, Query, Side, bounds, distance};
+use crate::model::{Block, EngineOutcome, Link, Model, Query, Side, bounds, distance};
 use crate::params::EngineParams;
 use crate::words::Reason;
 use efsat_geometry::directions::Directions;
@@ -169,7 +169,7 @@ fn images_with_a_changed_bit_are_noticed() {
 }
 
 /// The triangles of the answers, sorted.
-fn pairs(outcome: &Outcome) -> Vec<[u32; 2]> {
+fn pairs(outcome: &EngineOutcome) -> Vec<[u32; 2]> {
     let mut pairs: Vec<_> = outcome.answers.iter().map(|answer| answer.triangles).collect();
     pairs.sort_unstable();
     pairs
@@ -312,7 +312,7 @@ impl Setting {
         Self { model: Model::new(engine, &unit).unwrap(), numbers, memory, query }
     }
 
-    fn run(&self, query: &Query) -> Outcome {
+    fn run(&self, query: &Query) -> EngineOutcome {
         self.model.run(&self.memory, &query.words(self.numbers.format()))
     }
 }

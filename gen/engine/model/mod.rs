@@ -10,7 +10,7 @@ mod traversal;
 mod triangle;
 
 pub use block::{BadBlock, Block, Link, Volume};
-pub use overlap::{Distance, Frame, Row, apart, bounds, distance, overlap};
+pub use overlap::{Distance, Frame, QueryRow, apart, bounds, distance, overlap};
 pub use query::{Query, Side};
-pub use traversal::{Model, Opened, Outcome, Visits};
+pub use traversal::{EngineOutcome, Model, Opened, Visits};
 pub use triangle::Triangle;

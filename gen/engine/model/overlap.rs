@@ -3,11 +3,11 @@
 use super::block::{Block, Volume};
 use crate::format::EngineFormat;
 use efsat_hardware::number::floor_shift;
-use efsat_unit::golden::Pose;
+use efsat_unit::pair::Pose;
 
 /// A row of the realignment: three directions of B with their factors, and the rest.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Row {
+pub struct QueryRow {
     /// In each slot, the place of the direction among those of the slot, and its factor in steps of 2^-(factor bits - 1).
     pub terms: [(u32, u32); 3],
     /// What the factors miss, in the same steps of a code.
@@ -24,12 +24,12 @@ pub struct Frame {
     /// The error of the shift for each axis of A, in steps of the grid.
     pub errors: [u32; 3],
     /// One row for each direction.
-    pub rows: Vec<Row>,
+    pub rows: Vec<QueryRow>,
 }
 
 impl Frame {
     /// Of the pose words and the rest of the query.
-    pub fn new(pose: &Pose, errors: [u32; 3], rows: Vec<Row>, format: &EngineFormat) -> Self {
+    pub fn new(pose: &Pose, errors: [u32; 3], rows: Vec<QueryRow>, format: &EngineFormat) -> Self {
         let shift = |word: i64| floor_shift(word.into(), format.translation_shift()) as i64;
         Self { matrix: Self::matrix(pose, format), shift: pose.t.map(|x| shift(x.lo)), errors, rows }
     }

@@ -1,11 +1,11 @@
 //! The words of a query: what the command decoder makes of them.
 
-use super::block::{field, put, signed};
-use super::{Frame, Row};
+use super::block::{field, put};
+use super::{Frame, QueryRow};
 use crate::format::EngineFormat;
 use crate::words::{Command, QueryFlags, Reason};
-use efsat_unit::golden::{Input, Pose};
-use efsat_unit::params::stream::{BYPASS_AT, Kind};
+use efsat_unit::pair::Pose;
+use efsat_unit::words::{Record, StreamWord};
 
 /// Where an object is in memory.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -42,7 +42,7 @@ pub struct Query {
     /// The pose; never bypassed.
     pub pose: Pose,
     /// One row for each direction.
-    pub rows: Vec<Row>,
+    pub rows: Vec<QueryRow>,
 }
 
 impl Query {
@@ -75,8 +75,8 @@ impl Query {
             u64::from(self.limit) | flags | u64::from(self.number) << QueryFlags::NUMBER_AT,
             errors,
         ];
-        let numbers = self.pose.m.iter().flatten().chain(&self.pose.t).map(|x| (x.lo, x.sticky));
-        words.extend(format.stream.pose_record(false, numbers).iter().map(|word| word.low() as u64));
+        let pose = Pose { bypass: false, ..self.pose };
+        words.extend(format.stream.pose_record(&pose).iter().map(|word| word.low() as u64));
         words.extend(self.rows.iter().map(|row| {
             let mut word = [0];
             for (slot, (choice, factor)) in (0..).zip(row.terms) {
@@ -113,19 +113,11 @@ impl Query {
         let spare =
             field(&words[5..6], QueryFlags::KEEP_CACHES + 1, QueryFlags::NUMBER_AT - QueryFlags::KEEP_CACHES - 1);
         let record = &words[EngineFormat::POSE_AT as usize..format.row_at(0) as usize];
-        if spare != 0 || field(record, BYPASS_AT, 1) != 0 {
+        let record: Vec<StreamWord> = record.iter().map(|&word| u128::from(word).into()).collect();
+        let pose = Record::new(&format.stream, &record).pose();
+        if spare != 0 || pose.bypass {
             return Err(Reason::UnknownHeader);
         }
-        let number = |i: u32| Input {
-            lo: signed(record, format.stream.number_at(i), format.transform_width),
-            sticky: format.sticky && field(record, i, 1) == 1,
-        };
-        debug_assert_eq!(format.stream.numbers(Kind::Pose), 12);
-        let pose = Pose {
-            m: [0, 1, 2].map(|i| [0, 1, 2].map(|j| number(3 * i + j))),
-            t: [9, 10, 11].map(number),
-            bypass: false,
-        };
         let rows = words[format.row_at(0) as usize..].iter().map(|word| {
             let at = |at, bits| field(std::slice::from_ref(word), at, bits) as u32;
             let terms = [0, 1, 2].map(|slot| {
@@ -136,7 +128,7 @@ impl Query {
             let known = terms.iter().zip(slots).all(|((choice, _), slot)| (*choice as usize) < slot.len());
             let spare = word.checked_shr(format.rest_at() + format.rest_bits()).unwrap_or(0);
             (known && spare == 0)
-                .then(|| Row { terms, rest: at(format.rest_at(), format.rest_bits()) })
+                .then(|| QueryRow { terms, rest: at(format.rest_at(), format.rest_bits()) })
                 .ok_or(Reason::UnknownHeader)
         });
         let error = |axis| field(&words[6..7], axis * format.shift_error_bits(), format.shift_error_bits()) as u32;

@@ -3,8 +3,9 @@
 use super::{Block, Frame, Link, Query, Side, Triangle, overlap};
 use crate::format::EngineFormat;
 use crate::params::EngineParams;
-use crate::words::{Answer, EngineReport, Reason};
-use efsat_unit::golden::{Golden, Pair, Verdict};
+use crate::words::{EngineAnswer, EngineReport, Reason};
+use efsat_unit::golden::Golden;
+use efsat_unit::pair::{Pair, Verdict};
 use efsat_unit::params::{ParamError, Params};
 use std::collections::VecDeque;
 
@@ -21,9 +22,9 @@ pub struct Model {
 
 /// What an engine answers. Of the report the counts of clocks and of memory are zero, which depend on time.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Outcome {
+pub struct EngineOutcome {
     /// Pairs of triangles, in no order that another engine has to keep.
-    pub answers: Vec<Answer>,
+    pub answers: Vec<EngineAnswer>,
     /// The report.
     pub report: EngineReport,
 }
@@ -77,7 +78,7 @@ impl Model {
     }
 
     /// Answers a packet over a memory of 64-bit words, one pair of nodes in flight at a time: strictly depth first.
-    pub fn run(&self, memory: &[u64], packet: &[u64]) -> Outcome {
+    pub fn run(&self, memory: &[u64], packet: &[u64]) -> EngineOutcome {
         self.run_paced(memory, packet, || false)
     }
 
@@ -86,12 +87,12 @@ impl Model {
     ///
     /// # Panics
     /// If the stack overflows, which is proved impossible.
-    pub fn run_paced(&self, memory: &[u64], packet: &[u64], issue: impl FnMut() -> bool) -> Outcome {
+    pub fn run_paced(&self, memory: &[u64], packet: &[u64], issue: impl FnMut() -> bool) -> EngineOutcome {
         self.visited(memory, packet, issue, None)
     }
 
     /// Answers a packet as [`Model::run`] does, and tells what the units were given.
-    pub fn visits(&self, memory: &[u64], packet: &[u64]) -> (Outcome, Visits) {
+    pub fn visits(&self, memory: &[u64], packet: &[u64]) -> (EngineOutcome, Visits) {
         let mut visits = Visits::default();
         let outcome = self.visited(memory, packet, || false, Some(&mut visits));
         (outcome, visits)
@@ -103,9 +104,11 @@ impl Model {
         packet: &[u64],
         issue: impl FnMut() -> bool,
         visits: Option<&mut Visits>,
-    ) -> Outcome {
+    ) -> EngineOutcome {
         match Query::of(packet, &self.format) {
-            Err(reason) => Outcome { answers: vec![], report: EngineReport { reason, ..EngineReport::default() } },
+            Err(reason) => {
+                EngineOutcome { answers: vec![], report: EngineReport { reason, ..EngineReport::default() } }
+            }
             Ok(query) => {
                 let report = EngineReport { number: query.number, ..EngineReport::default() };
                 let frame = query.frame(&self.format);
@@ -124,7 +127,7 @@ impl Model {
                 // What was found before a fault is answered; after the first contact nothing is.
                 let tested = if ended == Err(Reason::Contact) { Ok(()) } else { run.test() };
                 run.report.reason = ended.and(tested).err().unwrap_or_default();
-                Outcome { answers: run.answers, report: run.report }
+                EngineOutcome { answers: run.answers, report: run.report }
             }
         }
     }
@@ -139,7 +142,7 @@ struct Run<'a> {
     stack: Vec<Entry>,
     /// Pairs of triangles that are not tested yet.
     leaves: Vec<[u32; 2]>,
-    answers: Vec<Answer>,
+    answers: Vec<EngineAnswer>,
     report: EngineReport,
     visits: Option<&'a mut Visits>,
 }
@@ -308,7 +311,7 @@ impl Run<'_> {
                 Verdict::Intersect => self.report.intersect += 1,
                 Verdict::PossiblyIncorrect => self.report.possibly_incorrect += 1,
             }
-            self.answers.push(Answer { verdict: verdict as u8, triangles: [a.number, b.number] });
+            self.answers.push(EngineAnswer { verdict: verdict as u8, triangles: [a.number, b.number] });
             if self.query.first_contact && verdict == Verdict::Intersect {
                 return Err(Reason::Contact);
             }

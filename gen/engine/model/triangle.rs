@@ -2,7 +2,7 @@
 
 use super::block::{field, put, signed};
 use crate::format::EngineFormat;
-use efsat_unit::golden::Input;
+use efsat_unit::pair::Input;
 
 /// A triangle as the unit reads it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,7 +1,7 @@
 //! The words that an engine answers: pairs of triangles, and the report at the end.
 
 use super::QueryFlags;
-use efsat_unit::params::stream::REPORT;
+use efsat_unit::words::REPORT;
 
 /// Why a query has ended.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -56,14 +56,14 @@ impl Reason {
 
 /// A word of the answer that is a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Answer {
+pub struct EngineAnswer {
     /// The code of the verdict.
     pub verdict: u8,
     /// The numbers that the triangles of A and of B carry.
     pub triangles: [u32; 2],
 }
 
-impl Answer {
+impl EngineAnswer {
     /// Place of the number of A's triangle.
     pub const A_AT: u32 = 8;
     /// Place of the number of B's triangle.

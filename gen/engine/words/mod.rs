@@ -6,9 +6,11 @@
 mod answer;
 mod memory;
 mod query;
+mod sums;
 #[cfg(test)]
 mod tests;
 
-pub use answer::{Answer, EngineReport, Reason};
+pub use answer::{EngineAnswer, EngineReport, Reason};
 pub use memory::{BlockLayout, LEAF_BIT, LINK_NUMBER_BITS, NO_CHILD, TriangleLayout};
 pub use query::{Command, QueryFlags};
+pub use sums::Sums;

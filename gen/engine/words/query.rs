@@ -22,7 +22,7 @@ impl QueryFlags {
 }
 
 /// What a packet to the engine asks for. The discriminant is the low byte of its header; 1 and 2 are pairs and poses for the
-/// unit alone ([`Kind`](efsat_unit::params::stream::Kind)).
+/// unit alone ([`Kind`](efsat_unit::words::PacketKind)).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Command {

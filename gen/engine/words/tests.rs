@@ -4,9 +4,9 @@ use super::*;
 
 #[test]
 fn answers_and_reports_are_taken_apart_again() {
-    let answer = Answer { verdict: 2, triangles: [(1 << 28) - 1, 77] };
-    assert_eq!(Answer::of(answer.word()), Some(answer));
-    assert_eq!(Answer::of(answer.word() | 4), None);
+    let answer = EngineAnswer { verdict: 2, triangles: [(1 << 28) - 1, 77] };
+    assert_eq!(EngineAnswer::of(answer.word()), Some(answer));
+    assert_eq!(EngineAnswer::of(answer.word() | 4), None);
     let report = EngineReport {
         reason: Reason::BadTree,
         number: 0xabcdef,
@@ -26,7 +26,7 @@ fn answers_and_reports_are_taken_apart_again() {
     };
     let words = report.words();
     assert_eq!((words[0], words[7]), (0x1_abcd_ef8f, 14 | 15 << 32));
-    assert_eq!((EngineReport::of(&words), Answer::of(words[0])), (Some(report), None));
+    assert_eq!((EngineReport::of(&words), EngineAnswer::of(words[0])), (Some(report), None));
     assert_eq!(EngineReport::of(&words.map(|word| word & !(1 << 7))), None);
     for (code, reason) in Reason::ALL.into_iter().enumerate() {
         assert_eq!(reason as usize, code);

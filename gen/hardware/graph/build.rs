@@ -89,6 +89,13 @@ impl std::fmt::Debug for Sig<'_> {
 
 impl Library {
     /// A library in which the name of every unit begins with a prefix.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let library = Library::with_prefix("mine_");
+    /// let unit = library.unit("copy", &[], 1, |top| top.input(NUMBER, (0, 9)).named("x"));
+    /// assert_eq!(unit.name, "mine_copy");
+    /// ```
     pub fn with_prefix(prefix: &'static str) -> Self {
         Self { prefix, ..Self::default() }
     }
@@ -144,11 +151,30 @@ impl<'l> Top<'l> {
     }
 
     /// An input that is held for the pair.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let library = Library::default();
+    /// let unit = library.unit("twice", &["y = 2 x"], 1, |top| {
+    ///     let x = top.input(NUMBER, (0, 9)).named("x");
+    ///     (x + x).named("y")
+    /// });
+    /// assert_eq!(unit.range(unit.outputs[unit.output("y")].1.0), (0, 18));
+    /// ```
     pub fn input(self, ty: Type, range: Range) -> Sig<'l> {
         self.port(ty, vec![range], Rate::Pair)
     }
 
     /// An input that changes this many clocks before the slot ends.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let library = Library::default();
+    /// let unit = library.unit("held", &[], 4, |top| (-top.input_until(NUMBER, (0, 9), 1).named("x")).named("y"));
+    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&unit);
+    /// assert_eq!(schedule.slots[0].until, 3);
+    /// # Ok::<(), device::UnknownDevice>(())
+    /// ```
     pub fn input_until(self, ty: Type, range: Range, early: usize) -> Sig<'l> {
         let input = self.input(ty, range);
         self.library.with(self.unit, |draft| draft.unit.nodes[input.id.0].op = Op::Input { early });
@@ -156,6 +182,16 @@ impl<'l> Top<'l> {
     }
 
     /// An input that does not change while anything is in flight: it is there in every clock, and no register holds it.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let library = Library::default();
+    /// library.unit("sum", &[], 4, |top| {
+    ///     let x = top.steady(NUMBER, (0, 9)).named("x");
+    ///     assert_eq!(x.rate(), Rate::Any);
+    ///     (x + top.input(NUMBER, (0, 9)).named("y")).named("z")
+    /// });
+    /// ```
     pub fn steady(self, ty: Type, range: Range) -> Sig<'l> {
         let input = self.port(ty, vec![range], Rate::Any);
         self.library.with(self.unit, |draft| draft.unit.nodes[input.id.0].op = Op::Steady);
@@ -170,17 +206,35 @@ impl<'l> Top<'l> {
     }
 
     /// Number of phases.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(evaluated(3, &[5], |x| x[0].like(x[0].unit().interval() as i128) + x[0]), [8; 3]);
+    /// ```
     pub fn interval(self) -> usize {
         self.library.with(self.unit, |draft| draft.unit.interval)
     }
 
     /// A constant.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(value(&[5], |x| x[0].unit().constant(7, NUMBER) - x[0]), 2);
+    /// ```
     pub fn constant(self, value: i128, ty: Type) -> Sig<'l> {
         let op = Op::Comb(Constant(value, ty).into());
         self.library.shared(self.unit, op, ty, Rate::Any, vec![(value, value)])
     }
 
     /// A constant of its own: an element of a bundle.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(value(&[5], |x| {
+    ///     let both = [1, 2].map(|i| x[0].unit().element(i, NUMBER)).named("both");
+    ///     both[1] * x[0]
+    /// }), 10);
+    /// ```
     pub fn element(self, value: i128, ty: Type) -> Sig<'l> {
         let op = Op::Comb(Constant(value, ty).into());
         self.library.push(self.unit, op, vec![], ty, Rate::Any, vec![(value, value)])
@@ -198,6 +252,19 @@ impl<'l> Top<'l> {
     }
 
     /// A value that is connected later; its type and range are promised.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// // The last phase reads what the first has made.
+    /// let values = evaluated(2, &[5], |x| {
+    ///     let first = x[0].unit().later(NUMBER, (0, 900));
+    ///     let phases = Phases::new(2, |s| Some([x[0], first][s])).late(|signal| *signal == first);
+    ///     let next = (phases.mux().named("operand") + x[0].like(2)).named("next");
+    ///     first.connect(next.capture(0, false).within((0, 900), "x is positive").bits(16).named("first"));
+    ///     next
+    /// });
+    /// assert_eq!(values, [7, 9]);
+    /// ```
     pub fn later(self, ty: Type, range: Range) -> Sig<'l> {
         let sig = self.library.push(self.unit, Op::Input { early: 0 }, vec![], ty, Rate::Pair, vec![range]);
         self.library.with(self.unit, |draft| draft.later.insert(sig.id.0, None));
@@ -240,6 +307,11 @@ impl Library {
 
 impl<'l> Sig<'l> {
     /// The unit it is in.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(value(&[5], |x| x[0] + x[0].unit().constant(1, NUMBER)), 6);
+    /// ```
     pub fn unit(self) -> Top<'l> {
         Top { library: self.library, unit: self.unit }
     }
@@ -257,16 +329,42 @@ impl<'l> Sig<'l> {
     }
 
     /// Its type.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// value(&[5], |x| {
+    ///     assert_eq!((x[0] * x[0]).ty(), Type::signed(32, 0));
+    ///     x[0]
+    /// });
+    /// ```
     pub fn ty(self) -> Type {
         self.node(|n| n.ty)
     }
 
     /// How often it changes.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// evaluated(2, &[5, 6], |x| {
+    ///     assert_eq!(x[0].rate(), Rate::Pair);
+    ///     let shared = Phases::new(2, |s| Some(x[s])).mux();
+    ///     assert_eq!(shared.rate(), Rate::Phase);
+    ///     shared
+    /// });
+    /// ```
     pub fn rate(self) -> Rate {
         self.node(|n| n.rate)
     }
 
     /// Its fraction bits.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// value(&[5], |x| {
+    ///     assert_eq!(x[0].floor(3).fraction(), -3);
+    ///     x[0]
+    /// });
+    /// ```
     pub fn fraction(self) -> i32 {
         self.ty().fraction.unwrap_or(0)
     }
@@ -277,6 +375,14 @@ impl<'l> Sig<'l> {
     }
 
     /// The range of all its values.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// value(&[5], |x| {
+    ///     assert_eq!((x[0] - x[0].like(5)).range(), (-1005, 995));
+    ///     x[0]
+    /// });
+    /// ```
     pub fn range(self) -> Range {
         hull(self.ranges())
     }
@@ -306,6 +412,11 @@ impl<'l> Sig<'l> {
     ///
     /// # Panics
     /// If the operands do not fit the operation, or values its type.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(value(&[3, 4], |x| x[0].apply(Add::default(), &[x[1]])), 7);
+    /// ```
     pub fn apply(self, op: impl Into<Comb>, others: &[Self]) -> Self {
         let op = op.into();
         let args = joined(&[&[self], others].concat());
@@ -363,6 +474,16 @@ impl<'l> Sig<'l> {
     }
 
     /// Running disjunction over phases, anew where `first` is set.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let so_far = evaluated(4, &[1, 2, 4, 8], |x| {
+    ///     let flags = Phases::new(4, |s| Some(x[s])).mux().low(4).at_point(None);
+    ///     let first = Phases::new(4, |s| Some(i128::from(s == 0 || s == 2))).constant(x[0].unit(), Type::FLAG);
+    ///     flags.or_over_phases(first)
+    /// });
+    /// assert_eq!(so_far, [1, 3, 4, 12]);
+    /// ```
     pub fn or_over_phases(self, first: Self) -> Self {
         if first.range() == (1, 1) {
             return self;
@@ -379,6 +500,17 @@ impl<'l> Sig<'l> {
     }
 
     /// Connects a value made by [`Top::later`].
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// // What is made at the end, read where it is not there yet.
+    /// assert_eq!(value(&[5], |x| {
+    ///     let later = x[0].unit().later(NUMBER, (-1000, 1000));
+    ///     let y = later + x[0];
+    ///     later.connect(x[0]);
+    ///     y
+    /// }), 10);
+    /// ```
     pub fn connect(self, value: Self) {
         let (promised, found) = (self.range(), value.range());
         if !self.ty().same_bits(value.ty()) || found.0 < promised.0 || promised.1 < found.1 {
@@ -397,6 +529,16 @@ impl<'l> Sig<'l> {
     }
 
     /// Says what kind of value it is: where it has no name of its own, that ends the name of what reads it.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let library = Library::default();
+    /// let unit = library.unit("sum", &[], 1, |top| {
+    ///     let x = top.input(NUMBER, (0, 9)).named("x");
+    ///     ((x + x).called("twice") * x).named("y")
+    /// });
+    /// assert!(unit.nodes.iter().any(|node| node.name() == "y_twice"));
+    /// ```
     pub fn called(self, role: &str) -> Self {
         self.node(|n| {
             if !n.named {
@@ -435,6 +577,15 @@ impl<'l> Sig<'l> {
     }
 
     /// The value, which is known to be in a range by the named lemma.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// value(&[5], |x| {
+    ///     let y = (x[0] * x[0]).within((0, 1_000_000), "a square is not negative");
+    ///     assert_eq!(y.range(), (0, 1_000_000));
+    ///     y
+    /// });
+    /// ```
     pub fn within(self, range: Range, lemma: &'static str) -> Self {
         self.assume_range(range, lemma, &[])
     }
@@ -447,6 +598,16 @@ impl<'l> Sig<'l> {
     }
 
     /// The value, which is known to equal a function of others.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// value(&[5], |x| {
+    ///     // Rounded up, and in the range of what is.
+    ///     let up = (x[0].floor(1) + x[0].low(1).any()).known(Fact::Ceiling(1), &[x[0]]);
+    ///     assert_eq!(up.range(), (-500, 500));
+    ///     up
+    /// });
+    /// ```
     pub fn known(self, fact: Fact, of: &[Self]) -> Self {
         let args = [&[self], of].concat();
         let ranges = columns(&args, |r| fact.range(r));
@@ -454,6 +615,11 @@ impl<'l> Sig<'l> {
     }
 
     /// The same bits with the binary point elsewhere, or without one.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(value(&[5, 6], |x| x[0].floor(1).at_point(Some(0)) + x[1]), 8);
+    /// ```
     pub fn at_point(self, fraction: Option<i32>) -> Self {
         if self.ty().fraction == fraction {
             return self;

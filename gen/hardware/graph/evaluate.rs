@@ -13,6 +13,18 @@ pub struct Evaluator {
 
 impl Evaluator {
     /// Prepares the evaluation of `top`.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// # let library = Library::default();
+    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+    /// #     (x * x).named("y")
+    /// # });
+    /// let mut evaluator = Evaluator::new(&unit);
+    /// evaluator.run(&[-5]);
+    /// assert_eq!(evaluator.output("y"), 25);
+    /// ```
     pub fn new(top: &Rc<Unit>) -> Self {
         let flat = Flat::new(top);
         let values = vec![0; flat.nodes.len() * flat.interval];
@@ -20,6 +32,17 @@ impl Evaluator {
     }
 
     /// The dissolved graph.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// # let library = Library::default();
+    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+    /// #     (x * x).named("y")
+    /// # });
+    /// let mut evaluator = Evaluator::new(&unit);
+    /// assert_eq!(evaluator.flat().nodes.len(), 2);
+    /// ```
     pub fn flat(&self) -> &Flat {
         &self.flat
     }
@@ -28,6 +51,18 @@ impl Evaluator {
     ///
     /// # Panics
     /// If a lemma is violated, see [`Op::Assume`].
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// # let library = Library::default();
+    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+    /// #     (x * x).named("y")
+    /// # });
+    /// let mut evaluator = Evaluator::new(&unit);
+    /// evaluator.run(&[7]);
+    /// assert_eq!(evaluator.output("y"), 49);
+    /// ```
     pub fn run(&mut self, inputs: &[i128]) {
         let interval = self.flat.interval;
         let mut args = Vec::with_capacity(64);
@@ -69,6 +104,18 @@ impl Evaluator {
     }
 
     /// Value of a flat node in a phase, after [`Evaluator::run`].
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// # let library = Library::default();
+    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+    /// #     (x * x).named("y")
+    /// # });
+    /// let mut evaluator = Evaluator::new(&unit);
+    /// evaluator.run(&[7]);
+    /// assert_eq!(evaluator.at(evaluator.flat().outputs[0], 0), 49);
+    /// ```
     pub fn at(&self, node: usize, phase: usize) -> i128 {
         let Step { node, phase } = Step { node, phase: if self.flat.per_phase(node) { phase } else { 0 } };
         self.values[node * self.flat.interval + phase]
@@ -78,6 +125,18 @@ impl Evaluator {
     ///
     /// # Panics
     /// If there is no such output.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// # let library = Library::default();
+    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+    /// #     (x * x).named("y")
+    /// # });
+    /// let mut evaluator = Evaluator::new(&unit);
+    /// evaluator.run(&[3]);
+    /// assert_eq!(evaluator.output("y"), 9);
+    /// ```
     pub fn output(&self, name: &str) -> i128 {
         let unit = &self.flat.units[0];
         let value = |port: usize| self.at(self.flat.outputs[port], 0);

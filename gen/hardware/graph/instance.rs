@@ -45,6 +45,16 @@ ports! {
 ///
 /// # Panics
 /// If two different units have the name, or an operand does not fit.
+///
+/// ```
+/// # use efsat_hardware::testing::examples::*;
+/// fn twice<'l>(x: Sig<'l>) -> Sig<'l> {
+///     instance("twice", &["y = 2 x"], (Port("x", x),), |(Port(_, x),)| (x + x).named("y"))
+/// }
+/// assert_eq!(value(&[3], |x| twice(x[0])), 6);
+/// // The macro says the same.
+/// assert_eq!(value(&[3], |x| { let x = x[0]; efsat_hardware::entity!("twice", &[], (x) => (x + x).named("y")) }), 6);
+/// ```
 pub fn instance<'l, P: Ports<'l>, R: Signals<'l>>(name: &str, doc: &[&str], ports: P, body: impl FnOnce(P) -> R) -> R {
     let mut args: Vec<Sig<'l>> = vec![];
     ports.each(&mut |signal| {

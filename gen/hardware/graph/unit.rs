@@ -199,6 +199,14 @@ impl Unit {
         }
     }
 
+    /// The node that carries the value of a node in hardware.
+    pub fn carrier(&self, mut node: usize) -> usize {
+        while self.renames(node) {
+            node = self.nodes[node].args[0].0;
+        }
+        node
+    }
+
     /// Index of the output port of that name, in one word.
     ///
     /// # Panics

@@ -31,6 +31,12 @@ impl<'m> Bundle<Wire<'m>> for Wire<'m> {
 
 impl Control {
     /// An empty module.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let m = Control::new("nothing", vec!["Does nothing.".to_owned()]);
+    /// assert_eq!(m.finish().name, "nothing");
+    /// ```
     pub fn new(name: &str, doc: Vec<String>) -> Self {
         Self { module: RefCell::new(Module::new(name, doc)), later: RefCell::default() }
     }
@@ -44,6 +50,11 @@ impl Control {
     }
 
     /// An input port.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[3, 4]], |m| m.input("x", NUMBER).plus(1).output("y")), [[4, 5]]);
+    /// ```
     pub fn input(&self, place: impl Into<Place>, ty: Type) -> Wire<'_> {
         let wire = self.push(place.into(), ty, Driver::Port);
         self.module.borrow_mut().inputs.push(wire.id);
@@ -51,22 +62,57 @@ impl Control {
     }
 
     /// A constant.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[3, 4]], |m| m.input("x", NUMBER).equals(m.constant(4, NUMBER)).output("y")), [[0, 1]]);
+    /// ```
     pub fn constant(&self, value: i128, ty: Type) -> Wire<'_> {
         self.push(Place::default(), ty, Driver::Combinational { op: Constant(value, ty).into(), args: vec![] })
     }
 
     /// A signal that is made later, for an instance that is given what depends on its own outputs: see [`Wire::stands_for`].
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let inner = { let m = Control::new("inner", vec![]); (!m.input("x", Type::FLAG)).output("y"); m.finish() };
+    /// assert_eq!(simulated(&[&[0, 1]], |m| {
+    ///     let x = m.later(Type::FLAG);
+    ///     let y = m.instance("inner", &inner, &[x])[0];
+    ///     x.stands_for(m.input("x", Type::FLAG));
+    ///     y.output("y");
+    /// }), [[1, 0]]);
+    /// ```
     pub fn later(&self, ty: Type) -> Wire<'_> {
         self.constant(0, ty)
     }
 
     /// A register whose input is connected later by [`Wire::loads`].
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[3, 4, 5]], |m| {
+    ///     let x = m.input("x", NUMBER);
+    ///     let q = m.register("q", NUMBER);
+    ///     q.loads(x, None, None);
+    ///     q.output("y");
+    /// }), [[0, 3, 4]]);
+    /// ```
     pub fn register(&self, place: impl Into<Place>, ty: Type) -> Wire<'_> {
         self.push(place.into(), ty, Driver::Register { op: None, args: vec![], enable: None, reset: None })
     }
 
     /// A memory of as many words as the address counts, with one synchronous write port and one asynchronous read port:
     /// what is read.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[1, 0, 0], &[2, 0, 0], &[7, 8, 9]], |m| {
+    ///     let write = m.input("write", Type::FLAG);
+    ///     let (place, data) = (m.input("place", Type::unsigned(2)), m.input("data", NUMBER));
+    ///     m.memory("words", write, place, data, m.constant(2, Type::unsigned(2))).output("y");
+    /// }), [[0, 7, 7]]);
+    /// ```
     pub fn memory<'m>(
         &'m self,
         place: impl Into<Place>,
@@ -84,6 +130,12 @@ impl Control {
     ///
     /// # Panics
     /// If the operands do not fit its ports.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let inner = { let m = Control::new("inner", vec![]); m.input("x", NUMBER).plus(1).output("y"); m.finish() };
+    /// assert_eq!(simulated(&[&[3]], |m| m.instance("inner", &inner, &[m.input("x", NUMBER)])[0].output("y")), [[4]]);
+    /// ```
     pub fn instance<'m>(&'m self, label: &str, module: &Rc<Module>, inputs: &[Wire<'m>]) -> Vec<Wire<'m>> {
         assert_eq!(inputs.len(), module.inputs.len(), "instance {label} of {}", module.name);
         for (given, port) in inputs.iter().zip(&module.inputs) {
@@ -109,6 +161,13 @@ impl Control {
     }
 
     /// The finished module, without signals that nothing depends on.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let m = Control::new("inverter", vec![]);
+    /// (!m.input("x", Type::FLAG)).output("y");
+    /// assert_eq!(m.finish().signals.len(), 2);
+    /// ```
     pub fn finish(self) -> Rc<Module> {
         let mut module = self.module.into_inner();
         let later = self.later.into_inner();
@@ -129,11 +188,23 @@ impl From<&str> for Place {
 
 impl<'m> Wire<'m> {
     /// Its type.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[3]], |m| { let x = m.input("x", NUMBER); m.constant(7, x.ty()).output("y") }), [[7]]);
+    /// ```
     pub fn ty(self) -> Type {
         self.control.module.borrow().signals[self.id.0].ty
     }
 
     /// Names it.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let m = Control::new("inverter", vec![]);
+    /// (!m.input("x", Type::FLAG)).named("inverse").output("y");
+    /// assert_eq!(m.finish().signals[1].name(), "inverse");
+    /// ```
     pub fn named(self, place: impl Into<Place>) -> Self {
         let mut module = self.control.module.borrow_mut();
         let signal = &mut module.signals[self.id.0];
@@ -142,12 +213,26 @@ impl<'m> Wire<'m> {
     }
 
     /// Says what it is.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let m = Control::new("copy", vec![]);
+    /// m.input("x", Type::FLAG).comment("a flag").output("y");
+    /// assert_eq!(m.finish().signals[0].comment, "a flag");
+    /// ```
     pub fn comment(self, text: &str) -> Self {
         self.control.module.borrow_mut().signals[self.id.0].comment = text.to_owned();
         self
     }
 
     /// Makes an input port of the top one that may be left open: each of its bits has this value then.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// let m = Control::new("copy", vec![]);
+    /// m.input("x", Type::FLAG).or(true).output("y");
+    /// assert_eq!(m.finish().optional["x"], true);
+    /// ```
     pub fn or(self, bit: bool) -> Self {
         let mut module = self.control.module.borrow_mut();
         let name = module.signals[self.id.0].name();
@@ -157,6 +242,11 @@ impl<'m> Wire<'m> {
     }
 
     /// Makes it an output port.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[3]], |m| m.input("x", NUMBER).output("y")), [[3]]);
+    /// ```
     pub fn output(self, place: impl Into<Place>) {
         self.control.module.borrow_mut().outputs.push((place.into(), self.id));
     }
@@ -165,6 +255,11 @@ impl<'m> Wire<'m> {
     ///
     /// # Panics
     /// If the operands do not fit the operation.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[3]], |m| { let x = m.input("x", NUMBER); x.apply(Add(None), &[x]).output("y") }), [[6]]);
+    /// ```
     pub fn apply(self, op: impl Into<Comb>, others: &[Self]) -> Self {
         let op = op.into();
         let args = [&[self], others].concat();
@@ -180,6 +275,17 @@ impl<'m> Wire<'m> {
     ///
     /// # Panics
     /// If this is no register, or the types differ.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// // A counter that a flag stops, and that begins with 5.
+    /// assert_eq!(simulated(&[&[0, 0, 0, 1], &[1, 1, 0, 1]], |m| {
+    ///     let [reset, go] = ["reset", "go"].map(|name| m.input(name, Type::FLAG));
+    ///     let count = m.register("count", NUMBER);
+    ///     count.loads(count.plus(1), Some(go), Some((reset, 5)));
+    ///     count.output("y");
+    /// }), [[0, 1, 2, 2]]);
+    /// ```
     pub fn loads(self, data: Self, when: Option<Self>, reset_to: Option<(Self, i128)>) {
         let fits = self.ty().same_bits(data.ty());
         let mut module = self.control.module.borrow_mut();
@@ -197,32 +303,66 @@ impl<'m> Wire<'m> {
     ///
     /// # Panics
     /// If the types differ.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[3]], |m| {
+    ///     let x = m.later(NUMBER);
+    ///     x.plus(1).output("y");
+    ///     x.stands_for(m.input("x", NUMBER));
+    /// }), [[4]]);
+    /// ```
     pub fn stands_for(self, made: Self) {
         assert!(self.ty().same_bits(made.ty()), "{} is made later as {}", self.ty(), made.ty());
         self.control.later.borrow_mut().insert(self.id.0, made.id);
     }
 
     /// Flag: it equals a number.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[3, 4]], |m| m.input("x", NUMBER).is(4).output("y")), [[0, 1]]);
+    /// ```
     pub fn is(self, value: i128) -> Self {
         self.apply(Equal, &[self.control.constant(value, self.ty())])
     }
 
     /// Flag: both are equal.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[3, 4], &[3, 3]], |m| m.input("x", NUMBER).equals(m.input("y", NUMBER)).output("z")), [[1, 0]]);
+    /// ```
     pub fn equals(self, other: Self) -> Self {
         self.apply(Equal, &[other])
     }
 
     /// With this flag set the one, else the other.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[3, 4]], |m| { let x = m.input("x", NUMBER); x.is(3).choose(x, x.plus(5)).output("y") }), [[3, 9]]);
+    /// ```
     pub fn choose(self, set: Self, clear: Self) -> Self {
         self.apply(Select::default(), &[clear, set])
     }
 
     /// The lowest bits.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[13]], |m| m.input("x", NUMBER).low(3).output("y")), [[5]]);
+    /// ```
     pub fn low(self, bits: u32) -> Self {
         if self.ty() == Type::unsigned(bits) { self } else { self.apply(LowBits(bits), &[]) }
     }
 
     /// This number plus another, modulo its range.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(simulated(&[&[6, 7]], |m| m.input("x", Type::unsigned(3)).plus(1).output("y")), [[7, 0]]);
+    /// ```
     pub fn plus(self, number: i128) -> Self {
         let ty = self.ty();
         self.apply(Add(Some(ty.bits)), &[self.control.constant(number, ty)])

@@ -54,11 +54,39 @@ pub struct Lowering<'a> {
 
 impl<'a> Lowering<'a> {
     /// Lowers for the scheduler's device and clock.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// # let library = Library::default();
+    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+    /// #     (x * x).named("y")
+    /// # });
+    /// let device = device::find("xc2v6000-4")?;
+    /// let mut scheduler = Scheduler::new(device, 100);
+    /// let (module, _) = Lowering::new(&mut scheduler, device).lower(&unit, false);
+    /// assert_eq!(module.register_bits(), 32);
+    /// # Ok::<(), device::UnknownDevice>(())
+    /// ```
     pub fn new(scheduler: &'a mut Scheduler, device: &'static Device) -> Self {
         Self { scheduler, device, done: HashMap::new(), lines: HashMap::new() }
     }
 
     /// The module of a unit; `probed` brings out the nodes the unit marks.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// # let library = Library::default();
+    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+    /// #     (x * x).named("y")
+    /// # });
+    /// let device = device::find("xc2v6000-4")?;
+    /// let mut scheduler = Scheduler::new(device, 100);
+    /// let (module, probes) = Lowering::new(&mut scheduler, device).lower(&unit, true);
+    /// assert_eq!((module.latency, probes.len()), (Some(1), 0));
+    /// # Ok::<(), device::UnknownDevice>(())
+    /// ```
     pub fn lower(&mut self, unit: &Rc<Unit>, probed: bool) -> (Rc<Module>, Vec<Probe>) {
         let schedule = self.scheduler.schedule(unit);
         let mut modules = HashMap::new();
@@ -331,14 +359,6 @@ impl Lowered<'_> {
         self.fetch(arg, clock)
     }
 
-    /// The node that carries the value of node `i` in hardware.
-    fn carrier(&self, mut i: usize) -> usize {
-        while self.unit.renames(i) {
-            i = self.unit.nodes[i].args[0].0;
-        }
-        i
-    }
-
     /// The value of a node as it is in a clock.
     fn fetch(&mut self, i: usize, clock: i32) -> SignalId {
         self.fetch_earlier(i, clock, 0)
@@ -346,7 +366,7 @@ impl Lowered<'_> {
 
     /// The value of a node as it was some phases before a clock.
     fn fetch_earlier(&mut self, i: usize, clock: i32, phases: usize) -> SignalId {
-        let i = self.carrier(i);
+        let i = self.unit.carrier(i);
         let slot = self.schedule.slots[i];
         let (used, clock) = (clock, clock.saturating_add(phases as i32));
         match &self.unit.nodes[i].op {
@@ -395,7 +415,7 @@ impl Lowered<'_> {
 
     /// A per-pair value captured again so that its window begins in clock `earliest` to `latest`.
     fn hold(&mut self, i: usize, earliest: i32, latest: i32) -> SignalId {
-        let i = self.carrier(i);
+        let i = self.unit.carrier(i);
         let slot = self.schedule.slots[i];
         let base = self.base[i].expect("operands come first");
         let known = self.copies.range((base, earliest - slot.from)..=(base, latest - slot.from)).next_back();

@@ -201,7 +201,8 @@ impl<'a> Constraints<'a> {
     fn uses(&mut self, i: usize) {
         let (unit, slot) = (self.pass.unit, self.earliest[i]);
         if let (Op::Capture { .. }, Some(arg)) = (&unit.nodes[i].op, unit.nodes[i].args.first())
-            && let (Op::Earlier(_), Valid::Stream(from)) = (&unit.nodes[self.carrier(arg.0)].op, &self.valid[arg.0])
+            && let (Op::Earlier(_), Valid::Stream(from)) =
+                (&unit.nodes[self.pass.unit.carrier(arg.0)].op, &self.valid[arg.0])
         {
             return self.carry(arg.0, *from);
         }
@@ -252,20 +253,12 @@ impl<'a> Constraints<'a> {
         }
     }
 
-    /// The node that carries the value of node `i` in hardware.
-    fn carrier(&self, mut i: usize) -> usize {
-        while self.pass.unit.renames(i) {
-            i = self.pass.unit.nodes[i].args[0].0;
-        }
-        i
-    }
-
     /// A value of every phase is used in a clock.
     fn carry(&mut self, i: usize, mut at: Event) {
-        let mut i = self.carrier(i);
+        let mut i = self.pass.unit.carrier(i);
         while let Op::Earlier(phases) = &self.pass.unit.nodes[i].op {
             at = at.later(*phases as i32);
-            i = self.carrier(self.pass.unit.nodes[i].args[0].0);
+            i = self.pass.unit.carrier(self.pass.unit.nodes[i].args[0].0);
         }
         let Valid::Stream(from) = self.valid[i] else { return };
         // With one phase, a choice among one is the per-pair value itself, and all that use it share its registers.
@@ -289,7 +282,7 @@ impl<'a> Constraints<'a> {
 
     /// A per-pair value is used.
     fn hold(&mut self, i: usize, windows: &[Window], reading: Reading) {
-        let i = self.carrier(i);
+        let i = self.pass.unit.carrier(i);
         for w in windows {
             self.order(w.from.later(i32::from(reading.captured)), reading.first);
         }

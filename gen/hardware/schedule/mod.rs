@@ -81,6 +81,18 @@ pub struct Schedule {
 
 impl Schedule {
     /// The schedules of the unit and of all units in it, instantiated ones first, each with its number of instances.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// # let library = Library::default();
+    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+    /// #     (x * x).named("y")
+    /// # });
+    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&unit);
+    /// assert_eq!(schedule.hierarchy().len(), 1);
+    /// # Ok::<(), device::UnknownDevice>(())
+    /// ```
     pub fn hierarchy(self: &Rc<Self>) -> Vec<(Rc<Schedule>, usize)> {
         fn visit(schedule: &Rc<Schedule>, all: &mut Vec<(Rc<Schedule>, usize)>) {
             schedule.children.values().for_each(|child| visit(child, all));
@@ -95,6 +107,18 @@ impl Schedule {
     }
 
     /// Clocks by which late phases follow the others.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// # let library = Library::default();
+    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+    /// #     (x * x).named("y")
+    /// # });
+    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&unit);
+    /// assert_eq!(schedule.lag_clocks(), 0, "no late phases");
+    /// # Ok::<(), device::UnknownDevice>(())
+    /// ```
     pub fn lag_clocks(&self) -> i32 {
         self.lag * self.unit.interval as i32
     }
@@ -118,16 +142,40 @@ const MOST_LAG: i32 = 256;
 
 impl Scheduler {
     /// A scheduler for a clock in MHz.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(Scheduler::new(device::find("xc2v6000-4")?, 100).period(), 10.0);
+    /// # Ok::<(), device::UnknownDevice>(())
+    /// ```
     pub fn new(device: &'static Device, frequency: u32) -> Self {
         Self { device, period: 1000.0 / f64::from(frequency), done: HashMap::new() }
     }
 
     /// Clock period, ns.
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// assert_eq!(Scheduler::new(device::find("xc2v6000-4")?, 50).period(), 20.0);
+    /// # Ok::<(), device::UnknownDevice>(())
+    /// ```
     pub fn period(&self) -> f64 {
         self.period
     }
 
     /// The schedule of a unit (made on first use).
+    ///
+    /// ```
+    /// # use efsat_hardware::testing::examples::*;
+    /// # let library = Library::default();
+    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
+    /// #     (x * x).named("y")
+    /// # });
+    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&unit);
+    /// assert_eq!(schedule.latency, 1, "a product has a register");
+    /// # Ok::<(), device::UnknownDevice>(())
+    /// ```
     pub fn schedule(&mut self, unit: &Rc<Unit>) -> Rc<Schedule> {
         if let Some(schedule) = self.done.get(&Rc::as_ptr(unit)) {
             return Rc::clone(schedule);

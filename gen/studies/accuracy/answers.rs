@@ -4,8 +4,8 @@ use super::pairs::{Asked, Pairs};
 use super::timing::{Timing, Yardstick, batch_ns};
 use super::wilson;
 use efsat_geometry::Points;
-use efsat_unit::golden::Verdict;
 use efsat_unit::host::{Relations, Verdicts};
+use efsat_unit::pair::Verdict;
 use efsat_unit::params::Params;
 use serde::{Deserialize, Serialize};
 

@@ -3,7 +3,7 @@
 use super::Answers;
 use super::causes::{Case, Model, Reason, Reasons};
 use super::pairs::{Asked, Pairs};
-use efsat_unit::golden::Exact;
+use efsat_unit::golden::Lossless;
 use efsat_unit::params::{Axes, AxisKind, Params, Projections, Upper};
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -70,7 +70,7 @@ impl Floor {
         let (answers, undecided) = Answers::ask(pairs, &params);
         let asked = Asked::new(pairs, &params);
         let places = Pairs::spread(&undecided, SAMPLE);
-        let exact = Model::new(&params, Exact::ALL);
+        let exact = Model::new(&params, Lossless::ALL);
         let one = |&place: &u32| {
             let (case, outcome) = (Case::new(&asked, place as usize)?, asked.outcome(place as usize)?);
             let axes = exact.axes(&case);

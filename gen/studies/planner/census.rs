@@ -5,7 +5,7 @@ use super::sample::{Least, Place, mixed};
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::Meeting;
 use efsat_geometry::scene::hierarchy::Statistics;
-use efsat_unit::host::Stage;
+use efsat_unit::host::ReadyScene;
 use efsat_unit::params::Params;
 use nalgebra::{Matrix3, Point3};
 use rayon::prelude::*;
@@ -53,7 +53,7 @@ impl Census {
     /// Looks at all frames. `params` are those of a unit with the whole transform.
     pub fn new(front: &Front<'_>, params: &Params) -> Self {
         let scene = front.scene();
-        let stage = Stage::new(scene, params);
+        let stage = ReadyScene::new(scene, params);
         let objects = scene.objects.len() as u64;
         // The domain is two units wide.
         let ulp = (-f64::from(params.input().fraction + 1)).exp2();
@@ -112,7 +112,7 @@ impl Census {
     }
 
     /// Counts the pose of a meeting, of which one surviving pair is given.
-    fn pose(&mut self, stage: &Stage<'_>, meeting: &Meeting, pair: (u32, u32)) {
+    fn pose(&mut self, stage: &ReadyScene<'_>, meeting: &Meeting, pair: (u32, u32)) {
         if meeting.pose.rotation() != Matrix3::identity() {
             self.rotations += 1;
             return;

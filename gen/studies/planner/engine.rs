@@ -5,8 +5,8 @@ use super::outcome::Counted;
 use super::{Contact, Front, Place, Row};
 use efsat_checks::cosim::CosimError;
 use efsat_checks::cosim::engine::{Channel, Machine};
-use efsat_engine::driver::{Contacts, Engine, Job, Objects, Options, StandIn};
-use efsat_engine::words::EngineReport;
+use efsat_engine::driver::{Contacts, Engine, Job, Objects, QueryOptions, StandIn};
+use efsat_engine::words::{EngineReport, Sums};
 use efsat_geometry::scene::{Frame, Meeting};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -17,22 +17,11 @@ const BATCH: usize = 64;
 /// What a frame came to.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct EngineCounts {
-    /// Queries: pairs of objects that meet.
-    pub queries: u64,
+    /// What the queries came to: one for each two objects that meet.
+    #[serde(flatten)]
+    pub sums: Sums,
     /// Queries that were answered in software.
     pub in_software: u64,
-    /// Pairs of nodes opened.
-    pub expansions: u64,
-    /// Pairs of volumes tested.
-    pub tests: u64,
-    /// Those that may overlap.
-    pub survivors: u64,
-    /// Those of them that are two triangles.
-    pub leaf_pairs: u64,
-    /// Pairs of triangles that intersect for certain.
-    pub intersect: u64,
-    /// Pairs that the unit leaves open.
-    pub possibly_incorrect: u64,
     /// Pairs that have a common point, in the end.
     pub touching: u64,
     /// Clocks that the reports say, 0 of the reference model.
@@ -43,14 +32,8 @@ impl EngineCounts {
     fn of(contacts: &Contacts) -> Self {
         let report = contacts.report.unwrap_or_default();
         Self {
-            queries: 1,
+            sums: (&report).into(),
             in_software: contacts.software.is_some().into(),
-            expansions: report.expansions.into(),
-            tests: report.tests.into(),
-            survivors: report.survivors.into(),
-            leaf_pairs: report.leaf_pairs.into(),
-            intersect: report.intersect.into(),
-            possibly_incorrect: report.possibly_incorrect.into(),
             touching: contacts.touching().count() as u64,
             clocks: report.clocks.into(),
         }
@@ -58,14 +41,8 @@ impl EngineCounts {
 
     /// Adds other counts.
     pub fn add(&mut self, other: &Self) {
-        self.queries += other.queries;
+        self.sums += other.sums;
         self.in_software += other.in_software;
-        self.expansions += other.expansions;
-        self.tests += other.tests;
-        self.survivors += other.survivors;
-        self.leaf_pairs += other.leaf_pairs;
-        self.intersect += other.intersect;
-        self.possibly_incorrect += other.possibly_incorrect;
         self.touching += other.touching;
         self.clocks += other.clocks;
     }
@@ -87,14 +64,14 @@ impl Counted for EngineCounts {
 
     fn list(&self) -> [u64; 10] {
         [
-            self.queries,
+            self.sums.queries,
             self.in_software,
-            self.expansions,
-            self.tests,
-            self.survivors,
-            self.leaf_pairs,
-            self.intersect,
-            self.possibly_incorrect,
+            self.sums.expansions,
+            self.sums.tests,
+            self.sums.survivors,
+            self.sums.leaf_pairs,
+            self.sums.intersect,
+            self.sums.possibly_incorrect,
             self.touching,
             self.clocks,
         ]
@@ -104,7 +81,12 @@ impl Counted for EngineCounts {
         format!(
             "{} queries to the engine: {} pairs of triangles are left by the trees, {} intersect and {} are possibly incorrect; {} \
              queries were answered in software. By the exact answers {} pairs touch.",
-            self.queries, self.leaf_pairs, self.intersect, self.possibly_incorrect, self.in_software, self.touching
+            self.sums.queries,
+            self.sums.leaf_pairs,
+            self.sums.intersect,
+            self.sums.possibly_incorrect,
+            self.in_software,
+            self.touching
         )
     }
 }
@@ -127,7 +109,7 @@ pub fn run<E: Engine, F: From<E::Error>>(
     for batch in frames.chunks(BATCH) {
         let meetings: Vec<Meeting> = batch.iter().flat_map(|&frame| front.near.meetings(frame)).collect();
         // The memory stays as it is.
-        let options = Options { keep_caches: true, ..Options::default() };
+        let options = QueryOptions { keep_caches: true, ..QueryOptions::default() };
         let job = |meeting: &Meeting| -> Job<'_, '_> { objects.query(meeting.meshes, &meeting.pose, options) };
         let jobs: Vec<Job<'_, '_>> = meetings.par_iter().map(job).collect();
         let answers = objects.contacts(jobs, engine)?;

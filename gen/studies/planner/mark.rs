@@ -1,7 +1,7 @@
 //! What is said of a triangle in pictures and in the viewer.
 
 use super::Contact;
-use efsat_unit::golden::Verdict;
+use efsat_unit::pair::Verdict;
 
 /// What is said of a triangle, the most important first. Colours after Okabe and Ito: told apart with any kind of colour
 /// vision.

@@ -2,8 +2,9 @@
 
 use super::Front;
 use efsat_geometry::scene::Meeting;
-use efsat_unit::golden::{Golden, Verdict};
-use efsat_unit::host::{Answer, Host, Posed, ScenePose, Stage, Verdicts};
+use efsat_unit::golden::Golden;
+use efsat_unit::host::{Answer, Host, ReadyMeeting, ReadyScene, ScenePose, Verdicts};
+use efsat_unit::pair::Verdict;
 use efsat_unit::params::{Params, Transform};
 use rayon::prelude::*;
 use serde::Serialize;
@@ -51,7 +52,7 @@ impl Tally {
 
 /// Units with the hosts in front of them.
 pub(super) struct Units<'a> {
-    stages: Vec<Stage<'a>>,
+    stages: Vec<ReadyScene<'a>>,
     list: Vec<Member>,
 }
 
@@ -64,7 +65,7 @@ struct Member {
 /// Units at a meeting.
 pub(super) struct Met<'a, 'b> {
     units: &'b Units<'a>,
-    posed: &'b [Posed<'b>],
+    posed: &'b [ReadyMeeting<'b>],
     hosts: Vec<ScenePose<'b>>,
 }
 
@@ -87,20 +88,20 @@ impl<'a> Units<'a> {
             list.push(Member { golden: Golden::new(params), stage: known.unwrap_or(keys.len()) });
             if known.is_none() {
                 keys.push(key);
-                stages.push(Stage::new(front.scene(), params));
+                stages.push(ReadyScene::new(front.scene(), params));
             }
         }
         Self { stages, list }
     }
 
     /// The objects of a meeting for each host.
-    pub fn posed(&self, meeting: &Meeting) -> Vec<Posed<'_>> {
+    pub fn posed(&self, meeting: &Meeting) -> Vec<ReadyMeeting<'_>> {
         self.stages.iter().map(|stage| stage.posed(meeting)).collect()
     }
 
     /// The units at a meeting; `posed` is from [`posed`](Self::posed).
-    pub fn at<'b>(&'b self, posed: &'b [Posed<'b>]) -> Met<'a, 'b> {
-        Met { units: self, posed, hosts: posed.iter().map(Posed::host).collect() }
+    pub fn at<'b>(&'b self, posed: &'b [ReadyMeeting<'b>]) -> Met<'a, 'b> {
+        Met { units: self, posed, hosts: posed.iter().map(ReadyMeeting::host).collect() }
     }
 }
 

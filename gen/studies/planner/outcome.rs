@@ -3,7 +3,7 @@
 use super::Place;
 use efsat_geometry::exact::Exact;
 use efsat_geometry::scene::hierarchy::Statistics;
-use efsat_unit::golden::Verdict;
+use efsat_unit::pair::Verdict;
 use serde::Serialize;
 
 /// Which pairs are remembered to be simulated.

@@ -8,8 +8,8 @@ use super::{Front, Plan};
 use efsat_geometry::exact::Exact;
 use efsat_geometry::scene::hierarchy::Scratch;
 use efsat_geometry::scene::{Frame, Meeting};
-use efsat_unit::golden::Verdict;
-use efsat_unit::host::Posed;
+use efsat_unit::host::ReadyMeeting;
+use efsat_unit::pair::Verdict;
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 
@@ -140,7 +140,7 @@ impl<'a, 'b> Answering<'a, 'b> {
         }
     }
 
-    fn share(&self, meeting: &Meeting, met: &Met<'_, '_>, posed: &Posed<'_>, pairs: &[(u32, u32)]) -> Found {
+    fn share(&self, meeting: &Meeting, met: &Met<'_, '_>, posed: &ReadyMeeting<'_>, pairs: &[(u32, u32)]) -> Found {
         let mut found = Found::default();
         for &pair in pairs {
             let place = Place::new(meeting, pair);

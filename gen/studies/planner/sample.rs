@@ -3,8 +3,8 @@
 use super::Front;
 use efsat_geometry::scene::Meeting;
 use efsat_unit::artefact::Stimulus;
-use efsat_unit::golden::{Pair, Verdict};
-use efsat_unit::host::{Host, Stage};
+use efsat_unit::host::{Host, ReadyScene};
+use efsat_unit::pair::{Pair, Verdict};
 use efsat_unit::params::Params;
 
 /// A pair of triangles of a scene.
@@ -73,7 +73,7 @@ impl<K: Ord + Copy, T> Least<K, T> {
 
 /// What a unit is driven with for some places, in their order, and what the host decides of them.
 pub(super) fn stimulus(front: &Front<'_>, params: &Params, places: &[Place]) -> (Stimulus, Vec<Verdict>) {
-    let stage = Stage::new(front.scene(), params);
+    let stage = ReadyScene::new(front.scene(), params);
     let (mut stimulus, mut decided) = (Stimulus::default(), vec![]);
     for of_frame in places.chunk_by(|x, y| x.frame == y.frame) {
         let meetings = front.near.meetings(of_frame[0].frame);

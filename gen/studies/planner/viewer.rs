@@ -6,8 +6,9 @@ use super::outcome::{Contact, Counted, Row};
 use super::segment::segment;
 use askama::Template;
 use efsat_geometry::scene::{Frame, Pose};
-use efsat_unit::golden::{Golden, Outcome, Verdict};
-use efsat_unit::host::{Host, Posed, ScenePose, Stage};
+use efsat_unit::golden::Golden;
+use efsat_unit::host::{Host, ReadyMeeting, ReadyScene, ScenePose};
+use efsat_unit::pair::{Outcome, Verdict};
 use efsat_unit::params::{Method, Params};
 use nalgebra::Point3;
 use serde::Serialize;
@@ -85,7 +86,7 @@ const MOST: usize = 200_000;
 /// Collects what the page shows.
 pub struct Viewer<'a, 'b> {
     front: &'b Front<'a>,
-    stage: Stage<'a>,
+    stage: ReadyScene<'a>,
     golden: Golden,
     params: Params,
     frames: Vec<Shown>,
@@ -99,7 +100,7 @@ impl<'a, 'b> Viewer<'a, 'b> {
     /// A viewer of what a unit says, with nothing in it yet.
     pub fn new(front: &'b Front<'a>, params: &Params) -> Self {
         let params = params.clone();
-        let stage = Stage::new(front.scene(), &params);
+        let stage = ReadyScene::new(front.scene(), &params);
         let witnesses = if params.method == Method::Axes { axes(params.axes.count()) } else { vec![] };
         Self { front, stage, golden: Golden::new(&params), params, frames: vec![], witnesses, shown: 0, left_out: 0 }
     }
@@ -239,7 +240,7 @@ fn axes(count: usize) -> Vec<String> {
 fn signs(
     golden: &Golden,
     params: &Params,
-    posed: &Posed<'_>,
+    posed: &ReadyMeeting<'_>,
     host: &ScenePose<'_>,
     pair: (u32, u32),
 ) -> Option<(Vec<String>, String)> {

@@ -3,8 +3,8 @@
 use super::grid::{Grid, SIZE};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::software;
-use efsat_unit::golden::Verdict;
 use efsat_unit::host::Reference;
+use efsat_unit::pair::Verdict;
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 

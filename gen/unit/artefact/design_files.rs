@@ -1,14 +1,16 @@
 //! All files of a generated design, as one value.
 
-use super::example::Core;
-use super::file_lists::FileLists;
-use super::project::Project;
+use super::check::{stream_vectors, testbench, vectors};
+use super::files::file_lists::FileLists;
+use super::files::manifest;
+use super::files::project::Project;
 use super::units::{UnitRow, first_sentence, units};
+use super::wrap::example::Core;
+use super::wrap::{board, drop_in, example, host, ise, stream, vivado};
 use super::{FileSet, Prefix, Stimulus, origin, vhdl_files};
-use super::{board, drop_in, example, ise, layout, manifest, stream, stream_vectors, testbench, vectors, vivado};
 use crate::design::Design;
 use crate::design::top::pace;
-use crate::params::stream::{StreamFormat, StreamWidth};
+use crate::words::{StreamFormat, StreamWidth};
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
 use efsat_hardware::vhdl::lint::{Finding, lint};
@@ -102,9 +104,9 @@ pub fn design_files_with(
     let mut describe =
         |name: &str, what: &str| described.push(Described { name: name.to_owned(), what: what.to_owned() });
     set.insert(&lists.wrapper, stream::wrapper(design, &format, prefix, &origin));
-    set.insert(&lists.constants, layout::package(design, &format, prefix));
+    set.insert(&lists.constants, host::package(design, &format, prefix));
     describe(&lists.constants, "Widths, latency and places in the words of the stream, as VHDL constants for users.");
-    for (name, text) in layout::host(design, &format, prefix) {
+    for (name, text) in host::files(design, &format, prefix) {
         set.insert(name, text);
     }
     describe("host", "The words of the stream in C and in Python: constants, packing, unpacking.");

@@ -1,41 +1,24 @@
 //! The set of generated files, as values: VHDL, testbenches, vectors, projects for tools and boards, and the manifest.
 //!
 //! [`design_files`] makes the whole set of a design, [`FileSet`] writes or compares it as a whole. Texts are printed by
-//! templates from ready values; nothing here decides a number of the design.
+//! templates from ready values; nothing here decides a number of the design. What has to do with [`files`] of any kind, what
+//! [`check`]s a design, and what is [`wrap`]ped around it are rooms of their own.
 
 pub(crate) mod bits;
-pub(crate) mod board;
+pub mod check;
 mod design_files;
-mod drop_in;
-pub(crate) mod example;
-pub mod file_lists;
-mod file_set;
-mod ise;
-pub(crate) mod layout;
-pub(crate) mod manifest;
-mod prefix;
+mod dumps;
+pub mod files;
 mod programmes;
-pub(crate) mod project;
-mod ready;
-mod scratch;
-pub mod sources;
-mod stimulus;
-pub mod stream;
-pub mod stream_vectors;
-pub mod testbench;
 mod units;
-pub mod vectors;
-pub(crate) mod verilog;
-mod verilog_file;
-mod vivado;
+pub mod wrap;
 
+pub use check::{Stimulus, stream_vectors, testbench, vectors};
 pub use design_files::{DesignFilesError, Packaging, design_files, design_files_with};
-pub use file_set::{Difference, FileSet, FileSetError};
-pub use prefix::{Prefix, PrefixError};
+pub use dumps::dump_files;
+pub use files::{
+    Difference, FileSet, FileSetError, Prefix, PrefixError, ReadyDesign, Scratch, VerilogFile, file_lists, interrupted,
+    origin, ready_designs, sources, vhdl_files,
+};
 pub use programmes::programme_files;
-pub use ready::{ReadyDesign, ready_designs};
-pub use scratch::{Scratch, interrupted};
-pub use sources::{origin, vhdl_files};
-pub use vectors::Stimulus;
-pub use verilog::verilog_files;
-pub use verilog_file::VerilogFile;
+pub use wrap::{stream, verilog_files};

@@ -1,6 +1,7 @@
 //! The schedules of a design as linear programs, for any solver.
 
-use super::{FileSet, manifest};
+use super::FileSet;
+use super::files::manifest;
 use crate::design::Design;
 use std::fmt::Write;
 

@@ -3,11 +3,10 @@
 //! One file per unit; the entity that is printed has the file's name. Reading order: [`interval`], [`product`] and
 //! [`rounding`] (operators), [`cross_product`], [`axis_shift`], [`projection`], [`comparator`] (one axis), [`transform_row`],
 //! [`edge_test`], [`renormalise`] (before the axes), [`guard`] (before those), [`pipeline`] (what is shared, and when; its axes in
-//! `axis_stage`), [`sequencer`] and [`top`] (handshakes). [`determinants`] is the other data path, in place of `pipeline`.
+//! `tested_axes`), [`sequencer`] and [`top`] (handshakes). [`determinants`] is the other data path, in place of `pipeline`.
 
 pub mod axes;
 pub mod axis_shift;
-mod axis_stage;
 pub mod comparator;
 pub mod cross_product;
 pub mod determinants;
@@ -23,6 +22,7 @@ pub mod renormalise;
 pub mod rounding;
 pub mod sequencer;
 pub(crate) mod slots;
+mod tested_axes;
 pub mod top;
 pub mod transform_row;
 

@@ -5,14 +5,14 @@
 //! order of the contract or in that in which [edges come](super::axes::Axis::as_edges_come). Where
 //! there is a [guard](super::guard), numbers pass it on their way to the first unit.
 
-use super::axis_stage::{self, Edges, Flags};
 use super::guard::{Guards, any};
 use super::interval::{Factor, Factors, Interval, Vector};
 use super::number::Number;
 use super::renormalise;
 use super::rounding::{Rounding, Roundings};
+use super::tested_axes::{self, Edges, Flags};
 use super::transform_row::{transform_row, translate_row};
-use crate::params::{Formats, Params, Row, Transform};
+use crate::params::{FormatRow, Formats, Params, Transform};
 use efsat_hardware::graph::{Library, Phases, Sig, Signals, Top, Unit, Vec3};
 use efsat_hardware::op::Type;
 use std::rc::Rc;
@@ -33,7 +33,7 @@ pub fn unit(p: &Params) -> Rc<Unit> {
         let b = pose.map(|pose| path.transformed(&w, &pose));
         let (points, edges) = path.working(&v, &w, b.as_ref());
         let outside = path.guards.outside();
-        let Flags { separated, overlapping, pierced } = axis_stage::axes(u, p, &points, &edges, outside);
+        let Flags { separated, overlapping, pierced } = tested_axes::axes(u, p, &points, &edges, outside);
         // Section 7.
         let separate = any(&separated).named("separate");
         let surely = (!(!overlapping[0].below(&overlapping[1..11])).any()).named("all_overlap");
@@ -201,7 +201,7 @@ impl<'l> Path<'l, '_> {
 
     /// The rounding of edge `k` of a triangle, and where re-normalisation bounds it by the lemma anchored-edge, that bound.
     fn edge_format(&self, triangle: usize, k: usize) -> (Rounding, Option<i128>) {
-        let row: &Row = if triangle == 0 { &self.formats.edge_a[k] } else { &self.formats.edge_b };
+        let row: &FormatRow = if triangle == 0 { &self.formats.edge_a[k] } else { &self.formats.edge_b };
         let anchored = self.p.renormalise && triangle == 0 && k != 1;
         (Rounding::to_row(self.grid(), row), anchored.then(|| (1 << self.grid()) + 1))
     }

@@ -1,7 +1,7 @@
 //! Rounding outward: the lower bound toward minus infinity, the upper bound toward plus infinity.
 
 use super::interval::Interval;
-use crate::params::{Params, Row};
+use crate::params::{FormatRow, Params};
 use efsat_hardware::graph::{Fact, Phases, Sig, Signals, Top};
 use efsat_hardware::number::Upper;
 use efsat_hardware::op::{Select, Type};
@@ -17,7 +17,7 @@ pub struct Rounding {
 
 impl Rounding {
     /// From so many fraction bits to a row's format.
-    pub fn to_row(fraction: i32, row: &Row) -> Self {
+    pub fn to_row(fraction: i32, row: &FormatRow) -> Self {
         Self { drop: fraction - row.format.fraction, saturate: row.clamp.map(|c| (c.bound, c.lemma)) }
     }
 }

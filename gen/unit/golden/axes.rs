@@ -5,7 +5,7 @@ use std::fmt;
 use super::interval::{
     Mantissa, Rounding, Triple, Vector, Wide, cross_component, difference, hull, negated, shifted, three,
 };
-use super::{Exact, Stage};
+use super::{Loss, Lossless};
 use crate::params::{Axes, AxisKind, Params};
 
 /// One separating axis.
@@ -103,13 +103,13 @@ pub(super) struct AxisUnit {
 }
 
 impl AxisUnit {
-    pub fn new(p: &Params, exact: Exact) -> Self {
+    pub fn new(p: &Params, exact: Lossless) -> Self {
         let f = p.formats();
         let grid = f.coordinate_a.format.fraction;
         let edge_a = three(|k| f.edge_a[k].format.fraction);
         let edge_b = f.edge_b.format.fraction;
         let normal = |kind| f.axis(kind).format.fraction;
-        let to_row = |fraction, row| Rounding::to_row(fraction, row, p.upper).left_out_if(exact.has(Stage::Axis));
+        let to_row = |fraction, row| Rounding::to_row(fraction, row, p.upper).left_out_if(exact.has(Loss::Axis));
         let to = |fraction, kind| to_row(fraction, f.axis(kind));
         Self {
             edge_a: three(|k| to_row(grid, &f.edge_a[k])),

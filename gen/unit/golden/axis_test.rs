@@ -8,13 +8,14 @@
 
 use super::axes::{Axis, AxisUnit};
 use super::edge_test::Sides;
-use super::input::{Input, Numbers, Pair, Pose};
 use super::interval::{Flags, Triple, Vector, Wide, three};
+use super::losses::Lossless;
+use super::numbers::Numbers;
 use super::projection::{Images, ProjectionUnit};
 use super::renormalise::Normaliser;
-use super::stages::Exact;
 use super::transform::Frame;
-use super::verdict::{Enclosure, Outcome};
+use super::verdict::Enclosure;
+use crate::pair::{Input, Outcome, Pair, Pose};
 use crate::params::{Axes, Params, Transform};
 use efsat_hardware::number::{Interval, Upper};
 
@@ -45,7 +46,7 @@ pub(super) struct Tested<'a, M> {
 
 impl AxisTest {
     /// The model without the roundings of these stages.
-    pub fn without(params: &Params, exact: Exact) -> Self {
+    pub fn without(params: &Params, exact: Lossless) -> Self {
         Self {
             upper: params.upper,
             axes: params.axes,

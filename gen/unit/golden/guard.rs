@@ -1,6 +1,6 @@
 //! The guard: which pairs are outside the declared ranges, and what the unit goes on with then (contract section 10).
 
-use super::{Input, Pair, Pose};
+use crate::pair::{Input, Pair, Pose};
 use crate::params::{Params, Transform};
 use efsat_hardware::number::Upper;
 

@@ -3,7 +3,7 @@
 
 use std::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
 
-use crate::params::Row;
+use crate::params::FormatRow;
 use efsat_hardware::number::{Interval, Upper};
 
 /// Three coordinates or components.
@@ -239,7 +239,7 @@ impl Rounding {
     }
 
     /// From `fraction` fraction bits to the format of `row`, clamped as the row says.
-    pub fn to_row(fraction: i32, row: &Row, upper: impl Into<Option<Upper>>) -> Self {
+    pub fn to_row(fraction: i32, row: &FormatRow, upper: impl Into<Option<Upper>>) -> Self {
         let clamp = row.clamp.map_or(i64::MAX, |c| c.bound as i64);
         Self { clamp, ..Self::dropping(fraction - row.format.fraction, upper) }
     }

@@ -4,9 +4,8 @@
 //! have exact sums and products there, exact powers of two as factors, and floors and ceilings.
 
 use super::axis_test::{AxisTest, Shown};
-use super::input::{Pair, Pose};
 use super::interval::{Flags, Mantissa, Ordered, Rounding, Triple, Wide};
-use super::verdict::{Outcome, Verdict};
+use crate::pair::{Outcome, Pair, Pose, Verdict};
 use efsat_hardware::number::{Interval, Upper};
 use std::ops::{Add, BitAnd, BitOr, Mul, Neg, Sub};
 use wide::{f64x8, i64x8, u64x8};

@@ -16,12 +16,12 @@ mod determinants;
 mod edge_test;
 mod exact;
 mod guard;
-mod input;
 mod interval;
 mod lanes;
+mod losses;
+mod numbers;
 mod projection;
 mod renormalise;
-mod stages;
 #[cfg(test)]
 mod tests;
 mod trace;
@@ -33,11 +33,11 @@ use axis_test::AxisTest;
 use determinants::DeterminantTest;
 use exact::ExactTest;
 use guard::Guard;
-pub use input::{Input, Numbers, Pair, Pose};
-pub use stages::{Exact, Stage};
+pub use losses::{Loss, Lossless};
+pub use numbers::Numbers;
 pub use unrounded::{AxisAnswer, Unrounded};
-pub use verdict::{Outcome, Verdict};
 
+use crate::pair::{Outcome, Pair, Pose, Verdict};
 use crate::params::{Method, Params};
 use efsat_hardware::number::Interval;
 
@@ -65,7 +65,7 @@ impl Golden {
     /// The model of a validated parameter set.
     pub fn new(params: &Params) -> Self {
         let test = match params.method {
-            Method::Axes => Test::Axes(Box::new(AxisTest::without(params, Exact::NONE))),
+            Method::Axes => Test::Axes(Box::new(AxisTest::without(params, Lossless::NONE))),
             Method::Determinants => Test::Determinants(DeterminantTest::new(params)),
             Method::Exact => Test::Exact(ExactTest::new(params)),
         };

@@ -3,7 +3,7 @@
 use super::axes::Axis;
 use super::interval::{Mantissa, Rounding, Triple, Vector, Wide, dot, three};
 use super::verdict::Enclosure;
-use super::{Exact, Stage};
+use super::{Loss, Lossless};
 use crate::params::{Params, Projections};
 use efsat_hardware::number::Interval;
 
@@ -58,7 +58,7 @@ fn kept(axis: Axis) -> [usize; 2] {
 }
 
 impl ProjectionUnit {
-    pub fn new(p: &Params, exact: Exact) -> Self {
+    pub fn new(p: &Params, exact: Lossless) -> Self {
         let f = p.formats();
         let grid = f.coordinate_a.format.fraction;
         let plan = |&axis: &Axis| {
@@ -68,7 +68,7 @@ impl ProjectionUnit {
             let rounding =
                 Rounding::to_row(grid + f.axis(kind).format.fraction, f.projection(kind), p.projection_upper());
             Plan {
-                rounding: rounding.left_out_if(exact.has(Stage::Projection)),
+                rounding: rounding.left_out_if(exact.has(Loss::Projection)),
                 duplicates,
                 kept,
                 computed: [0, 1].map(|side| three(|i| !dropped(side, i))),

@@ -2,7 +2,7 @@
 //! paper's 2.5).
 
 use super::interval::{Mantissa, Rounding, Triple, hull, shifted, three};
-use super::{Exact, Stage};
+use super::{Loss, Lossless};
 use crate::params::Params;
 use efsat_hardware::number::Interval;
 
@@ -15,14 +15,14 @@ pub(super) struct Normaliser {
 }
 
 impl Normaliser {
-    pub fn new(p: &Params, exact: Exact) -> Self {
+    pub fn new(p: &Params, exact: Lossless) -> Self {
         let (n, t) = (p.width as i32, p.transform_width as i32);
         // x * 2^(T+1-L) has T+1 fraction bits where 2^L counts as 1; N-2 of them stay.
         let rounding = match p.renormalise {
             true => Rounding::dropping(t + 3 - n, p.upper).of_shifted(),
             false => Rounding::dropping(t - n, p.upper),
         };
-        let rounding = rounding.left_out_if(exact.has(Stage::Renormalise));
+        let rounding = rounding.left_out_if(exact.has(Loss::Renormalise));
         Self { renormalise: p.renormalise, transform_width: p.transform_width, rounding }
     }
 

@@ -11,8 +11,9 @@ use super::axis_test::AxisTest;
 use super::interval::{Flags, Rounding, product};
 use super::lanes::LANES;
 use super::verdict::Enclosure;
-use super::{Golden, Input, Pair, Pose, Verdict, stages};
+use super::{Golden, Lossless};
 use crate::host::{Host, SceneHost, loose_pair, sample};
+use crate::pair::{Input, Pair, Pose, Verdict};
 use crate::params::{Axes, Guard, Params, ProjectionWidth, Projections, Transform};
 use efsat_geometry::Points;
 use efsat_geometry::exact::{self, Exact};
@@ -300,7 +301,7 @@ fn pairs_at_once_are_answered_as_each_alone() {
     let (mut seen, mut laned) = ([0; 3], 0);
     for (i, p) in parameter_sets().into_iter().enumerate() {
         let p = Params { guard: [Guard::LeftOut, Guard::Always][i % 2], ..p };
-        let (golden, test) = (Golden::new(&p), AxisTest::without(&p, stages::Exact::NONE));
+        let (golden, test) = (Golden::new(&p), AxisTest::without(&p, Lossless::NONE));
         for pose in [Pose::identity(&p), query(&mut rng, &p).0] {
             let mut pairs: Vec<Pair> = points.iter().map(|points| unit_pair(points, &p)).collect();
             pairs.extend((0..20).map(|_| sample::random_pair_under(&mut rng, &p, &pose)));

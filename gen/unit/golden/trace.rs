@@ -2,7 +2,7 @@
 
 use super::axis_test::{AxisTest, Tested};
 use super::interval::{Triple, Vector};
-use super::{Pair, Pose};
+use crate::pair::{Pair, Pose};
 use efsat_hardware::number::Interval;
 
 /// The record being written.

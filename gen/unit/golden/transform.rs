@@ -1,7 +1,7 @@
 //! The change of frame, B = M * B~ + t (contract section 3).
 
 use super::interval::{Rounding, Triple, Wide, dot, sum, three};
-use super::{Exact, Numbers, Stage};
+use super::{Loss, Lossless, Numbers};
 use crate::params::{Params, Transform};
 use efsat_hardware::number::Interval;
 
@@ -17,9 +17,9 @@ pub(super) struct Frame {
 }
 
 impl Frame {
-    pub fn new(p: &Params, exact: Exact) -> Self {
+    pub fn new(p: &Params, exact: Lossless) -> Self {
         let fraction = p.transform_width - p.int_bits;
-        let rounding = Rounding::dropping(fraction as i32, p.upper).left_out_if(exact.has(Stage::Transform));
+        let rounding = Rounding::dropping(fraction as i32, p.upper).left_out_if(exact.has(Loss::Transform));
         // A row sum has 2 (T - K) fraction bits, and by the declared ranges all its terms stay below 2^K.
         Self { kind: p.transform, fraction, rounding, narrow: 2 * fraction + p.int_bits <= 62 }
     }

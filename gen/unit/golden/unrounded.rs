@@ -3,8 +3,9 @@
 use super::axis_test::AxisTest;
 use super::interval::{Mantissa, Rounding, Triple, Wide};
 use super::verdict::Enclosure;
-use super::{Exact, Numbers, Outcome, Pair, Pose};
+use super::{Lossless, Numbers};
 use crate::dyadic::Dyadic;
+use crate::pair::{Outcome, Pair, Pose};
 use crate::params::{AxisKind, Params};
 use efsat_hardware::number::Interval;
 
@@ -65,7 +66,7 @@ pub struct AxisAnswer {
 
 impl Unrounded {
     /// The model without the roundings of these stages; that of the input is the caller's, who chooses the numbers.
-    pub fn new(params: &Params, exact: Exact) -> Self {
+    pub fn new(params: &Params, exact: Lossless) -> Self {
         Self { model: AxisTest::without(params, exact) }
     }
 

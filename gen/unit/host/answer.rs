@@ -1,7 +1,8 @@
 //! Answers of a unit with its host, beside the exact ones: the one place that says what a wrong answer is.
 
 use super::{Host, loose_pair};
-use crate::golden::{Golden, Pose, Verdict};
+use crate::golden::Golden;
+use crate::pair::{Pose, Verdict};
 use crate::params::Params;
 use efsat_geometry::exact::{Exact, Relation};
 use efsat_geometry::{NotFinite, Points};

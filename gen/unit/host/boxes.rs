@@ -1,7 +1,7 @@
 //! Box tests for the pairs that the unit must not see.
 
 use crate::dyadic::Dyadic;
-use crate::golden::Verdict;
+use crate::pair::Verdict;
 
 /// The exact coordinates of two meshes in one frame, each replaced by its rank along its axis: equal numbers have
 /// equal ranks, so comparing ranks is comparing the numbers.

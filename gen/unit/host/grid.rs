@@ -1,7 +1,7 @@
 //! Pairs on their own grid, for the exact unit (docs/exact.md).
 
 use super::whole::Whole;
-use crate::golden::{Input, Pair};
+use crate::pair::{Input, Pair};
 
 /// The pair a0 a1 a2 b0 b1 b2 with a0 as the origin and without the twos that all coordinates then have in common, if they
 /// fit `width` bits as the unit takes them. No grid is coarser, so that no other one would do.

@@ -5,7 +5,7 @@ use num_bigint::BigInt;
 use super::whole::Whole;
 use super::{Host, grid};
 use crate::dyadic::decoded;
-use crate::golden::{Input, Pair};
+use crate::pair::{Input, Pair};
 use crate::params::{Method, Params};
 use efsat_geometry::finite::{self, NotFinite};
 use efsat_geometry::software::retest::retest;
@@ -13,7 +13,7 @@ use efsat_geometry::software::retest::retest;
 /// Normalises and quantises the pair a0 a1 a2 b0 b1 b2: centred on the exact midpoint of the joint
 /// box, scaled by the largest power of two with all |coordinates| <= 1 (by 1 if all six points coincide).
 ///
-/// Such a pair is always inside the declared ranges and its pose is [`Pose::identity`](crate::golden::Pose::identity).
+/// Such a pair is always inside the declared ranges and its pose is [`Pose::identity`](crate::pair::Pose::identity).
 ///
 /// For the exact unit the pair is moved to V0 instead and put on its own grid: scaled by the least power of two with
 /// which all differences are whole. One whose differences do not fit then is decided here.

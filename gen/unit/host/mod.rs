@@ -1,7 +1,7 @@
 //! The host side: exact normalisation and quantisation of binary64 geometry (contract section 2).
 //!
 //! Nothing here rounds: binary64 numbers are taken as exact reals, differences and products are formed on integers
-//! with a common power of two, and only [`Input`](crate::golden::Input) is a floor, with its sticky bit.
+//! with a common power of two, and only [`Input`](crate::pair::Input) is a floor, with its sticky bit.
 
 mod answer;
 mod boxes;
@@ -9,25 +9,25 @@ pub mod driver;
 mod grid;
 mod loose;
 mod quantised;
+#[cfg(feature = "scenes")]
+mod ready_scene;
 pub mod sample;
 mod scene;
 #[cfg(feature = "scenes")]
 pub mod self_intersections;
 #[cfg(feature = "scenes")]
 pub mod settings;
-#[cfg(feature = "scenes")]
-mod stage;
 #[cfg(test)]
 mod tests;
 mod whole;
 
 pub use answer::{Answer, Judged, Reference, Relations, Truths, Verdicts};
 pub use loose::loose_pair;
-pub use scene::{SceneHost, ScenePose};
 #[cfg(feature = "scenes")]
-pub use stage::{Posed, Stage};
+pub use ready_scene::{ReadyMeeting, ReadyScene};
+pub use scene::{SceneHost, ScenePose};
 
-use crate::golden::{Pair, Verdict};
+use crate::pair::{Pair, Verdict};
 
 /// What the host makes of a pair.
 // A boxed pair would cost an allocation for every pair of a scene.

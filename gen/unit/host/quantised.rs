@@ -1,7 +1,7 @@
 //! Exact numbers as the unit reads them.
 
 use crate::dyadic::Dyadic;
-use crate::golden::Input;
+use crate::pair::Input;
 
 impl Dyadic {
     /// The floor at `fraction` fraction bits and its sticky bit, if the real number lies in

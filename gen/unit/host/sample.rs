@@ -10,7 +10,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use rand::RngExt;
 use rand::rngs::ChaCha8Rng;
 
-use crate::golden::{Input, Pair, Pose};
+use crate::pair::{Input, Pair, Pose};
 use crate::params::{Method, Params, Transform, Truth, Upper};
 
 /// A pair of random triangles of mixed sizes, many of them near contact, in one frame (for a bypassed pose).

@@ -11,7 +11,8 @@ use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 
 use super::{Host, SceneHost, loose_pair};
-use crate::golden::{Golden, Input, Pair, Pose, Verdict};
+use crate::golden::Golden;
+use crate::pair::{Input, Pair, Pose, Verdict};
 use crate::params::{Method, Params, Transform};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample;

@@ -21,7 +21,7 @@ pub struct Clamp {
 
 /// One row of the table: a signal of the axis test.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Row {
+pub struct FormatRow {
     /// Name of the signal.
     pub name: &'static str,
     /// Its format, N bits wide.
@@ -53,18 +53,18 @@ pub enum AxisKind {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Formats {
     /// Coordinates of A after section 4.
-    pub coordinate_a: Row,
+    pub coordinate_a: FormatRow,
     /// Coordinates of B after section 4, same format as `coordinate_a`.
-    pub coordinate_b: Row,
+    pub coordinate_b: FormatRow,
     /// Edges e_A0, e_A1, e_A2.
-    pub edge_a: [Row; 3],
+    pub edge_a: [FormatRow; 3],
     /// Edges e_B0, e_B1, e_B2 (one format).
-    pub edge_b: Row,
-    normal_a: [Row; 2],
-    normal_b: [Row; 2],
-    cross: [[Row; 2]; 3],
-    in_plane_a: [[Row; 2]; 3],
-    in_plane_b: [Row; 2],
+    pub edge_b: FormatRow,
+    normal_a: [FormatRow; 2],
+    normal_b: [FormatRow; 2],
+    cross: [[FormatRow; 2]; 3],
+    in_plane_a: [[FormatRow; 2]; 3],
+    in_plane_b: [FormatRow; 2],
     transformed_bound: i128,
 }
 
@@ -89,7 +89,7 @@ fn row(
     exact: &Exact,
     truth: Option<&Truth>,
     derivation: impl Into<String>,
-) -> Row {
+) -> FormatRow {
     let derivation = derivation.into();
     (1..)
         .find_map(|integral| {
@@ -103,7 +103,7 @@ fn row(
                 _ => None,
             };
             let bound = clamp.map_or(computed, |c| c.bound);
-            (bound <= format.max()).then(|| Row { name, format, bound, clamp, derivation: derivation.clone() })
+            (bound <= format.max()).then(|| FormatRow { name, format, bound, clamp, derivation: derivation.clone() })
         })
         .expect("some format is wide enough")
 }
@@ -112,11 +112,11 @@ fn row(
 const WIDEST: u32 = 63;
 
 /// The topmost bits of `exact`, at most so many.
-fn truncated(name: &'static str, bits: u32, exact: &Exact, derivation: String) -> Row {
+fn truncated(name: &'static str, bits: u32, exact: &Exact, derivation: String) -> FormatRow {
     let least = 129 - exact.bound.leading_zeros();
     let drop = least.saturating_sub(bits) as i32;
     let format = Format { bits: least.min(bits), fraction: exact.fraction - drop };
-    Row { name, format, bound: upper_shift(exact.bound, drop, Upper::Sticky), clamp: None, derivation }
+    FormatRow { name, format, bound: upper_shift(exact.bound, drop, Upper::Sticky), clamp: None, derivation }
 }
 
 const NAMES_CROSS: [[&str; 2]; 3] =
@@ -165,20 +165,22 @@ impl Formats {
         let edge_a = [anchored("edge_a_0"), free("edge_a_1", coordinate_a.bound), anchored("edge_a_2")];
         let edge_b = edge("edge_b", natural_b, extent_b, "difference of two coordinates of B");
 
-        let cross_of =
-            |a: &Row, b: &Row| Exact { bound: 2 * a.bound * b.bound, fraction: a.format.fraction + b.format.fraction };
+        let cross_of = |a: &FormatRow, b: &FormatRow| Exact {
+            bound: 2 * a.bound * b.bound,
+            fraction: a.format.fraction + b.format.fraction,
+        };
         // What a shifted axis stands for depends on its shift: all of its components are brought to N bits alike.
         let axis = |name, exact: Exact, truth: Option<Truth>, why: String| match p.axis_shift {
             0 => make(name, exact, truth, why),
             _ => {
                 let format = Format::signed(n, 2 * n as i32 - exact.fraction);
                 let derivation = format!("{why}, shifted left by up to {} places", p.axis_positions());
-                Row { name, format, bound: format.max(), clamp: None, derivation }
+                FormatRow { name, format, bound: format.max(), clamp: None, derivation }
             }
         };
         let area = |extent: i128| Truth { bound: extent * extent, fraction: 2 * grid, lemma: "triangle-area" };
         let reach = coordinate_a.bound.max(coordinate_b.bound);
-        let with_projection = |axis: Row, name: &'static str| {
+        let with_projection = |axis: FormatRow, name: &'static str| {
             let exact = Exact { bound: 3 * reach * axis.bound, fraction: grid + axis.format.fraction };
             let why = "three products of a coordinate and an axis component".to_owned();
             let projection = match p.projection_width {
@@ -189,7 +191,7 @@ impl Formats {
             };
             [axis, projection]
         };
-        let normal = |names: [&'static str; 2], e: &Row, f: &Row, truth: Option<Truth>, why: &str| {
+        let normal = |names: [&'static str; 2], e: &FormatRow, f: &FormatRow, truth: Option<Truth>, why: &str| {
             with_projection(axis(names[0], cross_of(e, f), truth, why.to_owned()), names[1])
         };
         let twice_area = "|component| <= twice the area of the projected triangle (lemma triangle-area)";
@@ -228,16 +230,16 @@ impl Formats {
     }
 
     /// The row of an axis component.
-    pub fn axis(&self, kind: AxisKind) -> &Row {
+    pub fn axis(&self, kind: AxisKind) -> &FormatRow {
         &self.pair(kind)[0]
     }
 
     /// The row of a projection on an axis; one format for all six points, so that they can be compared.
-    pub fn projection(&self, kind: AxisKind) -> &Row {
+    pub fn projection(&self, kind: AxisKind) -> &FormatRow {
         &self.pair(kind)[1]
     }
 
-    fn pair(&self, kind: AxisKind) -> &[Row; 2] {
+    fn pair(&self, kind: AxisKind) -> &[FormatRow; 2] {
         match kind {
             AxisKind::NormalA => &self.normal_a,
             AxisKind::NormalB => &self.normal_b,
@@ -253,7 +255,7 @@ impl Formats {
     }
 
     /// Every row, in the order of the data flow; the in-plane rows last.
-    pub fn rows(&self) -> impl Iterator<Item = &Row> {
+    pub fn rows(&self) -> impl Iterator<Item = &FormatRow> {
         let points = [&self.coordinate_a, &self.coordinate_b].into_iter();
         let edges = self.edge_a.iter().chain([&self.edge_b]);
         let axes = [&self.normal_a, &self.normal_b].into_iter().chain(&self.cross);
@@ -285,11 +287,11 @@ fn transformed_bound(p: &Params) -> i128 {
 }
 
 /// Section 4: the coordinates of A and of B in their common format.
-fn coordinates(p: &Params, transformed: i128) -> [Row; 2] {
+fn coordinates(p: &Params, transformed: i128) -> [FormatRow; 2] {
     let names = ["coordinate_a", "coordinate_b"];
     if p.renormalise {
         let format = Format::signed(p.width, 2);
-        return names.map(|name| Row {
+        return names.map(|name| FormatRow {
             name,
             format,
             bound: 1 << (p.width - 2),
@@ -301,7 +303,7 @@ fn coordinates(p: &Params, transformed: i128) -> [Row; 2] {
     let drop = p.transform_width as i32 - p.width as i32;
     let inputs = [input_bound(p, p.coordinate_bound()), transformed];
     let derivations = ["the declared input range, rounded", "the transform's range, rounded"];
-    [0, 1].map(|i| Row {
+    [0, 1].map(|i| FormatRow {
         name: names[i],
         format,
         bound: upper_shift(inputs[i], drop, p.upper),

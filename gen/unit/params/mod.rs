@@ -7,10 +7,9 @@ mod formats;
 mod guard;
 mod method;
 pub mod options;
-pub mod stream;
 
 pub use efsat_hardware::number::Upper;
-pub use formats::{AxisKind, Clamp, Formats, Row};
+pub use formats::{AxisKind, Clamp, FormatRow, Formats};
 pub use guard::{Guard, Quantity};
 pub use method::{
     BELOW_GRID, Bound, CLOCKS_PER_PAIR, EXACT_CLOCKS, ErrorLevels, ExactClocks, LEVELS, Method, SPAN, Truth,

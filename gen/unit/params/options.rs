@@ -141,7 +141,7 @@ pub enum Affects {
 
 /// What is known of an option without its value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Row {
+pub struct OptionRow {
     /// Its name without dashes.
     pub name: &'static str,
     /// What it has an effect on.
@@ -201,7 +201,7 @@ macro_rules! options {
             }
 
             /// All options of all methods.
-            pub const OPTIONS: &[Row] = &[$(Row { name: $name, affects: Affects::$affects, of: &[$(Method::$of),+] },)+];
+            pub const OPTIONS: &[OptionRow] = &[$(OptionRow { name: $name, affects: Affects::$affects, of: &[$(Method::$of),+] },)+];
 
             /// Every option of all methods (without its dashes) with its value, in a fixed order. Those that the method does
             /// not have are at their defaults if the parameters are valid.

@@ -3,8 +3,8 @@
 use super::Reply;
 use efsat_engine::artefact::EngineDesign;
 use efsat_engine::host::{Image, memory};
-use efsat_engine::model::{Model, Outcome, Query};
-use efsat_engine::words::{Answer, EngineReport, Reason};
+use efsat_engine::model::{EngineOutcome, Model, Query};
+use efsat_engine::words::{EngineAnswer, EngineReport, Reason, Sums};
 use rayon::prelude::*;
 use serde::Serialize;
 use std::borrow::Borrow;
@@ -12,22 +12,13 @@ use std::borrow::Borrow;
 /// Sums over queries.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Measure {
-    /// How many queries there were.
-    pub queries: u64,
+    /// What the queries came to.
+    #[serde(flatten)]
+    pub sums: Sums,
     /// All clocks, from the first word of the first query to the last word of the last report.
     pub clocks: u64,
     /// Clocks in which a query ran, as the reports say.
     pub running: u64,
-    /// Pairs of nodes opened.
-    pub expansions: u64,
-    /// Pairs of volumes tested.
-    pub tests: u64,
-    /// Pairs of triangles that the unit tested.
-    pub leaf_pairs: u64,
-    /// Pairs of triangles that intersect.
-    pub intersect: u64,
-    /// Pairs of triangles that are possibly incorrect.
-    pub possibly_incorrect: u64,
     /// Blocks asked for.
     pub blocks: u64,
     /// Blocks read from memory.
@@ -42,8 +33,6 @@ pub struct Measure {
     pub memory_waits: u64,
     /// Clocks in which survivors waited for the queue of leaf pairs.
     pub queue_waits: u64,
-    /// The greatest stack of all queries.
-    pub greatest_stack: u64,
     /// Clocks in which the volume unit was busy: those of its expansions.
     pub volume_busy: u64,
     /// Clocks in which the triangle unit was busy: those of its pairs.
@@ -53,34 +42,27 @@ pub struct Measure {
 impl Measure {
     /// Of the replies to some queries.
     pub fn of(design: &EngineDesign, replies: &[impl Borrow<Reply>]) -> Self {
-        let sum = |of: fn(&Reply) -> u64| replies.iter().map(|reply| of(reply.borrow())).sum::<u64>();
-        let mut measure = Self {
-            queries: replies.len() as u64,
-            clocks: sum(|reply| reply.clocks),
-            running: sum(|reply| reply.report.clocks.into()),
-            expansions: sum(|reply| reply.report.expansions.into()),
-            tests: sum(|reply| reply.report.tests.into()),
-            leaf_pairs: sum(|reply| reply.report.leaf_pairs.into()),
-            intersect: sum(|reply| reply.report.intersect.into()),
-            possibly_incorrect: sum(|reply| reply.report.possibly_incorrect.into()),
-            blocks: sum(|reply| reply.report.blocks[0].into()),
-            blocks_read: sum(|reply| reply.report.blocks[1].into()),
-            triangles: sum(|reply| reply.report.triangles[0].into()),
-            triangles_read: sum(|reply| reply.report.triangles[1].into()),
-            words: sum(|reply| reply.report.words.into()),
-            memory_waits: sum(|reply| reply.report.memory_waits.into()),
-            queue_waits: sum(|reply| reply.report.queue_waits.into()),
-            greatest_stack: replies.iter().map(|reply| reply.borrow().report.stack.into()).max().unwrap_or(0),
-            ..Self::default()
-        };
-        measure.volume_busy = measure.expansions * design.volume.interval as u64;
-        measure.triangle_busy = measure.leaf_pairs * design.unit.interval as u64;
+        let mut measure = Self::default();
+        for Reply { report, clocks, .. } in replies.iter().map(Borrow::borrow) {
+            measure.sums += report.into();
+            measure.clocks += clocks;
+            measure.running += u64::from(report.clocks);
+            measure.blocks += u64::from(report.blocks[0]);
+            measure.blocks_read += u64::from(report.blocks[1]);
+            measure.triangles += u64::from(report.triangles[0]);
+            measure.triangles_read += u64::from(report.triangles[1]);
+            measure.words += u64::from(report.words);
+            measure.memory_waits += u64::from(report.memory_waits);
+            measure.queue_waits += u64::from(report.queue_waits);
+        }
+        measure.volume_busy = measure.sums.expansions * design.volume.interval as u64;
+        measure.triangle_busy = measure.sums.leaf_pairs * design.unit.interval as u64;
         measure
     }
 
     /// Mean clocks per query.
     pub fn clocks_per_query(&self) -> f64 {
-        self.clocks as f64 / self.queries as f64
+        self.clocks as f64 / self.sums.queries as f64
     }
 }
 
@@ -115,7 +97,7 @@ pub fn check(
 }
 
 /// What differs where everything has to be equal.
-fn difference(due: &Outcome, reply: &Reply) -> Option<String> {
+fn difference(due: &EngineOutcome, reply: &Reply) -> Option<String> {
     let counts = |report: &EngineReport| {
         [
             ("reason", report.reason as u32),
@@ -132,7 +114,7 @@ fn difference(due: &Outcome, reply: &Reply) -> Option<String> {
     if let Some(((name, due), (_, found))) = pairs.find(|(due, found)| due != found) {
         return Some(format!("{name} {found}; expected {due}"));
     }
-    let sorted = |answers: &[Answer]| {
+    let sorted = |answers: &[EngineAnswer]| {
         let mut answers = answers.to_vec();
         answers.sort_unstable_by_key(|answer| (answer.triangles, answer.verdict));
         answers
@@ -147,7 +129,7 @@ fn difference(due: &Outcome, reply: &Reply) -> Option<String> {
 }
 
 /// What differs where a query ends early: the reason, or an answer that is none of `all`.
-fn early_end(due: &Outcome, all: &[Answer], reply: &Reply) -> Option<String> {
+fn early_end(due: &EngineOutcome, all: &[EngineAnswer], reply: &Reply) -> Option<String> {
     let (found, expected) = (reply.report.reason, due.report.reason);
     if found != expected {
         return Some(format!("reason {found:?}; expected {expected:?}"));

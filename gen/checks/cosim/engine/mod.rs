@@ -16,7 +16,7 @@ use efsat_engine::artefact::{EngineDesign, NAME, TESTBENCH, engine_files};
 use efsat_engine::host::{Image, Layout, memory};
 use efsat_engine::model::Query;
 use efsat_engine::params::Memory;
-use efsat_engine::words::{Answer, Command, EngineReport};
+use efsat_engine::words::{Command, EngineAnswer, EngineReport};
 use efsat_hardware::tools::Tool;
 use efsat_unit::artefact::testbench::RESET_CLOCKS;
 use efsat_unit::artefact::{Prefix, Scratch, origin};
@@ -96,7 +96,7 @@ pub struct Packet {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Reply {
     /// Pairs of triangles, in no order that another engine has to keep.
-    pub answers: Vec<Answer>,
+    pub answers: Vec<EngineAnswer>,
     /// The report.
     pub report: EngineReport,
     /// Clocks since the answer before, from last word to last word: what the query costs in a row of queries.
@@ -108,7 +108,7 @@ impl Reply {
     pub fn of(packet: &Packet, before: u64) -> Option<Self> {
         let (answers, report) = packet.words.split_last_chunk()?;
         Some(Self {
-            answers: answers.iter().map(|&word| Answer::of(word)).collect::<Option<_>>()?,
+            answers: answers.iter().map(|&word| EngineAnswer::of(word)).collect::<Option<_>>()?,
             report: EngineReport::of(report)?,
             clocks: packet.clock - before,
         })

@@ -9,6 +9,7 @@ use crate::progress;
 use crate::source::count;
 use efsat_checks::cosim::engine::Machine;
 use efsat_engine::driver::{Objects, StandIn};
+use efsat_engine::words::Sums;
 use efsat_geometry::scene::Scene;
 use efsat_geometry::scene::hierarchy::Directions;
 use efsat_studies::planner::engine::{self, EngineCounts, Simulation};
@@ -184,7 +185,8 @@ pub(super) fn run(
 
 /// What came out, in words.
 fn words(command_line: &str, total: &EngineCounts, frames: usize, simulation: Option<&Simulation<'_, '_>>) -> String {
-    let EngineCounts { queries, in_software, leaf_pairs, intersect, possibly_incorrect, touching, .. } = total;
+    let EngineCounts { sums, in_software, touching, .. } = total;
+    let Sums { queries, leaf_pairs, intersect, possibly_incorrect, .. } = sums;
     let mut text = format!(
         "{command_line}\n\n{queries} queries in {frames} poses, {in_software} of them answered in software\n\
          {leaf_pairs} leaf pairs: {intersect} intersect, {possibly_incorrect} possibly incorrect\n\

@@ -9,7 +9,7 @@ use crate::params::{EngineParams, Memory};
 use crate::words::{QueryFlags, Reason};
 use efsat_unit::design::top::pose_ports;
 use efsat_unit::params::Upper;
-use efsat_unit::params::stream::{BYPASS_AT, Kind, TAG_AT};
+use efsat_unit::words::{BYPASS_AT, PacketKind, TAG_AT};
 use std::fmt;
 
 /// A heading and what stands below it.
@@ -142,7 +142,7 @@ fn packets(format: &EngineFormat) -> Vec<Item> {
         number("options_word", OPTIONS_WORD, "the word with the options of a query"),
         number("pose_word", EngineFormat::POSE_AT, "first word of its pose"),
         number("row_word", format.row_at(0), "first row; a pose and a pair are shifted to end before it, too"),
-        number("pair_words", format.stream.record_words(Kind::Pairs), "words of a pair"),
+        number("pair_words", format.stream.record_words(PacketKind::Pairs), "words of a pair"),
     ]
 }
 
@@ -208,7 +208,7 @@ fn pose(design: &EngineDesign) -> Vec<Item> {
 
 fn pair(design: &EngineDesign) -> Vec<Item> {
     let (format, unit) = (&design.format, &design.unit.params);
-    let (stream, words) = (&format.stream, format.stream.record_words(Kind::Pairs));
+    let (stream, words) = (&format.stream, format.stream.record_words(PacketKind::Pairs));
     let at = word_at(format.query_words() - words);
     let corners = 9 * stream.lane();
     let mut items = vec![

@@ -4,8 +4,8 @@ use super::{Bits, WORD, zeros};
 use crate::artefact::EngineDesign;
 use crate::words::LINK_NUMBER_BITS;
 use efsat_unit::design::top::{pair_ports, pose_ports};
-use efsat_unit::params::stream::{Kind, StreamFormat};
 use efsat_unit::params::{Params, Upper};
+use efsat_unit::words::{PacketKind, StreamFormat};
 
 /// A port and what is connected to it.
 #[derive(Debug)]
@@ -59,9 +59,9 @@ impl Unit {
             guarded: unit.guarded(),
             sticky: unit.upper == Upper::Sticky,
             flags: Bits::all(stream.flags),
-            pairs_header: format!("{:08x}", stream.header(Kind::Pairs)),
-            pose_header: format!("{:08x}", stream.header(Kind::Pose)),
-            pair_words: stream.record_words(Kind::Pairs),
+            pairs_header: format!("{:08x}", stream.header(PacketKind::Pairs)),
+            pose_header: format!("{:08x}", stream.header(PacketKind::Pose)),
+            pair_words: stream.record_words(PacketKind::Pairs),
             pose_words: format.pose_words,
             pair_tag_bits: stream.tag_width,
             pair_tag: Bits::all(stream.tag_width),

@@ -3,7 +3,7 @@
 
 use crate::design::volume_unit::{VolumeDesign, WordPort};
 use crate::format::EngineFormat;
-use crate::model::{Block, Frame, Link, Opened, Row, apart, distance, overlap};
+use crate::model::{Block, Frame, Link, Opened, QueryRow, apart, distance, overlap};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::collections::HashMap;
@@ -177,7 +177,7 @@ impl Random {
     fn frame(&mut self, ends: bool) -> Frame {
         let format = self.format;
         let widths = format.widths();
-        let row = |random: &mut Self| Row {
+        let row = |random: &mut Self| QueryRow {
             terms: format
                 .directions
                 .slots()

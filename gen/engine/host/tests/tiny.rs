@@ -5,7 +5,7 @@ use crate::host::numbers::Fine;
 use crate::model::{Block, Frame, Link, bounds, distance};
 use crate::params::EngineParams;
 use efsat_geometry::directions::Directions;
-use efsat_unit::golden::{Input, Pose};
+use efsat_unit::pair::{Input, Pose};
 use efsat_unit::params::Params;
 
 fn tiny(directions: Directions) -> Numbers {

@@ -41,15 +41,16 @@ impl Lowered<'_> {
             return None;
         }
         let captured = |arg: &NodeId| {
-            let capture = &self.unit.nodes[self.carrier(arg.0)];
+            let capture = &self.unit.nodes[self.unit.carrier(arg.0)];
             let Op::Capture { phase, late: false } = capture.op else { return None };
-            Some((self.carrier(capture.args[0].0), phase))
+            Some((self.unit.carrier(capture.args[0].0), phase))
         };
         let captures: Vec<(usize, usize)> = node.args[1..].iter().map(captured).collect::<Option<_>>()?;
         let stream = captures[0].0;
         let from = self.schedule.slots[stream].from;
         let alike = captures.iter().all(|c| c.0 == stream) && self.unit.nodes[stream].ty.bits == node.ty.bits;
-        if !alike || from == i32::MIN {
+        // What was some phases before is a tap of a line already.
+        if !alike || from == i32::MIN || matches!(self.unit.nodes[stream].op, Op::Earlier(_)) {
             return None;
         }
         // An idle phase goes on with the value of the phase before, which is a clock older then.

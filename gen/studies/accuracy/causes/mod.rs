@@ -12,7 +12,7 @@ pub(super) use model::{Case, Model};
 pub use reason::{Reason, Reasons};
 
 use super::pairs::{Asked, Pairs};
-use efsat_unit::golden::{Exact, Stage};
+use efsat_unit::golden::{Loss, Lossless};
 use efsat_unit::params::Params;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -51,11 +51,11 @@ impl Causes {
     pub fn examine(pairs: &Pairs, params: &Params, undecided: &[u32]) -> Self {
         let asked = Asked::new(pairs, params);
         let places = Pairs::spread(undecided, SAMPLE);
-        let models: Vec<Model> = Exact::sets().map(|set| Model::new(params, set)).collect();
+        let models: Vec<Model> = Lossless::sets().map(|set| Model::new(params, set)).collect();
         let one = |&place: &u32| {
             let case = Case::new(&asked, place as usize)?;
             let definite: Vec<bool> = models.iter().map(|model| model.definite(&case)).collect();
-            let axes = models[Exact::ALL.index()].axes(&case);
+            let axes = models[Lossless::ALL.index()].axes(&case);
             let reason = Reason::of(pairs.relation(place as usize), &axes);
             Some((definite, reason))
         };
@@ -69,25 +69,25 @@ impl Causes {
             }
         }
         let examined = cases.len() as u64;
-        let open = examined - counts[Exact::ALL.index()];
-        let cause = |stage: Stage| {
-            let others = Stage::ALL.into_iter().filter(|other| *other != stage).fold(Exact::NONE, Exact::and);
+        let open = examined - counts[Lossless::ALL.index()];
+        let cause = |stage: Loss| {
+            let others = Loss::ALL.into_iter().filter(|other| *other != stage).fold(Lossless::NONE, Lossless::and);
             Cause {
                 stage: stage.name().to_owned(),
-                alone_exact: counts[Exact::NONE.and(stage).index()].saturating_sub(counts[0]),
+                alone_exact: counts[Lossless::NONE.and(stage).index()].saturating_sub(counts[0]),
                 alone_rounded: (examined - counts[others.index()]).saturating_sub(open),
                 part: part(&counts, stage) / examined.max(1) as f64,
             }
         };
-        Self { undecided: undecided.len() as u64, examined, stages: Stage::ALL.map(cause).to_vec(), genuine }
+        Self { undecided: undecided.len() as u64, examined, stages: Loss::ALL.map(cause).to_vec(), genuine }
     }
 }
 
 /// The mean, over all orders, of how many more pairs are definite once a stage is made exact.
-fn part(definite: &[u64; 32], stage: Stage) -> f64 {
+fn part(definite: &[u64; 32], stage: Loss) -> f64 {
     let factorial = |n: u32| f64::from((1..=n).product::<u32>());
-    let stages = Stage::ALL.len() as u32;
-    let without = Exact::sets().filter(|set| !set.has(stage));
+    let stages = Loss::ALL.len() as u32;
+    let without = Lossless::sets().filter(|set| !set.has(stage));
     let terms = without.map(|set| {
         let orders = factorial(set.count()) * factorial(stages - 1 - set.count());
         orders * (definite[set.and(stage).index()] as f64 - definite[set.index()] as f64)

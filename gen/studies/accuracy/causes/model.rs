@@ -2,14 +2,15 @@
 
 use crate::accuracy::pairs::Asked;
 use efsat_unit::dyadic::Dyadic;
-use efsat_unit::golden::{AxisAnswer, Exact, Numbers, Pair, Pose, Stage, Unrounded, Verdict};
+use efsat_unit::golden::{AxisAnswer, Loss, Lossless, Numbers, Unrounded};
 use efsat_unit::host::Host;
+use efsat_unit::pair::{Pair, Pose, Verdict};
 use efsat_unit::params::Params;
 use std::borrow::Cow;
 
 /// The reference model with some stages exact.
 pub struct Model {
-    exact: Exact,
+    exact: Lossless,
     rest: Unrounded,
 }
 
@@ -21,7 +22,7 @@ pub struct Case {
 
 impl Model {
     /// The model of a parameter set with these stages exact.
-    pub fn new(params: &Params, exact: Exact) -> Self {
+    pub fn new(params: &Params, exact: Lossless) -> Self {
         Self { exact, rest: Unrounded::new(params, exact) }
     }
 
@@ -37,7 +38,7 @@ impl Model {
 
     fn numbers<'a>(&self, case: &'a Case) -> Cow<'a, Numbers<Dyadic>> {
         let (pose, pair) = &case.read;
-        match self.exact.has(Stage::Input) {
+        match self.exact.has(Loss::Input) {
             true => Cow::Borrowed(&case.given),
             false => Cow::Owned(self.rest.read(pose, pair)),
         }

@@ -31,7 +31,7 @@ fn rounded_is_the_reference_model() {
     let mut wrong = vec![];
     let mut compared = 0;
     for params in settings() {
-        let (asked, rounded) = (Asked::new(&pairs, &params), Model::new(&params, Exact::NONE));
+        let (asked, rounded) = (Asked::new(&pairs, &params), Model::new(&params, Lossless::NONE));
         for place in 0..pairs.len() {
             let (Some(case), Some(outcome)) = (Case::new(&asked, place), asked.outcome(place)) else { continue };
             let axes = rounded.axes(&case);
@@ -59,7 +59,7 @@ fn exact_leaves_genuine_cases_alone() {
     for (scene, amount) in [(&turned, 400), (&tumbling, 200)] {
         let pairs = Pairs::draw(scene, Amount::Some(amount), 5).unwrap();
         for params in settings().iter().take(2) {
-            let (asked, exact) = (Asked::new(&pairs, params), Model::new(params, Exact::ALL));
+            let (asked, exact) = (Asked::new(&pairs, params), Model::new(params, Lossless::ALL));
             for place in 0..pairs.len() {
                 let Some(case) = Case::new(&asked, place) else { continue };
                 let (axes, relation) = (exact.axes(&case), pairs.relation(place));
@@ -92,10 +92,10 @@ fn exact_leaves_genuine_cases_alone() {
 #[test]
 fn parts_add_up() {
     let counts: [u64; 32] = std::array::from_fn(|set| (set * set * 7 % 90) as u64);
-    let sum: f64 = Stage::ALL.iter().map(|stage| part(&counts, *stage)).sum();
+    let sum: f64 = Loss::ALL.iter().map(|stage| part(&counts, *stage)).sum();
     assert!((sum - (counts[31] as f64 - counts[0] as f64)).abs() < 1e-9);
     // A stage that changes nothing has no part; one that does everything has all.
-    let only_axis: [u64; 32] = std::array::from_fn(|set| if set >> Stage::Axis as usize & 1 == 1 { 50 } else { 0 });
-    assert_eq!(part(&only_axis, Stage::Input), 0.0);
-    assert!((part(&only_axis, Stage::Axis) - 50.0).abs() < 1e-9);
+    let only_axis: [u64; 32] = std::array::from_fn(|set| if set >> Loss::Axis as usize & 1 == 1 { 50 } else { 0 });
+    assert_eq!(part(&only_axis, Loss::Input), 0.0);
+    assert!((part(&only_axis, Loss::Axis) - 50.0).abs() < 1e-9);
 }

@@ -5,7 +5,7 @@ use crate::planner::Place;
 use efsat_geometry::exact::Exact;
 use efsat_geometry::mesh::{Findings, builtin};
 use efsat_geometry::scene;
-use efsat_unit::golden::Verdict;
+use efsat_unit::pair::Verdict;
 use std::path::Path;
 
 /// One plate on the other, with one pair of each kind.

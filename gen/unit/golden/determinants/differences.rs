@@ -2,7 +2,7 @@
 
 use super::number::{Number, Vector, minus};
 use crate::golden::interval::three;
-use crate::golden::{Input, Pair, Pose};
+use crate::pair::{Input, Pair, Pose};
 use crate::params::{Params, Transform};
 
 /// The points beside V0, which is the origin.

@@ -20,7 +20,7 @@ mod tests;
 pub(super) mod trace;
 mod verdict;
 
-use super::{Outcome, Pair, Pose};
+use crate::pair::{Outcome, Pair, Pose};
 use crate::params::Params;
 use bounds::Bounds;
 use coordinates::{Coordinates, Scaling};

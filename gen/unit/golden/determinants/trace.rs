@@ -6,7 +6,7 @@ use super::moments::Moments;
 use super::number::{Number, Vector};
 use super::verdict::{boxes_apart, edges, outcome};
 use super::{Computed, DeterminantTest};
-use crate::golden::Pair;
+use crate::pair::Pair;
 
 /// The record being written.
 #[derive(Default)]

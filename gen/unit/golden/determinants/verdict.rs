@@ -4,7 +4,7 @@ use super::coordinates::Coordinates;
 use super::fifteen::Fifteen;
 use super::number::Number;
 use crate::golden::interval::three;
-use crate::golden::{Outcome, Verdict};
+use crate::pair::{Outcome, Verdict};
 
 /// +1 or -1 where the sign of the true determinant is certain, else 0.
 pub(super) type Signs = Fifteen<i8>;

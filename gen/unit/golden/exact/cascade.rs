@@ -3,7 +3,7 @@
 use crate::golden::determinants::DeterminantTest;
 use crate::golden::determinants::differences::Points;
 use crate::golden::determinants::trace::Record;
-use crate::golden::{Outcome, Verdict};
+use crate::pair::{Outcome, Verdict};
 use crate::params::{BELOW_GRID, Params};
 
 /// The first stage of one parameter set.

@@ -15,7 +15,7 @@ use super::determinants::differences::{Differences, Points};
 use super::determinants::fifteen::{Dots, Fifteen};
 use super::determinants::moments::Moments;
 use super::determinants::number::Number;
-use super::{Outcome, Pair, Pose};
+use crate::pair::{Outcome, Pair, Pose};
 use crate::params::Params;
 use cascade::FirstStage;
 use plane::Components;

@@ -4,7 +4,8 @@ use rand::rngs::ChaCha8Rng;
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
 
-use crate::golden::{Golden, Input, Outcome, Pair, Pose, Verdict};
+use crate::golden::Golden;
+use crate::pair::{Input, Outcome, Pair, Pose, Verdict};
 use crate::params::{Method, Params, Transform};
 use efsat_geometry::exact::{self, Exact, Relation};
 

@@ -4,7 +4,7 @@ use super::{Computed, ExactTest, computed};
 use crate::golden::determinants::differences::Points;
 use crate::golden::determinants::number::Number;
 use crate::golden::determinants::trace::Record;
-use crate::golden::{Outcome, Pair, Pose};
+use crate::pair::{Outcome, Pair, Pose};
 
 impl ExactTest {
     /// See [`Golden::trace`](crate::golden::Golden::trace).

@@ -3,7 +3,7 @@
 use crate::golden::determinants::fifteen::Fifteen;
 use crate::golden::determinants::number::Number;
 use crate::golden::interval::three;
-use crate::golden::{Outcome, Verdict};
+use crate::pair::{Outcome, Verdict};
 
 /// -1, 0 or 1 for each determinant.
 pub(super) type Signs = Fifteen<i8>;

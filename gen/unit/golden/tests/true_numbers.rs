@@ -3,8 +3,9 @@
 // Loops over components read like the equations.
 #![allow(clippy::needless_range_loop)]
 
-use super::super::{Golden, Input, Pair, Pose};
+use super::super::Golden;
 use super::{parameter_sets, query};
+use crate::pair::{Input, Pair, Pose};
 use crate::params::{Axes, AxisKind, Params, Projections, Transform};
 use efsat_hardware::number::{Format, Interval};
 use num_bigint::BigInt;

@@ -1,6 +1,6 @@
 //! Answers that contradict themselves: a verdict and the flags that it does not follow from, or flags that exclude each other.
 
-use crate::golden::{Outcome, Verdict};
+use crate::pair::{Outcome, Verdict};
 use crate::params::{Method, Params};
 
 /// The axes of which all have to overlap.

@@ -1,10 +1,10 @@
 //! A batch of pairs: what is sent, and what its answers mean.
 
-use super::{Answer, Driver, DriverError, Transfer};
-use crate::golden::{Outcome, Pose, Verdict};
+use super::{Driver, DriverError, Transfer, UnitAnswer};
 use crate::host::{Host, SceneHost, ScenePose};
+use crate::pair::{Outcome, Pose, Verdict};
 use crate::params::Method;
-use crate::params::stream::Report;
+use crate::words::StreamReport;
 use efsat_geometry::exact::Exact;
 use efsat_geometry::finite::NotFinite;
 use efsat_geometry::software::retest;
@@ -207,14 +207,14 @@ impl<'a> Job<'a> {
             let pose = at < due - sent;
             let last = pose || at + 1 == due;
             match answer {
-                Answer::Report(Report::PoseTaken) if pose && transfer.last => {}
-                Answer::Report(report) => return Err(DriverError::Reported { at, report }),
-                Answer::Pair { tag, outcome }
+                UnitAnswer::Report(StreamReport::PoseTaken) if pose && transfer.last => {}
+                UnitAnswer::Report(report) => return Err(DriverError::Reported { at, report }),
+                UnitAnswer::Pair { tag, outcome }
                     if !pose && transfer.last == last && tag == outcomes.len() as u64 & tags =>
                 {
                     outcomes.push(outcome);
                 }
-                Answer::Pair { .. } => return Err(DriverError::Order { at }),
+                UnitAnswer::Pair { .. } => return Err(DriverError::Order { at }),
             }
         }
         if answers.len() != due {

@@ -9,7 +9,8 @@
 //! ```
 //! use efsat_unit::host::driver::{Driver, StandIn};
 //! use efsat_geometry::exact::Exact;
-//! use efsat_unit::params::{stream::StreamWidth, Params};
+//! use efsat_unit::params::Params;
+//! use efsat_unit::words::StreamWidth;
 //!
 //! // A vertex through a face, on it, and above it.
 //! let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
@@ -36,10 +37,10 @@ mod tests;
 pub use job::{Job, Meshes, Results, Statistics};
 pub use stand_in::StandIn;
 
-use crate::golden::{Input, Outcome, Pair, Pose, Verdict};
 use crate::host::{self, Host, SceneHost};
-use crate::params::stream::{Kind, Report, StreamFormat, StreamWidth, StreamWord, verdict_status};
+use crate::pair::{Input, Outcome, Pair, Pose, Verdict};
 use crate::params::{ParamError, Params, Quantity, Transform, Upper};
+use crate::words::{AnswerFields, PacketKind, StreamFormat, StreamReport, StreamWidth, StreamWord, verdict_status};
 use efsat_geometry::finite::NotFinite;
 
 /// One word of a stream and its TLAST.
@@ -53,7 +54,7 @@ pub struct Transfer {
 
 /// What one word from the unit says.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Answer {
+pub enum UnitAnswer {
     /// The verdict of the pair that was sent with this tag.
     Pair {
         /// Tag, cut to the tag width of the design.
@@ -62,7 +63,7 @@ pub enum Answer {
         outcome: Outcome,
     },
     /// No verdict.
-    Report(Report),
+    Report(StreamReport),
 }
 
 /// What cannot be sent, or came back and is no answer to what was sent.
@@ -82,7 +83,7 @@ pub enum DriverError {
         /// Number of the answer, from 0.
         at: usize,
         /// The report.
-        report: Report,
+        report: StreamReport,
     },
     /// A verdict where the pose's report was expected, or one for another pair.
     #[error("answer {at} belongs to another pair or packet")]
@@ -137,10 +138,6 @@ pub struct Driver {
     passes: bool,
 }
 
-fn number(x: &Input) -> (i64, bool) {
-    (x.lo, x.sticky)
-}
-
 /// Words as one packet.
 pub fn packet(words: Vec<StreamWord>) -> Vec<Transfer> {
     let count = words.len();
@@ -189,8 +186,8 @@ impl Driver {
         let entries = if self.params.transform == Transform::On { 9 } else { 0 };
         self.check(unread(Quantity::Entry), 0, pose.m.iter().flatten().take(entries))?;
         self.check(unread(Quantity::Translation), entries, &pose.t)?;
-        let mut words = vec![u128::from(self.format.header(Kind::Pose)).into()];
-        words.extend(self.format.pose_record(pose.bypass, pose.m.iter().flatten().chain(&pose.t).map(number)));
+        let mut words = vec![u128::from(self.format.header(PacketKind::Pose)).into()];
+        words.extend(self.format.pose_record(pose));
         Ok(packet(words))
     }
 
@@ -202,11 +199,10 @@ impl Driver {
         &self,
         pairs: impl IntoIterator<Item = (u64, &'a Pair)>,
     ) -> Result<Vec<Transfer>, DriverError> {
-        let mut words = vec![u128::from(self.format.header(Kind::Pairs)).into()];
+        let mut words = vec![u128::from(self.format.header(PacketKind::Pairs)).into()];
         for (tag, pair) in pairs {
-            let numbers = pair.a.iter().chain(&pair.b).flatten();
-            self.check(Quantity::Coordinate, 0, numbers.clone())?;
-            words.extend(self.format.pair_record(tag, numbers.map(number)));
+            self.check(Quantity::Coordinate, 0, pair.a.iter().chain(&pair.b).flatten())?;
+            words.extend(self.format.pair_record(tag, pair));
         }
         Ok(if words.len() == 1 { vec![] } else { packet(words) })
     }
@@ -232,7 +228,7 @@ impl Driver {
 
     /// What a word from the unit says; none if no unit of this design sends it: it has bits that no answer has, or its verdict
     /// contradicts its flags.
-    pub fn unpack(&self, data: StreamWord) -> Option<Answer> {
+    pub fn unpack(&self, data: StreamWord) -> Option<UnitAnswer> {
         let fields = self.format.answer_fields(data.low()).filter(|_| data == data.low())?;
         let silent = fields.separated == 0 && fields.overlapping == 0;
         let outside = fields.status == verdict_status(Verdict::PossiblyIncorrect as u8, true);
@@ -243,13 +239,13 @@ impl Driver {
             _ if outside && silent && self.params.guarded() => Verdict::PossiblyIncorrect,
             _ => {
                 let report = fields.reported()?;
-                let known = crate::params::stream::AnswerFields::report(report) == fields;
-                return known.then_some(Answer::Report(report));
+                let known = AnswerFields::report(report) == fields;
+                return known.then_some(UnitAnswer::Report(report));
             }
         };
         let outcome = Outcome { verdict, separated: fields.separated, overlapping: fields.overlapping, outside };
         let sound = !contradiction::contradicts(&self.params, &outcome);
-        sound.then_some(Answer::Pair { tag: fields.tag, outcome })
+        sound.then_some(UnitAnswer::Pair { tag: fields.tag, outcome })
     }
 
     /// Words for the unit as little-endian bytes, as they lie in a buffer for DMA. Packet ends are not in it.

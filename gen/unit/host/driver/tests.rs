@@ -1,9 +1,10 @@
 //! The driver against the exact oracle, with the stand-in as the unit.
 
-use super::{Answer, Driver, DriverError, StandIn, Transfer};
-use crate::golden::{Golden, Input, Outcome, Pair, Pose, Verdict};
-use crate::params::stream::{AnswerFields, Report, StreamWidth, verdict_status};
+use super::{Driver, DriverError, StandIn, Transfer, UnitAnswer};
+use crate::golden::Golden;
+use crate::pair::{Input, Outcome, Pair, Pose, Verdict};
 use crate::params::{Axes, Guard, Method, Params, Transform, Upper};
+use crate::words::{AnswerFields, StreamReport, StreamWidth, verdict_status};
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::sample;
 use rand::rngs::ChaCha8Rng;
@@ -128,7 +129,7 @@ fn answers_that_do_not_fit_are_refused() {
     lost.remove(12);
     let answers = StandIn::new(&params, width).unwrap().answer(&lost);
     assert!(finish(&answers).is_err());
-    assert_eq!(driver.unpack(answers.last().unwrap().data), Some(Answer::Report(Report::TooShort)));
+    assert_eq!(driver.unpack(answers.last().unwrap().data), Some(UnitAnswer::Report(StreamReport::TooShort)));
 }
 
 #[test]
@@ -138,7 +139,7 @@ fn a_design_refuses_what_was_packed_for_another() {
         let packed = Driver::new(params, StreamWidth::Bits64).unwrap().loose(&pairs).unwrap().transfers().to_vec();
         let driver = Driver::new(&Params::default(), StreamWidth::Bits64).unwrap();
         for answer in StandIn::new(&Params::default(), StreamWidth::Bits64).unwrap().answer(&packed) {
-            assert_eq!(driver.unpack(answer.data), Some(Answer::Report(Report::UnknownHeader)));
+            assert_eq!(driver.unpack(answer.data), Some(UnitAnswer::Report(StreamReport::UnknownHeader)));
         }
     }
 }
@@ -323,10 +324,10 @@ fn a_pair_outside_is_told_and_never_definite() {
     far.b[1][2].lo += 1;
     assert!(matches!(strict.pack_pairs([(2, &far)]), Err(DriverError::Number { index: 14, .. })));
     let answers = unit.answer(&driver.pack_pairs([(1, &pair), (2, &far)]).unwrap());
-    let told: Vec<Answer> = answers.iter().map(|t| driver.unpack(t.data).unwrap()).collect();
+    let told: Vec<UnitAnswer> = answers.iter().map(|t| driver.unpack(t.data).unwrap()).collect();
     let outcomes = told.iter().map(|answer| match answer {
-        Answer::Pair { outcome, .. } => (outcome.verdict, outcome.outside),
-        Answer::Report(report) => panic!("{report:?}"),
+        UnitAnswer::Pair { outcome, .. } => (outcome.verdict, outcome.outside),
+        UnitAnswer::Report(report) => panic!("{report:?}"),
     });
     let expected = [(Verdict::Separate, false), (Verdict::PossiblyIncorrect, true)];
     assert_eq!(outcomes.collect::<Vec<_>>(), expected);
@@ -340,5 +341,5 @@ fn a_pair_outside_is_told_and_never_definite() {
     let mut words = driver.pack_pairs([(3, &pair)]).unwrap();
     words[2].data = words[2].data.flipped(20);
     let cut = unit.answer(&words);
-    assert!(matches!(driver.unpack(cut[0].data), Some(Answer::Pair { tag: 3, outcome }) if outcome.outside));
+    assert!(matches!(driver.unpack(cut[0].data), Some(UnitAnswer::Pair { tag: 3, outcome }) if outcome.outside));
 }

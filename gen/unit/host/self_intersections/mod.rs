@@ -5,7 +5,8 @@
 mod tests;
 
 use super::{Host, loose_pair};
-use crate::golden::{Golden, Pose, Verdict};
+use crate::golden::Golden;
+use crate::pair::{Pose, Verdict};
 use crate::params::Params;
 use efsat_geometry::exact::{self, Exact};
 use efsat_geometry::mesh::Mesh;

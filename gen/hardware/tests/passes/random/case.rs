@@ -30,8 +30,14 @@ impl Case {
     pub fn random(number: u64) -> Self {
         let mut random = ChaCha8Rng::seed_from_u64(number);
         let kinds: Vec<&str> = build::kinds().collect();
-        let steps = (0..random.random_range(3..25)).map(|_| Step {
-            kind: kinds[random.random_range(0..kinds.len())],
+        let mut chosen: Vec<&str> =
+            (0..random.random_range(3..25)).map(|_| kinds[random.random_range(0..kinds.len())]).collect();
+        if random.random_range(0..4) == 0 {
+            // Values of one stream in another order are rarely so many by chance that a delay line takes their place.
+            chosen.extend(["wide_mux", "recall"]);
+        }
+        let steps = chosen.into_iter().map(|kind| Step {
+            kind,
             // Mostly what was made last.
             numbers: [(); 4].map(|()| {
                 let bits = random.random_range(1..11);

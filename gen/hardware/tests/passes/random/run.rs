@@ -8,7 +8,7 @@ use efsat_hardware::netlist::lower::{HOLDS, PHASE};
 use efsat_hardware::netlist::simulate::Simulation;
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::op::{Lookup, Range, Type};
-use efsat_hardware::vhdl;
+use efsat_hardware::{testing, tools, vhdl};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::fmt::Write;
@@ -156,10 +156,8 @@ pub fn compare(case: &Case) -> Option<String> {
 
 /// The first of some designs whose text GHDL refuses or runs to other values, and what it says.
 pub fn ghdl(cases: &[Case]) -> Option<(usize, String)> {
-    let runs = |command: &&str| Command::new(command).arg("--version").output().is_ok_and(|o| o.status.success());
-    let Some(command) = ["ghdl-mcode", "ghdl", "ghdl-llvm"].into_iter().find(runs) else {
-        assert!(std::env::var("EFSAT_TESTS").is_err(), "GHDL is not installed; expected it where everything is tested");
-        efsat_hardware::testing::skip("GHDL is not installed");
+    let Some(tool) = tools::ghdl(true) else {
+        testing::skip("GHDL is not installed");
         return None;
     };
     let folder = tempfile::tempdir().expect("a folder");
@@ -184,7 +182,7 @@ pub fn ghdl(cases: &[Case]) -> Option<(usize, String)> {
     std::fs::write(folder.path().join("bench.vhd"), text).expect("a file");
     files.push("bench.vhd".to_owned());
     let call = |step: &str, more: &[String]| {
-        let output = Command::new(command).args([step, "--std=93"]).args(more).current_dir(&folder).output();
+        let output = Command::new(&tool.path).args([step, "--std=93"]).args(more).current_dir(&folder).output();
         let output = output.expect("GHDL runs");
         let text = [output.stdout, output.stderr].map(|text| String::from_utf8_lossy(&text).into_owned()).concat();
         if output.status.success() { None } else { Some(text) }

@@ -1,0 +1,8 @@
+//! What checks a design in a simulator: stimuli, vector files, the testbench.
+
+mod stimulus;
+pub mod stream_vectors;
+pub mod testbench;
+pub mod vectors;
+
+pub use vectors::Stimulus;
