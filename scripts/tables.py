@@ -230,6 +230,7 @@ def comparison(what="answers"):
     rows = [[*(short[getattr(row, key)] for key in ("efsat", "moeller", "sat")), figure,
              *(share(one.rows[i].pairs, one.pairs, 3) if one.rows[i].pairs else "0" for one in found)]
             for i, (row, figure) in enumerate(zip(found[0].rows, paper, strict=True))]
+    rows = [row for row in rows if set(row[3:]) != {"0"}]
     return table(["<EFSAT", "<Moeller", "<SAT", "paper", *compared], [*rows, ["pairs", "", "", "-", *(one.pairs for one in found)]])
 
 
@@ -254,7 +255,8 @@ def distances():
         text = [f"{float(f'{time:.3g}'):,.0f}" if time >= 99.5 else f"{time:.1f}" for time in times]
         return [f"{float(found[0]['distance']):g}", found[0]["queries"], *text, f"{times[0] / times[2]:.1f}", f"{times[1] / times[2]:.2f}"]
 
-    return table(["distance", "queries", *starts, "FCL / A", "this project / A"], map(line, zip(*series, strict=True)))
+    shown = [found for i, found in enumerate(zip(*series, strict=True)) if found[0]["distance"] in ("1.55", "1.5", "1.45", "1.3", "1.1", "0.8")]
+    return table(["distance", "queries", *starts, "FCL / A", "this project / A"], map(line, shown))
 
 
 def engine(scene, name):
@@ -262,29 +264,6 @@ def engine(scene, name):
     found = ask(f"cosim --engine --scene {scene} {ENGINES[name]}")
     assert found.mismatches == 0 and found.answered_in_software == 0, found
     return found
-
-
-def busy_over_distance():
-    """What the units are busy with in the scene of scripts/engine-speed."""
-    text, source = Path("scenes/headlight.toml").read_text(), Path("scripts/engine-speed").read_text()
-    for key, name in (("steps", "STEPS"), ("distances", "DISTANCES")):
-        default = re.search(rf"\$\{{{name}:-(.*)\}}", source)[1]
-        text = re.sub(rf"(?m)^{key} = .*", f"{key} = {default if key == 'steps' else f'[{default}]'}", text)
-    KEPT.mkdir(parents=True, exist_ok=True)
-    (KEPT / "headlights.toml").write_text(text)
-
-    def cells(found):
-        volume, triangle, bus = busy(found)
-        # 8 bytes per word, 100 clocks per microsecond.
-        return [triangle, volume, bus, f"{8 * 100 * found.words / found.clocks:.0f}"]
-
-    both = [engine(KEPT / "headlights.toml", name).distances for name in ("A", "B")]
-    for one in (one for ones in both for one in ones):
-        one.queries = getattr(one, "queries", 1)
-    head = ["distance", "A: triangle unit", "volume unit", "bus", "MB/s", "B: triangle unit", "volume unit", "bus", "MB/s"]
-    # Every third distance shows how the shares change.
-    shown = list(zip(*both, strict=True))[2::3]
-    return table(head, ([f"{a.distance:g}", *cells(a), *cells(b)] for a, b in shown))
 
 
 def torus(turned):
@@ -309,26 +288,15 @@ def torus(turned):
 def tori():
     """Two large meshes, one through the hole of the other, so that they touch at one side."""
     KEPT.mkdir(parents=True, exist_ok=True)
-    a, b, scene, image = (KEPT / name for name in ("a.obj", "b.obj", "rings.toml", "a.image"))
+    a, b, scene = (KEPT / name for name in ("a.obj", "b.obj", "rings.toml"))
     a.write_text(torus(False))
     b.write_text(torus(True))
     scene.write_text("name = 'rings'\na.mesh = 'a.obj'\nb.mesh = 'b.obj'\n[[pose]]\ntranslation = [0.9, 0.1, 0.05]\n")
 
-    def measured(*words):
-        """Seconds of processor time and megabytes of memory."""
-        process = subprocess.Popen([os.environ["EFSAT"], *map(str, words)], stdout=subprocess.DEVNULL)
-        _, status, usage = os.wait4(process.pid, 0)
-        assert status == 0, words
-        return f"{usage.ru_utime + usage.ru_stime:.1f}", f"{usage.ru_maxrss / 1024:.0f}"
-
-    build = measured("tree", "build", a, "--beside", b, "--out", image)
-    verify = measured("tree", "verify", image, a)
     keys = ("expansions", "leaf_pairs", "intersect", "possibly_incorrect", "clocks")
     found = {name: engine(scene, name) for name in ENGINES}
-    head = ["<engine", "image, MB", "build, s", "MB", "verify, s", "MB", "expansions", "leaf pairs", "intersect", "possibly incorrect",
-            "clocks", "volume unit busy", "triangle unit busy", "bus busy"]
-    size = f"{image.stat().st_size / 1e6:.1f}"
-    return table(head, ([n, size, *build, *verify, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
+    head = ["<engine", "expansions", "leaf pairs", "intersect", "possibly incorrect", "clocks", "volume unit busy", "triangle unit busy", "bus busy"]
+    return table(head, ([n, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
 
 
-SPECIAL = {f.__name__: f for f in (scenes, budgets, schedule, synthesis, comparison, distances, busy_over_distance, tori)}
+SPECIAL = {f.__name__: f for f in (scenes, budgets, schedule, synthesis, comparison, distances, tori)}
