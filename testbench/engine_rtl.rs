@@ -340,7 +340,7 @@ fn the_rule_of_the_stack_is_exact() {
                  left_over(1) = '1' else";
     let changes = [
         // W too large by one.
-        (file, "room <= unsigned(to_signed(4, ", "room <= unsigned(to_signed(5, "),
+        (file, "to_signed(wide - 3, ", "to_signed(wide - 2, "),
         // Pairs in flight are not counted.
         (file, "(change - 3)", "(change + 1)"),
         // Both left children are pushed first, and popped last.
