@@ -1,6 +1,8 @@
 //! The collision engine in GHDL against its reference model: answers as sets, reports, every end of a query, memory with
 //! latencies and gaps.
 
+mod ends;
+
 use crate::extent::{full, share};
 use crate::tools::{Ghdl, ghdl, replaced};
 use efsat::artefact::{FileSet, Prefix};
@@ -130,114 +132,6 @@ fn answers_and_reports_equal_the_reference_models() {
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
 }
 
-/// The smallest caches, and one pair in flight: nothing takes time behind a reset but what memory still owes.
-fn smallest() -> EngineParams {
-    EngineParams { block_lines: 16, triangle_lines: 16, in_flight: 1, stack: 3 * 10 + 2, tree_height: 10, ..axi() }
-}
-
-/// Soft resets by the stream and by the port while memory goes on answering: one report for each, and the next query is right. The
-/// memory of the testbench is not reset with the engine.
-#[test]
-fn a_query_after_a_soft_reset_is_right() {
-    let Some(ghdl) = ghdl() else { return };
-    let bench = Bench::new(ghdl, &smallest(), &small());
-    let images = Image::build(&[&cuboid(3, 4, 2)], &bench.design.format).unwrap();
-    let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
-    let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
-    let itself = (&images[0], vectors.side(0));
-    let query = numbers.query([itself; 2], &turn(1), &[0.5, 1.0, 1.0]).unwrap();
-    for (i, clocks) in (0..).zip([1, 70, 150, 290, 700, 1300]) {
-        vectors.query(&Query { number: 1, ..query.clone() });
-        vectors.query(&Query { number: 2, ..query.clone() });
-        vectors.reset(clocks, (i % 2 == 0).then_some(i));
-        vectors.query(&Query { number: 3, ..query.clone() });
-        vectors.wait();
-    }
-    let latencies = share(4, [[160, 200], [1, 1], [60, 100], [1200, 1200]]);
-    let options = |[least, most]: [u32; 2]| {
-        ["-gpasses=1".to_owned(), format!("-glatency_least={least}"), format!("-glatency_most={most}")]
-    };
-    for latency in latencies {
-        let options = options(latency);
-        let report = bench.run_vectors(vectors.text(), &options.each_ref().map(String::as_str));
-        assert!(fine(&report), "{latency:?}: {report}");
-    }
-    let changes = [
-        // It forgets bursts; it does not say so; what works on the query goes on.
-        ("engine_read_master.vhd", "draining_now <= '1';", "draining_now <= '0';"),
-        ("engine_control.vhd", "next_reason := reason_reset;", "next_phase := waiting_state;"),
-        ("efsat_engine.vhd", "restart <= reset or forget or abort;", "restart <= reset or abort;"),
-    ];
-    let options = options([160, 200]);
-    let unnoticed: Vec<&str> = share(3, changes)
-        .into_iter()
-        .filter(|change| fine(&changed(&bench, *change, vectors.text(), &options.each_ref().map(String::as_str))))
-        .map(|(_, from, _)| from)
-        .collect();
-    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
-}
-
-/// A memory that does not answer in time: the query ends with a reason of its own, and so do those behind it, until memory has
-/// answered; a burst without a last word is never answered.
-#[test]
-fn a_memory_that_does_not_answer_ends_queries() {
-    let Some(ghdl) = ghdl() else { return };
-    let bench = Bench::new(ghdl, &EngineParams { watchdog: 500, ..axi() }, &small());
-    let (images, query) = crossing(&bench.design);
-    let images_of: Vec<&Image> = images.iter().collect();
-    let options = ["-gpasses=1", "-glatency_least=5", "-glatency_most=40", "-ghang=6000"];
-    let query = query(&EngineVectors::new(&bench.design, &images_of), &images);
-    // The root's block of A, which every query reads; then a block of B in the midst of the query.
-    let late = [query.sides[0].blocks_at, query.sides[1].blocks_at + 3].map(|at| {
-        let mut vectors = EngineVectors::new(&bench.design, &images_of);
-        vectors.fault(at, 4);
-        vectors.query_that_ends(&Query { number: 1, ..query.clone() }, Reason::Silent);
-        vectors.query_that_ends(&Query { number: 2, keep_caches: true, ..query.clone() }, Reason::Silent);
-        vectors.wait();
-        vectors.reset(3, Some(3));
-        vectors.query_that_ends(&Query { number: 4, ..query.clone() }, Reason::Silent);
-        vectors.wait();
-        vectors.pause(7000);
-        vectors.query(&Query { number: 5, keep_caches: true, ..query.clone() });
-        vectors.text().to_owned()
-    });
-    for text in &late {
-        let report = bench.run_vectors(text, &options);
-        assert!(fine(&report), "{report}");
-    }
-
-    let mut vectors = EngineVectors::new(&bench.design, &images_of);
-    vectors.fault(query.sides[0].blocks_at, 5);
-    // The word that should have been the last one tells; from then on a burst is missing.
-    vectors.query_that_ends(&Query { number: 1, ..query.clone() }, Reason::Memory);
-    vectors.query_that_ends(&Query { number: 2, ..query.clone() }, Reason::Silent);
-    vectors.reset(900, None);
-    vectors.query_that_ends(&Query { number: 3, ..query.clone() }, Reason::Silent);
-    let report = bench.run_vectors(vectors.text(), &options);
-    assert!(fine(&report), "{report}");
-
-    let changes = [
-        (
-            "engine_control.vhd",
-            "            if memory_silent = '1' then\n",
-            "            if memory_silent = '0' then\n",
-        ),
-        ("engine_control.vhd", "if (memory_error or memory_silent) = '1' then", "if memory_error = '1' then"),
-        (
-            "engine_read_master.vhd",
-            "elsif silence = watchdog - 1 then",
-            "elsif silence = watchdog and reset = '1' then",
-        ),
-    ];
-    let options = [&options[..], &["-gpatience=9000"]].concat();
-    let unnoticed: Vec<&str> = share(3, changes)
-        .into_iter()
-        .filter(|change| late.iter().all(|text| fine(&changed(&bench, *change, text, &options))))
-        .map(|(_, from, _)| from)
-        .collect();
-    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
-}
-
 /// A mesh is written over at its old address: the same query with the options of every host is about what is there now.
 #[test]
 fn a_mesh_that_was_written_over_is_read_again() {
@@ -262,53 +156,6 @@ fn a_mesh_that_was_written_over_is_read_again() {
     // Caches that are kept hold what is not there any more.
     let change = ("engine_control.vhd", "or job_words(job_keep) = '0' then", "or job_words(job_keep) = '1' then");
     assert!(!fine(&changed(&bench, change, vectors.text(), &options)));
-}
-
-/// A mesh against itself, so that the query is long when the stop comes.
-#[test]
-fn a_stop_ends_the_query_that_runs() {
-    let Some(ghdl) = ghdl() else { return };
-    for engine in share(2, [axi(), block_ram()]) {
-        let bench = Bench::new(ghdl, &engine, &small());
-        let numbers = Numbers::new(&engine, &small()).unwrap();
-        let mesh = hills(8);
-        let images = Image::build(&[&mesh], &bench.design.format).unwrap();
-        let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
-        let pair = (&images[0], vectors.side(0));
-        let query = numbers.query([pair; 2], &turn(2), &[0.0, 0.0, 0.0]).unwrap();
-        vectors.wait();
-        vectors.query_that_ends(&Query { number: 5, ..query.clone() }, Reason::Stopped);
-        vectors.stop(300, 5);
-        vectors.wait();
-        vectors.query(&Query { number: 6, ..query.clone() });
-        // A stop for the query that waits leaves the one that runs; one for neither is for none.
-        vectors.wait();
-        vectors.query(&Query { number: 7, ..query.clone() });
-        vectors.query_that_ends(&Query { number: 8, ..query.clone() }, Reason::Stopped);
-        vectors.stop(300, 9);
-        vectors.stop(5, 8);
-        vectors.query(&Query { number: 9, ..query });
-        let report = bench.run_vectors(vectors.text(), &["-gpasses=1"]);
-        assert!(fine(&report), "{report}");
-    }
-}
-
-#[test]
-fn a_fault_of_memory_ends_the_query_and_the_next_is_right() {
-    let Some(ghdl) = ghdl() else { return };
-    let bench = Bench::new(ghdl, &axi(), &small());
-    let (images, query) = crossing(&bench.design);
-    for kind in share(3, 1..=3) {
-        let mut vectors = EngineVectors::new(&bench.design, &images.iter().collect::<Vec<_>>());
-        let query = query(&vectors, &images);
-        // The root's block of A, which every query reads, and a triangle of B.
-        vectors.fault(query.sides[0].blocks_at, kind);
-        vectors.query_that_ends(&Query { number: 1, ..query.clone() }, Reason::Memory);
-        vectors.query(&Query { number: 2, ..query.clone() });
-        vectors.query(&Query { number: 3, keep_caches: true, ..query.clone() });
-        let report = bench.run_vectors(vectors.text(), &["-glatency_least=2", "-glatency_most=40"]);
-        assert!(fine(&report), "kind {kind}: {report}");
-    }
 }
 
 /// Packets of pairs and poses are answered word by word as the stream wrapper does, in turn with queries, and mistakes in the text
@@ -371,32 +218,6 @@ fn pairs_and_poses_come_in_turn_with_queries() {
         .map(|(_, from, _)| from)
         .collect();
     assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
-}
-
-/// Blocks damaged bit by bit: the report comes with the model's reason, nothing outside is read, the next query is right.
-#[test]
-fn damaged_trees_do_no_harm() {
-    let Some(ghdl) = ghdl() else { return };
-    let bench = Bench::new(ghdl, &axi(), &small());
-    let (images, query) = crossing(&bench.design);
-    let mut rng = ChaCha8Rng::seed_from_u64(5);
-    for _ in share(8, 0..16) {
-        let mut vectors = EngineVectors::new(&bench.design, &images.iter().collect::<Vec<_>>());
-        let query = query(&vectors, &images);
-        let first = 8 * query.sides[0].blocks_at as usize;
-        // Links, origins, tags: the low three words of some of the blocks; others are codes, which may be anything.
-        for _ in 0..3 {
-            let (number, place, bit) = (rng.random_range(0..16), rng.random_range(0..3), rng.random_range(0..64));
-            vectors.change(first + 8 * number + place, |word| *word ^= 1u64 << bit);
-        }
-        vectors.query(&Query { number: 1, ..query.clone() });
-        // B against itself is whole.
-        let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
-        let whole = numbers.query([(&images[1], query.sides[1]); 2], &turn(0), &[0.5, 0.0, 0.0]).unwrap();
-        vectors.query(&Query { number: 2, ..whole });
-        let report = bench.run_vectors(vectors.text(), &["-gpasses=1", "-glatency_least=5", "-glatency_most=20"]);
-        assert!(fine(&report), "{report}");
-    }
 }
 
 /// Mistakes in the text, each with options that show it.
@@ -519,7 +340,7 @@ fn the_rule_of_the_stack_is_exact() {
                  left_over(1) = '1' else";
     let changes = [
         // W too large by one.
-        (file, "room <= unsigned(to_signed(4, ", "room <= unsigned(to_signed(5, "),
+        (file, "to_signed(wide - 3, ", "to_signed(wide - 2, "),
         // Pairs in flight are not counted.
         (file, "(change - 3)", "(change + 1)"),
         // Both left children are pushed first, and popped last.

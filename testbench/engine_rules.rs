@@ -191,7 +191,7 @@ impl Alone {
     }
 }
 
-/// The engine alone is reset at every clock of a query while memory goes on: by the stream and by the port, also between the words
+/// The engine alone is reset at every clock of a query, or at some of many clocks, while memory goes on: by the stream and by the port, also between the words
 /// of a packet. Every query that follows is right. A stop around the end of the first of two queries never ends the second.
 #[test]
 #[ignore = "compiles an engine: scripts/test full"]
@@ -199,15 +199,19 @@ fn every_query_after_a_reset_or_a_stop_is_right() {
     let Some(alone) = Alone::new() else { return };
     let format = alone.machine.design().format;
     let order = |command, number| Step::Packet(vec![format.order(command, number)]);
-    for latency in [1, 30, 60] {
+    // Every clock, or at most so many of them, the last behind the answer.
+    for (latency, most) in [(1, usize::MAX), (30, usize::MAX), (60, usize::MAX), (160, 300), (400, 200), (1200, 100)] {
         let first = alone.play(latency, &[alone.ask(1)]);
         let (reason, _, due) = Alone::read(&first[0]);
         assert!(reason == Reason::Complete && due.0.len() > 5, "{first:?}");
         let clocks = first[0].clock as usize + 40;
         let Step::Packet(words) = alone.ask(2) else { unreachable!() };
-        // A copy of the engine is reset in each clock of the query.
+        let stride = clocks.div_ceil(most);
+        let resets = clocks.div_ceil(stride) + 1;
+        let pause = (stride > 1).then(|| Step::Pause(stride as u32 - 2));
+        // A copy of the engine is reset in each of these clocks.
         let mut steps = vec![alone.ask(1)];
-        steps.extend((0..clocks).map(|i| {
+        steps.extend((0..resets).flat_map(|i| {
             let mut apart = match i % 3 {
                 0 => vec![Step::SoftReset],
                 1 => vec![order(Command::Reset, i as u32 & 0xffff)],
@@ -217,13 +221,13 @@ fn every_query_after_a_reset_or_a_stop_is_right() {
                 }
             };
             apart.extend([alone.ask(3), Step::Wait]);
-            Step::Apart(apart)
+            [Some(Step::Apart(apart)), pause.clone()].into_iter().flatten()
         }));
         let answers = alone.play(latency, &steps);
         let mut answers = answers.iter().map(Alone::read).peekable();
         let mut before = 0;
-        for i in 0..clocks {
-            let at = format!("latency {latency}, reset in clock {i} of {clocks}");
+        for i in 0..resets {
+            let at = format!("latency {latency}, reset in clock {} of {clocks}", i * stride);
             // Of a copy that was faster than its reset, or of the engine itself.
             while let Some(whole) = answers.next_if(|(reason, ..)| *reason != Reason::Reset) {
                 assert_eq!(whole, (Reason::Complete, 1, due.clone()), "{at}");

@@ -189,7 +189,7 @@ fn a_full_standard_output_is_no_failed_check() {
     fs::write(dir.join("s.toml"), SCENE).unwrap();
     for line in [
         "--help",
-        "list",
+        "list options",
         "classify --random 20000",
         "classify --random 9 --json",
         "compare --random 9",

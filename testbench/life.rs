@@ -1,6 +1,7 @@
 //! The page on the life of a design is made of excerpts: of the builder, of what `efsat generate --dump` writes of the default
 //! design, and of its VHDL.
 
+use crate::tools::program::{fails, succeeds};
 use efsat_unit::artefact::dump_files;
 use efsat_unit::design::{Design, Probes};
 use efsat_unit::params::Params;
@@ -59,6 +60,27 @@ fn the_excerpts_are_of_the_default_design() {
     for end in ["rs", "graph.txt", "schedule.txt", "module.txt", "vhd"] {
         assert!(ends.contains(&end), "{PAGE}: no excerpt of a file that ends in .{end}");
     }
+}
+
+/// Every entity of the design, whole or not at all.
+#[test]
+fn the_command_dumps_every_entity_and_replaces_nothing() {
+    let home = tempfile::tempdir().unwrap();
+    let dumps = home.path().join("dumps");
+    let line = "generate --dump dumps";
+    // Also over what it wrote before.
+    (0..2).for_each(|_| _ = succeeds(&home, line));
+    let design = Design::new(&Params::default(), Probes::None).unwrap();
+    for module in design.top.hierarchy() {
+        assert!(dumps.join(format!("{}.module.txt", module.name)).exists(), "{}", module.name);
+    }
+    for (schedule, _) in design.schedules() {
+        for kind in ["graph", "schedule"] {
+            assert!(dumps.join(format!("{}.{kind}.txt", schedule.unit.name)).exists(), "{}", schedule.unit.name);
+        }
+    }
+    fs::remove_file(dumps.join("manifest.json")).unwrap();
+    fails(&home, line, 2, "no manifest.json of efsat");
 }
 
 #[test]

@@ -16,7 +16,7 @@ use efsat_unit::design::top::DesignError;
 pub(super) enum Failure {
     /// A check failed: exit status 1.
     Check(String),
-    /// The command line or an input file is wrong: exit status 2.
+    /// The command line or an input file is wrong, or an output cannot be written: exit status 2.
     Usage(String),
     /// Standard output was closed by its reader.
     Closed,

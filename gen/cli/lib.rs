@@ -1,7 +1,7 @@
 //! The command line: one file per command. The only module that prints.
 //!
 //! Results go to standard output, everything else to standard error. Exit status: 0 done and everything agreed, 1 a
-//! check failed, 2 the command line or an input file is wrong.
+//! check failed, 2 the command line or an input file is wrong, or an output cannot be written.
 
 mod accuracy;
 mod classify;
@@ -45,7 +45,7 @@ struct CommandLine {
 const VERSION: &str = env!("EFSAT_VERSION");
 
 const AFTER: &str = "Exit status: 0 done and everything agreed; 1 a check failed (a mismatch, a wrong definite answer); \
-    2 the command line or an input file is wrong.";
+    2 the command line or an input file is wrong, or an output cannot be written.";
 
 #[derive(Debug, Subcommand)]
 enum Command {

@@ -180,7 +180,7 @@ mod tests {
     }
 
     #[test]
-    fn the_defaults_are_the_papers() {
+    fn no_option_means_the_defaults() {
         assert_eq!(parse(&[]), Params::default());
     }
 

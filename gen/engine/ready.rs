@@ -8,8 +8,7 @@ use efsat_unit::artefact::{DesignFilesError, FileSet, Packaging, Prefix, design_
 use efsat_unit::design::Design;
 use efsat_unit::design::top::DesignError;
 use efsat_unit::params::Params;
-use efsat_unit::parts::manifest::{self, digest};
-use std::collections::BTreeMap;
+use efsat_unit::parts::manifest;
 
 /// Why the ready designs cannot be made.
 #[derive(Debug, thiserror::Error)]
@@ -107,8 +106,7 @@ fn engine(set: &mut FileSet, unit: &Params) -> Result<EngineRow, ReadyError> {
 
 /// The manifest of the ready designs: their files alone, for each folder has a manifest of its own.
 fn whole_manifest(files: &FileSet) -> String {
-    let digests: BTreeMap<&str, String> = files.iter().map(|(name, text)| (name, digest(text))).collect();
-    let manifest = serde_json::json!({ "generator": format!("efsat {}", env!("CARGO_PKG_VERSION")), "files": digests });
+    let manifest = serde_json::json!({ "generator": manifest::generator(), "files": manifest::digests(files) });
     serde_json::to_string_pretty(&manifest).expect("keys are strings")
 }
 

@@ -125,6 +125,10 @@ impl Expression {
     pub fn slice(self, high: u32, low: u32) -> Self {
         match self {
             Self::Slice(name, _, below) => Self::Slice(name, below + high, below + low),
+            // In VHDL-93 no bits can be taken of a conversion: it is the bits that are converted.
+            Self::Call(name, args) if Self::converts(name) => {
+                Self::Call(name, args.into_iter().map(|name| name.slice(high, low)).collect())
+            }
             name => Self::Slice(Box::new(name), high, low),
         }
     }
@@ -133,8 +137,14 @@ impl Expression {
     pub fn bit(self, i: u32) -> Self {
         match self {
             Self::Slice(name, _, below) => Self::Bit(name, below + i),
+            Self::Call(name, mut args) if Self::converts(name) => args.remove(0).bit(i),
             name => Self::Bit(Box::new(name), i),
         }
+    }
+
+    /// Whether a function is a conversion of vectors, bit for bit.
+    fn converts(function: &str) -> bool {
+        ["signed", "unsigned"].contains(&function)
     }
 
     /// The number behind a literal.

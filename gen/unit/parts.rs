@@ -13,13 +13,14 @@ pub use crate::design::product::product;
 pub use crate::design::sequencer::output;
 pub use crate::design::slots::Slots;
 
-// The package of constants for users.
-pub use crate::artefact::wrap::host::constants_package;
+// Constants for users, and their side in C and Python.
+pub use crate::artefact::wrap::host::{HostSide, constants_package};
 
 // Files: bits of words, the example behind a UART, boards, lists, Verilog, and the manifest.
 pub use crate::artefact::bits::Bits;
+pub use crate::artefact::files::core::{Core, FileRow};
 pub use crate::artefact::files::project::Project;
-pub use crate::artefact::wrap::example::{Core, add_top};
+pub use crate::artefact::wrap::example::add_top;
 pub use crate::artefact::wrap::verilog::verilog_of;
 
 // Words of the stream: vectors, and packets.
@@ -33,7 +34,7 @@ pub mod board {
 
 /// What every manifest has.
 pub mod manifest {
-    pub use crate::artefact::files::manifest::{NAME, digest, files};
+    pub use crate::artefact::files::manifest::{NAME, digests, files, generator, of};
 }
 
 use crate::params::options::Choice;

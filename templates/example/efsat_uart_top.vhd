@@ -2,16 +2,11 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Example: the {{ core.name() }} behind a UART, a whole design with four pins. Bytes in are the words of {{ prefix }}{{ core.entity() }}, low byte
+-- Example: the {{ core.name }} behind a UART, a whole design with four pins. Bytes in are the words of {{ prefix }}{{ core.entity }}, low byte
 -- first; a packet ends when the line has been silent for silence_bits bit times. Bytes out are the words of answers, low
-{%- match core %}
-{%- when Core::Unit %}
--- byte first. A packet that is no whole words is answered as malformed. A record takes far longer to arrive than its
--- answer to leave, so nothing waits here and no handshake is needed.
-{%- when Core::Engine %}
--- byte first. A packet that is no whole words is answered as malformed. The line has no handshake: send the next packet when the
--- one before is answered; only a stop may come while a query runs.
-{%- endmatch %}
+{%- for line in core.packets %}
+-- {{ line }}
+{%- endfor %}
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -143,7 +138,7 @@ begin
     end if;
   end process collect;
 
-  {{ core.label() }} : entity work.{{ prefix }}{{ core.entity() }}
+  {{ core.label }} : entity work.{{ prefix }}{{ core.entity }}
     port map (
       aclk => clk,
       aresetn => aresetn,

@@ -68,6 +68,7 @@ const LAST_PHASE: &str = "full counts in the last phase only, and the clock befo
 const POPPED: &str = "valid counts in the last phase only, ten clocks or more after the last pop, and after reset";
 const ROOM: &str =
     "the next push writes the place again, and never do pairs wait in all places: one is popped in every slot";
+const NOT_YET: &str = "in the clock after reset nothing is accepted and no pair is held, and then it is set anew";
 const RUNNING: &str = "pose_phase and last_phase are first set many clocks after reset, when running is long set";
 const NOT_MOVED: &str = "after reset nothing has been taken, and either flag says that the queue is empty";
 const PRODUCT: &str = "the factors of a product exchanged";
@@ -86,6 +87,7 @@ const VHDL: &[Explanation] = &[
     same_in_several("sequencer:full_if_moved:*", LAST_PHASE),
     same_in_several("sequencer:accepted_moved:constant:'0' -> '1'", LAST_PHASE),
     same_in_several("sequencer:accepted_moved:delay:a register too many", LAST_PHASE),
+    same_in_several("sequencer:last_phase:constant:'0' -> '1'", NOT_YET),
     same("sequencer:running:constant:'0' -> '1'", RUNNING),
     same("sequencer:running:delay:a register too many", RUNNING),
     same("sequencer:pose_accept:operand:takes_pose -> pose_phase", RUNNING),

@@ -1,7 +1,7 @@
 //! All files of a generated engine, as one value.
 
 use super::values::WORD;
-use super::{EngineDesign, NAME, TESTBENCH, bench, engine_files, host};
+use super::{CORE, EngineDesign, NAME, TESTBENCH, bench, engine_files, host};
 use crate::params::Memory;
 use crate::words::Command;
 use askama::Template;
@@ -9,17 +9,10 @@ use efsat_hardware::vhdl::lint::lint;
 use efsat_unit::artefact::file_lists::FileLists;
 use efsat_unit::artefact::{DesignFilesError, FileSet, Prefix};
 use efsat_unit::design::top::pace;
-use efsat_unit::parts::manifest::digest;
-use efsat_unit::parts::{Core, Project, add_top, board};
+use efsat_unit::parts::{FileRow, Project, add_top, board, manifest};
 use efsat_unit::words::PacketKind;
 use serde::Serialize;
 use std::collections::BTreeMap;
-
-/// A row of a table.
-struct Row {
-    name: String,
-    what: String,
-}
 
 #[derive(Template)]
 #[template(path = "engine/engine-readme.md", escape = "none")]
@@ -37,17 +30,15 @@ struct Readme<'a> {
     volume_multipliers: usize,
     frequency: u32,
     device: &'static str,
-    entities: Vec<Row>,
-    files: Vec<Row>,
+    entities: Vec<FileRow>,
+    files: Vec<FileRow>,
     project: Option<Project>,
     testbench: String,
 }
 
-/// The manifest of an engine. It has no date: equal parameters give equal bytes.
+/// What an engine is.
 #[derive(Serialize)]
-struct Manifest<'a> {
-    generator: String,
-    command_line: &'a str,
+struct About {
     unit: BTreeMap<String, String>,
     engine: BTreeMap<String, String>,
     clocks_per_pair: usize,
@@ -62,7 +53,6 @@ struct Manifest<'a> {
     load_header: Option<String>,
     stop_header: String,
     reset_header: String,
-    files: BTreeMap<&'a str, String>,
 }
 
 /// What the entities of the engine are for, in the order of the data.
@@ -118,7 +108,7 @@ pub fn engine_design_files_with(
     let (bench_file, vector_file) = (format!("{prefix}{TESTBENCH}.vhd"), format!("{prefix}{TESTBENCH}.vec"));
     let names: Vec<String> = sources.iter().map(|(name, _)| name.clone()).collect();
     let mut set = FileSet::default();
-    let row = |name: &str, what: &str| Row { name: name.to_owned(), what: what.to_owned() };
+    let row = FileRow::new;
     let mut files = vec![
         row(
             &format!("{prefix}{NAME}.vhd"),
@@ -154,24 +144,20 @@ pub fn engine_design_files_with(
     let (mut all, mut project) = (names.clone(), None);
     if design.params.memory == Memory::BlockRam {
         let unit = &design.unit;
-        add_top(&mut set, Core::Engine, unit.params.frequency, [WORD; 2], prefix);
+        add_top(&mut set, &CORE, unit.params.frequency, [WORD; 2], prefix);
         all.extend(FileLists::example(prefix));
         files.push(row("example", "The engine behind a UART, a whole design."));
-        project = board::add(&mut set, Core::Engine, unit, prefix, &names);
-        files.extend(
-            project
-                .as_ref()
-                .map(|project| row(&project.folder, &format!("Project for {}, part {}.", project.tool, project.part))),
-        );
+        project = board::add(&mut set, &CORE, unit, prefix, &names);
+        files.extend(project.as_ref().map(FileRow::of_project));
     }
     for (name, text) in verilog {
-        files.push(row(name, "A copy in Verilog, made by GHDL."));
+        files.push(FileRow::of_verilog(name));
         set.insert(name, text);
     }
     set.insert("files.txt", format!("{}\n{bench_file}\n", all.join("\n")));
     set.insert("README.md", readme(design, prefix, command_line, files, project));
-    let manifest = manifest(design, command_line, &set);
-    set.insert("manifest.json", manifest);
+    let text = manifest_of(design, command_line, &set);
+    set.insert(manifest::NAME, text);
     Ok(set)
 }
 
@@ -179,7 +165,7 @@ fn readme(
     design: &EngineDesign,
     prefix: &Prefix,
     command_line: &str,
-    files: Vec<Row>,
+    files: Vec<FileRow>,
     project: Option<Project>,
 ) -> String {
     let params = &design.params;
@@ -194,8 +180,7 @@ fn readme(
             params.memory_width, params.block_lines, params.triangle_lines
         ),
     };
-    let mut entities: Vec<Row> =
-        ENTITIES.iter().map(|(name, what)| Row { name: prefix.of(name), what: (*what).to_owned() }).collect();
+    let mut entities: Vec<FileRow> = ENTITIES.iter().map(|(name, what)| FileRow::new(&prefix.of(name), what)).collect();
     let stores: &[(&str, &str)] = match params.memory {
         Memory::BlockRam => &[("engine_block_memory", "Blocks."), ("engine_triangle_memory", "Triangles.")],
         Memory::Axi => &[
@@ -204,7 +189,7 @@ fn readme(
             ("engine_read_master", "AXI4 reads for the caches."),
         ],
     };
-    entities.extend(stores.iter().map(|(name, what)| Row { name: prefix.of(name), what: (*what).to_owned() }));
+    entities.extend(stores.iter().map(|(name, what)| FileRow::new(&prefix.of(name), what)));
 
     let readme = Readme {
         version: env!("CARGO_PKG_VERSION"),
@@ -228,14 +213,12 @@ fn readme(
     readme.render().expect("the template renders")
 }
 
-fn manifest(design: &EngineDesign, command_line: &str, files: &FileSet) -> String {
+fn manifest_of(design: &EngineDesign, command_line: &str, files: &FileSet) -> String {
     let options = |list: Vec<(&'static str, String)>| list.into_iter().map(|(k, v)| (k.replace('-', "_"), v)).collect();
     let header = |command| format!("{:016x}", design.format.header(command));
     let unit = |kind| format!("{:016x}", design.format.stream.header(kind));
     let load = (design.params.memory == Memory::BlockRam).then(|| header(Command::Load));
-    let manifest = Manifest {
-        generator: format!("efsat {}", env!("CARGO_PKG_VERSION")),
-        command_line,
+    let about = About {
         unit: options(design.unit.params.options()),
         engine: options(design.params.options()),
         clocks_per_pair: design.unit.interval,
@@ -250,8 +233,6 @@ fn manifest(design: &EngineDesign, command_line: &str, files: &FileSet) -> Strin
         load_header: load,
         stop_header: header(Command::Stop),
         reset_header: header(Command::Reset),
-        files: files.iter().map(|(name, text)| (name, digest(text))).collect(),
     };
-    let text = serde_json::to_string_pretty(&manifest).expect("texts and numbers");
-    text + "\n"
+    manifest::of(command_line, about, files) + "\n"
 }

@@ -6,30 +6,30 @@ use crate::host::TRIANGLES_AT;
 use crate::params::Memory;
 use crate::words::{Command, EngineAnswer, EngineReport, QueryFlags, Reason};
 use askama::Template;
-use efsat_unit::artefact::{Prefix, origin};
+use efsat_unit::artefact::Prefix;
 use efsat_unit::pair::Verdict;
 use efsat_unit::params::Quantity;
-use efsat_unit::parts::constants_package;
+use efsat_unit::parts::{HostSide, constants_package};
 use efsat_unit::words::REPORT;
-use efsat_unit::words::constants::{Constant, Group, Refusal, ranges, refusals};
+use efsat_unit::words::constants::{Constant, Group};
+use std::ops::Deref;
 
 /// What the files of the host side are made of.
 struct Host<'a> {
-    header: Vec<String>,
-    prefix: &'a Prefix,
-    /// The entity behind the words, and what stands before the names of constants.
-    base: &'static str,
-    upper: String,
-    groups: Vec<Group>,
-    refusals: Vec<Refusal>,
-    /// The first refusals that are about unsigned numbers, and that expect nothing in particular.
-    unsigned: &'static str,
-    unexpected: &'static str,
+    side: HostSide<'a>,
     reasons: Vec<&'static str>,
     /// How many directions each choice of a row has.
     slots: String,
     is_sticky: bool,
     block_ram: bool,
+}
+
+impl<'a> Deref for Host<'a> {
+    type Target = HostSide<'a>;
+
+    fn deref(&self) -> &HostSide<'a> {
+        &self.side
+    }
 }
 
 /// The file in C.
@@ -54,33 +54,25 @@ pub(super) fn package(design: &EngineDesign, prefix: &Prefix) -> (String, String
 
 /// The files of the host side: names and texts.
 pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String); 2] {
-    let mut groups = groups(design);
-    groups.insert(1, ranges(&design.unit.params));
+    let refusals = [
+        ("ENTRY", Quantity::Entry.name()),
+        ("TRANSLATION", Quantity::Translation.name()),
+        ("STICKY", "sticky bits"),
+        ("ERROR", "error of the shift"),
+        ("REST", "rest of row"),
+        ("CHOICE", "a choice of row"),
+        ("FACTOR", "a factor of row"),
+        ("FLAGS", "flags"),
+        ("ADDRESS", "no multiple of 64 in memory, address"),
+        ("ANSWER_NUMBER", "report of query"),
+        ("COUNT", "pairs of a verdict in the answer, as the report counts them"),
+        ("MOVE", "a way that is no multiple of 64 or leaves memory"),
+        ("NO_REPORT", "an answer without a report that is due at its end, words"),
+        ("PAIR", "a word that is no pair of the objects, word"),
+        ("TWICE", "a pair of triangles twice, word"),
+    ];
     let host = Host {
-        header: origin(),
-        prefix,
-        base: NAME,
-        upper: prefix.of(NAME).to_uppercase(),
-        groups,
-        refusals: refusals([
-            ("ENTRY", Quantity::Entry.name()),
-            ("TRANSLATION", Quantity::Translation.name()),
-            ("STICKY", "sticky bits"),
-            ("ERROR", "error of the shift"),
-            ("REST", "rest of row"),
-            ("CHOICE", "a choice of row"),
-            ("FACTOR", "a factor of row"),
-            ("FLAGS", "flags"),
-            ("ADDRESS", "no multiple of 64 in memory, address"),
-            ("ANSWER_NUMBER", "report of query"),
-            ("COUNT", "pairs of a verdict in the answer, as the report counts them"),
-            ("MOVE", "a way that is no multiple of 64 or leaves memory"),
-            ("NO_REPORT", "an answer without a report that is due at its end, words"),
-            ("PAIR", "a word that is no pair of the objects, word"),
-            ("TWICE", "a pair of triangles twice, word"),
-        ]),
-        unsigned: "PAIR",
-        unexpected: "MOVE",
+        side: HostSide::new((NAME, prefix), (groups(design), &design.unit.params), refusals, ["PAIR", "MOVE"]),
         reasons: Reason::ALL.map(|code| reason(code).1).into(),
         slots: design.format.directions.slots().map(|slot| slot.len().to_string()).join(", "),
         is_sticky: design.format.sticky,

@@ -19,6 +19,7 @@ use efsat_unit::artefact::{Prefix, origin, vhdl_files};
 use efsat_unit::design::Design;
 use efsat_unit::design::top::DesignError;
 use efsat_unit::params::{ParamError, Params};
+use efsat_unit::parts::Core;
 use efsat_unit::words::PacketKind;
 use values::{Lines, Values};
 use volume::volume_files;
@@ -28,6 +29,18 @@ pub use verilog::engine_verilog_files;
 
 /// Name of the entity of the engine, without a prefix.
 pub const NAME: &str = "efsat_engine";
+
+/// The engine as a core; in the example with its trees in block RAM.
+const CORE: Core = Core {
+    name: "engine",
+    entity: NAME,
+    label: "engine",
+    verilog: "efsat_engine.v",
+    packets: &[
+        "byte first. A packet that is no whole words is answered as malformed. The line has no handshake: send the next packet when the",
+        "one before is answered; only a stop may come while a query runs.",
+    ],
+};
 
 /// Name of the testbench entity, without a prefix.
 pub const TESTBENCH: &str = "efsat_engine_tb";

@@ -1,12 +1,12 @@
 //! The engine in Verilog.
 
-use super::EngineDesign;
+use super::{CORE, EngineDesign};
 use crate::params::Memory;
 use efsat_unit::artefact::{FileSet, Prefix, VerilogFile};
-use efsat_unit::parts::{Core, board, verilog_of};
+use efsat_unit::parts::{board, verilog_of};
 
 /// As [`verilog_files`](efsat_unit::artefact::verilog_files), of an engine. It is on a board only with its trees in block RAM.
 pub fn engine_verilog_files(set: &FileSet, design: &EngineDesign, prefix: &Prefix) -> Vec<VerilogFile> {
     let on_board = design.params.memory == Memory::BlockRam;
-    verilog_of(set, Core::Engine, on_board.then(|| board::verilog_file(&design.unit, prefix)).flatten(), prefix)
+    verilog_of(set, &CORE, on_board.then(|| board::verilog_file(&design.unit, prefix)).flatten(), prefix)
 }

@@ -5,6 +5,7 @@
 
 use crate::words::LINK_NUMBER_BITS;
 use efsat_geometry::directions::Directions;
+use efsat_unit::option_set;
 use efsat_unit::params::ParamError;
 use efsat_unit::params::options::Choice;
 use efsat_unit::parts::Spelled;
@@ -61,41 +62,15 @@ impl Choice for Memory {
     }
 }
 
-/// The table of options: name, field and type, default, and further arguments for clap; its comment is its help.
-macro_rules! options {
-    ($(
-        #[doc = $help:literal]
-        $name:literal $field:ident: $type:ty = $default:expr, [$($argument:tt)*];
-    )+) => {
-        /// A complete parameter set of the engine around a unit. Build one with [`EngineParams::default`] and change fields,
-        /// then [`format`](EngineParams::format).
-        #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-        #[cfg_attr(feature = "clap", derive(clap::Args))]
-        #[cfg_attr(feature = "clap", command(next_help_heading = "Parameters of the engine"))]
-        pub struct EngineParams {
-            $(
-                #[doc = $help]
-                #[cfg_attr(feature = "clap", arg(long = $name, default_value = <$type>::spelled(&$default), $($argument)*))]
-                pub $field: $type,
-            )+
-        }
-
-        impl Default for EngineParams {
-            fn default() -> Self {
-                Self { $($field: $default,)+ }
-            }
-        }
-
-        impl EngineParams {
-            /// Every option (without its dashes) with its value, in a fixed order.
-            pub fn options(&self) -> Vec<(&'static str, String)> {
-                vec![$(($name, self.$field.spelled()),)+]
-            }
-        }
-    };
-}
-
-options! {
+option_set! {
+    /// A complete parameter set of the engine around a unit. Build one with [`EngineParams::default`] and change fields,
+    /// then [`format`](EngineParams::format).
+    #[cfg_attr(feature = "clap", command(next_help_heading = "Parameters of the engine"))]
+    EngineParams,
+    /// An engine whose trees are in memory, behind caches.
+    default,
+    /// Every option (without its dashes) with its value, in a fixed order.
+    options;
     /// Directions of a bounding volume; 26 need --offset-bits of 6 or less
     "directions" directions: Directions = Directions::Eighteen,
         [value_name = "K", value_parser = choice::<Directions>(), allow_negative_numbers = true];

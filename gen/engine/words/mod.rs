@@ -1,7 +1,7 @@
 //! The words of an engine (docs/engine.md): what it takes, what it answers, and what it reads from memory.
 //!
 //! Where a field has the same place in every engine, it is said here; the places that depend on its options are in the
-//! [`format`](crate::format).
+//! [`format`](mod@crate::format).
 
 mod answer;
 mod memory;

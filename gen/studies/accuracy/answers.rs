@@ -36,10 +36,10 @@ pub struct Answers {
     /// Their verdicts.
     #[serde(flatten)]
     pub verdicts: Verdicts,
-    /// Definite answers that contradict the exact one.
-    pub wrong: u64,
     /// What the possibly incorrect ones are, exactly.
     pub undecided: Relations,
+    /// Definite answers that contradict the exact one.
+    pub wrong: u64,
     /// Answered by the host, because they are outside the declared ranges.
     pub host_decided: u64,
     /// The exact retest of the possibly incorrect pairs; none if there are none.
@@ -53,8 +53,8 @@ impl Answers {
         let mut answers = Self {
             pairs: pairs.len() as u64,
             verdicts: Verdicts::default(),
-            wrong: 0,
             undecided: Relations::default(),
+            wrong: 0,
             host_decided: 0,
             retest: None,
         };

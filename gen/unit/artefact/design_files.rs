@@ -1,11 +1,11 @@
 //! All files of a generated design, as one value.
 
 use super::check::{stream_vectors, testbench, vectors};
+use super::files::core::{Core, FileRow};
 use super::files::file_lists::FileLists;
 use super::files::manifest;
 use super::files::project::Project;
 use super::units::{UnitRow, first_sentence, units};
-use super::wrap::example::Core;
 use super::wrap::{board, drop_in, example, host, ise, stream, vivado};
 use super::{FileSet, Prefix, Stimulus, origin, vhdl_files};
 use crate::design::Design;
@@ -41,12 +41,6 @@ pub enum DesignFilesError {
     Lint(Finding),
 }
 
-/// A line of the table of files.
-struct Described {
-    name: String,
-    what: String,
-}
-
 #[derive(Template)]
 #[template(path = "rtl-readme.md", escape = "none")]
 struct Readme<'a> {
@@ -64,7 +58,7 @@ struct Readme<'a> {
     delays: &'static str,
     testbench: String,
     units: Vec<UnitRow>,
-    files: Vec<Described>,
+    files: Vec<FileRow>,
     projects: Vec<Project>,
 }
 
@@ -95,14 +89,13 @@ pub fn design_files_with(
     let entities = modules.iter().map(|module| first_sentence(&module.doc));
     let what = std::iter::once("Types and functions of the entities.".to_owned()).chain(entities);
     for ((name, text), what) in vhdl_files(design, prefix, command_line)?.into_iter().zip(what) {
-        described.push(Described { name: name.clone(), what });
+        described.push(FileRow { name: name.clone(), what });
         set.insert(name.clone(), text);
         core.push(name);
     }
     let lists = FileLists::new(core, prefix);
     let format = StreamFormat::new(params, *width);
-    let mut describe =
-        |name: &str, what: &str| described.push(Described { name: name.to_owned(), what: what.to_owned() });
+    let mut describe = |name: &str, what: &str| described.push(FileRow::new(name, what));
     set.insert(&lists.wrapper, stream::wrapper(design, &format, prefix, &origin));
     set.insert(&lists.constants, host::package(design, &format, prefix));
     describe(&lists.constants, "Widths, latency and places in the words of the stream, as VHDL constants for users.");
@@ -154,15 +147,13 @@ pub fn design_files_with(
     let projects = [
         ise::add(&mut set, design, prefix, &synthesised),
         vivado::add(&mut set, design, packaging, command_line, &synthesised),
-        board::add(&mut set, Core::Unit, design, prefix, &synthesised),
+        board::add(&mut set, &Core::UNIT, design, prefix, &synthesised),
     ];
     let projects: Vec<Project> = projects.into_iter().flatten().collect();
-    for project in &projects {
-        describe(&project.folder, &format!("Project for {}, part {}.", project.tool, project.part));
-    }
+    described.extend(projects.iter().map(FileRow::of_project));
     for (name, text) in verilog.iter().flatten() {
         set.insert(name, text);
-        describe(name, "A copy in Verilog, made by GHDL.");
+        described.push(FileRow::of_verilog(name));
     }
     set.insert("README.md", readme(design, packaging, command_line, described, projects));
     let manifest = manifest::text(design, Some(&format), command_line, &set);
@@ -174,7 +165,7 @@ fn readme(
     design: &Design,
     packaging: &Packaging,
     command_line: &str,
-    files: Vec<Described>,
+    files: Vec<FileRow>,
     projects: Vec<Project>,
 ) -> String {
     let prefix = &packaging.prefix;

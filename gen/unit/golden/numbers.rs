@@ -2,7 +2,7 @@
 
 use super::interval::{Triple, Vector};
 
-/// A pair and its pose as enclosures, in units of the last place of [`Params::input`].
+/// A pair and its pose as enclosures, in units of the last place of [`Params::input`](crate::params::Params::input).
 #[derive(Clone, Debug)]
 pub struct Numbers<M> {
     /// V0, V1, V2.

@@ -281,7 +281,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_default_is_the_papers() {
+    fn the_default_is_one_axis_per_clock() {
         let p = Params::default();
         assert!(p.validate().is_ok());
         assert_eq!((p.interval(), p.transform_rows(), p.input().to_string()), (11, 1, "s4.28".to_owned()));

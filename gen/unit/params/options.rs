@@ -151,36 +151,78 @@ pub struct OptionRow {
     pub of: &'static [Method],
 }
 
-/// The table of options. A row is name, field and type, default, the paper's value where that is another, what the option
-/// affects, which method has it, and further arguments for clap; its comment is its help.
+/// A set of options, each in one place: a struct with attributes, its defaults, and the method that lists all options (without
+/// their dashes) with their values, in a fixed order. A row is name, field and type, default, and further arguments for clap;
+/// its comment is its help, and attributes after that are kept.
+#[macro_export]
+macro_rules! option_set {
+    (
+        $(#[$of_set:meta])* $set:ident,
+        $(#[$of_default:meta])* default,
+        $(#[$of_list:meta])* $list:ident;
+        $(
+            #[doc = $help:literal]
+            $(#[$more:meta])*
+            $name:literal $field:ident: $type:ty = $default:expr, [$($argument:tt)*];
+        )+
+    ) => {
+        #[derive(Clone, Debug, PartialEq, Eq, Hash)]
+        #[cfg_attr(feature = "clap", derive(clap::Args))]
+        $(#[$of_set])*
+        pub struct $set {
+            $(
+                #[doc = $help]
+                #[cfg_attr(feature = "clap", arg(long = $name, default_value = <$type>::spelled(&$default), $($argument)*))]
+                $(#[$more])*
+                pub $field: $type,
+            )+
+        }
+
+        impl Default for $set {
+            $(#[$of_default])*
+            fn default() -> Self {
+                Self { $($field: $default,)+ }
+            }
+        }
+
+        impl $set {
+            $(#[$of_list])*
+            pub fn $list(&self) -> Vec<(&'static str, String)> {
+                vec![$(($name, self.$field.spelled()),)+]
+            }
+        }
+    };
+}
+
+/// The table of options. To a row of [`option_set`] come the paper's value where that is another, what the option affects, and
+/// which method has it.
 macro_rules! options {
     ($(
         #[doc = $help:literal]
         $name:literal $field:ident: $type:ty = $default:expr $(; paper $paper:expr)?, $affects:ident, [$($of:ident)+],
             [$($argument:tt)*];
     )+) => {
-        /// A complete parameter set. Build one with [`Params::default`] and change fields, then
-        /// [`validate`](Params::validate).
-        #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-        #[cfg_attr(feature = "clap", derive(clap::Args))]
-        #[cfg_attr(feature = "clap", command(next_help_heading = "Parameters of the design", arg = like_paper()))]
-        pub struct Params {
+        option_set! {
+            /// A complete parameter set. Build one with [`Params::default`] and change fields, then
+            /// [`validate`](Params::validate).
+            #[cfg_attr(feature = "clap", command(next_help_heading = "Parameters of the design", arg = like_paper()))]
+            Params,
+            /// The design that decides most pairs on the fewest multipliers at the paper's rate.
+            default,
+            /// Every option of all methods (without its dashes) with its value, in a fixed order. Those that the method does
+            /// not have are at their defaults if the parameters are valid.
+            every_option;
             $(
                 #[doc = $help]
-                #[cfg_attr(feature = "clap", arg(long = $name, default_value = <$type>::spelled(&$default), $($argument)*))]
                 $(#[cfg_attr(feature = "clap", arg(default_value_if("like_paper", "true", <$type>::spelled(&$paper))))])?
-                pub $field: $type,
+                $name $field: $type = $default, [$($argument)*];
             )+
         }
 
-        impl Default for Params {
-            /// The design that decides most pairs on the fewest multipliers at the paper's rate.
-            fn default() -> Self {
-                Self { $($field: $default,)+ }
-            }
-        }
-
         impl Params {
+            /// All options of all methods.
+            pub const OPTIONS: &[OptionRow] = &[$(OptionRow { name: $name, affects: Affects::$affects, of: &[$(Method::$of),+] },)+];
+
             /// The default design of a method.
             pub fn of(method: Method) -> Self {
                 let transform = if method == Method::Exact { Transform::Off } else { Transform::On };
@@ -198,15 +240,6 @@ macro_rules! options {
                 let mut paper = Self::default();
                 $($(paper.$field = $paper;)?)+
                 paper
-            }
-
-            /// All options of all methods.
-            pub const OPTIONS: &[OptionRow] = &[$(OptionRow { name: $name, affects: Affects::$affects, of: &[$(Method::$of),+] },)+];
-
-            /// Every option of all methods (without its dashes) with its value, in a fixed order. Those that the method does
-            /// not have are at their defaults if the parameters are valid.
-            pub fn every_option(&self) -> Vec<(&'static str, String)> {
-                vec![$(($name, self.$field.spelled()),)+]
             }
         }
     };

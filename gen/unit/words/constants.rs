@@ -129,11 +129,6 @@ pub struct Refusal {
     pub what: &'static str,
 }
 
-/// A list of refusals, in the order of their codes.
-pub fn refusals<const N: usize>(list: [(&'static str, &'static str); N]) -> Vec<Refusal> {
-    list.map(|(name, what)| Refusal { name, what }).into()
-}
-
 /// All constants of a design with a stream of that format. What the design does not have is not among them.
 pub fn groups(design: &Design, format: &StreamFormat) -> Vec<Group> {
     let p = &design.params;

@@ -2,7 +2,7 @@
 # {{ line }}
 {% endfor -%}
 #
-# Makes a Vivado project of the {{ core.name() }} behind a UART for an Arty A7-100T, and its bitstream:
+# Makes a Vivado project of the {{ core.name }} behind a UART for an Arty A7-100T, and its bitstream:
 #   vivado -mode batch -source project.tcl
 set here [file dirname [file normalize [info script]]]
 set top {{ prefix }}efsat_arty_a7

@@ -2,7 +2,7 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- The {{ core.name() }} behind the USB serial port of an Arty A7-100T. The button RESET resets, LED 4 is on while the clock runs.
+-- The {{ core.name }} behind the USB serial port of an Arty A7-100T. The button RESET resets, LED 4 is on while the clock runs.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;

@@ -3,7 +3,7 @@
 # {{ line }}
 {% endfor -%}
 #
-# Makes the bitstream of the {{ core.name() }} behind a UART for a ULX3S with an ECP5-85F, with open tools:
+# Makes the bitstream of the {{ core.name }} behind a UART for a ULX3S with an ECP5-85F, with open tools:
 #   sh build.sh [DIR]
 # DIR, build beside this script if none is given, gets the bitstream {{ prefix }}efsat_ulx3s.bit, the netlist, logs and a report. The
 # tools are Yosys, nextpnr-ecp5 with the placer "static" (0.9 or newer) and ecppack of Project Trellis, or those of the
@@ -11,7 +11,7 @@
 set -eu
 here=$(cd "$(dirname "$0")" && pwd)
 top={{ prefix }}efsat_ulx3s
-for file in "$here/../{{ core.verilog(prefix) }}" "$here/$top.v"; do
+for file in "$here/../{{ prefix }}{{ core.verilog }}" "$here/$top.v"; do
   if [ ! -f "$file" ]; then
     echo "error: $file is not there: expected a design that was generated with --verilog" >&2
     exit 2
@@ -37,7 +37,7 @@ cd "${1:-$here/build}"
 # A bitstream of an earlier run would stand beside the logs of a run that fails.
 rm -f "$top.bit"
 echo "Yosys: synthesis, log in yosys.log"
-"$yosys" -q -l yosys.log -p "read_verilog \"$here/../{{ core.verilog(prefix) }}\" \"$here/$top.v\" \"$here/${top}_clock.v\";
+"$yosys" -q -l yosys.log -p "read_verilog \"$here/../{{ prefix }}{{ core.verilog }}\" \"$here/$top.v\" \"$here/${top}_clock.v\";
   synth_ecp5 -abc9 -top $top -json $top.json"
 echo "nextpnr: placement and routing for {{ megahertz }} MHz, log in nextpnr.log"
 "$nextpnr" --85k --package CABGA381 --speed 6 --placer static --router router1 --seed "${SEED:-1}" --freq {{ megahertz }} \

@@ -2,7 +2,7 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- The {{ core.name() }} behind the USB serial port of a ULX3S with an ECP5-85F. Button FIRE 1 resets, LED 0 is on while the clock runs.
+-- The {{ core.name }} behind the USB serial port of a ULX3S with an ECP5-85F. Button FIRE 1 resets, LED 0 is on while the clock runs.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;

@@ -337,6 +337,30 @@ fn nodes_start_where_they_take_the_fewest_registers() {
 }
 
 #[test]
+fn a_value_is_carried_to_its_last_use() {
+    let unit = unit(1, |top| {
+        let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
+        let first = (a * b).named("first");
+        vec![(first.floor(9) * b).named("second"), first, first.negative().named("sign")]
+    });
+    expect![[r#"
+        schedule of sample: latency 3 clocks, 1 phase
+          input path 9.43 ns, output 3.57 ns, longest path 4.61 ns to sample.first
+          79 register bits, 31 of them in any schedule
+          node            start  from  until  ns
+          a               0      0     1      0.57
+          b               0      0     1      0.57
+          first           0      1     -      3.57  from registers
+          second_floor_9  2      2     -      0.57
+          second          2      3     -      3.57  from registers
+          sign            3      3     -      0.57
+          first (16 bits) is there from clock 1, delayed by 2 clocks
+          b (8 bits) is captured again 2 times
+    "#]]
+    .assert_eq(&dump::schedule(&scheduled(&unit, 100)));
+}
+
+#[test]
 fn what_depends_on_itself_is_refused() {
     let refused = refusal(|| {
         let unit = unit(2, |top| {

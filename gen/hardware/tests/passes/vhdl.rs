@@ -324,6 +324,56 @@ fn bundles_are_records_and_arrays_and_what_is_done_alike_is_a_loop() {
 }
 
 #[test]
+fn bits_of_a_port_of_a_top_are_converted_and_not_cut_off_a_conversion() {
+    let top = Control::new("top", vec![]);
+    let a = top.input("a", S8);
+    a.low(3).named("three").output("three");
+    a.low(1).named("one").output("one");
+    expect![[r#"
+        entity top is
+          port (
+            a     : in  std_logic_vector(7 downto 0);  -- s4.4
+            three : out std_logic_vector(2 downto 0);
+            one   : out std_logic
+          );
+        end entity top;
+
+        architecture rtl of top is
+          signal three_i : unsigned(2 downto 0);
+        begin
+          three_i <= unsigned(signed(a(2 downto 0)));
+          one <= a(0);
+
+          -- Outputs
+          three <= std_logic_vector(three_i);
+        end architecture rtl;"#]].assert_eq(&entity(&top.finish(), "top"));
+}
+
+#[test]
+fn loops_begin_with_any_element() {
+    let unit = unit(1, |top| {
+        let w = [0; 4].map(|_| top.input(S8, ALL)).named("w");
+        [0, 1, 2].map(|i| w[i + 1] - w[i]).named("steps").to_vec()
+    });
+    expect![[r#"
+        entity sample is
+          port (
+            w     : in  signed_8_x4_t;  -- s4.4; |.| <= 128
+            steps : out signed_9_x3_t  -- s5.4; |.| <= 255
+          );
+        end entity sample;
+
+        architecture rtl of sample is
+        begin
+          -- Clock 0
+          steps_each : for k in 0 to 2 generate
+            steps(k) <= resize(w(k + 1), 9) - resize(w(k), 9);
+          end generate steps_each;
+        end architecture rtl;"#]]
+    .assert_eq(&inside(&lowered(&unit, 100)));
+}
+
+#[test]
 fn delays_are_lines_and_phases_are_tables() {
     let unit = unit(4, |top| {
         let a = [0; 4].map(|_| top.input(S8, ALL)).to_vec().named("a");

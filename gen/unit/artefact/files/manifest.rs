@@ -13,11 +13,36 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The manifest's file name.
 pub const NAME: &str = "manifest.json";
 
-/// The whole file. It has no date: equal parameters give equal bytes.
+/// The manifest of a core: what made it, what it is, and the digests of its files. It has no date: equal parameters give equal
+/// bytes.
 #[derive(Serialize)]
-struct Manifest<'a> {
+struct Manifest<'a, T> {
     generator: String,
     command_line: &'a str,
+    #[serde(flatten)]
+    what: T,
+    files: BTreeMap<&'a str, String>,
+}
+
+/// What made a set of files.
+pub fn generator() -> String {
+    format!("efsat {}", env!("CARGO_PKG_VERSION"))
+}
+
+/// The digests of files by their names.
+pub fn digests(files: &FileSet) -> BTreeMap<&str, String> {
+    files.iter().map(|(name, text)| (name, digest(text))).collect()
+}
+
+/// The manifest of a set of files.
+pub fn of(command_line: &str, what: impl Serialize, files: &FileSet) -> String {
+    let manifest = Manifest { generator: generator(), command_line, what, files: digests(files) };
+    serde_json::to_string_pretty(&manifest).expect("keys are strings and numbers are finite")
+}
+
+/// What a design is.
+#[derive(Serialize)]
+struct About {
     parameters: serde_json::Map<String, serde_json::Value>,
     device: Device,
     initiation_interval: usize,
@@ -32,7 +57,6 @@ struct Manifest<'a> {
     stream: Option<Stream>,
     ports: Vec<Port>,
     formats: Vec<Row>,
-    files: BTreeMap<&'a str, String>,
 }
 
 #[derive(Serialize)]
@@ -144,9 +168,7 @@ pub(in crate::artefact) fn text(
     files: &FileSet,
 ) -> String {
     let part = design.device.part;
-    let manifest = Manifest {
-        generator: format!("efsat {}", env!("CARGO_PKG_VERSION")),
-        command_line,
+    let about = About {
         parameters: design.params.options().iter().map(|(k, v)| (k.replace('-', "_"), value(v))).collect(),
         device: Device {
             name: design.device.name,
@@ -167,13 +189,12 @@ pub(in crate::artefact) fn text(
         stream: format.map(|format| Stream::new(&design.params, format)),
         ports: ports(design),
         formats: formats(design),
-        files: files.iter().map(|(name, text)| (name, digest(text))).collect(),
     };
-    serde_json::to_string_pretty(&manifest).expect("keys are strings and numbers are finite")
+    of(command_line, about, files)
 }
 
 /// The SHA-256 of a text in hexadecimal.
-pub fn digest(text: &str) -> String {
+fn digest(text: &str) -> String {
     Sha256::digest(text).iter().map(|byte| format!("{byte:02x}")).collect()
 }
 

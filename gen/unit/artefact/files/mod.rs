@@ -1,5 +1,6 @@
 //! Files of any kind: sets that are written or compared as a whole, names, lists, the manifest.
 
+pub(crate) mod core;
 pub mod file_lists;
 mod file_set;
 pub(crate) mod manifest;

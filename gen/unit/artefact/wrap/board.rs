@@ -1,8 +1,8 @@
 //! The UART example on a board, for a unit or an engine whose device is on one: top, PLL, pins, and the script that makes the
 //! bitstream.
 
-use super::example::Core;
 use crate::artefact::VerilogFile;
+use crate::artefact::files::core::Core;
 use crate::artefact::files::file_lists::FileLists;
 use crate::artefact::files::project::Project;
 use crate::artefact::{FileSet, Prefix, origin};
@@ -113,7 +113,7 @@ files! {
 struct Values<'a> {
     header: &'a [String],
     prefix: &'a Prefix,
-    core: Core,
+    core: &'a Core,
     board: &'static str,
     part: String,
     hertz: u32,
@@ -137,7 +137,13 @@ pub fn verilog_file(design: &Design, prefix: &Prefix) -> Option<VerilogFile> {
 
 /// Adds the board that has the device of the design, if there is one. `synthesised` are the files of the core in dependency
 /// order.
-pub fn add(set: &mut FileSet, core: Core, design: &Design, prefix: &Prefix, synthesised: &[String]) -> Option<Project> {
+pub fn add(
+    set: &mut FileSet,
+    core: &Core,
+    design: &Design,
+    prefix: &Prefix,
+    synthesised: &[String],
+) -> Option<Project> {
     let board = Board::of(design.device.name)?;
     let (folder, frequency) = (board.name(), design.params.frequency);
     let file = |ending: &str| format!("{folder}/{prefix}efsat_{folder}{ending}");

@@ -1,6 +1,7 @@
-//! The example design: the wrapped unit, or the engine, behind a UART; and the testbench of the former.
+//! The example design: a core behind a UART; and its testbench around the wrapped unit.
 
 use crate::artefact::bits::Bits;
+use crate::artefact::files::core::Core;
 use crate::artefact::files::file_lists::FileLists;
 use crate::artefact::{FileSet, Prefix, origin};
 use crate::design::Design;
@@ -9,49 +10,6 @@ use crate::host::{Host, loose_pair};
 use crate::pair::Pose;
 use crate::words::{AnswerFields, PacketKind, StreamFormat, StreamReport, StreamWord};
 use askama::Template;
-
-/// What is behind the UART. Both have the ports of an AXI4-Stream in and of one out.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Core {
-    /// The unit in its stream wrapper.
-    Unit,
-    /// The collision engine with its trees in block RAM.
-    Engine,
-}
-
-impl Core {
-    /// What sentences call it.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Unit => "unit",
-            Self::Engine => "engine",
-        }
-    }
-
-    /// The entity with the streams, without a prefix.
-    pub fn entity(self) -> &'static str {
-        match self {
-            Self::Unit => "efsat_stream",
-            Self::Engine => "efsat_engine",
-        }
-    }
-
-    /// Its instance in the example.
-    fn label(self) -> &'static str {
-        match self {
-            Self::Unit => "wrapper",
-            Self::Engine => "engine",
-        }
-    }
-
-    /// Its file in Verilog.
-    pub fn verilog(self, prefix: &Prefix) -> String {
-        match self {
-            Self::Unit => prefix.of("efsat.v"),
-            Self::Engine => prefix.of("efsat_engine.v"),
-        }
-    }
-}
 
 #[derive(Template)]
 #[template(path = "example/uart_receiver.vhd", escape = "none")]
@@ -72,7 +30,7 @@ struct Transmitter<'a> {
 struct Top<'a> {
     header: &'a [String],
     prefix: &'a Prefix,
-    core: Core,
+    core: &'a Core,
     frequency: u32,
     word: Bits,
     word_bytes: u32,
@@ -169,12 +127,12 @@ pub(in crate::artefact) fn add(
     prefix: &Prefix,
     lists: &FileLists,
 ) {
-    add_top(set, Core::Unit, design.params.frequency, [format.width.bits(), format.answer_width()], prefix);
+    add_top(set, &Core::UNIT, design.params.frequency, [format.width.bits(), format.answer_width()], prefix);
     set.insert(&lists.benches[2].file, bench(design, format, prefix, &origin()));
 }
 
 /// Adds the example around a core with words of so many bits in and out.
-pub fn add_top(set: &mut FileSet, core: Core, frequency: u32, [width, answer_width]: [u32; 2], prefix: &Prefix) {
+pub fn add_top(set: &mut FileSet, core: &Core, frequency: u32, [width, answer_width]: [u32; 2], prefix: &Prefix) {
     let header = &origin()[..];
     let top = Top {
         header,

@@ -3,10 +3,11 @@
 use crate::artefact::{Prefix, origin};
 use crate::design::Design;
 use crate::params::options::Choice;
-use crate::params::{Quantity, Transform, Upper};
+use crate::params::{Params, Quantity, Transform, Upper};
 use crate::words::StreamFormat;
-use crate::words::constants::{Group, Refusal, groups, ranges, refusals};
+use crate::words::constants::{Group, Refusal, groups, ranges};
 use askama::Template;
+use std::ops::Deref;
 
 #[derive(Template)]
 #[template(path = "efsat_constants.vhd", escape = "none")]
@@ -19,18 +20,53 @@ struct Package<'a> {
     groups: Vec<Group>,
 }
 
-/// What the files of the host side are made of.
-struct Host<'a> {
-    header: Vec<String>,
-    prefix: &'a Prefix,
+/// What the files of every host side are made of.
+pub struct HostSide<'a> {
+    /// The line on top.
+    pub header: Vec<String>,
+    /// The prefix of all names.
+    pub prefix: &'a Prefix,
     /// The entity behind the words, and what stands before the names of constants.
-    base: &'static str,
-    upper: String,
-    groups: Vec<Group>,
-    refusals: Vec<Refusal>,
-    /// The first refusals that are about unsigned numbers, and that expect nothing in particular.
-    unsigned: &'static str,
-    unexpected: &'static str,
+    pub base: &'static str,
+    /// That in upper case.
+    pub upper: String,
+    /// The constants.
+    pub groups: Vec<Group>,
+    /// What functions refuse.
+    pub refusals: Vec<Refusal>,
+    /// The first refusal that is about unsigned numbers.
+    pub unsigned: &'static str,
+    /// The first one that expects nothing in particular.
+    pub unexpected: &'static str,
+}
+
+impl<'a> HostSide<'a> {
+    /// The host side of an entity: its constants, to which those of the ranges of its unit are added, and its refusals, of which the
+    /// first that is about unsigned numbers and the first that expects nothing in particular are named.
+    pub fn new<const N: usize>(
+        (base, prefix): (&'static str, &'a Prefix),
+        (mut groups, unit): (Vec<Group>, &Params),
+        list: [(&'static str, &'static str); N],
+        [unsigned, unexpected]: [&'static str; 2],
+    ) -> Self {
+        groups.insert(1, ranges(unit));
+        let refusals = list.map(|(name, what)| Refusal { name, what }).into();
+        Self {
+            header: origin(),
+            prefix,
+            base,
+            upper: prefix.of(base).to_uppercase(),
+            groups,
+            refusals,
+            unsigned,
+            unexpected,
+        }
+    }
+}
+
+/// What the files of the host side of the unit are made of.
+struct Host<'a> {
+    side: HostSide<'a>,
     has_tag: bool,
     is_sticky: bool,
     has_pose: bool,
@@ -41,6 +77,14 @@ struct Host<'a> {
     variants: &'static [bool],
     method: &'static str,
     edge_test: bool,
+}
+
+impl<'a> Deref for Host<'a> {
+    type Target = HostSide<'a>;
+
+    fn deref(&self) -> &HostSide<'a> {
+        &self.side
+    }
 }
 
 /// The file in C.
@@ -60,28 +104,20 @@ struct Module<'a> {
 /// The host side in C and in Python: names and texts.
 pub(crate) fn files(design: &Design, format: &StreamFormat, prefix: &Prefix) -> [(String, String); 2] {
     let p = &design.params;
-    let mut groups = groups(design, format);
-    groups.insert(1, ranges(p));
+    let refusals = [
+        ("COORDINATE", Quantity::Coordinate.name()),
+        ("ENTRY", Quantity::Entry.name()),
+        ("TRANSLATION", Quantity::Translation.name()),
+        ("NUMBER", Quantity::Unread.name()),
+        ("STICKY", "sticky bits"),
+        ("TAG", "tag"),
+        ("ORDER", "tag of answer"),
+        ("SIZE", "bytes of the answer"),
+        ("REPORT", "a report in place of a verdict, answer"),
+        ("ANSWER", "a word that no unit of this design sends, answer"),
+    ];
     let host = Host {
-        header: origin(),
-        prefix,
-        base: "efsat",
-        upper: prefix.of("efsat").to_uppercase(),
-        groups,
-        refusals: refusals([
-            ("COORDINATE", Quantity::Coordinate.name()),
-            ("ENTRY", Quantity::Entry.name()),
-            ("TRANSLATION", Quantity::Translation.name()),
-            ("NUMBER", Quantity::Unread.name()),
-            ("STICKY", "sticky bits"),
-            ("TAG", "tag"),
-            ("ORDER", "tag of answer"),
-            ("SIZE", "bytes of the answer"),
-            ("REPORT", "a report in place of a verdict, answer"),
-            ("ANSWER", "a word that no unit of this design sends, answer"),
-        ]),
-        unsigned: "TAG",
-        unexpected: "REPORT",
+        side: HostSide::new(("efsat", prefix), (groups(design, format), p), refusals, ["TAG", "REPORT"]),
         has_tag: p.tag_width > 0,
         is_sticky: p.upper == Upper::Sticky,
         has_pose: format.has_pose(),

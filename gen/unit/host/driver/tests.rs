@@ -294,8 +294,8 @@ fn what_is_no_number_is_refused_with_its_place() {
     assert_eq!(driver.loose(&given).unwrap_err().to_string(), "pair 1: x of a2 is NaN: expected a finite number");
     let mesh = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, f64::INFINITY]];
     let refused = |a: &[[f64; 3]], b: &[[f64; 3]]| driver.meshes(a, b).unwrap_err().to_string();
-    assert_eq!(refused(&mesh, &mesh[..2]), "z of vertex 2 is inf: expected a finite number");
-    assert_eq!(refused(&mesh[..2], &mesh), "z of vertex 2 is inf: expected a finite number");
+    assert_eq!(refused(&mesh, &mesh[..2]), "z of vertex 2 of mesh a is inf: expected a finite number");
+    assert_eq!(refused(&mesh[..2], &mesh), "z of vertex 2 of mesh b is inf: expected a finite number");
     let meshes = driver.meshes(&mesh[..2], &mesh[..2]).unwrap();
     let pairs = [([0, 0, 1], [0, 1, 1])];
     let pose = |m: &[[f64; 3]; 3], t: &[f64; 3]| meshes.pose(m, t, &pairs).map(drop).map_err(|e| e.to_string());

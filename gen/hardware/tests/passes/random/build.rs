@@ -80,79 +80,78 @@ type Operation = for<'l> fn(&Builder<'l>, Sig<'l>, Sig<'l>, Numbers) -> Sig<'l>;
 type More = for<'l> fn(&mut Builder<'l>, Numbers);
 
 /// The operations: name, and how many values they read.
-const OPERATIONS: [(&str, usize, Operation); 28] =
-    [
-        ("add", 2, |b, x, y, _| {
-            let (x, y) = if x.ty().signed == y.ty().signed { (x, y) } else { (b.signed(x, 60), b.signed(y, 60)) };
-            x.at_point(None) + y.at_point(None)
-        }),
-        ("subtract", 2, |b, x, y, _| b.signed(x, 60) - b.signed(y, 60)),
-        ("multiply", 2, |b, x, y, _| b.signed(x, b.widest / 2) * b.signed(y, b.widest / 2)),
-        ("and", 2, |b, x, y, _| b.bitwise([x, y], |[x, y]| x & y)),
-        ("or", 2, |b, x, y, _| b.bitwise([x, y], |[x, y]| x | y)),
-        ("not", 1, |b, x, _, _| !b.unsigned(x, 60)),
-        ("append", 1, |_, x, _, n| x.floor(-(1 + n[2] as i32 % 3))),
-        ("floor", 1, |_, x, _, n| x.floor(n[2] as i32 % x.ty().bits as i32)),
-        ("low", 1, |_, x, _, n| if x.ty().bits > 1 { x.low(1 + n[2] as u32 % (x.ty().bits - 1)) } else { x }),
-        ("concatenate", 2, |b, x, y, _| b.unsigned(x, 20).below(&[y.at_point(None)])),
-        ("equal", 2, |b, x, y, n| {
-            if n[2] % 4 == 0 { x.equals(x.like(x.range().0)) } else { b.signed(x, 60).equals(b.signed(y, 60)) }
-        }),
-        ("less", 2, |b, x, y, _| b.signed(x, 60).less(b.signed(y, 60))),
-        ("lookup", 1, |b, x, _, n| {
-            let index = b.unsigned(x, 4);
-            let signed = n[2] % 2 == 0;
-            let ty = if signed { Type::signed(6, 0) } else { Type::unsigned(1 + n[3] as u32 % 5) };
-            let (least, most) = ty.limits();
-            let entry = |i: i128| least + (i * 37 + n[2] as i128 * 11) % (most - least + 1);
-            index.lookup((0..=index.range().1).map(entry).collect(), ty)
-        }),
-        ("magnitude", 1, |b, x, _, _| b.signed(x, 60).magnitude()),
-        ("negate", 1, |b, x, _, _| -b.signed(x, 60)),
-        ("negate_if", 2, |b, x, y, _| {
-            let x = b.signed(x, 60);
-            // The least number has no opposite in as many bits.
-            x.bits(x.ty().bits + 1).negate_if(b.flag(y))
-        }),
-        ("any", 1, |b, x, _, _| b.unsigned(x, 60).any()),
-        ("resize", 1, |_, x, _, n| {
-            let needed = (1..).find(|bits| Type { bits: *bits, ..x.ty() }.holds(x.range())).unwrap_or(0);
-            x.bits(needed.max(2) + n[2] as u32 % 4)
-        }),
-        ("choose", 3, |b, x, y, n| b.flag(b.value(n[2]).sig).choose(b.signed(x, 60), b.signed(y, 60))),
-        ("select", 4, |b, x, y, n| {
-            let legs = [b.signed(x, 60), b.signed(y, 60), b.signed(b.value(n[3]).sig, 60)];
-            b.unsigned(b.value(n[2]).sig, 2).resize(Type::unsigned(2)).apply(Select::default(), &legs)
-        }),
-        ("shift_left", 1, |_, x, _, n| {
-            let fits = |bits: u32| bits < x.ty().bits && x.ty().holds((x.range().0 << bits, x.range().1 << bits));
-            let most = (0..4).take_while(|bits| fits(*bits)).last().unwrap_or(0);
-            if most == 0 { x } else { x.shift_left(1 + n[2] as u32 % most) }
-        }),
-        ("sign", 1, |b, x, _, _| b.signed(x, 60).negative()),
-        ("plus", 3, |b, x, y, n| {
-            let (x, y) = (b.signed(x, 20), b.signed(y, 20));
-            x.plus(y, b.flag(b.value(n[2]).sig))
-        }),
-        ("saturate", 1, |b, x, _, n| {
-            let x = b.signed(x, 60);
-            x.saturate((x.ty().limits().1 >> (n[2] % 3)).max(1), "saturated")
-        }),
-        ("positive", 1, |b, x, _, _| b.signed(x, 60).positive(b.signed(x, 60).ty().bits - 1)),
-        ("within", 1, |_, x, _, _| x.within(x.range(), "its range")),
-        ("product", 2, |b, x, y, _| {
-            let (x, y) = (b.signed(x, b.widest / 2), b.signed(y, b.widest / 2));
-            (x * y).known(Fact::Product, &[x, y])
-        }),
-        ("ceiling", 1, |_, x, _, n| {
-            let drop = 1 + n[2] as u32 % 3;
-            if x.ty().bits <= drop {
-                x
-            } else {
-                (x.floor(drop as i32).at_point(None) + x.low(drop).any()).known(Fact::Ceiling(drop), &[x])
-            }
-        }),
-    ];
+const OPERATIONS: [(&str, usize, Operation); 28] = [
+    ("add", 2, |b, x, y, _| {
+        let (x, y) = if x.ty().signed == y.ty().signed { (x, y) } else { (b.signed(x, 60), b.signed(y, 60)) };
+        x.at_point(None) + y.at_point(None)
+    }),
+    ("subtract", 2, |b, x, y, _| b.signed(x, 60) - b.signed(y, 60)),
+    ("multiply", 2, |b, x, y, _| b.signed(x, b.widest / 2) * b.signed(y, b.widest / 2)),
+    ("and", 2, |b, x, y, _| b.bitwise([x, y], |[x, y]| x & y)),
+    ("or", 2, |b, x, y, _| b.bitwise([x, y], |[x, y]| x | y)),
+    ("not", 1, |b, x, _, _| !b.unsigned(x, 60)),
+    ("append", 1, |_, x, _, n| x.floor(-(1 + n[2] as i32 % 3))),
+    ("floor", 1, |_, x, _, n| x.floor(n[2] as i32 % x.ty().bits as i32)),
+    ("low", 1, |_, x, _, n| if x.ty().bits > 1 { x.low(1 + n[2] as u32 % (x.ty().bits - 1)) } else { x }),
+    ("concatenate", 2, |b, x, y, _| b.unsigned(x, 20).below(&[y.at_point(None)])),
+    ("equal", 2, |b, x, y, n| {
+        if n[2].is_multiple_of(4) { x.equals(x.like(x.range().0)) } else { b.signed(x, 60).equals(b.signed(y, 60)) }
+    }),
+    ("less", 2, |b, x, y, _| b.signed(x, 60).less(b.signed(y, 60))),
+    ("lookup", 1, |b, x, _, n| {
+        let index = b.unsigned(x, 4);
+        let signed = n[2].is_multiple_of(2);
+        let ty = if signed { Type::signed(6, 0) } else { Type::unsigned(1 + n[3] as u32 % 5) };
+        let (least, most) = ty.limits();
+        let entry = |i: i128| least + (i * 37 + n[2] as i128 * 11) % (most - least + 1);
+        index.lookup((0..=index.range().1).map(entry).collect(), ty)
+    }),
+    ("magnitude", 1, |b, x, _, _| b.signed(x, 60).magnitude()),
+    ("negate", 1, |b, x, _, _| -b.signed(x, 60)),
+    ("negate_if", 2, |b, x, y, _| {
+        let x = b.signed(x, 60);
+        // The least number has no opposite in as many bits.
+        x.bits(x.ty().bits + 1).negate_if(b.flag(y))
+    }),
+    ("any", 1, |b, x, _, _| b.unsigned(x, 60).any()),
+    ("resize", 1, |_, x, _, n| {
+        let needed = (1..).find(|bits| Type { bits: *bits, ..x.ty() }.holds(x.range())).unwrap_or(0);
+        x.bits(needed.max(2) + n[2] as u32 % 4)
+    }),
+    ("choose", 3, |b, x, y, n| b.flag(b.value(n[2]).sig).choose(b.signed(x, 60), b.signed(y, 60))),
+    ("select", 4, |b, x, y, n| {
+        let legs = [b.signed(x, 60), b.signed(y, 60), b.signed(b.value(n[3]).sig, 60)];
+        b.unsigned(b.value(n[2]).sig, 2).resize(Type::unsigned(2)).apply(Select::default(), &legs)
+    }),
+    ("shift_left", 1, |_, x, _, n| {
+        let fits = |bits: u32| bits < x.ty().bits && x.ty().holds((x.range().0 << bits, x.range().1 << bits));
+        let most = (0..4).take_while(|bits| fits(*bits)).last().unwrap_or(0);
+        if most == 0 { x } else { x.shift_left(1 + n[2] as u32 % most) }
+    }),
+    ("sign", 1, |b, x, _, _| b.signed(x, 60).negative()),
+    ("plus", 3, |b, x, y, n| {
+        let (x, y) = (b.signed(x, 20), b.signed(y, 20));
+        x.plus(y, b.flag(b.value(n[2]).sig))
+    }),
+    ("saturate", 1, |b, x, _, n| {
+        let x = b.signed(x, 60);
+        x.saturate((x.ty().limits().1 >> (n[2] % 3)).max(1), "saturated")
+    }),
+    ("positive", 1, |b, x, _, _| b.signed(x, 60).positive(b.signed(x, 60).ty().bits - 1)),
+    ("within", 1, |_, x, _, _| x.within(x.range(), "its range")),
+    ("product", 2, |b, x, y, _| {
+        let (x, y) = (b.signed(x, b.widest / 2), b.signed(y, b.widest / 2));
+        (x * y).known(Fact::Product, &[x, y])
+    }),
+    ("ceiling", 1, |_, x, _, n| {
+        let drop = 1 + n[2] as u32 % 3;
+        if x.ty().bits <= drop {
+            x
+        } else {
+            (x.floor(drop as i32).at_point(None) + x.low(drop).any()).known(Fact::Ceiling(drop), &[x])
+        }
+    }),
+];
 
 const OTHERS: [(&str, More); 18] = [
     ("input", |b, n| b.input(n, false)),
@@ -244,7 +243,8 @@ const OTHERS: [(&str, More); 18] = [
         let early = b.typed(first.sig, ty);
         let phases = Phases::new(b.interval, |s| Some((if s < from { early } else { back }, s >= from))).late(|x| x.1);
         let x = b.own(phases.map(|x| x.0).mux());
-        let next = if n[2] % 2 == 0 { (x + x.like(3)).floor(1).at_point(ty.fraction) } else { b.typed(x * x, ty) };
+        let next =
+            if n[2].is_multiple_of(2) { (x + x.like(3)).floor(1).at_point(ty.fraction) } else { b.typed(x * x, ty) };
         // Of the first pair's phases alone: what comes back is there before it is read.
         back.connect(next.capture(n[3] % from, false).named(&b.next()));
         b.keep(next, Meaning::Phases((0..b.interval).map(|s| Some(s >= from)).collect()), false);
@@ -267,7 +267,7 @@ pub fn kinds() -> impl Iterator<Item = &'static str> {
 /// A type and the range of its values.
 fn kind(n: Numbers) -> (Type, Range) {
     let bits = 2 + n[0] as u32 % 11;
-    let ty = if n[1] % 3 > 0 { Type::signed(bits, 0) } else { Type::unsigned(bits - 1) };
+    let ty = if !n[1].is_multiple_of(3) { Type::signed(bits, 0) } else { Type::unsigned(bits - 1) };
     let (least, most) = ty.limits();
     (ty, [(least, most), (least / 2, most), (least, most / 2), (0.max(least), most.min(5))][n[1] / 3 % 4])
 }
@@ -342,7 +342,7 @@ impl<'l> Builder<'l> {
             return;
         }
         let name = self.next();
-        let sig = if self.named || self.count.get() % 3 > 0 { sig.named(&name) } else { sig };
+        let sig = if self.named || !self.count.get().is_multiple_of(3) { sig.named(&name) } else { sig };
         self.plain(sig, meaning, of_late);
     }
 
@@ -424,7 +424,7 @@ impl<'l> Builder<'l> {
         // Up to four values, over the phases in an order that repeats some and leaves some idle.
         let values: Vec<Value<'l>> = (0..4).map(|k| self.value(n[0] + k * (1 + n[1] % 3))).collect();
         let bits = values.iter().map(|value| value.sig.ty().bits).max().unwrap_or(2).min(12);
-        let ty = if n[3] % 2 == 0 { Type::signed(bits.max(2), 0) } else { Type::unsigned(bits) };
+        let ty = if n[3].is_multiple_of(2) { Type::signed(bits.max(2), 0) } else { Type::unsigned(bits) };
         let from = n[3] % self.interval;
         let take = |s: usize| {
             let k = (n[2] >> s) % 5;
@@ -480,7 +480,7 @@ impl<'l> Builder<'l> {
             0 => v.map(|x| x + v[0]).named(&name).signals(),
             1 => v.cross(v.map(|x| x + v[1])).named(&name).signals(),
             2 => v.map(|x| Bounds { least: x.floor(1), most: (x + v[2]).floor(1) }).named(&name).signals(),
-            3 => v.0.to_vec().into_iter().map(|x| x.negative()).collect::<Vec<_>>().named(&name),
+            3 => v.0.iter().map(|x| x.negative()).collect::<Vec<_>>().named(&name),
             _ => {
                 let wide = v.map(|x| self.typed(x, Type::signed(8, 0)));
                 Vec3::each(|i| part(0, wide[i], wide[i + 1])[0]).named(&name).signals()
@@ -512,7 +512,10 @@ pub struct Built {
     pub probes: Vec<Probe>,
 }
 
-fn unit(case: &Case, named: bool) -> (Rc<Unit>, Vec<Range>, Vec<Vec<(usize, bool)>>) {
+/// A graph, the range of each input, and the phases in which each output has a meaning.
+type Graph = (Rc<Unit>, Vec<Range>, Vec<Vec<(usize, bool)>>);
+
+fn unit(case: &Case, named: bool) -> Graph {
     let (mut inputs, mut meanings) = (vec![], vec![]);
     let library = Library::default();
     let unit = library.unit("design", &["Made at random."], case.interval, |top| {
