@@ -30,16 +30,20 @@
 //! Programs to start from are in `examples/`: `generate` (the above), `classify` (verdicts and exact answers of pairs) and
 //! `drive` (the stream of words to the unit and back). `cargo run --release --example NAME` runs one.
 //!
-//! Where to go on:
+//! # Map
 //!
-//! * [`params`], [`design`], [`artefact`]: parameters, the units as dataflow graphs, the generated files;
-//! * [`engine`]: the collision engine around the unit, with modules of the same names;
-//! * [`pair`] and [`words`]: what the unit reads and answers, and how that travels in the words of its stream;
-//! * [`golden`]: the reference model, which gives every answer of the unit bit for bit;
-//! * [`host`]: quantising triangles for the unit, and the driver of its AXI4-Stream wrapper;
-//! * [`exact`], [`software`]: the exact oracle, and tests in floating point with an exact retest;
-//! * [`graph`], [`schedule`], [`netlist`], [`vhdl`]: the generator of pipelined fixed-point hardware underneath;
-//! * [`evidence`]: simulation, synthesis, and the campaigns that check the rest.
+//! | what you want | where |
+//! | --- | --- |
+//! | make a core | [`params`], its options; [`design`], the unit of them; [`artefact`], its files |
+//! | drive it | [`host`], triangles as the unit's numbers; [`host::driver`], packets and answers; [`pair`] and [`words`], what travels |
+//! | know its answers without hardware | [`golden`], the reference model, bit for bit |
+//! | two meshes and a pose | [`engine`], the collision engine: [`engine::params`], [`engine::artefact`], [`engine::driver`] |
+//! | exact answers in software | [`software::retest`], fast; [`exact`], the oracle |
+//! | triangles, meshes and scenes | [`mesh`], [`scene`], [`self_intersections`], [`pair_file`], [`sample`] |
+//! | hardware of your own | [`graph`], [`op`], [`schedule`], [`netlist`], [`vhdl`], on a [`device`]; [`estimate`] and [`diagram`] read it |
+//! | evidence | [`evidence`]: simulation, synthesis, and the campaigns that check the rest |
+//!
+//! What only these crates share with each other is public and not documented: it can change at any time.
 //!
 //! The README follows; the pages that it names are in `docs/`.
 #![doc = include_str!("../README.md")]

@@ -1,4 +1,4 @@
-//! The command line tool; see the library's `cli`.
+//! The command line tool; its commands are in the crate `efsat-cli`.
 
 use std::process::ExitCode;
 

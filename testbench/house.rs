@@ -2,6 +2,8 @@
 //! user of the generator compiles, who prints, and what must not be left lying about. The order of the crates is in their
 //! `Cargo.toml`.
 
+mod face;
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -317,6 +319,24 @@ fn the_citation_is_complete() {
     assert!(text.contains("\nauthors:\n  - "), "at least one author");
 }
 
+/// Most items that the documentation of all crates of the library shows, counted by [`face::shown`].
+const FACE: usize = 928;
+
+#[test]
+fn the_face_is_small() {
+    let sources = sources();
+    let counts = ["hardware", "geometry", "unit", "engine", "checks", "studies"].map(|name| {
+        let folder = format!("gen/{name}/");
+        let inside =
+            sources.iter().filter_map(|(path, text)| Some((path.strip_prefix(&folder)?.to_owned(), code(text))));
+        let shown = face::shown(&inside.collect::<Vec<_>>()).len();
+        assert!(shown > 20, "{name} shows {shown} items");
+        (name, shown)
+    });
+    let all: usize = counts.iter().map(|(_, shown)| shown).sum();
+    assert!(all <= FACE, "{all} public items, expected at most {FACE}; hide what no user needs: {counts:?}");
+}
+
 #[test]
 fn only_the_command_line_prints() {
     let printing = sources()
@@ -387,6 +407,17 @@ fn the_checks_can_fail() {
         module("a::y", "use crate::b::W;"),
         module("b", "use super::a::x;"),
     ];
+    let source = |path: &str, text: &str| (path.to_owned(), text.to_owned());
+    let lib = "pub mod a;\n#[doc(hidden)]\npub mod b;\nmod c;\npub use c::{T, f};\n#[doc(hidden)]\npub use c::U;\npub(crate) fn g() {}";
+    let hidden = "pub struct T;\nimpl<P: X<Y>> T {\n    pub const fn new() {}\n    fn old() {}\n}\n\
+        pub struct U;\nimpl U {\n    pub fn new() {}\n}\npub fn f() {}";
+    let small = [
+        source("lib.rs", lib),
+        source("a.rs", "pub enum E {}"),
+        source("b.rs", "pub enum F {}"),
+        source("c.rs", hidden),
+    ];
+    assert_eq!(face::shown(&small), ["a", "a::E", "c::T", "c::f", "c::T.new"]);
     assert_eq!(cycles(&ring.clone().into()), ["a needs b", "b needs a"]);
     assert!(cycles(&ring[..2].iter().cloned().collect()).is_empty());
 }

@@ -2,8 +2,12 @@
 //! answer, changes that must be noticed.
 
 pub mod cosim;
+// For campaigns that go on where they stopped.
+#[doc(hidden)]
 pub mod journal;
 pub mod mutation;
+// For whoever starts tools.
+#[doc(hidden)]
 pub mod process;
 pub mod stress;
 pub mod synth;

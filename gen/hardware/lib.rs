@@ -5,11 +5,15 @@
 //! to know of an operation), [`graph`] (the builder), [`schedule`], [`netlist`], and their readers [`estimate`], [`vhdl`],
 //! [`diagram`] and [`dump`]. [`tools`] finds the programs that read what is printed.
 
+// For the synthesis checks, which count the same cells.
+#[doc(hidden)]
 pub mod cells;
 pub mod device;
 pub mod diagram;
 pub mod dump;
 pub mod estimate;
+// For templates of upper crates.
+#[doc(hidden)]
 pub mod expression;
 pub mod graph;
 pub mod netlist;
@@ -18,6 +22,8 @@ pub mod op;
 pub mod schedule;
 #[doc(hidden)]
 pub mod testing;
+// For whoever runs the tools: checks and testbench.
+#[doc(hidden)]
 pub mod tools;
 pub mod types;
 pub mod vhdl;

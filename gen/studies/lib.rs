@@ -4,5 +4,7 @@
 pub mod accuracy;
 pub mod planner;
 mod plot;
+// For the command line and the accuracy campaign.
+#[doc(hidden)]
 pub mod times;
 pub mod wall;

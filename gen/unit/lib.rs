@@ -3,10 +3,14 @@
 
 pub mod artefact;
 pub mod design;
+// For the engine: exact binary fractions.
+#[doc(hidden)]
 pub mod dyadic;
 pub mod golden;
 pub mod host;
 pub mod pair;
 pub mod params;
+// For the engine alone.
+#[doc(hidden)]
 pub mod parts;
 pub mod words;

@@ -5,6 +5,8 @@
 //! modules it is printed from; Verilator runs a netlist synthesised from the printed text.
 
 mod builtin;
+// For the command line.
+#[doc(hidden)]
 pub mod engine;
 mod external;
 mod probe;
@@ -13,6 +15,8 @@ mod verilator;
 mod wave;
 
 pub use builtin::Builtin;
+// For the testbench.
+#[doc(hidden)]
 pub use probe::inputs;
 pub use trial::{Bench, Trial};
 

@@ -6,11 +6,19 @@
 //! hole in the checks. Mutants are enumerated, never drawn, so that a score can be repeated.
 
 pub mod campaign;
+// For the command line.
+#[doc(hidden)]
 pub mod explained;
 mod in_plane;
+// For the command line.
+#[doc(hidden)]
 pub mod score;
 mod text;
+// For the command line.
+#[doc(hidden)]
 pub mod vectors;
+// For the command line.
+#[doc(hidden)]
 pub mod vhdl;
 
 use std::fmt;

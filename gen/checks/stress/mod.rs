@@ -15,16 +15,28 @@ mod families;
 mod fault;
 mod hash;
 mod ladder;
+// For the command line.
+#[doc(hidden)]
 pub mod once;
 mod posed;
 mod report;
 mod truth;
 mod variants;
 
+// For the testbench.
+#[doc(hidden)]
 pub use answerer::{Answerer, VertexOrder};
 pub use campaign::{Campaign, Plan};
+// For the testbench.
+#[doc(hidden)]
 pub use families::{FAMILIES, Family};
+// For the testbench.
+#[doc(hidden)]
 pub use fault::{Asked, Fault, Kind};
+// For the testbench.
+#[doc(hidden)]
 pub use posed::{Motion, Posed};
 pub use report::{Counts, Report};
+// For the testbench.
+#[doc(hidden)]
 pub use truth::Answers;

@@ -4,10 +4,16 @@
 mod files;
 mod host;
 mod memories;
+// For co-simulation and the testbench.
+#[doc(hidden)]
 pub mod samples;
 mod values;
+// For co-simulation and the testbench.
+#[doc(hidden)]
 pub mod vectors;
 mod verilog;
+// For co-simulation and the testbench.
+#[doc(hidden)]
 pub mod volume;
 
 use crate::design::volume_unit::VolumeDesign;

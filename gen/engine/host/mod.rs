@@ -32,5 +32,7 @@ mod images;
 pub use build::BuildError;
 pub use image::{Header, Image, ImageError, memory};
 pub use images::Images;
+// For the memory model of the testbench.
+#[doc(hidden)]
 pub use layout::{Layout, TRIANGLES_AT};
 pub use numbers::{Numbers, Refusal};

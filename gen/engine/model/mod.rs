@@ -9,8 +9,14 @@ mod tests;
 mod traversal;
 mod triangle;
 
+// For the tests of the volume unit.
+#[doc(hidden)]
 pub use block::{BadBlock, Block, Link, Volume};
+// For the tests of the volume unit.
+#[doc(hidden)]
 pub use overlap::{Distance, Frame, QueryRow, apart, bounds, distance, overlap};
 pub use query::{Query, Side};
 pub use traversal::{EngineOutcome, Model, Opened, Visits};
+// For the tests of the volume unit.
+#[doc(hidden)]
 pub use triangle::Triangle;

@@ -11,6 +11,8 @@ mod sums;
 mod tests;
 
 pub use answer::{EngineAnswer, EngineReport, Reason};
+// For the memory model of the testbench.
+#[doc(hidden)]
 pub use memory::{BlockLayout, LEAF_BIT, LINK_NUMBER_BITS, NO_CHILD, TriangleLayout};
 pub use query::{Command, QueryFlags};
 pub use sums::Sums;

@@ -6,6 +6,8 @@
 //! Neither computes in floating point.
 
 mod integers;
+// For the tests: another exact answer.
+#[doc(hidden)]
 pub mod linear_programme;
 mod minkowski;
 #[cfg(feature = "scenes")]

@@ -27,6 +27,8 @@ pub use file::{SceneError, load};
 pub use near::{Meeting, Near};
 pub use pose::Pose;
 pub use toml::Value;
+// For measurements of broad phases.
+#[doc(hidden)]
 pub use tree::{Candidates, Overlaps, Tree};
 
 use crate::mesh::{Findings, Mesh};

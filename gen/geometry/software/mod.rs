@@ -8,10 +8,14 @@
 pub(crate) mod affine;
 mod guigue_devillers;
 mod held;
+// For comparisons.
+#[doc(hidden)]
 pub mod interval_axes;
 mod moeller;
 mod planar;
 pub mod retest;
+// For comparisons.
+#[doc(hidden)]
 pub mod robbins_whitesides;
 mod separating_axes;
 #[cfg(test)]

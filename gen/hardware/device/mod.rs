@@ -10,9 +10,13 @@ mod fabric;
 pub mod resources;
 mod series7;
 mod spartan6;
+// For the static timing of the checks.
+#[doc(hidden)]
 pub mod virtex2;
 
 pub use block_ram::block_rams;
+// For estimates.
+#[doc(hidden)]
 pub use fabric::{Chains, Fabric, MultiplierRegisters};
 pub use resources::Resources;
 

@@ -13,6 +13,8 @@
 mod build;
 mod bundle;
 pub mod evaluate;
+// For the proofs of the testbench, and pictures.
+#[doc(hidden)]
 pub mod flat;
 mod instance;
 mod names;
@@ -26,6 +28,8 @@ pub use build::{Library, Sig, Top};
 pub use bundle::Bundle;
 pub use instance::{Port, Ports, instance};
 pub use phases::Phases;
+// For printing.
+#[doc(hidden)]
 pub use place::{Place, Step, append_step};
 pub use signals::Signals;
 pub use unit::{Fact, Node, NodeId, Op, Probe, Rate, Unit};

@@ -16,6 +16,8 @@
 
 mod constraints;
 mod cut;
+// For the tests that find the optimum otherwise.
+#[doc(hidden)]
 pub mod linear_program;
 
 use crate::device::Device;

@@ -5,6 +5,8 @@
 
 mod entity;
 mod fold;
+// For the tests of printed files.
+#[doc(hidden)]
 pub mod lint;
 mod names;
 mod package;

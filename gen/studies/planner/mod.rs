@@ -9,12 +9,16 @@ mod bench;
 mod census;
 mod cosimulation;
 mod cost;
+// For the command line.
+#[doc(hidden)]
 pub mod engine;
 mod found;
 mod front;
 mod mark;
 mod measure;
 mod outcome;
+// For the command line.
+#[doc(hidden)]
 pub mod picture;
 mod plan;
 mod reason;
@@ -26,15 +30,31 @@ mod stages;
 mod viewer;
 mod words;
 
+// For the command line.
+#[doc(hidden)]
 pub use census::Census;
+// For the command line.
+#[doc(hidden)]
 pub use cosimulation::Cosimulation;
+// For the command line.
+#[doc(hidden)]
 pub use cost::{Cost, Saving};
+// For the command line.
+#[doc(hidden)]
 pub use front::{Front, Software};
+// For the command line.
+#[doc(hidden)]
 pub use measure::Tally;
 pub use outcome::{Contact, Counted, Counts, Options, Row, Sampling, Sums, Total};
 pub use plan::{Answers, Finding, Other, Plan, plan};
 pub use request::{Request, Wish};
 pub use run::{TooMany, frame_contacts, run};
+// For the command line.
+#[doc(hidden)]
 pub use sample::Place;
+// For the command line.
+#[doc(hidden)]
 pub use stages::Stages;
+// For the command line.
+#[doc(hidden)]
 pub use viewer::Viewer;

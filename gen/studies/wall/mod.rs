@@ -11,14 +11,22 @@ mod contact;
 mod grid;
 mod groups;
 mod map;
+// For the command line.
+#[doc(hidden)]
 pub mod picture;
 mod report;
 mod step;
 
+// For the command line.
+#[doc(hidden)]
 pub use contact::{CONTACTS, Contact};
+// For the command line.
+#[doc(hidden)]
 pub use grid::{Grid, SIZE};
 pub use map::{Answer, Map};
 pub use report::{Band, Report};
+// For the command line.
+#[doc(hidden)]
 pub use step::Step;
 
 /// Why a map cannot be drawn. Each prints as one line.

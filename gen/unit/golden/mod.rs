@@ -33,8 +33,14 @@ use axis_test::AxisTest;
 use determinants::DeterminantTest;
 use exact::ExactTest;
 use guard::Guard;
+// For the study of what each rounding costs.
+#[doc(hidden)]
 pub use losses::{Loss, Lossless};
+// For the study of what each rounding costs.
+#[doc(hidden)]
 pub use numbers::Numbers;
+// For the study of what each rounding costs.
+#[doc(hidden)]
 pub use unrounded::{AxisAnswer, Unrounded};
 
 use crate::pair::{Outcome, Pair, Pose, Verdict};

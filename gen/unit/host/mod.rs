@@ -11,10 +11,14 @@ mod loose;
 mod quantised;
 #[cfg(feature = "scenes")]
 mod ready_scene;
+// For studies and the command line.
+#[doc(hidden)]
 pub mod sample;
 mod scene;
 #[cfg(feature = "scenes")]
 pub mod self_intersections;
+// For studies and the command line.
+#[doc(hidden)]
 #[cfg(feature = "scenes")]
 pub mod settings;
 #[cfg(test)]

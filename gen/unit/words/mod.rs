@@ -13,6 +13,8 @@
 //! separated and overlapping axes, side by side from bit 0, in the narrowest of the legal words.
 
 mod answer;
+// For packages of constants.
+#[doc(hidden)]
 pub mod constants;
 mod format;
 mod record;
@@ -20,5 +22,10 @@ mod word;
 
 pub use answer::{AnswerFields, MALFORMED, OUTSIDE, REASON_AT, REPORT, STATUS_BITS, StreamReport, verdict_status};
 pub use format::{BYPASS_AT, PacketKind, StreamFormat, TAG_AT};
+// For the engine and the testbench.
+#[doc(hidden)]
 pub use record::Record;
-pub use word::{StreamWidth, StreamWord};
+pub use word::StreamWidth;
+// For the engine and the testbench.
+#[doc(hidden)]
+pub use word::StreamWord;

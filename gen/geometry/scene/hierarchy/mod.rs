@@ -16,6 +16,8 @@ mod tree;
 pub use crate::directions::Directions;
 pub use contacts::{Contacts, contacts, rounded_contacts};
 pub use forest::Forest;
+// For images of the engine.
+#[doc(hidden)]
 pub use local::{LocalBlock, LocalChild, LocalFormat, LocalTree};
 pub use placement::Placement;
 pub use statistics::Statistics;

@@ -346,7 +346,8 @@ fn bits_of_a_port_of_a_top_are_converted_and_not_cut_off_a_conversion() {
 
           -- Outputs
           three <= std_logic_vector(three_i);
-        end architecture rtl;"#]].assert_eq(&entity(&top.finish(), "top"));
+        end architecture rtl;"#]]
+    .assert_eq(&entity(&top.finish(), "top"));
 }
 
 #[test]
