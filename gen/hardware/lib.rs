@@ -12,7 +12,7 @@ pub mod device;
 pub mod diagram;
 pub mod dump;
 pub mod estimate;
-// For templates of upper crates.
+// For the operations, which write their own VHDL.
 #[doc(hidden)]
 pub mod expression;
 pub mod graph;

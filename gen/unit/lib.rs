@@ -3,7 +3,7 @@
 
 pub mod artefact;
 pub mod design;
-// For the engine: exact binary fractions.
+// For the engine and the studies: exact binary fractions.
 #[doc(hidden)]
 pub mod dyadic;
 pub mod golden;

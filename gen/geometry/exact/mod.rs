@@ -6,7 +6,7 @@
 //! Neither computes in floating point.
 
 mod integers;
-// For the tests: another exact answer.
+// For the stress campaign: another exact answer.
 #[doc(hidden)]
 pub mod linear_programme;
 mod minkowski;

@@ -4,9 +4,7 @@
 //! scaled or moved. Of STL files, vertices that are equal bit for bit are stored once. Polygons become triangles that tile
 //! them. What is read and what is refused is described in `docs/formats.md`.
 
-// For the readers of meshes.
-#[doc(hidden)]
-pub mod angle;
+pub(crate) mod angle;
 mod bounds;
 mod build;
 mod builtin;

@@ -15,7 +15,7 @@ mod spartan6;
 pub mod virtex2;
 
 pub use block_ram::block_rams;
-// For estimates.
+// For the estimates: what a family makes of gates.
 #[doc(hidden)]
 pub use fabric::{Chains, Fabric, MultiplierRegisters};
 pub use resources::Resources;

@@ -13,7 +13,7 @@
 mod build;
 mod bundle;
 pub mod evaluate;
-// For the proofs of the testbench, and pictures.
+// For the tests of operators.
 #[doc(hidden)]
 pub mod flat;
 mod instance;

@@ -5,7 +5,7 @@
 
 mod entity;
 mod fold;
-// For the tests of printed files.
+// For the tests of printed files, here and in upper crates.
 #[doc(hidden)]
 pub mod lint;
 mod names;

@@ -11,13 +11,13 @@ mod loose;
 mod quantised;
 #[cfg(feature = "scenes")]
 mod ready_scene;
-// For studies and the command line.
+// For checks, studies, the command line and the testbench.
 #[doc(hidden)]
 pub mod sample;
 mod scene;
 #[cfg(feature = "scenes")]
 pub mod self_intersections;
-// For studies and the command line.
+// For checks, studies, the command line and the testbench.
 #[doc(hidden)]
 #[cfg(feature = "scenes")]
 pub mod settings;

@@ -13,7 +13,7 @@
 //! separated and overlapping axes, side by side from bit 0, in the narrowest of the legal words.
 
 mod answer;
-// For packages of constants.
+// For the engine, which has its own package of constants.
 #[doc(hidden)]
 pub mod constants;
 mod format;
