@@ -3,7 +3,7 @@
 //! A line that a crash cut off has no line feed; it is cut away when the file is opened next. Files may be concatenated.
 
 use serde::Serialize;
-use serde::de::DeserializeOwned;
+use serde::de::{DeserializeOwned, IgnoredAny};
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
@@ -67,10 +67,14 @@ impl Form {
             Ok(parsed) => Ok((parsed, String::from_utf8_lossy(line).trim_end().to_owned())),
             Err(e) => Err(self.wrong(path, i + 1, e.to_string())),
         };
-        let lines: Vec<(L, String)> =
+        let mut lines: Vec<(L, String)> =
             whole.split_inclusive(|&byte| byte == b'\n').enumerate().map(line).collect::<Result<_, _>>()?;
-        // Only what is the beginning of a line of ours is cut away.
+        // Only what is the beginning of a line of ours is cut away; a whole object is none.
         let beginning = self.beginning.as_bytes();
+        if serde_json::from_slice::<IgnoredAny>(rest).is_ok() {
+            lines.push(line((lines.len(), rest))?);
+            return Ok((lines, bytes.len()));
+        }
         if rest.starts_with(beginning) || beginning.starts_with(rest) {
             return Ok((lines, whole.len()));
         }
@@ -96,6 +100,11 @@ impl Journal {
     /// # Errors
     /// A file that cannot be read or written, that another process has open, or that holds something else.
     pub fn open<L: DeserializeOwned>(path: &Path, form: Form) -> Result<(Self, Vec<(L, String)>), JournalError> {
+        // A device has no end, and a pipe nothing to read.
+        if path.metadata().is_ok_and(|found| !found.is_file() && !found.is_dir()) {
+            let no_file = io::Error::new(io::ErrorKind::InvalidInput, "found a device or a pipe; expected a file");
+            return Err(at(path)(no_file));
+        }
         let mut file = OpenOptions::new().create(true).read(true).append(true).open(path).map_err(at(path))?;
         match file.try_lock() {
             Err(TryLockError::WouldBlock) => return Err(JournalError::Busy(path.to_owned())),
@@ -107,6 +116,9 @@ impl Journal {
         file.read_to_end(&mut bytes).map_err(at(path))?;
         let (lines, whole) = form.parse(path, &bytes)?;
         file.set_len(whole as u64).map_err(at(path))?;
+        if bytes[..whole].last().is_some_and(|&byte| byte != b'\n') {
+            file.write_all(b"\n").map_err(at(path))?;
+        }
         Ok((Self { path: path.to_owned(), file }, lines))
     }
 
@@ -159,6 +171,10 @@ mod tests {
             assert_eq!(words(&path), ["one", "two"]);
             assert_eq!(std::fs::read(&path).unwrap(), text);
         }
+        // A line without its end is one.
+        std::fs::write(&path, &text[..text.len() - 1]).unwrap();
+        assert_eq!(words(&path), ["one", "two"]);
+        assert_eq!(std::fs::read(&path).unwrap(), text);
     }
 
     #[test]
@@ -168,6 +184,8 @@ mod tests {
         let wrong = [
             ("mine", "line 1: found something else than JSON; expected a word in brackets"),
             ("[1]\n", "line 1: found "),
+            // A whole object is not cut off, whatever it begins with.
+            ("[\"one\"]\n[\"two\", 2]", "line 2: found "),
         ];
         for (text, expected) in wrong {
             std::fs::write(&path, text).unwrap();
@@ -175,6 +193,8 @@ mod tests {
             assert!(message.contains(expected), "{message}");
             assert_eq!(std::fs::read_to_string(&path).unwrap(), text);
         }
-        assert!(matches!(Journal::open::<[String; 1]>(dir.path(), FORM), Err(JournalError::Io { .. })));
+        for path in [dir.path(), Path::new("/dev/null")] {
+            assert!(matches!(Journal::open::<[String; 1]>(path, FORM), Err(JournalError::Io { .. })), "{path:?}");
+        }
     }
 }

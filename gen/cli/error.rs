@@ -124,7 +124,12 @@ pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
     }
     match e.kind() {
         ErrorKind::UnknownArgument => message.push_str("; --help lists the options"),
-        ErrorKind::InvalidSubcommand => message.push_str(&format!("; expected one of {}", commands.join(", "))),
+        ErrorKind::InvalidSubcommand => {
+            if text.contains("'soak'") {
+                message.push_str("; it is stress --once now");
+            }
+            message.push_str(&format!("; expected one of {}", commands.join(", ")));
+        }
         _ => {}
     }
     Failure::Usage(message)

@@ -103,7 +103,9 @@ fn halves(words: &[String]) -> [&[String]; 2] {
 /// What is wrong with a command, by the words after `cargo`.
 pub fn fault(words: &[String]) -> Option<String> {
     let (name, rest) = words.split_first()?;
-    let known = ["bench", "binstall", "build", "clippy", "doc", "fmt", "install", "package", "publish", "run", "test"];
+    let known = [
+        "bench", "binstall", "build", "clippy", "doc", "fmt", "install", "mutants", "package", "publish", "run", "test",
+    ];
     if !known.contains(&name.as_str()) {
         return Some(format!("cargo {name}: no such command"));
     }
@@ -113,6 +115,8 @@ pub fn fault(words: &[String]) -> Option<String> {
     while let Some(word) = ours.next() {
         match word {
             "-p" | "--package" => package = ours.next().filter(|name| !super::is_placeholder(name)),
+            // A file of cargo mutants.
+            "-f" => drop(ours.next()),
             "--features" => features = ours.next().unwrap_or_default(),
             "--test" | "--bench" => target = ours.next().map(|name| (&word[2..], name)),
             _ if word.starts_with('-') => {}
