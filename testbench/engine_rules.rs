@@ -200,7 +200,9 @@ fn every_query_after_a_reset_or_a_stop_is_right() {
     let format = alone.machine.design().format;
     let order = |command, number| Step::Packet(vec![format.order(command, number)]);
     // Every clock, or at most so many of them, the last behind the answer.
-    for (latency, most) in [(1, usize::MAX), (30, usize::MAX), (60, usize::MAX), (160, usize::MAX), (400, usize::MAX), (1200, 100)] {
+    for (latency, most) in
+        [(1, usize::MAX), (30, usize::MAX), (60, usize::MAX), (160, usize::MAX), (400, usize::MAX), (1200, 100)]
+    {
         let first = alone.play(latency, &[alone.ask(1)]);
         let (reason, _, due) = Alone::read(&first[0]);
         assert!(reason == Reason::Complete && due.0.len() > 5, "{first:?}");
