@@ -33,12 +33,9 @@ impl Tally {
     /// Counts a verdict beside that of the reference.
     pub fn add(&mut self, verdict: Verdict, reference: Verdict) {
         self.verdicts.count(verdict);
-        if verdict != reference && reference != Verdict::PossiblyIncorrect {
-            match verdict {
-                Verdict::PossiblyIncorrect => self.less_definite += 1,
-                _ => self.contradictions += 1,
-            }
-        }
+        let [less_definite, contradicts] = beside(verdict, reference);
+        self.less_definite += u64::from(less_definite);
+        self.contradictions += u64::from(contradicts);
     }
 
     /// Adds other counts.
@@ -48,6 +45,13 @@ impl Tally {
         self.less_definite += other.less_definite;
         self.contradictions += other.contradictions;
     }
+}
+
+/// Whether a verdict leaves open what the reference decides, and whether both decide, differently.
+pub(super) fn beside(verdict: Verdict, reference: Verdict) -> [bool; 2] {
+    let differs = verdict != reference && reference != Verdict::PossiblyIncorrect;
+    let open = verdict == Verdict::PossiblyIncorrect;
+    [differs && open, differs && !open]
 }
 
 /// Units with the hosts in front of them.

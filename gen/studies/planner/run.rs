@@ -1,7 +1,7 @@
 //! A scene through its planned unit: every surviving pair is answered, and what the unit leaves open is retested.
 
 use super::found::Found;
-use super::measure::{Met, Units};
+use super::measure::{Met, Units, beside};
 use super::outcome::{Contact, Options, Row, Sampling, Total};
 use super::sample::{Least, Place};
 use super::{Front, Plan};
@@ -183,13 +183,9 @@ impl<'a, 'b> Answering<'a, 'b> {
         if !self.differs {
             return;
         }
-        let full = met.answer(1, pair).verdict;
-        if full != verdict && full != Verdict::PossiblyIncorrect {
-            match verdict {
-                Verdict::PossiblyIncorrect => found.sums.less_definite += 1,
-                _ => found.sums.contradictions += 1,
-            }
-        }
+        let [less_definite, contradicts] = beside(verdict, met.answer(1, pair).verdict);
+        found.sums.less_definite += u64::from(less_definite);
+        found.sums.contradictions += u64::from(contradicts);
     }
 
     /// Remembers a pair of the unit to be simulated.

@@ -24,6 +24,16 @@ pub enum Answer {
     Intersect,
 }
 
+impl Answer {
+    fn verdict(self) -> Verdict {
+        match self {
+            Self::Separate => Verdict::Separate,
+            Self::PossiblyIncorrect => Verdict::PossiblyIncorrect,
+            Self::Touch | Self::Intersect => Verdict::Intersect,
+        }
+    }
+}
+
 impl From<Verdict> for Answer {
     fn from(verdict: Verdict) -> Self {
         match verdict {
@@ -94,10 +104,8 @@ impl Map {
 
     /// How many definite cells differ from the exact map; a touch is an intersection.
     pub fn wrong(&self, exact: &Self) -> usize {
-        let wrong = |(answer, exact): &(&Answer, &Answer)| match answer {
-            Answer::PossiblyIncorrect => false,
-            answer => (**answer == Answer::Separate) != (**exact == Answer::Separate),
-        };
+        let truth = |exact: &Answer| if *exact == Answer::Separate { Exact::Separate } else { Exact::Intersect };
+        let wrong = |(answer, exact): &(&Answer, &Answer)| answer.verdict().is_wrong(truth(exact));
         self.0.iter().zip(&exact.0).filter(wrong).count()
     }
 }
