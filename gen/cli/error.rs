@@ -32,11 +32,18 @@ impl Failure {
     }
 }
 
-impl From<DesignError> for Failure {
-    fn from(e: DesignError) -> Self {
-        Self::Usage(e.to_string())
-    }
+/// Errors that always mean a wrong command line, input or output.
+macro_rules! usage {
+    ($($error:ty),*) => {
+        $(impl From<$error> for Failure {
+            fn from(e: $error) -> Self {
+                Self::Usage(e.to_string())
+            }
+        })*
+    };
 }
+
+usage!(DesignError, FileSetError, JournalError, PairFileError, SceneError, TooMany);
 
 impl From<CosimError> for Failure {
     fn from(e: CosimError) -> Self {
@@ -73,36 +80,6 @@ impl From<SynthError> for Failure {
     }
 }
 
-impl From<FileSetError> for Failure {
-    fn from(e: FileSetError) -> Self {
-        Self::Usage(e.to_string())
-    }
-}
-
-impl From<PairFileError> for Failure {
-    fn from(e: PairFileError) -> Self {
-        Self::Usage(e.to_string())
-    }
-}
-
-impl From<SceneError> for Failure {
-    fn from(e: SceneError) -> Self {
-        Self::Usage(e.to_string())
-    }
-}
-
-impl From<JournalError> for Failure {
-    fn from(e: JournalError) -> Self {
-        Self::Usage(e.to_string())
-    }
-}
-
-impl From<TooMany> for Failure {
-    fn from(e: TooMany) -> Self {
-        Self::Usage(e.to_string())
-    }
-}
-
 /// What clap says, on one line: without its usage and its hint at `--help`.
 pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
     if e.kind() == ErrorKind::DisplayHelpOnMissingArgumentOrSubcommand {
@@ -125,7 +102,8 @@ pub(super) fn from_clap(e: &clap::Error, commands: &[String]) -> Failure {
     match e.kind() {
         ErrorKind::UnknownArgument => message.push_str("; --help lists the options"),
         ErrorKind::InvalidSubcommand => {
-            if text.contains("'soak'") {
+            // Only where the commands of the program itself are expected.
+            if text.contains("'soak'") && commands.iter().any(|command| command == "stress") {
                 message.push_str("; it is stress --once now");
             }
             message.push_str(&format!("; expected one of {}", commands.join(", ")));
