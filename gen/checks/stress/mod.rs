@@ -15,7 +15,6 @@ mod families;
 mod fault;
 mod hash;
 mod ladder;
-// For the command line.
 #[doc(hidden)]
 pub mod once;
 mod posed;
@@ -23,20 +22,14 @@ mod report;
 mod truth;
 mod variants;
 
-// For the testbench.
-#[doc(hidden)]
-pub use answerer::{Answerer, VertexOrder};
 pub use campaign::{Campaign, Plan};
-// For the testbench.
-#[doc(hidden)]
-pub use families::{FAMILIES, Family};
-// For the testbench.
-#[doc(hidden)]
-pub use fault::{Asked, Fault, Kind};
-// For the testbench.
-#[doc(hidden)]
-pub use posed::{Motion, Posed};
 pub use report::{Counts, Report};
-// For the testbench.
+// For the command line and the testbench.
 #[doc(hidden)]
-pub use truth::Answers;
+pub use self::{
+    answerer::{Answerer, VertexOrder},
+    families::{FAMILIES, Family},
+    fault::{Asked, Fault, Kind},
+    posed::{Motion, Posed},
+    truth::Answers,
+};

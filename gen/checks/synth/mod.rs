@@ -10,52 +10,37 @@ mod critical_path;
 mod error;
 mod flow;
 mod harness;
-// For the command line and the testbench.
 #[doc(hidden)]
 pub mod netlist;
-// For the command line and the testbench.
 #[doc(hidden)]
 pub mod product_registers;
 mod route;
-// For the command line and the testbench.
 #[doc(hidden)]
 pub mod slices;
-// For the command line and the testbench.
 #[doc(hidden)]
 pub mod static_timing;
 mod subject;
-// For the command line and the testbench.
 #[doc(hidden)]
 pub mod tools;
 mod units;
-// For the command line and the testbench.
 #[doc(hidden)]
 pub mod verilog;
-// For the command line and the testbench.
 #[doc(hidden)]
 pub mod yosys;
 
-// For the command line.
-#[doc(hidden)]
-pub use cells::Cells;
-// For the command line and the testbench.
-#[doc(hidden)]
-pub use critical_path::{CriticalPath, Step};
-// For the command line.
-#[doc(hidden)]
-pub use error::{SynthError, ToolError};
 pub use flow::Flow;
-// For the command line.
-#[doc(hidden)]
-pub use route::{Placed, Routed};
-// For the command line.
-#[doc(hidden)]
-pub use slices::Slices;
-// For the command line.
-#[doc(hidden)]
-pub use static_timing::Timing;
 pub use subject::Subject;
 pub use units::Unit;
+// For the command line and the testbench.
+#[doc(hidden)]
+pub use self::{
+    cells::Cells,
+    critical_path::{CriticalPath, Step},
+    error::{SynthError, ToolError},
+    route::{Placed, Routed},
+    slices::Slices,
+    static_timing::Timing,
+};
 
 use efsat_hardware::device::{Device, Family, Resources};
 use efsat_hardware::netlist::Module;

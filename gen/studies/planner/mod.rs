@@ -9,7 +9,6 @@ mod bench;
 mod census;
 mod cosimulation;
 mod cost;
-// For the command line.
 #[doc(hidden)]
 pub mod engine;
 mod found;
@@ -17,7 +16,6 @@ mod front;
 mod mark;
 mod measure;
 mod outcome;
-// For the command line.
 #[doc(hidden)]
 pub mod picture;
 mod plan;
@@ -30,31 +28,19 @@ mod stages;
 mod viewer;
 mod words;
 
-// For the command line.
-#[doc(hidden)]
-pub use census::Census;
-// For the command line.
-#[doc(hidden)]
-pub use cosimulation::Cosimulation;
-// For the command line.
-#[doc(hidden)]
-pub use cost::{Cost, Saving};
-// For the command line.
-#[doc(hidden)]
-pub use front::{Front, Software};
-// For the command line.
-#[doc(hidden)]
-pub use measure::Tally;
 pub use outcome::{Contact, Counted, Counts, Options, Row, Sampling, Sums, Total};
 pub use plan::{Answers, Finding, Other, Plan, plan};
 pub use request::{Request, Wish};
 pub use run::{TooMany, frame_contacts, run};
-// For the command line.
+// For the command line and the testbench.
 #[doc(hidden)]
-pub use sample::Place;
-// For the command line.
-#[doc(hidden)]
-pub use stages::Stages;
-// For the command line.
-#[doc(hidden)]
-pub use viewer::Viewer;
+pub use self::{
+    census::Census,
+    cosimulation::Cosimulation,
+    cost::{Cost, Saving},
+    front::{Front, Software},
+    measure::Tally,
+    sample::Place,
+    stages::Stages,
+    viewer::Viewer,
+};

@@ -11,23 +11,20 @@ mod contact;
 mod grid;
 mod groups;
 mod map;
-// For the command line.
 #[doc(hidden)]
 pub mod picture;
 mod report;
 mod step;
 
-// For the command line.
-#[doc(hidden)]
-pub use contact::{CONTACTS, Contact};
-// For the command line.
-#[doc(hidden)]
-pub use grid::{Grid, SIZE};
 pub use map::{Answer, Map};
 pub use report::{Band, Report};
-// For the command line.
+// For the command line and the testbench.
 #[doc(hidden)]
-pub use step::Step;
+pub use self::{
+    contact::{CONTACTS, Contact},
+    grid::{Grid, SIZE},
+    step::Step,
+};
 
 /// Why a map cannot be drawn. Each prints as one line.
 #[derive(Debug, PartialEq, Eq, thiserror::Error)]
