@@ -54,9 +54,10 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal reset_word : std_logic;  -- a soft reset by the stream
   signal forget : std_logic;  -- a soft reset
   signal forget_number : std_logic_vector(23 downto 0);  -- for its report
+  signal forgotten : std_logic;
   signal restart : std_logic;  -- all that works on a query forgets it
 
-  -- Jobs and the running query
+  -- Jobs and the queries in flight
   signal job_valid : std_logic;
   signal job_taken : std_logic;
   signal job_query : std_logic;
@@ -65,10 +66,11 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal job_reason : std_logic_vector(4 downto 0);
   signal job_number : std_logic_vector(23 downto 0);
   signal job_words : std_logic_vector(job_bits - 1 downto 0);
+  signal job_lane : std_logic_vector(lane_bits - 1 downto 0);
 {%- if e.unit.signs.len() > 0 %}
   signal job_unfit : std_logic;
   signal packet_unfit : std_logic;  -- of the pair: a number is no sign extension
-  signal pose_unfit : std_logic;  -- the same of the pose
+  signal pose_unfit : std_logic := '0';  -- the same of the pose
 {%- endif %}
   signal packet_valid : std_logic;  -- a pair of a packet, not of a query
   signal packet_taken : std_logic;
@@ -79,41 +81,57 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal pose_ready : std_logic;
   signal busy : std_logic;
   signal running : std_logic;
-  signal start : std_logic;
-  signal ending : std_logic;
+  signal oldest : std_logic_vector(lane_bits - 1 downto 0);
+  signal retire : std_logic;
+  signal counting : std_logic_vector(lanes - 1 downto 0);
+  signal posed : std_logic_vector(lanes - 1 downto 0);
+  signal started : std_logic_vector(lanes - 1 downto 0);
+  signal ending : std_logic_vector(lanes - 1 downto 0);
   signal dropping : std_logic;
+  signal start : std_logic;
+  signal start_lane : std_logic_vector(lane_bits - 1 downto 0);
+  signal most_expansions : std_logic_vector(31 downto 0);
   signal abort : std_logic;
+  signal checked_lane : std_logic_vector(lane_bits - 1 downto 0);
+  signal checked : std_logic_vector(head_bits - 1 downto 0);
   signal block_base_a : std_logic_vector(31 downto 0);
   signal block_base_b : std_logic_vector(31 downto 0);
   signal triangle_base_a : std_logic_vector(31 downto 0);
   signal triangle_base_b : std_logic_vector(31 downto 0);
+  signal listed_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal block_count_a : std_logic_vector(31 downto 0);
   signal block_count_b : std_logic_vector(31 downto 0);
   signal triangle_count_a : std_logic_vector(31 downto 0);
   signal triangle_count_b : std_logic_vector(31 downto 0);
-  signal most_expansions : std_logic_vector(31 downto 0);
   signal stop_at_contact : std_logic;
+  signal option_separate_too : std_logic;
   signal separate_too : std_logic;
-  signal leaves_only : std_logic;
+  signal leaves_of : std_logic_vector(lanes - 1 downto 0);
+  signal leaves_only : std_logic;  -- of the query whose pairs are at the unit
   signal query_pose : std_logic_vector(query_pose_bits - 1 downto 0);
   signal query_shift : std_logic_vector(query_shift_bits - 1 downto 0);
-  signal query_errors : std_logic_vector(47 downto 0);
+  signal query_errors : std_logic_vector(query_errors_bits - 1 downto 0);
   signal query_rows : std_logic_vector(query_rows_bits - 1 downto 0);
+  signal pose : std_logic_vector(pose_bits - 1 downto 0);
+  signal pose_words : std_logic_vector(job_pose);
   signal short : std_logic;
   signal reason : std_logic_vector(4 downto 0);
   signal number : std_logic_vector(23 downto 0);
   signal report_due : std_logic;
   signal report_done : std_logic;
-  signal idle : std_logic;
-  signal traverse_idle : std_logic;
-  signal pairs_idle : std_logic;
-  signal bad_tree : std_logic;
-  signal limit_reached : std_logic;
+  signal idle : std_logic_vector(lanes - 1 downto 0);
+  signal traverse_idle : std_logic_vector(lanes - 1 downto 0);
+  signal pairs_idle : std_logic_vector(lanes - 1 downto 0);
+  signal pairs_read : std_logic;
+  signal reads : std_logic;
+  signal bad_tree : std_logic_vector(lanes - 1 downto 0);
+  signal limit_reached : std_logic_vector(lanes - 1 downto 0);
   signal contact : std_logic;
 
   -- Blocks and volumes
   signal block_request : std_logic;
   signal block_accepted : std_logic;
+  signal request_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal request_a : std_logic_vector(node_bits - 1 downto 0);
   signal request_b : std_logic_vector(node_bits - 1 downto 0);
   signal blocks_valid : std_logic;
@@ -121,6 +139,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal block_a : std_logic_vector(block_bits - 1 downto 0);
   signal block_b : std_logic_vector(block_bits - 1 downto 0);
   signal volume_ready : std_logic;
+  signal take_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal take_a : std_logic_vector(1 downto 0);
   signal take_b : std_logic_vector(1 downto 0);
   signal survive_valid : std_logic;
@@ -129,6 +148,9 @@ architecture rtl of {{ prefix }}efsat_engine is
   -- Pairs of leaves and their triangles
   signal pair_valid : std_logic;
   signal pair_ready : std_logic;
+  signal pair_lane : std_logic_vector(lane_bits - 1 downto 0);
+  signal pair_left : std_logic_vector(lanes - 1 downto 0);
+  signal front : std_logic_vector(lane_bits - 1 downto 0);
   signal pair_a : std_logic_vector(27 downto 0);
   signal pair_b : std_logic_vector(27 downto 0);
   signal triangle_request : std_logic;
@@ -136,13 +158,17 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal leaf_a : std_logic_vector(27 downto 0);
   signal leaf_b : std_logic_vector(27 downto 0);
   signal triangles_valid : std_logic;
-  signal triangles_ready : std_logic;
+  signal triangles_there : std_logic;{% if e.unit.paced %}  -- and not sent yet{% endif %}
+  signal triangles_passed : std_logic;  -- dropped, or {% if e.unit.paced %}by the unit{% else %}taken{% endif %}
   signal triangles_taken : std_logic;
 {%- if e.unit.paced %}
-  signal triangles_there : std_logic;  -- and not sent yet
-  signal triangles_passed : std_logic;  -- dropped, or by the unit
   signal triangles_sent : std_logic := '0';  -- the unit has taken them, a clock ago
 {%- endif %}
+  signal triangles_lane : std_logic_vector(lane_bits - 1 downto 0);
+  signal testable : std_logic;
+  signal drops : std_logic;
+  signal tests_them : std_logic;  -- they are for the unit
+  signal passes_them : std_logic;  -- they are for the way past it
   signal triangle_a : std_logic_vector(triangle_bits - 1 downto 0);
   signal triangle_b : std_logic_vector(triangle_bits - 1 downto 0);
   signal numbers : std_logic_vector(55 downto 0);
@@ -152,7 +178,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal sticky_v : std_logic_vector(8 downto 0);
   signal sticky_w : std_logic_vector(8 downto 0);
 {%- endif %}
-  signal unit_tag : std_logic_vector(55 downto 0);
+  signal unit_tag : std_logic_vector(lane_bits + 55 downto 0);
   signal unit_valid : std_logic;
   signal unit_ready : std_logic;
   signal tested_valid : std_logic;
@@ -162,6 +188,7 @@ architecture rtl of {{ prefix }}efsat_engine is
 {%- if e.unit.guarded %}
   signal tested_outside : std_logic;
 {%- endif %}
+  signal tested_tag : std_logic_vector(lane_bits + 55 downto 0);
   signal tested_numbers : std_logic_vector(55 downto 0);
   constant tag_last : natural := {{ e.unit.tag_last }};  -- of a pair of a packet: it is the last one
 {%- if e.unit.signs.len() > 0 %}
@@ -172,6 +199,9 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal tested_unfit : std_logic;
 {%- endif %}
   signal tested_taken : std_logic;
+  signal decided_lane : std_logic_vector(lane_bits - 1 downto 0);
+  signal answerable : std_logic;  -- no older query has to be answered first
+  signal decided_taken : std_logic;
   signal decided_valid : std_logic;
   signal decided_ready : std_logic;
   signal verdict : std_logic_vector(1 downto 0);
@@ -188,8 +218,11 @@ architecture rtl of {{ prefix }}efsat_engine is
 
   -- Events
   signal expanded : std_logic;
+  signal expanded_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal tests : std_logic_vector(2 downto 0);
+  signal tested_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal survived : std_logic_vector(1 downto 0);
+  signal survived_lane : std_logic_vector(lane_bits - 1 downto 0);
   signal paired : std_logic;
   signal waiting : std_logic;
   signal starved : std_logic;
@@ -198,7 +231,8 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal block_reads : std_logic_vector(1 downto 0);
   signal triangle_reads : std_logic_vector(1 downto 0);
   signal words_read : std_logic;
-  signal clear : std_logic;
+  signal clear : std_logic_vector(lanes - 1 downto 0);
+  signal renew : std_logic;
   signal greatest_stack : unsigned(15 downto 0);
 {%- if e.block_ram %}
 
@@ -235,8 +269,10 @@ begin
   reset <= not aresetn;
   forget <= soft_reset or reset_word;
   forget_number <= stop_number when reset_word = '1' else (others => '0');
-  restart <= reset or forget or abort;
+  forgotten <= reset or forget;
+  restart <= forgotten or abort;
   idle <= traverse_idle and pairs_idle;
+  reads <= pairs_read or not traverse_idle(to_integer(unsigned(oldest)));
 
   -- ===== Queries =====
   command : entity work.{{ prefix }}engine_command
@@ -292,42 +328,30 @@ begin
       job_short => job_short,
       job_reason => job_reason,
       job_number => job_number,
-      job_words => job_words,
-{%- if e.unit.signs.len() > 0 %}
-      job_unfit => job_unfit,
-      pose_unfit => pose_unfit,
-{%- endif %}
+      job_lane => job_lane,
       stop => stop,
       stop_number => stop_number,
-      pose_valid => pose_valid,
-      pose_ready => pose_ready,
+      checked_lane => checked_lane,
+      checked => checked,
       busy => busy,
       running => running,
-      start => start,
+      oldest => oldest,
+      counting => counting,
+      posed => posed,
+      started => started,
       ending => ending,
       dropping => dropping,
-      abort => abort,
-      block_base_a => block_base_a,
-      block_base_b => block_base_b,
-      triangle_base_a => triangle_base_a,
-      triangle_base_b => triangle_base_b,
-      block_count_a => block_count_a,
-      block_count_b => block_count_b,
-      triangle_count_a => triangle_count_a,
-      triangle_count_b => triangle_count_b,
+      start => start,
+      start_lane => start_lane,
       most_expansions => most_expansions,
-      stop_at_contact => stop_at_contact,
-      separate_too => separate_too,
-      leaves_only => leaves_only,
-      query_pose => query_pose,
-      query_shift => query_shift,
-      query_errors => query_errors,
-      query_rows => query_rows,
+      abort => abort,
+      retire => retire,
       idle => idle,
       contact => contact,
       limit_reached => limit_reached,
       bad_tree => bad_tree,
 {%- if e.axi %}
+      reads => reads,
       memory_error => memory_error,
       memory_draining => memory_draining,
       memory_silent => memory_silent,
@@ -341,31 +365,89 @@ begin
       number => number
     );
 
+  queries : entity work.{{ prefix }}engine_queries
+    port map (
+      clk => aclk,
+      reset => forgotten,
+      write => job_taken,
+      write_lane => job_lane,
+      job_words => job_words,
+      job_query => job_query,
+      retire => retire,
+      oldest => oldest,
+      checked_lane => checked_lane,
+      checked => checked,
+      request_lane => request_lane,
+      block_base_a => block_base_a,
+      block_base_b => block_base_b,
+      listed_lane => listed_lane,
+      block_count_a => block_count_a,
+      block_count_b => block_count_b,
+      triangle_count_a => triangle_count_a,
+      triangle_count_b => triangle_count_b,
+      volume_lane => take_lane,
+      query_pose => query_pose,
+      query_shift => query_shift,
+      query_errors => query_errors,
+      query_rows => query_rows,
+      front => front,
+      triangle_base_a => triangle_base_a,
+      triangle_base_b => triangle_base_b,
+      pose => pose,
+      leaves_only => leaves_of,
+      stop_at_contact => stop_at_contact,
+      separate_too => option_separate_too
+    );
+  pose_words <= pose;
+  leaves_only <= leaves_of(to_integer(unsigned(front)));
+  separate_too <= option_separate_too or not running;
+{%- if e.unit.signs.len() > 0 %}
+
+  -- With the bypass the numbers of a pose are not read.
+  look : process (aclk)
+  begin
+    if rising_edge(aclk) then
+      if forgotten = '1' then
+        pose_unfit <= '0';
+      elsif (job_taken and job_posed) = '1' then
+        pose_unfit <= job_unfit and not job_words(job_bypass);
+      end if;
+    end if;
+  end process look;
+{%- endif %}
+
   -- ===== Volumes =====
   traverse : entity work.{{ prefix }}engine_traverse
     port map (
       clk => aclk,
       reset => restart,
       start => start,
-      ending => ending,
+      start_lane => start_lane,
       most_expansions => most_expansions,
+      oldest => oldest,
+      ending => ending,
+      listed_lane => listed_lane,
       block_count_a => block_count_a,
       block_count_b => block_count_b,
       triangle_count_a => triangle_count_a,
       triangle_count_b => triangle_count_b,
       request_valid => block_request,
       request_ready => block_accepted,
+      request_lane => request_lane,
       request_a => request_a,
       request_b => request_b,
       blocks_taken => blocks_taken,
       block_a => block_a,
       block_b => block_b,
+      take_lane => take_lane,
       take_a => take_a,
       take_b => take_b,
       survive_valid => survive_valid,
       survive => survive,
       pair_valid => pair_valid,
       pair_ready => pair_ready,
+      pair_lane => pair_lane,
+      pair_left => pair_left,
       pair_a => pair_a,
       pair_b => pair_b,
       idle => traverse_idle,
@@ -373,8 +455,11 @@ begin
       bad_tree => bad_tree,
       limit_reached => limit_reached,
       expanded => expanded,
+      expanded_lane => expanded_lane,
       tested => tests,
+      tested_lane => tested_lane,
       survived => survived,
+      survived_lane => survived_lane,
       greatest_stack => greatest_stack
     );
   blocks_taken <= blocks_valid and volume_ready;
@@ -402,21 +487,35 @@ begin
     port map (
       clk => aclk,
       reset => restart,
+      oldest => oldest,
+      retire => retire,
+      posed => posed,
+      started => started,
       ending => ending,
+      leaves_only => leaves_of,
+      traversed => traverse_idle,
       pair_valid => pair_valid,
       pair_ready => pair_ready,
+      pair_lane => pair_lane,
       pair_a => pair_a,
       pair_b => pair_b,
+      pair_left => pair_left,
+      front => front,
       request_valid => triangle_request,
       request_ready => triangle_accepted,
       request_a => leaf_a,
       request_b => leaf_b,
-      triangles_valid => triangles_{% if e.unit.paced %}there{% else %}valid{% endif %},
-      triangles_ready => triangles_ready,
-      triangles_taken => triangles_{% if e.unit.paced %}passed{% else %}taken{% endif %},
+      triangles_valid => triangles_there,
+      triangles_taken => triangles_taken,
+      triangles_lane => triangles_lane,
+      testable => testable,
+      drops => drops,
+      pose_valid => pose_valid,
+      pose_ready => pose_ready,
       sent => packet_taken,
       answered => pair_answered,
-      idle => pairs_idle
+      idle => pairs_idle,
+      reads => pairs_read
     );
   triangles_asked <= triangle_request and triangle_accepted;
 
@@ -430,31 +529,35 @@ begin
   sticky_v <= triangle_a(triangle_sticky) when running = '1' else job_words(job_pair_sticky_v);
   sticky_w <= triangle_b(triangle_sticky) when running = '1' else job_words(job_pair_sticky_w);
 {%- endif %}
-  unit_tag <= numbers when running = '1' else
+  unit_tag <= triangles_lane & numbers when running = '1' else
     "{{ e.unit.unit_tag_zeros }}" & {% if e.unit.signs.len() > 0 %}(packet_unfit or pose_unfit) & {% endif %}packet_last & job_words(job_pair_tag);
   packet_taken <= packet_valid and unit_ready;
 
   -- With leaves_only pairs pass by the unit, which is empty then, through a register: their numbers come late out of block RAM.
   -- The numbers of triangles are in the low bits of the first word, {{ e.unit.triangle_number_bits }} of them.
   numbers <= {{ e.unit.number_above }}triangle_b(triangle_number) & {{ e.unit.number_above }}triangle_a(triangle_number);
-  bypass_free <= decided_ready or not bypassed_valid;
-  unit_valid <= (triangles_{% if e.unit.paced %}there{% else %}valid{% endif %} and not leaves_only and not ending) or packet_valid;
-  bypass_valid <= triangles_{% if e.unit.paced %}there{% else %}valid{% endif %} and leaves_only and not ending;
+  bypass_free <= decided_taken or not bypassed_valid;
+  tests_them <= triangles_there and testable and not leaves_only and not drops;
+  passes_them <= triangles_there and testable and leaves_only and not drops;
+  unit_valid <= tests_them or packet_valid;
+  bypass_valid <= passes_them;
 {%- if e.unit.paced %}
-  triangles_ready <= bypass_free and leaves_only;
   -- Whether the unit takes a pair is known late in a clock: the memory hears of it a clock later, which costs nothing, because the
   -- unit does not take the next one at once.
   triangles_there <= triangles_valid and not triangles_sent;
+  triangles_passed <= triangles_there and (drops or (passes_them and bypass_free));
   triangles_taken <= triangles_passed or triangles_sent;
 
   send : process (aclk)
   begin
     if rising_edge(aclk) then
-      triangles_sent <= triangles_there and unit_ready and not leaves_only and not ending and not restart;
+      triangles_sent <= tests_them and unit_ready and not restart;
     end if;
   end process send;
 {%- else %}
-  triangles_ready <= bypass_free when leaves_only = '1' else unit_ready;
+  triangles_there <= triangles_valid;
+  triangles_passed <= triangles_there and (drops or (passes_them and bypass_free));
+  triangles_taken <= triangles_passed or (tests_them and unit_ready);
 {%- endif %}
 
   bypass : process (aclk)
@@ -483,7 +586,7 @@ begin
 {%- endfor %}
       pose_valid => pose_valid,
       pose_ready => pose_ready,
-      pose_bypass => job_words(job_bypass),
+      pose_bypass => pose_words(job_bypass),
       out_valid => tested_valid,
       out_ready => tested_taken,
       out_verdict => tested_verdict,
@@ -492,10 +595,14 @@ begin
 {%- if e.unit.guarded %}
       out_outside => tested_outside,
 {%- endif %}
-      out_tag => tested_numbers
+      out_tag => tested_tag
     );
-  tested_taken <= decided_ready and not leaves_only;
-  decided_valid <= bypassed_valid when leaves_only = '1' else tested_valid;
+  tested_numbers <= tested_tag(55 downto 0);
+  decided_lane <= front when leaves_only = '1' else tested_tag(lane_bits + 55 downto 56);
+  answerable <= '1' when decided_lane = oldest or running = '0' else '0';
+  decided_taken <= decided_ready and answerable;
+  tested_taken <= decided_taken and not leaves_only;
+  decided_valid <= bypassed_valid and answerable when leaves_only = '1' else tested_valid and answerable;
 {%- if e.unit.signs.len() > 0 %}
   tested_unfit <= tested_numbers(tag_unfit) and not running;
   verdict <= "10" when leaves_only = '1' or tested_unfit = '1' else tested_verdict;
@@ -537,12 +644,18 @@ begin
       short => short,
       reason => reason,
       number => number,
+      oldest => oldest,
       clear => clear,
-      running => running,
+      counting => counting,
       expanded => expanded,
+      expanded_lane => expanded_lane,
       tested => tests,
+      tested_lane => tested_lane,
       survived => survived,
+      survived_lane => survived_lane,
       paired => paired,
+      paired_lane => pair_lane,
+      renew => renew,
       block_reads => block_reads,
       triangles_asked => triangles_asked,
       triangle_reads => triangle_reads,
@@ -556,7 +669,11 @@ begin
       m_axis_tlast => m_axis_tlast,
       m_axis_tready => m_axis_tready
     );
-  clear <= reset or not (running or report_due);
+  begin_again : for lane in 0 to lanes - 1 generate
+    clear(lane) <= reset or job_taken or (abort and not counting(lane)) when unsigned(job_lane) = lane else
+      reset or abort when unsigned(oldest) /= lane else reset;
+  end generate begin_again;
+  renew <= reset or retire or not running;
   paired <= pair_valid and pair_ready;
   starved <= volume_ready and waiting and not blocks_valid;
   stalled <= pair_valid and not pair_ready;

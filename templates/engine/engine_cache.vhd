@@ -2,7 +2,7 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- {{ m.what }} of one tree behind a direct-mapped cache of {{ m.lines }} lines of {{ m.line_bits }} bits. Line i of the tree is at address
+-- {{ m.what }} of one side behind a direct-mapped cache of {{ m.lines }} lines of {{ m.line_bits }} bits. Line i of a tree is at address
 -- base + i (in 64 bytes); the low {{ m.line_address_bits }} bits choose its place, the others are its tag. A request that misses takes over the
 -- place at once and asks the memory; what was there is still given to the requests before it, because requests are served
 -- in order and words from memory are written when the request that asked for them is the next one. Memory is only asked if
@@ -18,7 +18,7 @@ entity {{ prefix }}{{ m.entity }} is
     reset : in std_logic;
     flush : in std_logic;  -- one clock long, while nothing is under way: forgets all lines
     flushing : out std_logic;  -- also after a reset
-    base : in std_logic_vector(25 downto 0);
+    base : in std_logic_vector(25 downto 0);  -- of the tree that the request is about
     request_valid : in std_logic;
     request_ready : out std_logic;
     request : in std_logic_vector({{ m.number }});
@@ -49,11 +49,11 @@ architecture rtl of {{ prefix }}{{ m.entity }} is
   signal arrives : std_logic;
   signal ready : std_logic;
   signal head_valid : std_logic := '0';
-  signal head : std_logic_vector({{ m.used_number }}) := (others => '0');
+  signal wanted : unsigned(25 downto 0);  -- address of the line
+  signal address : unsigned(25 downto 0) := (others => '0');  -- of the first request
   signal next_valid : std_logic := '0';
-  signal next_number : std_logic_vector({{ m.used_number }}) := (others => '0');
+  signal next_address : unsigned(25 downto 0) := (others => '0');
   signal head_leaves : std_logic;
-  signal address : unsigned(25 downto 0);  -- of the line that head asks for
 
   -- Look-up in two stages: a tag is read, then compared. A tag has a bit that says that the line is there. What the memory
   -- says of a place is too old while a request for that place is in one of the two stages: then the youngest such request
@@ -128,6 +128,7 @@ begin
   request_ready <= ready;
   arrives <= ready and request_valid;
   head_leaves <= head_valid and (looked_leaves or not looked);
+  wanted <= unsigned(base) + unsigned(request({{ m.used_number }}));
 
   -- A number has at most {{ m.number_bits }} bits, an address 26. Control runs no query whose tree ends beyond the last address, and the
   -- traversal asks for nothing beyond the tree: what is dropped of a number is zero.
@@ -135,13 +136,13 @@ begin
   begin
     if rising_edge(clk) then
       if head_leaves = '1' or head_valid = '0' then
-        head <= request({{ m.used_number }});
+        address <= wanted;
         if next_valid = '1' then
-          head <= next_number;
+          address <= next_address;
         end if;
       end if;
       if next_valid = '0' then
-        next_number <= request({{ m.used_number }});
+        next_address <= wanted;
       end if;
       if reset = '1' then
         head_valid <= '0';
@@ -156,7 +157,6 @@ begin
   end process hold;
 
   -- ===== Look-up =====
-  address <= unsigned(base) + unsigned(head);
   looked_leaves <= looked and (passes or not judged);
   hit <= '1' when same = all_same else '0';
   all_reserved <= reserved(reserved'high);

@@ -2,15 +2,19 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- The query that runs, from its job to its report: hands its pose to the triangle unit, keeps the rest in registers, starts
--- the traversal and finds out why it ends. Reasons: 0 complete, 1 stopped at a certain contact, 2 limit of expansions,
--- 3 bad tree, 4 memory error, 5 stopped by the host, 9 memory does not answer, 10 soft reset; those of packets that are no query
--- come with the job. A stop ends the query with its number that runs, or else the one that waits, as soon as it runs. After a soft
--- reset there is one report, whatever was forgotten. A pose alone is a job
--- that is done when the triangle unit has it. While no query runs, pairs of packets may be in the triangle unit: a job waits for
--- them.
+-- The queries in flight, from job to report, each in a lane of its own; lanes are taken in turn. A job is taken when a lane is
+-- free; then its words are in engine_queries. A query is admitted in its turn: it is checked, and its traversal starts. The
+-- oldest query is reported when all of it is done, or dropped, and its lane is free again. A job that is no query has a lane
+-- alone, without a start.
 --
--- The matrix for the origins of blocks is s1.17, cut off and saturated to +-(2^17 - 1); the shift is s4.22, cut off.
+-- Reasons: 0 complete, 1 stopped at a certain contact, 2 limit of expansions, 3 bad tree, 4 memory error, 5 stopped by the host,
+-- 9 memory does not answer, 10 soft reset; those of packets that are no query come with the job. A stop ends the oldest query with
+-- its number, or else the job that waits, as soon as it runs. After a soft reset there is one report, whatever was forgotten.
+{%- if e.axi %}
+-- What memory does wrong ends the oldest query that still reads. All work is forgotten then, and the younger queries, of which no
+-- pair was answered yet, are admitted once more.
+{%- endif %}
+-- While no query runs, pairs of packets may be in the triangle unit: a job waits for them.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
@@ -30,45 +34,33 @@ entity {{ prefix }}engine_control is
     job_short : in std_logic;
     job_reason : in std_logic_vector(4 downto 0);
     job_number : in std_logic_vector(23 downto 0);
-    job_words : in std_logic_vector(job_bits - 1 downto 0);
-{%- if e.unit.signs.len() > 0 %}
-    job_unfit : in std_logic;
-    pose_unfit : out std_logic;  -- a number of the pose that holds is no sign extension
-{%- endif %}
+    job_lane : out std_logic_vector(lane_bits - 1 downto 0);  -- that it gets
     stop : in std_logic;
     stop_number : in std_logic_vector(23 downto 0);
-    -- The pose is taken from the words of the job.
-    pose_valid : out std_logic;
-    pose_ready : in std_logic;
-    -- The running query.
-    busy : out std_logic;  -- there is one, or its report
-    running : out std_logic;  -- there is one
-    start : out std_logic;
-    ending : out std_logic;  -- no query runs, or it has a reason to end
-    dropping : out std_logic;  -- a query runs and has a reason to end: its pairs are dropped
-    abort : out std_logic;  -- one clock long: all is forgotten after a memory error
-    block_base_a : out std_logic_vector(31 downto 0);  -- address / 64
-    block_base_b : out std_logic_vector(31 downto 0);
-    triangle_base_a : out std_logic_vector(31 downto 0);
-    triangle_base_b : out std_logic_vector(31 downto 0);
-    block_count_a : out std_logic_vector(31 downto 0) := (others => '0');
-    block_count_b : out std_logic_vector(31 downto 0) := (others => '0');
-    triangle_count_a : out std_logic_vector(31 downto 0) := (others => '0');
-    triangle_count_b : out std_logic_vector(31 downto 0) := (others => '0');
-    most_expansions : out std_logic_vector(31 downto 0);
-    stop_at_contact : out std_logic;
-    separate_too : out std_logic;  -- also while no query runs
-    leaves_only : out std_logic;  -- no triangle test
-    query_pose : out std_logic_vector(query_pose_bits - 1 downto 0);
-    query_shift : out std_logic_vector(query_shift_bits - 1 downto 0);
-    query_errors : out std_logic_vector(47 downto 0);
-    query_rows : out std_logic_vector(query_rows_bits - 1 downto 0);
+    -- The first words of the query that is admitted next.
+    checked_lane : out std_logic_vector(lane_bits - 1 downto 0);
+    checked : in std_logic_vector(head_bits - 1 downto 0);
+    -- The queries in flight.
+    busy : out std_logic;  -- there is one, or a job, or a report
+    running : out std_logic;  -- there is one, or the report of another job
+    oldest : out std_logic_vector(lane_bits - 1 downto 0);
+    counting : out std_logic_vector(lanes - 1 downto 0);  -- lanes with a query that is not reported yet
+    posed : out std_logic_vector(lanes - 1 downto 0);  -- lanes with a pose for the triangle unit
+    started : out std_logic_vector(lanes - 1 downto 0);
+    ending : out std_logic_vector(lanes - 1 downto 0);  -- no query runs there, or it has a reason to end
+    dropping : out std_logic;  -- the oldest query has a reason to end: its pairs are dropped
+    start : out std_logic;  -- one clock long
+    start_lane : out std_logic_vector(lane_bits - 1 downto 0);
+    most_expansions : out std_logic_vector(31 downto 0);  -- of the query that starts
+    abort : out std_logic;  -- one clock long: all work is forgotten after a memory error
+    retire : out std_logic;  -- one clock long: the oldest query is done
     -- How it goes.
-    idle : in std_logic;  -- nothing is to be done any more
-    contact : in std_logic;
-    limit_reached : in std_logic;
-    bad_tree : in std_logic;
+    idle : in std_logic_vector(lanes - 1 downto 0);  -- nothing is to be done any more
+    contact : in std_logic;  -- of the oldest query
+    limit_reached : in std_logic_vector(lanes - 1 downto 0);
+    bad_tree : in std_logic_vector(lanes - 1 downto 0);
 {%- if e.axi %}
+    reads : in std_logic;  -- the oldest query may still need memory
     memory_error : in std_logic;  -- until abort
     memory_draining : in std_logic;  -- old bursts are under way: nothing can be read
     memory_silent : in std_logic;  -- memory does not answer
@@ -85,27 +77,53 @@ end entity {{ prefix }}engine_control;
 
 architecture rtl of {{ prefix }}engine_control is
   constant fine : std_logic_vector(4 downto 0) := reason_complete;
-  type phase_state is (waiting_state, take_state, check_state, {% if e.axi %}flush_state, {% endif %}run_state, {% if e.axi %}abort_state, {% endif %}report_state);
-  signal phase : phase_state := waiting_state;
-  -- What follows from phase and reason, each in a register of its own, because it is read in many places.
-  signal taken : std_logic := '0';
+  subtype flags is std_logic_vector(lanes - 1 downto 0);
+  constant no_lane : flags := (others => '0');
+  constant all_lanes : flags := (others => '1');
+  subtype lane_number is unsigned(lane_bits - 1 downto 0);
+
+  -- Lanes, in turn: from the oldest to where the next job goes.
+  signal oldest_lane : lane_number := (others => '0');
+  signal admitted_lane : lane_number := (others => '0');  -- that is admitted next
+  signal next_lane : lane_number := (others => '0');  -- of the next job
+  signal occupied : flags := (others => '0');
+  signal asked : flags := (others => '0');  -- by a query, and not by another job
+  signal has_pose : flags := (others => '0');
+  signal admitted : flags := (others => '0');  -- checked, and started if it is a query that can be
+  signal started_now : flags := (others => '0');
+  signal stopped : flags := (others => '0');
+  signal shorts : flags := (others => '0');
+  type lane_reasons is array (0 to lanes - 1) of std_logic_vector(4 downto 0);
+  signal reasons : lane_reasons := (others => fine);
+  type lane_numbers is array (0 to lanes - 1) of std_logic_vector(23 downto 0);
+  signal numbers : lane_numbers := (others => (others => '0'));
+  -- What follows from these, each in a register of its own, because it is read in many places.
   signal running_now : std_logic := '0';
-  signal ending_now : std_logic := '1';
+  signal ending_now : flags := (others => '1');
   signal dropping_now : std_logic := '0';
-  signal report_due_now : std_logic := '0';
-  signal idle_before : std_logic := '0';  -- idle, a clock ago: a pair of a packet ends it two clocks before a job can come behind that
-  signal job_due : std_logic;  -- the job may be taken, once the unit has its pose
+
+  -- Jobs and what admits a query.
+  type phase_state is (waiting_state, take_state, check_state{% if e.axi %}, flush_state{% endif %});
+  signal phase : phase_state := waiting_state;
+  signal taken : std_logic := '0';
+  signal all_idle : std_logic;
+  signal idle_before : std_logic := '0';  -- all is idle, a clock ago: a pair of a packet ends it two clocks before a job can come behind that
+  signal job_due : std_logic;
+  signal admits : std_logic;  -- a query is to be checked
   signal checks : unsigned(1 downto 0) := "00";
-  signal stopped : std_logic := '0';
-  signal stopped_waiting : std_logic := '0';  -- the query that waits is to be stopped
-  signal stops_running : std_logic;
-  signal stops_waiting : std_logic;
-  signal reason_now : std_logic_vector(4 downto 0) := fine;
-  signal number_now : std_logic_vector(23 downto 0) := (others => '0');
-  signal started : std_logic := '0';
+  signal stopped_waiting : std_logic := '0';  -- the job that waits is to be stopped
+  signal stop_match : flags;
+  type lane_ages is array (0 to lanes - 1) of lane_number;
+  type ages is array (0 to lanes) of lane_number;
+  signal lane_of : lane_ages;  -- by age, from the oldest on
+  signal stop_from : ages;  -- the first of them from an age on that a stop matches
+  signal stops : flags;  -- the lane whose query is stopped
+  signal started_pulse : std_logic := '0';
+  signal started_lane : lane_number := (others => '0');
   type places is array (0 to 3) of unsigned(31 downto 0);  -- blocks of A and B, triangles of A and B
   signal bases : places := (others => (others => '0'));
   signal counts : places := (others => (others => '0'));
+  signal options : std_logic_vector(63 downto 0) := (others => '0');
 {%- if e.axi %}
   signal known : std_logic := '0';  -- the caches are those of the bases
   signal moved : std_logic := '0';
@@ -113,98 +131,80 @@ architecture rtl of {{ prefix }}engine_control is
 {%- endif %}
   signal outside : std_logic_vector(3 downto 0) := "0000";  -- the memory ends before the range
   signal empty : std_logic := '0';  -- a tree without a root
-  type words is array (0 to 8) of std_logic_vector({{ e.query.entry }});
-  signal entry : words;
-  type matrix is array (0 to 8) of std_logic_vector({{ e.query.origin }});
-  signal saturated : matrix;
-  signal options : std_logic_vector(63 downto 0) := (others => '0');
+
+  -- The end of the oldest query.
+  signal reporting : std_logic := '0';
+{%- if e.axi %}
+  signal aborting : std_logic := '0';
+{%- endif %}
 begin
-  -- The pose goes first, and a clock later the rest of the job.
-  job_due <= job_valid and idle_before when phase = waiting_state else '0';
-  pose_valid <= job_due and job_posed;
+  all_idle <= '1' when idle = all_lanes else '0';
   job_taken <= taken;
+  job_lane <= std_logic_vector(next_lane);
+  checked_lane <= std_logic_vector(admitted_lane);
   running <= running_now;
-  busy <= '0' when phase = waiting_state and job_valid = '0' else '1';
-  report_due <= report_due_now;
-  start <= started;
+  busy <= '0' when phase = waiting_state and job_valid = '0' and occupied = no_lane else '1';
+  oldest <= std_logic_vector(oldest_lane);
+  posed <= has_pose;
+  started <= started_now;
   ending <= ending_now;
   dropping <= dropping_now;
+  start <= started_pulse;
+  start_lane <= std_logic_vector(started_lane);
+  most_expansions <= options(option_expansions);
+  retire <= reporting and report_done;
+  report_due <= reporting;
+  short <= shorts(to_integer(oldest_lane));
+  reason <= reasons(to_integer(oldest_lane));
+  number <= numbers(to_integer(oldest_lane));
 {%- if e.axi %}
-  abort <= '1' when phase = abort_state else '0';
+  abort <= aborting;
   flush <= flush_now;
 {%- else %}
   abort <= '0';
 {%- endif %}
-  reason <= reason_now;
-  number <= number_now;
-  stops_running <= stop and running_now when number_now = stop_number else '0';
-  stops_waiting <= stop and job_valid and job_query and not stops_running when job_number = stop_number else '0';
 
-  -- Entries of the matrix: cut off and saturated.
-{%- for name in e.query.entries %}
-  entry({{ loop.index0 }}) <= job_words(job_pose_{{ name }});
-{%- endfor %}
-  entries : for i in 0 to 8 generate
-    signal cut : std_logic_vector({{ e.query.origin }});
-    constant sign : natural := {{ e.query.entry.high }};
-    constant above_bits : natural := {{ e.query.above_bits }};
-    signal above : std_logic_vector(above_bits - 1 downto 0);  -- sign bits, if it fits
-  begin
-    cut <= entry(i)({{ e.query.cut }});
-    above <= entry(i)({{ e.query.above }});
-    saturated(i) <= "{{ e.query.greatest_entry }}" when entry(i)(sign) = '0' and above /= "{{ e.query.above_zeros }}" else
-      "{{ e.query.least_entry }}" when entry(i)(sign) = '1' and (above /= "{{ e.query.above_ones }}" or cut = "{{ e.query.below_least }}") else
-      cut;
-  end generate entries;
+  -- ===== Jobs =====
+  -- A query is taken beside others, another job alone.
+  job_due <= job_valid and idle_before when occupied = no_lane else
+    job_valid and job_query and asked(to_integer(oldest_lane)) and not occupied(to_integer(next_lane));
+  admits <= occupied(to_integer(admitted_lane)) and not admitted(to_integer(admitted_lane));
 
-  keep : process (clk)
+  -- Of those with its number a stop ends the oldest that is not reported.
+  match : for lane in 0 to lanes - 1 generate
+    stop_match(lane) <= stop and asked(lane) and occupied(lane)
+      when numbers(lane) = stop_number and (reporting = '0' or oldest_lane /= lane) else '0';
+    stops(lane) <= stop_match(lane) when stop_from(0) = lane else '0';
+    counting(lane) <= occupied(lane) and asked(lane) when reporting = '0' or oldest_lane /= lane else '0';
+  end generate match;
+
+  by_age : for age in 0 to lanes - 1 generate
+    lane_of(age) <= oldest_lane + age;
+    stop_from(age) <= lane_of(age) when stop_match(to_integer(lane_of(age))) = '1' else stop_from(age + 1);
+  end generate by_age;
+  stop_from(lanes) <= oldest_lane;
+
+  -- ===== Checks =====
+  check : process (clk)
   begin
     if rising_edge(clk) then
-      if forget = '1' then
-        number_now <= forget_number;
-        short <= '0';
-      elsif taken = '1' then
-        number_now <= job_number;
-        short <= job_short;
-      end if;
-{%- if e.unit.signs.len() > 0 %}
-      if (reset or forget) = '1' then
-        pose_unfit <= '0';
-      elsif taken = '1' and job_posed = '1' then
-        -- With the bypass the numbers are not read.
-        pose_unfit <= job_unfit and not job_words(job_bypass);
-      end if;
-{%- endif %}
-      separate_too <= options(option_separate) or not running_now;
-      leaves_only <= options(option_leaves) and running_now;
-      if taken = '1' and job_query = '1' then
-        bases(0) <= unsigned(job_words(job_blocks_a));
-        bases(1) <= unsigned(job_words(job_blocks_b));
-        bases(2) <= unsigned(job_words(job_triangles_a)){% if e.block_ram %} xor x"02000000"{% endif %};
-        bases(3) <= unsigned(job_words(job_triangles_b)){% if e.block_ram %} xor x"02000000"{% endif %};
-        counts(0) <= unsigned(job_words(job_block_count_a));
-        counts(1) <= unsigned(job_words(job_block_count_b));
-        counts(2) <= unsigned(job_words(job_triangle_count_a));
-        counts(3) <= unsigned(job_words(job_triangle_count_b));
-        options <= job_words(job_options);
-        query_errors <= job_words(job_errors);
-{%- for name in e.query.entries %}
-        query_pose(query_{{ name }}) <= saturated({{ loop.index0 }});
-{%- endfor %}
-        -- Of the shift the bits below s4.22 are cut off, of a row those above its rest are zero: the command has looked.
-{%- for axis in e.query.axes %}
-        query_shift(query_shift_{{ axis }}) <= job_words(job_shift_{{ axis }});
-{%- endfor %}
-{%- for i in 0..e.query.directions %}
-        query_rows(query_row_{{ i }}) <= job_words(job_row_{{ i }});
-{%- endfor %}
+      if phase = check_state and checks = "00" then
+        bases(0) <= unsigned(checked(job_blocks_a));
+        bases(1) <= unsigned(checked(job_blocks_b));
+        bases(2) <= unsigned(checked(job_triangles_a)){% if e.block_ram %} xor x"02000000"{% endif %};
+        bases(3) <= unsigned(checked(job_triangles_b)){% if e.block_ram %} xor x"02000000"{% endif %};
+        counts(0) <= unsigned(checked(job_block_count_a));
+        counts(1) <= unsigned(checked(job_block_count_b));
+        counts(2) <= unsigned(checked(job_triangle_count_a));
+        counts(3) <= unsigned(checked(job_triangle_count_b));
+        options <= checked(job_options);
 {%- if e.axi %}
         moved <= '0';
-        if known = '0' or bases(0) /= unsigned(job_words(job_blocks_a))
-          or bases(1) /= unsigned(job_words(job_blocks_b))
-          or bases(2) /= unsigned(job_words(job_triangles_a))
-          or bases(3) /= unsigned(job_words(job_triangles_b))
-          or job_words(job_keep) = '0' then
+        if known = '0' or bases(0) /= unsigned(checked(job_blocks_a))
+          or bases(1) /= unsigned(checked(job_blocks_b))
+          or bases(2) /= unsigned(checked(job_triangles_a))
+          or bases(3) /= unsigned(checked(job_triangles_b))
+          or checked(job_keep) = '0' then
           moved <= '1';
         end if;
 {%- endif %}
@@ -224,162 +224,234 @@ begin
         empty <= '1';
       end if;
     end if;
-  end process keep;
-  block_base_a <= std_logic_vector(bases(0));
-  block_base_b <= std_logic_vector(bases(1));
-  triangle_base_a <= std_logic_vector(bases(2));
-  triangle_base_b <= std_logic_vector(bases(3));
-  block_count_a <= std_logic_vector(counts(0));
-  block_count_b <= std_logic_vector(counts(1));
-  triangle_count_a <= std_logic_vector(counts(2));
-  triangle_count_b <= std_logic_vector(counts(3));
-  most_expansions <= options(option_expansions);
-  stop_at_contact <= options(option_contact);
+  end process check;
 
+  -- ===== From job to report =====
   proceed : process (clk)
     variable next_phase : phase_state;
-    variable next_reason : std_logic_vector(4 downto 0);
+    variable next_oldest : lane_number;
+    variable now_admitted : boolean;  -- the query that is checked
+    variable refused : std_logic_vector(4 downto 0);  -- why it does not start, or fine
+    variable now_occupied : flags;
+    variable now_started : flags;
+    variable now_reasons : lane_reasons;
+    variable now_reporting : std_logic;
+    variable old : natural range 0 to lanes - 1;
   begin
     if rising_edge(clk) then
       next_phase := phase;
-      next_reason := reason_now;
-      started <= '0';
-      idle_before <= idle;
+      next_oldest := oldest_lane;
+      now_admitted := false;
+      refused := fine;
+      now_occupied := occupied;
+      now_started := started_now;
+      now_reasons := reasons;
+      now_reporting := reporting;
+      old := to_integer(oldest_lane);
+      started_pulse <= '0';
+      started_lane <= admitted_lane;
+      idle_before <= all_idle;
 {%- if e.axi %}
       flush_now <= '0';
+      aborting <= '0';
 {%- endif %}
-      if reset = '1' then
-        next_phase := waiting_state;
-        stopped <= '0';
-        stopped_waiting <= '0';
-        next_reason := fine;
-{%- if e.axi %}
-        known <= '0';
-{%- endif %}
-      elsif forget = '1' then
-        next_phase := report_state;
-        stopped <= '0';
-        stopped_waiting <= '0';
-        next_reason := reason_reset;
-{%- if e.axi %}
-        known <= '0';
-{%- endif %}
-      else
-        stopped <= stopped or stops_running;
-        stopped_waiting <= stopped_waiting or stops_waiting;
-        if taken = '1' then
-          stopped <= stopped_waiting or stops_waiting;
-          stopped_waiting <= '0';
+      stopped <= stopped or stops;
+      if stops = no_lane and job_query = '1' and job_number = stop_number then
+        stopped_waiting <= stopped_waiting or (stop and job_valid);
+      end if;
+
+      -- Jobs, and the query that is admitted next.
+      if phase = waiting_state then
+        checks <= "00";
+        if admits = '1' then
+          next_phase := check_state;
+        elsif job_due = '1' then
+          next_phase := take_state;
         end if;
-        if phase = waiting_state then
-          checks <= "00";
-          if job_due = '1' and (pose_ready = '1' or job_posed = '0') then
-            next_phase := take_state;
-          end if;
-        elsif phase = take_state then
-          next_reason := job_reason;
-          next_phase := report_state;
-          if job_query = '1' then
-            next_phase := check_state;
-          end if;
-        elsif phase = check_state then
-          checks <= checks + 1;
-          if checks = "10" then
-            if outside /= "0000" then
-              next_reason := reason_memory;
-              next_phase := report_state;
+      elsif phase = take_state then
+        next_phase := waiting_state;
+        if job_query = '1' then
+          next_phase := check_state;
+        end if;
+        next_lane <= next_lane + 1;
+        now_occupied(to_integer(next_lane)) := '1';
+        now_reasons(to_integer(next_lane)) := job_reason;
+        numbers(to_integer(next_lane)) <= job_number;
+        shorts(to_integer(next_lane)) <= job_short;
+        asked(to_integer(next_lane)) <= job_query;
+        has_pose(to_integer(next_lane)) <= job_posed;
+        stopped(to_integer(next_lane)) <= stopped_waiting;
+        if stop = '1' and stops = no_lane and job_number = stop_number then
+          stopped(to_integer(next_lane)) <= '1';
+        end if;
+        stopped_waiting <= '0';
+        admitted(to_integer(next_lane)) <= not job_query;
+        if job_query = '0' then
+          admitted_lane <= next_lane + 1;
+        end if;
+      elsif phase = check_state then
+        checks <= checks + 1;
+        if checks = "10" then
+          if outside /= "0000" then
+            refused := reason_memory;
+            now_admitted := true;
 {%- if e.axi %}
-              known <= '0';
+            known <= '0';
 {%- endif %}
-            elsif empty = '1' then
-              next_reason := reason_bad_tree;
-              next_phase := report_state;
+          elsif empty = '1' then
+            refused := reason_bad_tree;
+            now_admitted := true;
 {%- if e.axi %}
-              known <= '0';
-{%- endif %}
-{%- if e.axi %}
-            elsif moved = '1' then
+            known <= '0';
+          elsif moved = '1' then
+            -- Not before the queries that read what is in the caches are done.
+            checks <= checks;
+            if admitted_lane = oldest_lane then
               flush_now <= '1';
               next_phase := flush_state;
-{%- endif %}
-            else
-              started <= '1';
-              next_phase := run_state;
             end if;
-          end if;
-{%- if e.axi %}
-        elsif phase = flush_state then
-          known <= '1';
-          -- The caches say that they are at it from the clock after flush on.
-          if memory_draining = '1' then
-            if memory_silent = '1' then
-              known <= '0';
-              next_reason := reason_silent;
-              next_phase := report_state;
-            end if;
-          elsif flush_now = '0' and flushing = '0' then
-            started <= '1';
-            next_phase := run_state;
-          end if;
 {%- endif %}
-        elsif phase = run_state then
-          -- That is, while there is no reason to end.
-          if ending_now = '0' then
-            if {% if e.axi %}memory_error = '1' then
-              next_reason := reason_memory;
-            elsif memory_silent = '1' then
-              next_reason := reason_silent;
-            elsif {% endif %}bad_tree = '1' then
-              next_reason := reason_bad_tree;
-            elsif contact = '1' then
-              next_reason := reason_contact;
-            elsif limit_reached = '1' then
-              next_reason := reason_limit;
-            elsif stopped = '1' then
-              next_reason := reason_stopped;
-            end if;
-          end if;
-{%- if e.axi %}
-          -- What memory still answers is drained behind the report.
-          if (memory_error or memory_silent) = '1' then
-            next_phase := abort_state;
-          elsif idle = '1' then
-            next_phase := report_state;
-          end if;
-        elsif phase = abort_state then
-          known <= '0';
-          next_phase := report_state;
-{%- else %}
-          if idle = '1' then
-            next_phase := report_state;
-          end if;
-{%- endif %}
-        else
-          stopped <= '0';
-          if report_done = '1' then
-            next_reason := fine;
-            next_phase := waiting_state;
+          else
+            now_admitted := true;
           end if;
         end if;
+{%- if e.axi %}
+      else
+        known <= '1';
+        -- The caches say that they are at it from the clock after flush on.
+        if memory_draining = '1' then
+          if memory_silent = '1' then
+            known <= '0';
+            refused := reason_silent;
+            now_admitted := true;
+          end if;
+        elsif flush_now = '0' and flushing = '0' then
+          now_admitted := true;
+        end if;
+{%- endif %}
       end if;
+      if now_admitted then
+        next_phase := waiting_state;
+        admitted(to_integer(admitted_lane)) <= '1';
+        admitted_lane <= admitted_lane + 1;
+        if refused = fine then
+          now_started(to_integer(admitted_lane)) := '1';
+          started_pulse <= '1';
+        else
+          now_reasons(to_integer(admitted_lane)) := refused;
+        end if;
+      end if;
+
+      -- Reasons to end; that of the oldest stays from its report on.
+      for lane in 0 to lanes - 1 loop
+        if started_now(lane) = '1' and reasons(lane) = fine and (reporting = '0' or oldest_lane /= lane) then
+          if bad_tree(lane) = '1' then
+            now_reasons(lane) := reason_bad_tree;
+          elsif contact = '1' and oldest_lane = lane then
+            now_reasons(lane) := reason_contact;
+          elsif limit_reached(lane) = '1' then
+            now_reasons(lane) := reason_limit;
+          elsif stopped(lane) = '1' then
+            now_reasons(lane) := reason_stopped;
+          end if;
+        end if;
+      end loop;
+
+      -- The oldest query.
+      if reporting = '1' then
+        if report_done = '1' then
+          now_reporting := '0';
+          now_occupied(old) := '0';
+          now_started(old) := '0';
+          admitted(old) <= '0';
+          has_pose(old) <= '0';
+          stopped(old) <= '0';
+          next_oldest := oldest_lane + 1;
+        end if;
+{%- if e.axi %}
+      elsif aborting = '1' then
+        -- What memory still answers is drained behind the report.
+        now_reporting := '1';
+        known <= '0';
+        next_phase := waiting_state;
+        started_pulse <= '0';
+        for lane in 0 to lanes - 1 loop
+          if oldest_lane /= lane then
+            admitted(lane) <= '0';
+            now_started(lane) := '0';
+            now_reasons(lane) := fine;
+          end if;
+        end loop;
+        admitted_lane <= oldest_lane + 1;
+{%- endif %}
+      elsif occupied(old) = '1' and admitted(old) = '1' then
+        if {% if e.axi %}started_now(old) = '1' and reads = '1' and (memory_error or memory_silent) = '1' then
+          if reasons(old) = fine then
+            now_reasons(old) := reason_silent;
+            if memory_error = '1' then
+              now_reasons(old) := reason_memory;
+            end if;
+          end if;
+          aborting <= '1';
+        elsif {% endif %}idle(old) = '1' then
+          now_reporting := '1';
+        end if;
+      end if;
+
+      if (reset or forget) = '1' then
+        next_phase := waiting_state;
+        now_reporting := '0';
+        now_occupied := no_lane;
+        now_started := no_lane;
+        stopped <= no_lane;
+        stopped_waiting <= '0';
+        admitted <= no_lane;
+        has_pose <= no_lane;
+        started_pulse <= '0';
+{%- if e.axi %}
+        known <= '0';
+        flush_now <= '0';
+        aborting <= '0';
+{%- endif %}
+        -- One report for all that is forgotten, in the lane of the oldest.
+        next_oldest := oldest_lane;
+        admitted_lane <= oldest_lane;
+        next_lane <= oldest_lane;
+        if reset = '0' then
+          now_occupied(old) := '1';
+          asked(old) <= '0';
+          admitted(old) <= '1';
+          shorts(old) <= '0';
+          numbers(old) <= forget_number;
+          now_reasons(old) := reason_reset;
+          admitted_lane <= oldest_lane + 1;
+          next_lane <= oldest_lane + 1;
+        end if;
+      end if;
+
       phase <= next_phase;
-      reason_now <= next_reason;
+      oldest_lane <= next_oldest;
+      occupied <= now_occupied;
+      started_now <= now_started;
+      reasons <= now_reasons;
+      reporting <= now_reporting;
       taken <= '0';
-      running_now <= '1';
-      ending_now <= '1';
-      dropping_now <= '1';
-      report_due_now <= '0';
-      if next_phase = waiting_state or next_phase = take_state or next_phase = report_state then
-        running_now <= '0';
-        dropping_now <= '0';
-      elsif next_phase = run_state and next_reason = fine then
-        ending_now <= '0';
-        dropping_now <= '0';
-      end if;
       if next_phase = take_state then
         taken <= '1';
-      elsif next_phase = report_state then
-        report_due_now <= '1';
+      end if;
+      running_now <= '0';
+      if now_occupied /= no_lane then
+        running_now <= '1';
+      end if;
+      for lane in 0 to lanes - 1 loop
+        ending_now(lane) <= '1';
+        if now_started(lane) = '1' and now_reasons(lane) = fine then
+          ending_now(lane) <= '0';
+        end if;
+      end loop;
+      dropping_now <= '0';
+      if now_started(to_integer(next_oldest)) = '1' and now_reasons(to_integer(next_oldest)) /= fine then
+        dropping_now <= '1';
       end if;
     end if;
   end process proceed;

@@ -19,7 +19,7 @@ entity {{ prefix }}{{ m.entity }} is
     write_line : in std_logic_vector({{ m.place }});
     write_place : in std_logic_vector(2 downto 0);  -- of the word in its line
     write_data : in std_logic_vector({{ m.word }});
-    base_a : in std_logic_vector({{ m.place }});
+    base_a : in std_logic_vector({{ m.place }});  -- of the trees that the request is about
     base_b : in std_logic_vector({{ m.place }});
     request_valid : in std_logic;
     request_ready : out std_logic;

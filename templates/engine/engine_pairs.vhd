@@ -2,132 +2,256 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- Pairs of leaves between the traversal and their answers: a queue of {{ e.traversal.pairs }} pairs of numbers, the request of their
--- triangles, and the count of pairs that are not answered yet. When the query ends early, pairs that have not reached the
+-- Pairs of leaves between the traversal and their answers. Each lane has a queue of {{ e.traversal.pairs }} pairs of numbers. Triangles are asked
+-- for in the order of the queries: those of the front lane, until its query has no more to ask for; then the next lane is
+-- the front. So pairs of a younger query may be in the triangle unit while the last ones of an older query are, behind them.
+-- In front of its first pair, a query's pose goes to the unit. When a query ends early, its pairs that have not reached the
 -- triangle unit are dropped.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;
 use ieee.numeric_std.all;
+use work.{{ prefix }}engine_layout.all;
 
 entity {{ prefix }}engine_pairs is
   port (
     clk : in std_logic;
     reset : in std_logic;
-    ending : in std_logic;
+    -- The queries.
+    oldest : in std_logic_vector(lane_bits - 1 downto 0);
+    retire : in std_logic;  -- it is done, and so is all of it here
+    posed : in std_logic_vector(lanes - 1 downto 0);  -- lanes with a pose for the unit
+    started : in std_logic_vector(lanes - 1 downto 0);
+    ending : in std_logic_vector(lanes - 1 downto 0);
+    leaves_only : in std_logic_vector(lanes - 1 downto 0);
+    traversed : in std_logic_vector(lanes - 1 downto 0);  -- no pair comes any more
+    -- Pairs from the traversal.
     pair_valid : in std_logic;
     pair_ready : out std_logic;
+    pair_lane : in std_logic_vector(lane_bits - 1 downto 0);
     pair_a : in std_logic_vector(27 downto 0);
     pair_b : in std_logic_vector(27 downto 0);
+    pair_left : out std_logic_vector(lanes - 1 downto 0);  -- one leaves the queue of the lane
+    -- Triangles, those of the front lane.
+    front : out std_logic_vector(lane_bits - 1 downto 0);
     request_valid : out std_logic;
     request_ready : in std_logic;
     request_a : out std_logic_vector(27 downto 0);
     request_b : out std_logic_vector(27 downto 0);
+    -- Triangles that have come, in order.
     triangles_valid : in std_logic;
-    triangles_ready : in std_logic;  -- of who takes them
-    triangles_taken : out std_logic;
+    triangles_taken : in std_logic;
+    triangles_lane : out std_logic_vector(lane_bits - 1 downto 0);
+    testable : out std_logic;  -- the unit has their pose
+    drops : out std_logic;  -- their query ends early
+    pose_valid : out std_logic;  -- the pose of the front lane is next
+    pose_ready : in std_logic;
+    -- Pairs in the unit.
     sent : in std_logic;  -- while no query runs: a pair of a packet goes to the unit
-    answered : in std_logic;  -- one pair more
-    idle : out std_logic  -- every pair is answered or dropped
+    answered : in std_logic;  -- one pair more, of the oldest query or a packet
+    idle : out std_logic_vector(lanes - 1 downto 0);  -- every pair is answered or dropped, and the unit has had the pose
+    reads : out std_logic  -- the oldest query still waits for triangles
   );
 end entity {{ prefix }}engine_pairs;
 
 architecture rtl of {{ prefix }}engine_pairs is
   constant places : natural := {{ e.traversal.pairs }};
+  constant all_places : natural := {{ e.traversal.all_pairs }};
   constant place_bits : natural := {{ e.traversal.pair_bits }};
   constant open_bits : natural := {{ e.traversal.open_bits }};
-  type pairs is array (0 to places - 1) of std_logic_vector(55 downto 0);
+  subtype flags is std_logic_vector(lanes - 1 downto 0);
+  constant nobody : flags := (others => '0');
+  -- The queues: the place of a pair is behind its lane.
+  type pairs is array (0 to all_places - 1) of std_logic_vector(55 downto 0);
   signal queue : pairs := (others => (others => '0'));
-  signal written : unsigned(place_bits - 1 downto 0) := (others => '0');
-  signal fetched : unsigned(place_bits - 1 downto 0) := (others => '0');
-  signal waiting : unsigned(place_bits downto 0) := (others => '0');  -- in the queue
-  signal full : std_logic := '0';
+  type lane_places is array (0 to lanes - 1) of unsigned(place_bits - 1 downto 0);
+  signal written : lane_places := (others => (others => '0'));
+  signal fetched : lane_places := (others => (others => '0'));
+  type lane_counts is array (0 to lanes - 1) of unsigned(place_bits downto 0);
+  signal waiting : lane_counts := (others => (others => '0'));  -- in the queue
+  signal some_wait : flags := (others => '0');
+  signal full : flags := (others => '0');
+  signal write_place : unsigned(lane_bits + place_bits - 1 downto 0);
+  signal fetch_place : unsigned(lane_bits + place_bits - 1 downto 0);
+  signal accepts : std_logic;
+  signal fetches : std_logic;
+  -- The first pair of the front lane.
+  signal front_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal next_lane : unsigned(lane_bits - 1 downto 0);
+  signal front_ending : std_logic;
   signal head : std_logic_vector(55 downto 0) := (others => '0');
   signal head_valid : std_logic := '0';
   signal head_leaves : std_logic;
-  signal fetches : std_logic;
-  signal accepts : std_logic;
-  signal opens : std_logic;  -- one pair more has to be answered
-  signal drops : std_logic;
   signal asks : std_logic;
-  signal open_pairs : unsigned(open_bits - 1 downto 0) := (others => '0');
-  signal idle_now : std_logic := '1';  -- clear as soon as a pair has come
+  signal asked : std_logic;
+  -- Pairs asked for and not yet in the unit: those of the lane that was the front before come first.
+  signal last_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal of_last : unsigned(open_bits - 1 downto 0) := (others => '0');
+  signal of_front : unsigned(open_bits - 1 downto 0) := (others => '0');
+  signal some_of_last : std_logic := '0';
+  signal triangles_of : unsigned(lane_bits - 1 downto 0);
+  signal dropped : std_logic;
+  signal has_pose : std_logic := '0';  -- the unit has the pose of the front lane, or is to keep the one it has
+  signal offers_pose : std_logic;
+  -- Pairs asked for and not answered.
+  type open_counts is array (0 to lanes - 1) of unsigned(open_bits - 1 downto 0);
+  signal open_pairs : open_counts := (others => (others => '0'));
+  signal some_open : flags := (others => '0');
+  signal advances : std_logic;
+  signal advance_free : std_logic;
 begin
-  accepts <= pair_valid and not full;
-  opens <= accepts or sent;
-  pair_ready <= not full;
-  asks <= head_valid and not ending;
+  write_place <= unsigned(pair_lane) & written(to_integer(unsigned(pair_lane)));
+  fetch_place <= front_lane & fetched(to_integer(front_lane));
+  accepts <= pair_valid and not full(to_integer(unsigned(pair_lane)));
+  pair_ready <= not full(to_integer(unsigned(pair_lane)));
+  front_ending <= ending(to_integer(front_lane));
+  asks <= head_valid and not front_ending;
+  asked <= asks and request_ready;
   request_valid <= asks;
   request_a <= head(55 downto 28);
   request_b <= head(27 downto 0);
-  drops <= triangles_valid and ending;
-  triangles_taken <= triangles_valid and (ending or triangles_ready);
-  head_leaves <= head_valid and (ending or request_ready);
-  fetches <= '1' when waiting /= 0 and (head_valid = '0' or head_leaves = '1') else '0';
-  idle <= idle_now;
+  head_leaves <= head_valid and (front_ending or request_ready);
+  fetches <= some_wait(to_integer(front_lane)) and not front_ending and (head_leaves or not head_valid);
+  front <= std_logic_vector(front_lane);
+
+  triangles_of <= last_lane when some_of_last = '1' else front_lane;
+  triangles_lane <= std_logic_vector(triangles_of);
+  testable <= some_of_last or has_pose;
+  drops <= ending(to_integer(triangles_of));
+  dropped <= triangles_valid and ending(to_integer(triangles_of));
+  offers_pose <= posed(to_integer(front_lane)) and not has_pose and not some_of_last;
+  pose_valid <= offers_pose;
+
+  -- A query without triangle tests and another one are never in the unit together.
+  next_lane <= front_lane + 1;
+  advance_free <= '1' when some_open = nobody else
+    not (leaves_only(to_integer(front_lane)) or leaves_only(to_integer(next_lane)));
+  advances <= has_pose and traversed(to_integer(front_lane)) and advance_free and not some_wait(to_integer(front_lane))
+    and not head_valid and started(to_integer(next_lane)) when next_lane /= unsigned(oldest) else '0';
+
+  each_lane : for lane in 0 to lanes - 1 generate
+    signal is_front : std_logic;
+  begin
+    is_front <= '1' when front_lane = lane else '0';
+    pair_left(lane) <= fetches and is_front;
+    idle(lane) <= not some_open(lane) and not some_wait(lane)
+      and not (is_front and (head_valid or (posed(lane) and not has_pose)));
+  end generate each_lane;
+  reads <= '1' when some_wait(to_integer(unsigned(oldest))) = '1'
+    or (front_lane = unsigned(oldest) and (head_valid = '1' or of_front /= 0))
+    or (front_lane /= unsigned(oldest) and some_of_last = '1') else '0';
 
   remember : process (clk)
   begin
     if rising_edge(clk) then
       if accepts = '1' then
-        queue(to_integer(written)) <= pair_a & pair_b;
+        queue(to_integer(write_place)) <= pair_a & pair_b;
       end if;
       if fetches = '1' then
-        head <= queue(to_integer(fetched));
+        head <= queue(to_integer(fetch_place));
       end if;
     end if;
   end process remember;
 
   count : process (clk)
-    variable change : integer range -3 to 1;
+    variable comes : boolean;
+    variable goes : boolean;
+    variable change : integer range -2 to 2;
+    variable left_of_last : unsigned(open_bits - 1 downto 0);
+    variable left_of_front : unsigned(open_bits - 1 downto 0);
   begin
     if rising_edge(clk) then
-      change := 0;
-      if opens = '1' then
-        change := change + 1;
+      for lane in 0 to lanes - 1 loop
+        comes := accepts = '1' and unsigned(pair_lane) = lane;
+        goes := fetches = '1' and front_lane = lane;
+        if comes then
+          written(lane) <= written(lane) + 1;
+        end if;
+        if goes then
+          fetched(lane) <= fetched(lane) + 1;
+        end if;
+        if comes and not goes then
+          waiting(lane) <= waiting(lane) + 1;
+          some_wait(lane) <= '1';
+          if waiting(lane) = places - 1 then
+            full(lane) <= '1';
+          end if;
+        elsif goes and not comes then
+          waiting(lane) <= waiting(lane) - 1;
+          full(lane) <= '0';
+          if waiting(lane) = 1 then
+            some_wait(lane) <= '0';
+          end if;
+        end if;
+        -- No query is in the lane, or it drops what it has.
+        if reset = '1' or ending(lane) = '1' then
+          written(lane) <= (others => '0');
+          fetched(lane) <= (others => '0');
+          waiting(lane) <= (others => '0');
+          some_wait(lane) <= '0';
+          full(lane) <= '0';
+        end if;
+        change := 0;
+        if asked = '1' and front_lane = lane then
+          change := change + 1;
+        end if;
+        if sent = '1' and unsigned(oldest) = lane then
+          change := change + 1;
+        end if;
+        if dropped = '1' and triangles_of = lane then
+          change := change - 1;
+        end if;
+        if answered = '1' and unsigned(oldest) = lane then
+          change := change - 1;
+        end if;
+        open_pairs(lane) <= unsigned(signed(open_pairs(lane)) + change);
+        if signed(open_pairs(lane)) + change = 0 then
+          some_open(lane) <= '0';
+        else
+          some_open(lane) <= '1';
+        end if;
+        if reset = '1' then
+          open_pairs(lane) <= (others => '0');
+          some_open(lane) <= '0';
+        end if;
+      end loop;
+      if fetches = '1' or head_leaves = '1' then
+        head_valid <= fetches;
       end if;
-      if (head_leaves and ending) = '1' then
-        change := change - 1;
+      left_of_last := of_last;
+      left_of_front := of_front;
+      if asked = '1' then
+        left_of_front := left_of_front + 1;
       end if;
-      if drops = '1' then
-        change := change - 1;
+      if triangles_taken = '1' then
+        if some_of_last = '1' then
+          left_of_last := left_of_last - 1;
+        else
+          left_of_front := left_of_front - 1;
+        end if;
       end if;
-      if answered = '1' then
-        change := change - 1;
+      if (offers_pose and pose_ready) = '1' then
+        has_pose <= '1';
+      end if;
+      if advances = '1' or (retire = '1' and front_lane = unsigned(oldest)) then
+        left_of_last := left_of_front;
+        left_of_front := (others => '0');
+        last_lane <= front_lane;
+        front_lane <= next_lane;
+        has_pose <= '0';
       end if;
       if reset = '1' then
-        written <= (others => '0');
-        fetched <= (others => '0');
-        waiting <= (others => '0');
-        full <= '0';
+        left_of_last := (others => '0');
+        left_of_front := (others => '0');
+        front_lane <= unsigned(oldest);
+        has_pose <= '0';
         head_valid <= '0';
-        open_pairs <= (others => '0');
-        idle_now <= '1';
-      else
-        open_pairs <= unsigned(signed(open_pairs) + change);
-        if opens = '1' then
-          idle_now <= '0';
-        elsif open_pairs = 0 then
-          idle_now <= '1';
-        end if;
-        if accepts = '1' then
-          written <= written + 1;
-        end if;
-        if fetches = '1' then
-          fetched <= fetched + 1;
-        end if;
-        if fetches = '1' or head_leaves = '1' then
-          head_valid <= fetches;
-        end if;
-        if accepts = '1' and fetches = '0' then
-          waiting <= waiting + 1;
-          if waiting = places - 1 then
-            full <= '1';
-          end if;
-        elsif accepts = '0' and fetches = '1' then
-          waiting <= waiting - 1;
-          full <= '0';
-        end if;
+      end if;
+      of_last <= left_of_last;
+      of_front <= left_of_front;
+      some_of_last <= '0';
+      if left_of_last /= 0 then
+        some_of_last <= '1';
       end if;
     end if;
   end process count;

@@ -2,7 +2,7 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- The stack of pairs that are still to be opened. The two uppermost entries are in registers, the third at the output of the
+-- The stack of pairs of a query that are still to be opened. The two uppermost entries are in registers, the third at the output of the
 -- memory or, after a push, in a register; so a push and a pop are possible in every clock, also both in one.
 -- There are never more than {{ e.traversal.stack }} entries: the traversal sees to it (rule of issue), and the report tells the most there were.
 --------------------------------------------------------------------------------

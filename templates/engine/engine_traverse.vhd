@@ -2,15 +2,21 @@
 {% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
 {% endfor -%}
 --
--- The traversal of two trees, depth first from a stack of pairs of nodes. A pair is popped, its two blocks are fetched,
--- the volume unit tests the children of one against the children of the other, and the pairs that may overlap are
--- pushed, or sent to the triangle unit where both are leaves. Two leaves of one block that meet the same inner node are
--- pushed as one pair, so that one expansion tests both. Pairs in flight keep their order.
+-- The traversals of the queries in flight, each in a lane of its own: depth first from a stack of pairs of nodes. A pair is
+-- popped, its two blocks are fetched, the volume unit tests the children of one against the children of the other, and the
+-- pairs that may overlap are pushed, or sent to the triangle unit where both are leaves. Two leaves of one block that meet
+-- the same inner node are pushed as one pair, so that one expansion tests both. Pairs in flight keep their order, whatever
+-- their lanes.
 --
--- Rule of issue. Let used be the entries of the stack and flying the pairs in flight; a pair pushes at most four.
--- It is popped if used - 1 + 4 (flying + 1) <= {{ e.traversal.wide }}, or if nothing flies; and only if flying < {{ e.traversal.in_flight }}. While only pops
--- of the first kind happen, used <= {{ e.traversal.wide }}. With nothing in flight an entry of level l leaves at most 3 ({{ e.traversal.levels }} - l) + 1
--- entries above what lay below it, and entries of level {{ e.traversal.levels }} push nothing: used <= {{ e.traversal.wide }} + 3 x {{ e.traversal.levels }} + 1 = {{ e.traversal.stack }} at all times.
+-- Rule of issue. Let used be the entries of a stack and flying the pairs of its lane in flight; a pair pushes at most four.
+-- It is popped if used - 1 + 4 (flying + 1) <= {{ e.traversal.wide }}, or if nothing of its lane flies; and only if less than {{ e.traversal.in_flight }} pairs of all lanes
+-- fly. While only pops of the first kind happen, used <= {{ e.traversal.wide }}. With nothing of its lane in flight an entry of level l leaves
+-- at most 3 ({{ e.traversal.levels }} - l) + 1 entries above what lay below it, and entries of level {{ e.traversal.levels }} push nothing:
+-- used <= {{ e.traversal.wide }} + 3 x {{ e.traversal.levels }} + 1 = {{ e.traversal.stack }} at all times.
+--
+-- The oldest query comes first. A younger one pops only what the queue of its leaf pairs has room for, even if each of its
+-- pairs in flight sends four: so none waits for that queue in front of the oldest query's. And it pops only while less than {{ e.traversal.crowd }}
+-- pairs wait for their blocks, so that those of the oldest do not wait behind many.
 --
 -- A leaf has no block: its volume is in that of its parent.
 --------------------------------------------------------------------------------
@@ -23,10 +29,13 @@ entity {{ prefix }}engine_traverse is
   port (
     clk : in std_logic;
     reset : in std_logic;
-    -- The running query, steady from start to the next.
-    start : in std_logic;  -- one clock long: begins with the roots
-    ending : in std_logic;  -- no pair is popped any more, and what is in flight is dropped
-    most_expansions : in std_logic_vector(31 downto 0);  -- 0: 2^32, after which the count of the report begins again
+    -- The queries.
+    start : in std_logic;  -- one clock long: that of a lane begins with the roots
+    start_lane : in std_logic_vector(lane_bits - 1 downto 0);
+    most_expansions : in std_logic_vector(31 downto 0);  -- of it; 0: 2^32, after which the count of the report begins again
+    oldest : in std_logic_vector(lane_bits - 1 downto 0);
+    ending : in std_logic_vector(lanes - 1 downto 0);  -- no pair is popped any more, and what is in flight is dropped
+    listed_lane : out std_logic_vector(lane_bits - 1 downto 0);  -- whose counts these are
     block_count_a : in std_logic_vector(31 downto 0);
     block_count_b : in std_logic_vector(31 downto 0);
     triangle_count_a : in std_logic_vector(31 downto 0);
@@ -34,11 +43,13 @@ entity {{ prefix }}engine_traverse is
     -- Blocks asked for, and blocks that come, in the same order.
     request_valid : out std_logic;
     request_ready : in std_logic;
+    request_lane : out std_logic_vector(lane_bits - 1 downto 0);
     request_a : out std_logic_vector(node_bits - 1 downto 0);
     request_b : out std_logic_vector(node_bits - 1 downto 0);
     blocks_taken : in std_logic;  -- the volume unit takes both in this clock
     block_a : in std_logic_vector(block_bits - 1 downto 0);
     block_b : in std_logic_vector(block_bits - 1 downto 0);
+    take_lane : out std_logic_vector(lane_bits - 1 downto 0);  -- of the blocks
     take_a : out std_logic_vector(1 downto 0);  -- children to be tested, if there are such
     take_b : out std_logic_vector(1 downto 0);
     survive_valid : in std_logic;
@@ -46,17 +57,22 @@ entity {{ prefix }}engine_traverse is
     -- Pairs of leaves.
     pair_valid : out std_logic;
     pair_ready : in std_logic;
+    pair_lane : out std_logic_vector(lane_bits - 1 downto 0);
+    pair_left : in std_logic_vector(lanes - 1 downto 0);  -- a pair leaves the queue of its lane
     pair_a : out std_logic_vector(27 downto 0);  -- number of the triangle
     pair_b : out std_logic_vector(27 downto 0);
     -- State and events, each of one clock.
-    idle : out std_logic;  -- nothing is in flight, and nothing is to be popped
+    idle : out std_logic_vector(lanes - 1 downto 0);  -- nothing is in flight, and nothing is to be popped
     waiting : out std_logic;  -- something is in flight
-    bad_tree : out std_logic;
-    limit_reached : out std_logic;
+    bad_tree : out std_logic_vector(lanes - 1 downto 0);
+    limit_reached : out std_logic_vector(lanes - 1 downto 0);
     expanded : out std_logic;
+    expanded_lane : out std_logic_vector(lane_bits - 1 downto 0);
     tested : out std_logic_vector(2 downto 0);  -- tests of the expansion: 0, 1, 2 or 4
+    tested_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
     survived : out std_logic_vector(1 downto 0);  -- so many more
-    greatest_stack : out unsigned(15 downto 0)
+    survived_lane : out std_logic_vector(lane_bits - 1 downto 0) := (others => '0');
+    greatest_stack : out unsigned(15 downto 0)  -- of the oldest query
   );
 end entity {{ prefix }}engine_traverse;
 
@@ -68,19 +84,49 @@ architecture rtl of {{ prefix }}engine_traverse is
   constant flight_bits : natural := {{ e.traversal.flight_bits }};
   constant everything : std_logic_vector(level_bits - 1 downto 0) := "{{ e.traversal.deepest }}";  -- level {{ e.traversal.levels }}
 
+  constant pairs : integer := {{ e.traversal.pairs }};  -- of the queue of a lane
+  constant pair_room_bits : natural := {{ e.traversal.pair_room_bits }};
+  constant crowd : natural := {{ e.traversal.crowd }};
+  subtype flags is std_logic_vector(lanes - 1 downto 0);
+  constant nobody : flags := (others => '0');
+
   signal root_due : std_logic := '0';
-  signal push : std_logic;
-  signal push_entry : std_logic_vector(entry_bits - 1 downto 0);
+  signal root_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal starts : flags;
+  signal push : flags;
+  type lane_entries is array (0 to lanes - 1) of std_logic_vector(entry_bits - 1 downto 0);
+  signal push_entry : lane_entries;
   signal pop : std_logic;
-  signal may_pop : std_logic;
-  signal top_entry : std_logic_vector(entry_bits - 1 downto 0);
-  signal filled : std_logic;
-  signal room : unsigned(room_bits - 1 downto 0) := (others => '0');  -- wide - 3 - used - 4 flying in two's complement: not negative while a pair may be popped although others fly
-  signal flying : unsigned(flight_bits downto 0) := (others => '0');
-  signal nothing_flies : std_logic := '1';  -- flying = 0
+  signal pops : flags;
+  signal pop_lane : unsigned(lane_bits - 1 downto 0);
+  signal may_pop : flags;
+  type lane_ages is array (0 to lanes - 1) of unsigned(lane_bits - 1 downto 0);
+  type ages is array (0 to lanes) of unsigned(lane_bits - 1 downto 0);
+  signal lane_of : lane_ages;  -- by age, from the oldest on
+  signal first_from : ages;  -- the first of them from an age on that may pop
+  signal some_may_pop : std_logic;
+  signal top_entry : lane_entries;
+  signal filled : flags;
+  type stack_counts is array (0 to lanes - 1) of unsigned(15 downto 0);
+  signal greatest : stack_counts;
+  type lane_rooms is array (0 to lanes - 1) of unsigned(room_bits - 1 downto 0);
+  signal room : lane_rooms := (others => (others => '0'));  -- wide - 3 - used - 4 flying in two's complement: not negative while a pair may be popped although others of the lane fly
+  type pair_rooms is array (0 to lanes - 1) of unsigned(pair_room_bits - 1 downto 0);
+  signal pair_room : pair_rooms := (others => (others => '0'));  -- the same of the queue of leaf pairs: pairs - 4 - those in it - 4 flying
+  type lane_flights is array (0 to lanes - 1) of unsigned(flight_bits downto 0);
+  signal lane_flying : lane_flights := (others => (others => '0'));
+  signal nothing_flies : flags := (others => '1');  -- of the lane
+  signal flying : unsigned(flight_bits downto 0) := (others => '0');  -- of all lanes
   signal all_fly : std_logic := '0';  -- flying = in_flight
-  signal allowed : unsigned(31 downto 0) := (others => '0');  -- expansions
-  signal spent : std_logic := '0';  -- no expansion more
+  signal without_blocks : unsigned(flight_bits downto 0) := (others => '0');  -- popped and not taken by the volume unit
+  signal crowded : std_logic := '0';  -- so many that a younger query waits
+  type lane_numbers is array (0 to lanes - 1) of unsigned(31 downto 0);
+  signal allowed : lane_numbers := (others => (others => '0'));  -- expansions
+  signal spent : flags := (others => '0');  -- no expansion more
+  signal issued : std_logic := '0';  -- a pair that was popped and whose blocks are asked for
+  signal issued_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal issued_entry : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
+  signal issue_free : std_logic;
 
   -- Pairs in flight, each in a place of its own: popped, taken by the volume unit, answered by it, finished.
   signal popped_place : unsigned(flight_bits - 1 downto 0) := (others => '0');
@@ -96,8 +142,13 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal children_memory : children := (others => (others => '0'));
   type survivals is array (0 to flight_places - 1) of std_logic_vector(3 downto 0);
   signal survive_memory : survivals := (others => "0000");
+  type lane_list is array (0 to flight_places - 1) of unsigned(lane_bits - 1 downto 0);
+  signal lane_memory : lane_list := (others => (others => '0'));
 
   signal taken_entry : std_logic_vector(entry_bits - 1 downto 0);
+  signal taken_lane : unsigned(lane_bits - 1 downto 0);
+  signal listed_lane_now : unsigned(lane_bits - 1 downto 0) := (others => '0');
+  signal there_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal wanted_a : std_logic_vector(1 downto 0);
   signal wanted_b : std_logic_vector(1 downto 0);
   signal listed_a : std_logic_vector(1 downto 0) := "00";  -- wanted one clock ago
@@ -126,6 +177,7 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal opened_children : std_logic_vector(123 downto 0);
   signal own_is_deepest : std_logic := '0';
   signal present_pairs : std_logic_vector(3 downto 0);
+  signal own_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal own : std_logic_vector(entry_bits - 1 downto 0) := (others => '0');
   signal family : std_logic_vector(119 downto 0) := (others => '0');
   signal left_over : std_logic_vector(3 downto 0) := "0000";
@@ -139,6 +191,7 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal chosen_a : std_logic_vector(29 downto 0);  -- leaf, fault, number
   signal chosen_b : std_logic_vector(29 downto 0);
   signal candidate : std_logic := '0';
+  signal candidate_lane : unsigned(lane_bits - 1 downto 0) := (others => '0');
   signal candidate_free : std_logic;
   signal candidate_leaves : std_logic;
   signal is_survivor : std_logic := '0';  -- a pair without survivors goes this way once, too
@@ -158,96 +211,177 @@ architecture rtl of {{ prefix }}engine_traverse is
   signal next_a : std_logic_vector(node_bits + 1 downto 0);
   signal next_b : std_logic_vector(node_bits + 1 downto 0);
   signal next_level : std_logic_vector(level_bits - 1 downto 0) := (others => '0');
-  signal ended : std_logic := '1';  -- ending, a clock later: near to what reads it
+  signal ended : flags := (others => '1');  -- ending, a clock later: near to what reads it
+  signal candidate_ended : std_logic;
   signal pair_due : std_logic;
   signal push_due : std_logic;
   signal finished : std_logic;
 begin
   -- ===== Issue =====
-  -- What the last query has left on the stack goes with start.
-  may_pop <= filled and not start and not ending and not all_fly and not spent and (nothing_flies or not room(room'high));
-  request_valid <= may_pop;
-  pop <= may_pop and request_ready;
-  request_a <= top_entry(entry_node_a);
-  request_b <= top_entry(entry_node_b);
-  limit_reached <= filled and spent and not start and not ending;
-  expanded <= pop;
-  idle <= nothing_flies and (ending or not filled) and not start and not root_due;
-  waiting <= not nothing_flies;
+  each_lane : for lane in 0 to lanes - 1 generate
+    signal is_oldest : std_logic;
+    signal is_root : std_logic;  -- nothing else of the lane is pushed then
+  begin
+    is_root <= root_due when root_lane = lane else '0';
+    is_oldest <= '1' when unsigned(oldest) = lane else '0';
+    starts(lane) <= start when unsigned(start_lane) = lane else '0';
+    pops(lane) <= pop when pop_lane = lane else '0';
+    -- What the last query has left on the stack goes with start.
+    may_pop(lane) <= filled(lane) and not starts(lane) and not ending(lane) and not spent(lane) and not all_fly
+      and (nothing_flies(lane) or not room(lane)(room_bits - 1))
+      and (is_oldest or not (pair_room(lane)(pair_room_bits - 1) or crowded));
+    limit_reached(lane) <= filled(lane) and spent(lane) and not starts(lane) and not ending(lane);
+    idle(lane) <= nothing_flies(lane) and (ending(lane) or not filled(lane)) and not starts(lane)
+      and not is_root;
+    push(lane) <= push_due when candidate_lane = lane and is_root = '0' else is_root;
+    push_entry(lane) <= "{{ e.traversal.root_entry }}" when is_root = '1' else next_a & next_b & next_level;
 
-  stack : entity work.{{ prefix }}engine_stack
-    port map (
-      clk => clk,
-      clear => start,
-      push => push,
-      push_entry => push_entry,
-      pop => pop,
-      top_entry => top_entry,
-      filled => filled,
-      greatest => greatest_stack
-    );
+    stack : entity work.{{ prefix }}engine_stack
+      port map (
+        clk => clk,
+        clear => starts(lane),
+        push => push(lane),
+        push_entry => push_entry(lane),
+        pop => pops(lane),
+        top_entry => top_entry(lane),
+        filled => filled(lane),
+        greatest => greatest(lane)
+      );
+  end generate each_lane;
+
+  -- The oldest lane that may.
+  by_age : for age in 0 to lanes - 1 generate
+    lane_of(age) <= unsigned(oldest) + age;
+    first_from(age) <= lane_of(age) when may_pop(to_integer(lane_of(age))) = '1' else first_from(age + 1);
+  end generate by_age;
+  first_from(lanes) <= unsigned(oldest);
+  pop_lane <= first_from(0);
+  some_may_pop <= '1' when may_pop /= nobody else '0';
+  issue_free <= request_ready or not issued;
+  pop <= some_may_pop and issue_free;
+  expanded <= pop;
+  expanded_lane <= std_logic_vector(pop_lane);
+  request_valid <= issued;
+  request_lane <= std_logic_vector(issued_lane);
+  request_a <= issued_entry(entry_node_a);
+  request_b <= issued_entry(entry_node_b);
+  waiting <= '0' when flying = 0 else '1';
+  greatest_stack <= greatest(to_integer(unsigned(oldest)));
 
   issue : process (clk)
     variable change : integer range -1 to 4;
+    variable pair_change : integer range -1 to 5;
+    variable ends_here : boolean;
   begin
     if rising_edge(clk) then
-      if start = '1' then
-        allowed <= unsigned(most_expansions) - 1;
-        spent <= '0';
-      elsif pop = '1' then
-        allowed <= allowed - 1;
-        if allowed = 0 then
-          spent <= '1';
+      root_due <= start and not reset;
+      root_lane <= unsigned(start_lane);
+      if issue_free = '1' then
+        issued_lane <= pop_lane;
+        issued_entry <= top_entry(to_integer(pop_lane));
+      end if;
+      if pop = '1' then
+        entry_memory(to_integer(popped_place)) <= top_entry(to_integer(pop_lane));
+        lane_memory(to_integer(popped_place)) <= pop_lane;
+      end if;
+      for lane in 0 to lanes - 1 loop
+        ends_here := finished = '1' and candidate_lane = lane;
+        if starts(lane) = '1' then
+          allowed(lane) <= unsigned(most_expansions) - 1;
+          spent(lane) <= '0';
+        elsif pops(lane) = '1' then
+          allowed(lane) <= allowed(lane) - 1;
+          if allowed(lane) = 0 then
+            spent(lane) <= '1';
+          end if;
         end if;
-      end if;
-      -- A push takes one place, a pair that is finished frees four, and a pop, below, frees one and reserves four.
-      change := 0;
-      if push = '1' then
-        change := change - 1;
-      end if;
-      if finished = '1' then
-        change := change + 4;
-      end if;
-      root_due <= start;
-      if reset = '1' or start = '1' then
-        room <= unsigned(to_signed(wide - 3, room_bits));
-        flying <= (others => '0');
-        nothing_flies <= '1';
-        all_fly <= '0';
-        popped_place <= (others => '0');
-        root_due <= start and not reset;
-      else
-        -- Whether a pair is popped is known late in a clock: it only chooses.
-        if pop = '1' then
-          room <= unsigned(signed(room) + (change - 3));
+        -- A push takes one place, a pair that is finished frees four, and a pop, below, frees one and reserves four.
+        change := 0;
+        if push(lane) = '1' then
+          change := change - 1;
+        end if;
+        if ends_here then
+          change := change + 4;
+        end if;
+        -- In the queue of leaf pairs a pop reserves four.
+        pair_change := 0;
+        if pair_due = '1' and pair_ready = '1' and candidate_lane = lane then
+          pair_change := pair_change - 1;
+        end if;
+        if pair_left(lane) = '1' then
+          pair_change := pair_change + 1;
+        end if;
+        if ends_here then
+          pair_change := pair_change + 4;
+        end if;
+        if reset = '1' or starts(lane) = '1' then
+          room(lane) <= unsigned(to_signed(wide - 3, room_bits));
+          pair_room(lane) <= to_unsigned(pairs - 4, pair_room_bits);
+          lane_flying(lane) <= (others => '0');
+          nothing_flies(lane) <= '1';
         else
-          room <= unsigned(signed(room) + change);
+          -- Whether a pair is popped is known late in a clock: it only chooses.
+          if pops(lane) = '1' then
+            room(lane) <= unsigned(signed(room(lane)) + (change - 3));
+            pair_room(lane) <= unsigned(signed(pair_room(lane)) + (pair_change - 4));
+          else
+            room(lane) <= unsigned(signed(room(lane)) + change);
+            pair_room(lane) <= unsigned(signed(pair_room(lane)) + pair_change);
+          end if;
+          if pops(lane) = '1' and not ends_here then
+            lane_flying(lane) <= lane_flying(lane) + 1;
+            nothing_flies(lane) <= '0';
+          elsif pops(lane) = '0' and ends_here then
+            lane_flying(lane) <= lane_flying(lane) - 1;
+            if lane_flying(lane) = 1 then
+              nothing_flies(lane) <= '1';
+            end if;
+          end if;
+        end if;
+      end loop;
+      if reset = '1' then
+        flying <= (others => '0');
+        all_fly <= '0';
+        without_blocks <= (others => '0');
+        crowded <= '0';
+        popped_place <= (others => '0');
+        issued <= '0';
+      else
+        if issue_free = '1' then
+          issued <= some_may_pop;
+        end if;
+        if pop = '1' then
+          popped_place <= popped_place + 1;
         end if;
         if pop = '1' and finished = '0' then
           flying <= flying + 1;
-          nothing_flies <= '0';
           if flying = in_flight - 1 then
             all_fly <= '1';
           end if;
         elsif pop = '0' and finished = '1' then
           flying <= flying - 1;
           all_fly <= '0';
-          if flying = 1 then
-            nothing_flies <= '1';
+        end if;
+        if pop = '1' and blocks_taken = '0' then
+          without_blocks <= without_blocks + 1;
+          if without_blocks >= crowd - 1 then
+            crowded <= '1';
+          end if;
+        elsif pop = '0' and blocks_taken = '1' then
+          without_blocks <= without_blocks - 1;
+          if without_blocks <= crowd then
+            crowded <= '0';
           end if;
         end if;
-        if pop = '1' then
-          popped_place <= popped_place + 1;
-        end if;
-      end if;
-      if pop = '1' then
-        entry_memory(to_integer(popped_place)) <= top_entry;
       end if;
     end if;
   end process issue;
 
   -- ===== Blocks =====
   taken_entry <= entry_memory(to_integer(taken_place));
+  taken_lane <= lane_memory(to_integer(taken_place));
+  take_lane <= std_logic_vector(taken_lane);
+  listed_lane <= std_logic_vector(listed_lane_now);
   wanted_a <= taken_entry(entry_children_a);
   wanted_b <= taken_entry(entry_children_b);
   take_a <= wanted_a;
@@ -296,6 +430,9 @@ begin
   begin
     if rising_edge(clk) then
       tested <= tests;
+      tested_lane <= std_logic_vector(there_lane);
+      listed_lane_now <= taken_lane;
+      there_lane <= listed_lane_now;
       there_a <= "00";
       there_b <= "00";
       listed_a <= wanted_a;
@@ -310,7 +447,7 @@ begin
       if survive_valid = '1' then
         survive_memory(to_integer(answered_place)) <= survive;
       end if;
-      if reset = '1' or start = '1' then
+      if reset = '1' then
         taken_place <= (others => '0');
         listed_place <= (others => '0');
         answered_place <= (others => '0');
@@ -361,6 +498,7 @@ begin
   begin
     if rising_edge(clk) then
       ended <= ending;
+      survived_lane <= std_logic_vector(candidate_lane);
       survived(0) <= candidate_leaves and is_survivor and not (whole_a or whole_b);
       survived(1) <= candidate_leaves and is_survivor and (whole_a or whole_b);
       if candidate_free = '1' then
@@ -373,6 +511,7 @@ begin
         whole_a <= joined_a;
         whole_b <= joined_b;
         parents <= own;
+        candidate_lane <= own_lane;
         is_pair <= both_leaves and not wrong;
         is_entry <= not both_leaves and not wrong;
         is_wrong <= wrong;
@@ -380,6 +519,7 @@ begin
       end if;
       if opens = '1' then
         own <= opened_entry;
+        own_lane <= lane_memory(to_integer(finished_place));
         own_is_deepest <= '0';
         if opened_entry(entry_level) = everything then
           own_is_deepest <= '1';
@@ -393,7 +533,7 @@ begin
       elsif candidate_free = '1' then
         left_over <= left_over and not chosen;
       end if;
-      if reset = '1' or start = '1' then
+      if reset = '1' then
         answers <= (others => '0');
         finished_place <= (others => '0');
         opened <= '0';
@@ -417,12 +557,21 @@ begin
     end if;
   end process choose;
 
-  pair_due <= candidate and is_survivor and is_pair and not ended;
-  push_due <= candidate and is_survivor and is_entry and not ended;
+  candidate_ended <= ended(to_integer(candidate_lane));
+  pair_due <= candidate and is_survivor and is_pair and not candidate_ended;
+  push_due <= candidate and is_survivor and is_entry and not candidate_ended;
   candidate_leaves <= candidate and (pair_ready or not pair_due);
   finished <= candidate_leaves and is_last;
-  bad_tree <= (candidate and is_survivor and is_wrong) or bad_a or bad_b;
+  find_bad : for lane in 0 to lanes - 1 generate
+    signal of_candidate : std_logic;
+    signal of_block : std_logic;
+  begin
+    of_candidate <= candidate and is_survivor and is_wrong when candidate_lane = lane else '0';
+    of_block <= bad_a or bad_b when there_lane = lane else '0';
+    bad_tree(lane) <= of_candidate or of_block;
+  end generate find_bad;
   pair_valid <= pair_due;
+  pair_lane <= std_logic_vector(candidate_lane);
   pair_a <= child_a(27 downto 0);
   pair_b <= child_b(27 downto 0);
 
@@ -433,6 +582,4 @@ begin
   next_b <= child_b(node_bits - 1 downto 0) & "11" when child_b(29) = '0' else
     parents(entry_node_b) & "11" when whole_b = '1' else
     parents(entry_node_b) & side_b & not side_b;
-  push <= root_due or push_due;
-  push_entry <= "{{ e.traversal.root_entry }}" when root_due = '1' else next_a & next_b & next_level;
 end architecture rtl;

@@ -101,12 +101,10 @@ impl Around {
     }
 }
 
-/// Counters with a step in each clock: the port and the greatest step, which is 1 for all but the two that say by how many.
-const EVENTS: [(&str, u64); 9] = [
-    ("expanded", 1),
-    ("tested", 4),
-    ("survived", 2),
-    ("paired", 1),
+/// Counters of lanes with a step in each clock, of one lane: the port, and the greatest step.
+const LANE_EVENTS: [(&str, u64); 4] = [("expanded", 1), ("tested", 4), ("survived", 2), ("paired", 1)];
+/// Counters of all lanes together. Two bits are two sides.
+const EVENTS: [(&str, u64); 5] = [
     ("block_reads", 3),
     ("triangles_asked", 1),
     ("triangle_reads", 3),
@@ -114,27 +112,45 @@ const EVENTS: [(&str, u64); 9] = [
     ("starved", 1),
 ];
 
+/// Lanes of the engine that is tested.
+const LANES: u64 = 4;
+
 fn answer(entity: &mut Entity) -> Outcome {
     let mut rng = random(11);
     let (mut around, mut clock) = (Around::default(), 0);
     entity.reset();
     for round in 0..24u64 {
-        entity.set("clear", 1);
+        let oldest = round / 3 % LANES;
+        entity.set("oldest", oldest);
+        entity.set("clear", 1 << oldest);
+        entity.set("renew", 1);
         around.drain(entity, &mut rng, &mut clock, Options::default())?;
         (around.certain, around.unsure) = (0, 0);
         let mut options = Options { separate_too: round % 3 == 0, stop_at_contact: round % 2 == 0, dropping: false };
-        let (mut counts, mut stalled) = ([0; EVENTS.len()], 0);
+        let (mut of_lane, mut counts, mut stalled) = ([0; LANE_EVENTS.len()], [0; EVENTS.len()], 0);
+        // What happens in the clock in which counters begin again counts.
+        entity.set("words_read", 1);
+        clock += 1;
+        around.clock(entity, &mut rng, clock, None, options)?;
+        counts[3] += 1;
         entity.set("clear", 0);
-        entity.set("running", 1);
+        entity.set("renew", 0);
         let running = 60 + 10 * round;
         for step in 0..running {
             clock += 1;
             // The query has a reason to end.
             options.dropping = round % 4 == 2 && step > running / 2;
+            // Clocks of other queries are counted, too.
+            entity.set("counting", 1 << oldest | rng.random_range(0..1 << LANES));
+            for ((port, most), count) in LANE_EVENTS.into_iter().zip(&mut of_lane) {
+                let (value, lane) = (rng.random_range(0..=most), rng.random_range(0..LANES));
+                entity.set(port, value);
+                entity.set(&format!("{port}_lane"), lane);
+                *count += if lane == oldest { value } else { 0 };
+            }
             for ((port, most), count) in EVENTS.into_iter().zip(&mut counts) {
                 let value = rng.random_range(0..=most);
                 entity.set(port, value);
-                // Two bits are two sides.
                 *count += if most == 3 { u64::from(value.count_ones()) } else { value };
             }
             let stalls = rng.random::<bool>();
@@ -148,8 +164,8 @@ fn answer(entity: &mut Entity) -> Outcome {
             });
             around.clock(entity, &mut rng, clock, pair, options)?;
         }
-        entity.set("running", 0);
-        EVENTS.iter().for_each(|(port, _)| entity.set(port, 0));
+        entity.set("counting", rng.random_range(0..1 << LANES) & !(1 << oldest));
+        LANE_EVENTS.iter().chain(&EVENTS).for_each(|(port, _)| entity.set(port, 0));
         entity.set("stalled", 0);
         around.drain(entity, &mut rng, &mut clock, options)?;
 
@@ -161,7 +177,7 @@ fn answer(entity: &mut Entity) -> Outcome {
             entity.set(port, value);
         }
         let incomplete = u64::from(reason > 1 || (reason == 1 && short));
-        let [expanded, tested, survived, paired, blocks, asked, triangles, words, starved] = counts;
+        let ([expanded, tested, survived, paired], [blocks, asked, triangles, words, starved]) = (of_lane, counts);
         let report = [
             running << 32 | number << 8 | incomplete << 7 | reason << 2 | 3,
             tested << 32 | expanded,
@@ -222,7 +238,12 @@ fn answers_reports_and_counts_are_those_of_the_pairs() {
         // A restart takes back what is offered, or lets a report go on.
         ("offered <= offered and not free;", "offered <= '0';"),
         ("elsif restart = '1' then\n        place <= \"000\";", "elsif restart = '1' then"),
-        ("counter(survivors_at) + unsigned(survived)", "counter(survivors_at) + unsigned(survived(0 downto 0))"),
+        ("survivors(lane) + unsigned(survived)", "survivors(lane) + unsigned(survived(0 downto 0))"),
+        // Counts of another query, and what is lost where counters begin again.
+        ("pairs_now <= pairs(to_integer(unsigned(oldest)));", "pairs_now <= pairs(0);"),
+        ("if unsigned(tested_lane) = lane then", "if unsigned(survived_lane) = lane then"),
+        ("counter(i)(0) <= steps(i);", "counter(i)(0) <= '0';"),
     ];
-    tried(&small(Memory::Axi), "engine_answer", &changes, answer);
+    let design = EngineDesign::new(&EngineParams { queries: 4, ..small(Memory::Axi).params }, &Params::default());
+    tried(&design.unwrap(), "engine_answer", &changes, answer);
 }

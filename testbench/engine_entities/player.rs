@@ -167,6 +167,11 @@ impl Entity {
         }
     }
 
+    /// Whether an input of one bit was set.
+    pub fn input(&self, port: &str) -> bool {
+        self.inputs[self.places[port].low]
+    }
+
     /// Computes the outputs from inputs and registers.
     pub fn settle(&mut self) {
         let bits: String = self.inputs.iter().rev().map(|&bit| if bit { '1' } else { '0' }).collect();

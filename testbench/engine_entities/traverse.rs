@@ -1,4 +1,5 @@
-//! The traversal of random trees against a recursive one: the same leaf pairs and counts, whatever the order of both.
+//! The traversals of random trees, several at a time, against recursive ones: the same leaf pairs and counts, whatever the order
+//! of both.
 
 use super::*;
 use efsat::engine::words::{BlockLayout, LEAF_BIT, NO_CHILD};
@@ -167,37 +168,56 @@ impl Query {
     }
 }
 
-/// A pair in flight: its blocks, and from when on they, and then the answer, are there.
+/// A pair in flight: its lane, its blocks, and from when on they, and then the answer, are there.
 struct Flight {
+    lane: usize,
     blocks: [u32; 2],
     due: usize,
     survive: u64,
 }
 
-struct Around<'a> {
-    entity: &'a mut Entity,
-    rng: ChaCha8Rng,
-    layout: BlockLayout,
-    clock: usize,
+/// A query at work.
+struct Run {
+    query: Query,
+    limit: u32,
     found: Found,
-    asked: VecDeque<Flight>,
-    tested: VecDeque<Flight>,
+    /// Leaf pairs in the queue of the lane.
+    queued: u32,
     /// Clocks since the query has a reason to end.
     ended: Option<usize>,
     bad: bool,
     limited: bool,
+    /// Clocks since it was idle: counts are registered.
+    idle: u32,
+}
+
+struct Around<'a> {
+    entity: &'a mut Entity,
+    rng: ChaCha8Rng,
+    design: EngineDesign,
+    clock: usize,
+    /// The query of each lane, and which lane is the oldest.
+    lanes: Vec<Option<Run>>,
+    oldest: usize,
+    asked: VecDeque<Flight>,
+    tested: VecDeque<Flight>,
+    /// Popped, and not taken by the volume unit.
+    without_blocks: u32,
 }
 
 impl Around<'_> {
     /// Blocks that are there and taken by the volume unit, if there are such.
-    fn blocks(&mut self, query: &Query) -> bool {
+    fn blocks(&mut self) -> bool {
         let taken = self.asked.front().is_some_and(|flight| flight.due <= self.clock) && !seldom(&mut self.rng, 3);
         self.entity.set("blocks_taken", taken.into());
         for (i, port) in ["block_a", "block_b"].into_iter().enumerate() {
             // What is not taken means nothing.
             let noise = [self.rng.random(); 8].to_vec();
             let flight = self.asked.front().filter(|_| taken);
-            let words = flight.map_or(noise, |flight| query.trees[i].words(flight.blocks[i], &self.layout));
+            let words = flight.map_or(noise, |flight| {
+                let run = self.lanes[flight.lane].as_ref().expect("a query in flight");
+                run.query.trees[i].words(flight.blocks[i], &self.design.format.block())
+            });
             self.entity.set_words(port, &words);
         }
         taken
@@ -205,18 +225,48 @@ impl Around<'_> {
 
     /// The volume unit answers what it has taken: of children that are not meant that they do not overlap, of those that are
     /// not there anything.
-    fn take(&mut self, query: &Query) {
+    fn take(&mut self) -> Outcome {
         let mut flight = self.asked.pop_front().expect("blocks that were asked for");
+        expect(self.entity.get("take_lane") == flight.lane as u64, self.clock, "blocks of another lane")?;
+        let seed = self.lanes[flight.lane].as_ref().expect("a query in flight").query.seed;
         let [a, b] = ["take_a", "take_b"].map(|port| self.entity.get(port));
         for (p, q) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
             let meant = a >> p & 1 == 1 && b >> q & 1 == 1;
-            flight.survive |= u64::from(meant && overlap(query.seed, flight.blocks, [p, q])) << (2 * p + q);
+            flight.survive |= u64::from(meant && overlap(seed, flight.blocks, [p, q])) << (2 * p + q);
         }
         flight.due = self.clock + 8;
         self.tested.push_back(flight);
+        self.without_blocks -= 1;
+        Ok(())
     }
 
-    fn step(&mut self, query: &Query, in_flight: u32) -> Outcome {
+    /// The query of the lane that a port names, if the port has something to say.
+    fn lane(&self, port: &str) -> Result<usize, String> {
+        let lane = self.entity.get(port) as usize;
+        expect(self.lanes[lane].is_some(), self.clock, &format!("{port}: a lane without a query"))?;
+        Ok(lane)
+    }
+
+    fn run(&mut self, lane: usize) -> &mut Run {
+        self.lanes[lane].as_mut().expect("a query in flight")
+    }
+
+    /// The counts of the trees whose links are read, which depend on a register.
+    fn counts(&mut self) {
+        let lane = self.entity.get("listed_lane") as usize;
+        let Some(run) = &self.lanes[lane] else { return };
+        for (port, value) in [
+            ("block_count_a", run.query.trees[0].blocks.len() as u32),
+            ("block_count_b", run.query.trees[1].blocks.len() as u32),
+            ("triangle_count_a", run.query.trees[0].triangles),
+            ("triangle_count_b", run.query.trees[1].triangles),
+        ] {
+            self.entity.set(port, value.into());
+        }
+    }
+
+    fn step(&mut self) -> Outcome {
+        let params = self.design.params.clone();
         let answer = self.tested.front().filter(|flight| flight.due <= self.clock);
         let (valid, survive) = (answer.is_some(), answer.map_or(0xf, |flight| flight.survive));
         if valid {
@@ -224,123 +274,174 @@ impl Around<'_> {
         }
         self.entity.set("survive_valid", valid.into());
         self.entity.set("survive", survive);
-        let (ready, pair_ready) = (!seldom(&mut self.rng, 4), !seldom(&mut self.rng, 3));
+        let ready = !seldom(&mut self.rng, 4);
         self.entity.set("request_ready", ready.into());
-        self.entity.set("pair_ready", pair_ready.into());
-        self.entity.set("ending", self.ended.is_some().into());
-        let taken = self.blocks(query);
-        self.entity.settle();
-        if taken {
-            self.take(query);
+        let ends = |run: &Option<Run>| run.as_ref().is_none_or(|run| run.ended.is_some());
+        let ending: u64 = (0..).zip(&self.lanes).map(|(lane, run)| u64::from(ends(run)) << lane).sum();
+        self.entity.set("ending", ending);
+        self.entity.set("oldest", self.oldest as u64);
+        // Pairs of the oldest query alone leave their queue, or are dropped there.
+        let mut left = 0;
+        for (lane, run) in self.lanes.iter_mut().enumerate() {
+            let Some(run) = run else { continue };
+            if run.ended.is_some() {
+                run.queued = 0;
+            } else if lane == self.oldest && run.queued > 0 && seldom(&mut self.rng, 2) {
+                run.queued -= 1;
+                left = 1 << lane;
+            }
         }
-        let asks = self.entity.is("request_valid") && ready;
-        expect(self.entity.is("expanded") == asks, self.clock, "expanded")?;
-        if asks {
-            expect(self.ended.is_none(), self.clock, "a pair is popped at the end")?;
-            self.found.expansions += 1;
+        self.entity.set("pair_left", left);
+        let taken = self.blocks();
+        self.entity.settle();
+        self.counts();
+        let lane = self.entity.get("pair_lane") as usize;
+        let queued = self.lanes[lane].as_ref().map_or(0, |run| run.queued);
+        let pair_ready = queued < params.pair_queue;
+        self.entity.set("pair_ready", pair_ready.into());
+        self.entity.settle();
+        if self.entity.is("expanded") {
+            let lane = self.lane("expanded_lane")?;
+            expect(self.run(lane).ended.is_none(), self.clock, "a pair is popped at the end")?;
+            let crowd = 8u32.div_ceil(params.expansion_clocks) + 1;
+            let free = lane == self.oldest || self.without_blocks < crowd;
+            expect(free, self.clock, "a younger query in front of the oldest")?;
+            self.run(lane).found.expansions += 1;
+            self.without_blocks += 1;
+        }
+        if self.entity.is("request_valid") && ready {
+            let lane = self.lane("request_lane")?;
             let blocks = ["request_a", "request_b"].map(|port| self.entity.get(port) as u32);
-            let known = (0..2).all(|i| (blocks[i] as usize) < query.trees[i].blocks.len());
+            let trees = &self.run(lane).query.trees;
+            let known = (0..2).all(|i| (blocks[i] as usize) < trees[i].blocks.len());
             expect(known, self.clock, "a block that there is not")?;
             let due = self.clock + self.rng.random_range(2..12);
-            self.asked.push_back(Flight { blocks, due, survive: 0 });
-            expect(self.asked.len() + self.tested.len() <= in_flight as usize, self.clock, "too many in flight")?;
+            self.asked.push_back(Flight { lane, blocks, due, survive: 0 });
+            let flying = self.asked.len() + self.tested.len();
+            expect(flying <= params.in_flight as usize, self.clock, "too many in flight")?;
         }
-        if self.entity.is("pair_valid") && pair_ready {
-            expect(self.ended.is_none_or(|clocks| clocks == 0), self.clock, "a pair of leaves at the end")?;
-            self.found.pairs.push(["pair_a", "pair_b"].map(|port| self.entity.get(port)));
+        if taken {
+            self.take()?;
         }
-        self.found.tests += self.entity.get("tested");
-        self.found.survivors += self.entity.get("survived");
-        self.bad |= self.entity.is("bad_tree");
-        self.limited |= self.entity.is("limit_reached");
-        // Control has a reason a clock later.
-        self.ended = self.ended.map(|clocks| clocks + 1).or((self.bad || self.limited).then_some(0));
+        if self.entity.is("pair_valid") {
+            let lane = self.lane("pair_lane")?;
+            expect(pair_ready || lane == self.oldest, self.clock, "a younger query waits for its queue")?;
+            if pair_ready {
+                let pair = ["pair_a", "pair_b"].map(|port| self.entity.get(port));
+                let run = self.run(lane);
+                let late = run.ended.is_some_and(|clocks| clocks > 0);
+                run.queued += 1;
+                run.found.pairs.push(pair);
+                expect(!late, self.clock, "a pair of leaves at the end")?;
+            }
+        }
+        let of_lane = |port: &str, lane: usize| self.entity.get(port) >> lane & 1 == 1;
+        let counted = [("tested", "tested_lane"), ("survived", "survived_lane")]
+            .map(|(port, lane)| (self.entity.get(port), self.entity.get(lane) as usize));
+        let found: Vec<[bool; 3]> = (0..self.lanes.len())
+            .map(|lane| ["bad_tree", "limit_reached", "idle"].map(|port| of_lane(port, lane)))
+            .collect();
+        for (lane, ([bad, limited, idle], run)) in found.into_iter().zip(&mut self.lanes).enumerate() {
+            let Some(run) = run else { continue };
+            let [(tests, of_tests), (survivors, of_survivors)] = counted;
+            run.found.tests += if of_tests == lane { tests } else { 0 };
+            run.found.survivors += if of_survivors == lane { survivors } else { 0 };
+            run.bad |= bad;
+            run.limited |= limited;
+            run.idle = if idle { run.idle + 1 } else { 0 };
+            // Control has a reason a clock later.
+            run.ended = run.ended.map(|clocks| clocks + 1).or((run.bad || run.limited).then_some(0));
+        }
+        self.entity.clock();
+        self.clock += 1;
         Ok(())
     }
 
-    /// A query, from start to idle.
-    fn run(&mut self, query: &Query, limit: u32, stack: u64, in_flight: u32) -> Outcome {
-        self.found = Found::default();
-        (self.ended, self.bad, self.limited) = (None, false, false);
-        for (port, value) in [
-            ("most_expansions", limit),
-            ("block_count_a", query.trees[0].blocks.len() as u32),
-            ("block_count_b", query.trees[1].blocks.len() as u32),
-            ("triangle_count_a", query.trees[0].triangles),
-            ("triangle_count_b", query.trees[1].triangles),
-        ] {
-            self.entity.set(port, value.into());
+    /// What the oldest query came to.
+    fn finish(&mut self) -> Outcome {
+        let flies = |flight: &Flight| flight.lane == self.oldest;
+        let some_flies = self.asked.iter().any(flies) || self.tested.iter().any(flies);
+        expect(!some_flies, self.clock, "idle with a pair in flight")?;
+        let stack = self.entity.get("greatest_stack");
+        expect(stack <= self.design.params.stack.into(), self.clock, "the stack overflows")?;
+        let Run { query, limit, mut found, bad, limited, .. } = self.lanes[self.oldest].take().expect("a query");
+        let due = query.found();
+        let limits = limit > 0 && due.expansions > u64::from(limit);
+        found.pairs.sort_unstable();
+        if due.wrong > 0 {
+            expect(bad || limits, self.clock, "a bad tree is not noticed")?;
+        } else if limits {
+            expect(limited && !bad, self.clock, "the limit is not noticed")?;
+            expect(found.expansions == u64::from(limit), self.clock, "as many expansions as the limit")?;
+        } else {
+            expect(!bad && !limited, self.clock, "a reason where there is none")?;
+            expect(found == due, self.clock, &format!("other counts or pairs: {found:?}; expected {due:?}"))?;
         }
-        self.entity.set("start", 1);
-        let end = self.clock + 60_000;
-        while self.clock < end {
-            self.step(query, in_flight)?;
-            let (idle, waiting) = (self.entity.is("idle"), self.entity.is("waiting"));
-            expect(!(idle && waiting), self.clock, "idle and waiting")?;
-            self.entity.clock();
-            self.clock += 1;
-            self.entity.set("start", 0);
-            if idle {
-                expect(self.asked.is_empty() && self.tested.is_empty(), self.clock, "idle with a pair in flight")?;
-                // Counts are registered; control reports later.
-                self.entity.set("ending", 1);
-                self.entity.settle();
-                self.found.tests += self.entity.get("tested");
-                self.found.survivors += self.entity.get("survived");
-                expect(self.entity.get("greatest_stack") <= stack, self.clock, "the stack overflows")?;
-                return Ok(());
-            }
-        }
-        Err("never idle".to_owned())
+        self.oldest = (self.oldest + 1) % self.lanes.len();
+        Ok(())
     }
 }
 
-fn traverse(entity: &mut Entity) -> Outcome {
-    let design = wide();
-    let (stack, in_flight) = (design.params.stack.into(), design.params.in_flight);
-    let deepest = design.params.tree_height;
-    entity.set("ending", 1);
+fn query(rng: &mut ChaCha8Rng, round: u32, deepest: u32) -> (Query, u32) {
+    let height = 1 + round % 5;
+    let mut trees = [Tree::new(rng, height), Tree::new(rng, 5)];
+    // Deeper together than an entry of the stack may be.
+    let chains = round % 10 == 7;
+    if chains {
+        trees = [Tree::chain(deepest + 3), Tree::chain(deepest + 3)];
+    }
+    if !chains && seldom(rng, 2) {
+        trees[usize::from(rng.random::<bool>())].damage(rng);
+    }
+    let query = Query { trees, seed: (!chains).then(|| rng.random()), deepest };
+    let expansions = query.found().expansions as u32;
+    let limit = if round % 4 == 3 { rng.random_range(1..=1 + expansions) } else { 0 };
+    (query, limit)
+}
+
+/// So many queries in flight at most.
+fn traverse(entity: &mut Entity, design: EngineDesign, most: usize) -> Outcome {
+    let lanes = design.params.queries as usize;
+    entity.set("ending", (1 << lanes) - 1);
     entity.reset();
-    let (layout, found) = (design.format.block(), Found::default());
-    let (asked, tested) = (VecDeque::new(), VecDeque::new());
-    let rng = random(14);
-    let mut around =
-        Around { entity, rng, layout, clock: 0, found, asked, tested, ended: None, bad: false, limited: false };
-    for round in 0..40 {
-        let rng = &mut around.rng;
-        let height = 1 + round % 5;
-        let mut trees = [Tree::new(rng, height), Tree::new(rng, 5)];
-        // Deeper together than an entry of the stack may be.
-        let chains = round % 10 == 7;
-        if chains {
-            trees = [Tree::chain(deepest + 3), Tree::chain(deepest + 3)];
+    let mut around = Around {
+        entity,
+        rng: random(14),
+        design,
+        clock: 0,
+        lanes: (0..lanes).map(|_| None).collect(),
+        oldest: 0,
+        asked: VecDeque::new(),
+        tested: VecDeque::new(),
+        without_blocks: 0,
+    };
+    let mut round = 0;
+    while round < 60 || around.lanes.iter().any(Option::is_some) {
+        expect(around.clock < 200_000, around.clock, "never idle")?;
+        let active = around.lanes.iter().flatten().count();
+        let lane = (around.oldest + active) % lanes;
+        let starts = round < 60 && active < most && seldom(&mut around.rng, 20);
+        if starts {
+            let (query, limit) = query(&mut around.rng, round, around.design.params.tree_height);
+            let found = Found::default();
+            let run = Run { query, limit, found, queued: 0, ended: None, bad: false, limited: false, idle: 0 };
+            around.lanes[lane] = Some(run);
+            around.entity.set("most_expansions", limit.into());
+            around.entity.set("start_lane", lane as u64);
+            round += 1;
         }
-        if !chains && seldom(rng, 2) {
-            trees[usize::from(rng.random::<bool>())].damage(rng);
-        }
-        let query = Query { trees, seed: (!chains).then(|| rng.random()), deepest };
-        let due = query.found();
-        let limit = if round % 4 == 3 { rng.random_range(1..=1 + due.expansions as u32) } else { 0 };
-        around.run(&query, limit, stack, in_flight)?;
-        let limited = limit > 0 && due.expansions > u64::from(limit);
-        around.found.pairs.sort_unstable();
-        let found = &around.found;
-        if due.wrong > 0 {
-            expect(around.bad || limited, around.clock, "a bad tree is not noticed")?;
-        } else if limited {
-            expect(around.limited && !around.bad, around.clock, "the limit is not noticed")?;
-            expect(found.expansions == u64::from(limit), around.clock, "as many expansions as the limit")?;
-        } else {
-            expect(!around.bad && !around.limited, around.clock, "a reason where there is none")?;
-            expect(*found == due, around.clock, &format!("other counts or pairs: {found:?}; expected {due:?}"))?;
+        around.entity.set("start", starts.into());
+        around.step()?;
+        if around.lanes[around.oldest].as_ref().is_some_and(|run| run.idle > 3 && run.queued == 0) {
+            around.finish()?;
         }
     }
     Ok(())
 }
 
 /// An engine with a stack that lets many pairs fly.
-fn wide() -> EngineDesign {
-    let engine = EngineParams { stack: 100, ..small(Memory::Axi).params };
+fn wide(queries: u32) -> EngineDesign {
+    let engine = EngineParams { stack: 100, queries, ..small(Memory::Axi).params };
     EngineDesign::new(&engine, &Params::default()).unwrap()
 }
 
@@ -354,10 +455,23 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("there_b <= listed_b and present_b;", "there_b <= listed_b;"),
         ("or (own_is_deepest and not both_leaves)", ""),
         ("(chosen_a(28) and (both_leaves or not chosen_a(29)))", "(chosen_a(28) and not chosen_a(29))"),
-        ("is_survivor and is_pair and not ended;", "is_survivor and is_pair;"),
-        ("if allowed = 0 then", "if allowed = 1 then"),
+        ("is_survivor and is_pair and not candidate_ended;", "is_survivor and is_pair;"),
+        ("if allowed(lane) = 0 then", "if allowed(lane) = 1 then"),
         ("survived(1) <= candidate_leaves", "survived(1) <= '0' and candidate_leaves"),
         ("taken_place <= taken_place + 1;", "taken_place <= taken_place;"),
+        // Lanes are mixed up.
+        ("candidate_lane <= own_lane;", "candidate_lane <= unsigned(oldest);"),
+        ("tested_lane <= std_logic_vector(there_lane);", "tested_lane <= std_logic_vector(listed_lane_now);"),
+        ("of_block <= bad_a or bad_b when there_lane = lane", "of_block <= bad_a or bad_b when listed_lane_now = lane"),
+        // A younger query takes more than the queue of its leaf pairs has room for, or goes in front of the oldest.
+        ("(pair_change - 4)", "(pair_change - 3)"),
+        ("or not (pair_room(lane)(pair_room_bits - 1) or crowded));", "or not crowded);"),
+        ("or not (pair_room(lane)(pair_room_bits - 1) or crowded));", "or not pair_room(lane)(pair_room_bits - 1));"),
     ];
-    tried_with(&wide(), "engine_traverse", &["engine_stack", "engine_children"], &changes, traverse);
+    for (queries, most) in [(4, 1), (2, 2), (4, 4)] {
+        let design = wide(queries);
+        let changes = if most == 4 { &changes[..] } else { &[] };
+        let parts = ["engine_stack", "engine_children"];
+        tried_with(&design, "engine_traverse", &parts, changes, |entity| traverse(entity, wide(queries), most));
+    }
 }

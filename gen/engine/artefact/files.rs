@@ -56,14 +56,15 @@ struct About {
 }
 
 /// What the entities of the engine are for, in the order of the data.
-const ENTITIES: [(&str, &str); 9] = [
+const ENTITIES: [(&str, &str); 10] = [
     (
         "engine_command",
         "Packets in: pairs, poses, queries, loads, stops and soft resets; what is none of them is reported.",
     ),
-    ("engine_control", "The query that runs: its registers, its phases, and why it ends."),
-    ("engine_traverse", "The traversal of both trees: issue, pairs in flight, survivors."),
-    ("engine_stack", "The stack of pairs that are still to be opened."),
+    ("engine_control", "The queries in flight, from job to report, and why they end."),
+    ("engine_queries", "The words of the queries in flight."),
+    ("engine_traverse", "The traversals of the trees: issue, pairs in flight, survivors."),
+    ("engine_stack", "The stack of pairs of a query that are still to be opened."),
     ("engine_children", "The links of a block, and whether block and links are good."),
     ("volume_unit", "The test of two volumes by directions."),
     ("engine_pairs", "Pairs of leaves between the traversal and their answers."),

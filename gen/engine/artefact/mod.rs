@@ -19,6 +19,7 @@ pub mod volume;
 use crate::design::volume_unit::VolumeDesign;
 use crate::format::EngineFormat;
 use crate::params::{EngineParams, Memory, OFFSET_BITS};
+use crate::words::LINK_NUMBER_BITS;
 use askama::Template;
 use efsat_hardware::vhdl::Clash;
 use efsat_unit::artefact::{Prefix, origin, vhdl_files};
@@ -51,8 +52,8 @@ const CORE: Core = Core {
 /// Name of the testbench entity, without a prefix.
 pub const TESTBENCH: &str = "efsat_engine_tb";
 
-/// Bits of the tag of the unit: the numbers of both triangles.
-const TAG_WIDTH: u32 = 56;
+/// Bits of the tag of the unit for the numbers of both triangles. Above them is the lane of the query.
+const NUMBERS_WIDTH: u32 = 2 * LINK_NUMBER_BITS;
 
 /// Bytes from a block to the next, and from a triangle to the next, that the memories are made for.
 const STRIDE: u32 = 64;
@@ -75,7 +76,7 @@ impl EngineDesign {
     /// # Errors
     /// Parameters out of range, an unknown device, or a format that the memories of the engine are not made for.
     pub fn new(params: &EngineParams, unit: &Params) -> Result<Self, DesignError> {
-        let unit = Params { tag_width: TAG_WIDTH, ..unit.clone() };
+        let unit = Params { tag_width: NUMBERS_WIDTH + params.lane_bits(), ..unit.clone() };
         let format = params.format(&unit)?;
         supported(&format)?;
         let volume = VolumeDesign::new(params, &unit)?;
@@ -143,6 +144,7 @@ entities! {
     Stack "engine/engine_stack.vhd";
     Children "engine/engine_children.vhd";
     Traverse "engine/engine_traverse.vhd";
+    Queries "engine/engine_queries.vhd";
     Pairs "engine/engine_pairs.vhd";
     Answer "engine/engine_answer.vhd";
     Command "engine/engine_command.vhd";
@@ -194,6 +196,7 @@ pub fn engine_files(
     if design.params.memory == Memory::Axi {
         add("engine_read_master", ReadMaster::text(&header, prefix, &values));
     }
+    add("engine_queries", Queries::text(&header, prefix, &values));
     add("engine_stack", Stack::text(&header, prefix, &values));
     add("engine_children", Children::text(&header, prefix, &values));
     add("engine_traverse", Traverse::text(&header, prefix, &values));

@@ -29,7 +29,7 @@ record! {
     }
 }
 
-/// The query: held while any expansion of it is in flight.
+/// The query of an expansion.
 struct Query<'l> {
     pose: [Vec3<Sig<'l>>; 3],
     shift: Vec3<Sig<'l>>,
@@ -40,11 +40,11 @@ struct Query<'l> {
 impl<'l> Query<'l> {
     fn new(u: Top<'l>, format: &EngineFormat) -> Self {
         let widths = format.widths();
-        let signed = |width: Width| u.steady(number(width), (-i128::from(width.bound), width.bound.into()));
-        let count = |bits: u32| u.steady(Type::unsigned(bits), (0, (1 << bits) - 1));
+        let signed = |width: Width| u.input(number(width), (-i128::from(width.bound), width.bound.into()));
+        let count = |bits: u32| u.input(Type::unsigned(bits), (0, (1 << bits) - 1));
         let slots = format.directions.slots();
         let row = |_| Row {
-            choice: slots.map(|slot| u.steady(Type::unsigned(format.choice_bits()), (0, slot.len() as i128 - 1))),
+            choice: slots.map(|slot| u.input(Type::unsigned(format.choice_bits()), (0, slot.len() as i128 - 1))),
             factor: slots.map(|_| count(format.factor_bits)),
             rest: count(format.rest_bits()),
         };
@@ -95,7 +95,7 @@ struct Job {
     child: usize,
 }
 
-/// The data path. Its inputs are the query, and two blocks held for the slot; its output is `survive`, bit 2 p + q: child p
+/// The data path. Its inputs are the query and two blocks, held for the slot; its output is `survive`, bit 2 p + q: child p
 /// of A and child q of B may overlap.
 pub fn unit(format: &EngineFormat, clocks: usize) -> Rc<Unit> {
     let doc = [

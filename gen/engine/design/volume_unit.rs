@@ -142,7 +142,7 @@ fn stage(path: &Rc<Module>, latency: usize, interval: usize) -> Rc<Module> {
     let doc = [
         "The volume unit with a port for each number: registers for the expansion of the running slot, the data path, and",
         "which slots in flight hold an expansion. An expansion is accepted in the last phase of a slot; without one the last",
-        "one stays. What begins with query is held outside.",
+        "one stays.",
     ];
     let m = Control::new(&format!("{PREFIX}stage"), doc.map(str::to_owned).to_vec());
     let [reset, in_valid] = ["reset", "in_valid"].map(|name| m.input(name, Type::FLAG));
@@ -165,9 +165,6 @@ fn stage(path: &Rc<Module>, latency: usize, interval: usize) -> Rc<Module> {
             _ => {}
         }
         let port = m.input(place.clone(), signal.ty);
-        if place.base.starts_with("query_") {
-            return port;
-        }
         let held = m.register(Place { base: format!("held_{}", place.base), ..place }, signal.ty);
         held.loads(port, Some(accept), None);
         held

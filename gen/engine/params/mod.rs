@@ -25,6 +25,8 @@ pub const EXPANSION_CLOCKS: &[u32] = &[1, 2, 4];
 pub const MEMORY_WIDTH: &[u32] = &[32, 64, 128, 256, 512];
 /// Legal lines of a cache.
 pub const LINES: &[u32] = &[16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384];
+/// Legal numbers of queries in flight.
+pub const QUERIES: &[u32] = &[2, 4];
 /// Legal numbers of pairs of nodes in flight.
 pub const IN_FLIGHT: RangeInclusive<u32> = 1..=64;
 /// Legal capacities of the stack, the bound by the height of trees aside.
@@ -104,6 +106,9 @@ option_set! {
     /// Lines of the caches of triangles, half for each mesh; with --memory block-ram the triangles of both meshes
     "triangle-lines" triangle_lines: u32 = 256,
         [value_name = "N", value_parser = one_of(LINES), allow_negative_numbers = true];
+    /// Queries in flight: while the oldest ends, the next ones begin
+    "queries" queries: u32 = 2,
+        [value_name = "N", value_parser = one_of(QUERIES), allow_negative_numbers = true];
     /// Pairs of nodes in flight, 1 to 64; fewer wait longer for memory
     "in-flight" in_flight: u32 = 16,
         [value_name = "N", value_parser = whole(IN_FLIGHT), allow_negative_numbers = true];
@@ -122,6 +127,11 @@ option_set! {
 }
 
 impl EngineParams {
+    /// Bits of the number of a lane, which a query in flight has.
+    pub fn lane_bits(&self) -> u32 {
+        self.queries.ilog2()
+    }
+
     /// Greatest number of entries up to which the stack is filled by more than one pair in flight (docs/engine.md).
     pub fn wide_limit(&self) -> u32 {
         self.stack - 3 * self.tree_height - 1
@@ -166,6 +176,7 @@ impl EngineParams {
             ("block-lines", self.block_lines, LINES),
             ("triangle-lines", self.triangle_lines, LINES),
             ("pair-queue", self.pair_queue, PAIR_QUEUE),
+            ("queries", self.queries, QUERIES),
         ];
         match lists.into_iter().find(|(_, found, list)| !list.contains(found)) {
             None => Ok(()),

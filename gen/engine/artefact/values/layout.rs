@@ -73,6 +73,7 @@ pub(super) fn groups(design: &EngineDesign) -> Vec<Group> {
     let (params, format) = (&design.params, &design.format);
     let mut groups = vec![
         Group { what: "Blocks and triangles, as they come from memory.", items: objects(design) },
+        Group { what: "Queries in flight: each has a lane, the next query the next one.", items: lanes(params) },
         Group {
             what: "An entry of the stack: a pair of nodes. Children are 11 (both), 01 (left) or 10 (right).",
             items: entry(params),
@@ -120,6 +121,10 @@ fn objects(design: &EngineDesign) -> Vec<Item> {
     items
 }
 
+fn lanes(params: &EngineParams) -> Vec<Item> {
+    vec![number("lanes", params.queries, ""), number("lane_bits", params.lane_bits(), "of the number of a lane")]
+}
+
 fn entry(params: &EngineParams) -> Vec<Item> {
     let (node_bits, level_bits) = (params.block_number_bits, level_bits(params));
     let node_b = level_bits + 2;
@@ -165,6 +170,7 @@ fn job(design: &EngineDesign) -> Vec<Item> {
     items.extend(fields(halves, word_at(1), WORD / 2));
     let options = word_at(OPTIONS_WORD);
     items.push(field("job_options", options, WORD, ""));
+    items.push(number("head_bits", options + WORD, "of all up to here"));
     items.push(number("job_keep", options + QueryFlags::KEEP_CACHES, "of them: no image has changed"));
     let errors = 3 * format.shift_error_bits();
     items.push(field("job_errors", word_at(6), errors, "errors of the shift; the bits above are not read"));
@@ -192,7 +198,12 @@ fn pose(design: &EngineDesign) -> Vec<Item> {
     let (format, unit) = (&design.format, &design.unit.params);
     let at = word_at(EngineFormat::POSE_AT);
     let number_at = |i| at + format.stream.number_at(i);
-    let mut items = vec![number("job_bypass", at + BYPASS_AT, "the unit takes pairs as they are")];
+    let bits = word_at(format.row_at(0)) - at;
+    let mut items = vec![
+        number("pose_bits", bits, ""),
+        field("job_pose", at, bits, "all of it"),
+        number("job_bypass", at + BYPASS_AT, "the unit takes pairs as they are"),
+    ];
     for (i, port) in (0..).zip(pose_ports(unit)) {
         items.push(field(format!("job_{port}"), number_at(i), format.transform_width, ""));
         if unit.upper == Upper::Sticky {
@@ -227,6 +238,7 @@ fn query(format: &EngineFormat) -> Vec<Item> {
     let mut items = vec![
         number("query_pose_bits", 9 * origin, "the matrix for origins"),
         number("query_shift_bits", 3 * shift, ""),
+        number("query_errors_bits", 3 * format.shift_error_bits(), ""),
         number("query_rows_bits", format.k() * row, ""),
     ];
     items.extend((0..).zip(ENTRIES).map(|(i, name)| field(format!("query_{name}"), origin * i, origin, "")));

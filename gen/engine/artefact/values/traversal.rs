@@ -20,9 +20,17 @@ pub(crate) struct Traversal {
     pub flight_places: u32,
     pub flight_bits: u32,
     pub pairs: u32,
+    /// Of all lanes together.
+    pub all_pairs: u32,
     pub pair_bits: u32,
+    pub pair_room_bits: u32,
+    /// Pairs of nodes without blocks, in front of which a younger query waits.
+    pub crowd: u32,
     pub open_bits: u32,
 }
+
+/// Clocks from a request of blocks that are in a cache to their being taken, about.
+const BLOCK_CLOCKS: u32 = 8;
 
 impl Traversal {
     pub fn new(design: &EngineDesign) -> Self {
@@ -51,8 +59,11 @@ impl Traversal {
             flight_places,
             flight_bits,
             pairs: params.pair_queue,
+            all_pairs: params.queries * params.pair_queue,
             pair_bits: params.pair_queue.ilog2(),
-            open_bits: 32 - open.leading_zeros(),
+            pair_room_bits: 34 - (params.pair_queue + 4 * params.in_flight + 8).leading_zeros(),
+            crowd: BLOCK_CLOCKS.div_ceil(params.expansion_clocks) + 1,
+            open_bits: 33 - open.leading_zeros(),
         }
     }
 }

@@ -90,7 +90,7 @@ fn unit_inputs(p: &Params, stream: &StreamFormat) -> Vec<Connection> {
     for port in pose_ports(p) {
         let sticky = sticky.then(|| format!("{port}_sticky"));
         for port in [port].into_iter().chain(sticky) {
-            add(port.clone(), format!("job_words(job_{port})"));
+            add(port.clone(), format!("pose_words(job_{port})"));
         }
     }
     inputs

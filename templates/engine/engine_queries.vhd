@@ -1,0 +1,156 @@
+--------------------------------------------------------------------------------
+{% for line in header %}--{% if line.len() > 0 %} {{ line }}{% endif %}
+{% endfor -%}
+--
+-- The words of the queries in flight, in look-up tables: written once, when a job is taken, and read by the lane of whoever
+-- works on a query. The pose of a job that has no query is kept here, too.
+--
+-- The matrix for the origins of blocks is s1.17, cut off and saturated to +-(2^17 - 1); the shift is s4.22, cut off.
+--------------------------------------------------------------------------------
+library ieee;
+use ieee.std_logic_1164.all;
+use ieee.numeric_std.all;
+use work.{{ prefix }}engine_layout.all;
+
+entity {{ prefix }}engine_queries is
+  port (
+    clk : in std_logic;
+    reset : in std_logic;  -- also a soft reset
+    write : in std_logic;
+    write_lane : in std_logic_vector(lane_bits - 1 downto 0);
+    job_words : in std_logic_vector(job_bits - 1 downto 0);
+    job_query : in std_logic;
+    retire : in std_logic;  -- the oldest is done
+    oldest : in std_logic_vector(lane_bits - 1 downto 0);
+    -- The first words of a query, for control.
+    checked_lane : in std_logic_vector(lane_bits - 1 downto 0);
+    checked : out std_logic_vector(head_bits - 1 downto 0);
+    -- Where the blocks are that the traversal asks for, and how many blocks and triangles there are where it reads links.
+    request_lane : in std_logic_vector(lane_bits - 1 downto 0);
+    block_base_a : out std_logic_vector(31 downto 0);  -- address / 64
+    block_base_b : out std_logic_vector(31 downto 0);
+    listed_lane : in std_logic_vector(lane_bits - 1 downto 0);
+    block_count_a : out std_logic_vector(31 downto 0);
+    block_count_b : out std_logic_vector(31 downto 0);
+    triangle_count_a : out std_logic_vector(31 downto 0);
+    triangle_count_b : out std_logic_vector(31 downto 0);
+    -- What the volume unit knows.
+    volume_lane : in std_logic_vector(lane_bits - 1 downto 0);
+    query_pose : out std_logic_vector(query_pose_bits - 1 downto 0);
+    query_shift : out std_logic_vector(query_shift_bits - 1 downto 0);
+    query_errors : out std_logic_vector(query_errors_bits - 1 downto 0);
+    query_rows : out std_logic_vector(query_rows_bits - 1 downto 0);
+    -- Where the triangles are that are asked for, and the pose of the triangle unit.
+    front : in std_logic_vector(lane_bits - 1 downto 0);
+    triangle_base_a : out std_logic_vector(31 downto 0);
+    triangle_base_b : out std_logic_vector(31 downto 0);
+    pose : out std_logic_vector(pose_bits - 1 downto 0);
+    leaves_only : out std_logic_vector(lanes - 1 downto 0);  -- no triangle test; never where there is no query
+    -- Of the oldest query.
+    stop_at_contact : out std_logic;
+    separate_too : out std_logic
+  );
+end entity {{ prefix }}engine_queries;
+
+architecture rtl of {{ prefix }}engine_queries is
+  type heads is array (0 to lanes - 1) of std_logic_vector(head_bits - 1 downto 0);
+  signal head : heads := (others => (others => '0'));
+  signal requested : std_logic_vector(head_bits - 1 downto 0);
+  signal listed : std_logic_vector(head_bits - 1 downto 0);
+  signal asked : std_logic_vector(head_bits - 1 downto 0);
+  signal answered : std_logic_vector(head_bits - 1 downto 0);
+  signal options : std_logic_vector(63 downto 0);
+  signal new_options : std_logic_vector(63 downto 0);
+  type pose_words is array (0 to lanes - 1) of std_logic_vector(pose_bits - 1 downto 0);
+  signal pose_memory : pose_words := (others => (others => '0'));
+  type words is array (0 to 8) of std_logic_vector({{ e.query.entry }});
+  signal entry : words;
+  type entries_cut is array (0 to 8) of std_logic_vector({{ e.query.origin }});
+  signal saturated : entries_cut;
+  type poses is array (0 to lanes - 1) of std_logic_vector(query_pose_bits - 1 downto 0);
+  signal matrix : poses := (others => (others => '0'));
+  signal new_matrix : std_logic_vector(query_pose_bits - 1 downto 0);
+  type shifts is array (0 to lanes - 1) of std_logic_vector(query_shift_bits - 1 downto 0);
+  signal shift : shifts := (others => (others => '0'));
+  signal new_shift : std_logic_vector(query_shift_bits - 1 downto 0);
+  type errors is array (0 to lanes - 1) of std_logic_vector(query_errors_bits - 1 downto 0);
+  signal shift_error : errors := (others => (others => '0'));
+  type rows is array (0 to lanes - 1) of std_logic_vector(query_rows_bits - 1 downto 0);
+  signal row : rows := (others => (others => '0'));
+  signal new_rows : std_logic_vector(query_rows_bits - 1 downto 0);
+  signal leaves : std_logic_vector(lanes - 1 downto 0) := (others => '0');
+begin
+  -- Entries of the matrix: cut off and saturated.
+{%- for name in e.query.entries %}
+  entry({{ loop.index0 }}) <= job_words(job_pose_{{ name }});
+{%- endfor %}
+  entries : for i in 0 to 8 generate
+    signal cut : std_logic_vector({{ e.query.origin }});
+    constant sign : natural := {{ e.query.entry.high }};
+    constant above_bits : natural := {{ e.query.above_bits }};
+    signal above : std_logic_vector(above_bits - 1 downto 0);  -- sign bits, if it fits
+  begin
+    cut <= entry(i)({{ e.query.cut }});
+    above <= entry(i)({{ e.query.above }});
+    saturated(i) <= "{{ e.query.greatest_entry }}" when entry(i)(sign) = '0' and above /= "{{ e.query.above_zeros }}" else
+      "{{ e.query.least_entry }}" when entry(i)(sign) = '1' and (above /= "{{ e.query.above_ones }}" or cut = "{{ e.query.below_least }}") else
+      cut;
+  end generate entries;
+{%- for name in e.query.entries %}
+  new_matrix(query_{{ name }}) <= saturated({{ loop.index0 }});
+{%- endfor %}
+  -- Of the shift the bits below s4.22 are cut off, of a row those above its rest are zero: the command has looked.
+{%- for axis in e.query.axes %}
+  new_shift(query_shift_{{ axis }}) <= job_words(job_shift_{{ axis }});
+{%- endfor %}
+{%- for i in 0..e.query.directions %}
+  new_rows(query_row_{{ i }}) <= job_words(job_row_{{ i }});
+{%- endfor %}
+  new_options <= job_words(job_options);
+
+  keep : process (clk)
+  begin
+    if rising_edge(clk) then
+      if write = '1' then
+        head(to_integer(unsigned(write_lane))) <= job_words(head_bits - 1 downto 0);
+        pose_memory(to_integer(unsigned(write_lane))) <= job_words(job_pose);
+        matrix(to_integer(unsigned(write_lane))) <= new_matrix;
+        shift(to_integer(unsigned(write_lane))) <= new_shift;
+        shift_error(to_integer(unsigned(write_lane))) <= job_words(job_errors);
+        row(to_integer(unsigned(write_lane))) <= new_rows;
+      end if;
+      if retire = '1' then
+        leaves(to_integer(unsigned(oldest))) <= '0';
+      end if;
+      if write = '1' then
+        leaves(to_integer(unsigned(write_lane))) <= new_options(option_leaves) and job_query;
+      end if;
+      if reset = '1' then
+        leaves <= (others => '0');
+      end if;
+    end if;
+  end process keep;
+
+  checked <= head(to_integer(unsigned(checked_lane)));
+  requested <= head(to_integer(unsigned(request_lane)));
+  block_base_a <= requested(job_blocks_a);
+  block_base_b <= requested(job_blocks_b);
+  listed <= head(to_integer(unsigned(listed_lane)));
+  block_count_a <= listed(job_block_count_a);
+  block_count_b <= listed(job_block_count_b);
+  triangle_count_a <= listed(job_triangle_count_a);
+  triangle_count_b <= listed(job_triangle_count_b);
+  query_pose <= matrix(to_integer(unsigned(volume_lane)));
+  query_shift <= shift(to_integer(unsigned(volume_lane)));
+  query_errors <= shift_error(to_integer(unsigned(volume_lane)));
+  query_rows <= row(to_integer(unsigned(volume_lane)));
+  asked <= head(to_integer(unsigned(front)));
+  triangle_base_a <= asked(job_triangles_a){% if e.block_ram %} xor x"02000000"{% endif %};
+  triangle_base_b <= asked(job_triangles_b){% if e.block_ram %} xor x"02000000"{% endif %};
+  pose <= pose_memory(to_integer(unsigned(front)));
+  leaves_only <= leaves;
+  answered <= head(to_integer(unsigned(oldest)));
+  options <= answered(job_options);
+  stop_at_contact <= options(option_contact);
+  separate_too <= options(option_separate);
+end architecture rtl;
