@@ -9,6 +9,7 @@ mod control;
 mod memory;
 mod pairs;
 mod player;
+mod queries;
 mod read_master;
 mod stack;
 mod traverse;

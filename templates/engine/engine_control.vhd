@@ -274,18 +274,22 @@ begin
           next_phase := check_state;
         end if;
         next_lane <= next_lane + 1;
-        now_occupied(to_integer(next_lane)) := '1';
-        now_reasons(to_integer(next_lane)) := job_reason;
-        numbers(to_integer(next_lane)) <= job_number;
-        shorts(to_integer(next_lane)) <= job_short;
-        asked(to_integer(next_lane)) <= job_query;
-        has_pose(to_integer(next_lane)) <= job_posed;
-        stopped(to_integer(next_lane)) <= stopped_waiting;
-        if stop = '1' and stops = no_lane and job_number = stop_number then
-          stopped(to_integer(next_lane)) <= '1';
-        end if;
+        for lane in 0 to lanes - 1 loop
+          if next_lane = lane then
+            now_occupied(lane) := '1';
+            now_reasons(lane) := job_reason;
+            numbers(lane) <= job_number;
+            shorts(lane) <= job_short;
+            asked(lane) <= job_query;
+            has_pose(lane) <= job_posed;
+            stopped(lane) <= stopped_waiting;
+            if stop = '1' and stops = no_lane and job_number = stop_number then
+              stopped(lane) <= '1';
+            end if;
+            admitted(lane) <= not job_query;
+          end if;
+        end loop;
         stopped_waiting <= '0';
-        admitted(to_integer(next_lane)) <= not job_query;
         if job_query = '0' then
           admitted_lane <= next_lane + 1;
         end if;
@@ -332,14 +336,18 @@ begin
       end if;
       if now_admitted then
         next_phase := waiting_state;
-        admitted(to_integer(admitted_lane)) <= '1';
         admitted_lane <= admitted_lane + 1;
-        if refused = fine then
-          now_started(to_integer(admitted_lane)) := '1';
-          started_pulse <= '1';
-        else
-          now_reasons(to_integer(admitted_lane)) := refused;
-        end if;
+        for lane in 0 to lanes - 1 loop
+          if admitted_lane = lane then
+            admitted(lane) <= '1';
+            if refused = fine then
+              now_started(lane) := '1';
+              started_pulse <= '1';
+            else
+              now_reasons(lane) := refused;
+            end if;
+          end if;
+        end loop;
       end if;
 
       -- Reasons to end; that of the oldest stays from its report on.
@@ -361,12 +369,16 @@ begin
       if reporting = '1' then
         if report_done = '1' then
           now_reporting := '0';
-          now_occupied(old) := '0';
-          now_started(old) := '0';
-          admitted(old) <= '0';
-          has_pose(old) <= '0';
-          stopped(old) <= '0';
           next_oldest := oldest_lane + 1;
+          for lane in 0 to lanes - 1 loop
+            if oldest_lane = lane then
+              now_occupied(lane) := '0';
+              now_started(lane) := '0';
+              admitted(lane) <= '0';
+              has_pose(lane) <= '0';
+              stopped(lane) <= '0';
+            end if;
+          end loop;
         end if;
 {%- if e.axi %}
       elsif aborting = '1' then
@@ -386,12 +398,14 @@ begin
 {%- endif %}
       elsif occupied(old) = '1' and admitted(old) = '1' then
         if {% if e.axi %}started_now(old) = '1' and reads = '1' and (memory_error or memory_silent) = '1' then
-          if reasons(old) = fine then
-            now_reasons(old) := reason_silent;
-            if memory_error = '1' then
-              now_reasons(old) := reason_memory;
+          for lane in 0 to lanes - 1 loop
+            if oldest_lane = lane and reasons(lane) = fine then
+              now_reasons(lane) := reason_silent;
+              if memory_error = '1' then
+                now_reasons(lane) := reason_memory;
+              end if;
             end if;
-          end if;
+          end loop;
           aborting <= '1';
         elsif {% endif %}idle(old) = '1' then
           now_reporting := '1';
@@ -418,12 +432,16 @@ begin
         admitted_lane <= oldest_lane;
         next_lane <= oldest_lane;
         if reset = '0' then
-          now_occupied(old) := '1';
-          asked(old) <= '0';
-          admitted(old) <= '1';
-          shorts(old) <= '0';
-          numbers(old) <= forget_number;
-          now_reasons(old) := reason_reset;
+          for lane in 0 to lanes - 1 loop
+            if oldest_lane = lane then
+              now_occupied(lane) := '1';
+              asked(lane) <= '0';
+              admitted(lane) <= '1';
+              shorts(lane) <= '0';
+              numbers(lane) <= forget_number;
+              now_reasons(lane) := reason_reset;
+            end if;
+          end loop;
           admitted_lane <= oldest_lane + 1;
           next_lane <= oldest_lane + 1;
         end if;

@@ -119,12 +119,14 @@ begin
         shift_error(to_integer(unsigned(write_lane))) <= job_words(job_errors);
         row(to_integer(unsigned(write_lane))) <= new_rows;
       end if;
-      if retire = '1' then
-        leaves(to_integer(unsigned(oldest))) <= '0';
-      end if;
-      if write = '1' then
-        leaves(to_integer(unsigned(write_lane))) <= new_options(option_leaves) and job_query;
-      end if;
+      for lane in 0 to lanes - 1 loop
+        if retire = '1' and unsigned(oldest) = lane then
+          leaves(lane) <= '0';
+        end if;
+        if write = '1' and unsigned(write_lane) = lane then
+          leaves(lane) <= new_options(option_leaves) and job_query;
+        end if;
+      end loop;
       if reset = '1' then
         leaves <= (others => '0');
       end if;

@@ -1,14 +1,16 @@
-//! One job after the other: what is done with its pose, what the running query has in its registers, and why it ends.
+//! Jobs and queries in flight: which are taken, checked, started and reported, in which order, and why they end.
 
 use super::*;
-use efsat::engine::format::EngineFormat;
 use efsat::engine::params::ADDRESS_BITS;
 use efsat::engine::words::{QueryFlags, Reason};
+use std::collections::VecDeque;
 
 /// Addresses in memory.
 const LINES: u64 = 1 << ADDRESS_BITS;
-/// Clocks in which something has to happen.
-const PATIENCE: usize = 60;
+/// Clocks in which a report has to come.
+const PATIENCE: usize = 2000;
+/// Lanes of the engine that is tested.
+const LANES: usize = 4;
 
 /// A job, and what it says of a query.
 struct Job {
@@ -48,22 +50,13 @@ impl Job {
         }
         words[4] &= !(1 << QueryFlags::KEEP_CACHES);
         words[4] |= u64::from(!seldom(rng, 6)) << QueryFlags::KEEP_CACHES;
-        // Entries of the matrix that fit, and some that do not.
-        for word in &mut words[7..13] {
-            if seldom(rng, 2) {
-                *word = (*word & 0x1fff_ffff_1fff_ffff) ^ if seldom(rng, 2) { 0xf000_0000_f000_0000 } else { 0 };
-            }
-        }
-        // One below the least, with digits that are cut off.
-        if seldom(rng, 3) {
-            words[8] = 0xf000_0000_f000_07ff;
-        }
         let (number, short, reason) = (
-            rng.random_range(0..QueryFlags::NUMBERS),
+            // So few that some come twice.
+            rng.random_range(0..4),
             posed && !query,
             if posed { 0 } else { 6 + rng.random_range(0..3) },
         );
-        Self { query, posed, short, reason, number: number.into(), words }
+        Self { query, posed, short, reason, number, words }
     }
 
     fn offer(&self, entity: &mut Entity) {
@@ -77,7 +70,6 @@ impl Job {
         ] {
             entity.set(port, value);
         }
-        entity.set_words("job_words", &self.words);
     }
 
     fn bases(&self) -> [u64; 2] {
@@ -93,337 +85,409 @@ impl Job {
         let empty = halves(self.words[2]).contains(&0);
         if outside { Some(Reason::Memory) } else { empty.then_some(Reason::BadTree) }
     }
+}
 
-    fn number_of_pose(&self, i: usize) -> i64 {
-        i64::from(halves(self.words[7 + i / 2])[i % 2] as u32 as i32)
-    }
-
-    /// The registers of the running query.
-    fn is_held(&self, entity: &Entity, format: &EngineFormat, clock: usize) -> Outcome {
-        let expect = |port: &str, value: u64| expect(entity.get(port) == value, clock, port);
-        for (i, name) in ["block_base", "triangle_base", "block_count", "triangle_count"].into_iter().enumerate() {
-            let [a, b] = halves(self.words[i]);
-            expect(&format!("{name}_a"), a)?;
-            expect(&format!("{name}_b"), b)?;
-        }
-        let options = self.words[4];
-        expect("most_expansions", halves(options)[0])?;
-        for (port, bit) in [
-            ("stop_at_contact", QueryFlags::FIRST_CONTACT),
-            ("separate_too", QueryFlags::ALL_PAIRS),
-            ("leaves_only", QueryFlags::LEAF_PAIRS),
-        ] {
-            expect(port, options >> bit & 1)?;
-        }
-        expect("query_errors", self.words[5] & 0xffff_ffff_ffff)?;
-        let bits = |words: &[u64], low: usize, count: usize| {
-            (0..count).fold(0, |value, i| value | (words[(low + i) / 64] >> ((low + i) % 64) & 1) << i)
-        };
-        let (pose, shift, rows) = (entity.words("query_pose"), entity.words("query_shift"), entity.words("query_rows"));
-        let most = (1 << (format.origin_bits - 1)) - 1;
-        for i in 0..9 {
-            let entry = (self.number_of_pose(i) >> format.matrix_shift()).clamp(-most, most);
-            let width = format.origin_bits as usize;
-            super::expect(bits(&pose, width * i, width) == entry as u64 & ((1 << width) - 1), clock, "query_pose")?;
-        }
-        let width = 32 - format.translation_shift() as usize;
-        for i in 0..3 {
-            let number = self.number_of_pose(9 + i) >> format.translation_shift();
-            super::expect(bits(&shift, width * i, width) == number as u64 & ((1 << width) - 1), clock, "query_shift")?;
-        }
-        let width = (format.rest_at() + format.rest_bits()) as usize;
-        for direction in 0..format.k() as usize {
-            let row = self.words[13 + direction] & ((1 << width) - 1);
-            super::expect(bits(&rows, width * direction, width) == row, clock, "query_rows")?;
-        }
-        Ok(())
-    }
+/// A job that has a lane.
+struct Lane {
+    job: Job,
+    /// Checked, and started if it can be.
+    admitted: bool,
+    started: bool,
+    /// Why it ends, once that is known.
+    reason: Option<u64>,
+    stopped: bool,
+    /// Nothing is to be done any more.
+    idle: bool,
 }
 
 struct Control<'a> {
     entity: &'a mut Entity,
     rng: ChaCha8Rng,
-    format: EngineFormat,
     clock: usize,
+    /// From the oldest on.
+    lanes: VecDeque<Lane>,
+    oldest: usize,
+    job: Option<Job>,
+    /// The job that waits is to be stopped.
+    stopped: bool,
     /// Objects that the caches hold.
     known: Option<[u64; 2]>,
+    /// Clocks that the caches are still at it, after the pulse.
+    flushing: Option<u32>,
+    /// What memory does wrong, and whether old bursts are under way.
+    error: Option<Reason>,
+    draining: bool,
+    reporting: bool,
+    aborting: bool,
+    /// When pairs of packets were last in the unit, and when the last report was.
+    unit_busy: usize,
+    reported: usize,
+    reports: u32,
+    aborts: u32,
+    /// The most queries that were started.
+    together: usize,
 }
 
 impl Control<'_> {
+    fn expect(&self, holds: bool, what: &str) -> Outcome {
+        expect(holds, self.clock, what)
+    }
+
+    fn number(&self, age: usize) -> usize {
+        (self.oldest + age) % LANES
+    }
+
+    /// A bit for each lane, and for those without a job.
+    fn flags(&self, of: impl Fn(&Lane) -> bool, without: bool) -> u64 {
+        let all: u64 = if without { (1 << LANES) - 1 } else { 0 };
+        self.lanes.iter().enumerate().fold(all, |flags, (age, lane)| {
+            let bit = 1 << self.number(age);
+            if of(lane) { flags | bit } else { flags & !bit }
+        })
+    }
+
+    /// The oldest that is not admitted.
+    fn next(&self) -> Option<usize> {
+        self.lanes.iter().position(|lane| !lane.admitted)
+    }
+
+    /// Events of this clock, each of one lane: what control sees of the queries.
+    fn events(&mut self) -> [u64; 3] {
+        let mut events = [0; 3];
+        for (age, lane) in self.lanes.iter_mut().enumerate() {
+            let bit = 1 << ((self.oldest + age) % LANES);
+            if !lane.started || lane.idle || !seldom(&mut self.rng, 30) {
+                continue;
+            }
+            match self.rng.random_range(0..4) {
+                0 => events[0] |= bit,
+                1 => events[1] |= bit,
+                2 if age == 0 => events[2] = 1,
+                _ => lane.idle = true,
+            }
+        }
+        events
+    }
+
+    /// What a clock makes of the reasons.
+    fn reasons(&mut self, [bad, limit, contact]: [u64; 3]) {
+        let reporting = self.reporting;
+        for (age, lane) in self.lanes.iter_mut().enumerate() {
+            let bit = 1 << ((self.oldest + age) % LANES);
+            if !lane.started || lane.reason.is_some() || (age == 0 && reporting) {
+                continue;
+            }
+            let due = [
+                (bad & bit > 0, Reason::BadTree),
+                (contact == 1 && age == 0, Reason::Contact),
+                (limit & bit > 0, Reason::Limit),
+                (lane.stopped, Reason::Stopped),
+            ];
+            lane.reason = due.into_iter().find(|(found, _)| *found).map(|(_, reason)| reason as u64);
+        }
+    }
+
+    /// Of those with its number a stop ends the oldest that is not reported, or the job that waits.
+    fn stop(&mut self, number: u64) {
+        let reporting = self.reporting;
+        let mut lanes = self.lanes.iter_mut().enumerate();
+        let runs =
+            |(age, lane): &(usize, &mut Lane)| lane.job.query && lane.job.number == number && !(*age == 0 && reporting);
+        if let Some((_, lane)) = lanes.find(runs) {
+            lane.stopped = true;
+        } else if self.job.as_ref().is_some_and(|job| job.query && job.number == number) {
+            self.stopped = true;
+        }
+    }
+
+    fn clock(&mut self) -> Outcome {
+        let rng = &mut self.rng;
+        // Pairs of packets may be in the unit while there is no job.
+        let unit_busy = self.lanes.is_empty() && self.job.is_none() && seldom(rng, 3);
+        if unit_busy {
+            self.unit_busy = self.clock;
+        }
+        if self.job.is_none() && !unit_busy && seldom(rng, 12) {
+            let job = Job::new(rng, 31);
+            job.offer(self.entity);
+            self.job = Some(job);
+        }
+        if self.job.is_none() {
+            self.entity.set("job_valid", 0);
+        }
+        let started = self.lanes.front().is_some_and(|lane| lane.started);
+        if self.error.is_none() && started && seldom(rng, 150) {
+            self.error = Some(if seldom(rng, 2) { Reason::Memory } else { Reason::Silent });
+        }
+        let silent = self.error == Some(Reason::Silent);
+        if self.draining && !silent && seldom(rng, 20) {
+            self.draining = false;
+        }
+        let reads = !seldom(rng, 3);
+        let (stops, stop) = (seldom(rng, 25), rng.random_range(0..4));
+        for lane in &mut self.lanes {
+            // A job that is no query, or a query that is not started, waits for its pose alone.
+            lane.idle |= !lane.started && seldom(rng, 4);
+        }
+        let events = self.events();
+        let idle = self.flags(|lane| lane.idle, !unit_busy);
+        let report_done = self.reporting && seldom(&mut self.rng, 5);
+        for (port, value) in [
+            ("idle", idle),
+            ("bad_tree", events[0]),
+            ("limit_reached", events[1]),
+            ("contact", events[2]),
+            ("stop", stops.into()),
+            ("stop_number", stop),
+            ("reads", reads.into()),
+            ("memory_error", u64::from(self.error == Some(Reason::Memory))),
+            ("memory_silent", silent.into()),
+            ("memory_draining", self.draining.into()),
+            ("flushing", u64::from(self.flushing.is_some_and(|clocks| clocks > 0))),
+            ("report_done", report_done.into()),
+        ] {
+            self.entity.set(port, value);
+        }
+        self.entity.settle();
+        let checked = (self.entity.get("checked_lane") as usize + LANES - self.oldest) % LANES;
+        if let Some(lane) = self.lanes.get(checked) {
+            self.entity.set_words("checked", &lane.job.words);
+        }
+        self.entity.settle();
+        if self.entity.is("start") {
+            self.starts()?;
+            let idle = self.flags(|lane| lane.idle, !unit_busy);
+            self.entity.set("idle", idle);
+            self.entity.settle();
+        }
+        self.outputs()?;
+        if seldom(&mut self.rng, 400) {
+            return self.forget();
+        }
+        self.flow(reads, events)?;
+        if stops {
+            self.stop(stop);
+        }
+        if self.entity.is("job_taken") {
+            let job = self.job.take().ok_or(format!("clock {}: a job from nowhere", self.clock))?;
+            let lane = self.number(self.lanes.len()) as u64;
+            self.expect(self.lanes.len() < LANES && self.entity.get("job_lane") == lane, "job_lane")?;
+            let free = !self.lanes.is_empty() || self.clock >= self.unit_busy + 3;
+            self.expect(free, "a job while a pair of a packet is in the unit")?;
+            let beside = self.lanes.is_empty() || (job.query && self.lanes.iter().all(|lane| lane.job.query));
+            self.expect(beside, "another job beside queries")?;
+            let (admitted, stopped, reason) = (!job.query, self.stopped, (!job.query).then_some(job.reason));
+            self.lanes.push_back(Lane { job, admitted, started: false, reason, stopped, idle: false });
+            self.stopped = false;
+        }
+        if report_done {
+            self.lanes.pop_front();
+            self.oldest = (self.oldest + 1) % LANES;
+            self.reporting = false;
+            self.reports += 1;
+            self.reported = self.clock;
+        }
+        self.edge();
+        self.expect(self.clock < self.reported + PATIENCE, "no report any more")
+    }
+
+    /// What is set all the time.
+    fn outputs(&mut self) -> Outcome {
+        if self.entity.is("report_due") && !self.reporting {
+            self.report()?;
+        }
+        let front = |lane: &Lane| self.reporting && std::ptr::eq(lane, &self.lanes[0]);
+        for (port, due) in [
+            ("started", self.flags(|lane| lane.started, false)),
+            ("ending", self.flags(|lane| !lane.started || lane.reason.is_some(), true)),
+            ("posed", self.flags(|lane| lane.job.posed, false)),
+            ("counting", self.flags(|lane| lane.job.query && !front(lane), false)),
+            ("oldest", self.oldest as u64),
+            ("running", u64::from(!self.lanes.is_empty())),
+            ("report_due", self.reporting.into()),
+            ("abort", self.aborting.into()),
+        ] {
+            self.expect(self.entity.get(port) == due, port)?;
+        }
+        let dropping = self.lanes.front().is_some_and(|lane| lane.started && lane.reason.is_some());
+        self.expect(self.entity.is("dropping") == dropping, "dropping")?;
+        let busy = !self.lanes.is_empty() || self.job.is_some();
+        self.expect(self.entity.is("busy") || !busy, "busy")?;
+        self.together = self.together.max(self.lanes.iter().filter(|lane| lane.started).count());
+        Ok(())
+    }
+
+    /// A query starts: the next one, with caches that hold its objects.
+    fn starts(&mut self) -> Outcome {
+        let age = self.next().ok_or(format!("clock {}: a start of no query", self.clock))?;
+        self.expect(self.entity.get("start_lane") == self.number(age) as u64, "start_lane")?;
+        let job = &self.lanes[age].job;
+        self.expect(job.refused().is_none(), "a start of a query that is refused")?;
+        self.expect(self.entity.get("most_expansions") == halves(job.words[4])[0], "most_expansions")?;
+        let keeps = self.known == Some(job.bases()) && job.words[4] >> QueryFlags::KEEP_CACHES & 1 == 1;
+        self.expect(keeps != self.flushing.is_some(), "caches that are emptied where they have to be")?;
+        self.expect(
+            self.flushing.is_none_or(|clocks| clocks == 0) && !self.draining,
+            "a start before caches are empty",
+        )?;
+        (self.known, self.flushing) = (Some(job.bases()), None);
+        let lane = &mut self.lanes[age];
+        (lane.admitted, lane.started, lane.idle) = (true, true, false);
+        Ok(())
+    }
+
+    /// The report of the oldest begins.
+    fn report(&mut self) -> Outcome {
+        self.expect(!self.lanes.is_empty(), "a report of nothing")?;
+        if !self.lanes[0].admitted {
+            // What is refused does not start.
+            let lane = &mut self.lanes[0];
+            let silent = self.flushing.is_some().then_some(Reason::Silent);
+            let reason =
+                lane.job.refused().or(silent).ok_or(format!("clock {}: a report before its query", self.clock))?;
+            (lane.admitted, lane.reason) = (true, Some(reason as u64));
+            (self.known, self.flushing) = (None, None);
+        }
+        let lane = &self.lanes[0];
+        self.expect(lane.idle, "a report of a query that works")?;
+        for (port, due) in
+            [("reason", lane.reason.unwrap_or(0)), ("number", lane.job.number), ("short", lane.job.short.into())]
+        {
+            self.expect(self.entity.get(port) == due, port)?;
+        }
+        self.reporting = true;
+        Ok(())
+    }
+
+    /// Flushes, reasons, and what memory does wrong.
+    fn flow(&mut self, reads: bool, events: [u64; 3]) -> Outcome {
+        if let Some(clocks) = &mut self.flushing {
+            *clocks = clocks.saturating_sub(1);
+        }
+        if self.entity.is("flush") {
+            self.expect(self.next() == Some(0) && self.flushing.is_none(), "a flush while older queries read")?;
+            self.flushing = Some(self.rng.random_range(1..6));
+        }
+        // A query behind others is refused without a word: it is admitted, and the next one is looked at.
+        let checked = (self.entity.get("checked_lane") as usize + LANES - self.oldest) % LANES;
+        while let Some(age) =
+            self.next().filter(|&age| age < checked || (checked == 0 && self.lanes.len() == LANES && age > 0))
+        {
+            let silent = self.flushing.take().map(|_| Reason::Silent);
+            let refused = self.lanes[age].job.refused().or(silent);
+            self.expect(refused.is_some(), "a query that is left out")?;
+            (self.lanes[age].admitted, self.lanes[age].reason) = (true, refused.map(|reason| reason as u64));
+            self.known = None;
+        }
+        let before = self.lanes.front().and_then(|lane| lane.reason);
+        self.reasons(events);
+        let reporting = self.reporting;
+        if std::mem::take(&mut self.aborting) {
+            let error = self.error;
+            self.lanes[0].idle = true;
+            for lane in self.lanes.iter_mut().skip(1) {
+                (lane.admitted, lane.started, lane.reason) = (false, false, None);
+            }
+            (self.known, self.flushing) = (None, None);
+            // Silence may go on.
+            self.draining = seldom(&mut self.rng, 2);
+            if error == Some(Reason::Memory) || !self.draining || seldom(&mut self.rng, 2) {
+                self.error = None;
+            }
+            self.aborts += 1;
+        } else if let (Some(lane), Some(error)) = (self.lanes.front_mut(), self.error)
+            && lane.started
+            && reads
+            && !reporting
+        {
+            // Events of this clock come too late.
+            lane.reason = lane.reason.filter(|_| before.is_some()).or(Some(error as u64));
+            self.aborting = true;
+        }
+        Ok(())
+    }
+
     fn edge(&mut self) {
         self.entity.clock();
         self.clock += 1;
     }
 
-    fn expect(&self, holds: bool, what: &str) -> Outcome {
-        expect(holds, self.clock, what)
-    }
-
-    /// Clocks until an output is set, with a look at each before.
-    fn until(&mut self, port: &str, each: impl Fn(&mut Self) -> Outcome) -> Outcome {
-        for _ in 0..PATIENCE {
-            self.entity.settle();
-            if self.entity.is(port) {
-                return Ok(());
-            }
-            each(self)?;
-            self.edge();
-        }
-        Err(format!("clock {}: never {port}", self.clock))
-    }
-
-    /// Some clocks, with a look at each.
-    fn during(&mut self, clocks: usize, each: impl Fn(&mut Self) -> Outcome) -> Outcome {
-        for _ in 0..clocks {
-            self.entity.settle();
-            each(self)?;
-            self.edge();
-        }
-        Ok(())
-    }
-
-    fn none_of(&self, ports: &[&str]) -> Outcome {
-        ports.iter().try_for_each(|port| self.expect(!self.entity.is(port), port))
-    }
-
-    /// A job is taken when nothing is under way, and its pose is given away once, before.
-    /// Whether it is to be stopped.
-    fn take(&mut self, job: &Job) -> Result<bool, String> {
-        for _ in 0..self.rng.random_range(0..6) {
-            // A stop has nothing to end, whatever its number.
-            let stop = u64::from(seldom(&mut self.rng, 3));
-            self.entity.set("stop", stop);
-            self.entity.set("stop_number", job.number);
-            self.entity.settle();
-            self.none_of(&["busy", "running", "start", "report_due", "pose_valid", "job_taken", "dropping"])?;
-            self.expect(self.entity.is("ending") && self.entity.is("separate_too"), "while no query runs")?;
-            self.edge();
-        }
-        self.entity.set("stop", 0);
-        self.entity.set("idle", 0);
-        // Pairs of packets are in the unit for two clocks before the job comes.
-        self.during(2, |_| Ok(()))?;
-        job.offer(self.entity);
-        let clocks = self.rng.random_range(0..4);
-        self.during(clocks, |control| {
-            control.none_of(&["pose_valid", "job_taken", "start", "report_due"])?;
-            control.expect(control.entity.is("busy"), "busy")
-        })?;
-        self.entity.set("idle", 1);
-        let (mut given, mut stopped) = (0, false);
-        for _ in 0..PATIENCE {
-            let ready = u64::from(seldom(&mut self.rng, 3));
-            self.entity.set("pose_ready", ready);
-            // For the job that waits, or for another one.
-            let own = job.query && seldom(&mut self.rng, 30);
-            let other = job.number ^ 1 << self.rng.random_range(0..QueryFlags::NUMBER_BITS);
-            self.entity.set("stop", u64::from(own || seldom(&mut self.rng, 4)));
-            self.entity.set("stop_number", if own { job.number } else { other });
-            stopped |= own;
-            self.entity.settle();
-            self.expect(self.entity.is("busy"), "busy")?;
-            self.none_of(&["start", "report_due", "running"])?;
-            if self.entity.is("job_taken") {
-                self.expect(given == u32::from(job.posed), "the pose is given once")?;
-                self.edge();
-                self.entity.set("pose_ready", 0);
-                self.entity.set("stop", 0);
-                // The next job is shifted into the same register.
-                self.entity.set("job_valid", 0);
-                self.entity.set_words("job_words", &vec![0x5555_5555_5555_5555; job.words.len()]);
-                return Ok(stopped);
-            }
-            given += u32::from(self.entity.is("pose_valid") && ready == 1);
-            self.edge();
-        }
-        Err(format!("clock {}: the job is never taken", self.clock))
-    }
-
-    /// A query from its check to its end; the reason.
-    fn query(&mut self, job: &Job, stopped: bool) -> Result<u64, String> {
-        self.entity.set("idle", 1);
-        if let Some(reason) = job.refused() {
-            self.until("report_due", |control| control.none_of(&["start", "flush", "abort"]))?;
-            // The registers now have the bases of this query, whose objects were never in the caches.
-            self.known = None;
-            return Ok(reason as u64);
-        }
-        let flushes = self.known != Some(job.bases()) || job.words[4] >> QueryFlags::KEEP_CACHES & 1 == 0;
-        if flushes {
-            self.until("flush", |control| control.none_of(&["start", "report_due"]))?;
-            self.edge();
-            self.entity.set("flushing", 1);
-            let clocks = self.rng.random_range(1..5);
-            self.during(clocks, |control| control.none_of(&["start", "report_due", "flush"]))?;
-            // Old bursts may be under way for longer than the caches take, and for ever.
-            if self.known.is_none() && seldom(&mut self.rng, 2) {
-                self.entity.set("memory_draining", 1);
-                self.entity.set("flushing", 0);
-                self.during(5, |control| control.none_of(&["start", "report_due", "flush"]))?;
-                if seldom(&mut self.rng, 2) {
-                    self.entity.set("memory_silent", 1);
-                    self.until("report_due", |control| control.none_of(&["start", "flush", "abort"]))?;
-                    self.entity.set("memory_silent", 0);
-                    self.entity.set("memory_draining", 0);
-                    return Ok(Reason::Silent as u64);
-                }
-                self.entity.set("memory_draining", 0);
-            }
-            self.entity.set("flushing", 0);
-        }
-        self.until("start", |control| control.none_of(&["report_due", "flush"]))?;
-        self.known = Some(job.bases());
-        self.expect(self.entity.is("running") && !self.entity.is("ending"), "a query that runs")?;
-        job.is_held(self.entity, &self.format, self.clock)?;
-        self.entity.set("idle", 0);
-        self.during(1, |_| Ok(()))?;
-        if stopped {
-            self.until("ending", |control| control.none_of(&["report_due"]))?;
-            self.entity.set("idle", 1);
-            self.until("report_due", |control| control.none_of(&["abort"]))?;
-            return Ok(Reason::Stopped as u64);
-        }
-        // A stop for another query, which may be that which waits behind this one.
-        self.entity.set("stop_number", job.number ^ 1 << self.rng.random_range(0..QueryFlags::NUMBER_BITS));
-        self.entity.set("stop", 1);
-        self.during(1, |_| Ok(()))?;
-        self.entity.set("stop", 0);
-        let clocks = self.rng.random_range(1..8);
-        self.during(clocks, |control| control.none_of(&["start", "report_due", "ending", "dropping", "abort"]))?;
-        self.entity.set("stop_number", job.number);
-        self.end()
-    }
-
-    /// Ends the query that runs.
-    fn end(&mut self) -> Result<u64, String> {
-        let events = [
-            ("contact", 1),
-            ("limit_reached", 2),
-            ("bad_tree", 3),
-            ("stop", 5),
-            ("memory_error", 4),
-            ("memory_silent", 9),
-        ];
-        let event = self.rng.random_range(0..=events.len());
-        let Some(&(port, reason)) = events.get(event) else {
-            self.entity.set("idle", 1);
-            self.until("report_due", |control| control.none_of(&["dropping", "abort"]))?;
-            return Ok(0);
-        };
-        self.entity.set(port, 1);
-        if port.starts_with("memory") {
-            // What is idle then does not count, and what memory still owes is not waited for.
-            self.entity.set("idle", u64::from(seldom(&mut self.rng, 2)));
-            self.until("abort", |control| control.none_of(&["report_due"]))?;
-            self.edge();
-            self.entity.set(port, 0);
-            self.entity.settle();
-            self.none_of(&["abort"])?;
-            self.known = None;
-            self.until("report_due", |control| control.none_of(&["abort"]))?;
-            return Ok(reason);
-        }
-        self.during(1, |_| Ok(()))?;
-        self.entity.set(port, 0);
-        // A stop is known a clock later than what the query itself says.
-        let clocks = self.rng.random_range(2..8);
-        self.during(clocks, |control| control.none_of(&["start", "report_due", "abort"]))?;
-        self.entity.settle();
-        self.expect(self.entity.is("ending") && self.entity.is("dropping"), "a query that ends")?;
-        // Another event does not change the reason.
-        let other = ["contact", "bad_tree"][usize::from(port == "contact")];
-        self.entity.set(other, 1);
-        self.during(1, |_| Ok(()))?;
-        self.entity.set(other, 0);
-        self.entity.set("idle", 1);
-        self.until("report_due", |control| control.none_of(&["abort"]))?;
-        Ok(reason)
-    }
-
-    /// A soft reset, in whatever phase: then its report.
+    /// A soft reset: all that is left is its report.
     fn forget(&mut self) -> Outcome {
         let number = self.rng.random_range(0..u64::from(QueryFlags::NUMBERS));
         self.entity.set("forget", 1);
         self.entity.set("forget_number", number);
-        self.during(1, |_| Ok(()))?;
-        for port in ["forget", "forget_number", "flushing", "stop", "pose_ready", "job_valid"] {
-            self.entity.set(port, 0);
-        }
-        self.known = None;
-        self.entity.set("idle", 1);
-        self.until("report_due", |_| Err("something else than a report".to_owned()))?;
-        let (query, posed, short) = (false, false, false);
-        let report = Job { query, posed, short, reason: 0, number, words: vec![] };
-        self.report(&report, Reason::Reset as u64)
-    }
-
-    /// The report of a job, until it is done.
-    fn report(&mut self, job: &Job, reason: u64) -> Outcome {
-        for left in (0..self.rng.random_range(1..6)).rev() {
-            self.entity.set("report_done", u64::from(left == 0));
-            self.entity.settle();
-            self.expect(self.entity.is("report_due") && self.entity.is("busy"), "report_due")?;
-            self.none_of(&["running", "start", "dropping", "job_taken"])?;
-            for (port, value) in [("reason", reason), ("number", job.number), ("short", job.short.into())] {
-                self.expect(self.entity.get(port) == value, port)?;
-            }
-            self.edge();
-        }
         self.entity.set("report_done", 0);
+        self.edge();
+        self.entity.set("forget", 0);
+        let (query, posed, short, reason) = (false, false, false, Reason::Reset as u64);
+        let job = Job { query, posed, short, reason, number, words: vec![0; 31] };
+        let (admitted, started, stopped, idle) = (true, false, false, false);
+        self.lanes = [Lane { job, admitted, started, reason: Some(reason), stopped, idle }].into();
+        (self.job, self.stopped, self.known, self.flushing, self.error) = (None, false, None, None, None);
+        (self.draining, self.reporting, self.aborting) = (false, false, false);
         Ok(())
     }
 }
 
 fn control(entity: &mut Entity) -> Outcome {
-    let format = small(Memory::Axi).format;
-    entity.set("idle", 1);
+    entity.set("idle", (1 << LANES) - 1);
     entity.reset();
-    let length = (format.query_words() - 1) as usize;
-    let mut control = Control { entity, rng: random(12), format, clock: 0, known: None };
-    for _ in 0..150 {
-        let job = Job::new(&mut control.rng, length);
-        if seldom(&mut control.rng, 4) {
-            // At some clock of the job.
-            job.offer(control.entity);
-            control.entity.set("pose_ready", 1);
-            control.entity.set("flushing", u64::from(seldom(&mut control.rng, 2)));
-            control.entity.set("stop_number", job.number);
-            control.entity.set("stop", u64::from(seldom(&mut control.rng, 2)));
-            let clocks = control.rng.random_range(0..14);
-            control.during(clocks, |_| Ok(()))?;
-            control.forget()?;
-            continue;
-        }
-        let stopped = control.take(&job)?;
-        let reason = if job.query { control.query(&job, stopped)? } else { job.reason };
-        control.until("report_due", |_| Ok(()))?;
-        control.report(&job, reason)?;
+    let mut control = Control {
+        entity,
+        rng: random(12),
+        clock: 3,
+        lanes: VecDeque::new(),
+        oldest: 0,
+        job: None,
+        stopped: false,
+        known: None,
+        flushing: None,
+        error: None,
+        draining: false,
+        reporting: false,
+        aborting: false,
+        unit_busy: 0,
+        reported: 0,
+        reports: 0,
+        aborts: 0,
+        together: 0,
+    };
+    while control.clock < 20_000 {
+        control.clock()?;
     }
-    Ok(())
+    let Control { reports, aborts, together, .. } = control;
+    let seen = reports > 200 && aborts > 20 && together == LANES;
+    expect(seen, 20_000, &format!("{reports} reports, {aborts} aborts, {together} queries together"))
 }
 
 #[test]
-fn a_job_is_checked_and_run_and_reported() {
+fn jobs_are_checked_and_run_and_reported() {
     let changes = [
         ("job_due <= job_valid and idle_before when", "job_due <= job_valid when"),
-        ("pose_ready = '1' or job_posed = '0'", "pose_ready = '1' or pose_ready = '0'"),
+        ("job_valid and job_query and asked(to_integer(oldest_lane))", "job_valid and job_query"),
         ("+ resize(counts(i), 33) > 67108864", "+ resize(counts(i), 33) >= 67108864"),
         ("if counts(0) = 0 or counts(1) = 0 then", "if counts(0) = 0 then"),
         ("if flush_now = '0' and flushing = '0' then", "if flushing = '0' then"),
         ("        if known = '0' or bases(0) /=", "        if bases(0) /="),
-        // A stop is for whatever runs, or waits; it is forgotten, or outlives its query.
-        ("stop and running_now when number_now = stop_number else '0'", "stop and running_now"),
-        ("not stops_running when job_number = stop_number else '0'", "not stops_running"),
-        ("stopped <= stopped_waiting or stops_waiting;", "stopped <= stops_waiting;"),
-        ("          stopped_waiting <= '0';\n        end if;", "        end if;"),
-        // What memory owes is not waited for, or without end; a soft reset keeps the caches.
+        ("if admitted_lane = oldest_lane then", "if admitted_lane = admitted_lane then"),
+        // A stop is for whatever runs, for all of a number, or for nobody who waits; a contact for all.
+        ("when numbers(lane) = stop_number and (reporting", "when (reporting"),
+        ("stops(lane) <= stop_match(lane) when stop_from(0) = lane else '0';", "stops(lane) <= stop_match(lane);"),
+        ("stopped(lane) <= stopped_waiting;", "stopped(lane) <= '0';"),
+        ("elsif contact = '1' and oldest_lane = lane then", "elsif contact = '1' then"),
+        // What memory owes is not waited for, or without end; a query ends that does not read; the others go on.
         ("if memory_draining = '1' then", "if memory_draining = '1' and flushing = '1' then"),
         ("            if memory_silent = '1' then\n", "            if flushing = '1' then\n"),
-        ("if (memory_error or memory_silent) = '1' then", "if memory_error = '1' then"),
-        ("next_reason := reason_reset;\n        known <= '0';", "next_reason := reason_reset;"),
-        ("number_now <= forget_number;", "number_now <= job_number;"),
-        ("above /= \"1111\" or cut = \"100000000000000000\"", "above /= \"1111\""),
-        ("if ending_now = '0' then", "if running_now = '1' then"),
+        ("and reads = '1' and (memory_error or memory_silent)", "and (memory_error or memory_silent)"),
+        (
+            "            now_started(lane) := '0';\n            now_reasons(lane) := fine;",
+            "            now_reasons(lane) := fine;",
+        ),
+        ("numbers(lane) <= forget_number;", "numbers(lane) <= job_number;"),
+        ("has_pose(lane) <= '0';\n              stopped(lane) <= '0';", "has_pose(lane) <= '0';"),
     ];
-    tried(&small(Memory::Axi), "engine_control", &changes, control);
+    let design =
+        EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());
+    tried(&design.unwrap(), "engine_control", &changes, control);
 }

@@ -64,9 +64,8 @@ impl Around {
         {
             (query.ending, query.to_come) = (true, 0);
         }
-        let senders: Vec<usize> = (0..LANES)
-            .filter(|&lane| self.lanes[lane].as_ref().is_some_and(|query| query.to_come > 0))
-            .collect();
+        let senders: Vec<usize> =
+            (0..LANES).filter(|&lane| self.lanes[lane].as_ref().is_some_and(|query| query.to_come > 0)).collect();
         let sender = (!senders.is_empty()).then(|| senders[rng.random_range(0..senders.len())]);
         let lane = sender.unwrap_or(0);
         let pair = [rng.random_range(0..1 << 28), rng.random_range(0..1 << 28)];
@@ -165,11 +164,12 @@ impl Around {
         }
         let oldest = self.oldest;
         let done = entity.get("idle") >> oldest & 1 == 1
-            && self.lanes[oldest].as_ref().is_some_and(|query| {
-                query.to_come == 0 && query.open == 0 && query.queue.is_empty()
-            });
+            && self.lanes[oldest]
+                .as_ref()
+                .is_some_and(|query| query.to_come == 0 && query.open == 0 && query.queue.is_empty());
         if done && !pose {
-            let passed = (0..LANES).any(|lane| lane != oldest && self.lanes[lane].as_ref().is_some_and(|query| query.posed));
+            let passed =
+                (0..LANES).any(|lane| lane != oldest && self.lanes[lane].as_ref().is_some_and(|query| query.posed));
             expect(self.query(oldest).posed || passed, clock, "a query is done before the unit has its pose")?;
             entity.set("retire", 1);
             entity.settle();
@@ -203,7 +203,10 @@ fn pairs(entity: &mut Entity) -> Outcome {
 fn pairs_are_asked_for_in_order_and_counted() {
     let changes = [
         ("waiting(lane) = places - 1 then", "waiting(lane) = places - 2 then"),
-        ("head_leaves <= head_valid and (front_ending or request_ready);", "head_leaves <= head_valid and request_ready;"),
+        (
+            "head_leaves <= head_valid and (front_ending or request_ready);",
+            "head_leaves <= head_valid and request_ready;",
+        ),
         ("request_b <= head(27 downto 0);", "request_b <= head(55 downto 28);"),
         // A pose goes in front of older pairs, or pairs go in front of their pose; kinds of queries are mixed.
         ("and not has_pose and not some_of_last;", "and not has_pose;"),
@@ -215,6 +218,7 @@ fn pairs_are_asked_for_in_order_and_counted() {
         ("drops <= ending(to_integer(triangles_of));", "drops <= front_ending;"),
         ("if answered = '1' and unsigned(oldest) = lane then", "if answered = '1' and front_lane = lane then"),
     ];
-    let design = EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());
+    let design =
+        EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());
     tried(&design.unwrap(), "engine_pairs", &changes, pairs);
 }
