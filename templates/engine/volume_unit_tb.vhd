@@ -125,15 +125,13 @@ begin
         end if;
         case kind is
           when 'Q' =>
-            if idle then
 {%- for word in words %}
 {%- if word.query %}
-              read_word(l, {{ word.name }}_word);
-              {{ word.name }} <= {{ word.name }}_word;
+            read_word(l, {{ word.name }}_word);
+            {{ word.name }} <= {{ word.name }}_word;
 {%- endif %}
 {%- endfor %}
-              kind := ' ';
-            end if;
+            kind := ' ';
           when 'E' =>
             if sent < full_speed or random(1 downto 0) = 0 then
 {%- for word in words %}

@@ -37,8 +37,8 @@ fn a_query_after_a_soft_reset_is_right() {
     let changes = [
         // It forgets bursts; it does not say so; what works on the query goes on.
         ("engine_read_master.vhd", "draining_now <= '1';", "draining_now <= '0';"),
-        ("engine_control.vhd", "next_reason := reason_reset;", "next_phase := waiting_state;"),
-        ("efsat_engine.vhd", "restart <= reset or forget or abort;", "restart <= reset or abort;"),
+        ("engine_control.vhd", "now_reasons(lane) := reason_reset;", "now_occupied(lane) := '0';"),
+        ("efsat_engine.vhd", "restart <= forgotten or abort;", "restart <= reset or abort;"),
     ];
     let options = options([160, 200]);
     let unnoticed: Vec<&str> = share(3, changes)
@@ -94,7 +94,7 @@ fn a_memory_that_does_not_answer_ends_queries() {
             "            if memory_silent = '1' then\n",
             "            if memory_silent = '0' then\n",
         ),
-        ("engine_control.vhd", "if (memory_error or memory_silent) = '1' then", "if memory_error = '1' then"),
+        ("engine_control.vhd", "and (memory_error or memory_silent) = '1' then", "and memory_error = '1' then"),
         (
             "engine_read_master.vhd",
             "elsif silence = watchdog - 1 then",
