@@ -369,8 +369,8 @@ begin
     port map (
       clk => aclk,
       reset => forgotten,
-      write => job_taken,
-      write_lane => job_lane,
+      store => job_taken,
+      store_lane => job_lane,
       job_words => job_words,
       job_query => job_query,
       retire => retire,

@@ -16,8 +16,8 @@ entity {{ prefix }}engine_queries is
   port (
     clk : in std_logic;
     reset : in std_logic;  -- also a soft reset
-    write : in std_logic;
-    write_lane : in std_logic_vector(lane_bits - 1 downto 0);
+    store : in std_logic;
+    store_lane : in std_logic_vector(lane_bits - 1 downto 0);
     job_words : in std_logic_vector(job_bits - 1 downto 0);
     job_query : in std_logic;
     retire : in std_logic;  -- the oldest is done
@@ -111,19 +111,19 @@ begin
   keep : process (clk)
   begin
     if rising_edge(clk) then
-      if write = '1' then
-        head(to_integer(unsigned(write_lane))) <= job_words(head_bits - 1 downto 0);
-        pose_memory(to_integer(unsigned(write_lane))) <= job_words(job_pose);
-        matrix(to_integer(unsigned(write_lane))) <= new_matrix;
-        shift(to_integer(unsigned(write_lane))) <= new_shift;
-        shift_error(to_integer(unsigned(write_lane))) <= job_words(job_errors);
-        row(to_integer(unsigned(write_lane))) <= new_rows;
+      if store = '1' then
+        head(to_integer(unsigned(store_lane))) <= job_words(head_bits - 1 downto 0);
+        pose_memory(to_integer(unsigned(store_lane))) <= job_words(job_pose);
+        matrix(to_integer(unsigned(store_lane))) <= new_matrix;
+        shift(to_integer(unsigned(store_lane))) <= new_shift;
+        shift_error(to_integer(unsigned(store_lane))) <= job_words(job_errors);
+        row(to_integer(unsigned(store_lane))) <= new_rows;
       end if;
       for lane in 0 to lanes - 1 loop
         if retire = '1' and unsigned(oldest) = lane then
           leaves(lane) <= '0';
         end if;
-        if write = '1' and unsigned(write_lane) = lane then
+        if store = '1' and unsigned(store_lane) = lane then
           leaves(lane) <= new_options(option_leaves) and job_query;
         end if;
       end loop;

@@ -418,6 +418,7 @@ impl Control<'_> {
         self.entity.set("forget", 1);
         self.entity.set("forget_number", number);
         self.entity.set("report_done", 0);
+        self.entity.settle();
         self.edge();
         self.entity.set("forget", 0);
         let (query, posed, short, reason) = (false, false, false, Reason::Reset as u64);

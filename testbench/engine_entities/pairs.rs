@@ -124,8 +124,7 @@ impl Around {
             expect(self.lanes[front].is_some(), clock, "a pose of no query")?;
             let older = self.asked.iter().any(|&(lane, _)| lane != front);
             expect(!older, clock, "a pose in front of pairs of an older query")?;
-            entity.settle();
-            if entity.is("pose_valid") && entity.input("pose_ready") {
+            if entity.input("pose_ready") {
                 self.pose = Some(front);
                 self.query(front).posed = true;
             }
@@ -172,10 +171,10 @@ impl Around {
                 (0..LANES).any(|lane| lane != oldest && self.lanes[lane].as_ref().is_some_and(|query| query.posed));
             expect(self.query(oldest).posed || passed, clock, "a query is done before the unit has its pose")?;
             entity.set("retire", 1);
-            entity.settle();
             self.lanes[oldest] = None;
             self.oldest = (oldest + 1) % LANES;
         }
+        entity.settle();
         entity.clock();
         Ok(())
     }

@@ -75,8 +75,8 @@ fn queries(entity: &mut Entity) -> Outcome {
         let words = job(&mut rng, length);
         entity.set_words("job_words", &words);
         for (port, value) in [
-            ("write", write.into()),
-            ("write_lane", lane as u64),
+            ("store", write.into()),
+            ("store_lane", lane as u64),
             ("job_query", query.into()),
             ("retire", retire.into()),
         ] {

@@ -12,6 +12,8 @@ type Links = [u32; 2];
 struct Tree {
     blocks: Vec<Links>,
     triangles: u32,
+    /// A block that has another tag.
+    spoiled: Option<u32>,
 }
 
 /// Nodes of a pair: a block, and which of its children are meant.
@@ -31,7 +33,7 @@ struct Found {
 impl Tree {
     /// So many levels at most; children are missing at times.
     fn new(rng: &mut ChaCha8Rng, height: u32) -> Self {
-        let mut tree = Self { blocks: vec![], triangles: 0 };
+        let mut tree = Self { blocks: vec![], triangles: 0, spoiled: None };
         tree.node(rng, height);
         tree
     }
@@ -40,7 +42,7 @@ impl Tree {
     fn chain(height: u32) -> Self {
         let leaf = |number| 1 << LEAF_BIT | number;
         let link = |block| [if block + 1 < height { block + 1 } else { leaf(height) }, leaf(block)];
-        Self { blocks: (0..height).map(link).collect(), triangles: height + 1 }
+        Self { blocks: (0..height).map(link).collect(), triangles: height + 1, spoiled: None }
     }
 
     fn node(&mut self, rng: &mut ChaCha8Rng, height: u32) -> u32 {
@@ -77,7 +79,7 @@ impl Tree {
         let [left, right] = self.blocks[block as usize].map(u64::from);
         let mut words = vec![0; 8];
         words[0] = right << 32 | left;
-        let tag = u128::from(layout.tag) << (layout.tag_at % 64);
+        let tag = u128::from(layout.tag ^ u32::from(self.spoiled == Some(block))) << (layout.tag_at % 64);
         words[layout.tag_at as usize / 64] |= tag as u64;
         words[layout.tag_at as usize / 64 + 1] |= (tag >> 64) as u64;
         words
@@ -115,6 +117,8 @@ struct Query {
 impl Query {
     fn expand(&self, [a, b]: [Node; 2], level: u32, found: &mut Found) {
         found.expansions += 1;
+        found.wrong +=
+            [a, b].iter().zip(&self.trees).filter(|(node, tree)| tree.spoiled == Some(node.0)).count() as u64;
         let there =
             |tree: &Tree, (block, meant): Node| [0, 1].map(|i| meant[i] && tree.blocks[block as usize][i] != NO_CHILD);
         let (in_a, in_b) = (there(&self.trees[0], a), there(&self.trees[1], b));
@@ -390,8 +394,11 @@ fn query(rng: &mut ChaCha8Rng, round: u32, deepest: u32) -> (Query, u32) {
     if chains {
         trees = [Tree::chain(deepest + 3), Tree::chain(deepest + 3)];
     }
-    if !chains && seldom(rng, 2) {
-        trees[usize::from(rng.random::<bool>())].damage(rng);
+    let side = usize::from(rng.random::<bool>());
+    match rng.random_range(0..4) {
+        0 | 1 if !chains => trees[side].damage(rng),
+        2 if !chains => trees[side].spoiled = Some(rng.random_range(0..trees[side].blocks.len() as u32)),
+        _ => {}
     }
     let query = Query { trees, seed: (!chains).then(|| rng.random()), deepest };
     let expansions = query.found().expansions as u32;
