@@ -106,7 +106,7 @@ option_set! {
     /// Lines of the caches of triangles, half for each mesh; with --memory block-ram the triangles of both meshes
     "triangle-lines" triangle_lines: u32 = 256,
         [value_name = "N", value_parser = one_of(LINES), allow_negative_numbers = true];
-    /// Queries in flight: while the oldest ends, the next ones begin
+    /// Queries in flight, 2 or 4: while the oldest ends, the next ones begin
     "queries" queries: u32 = 2,
         [value_name = "N", value_parser = one_of(QUERIES), allow_negative_numbers = true];
     /// Pairs of nodes in flight, 1 to 64; fewer wait longer for memory
