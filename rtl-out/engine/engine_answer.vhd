@@ -41,13 +41,20 @@ entity engine_answer is
     report_done : out std_logic;  -- its last word is on its way
     reason : in std_logic_vector(4 downto 0);
     number : in std_logic_vector(23 downto 0);
-    -- Counters: cleared before a query, then one more in each clock in which the event is set.
-    clear : in std_logic;
-    running : in std_logic;
+    -- Counters of each lane: cleared before its query, then so many more in each clock. The report has those of the oldest.
+    oldest : in std_logic_vector(lane_bits - 1 downto 0);
+    clear : in std_logic_vector(lanes - 1 downto 0);
+    counting : in std_logic_vector(lanes - 1 downto 0);  -- clocks
     expanded : in std_logic;
-    tested : in std_logic_vector(2 downto 0);  -- so many more
-    survived : in std_logic_vector(1 downto 0);  -- so many more
+    expanded_lane : in std_logic_vector(lane_bits - 1 downto 0);
+    tested : in std_logic_vector(2 downto 0);
+    tested_lane : in std_logic_vector(lane_bits - 1 downto 0);
+    survived : in std_logic_vector(1 downto 0);
+    survived_lane : in std_logic_vector(lane_bits - 1 downto 0);
     paired : in std_logic;
+    paired_lane : in std_logic_vector(lane_bits - 1 downto 0);
+    -- Counters of what all queries in flight do from one report to the next: one more in each clock in which the event is set.
+    renew : in std_logic;  -- they begin again
     block_reads : in std_logic_vector(1 downto 0);  -- of A, of B
     triangles_asked : in std_logic;  -- one of A and one of B
     triangle_reads : in std_logic_vector(1 downto 0);
@@ -91,24 +98,31 @@ architecture rtl of engine_answer is
   signal ends : std_logic;  -- it is the last one
   signal incomplete : std_logic;
 
-  type counter_values is array (0 to 14) of unsigned(31 downto 0);
+  type lane_counts is array (0 to lanes - 1) of unsigned(31 downto 0);
+  signal clocks : lane_counts := (others => (others => '0'));
+  signal expansions : lane_counts := (others => (others => '0'));
+  signal tests : lane_counts := (others => (others => '0'));
+  signal survivors : lane_counts := (others => (others => '0'));
+  signal pairs : lane_counts := (others => (others => '0'));
+  -- Of the oldest query, a clock later: its last pair is answered after that.
+  signal clocks_now : unsigned(31 downto 0) := (others => '0');
+  signal expansions_now : unsigned(31 downto 0) := (others => '0');
+  signal tests_now : unsigned(31 downto 0) := (others => '0');
+  signal survivors_now : unsigned(31 downto 0) := (others => '0');
+  signal pairs_now : unsigned(31 downto 0) := (others => '0');
+  type counter_values is array (0 to 9) of unsigned(31 downto 0);
   signal counter : counter_values := (others => (others => '0'));
-  signal steps : std_logic_vector(14 downto 0);
-  constant clocks_at : natural := 0;
-  constant expansions_at : natural := 1;
-  constant tests_at : natural := 2;
-  constant survivors_at : natural := 3;
-  constant pairs_at : natural := 4;
-  constant intersect_at : natural := 5;
-  constant incorrect_at : natural := 6;
-  constant blocks_a_read_at : natural := 7;
-  constant blocks_b_read_at : natural := 8;
-  constant triangles_asked_at : natural := 9;
-  constant triangles_a_read_at : natural := 10;
-  constant triangles_b_read_at : natural := 11;
-  constant words_at : natural := 12;
-  constant starved_at : natural := 13;
-  constant stalled_at : natural := 14;
+  signal steps : std_logic_vector(9 downto 0);
+  constant intersect_at : natural := 0;
+  constant incorrect_at : natural := 1;
+  constant blocks_a_read_at : natural := 2;
+  constant blocks_b_read_at : natural := 3;
+  constant triangles_asked_at : natural := 4;
+  constant triangles_a_read_at : natural := 5;
+  constant triangles_b_read_at : natural := 6;
+  constant words_at : natural := 7;
+  constant starved_at : natural := 8;
+  constant stalled_at : natural := 9;
   signal blocks_read : unsigned(31 downto 0) := (others => '0');
   signal triangles_read : unsigned(31 downto 0) := (others => '0');
 begin
@@ -160,11 +174,11 @@ begin
   -- Each expansion asks for two blocks and each pair for two triangles: twice the count, whose highest bit is lost as every count
   -- of 32 bits begins again.
   report_word <=
-    std_logic_vector(counter(clocks_at)) & number & incomplete & reason & "11" when place = 0 else
-    std_logic_vector(counter(tests_at)) & std_logic_vector(counter(expansions_at)) when place = 1 else
-    std_logic_vector(counter(pairs_at)) & std_logic_vector(counter(survivors_at)) when place = 2 else
+    std_logic_vector(clocks_now) & number & incomplete & reason & "11" when place = 0 else
+    std_logic_vector(tests_now) & std_logic_vector(expansions_now) when place = 1 else
+    std_logic_vector(pairs_now) & std_logic_vector(survivors_now) when place = 2 else
     std_logic_vector(counter(incorrect_at)) & std_logic_vector(counter(intersect_at)) when place = 3 else
-    std_logic_vector(blocks_read) & std_logic_vector(counter(expansions_at)(30 downto 0)) & '0' when place = 4 else
+    std_logic_vector(blocks_read) & std_logic_vector(expansions_now(30 downto 0)) & '0' when place = 4 else
     std_logic_vector(triangles_read) & std_logic_vector(counter(triangles_asked_at)(30 downto 0)) & '0' when place = 5 else
     std_logic_vector(counter(starved_at)) & std_logic_vector(counter(words_at)) when place = 6 else
     x"0000" & std_logic_vector(greatest_stack) & std_logic_vector(counter(stalled_at));
@@ -214,11 +228,6 @@ begin
   m_axis_tlast <= offered_last;
 
   -- ===== Counters =====
-  steps(clocks_at) <= running;
-  steps(expansions_at) <= expanded;
-  steps(tests_at) <= '0';
-  steps(survivors_at) <= '0';
-  steps(pairs_at) <= paired;
   steps(intersect_at) <= counts when head_verdict = certain else '0';
   steps(incorrect_at) <= counts and head_verdict(1);
   steps(blocks_a_read_at) <= block_reads(0);
@@ -233,17 +242,44 @@ begin
   count : process (clk)
   begin
     if rising_edge(clk) then
-      for i in 0 to 14 loop
-        if clear = '1' then
+      for lane in 0 to lanes - 1 loop
+        if counting(lane) = '1' then
+          clocks(lane) <= clocks(lane) + 1;
+        end if;
+        if expanded = '1' and unsigned(expanded_lane) = lane then
+          expansions(lane) <= expansions(lane) + 1;
+        end if;
+        if unsigned(tested_lane) = lane then
+          tests(lane) <= tests(lane) + unsigned(tested);
+        end if;
+        if unsigned(survived_lane) = lane then
+          survivors(lane) <= survivors(lane) + unsigned(survived);
+        end if;
+        if paired = '1' and unsigned(paired_lane) = lane then
+          pairs(lane) <= pairs(lane) + 1;
+        end if;
+        if clear(lane) = '1' then
+          clocks(lane) <= (others => '0');
+          expansions(lane) <= (others => '0');
+          tests(lane) <= (others => '0');
+          survivors(lane) <= (others => '0');
+          pairs(lane) <= (others => '0');
+        end if;
+      end loop;
+      clocks_now <= clocks(to_integer(unsigned(oldest)));
+      expansions_now <= expansions(to_integer(unsigned(oldest)));
+      tests_now <= tests(to_integer(unsigned(oldest)));
+      survivors_now <= survivors(to_integer(unsigned(oldest)));
+      pairs_now <= pairs(to_integer(unsigned(oldest)));
+      for i in 0 to 9 loop
+        if renew = '1' then
+          -- What happens in this clock is the next one's.
           counter(i) <= (others => '0');
+          counter(i)(0) <= steps(i);
         elsif steps(i) = '1' then
           counter(i) <= counter(i) + 1;
         end if;
       end loop;
-      if clear = '0' then
-        counter(tests_at) <= counter(tests_at) + unsigned(tested);
-        counter(survivors_at) <= counter(survivors_at) + unsigned(survived);
-      end if;
       blocks_read <= counter(blocks_a_read_at) + counter(blocks_b_read_at);
       triangles_read <= counter(triangles_a_read_at) + counter(triangles_b_read_at);
     end if;

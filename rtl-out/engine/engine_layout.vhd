@@ -14,6 +14,10 @@ package engine_layout is
   subtype triangle_number is natural range 27 downto 0;
   subtype triangle_corners is natural range 319 downto 32;  -- x, y and z of three corners
 
+  -- Queries in flight: each has a lane, the next query the next one.
+  constant lanes : natural := 2;
+  constant lane_bits : natural := 1;  -- of the number of a lane
+
   -- An entry of the stack: a pair of nodes. Children are 11 (both), 01 (left) or 10 (right).
   constant node_bits : natural := 24;  -- of the number of a block
   constant level_bits : natural := 6;
@@ -42,6 +46,7 @@ package engine_layout is
   subtype job_triangle_count_a is natural range 223 downto 192;
   subtype job_triangle_count_b is natural range 255 downto 224;
   subtype job_options is natural range 319 downto 256;
+  constant head_bits : natural := 320;  -- of all up to here
   constant job_keep : natural := 291;  -- of them: no image has changed
   subtype job_errors is natural range 367 downto 320;  -- errors of the shift; the bits above are not read
   subtype job_row_0 is natural range 889 downto 832;
@@ -71,6 +76,8 @@ package engine_layout is
   subtype option_number is natural range 63 downto 40;  -- for the report; also in stop and reset
 
   -- The pose of a job, where that of a query is; a number takes the low bits of its place.
+  constant pose_bits : natural := 448;
+  subtype job_pose is natural range 831 downto 384;  -- all of it
   constant job_bypass : natural := 415;  -- the unit takes pairs as they are
   subtype job_pose_m00 is natural range 479 downto 448;
   subtype job_pose_m01 is natural range 511 downto 480;
@@ -96,6 +103,7 @@ package engine_layout is
   -- What the volume unit knows of a query.
   constant query_pose_bits : natural := 162;  -- the matrix for origins
   constant query_shift_bits : natural := 78;
+  constant query_errors_bits : natural := 48;
   constant query_rows_bits : natural := 1044;
   subtype query_m00 is natural range 17 downto 0;
   subtype query_m01 is natural range 35 downto 18;

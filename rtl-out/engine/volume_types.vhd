@@ -19,6 +19,7 @@ package volume_types is
   constant zero_signed_27_x2 : signed_27_x2_t := (others => (others => '0'));
   type signed_29_x2_t is array (0 to 1) of signed(28 downto 0);
   type unsigned_3_x3_t is array (0 to 2) of unsigned(2 downto 0);
+  constant zero_unsigned_3_x3 : unsigned_3_x3_t := (others => (others => '0'));
   type unsigned_12_x3_t is array (0 to 2) of unsigned(11 downto 0);
   constant zero_unsigned_12_x3 : unsigned_12_x3_t := (others => (others => '0'));
   type signed_10_x3_t is array (0 to 2) of signed(9 downto 0);
@@ -39,9 +40,11 @@ package volume_types is
   type signed_10_x18_t is array (0 to 17) of signed(9 downto 0);
   constant zero_signed_10_x18 : signed_10_x18_t := (others => (others => '0'));
   type unsigned_16_vector_t is array (0 to 2) of unsigned(15 downto 0);
+  constant zero_unsigned_16_vector : unsigned_16_vector_t := (others => (others => '0'));
   type signed_18_vector_t is array (0 to 2) of signed(17 downto 0);
   constant zero_signed_18_vector : signed_18_vector_t := (others => (others => '0'));
   type signed_26_vector_t is array (0 to 2) of signed(25 downto 0);
+  constant zero_signed_26_vector : signed_26_vector_t := (others => (others => '0'));
   type signed_27_vector_t is array (0 to 2) of signed(26 downto 0);
   constant zero_signed_27_vector : signed_27_vector_t := (others => (others => '0'));
   type signed_36_vector_t is array (0 to 2) of signed(35 downto 0);
@@ -50,11 +53,13 @@ package volume_types is
     factor : unsigned_12_x3_t;
     rest : unsigned(12 downto 0);
   end record row_u13_t;
+  constant zero_row_u13 : row_u13_t := (choice => zero_unsigned_3_x3, factor => zero_unsigned_12_x3, rest => (others => '0'));
   type flag_x2_x2_t is array (0 to 1) of std_logic_vector(1 downto 0);
   constant zero_flag_x2_x2 : flag_x2_x2_t := (others => (others => '0'));
   type signed_10_x18_x2_t is array (0 to 1) of signed_10_x18_t;
   constant zero_signed_10_x18_x2 : signed_10_x18_x2_t := (others => zero_signed_10_x18);
   type signed_18_vector_x3_t is array (0 to 2) of signed_18_vector_t;
+  constant zero_signed_18_vector_x3 : signed_18_vector_x3_t := (others => zero_signed_18_vector);
   type flag_x2_x9_t is array (0 to 8) of std_logic_vector(1 downto 0);
   type signed_10_x2_x9_t is array (0 to 8) of signed_10_x2_t;
   constant zero_signed_10_x2_x9 : signed_10_x2_x9_t := (others => zero_signed_10_x2);
@@ -66,6 +71,7 @@ package volume_types is
   type signed_10_x6_x9_t is array (0 to 8) of signed_10_x6_t;
   type signed_27_x2_vector_t is array (0 to 2) of signed_27_x2_t;
   type row_u13_x18_t is array (0 to 17) of row_u13_t;
+  constant zero_row_u13_x18 : row_u13_x18_t := (others => zero_row_u13);
   type numbers_t is array (natural range <>) of integer;
 
   -- A condition as a flag.

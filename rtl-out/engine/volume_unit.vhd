@@ -3,8 +3,7 @@
 --
 -- The volume unit: two blocks, each with the volumes of two children, and the four tests whether a child of A and a child
 -- of B may overlap. It takes an expansion every 4 clocks and answers 15 clocks after it has taken it. There is no
--- back-pressure: whoever sends an expansion has a place for its answer. The query does not change while an expansion is
--- in flight.
+-- back-pressure: whoever sends an expansion has a place for its answer. Each expansion has a query of its own.
 --------------------------------------------------------------------------------
 library ieee;
 use ieee.std_logic_1164.all;

@@ -33,7 +33,7 @@ impl Job {
         let kind = rng.random_range(0..8);
         let (query, posed) = (kind > 1, kind > 0);
         // Objects of which there are few, so that some come again.
-        let object = rng.random_range(0..3u64);
+        let object = if seldom(rng, 5) { rng.random_range(1..3u64) } else { 0 };
         words[0] = (object + 1) << 32 | object;
         words[1] = (LINES - 500) << 32 | 1000;
         words[2] = 20 << 32 | 30;
@@ -49,7 +49,7 @@ impl Job {
             _ => {}
         }
         words[4] &= !(1 << QueryFlags::KEEP_CACHES);
-        words[4] |= u64::from(!seldom(rng, 6)) << QueryFlags::KEEP_CACHES;
+        words[4] |= u64::from(!seldom(rng, 8)) << QueryFlags::KEEP_CACHES;
         let (number, short, reason) = (
             // So few that some come twice.
             rng.random_range(0..4),
@@ -458,7 +458,7 @@ fn control(entity: &mut Entity) -> Outcome {
         control.clock()?;
     }
     let Control { reports, aborts, together, .. } = control;
-    let seen = reports > 200 && aborts > 20 && together == LANES;
+    let seen = reports > 200 && aborts > 20 && together > 2;
     expect(seen, 20_000, &format!("{reports} reports, {aborts} aborts, {together} queries together"))
 }
 

@@ -202,10 +202,7 @@ fn pairs(entity: &mut Entity) -> Outcome {
 fn pairs_are_asked_for_in_order_and_counted() {
     let changes = [
         ("waiting(lane) = places - 1 then", "waiting(lane) = places - 2 then"),
-        (
-            "head_leaves <= head_valid and (front_ending or request_ready);",
-            "head_leaves <= head_valid and request_ready;",
-        ),
+        ("asks <= head_valid and not front_ending;", "asks <= head_valid;"),
         ("request_b <= head(27 downto 0);", "request_b <= head(55 downto 28);"),
         // A pose goes in front of older pairs, or pairs go in front of their pose; kinds of queries are mixed.
         ("and not has_pose and not some_of_last;", "and not has_pose;"),

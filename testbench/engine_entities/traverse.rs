@@ -290,7 +290,7 @@ impl Around<'_> {
             let Some(run) = run else { continue };
             if run.ended.is_some() {
                 run.queued = 0;
-            } else if lane == self.oldest && run.queued > 0 && seldom(&mut self.rng, 2) {
+            } else if lane == self.oldest && run.queued > 0 && seldom(&mut self.rng, 6) {
                 run.queued -= 1;
                 left = 1 << lane;
             }
@@ -471,7 +471,7 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("tested_lane <= std_logic_vector(there_lane);", "tested_lane <= std_logic_vector(listed_lane_now);"),
         ("of_block <= bad_a or bad_b when there_lane = lane", "of_block <= bad_a or bad_b when listed_lane_now = lane"),
         // A younger query takes more than the queue of its leaf pairs has room for, or goes in front of the oldest.
-        ("(pair_change - 4)", "(pair_change - 3)"),
+        ("(pair_change - 4)", "(pair_change - 2)"),
         ("or not (pair_room(lane)(pair_room_bits - 1) or crowded));", "or not crowded);"),
         ("or not (pair_room(lane)(pair_room_bits - 1) or crowded));", "or not pair_room(lane)(pair_room_bits - 1));"),
     ];
