@@ -479,14 +479,13 @@ fn jobs_are_checked_and_run_and_reported() {
         ("elsif contact = '1' and oldest_lane = lane then", "elsif contact = '1' then"),
         // What memory owes is not waited for, or without end; a query ends that does not read; the others go on.
         ("if memory_draining = '1' then", "if memory_draining = '1' and flushing = '1' then"),
-        ("            if memory_silent = '1' then\n", "            if flushing = '1' then\n"),
+        ("          if memory_silent = '1' then\n", "          if flushing = '1' then\n"),
         ("and reads = '1' and (memory_error or memory_silent)", "and (memory_error or memory_silent)"),
         (
             "            now_started(lane) := '0';\n            now_reasons(lane) := fine;",
             "            now_reasons(lane) := fine;",
         ),
         ("numbers(lane) <= forget_number;", "numbers(lane) <= job_number;"),
-        ("has_pose(lane) <= '0';\n              stopped(lane) <= '0';", "has_pose(lane) <= '0';"),
     ];
     let design =
         EngineDesign::new(&EngineParams { queries: LANES as u32, ..small(Memory::Axi).params }, &Params::default());
