@@ -336,13 +336,19 @@ impl Control<'_> {
         Ok(())
     }
 
+    /// Why a query that waits for empty caches may be refused: memory owes words and is silent.
+    fn silent(&self) -> Option<Reason> {
+        let silent = self.draining && self.error == Some(Reason::Silent);
+        (self.flushing.is_some() && silent).then_some(Reason::Silent)
+    }
+
     /// The report of the oldest begins.
     fn report(&mut self) -> Outcome {
         self.expect(!self.lanes.is_empty(), "a report of nothing")?;
         if !self.lanes[0].admitted {
             // What is refused does not start.
+            let silent = self.silent();
             let lane = &mut self.lanes[0];
-            let silent = self.flushing.is_some().then_some(Reason::Silent);
             let reason =
                 lane.job.refused().or(silent).ok_or(format!("clock {}: a report before its query", self.clock))?;
             (lane.admitted, lane.reason) = (true, Some(reason as u64));
@@ -373,7 +379,8 @@ impl Control<'_> {
         while let Some(age) =
             self.next().filter(|&age| age < checked || (checked == 0 && self.lanes.len() == LANES && age > 0))
         {
-            let silent = self.flushing.take().map(|_| Reason::Silent);
+            let silent = self.silent();
+            self.flushing = None;
             let refused = self.lanes[age].job.refused().or(silent);
             self.expect(refused.is_some(), "a query that is left out")?;
             (self.lanes[age].admitted, self.lanes[age].reason) = (true, refused.map(|reason| reason as u64));
