@@ -151,7 +151,7 @@ Proof.
   destruct (Z.le_ge_cases 0 d) as [H|H].
   - rewrite Z.shiftr_div_pow2 by auto. assert (P : 0 < 2 ^ d) by (apply Z.pow_pos_nonneg; lia).
     pose proof (Z.mul_div_le x (2 ^ d) P) as A. pose proof (Z.mul_succ_div_gt x (2 ^ d) P) as B.
-    apply IZR_le in A. apply Z.gt_lt, IZR_lt in B. rewrite mult_IZR in A, B. rewrite succ_IZR in B.
+    apply IZR_le in A. apply IZR_lt in B. rewrite mult_IZR in A, B. rewrite succ_IZR in B.
     apply IZR_lt in P. pose proof (part_pow d H) as E. set (D := IZR (2 ^ d)) in *. set (q := IZR (x / 2 ^ d)) in *.
     assert (X : (IZR x * part d * D = IZR x)%R) by (rewrite Rmult_assoc, E; ring).
     split; apply (Rmult_le_reg_r D) || apply (Rmult_lt_reg_r D); auto; rewrite X; lra.
@@ -211,9 +211,9 @@ Definition times (k : R) (v : vec) := V3 (k * X v) (k * Y v) (k * Z_ v).
 Definition vencloses (a : ivec) (v : vec) := forall i, encloses (a i) (comp v i).
 Definition vencloses3 (a : triple ivec) (p : three -> vec) := forall k, vencloses (a k) (p k).
 Lemma idot_encloses a b u v : vencloses a u -> vencloses b v -> encloses (idot a b) (dot u v).
-Proof. intros A B. unfold idot, dot. repeat apply sum_encloses; apply product_encloses; first [apply (A T0)|apply (A T1)|apply (A T2)|apply (B T0)|apply (B T1)|apply (B T2)]. Qed.
+Proof. intros A B. unfold idot, dot. repeat apply sum_encloses; apply product_encloses; first [exact (A T0)|exact (A T1)|exact (A T2)|exact (B T0)|exact (B T1)|exact (B T2)]. Qed.
 Lemma icross_encloses a b u v i : vencloses a u -> vencloses b v -> encloses (icross a b i) (comp (Vectors.cross u v) i).
-Proof. intros A B. unfold icross, Vectors.cross. destruct i; cbn; apply difference_encloses; apply product_encloses; first [apply (A T0)|apply (A T1)|apply (A T2)|apply (B T0)|apply (B T1)|apply (B T2)]. Qed.
+Proof. intros A B. unfold icross, Vectors.cross. destruct i; cbn; apply difference_encloses; apply product_encloses; first [exact (A T0)|exact (A T1)|exact (A T2)|exact (B T0)|exact (B T1)|exact (B T2)]. Qed.
 Lemma comp_times k v i : comp (times k v) i = (k * comp v i)%R.
 Proof. now destruct i. Qed.
 Lemma cross_times k l u v : Vectors.cross (times k u) (times l v) = times (k * l) (Vectors.cross u v).
@@ -241,12 +241,12 @@ Section Right.
     intros U E F Hk Hl C. pose proof (fun i => icross_encloses _ _ _ _ i E F) as K.
     assert (K' : forall i, encloses (icross e f i) (k * l * comp (Vectors.cross v w) i)) by (intros i; specialize (K i); now rewrite cross_times, comp_times in K).
     clear K. pose proof (part_pos (drop r)). unfold cross. destruct (axis_places o =? 0).
-    - exists (k * l * part (drop r))%R. split; [nra|]. intros i. rewrite !get_tab, comp_times.
+    - exists (k * l * part (drop r))%R. split; [repeat apply Rmult_lt_0_compat; auto|]. intros i. rewrite !get_tab, comp_times.
       replace (k * l * part (drop r) * comp (Vectors.cross v w) i)%R with (k * l * comp (Vectors.cross v w) i * part (drop r))%R by ring.
       eapply bring_encloses; eauto.
     - set (n := free_places _ _ _). assert (Hn : 0 <= n) by now apply free_places_pos.
       assert (P : 0 < 2 ^ n) by (apply Z.pow_pos_nonneg; lia). apply IZR_lt in P.
-      exists (k * l * IZR (2 ^ n) * part (drop r))%R. split; [assert (0 < k * l * IZR (2 ^ n))%R by nra; nra|]. intros i. rewrite get_tab, comp_times.
+      exists (k * l * IZR (2 ^ n) * part (drop r))%R. split; [repeat apply Rmult_lt_0_compat; auto|]. intros i. rewrite get_tab, comp_times.
       replace (k * l * IZR (2 ^ n) * part (drop r) * comp (Vectors.cross v w) i)%R with (k * l * comp (Vectors.cross v w) i * IZR (2 ^ n) * part (drop r))%R by ring.
       eapply bring_encloses; eauto; [rewrite C; exact Logic.I|]. apply shifted_encloses; auto. rewrite get_tab. apply K'.
   Qed.
@@ -255,7 +255,7 @@ Section Right.
   Variables a b : triple ivec. Variables p q : three -> vec.
   Hypothesis HA : vencloses3 a p. Hypothesis HB : vencloses3 b q.
   Let ea k := minus (p (next k)) (p k). Let eb l := minus (q (next l)) (q l).
-  Let na := Vectors.cross (ea T0) (minus (p T0) (p T2)). Let nb := Vectors.cross (eb T0) (minus (q T0) (q T2)).
+  Let na := Vectors.cross (ea T0) (minus (p T2) (p T0)). Let nb := Vectors.cross (eb T0) (minus (q T2) (q T0)).
   Let drop_a k := grid o - fraction_bits (edge_a o k). Let drop_b := grid o - fraction_bits (edge_b o).
   Let drop_na := fraction_bits (edge_a o T0) + fraction_bits (edge_a o T2) - fraction_bits (normal_a o).
   Let drop_nb := 2 * fraction_bits (edge_b o) - fraction_bits (normal_b o).
@@ -272,7 +272,7 @@ Section Right.
 
   Lemma edges_right : (forall k, vencloses (edges_a t k) (times (part (drop_a k)) (ea k))) /\ (forall l, vencloses (edges_b t l) (times (part drop_b) (eb l))).
   Proof.
-    destruct Sat as (S1 & S2 & _). split; intros k; unfold t, prepared; cbn [edges_a edges_b]; rewrite get_tab; (eapply edge_encloses; [reflexivity|assumption|]); cbn [drop clamp from]; auto.
+    destruct Sat as (S1 & S2 & _). split; intros k; unfold t, prepared; cbn [edges_a edges_b]; rewrite get_tab; (eapply edge_encloses; [reflexivity|assumption|]); [exact (S1 k)|exact (S2 k)].
   Qed.
   Lemma negated_edge (e : ivec) k u v : vencloses e (times k (minus u v)) -> vencloses (tab (fun j => negated (e j))) (times k (minus v u)).
   Proof.
@@ -326,15 +326,15 @@ Section Right.
     - destruct i; cbn [next kept_b]; unfold dot, Vectors.cross, minus; cbn; ring.
     - destruct k, i; try discriminate H; cbn [next kept_a]; unfold dot, Vectors.cross, minus; cbn; ring.
     - destruct l, i; try discriminate H; cbn [next kept_b]; unfold dot, Vectors.cross, minus; cbn; ring.
-    - destruct k, i; try discriminate H; cbn [next kept_a]; generalize (Vectors.cross (minus (p T1) (p T0)) (minus (p T0) (p T2))); intros v; unfold dot, Vectors.cross, minus; cbn; ring.
-    - destruct l, i; try discriminate H; cbn [next kept_b]; generalize (Vectors.cross (minus (q T1) (q T0)) (minus (q T0) (q T2))); intros v; unfold dot, Vectors.cross, minus; cbn; ring.
+    - destruct k, i; try discriminate H; cbn [next kept_a]; generalize (Vectors.cross (minus (p T1) (p T0)) (minus (p T2) (p T0))); intros v; unfold dot, Vectors.cross, minus; cbn; ring.
+    - destruct l, i; try discriminate H; cbn [next kept_b]; generalize (Vectors.cross (minus (q T1) (q T0)) (minus (q T2) (q T0))); intros v; unfold dot, Vectors.cross, minus; cbn; ring.
   Qed.
   Definition shows x (y : ivec * ivec) := exists k, (0 < k)%R /\
     (forall i, shown (fst y i) (k * dot (true_axis x) (p i))) /\ (forall i, shown (snd y i) (k * dot (true_axis x) (q i))).
   Lemma images_right x : shows x (images o t x).
   Proof.
     destruct (direction_right x) as (k & Hk & D). exists (k * part (drop (image_rule o x)))%R. pose proof (part_pos (drop (image_rule o x))).
-    split; [nra|]. split; (apply image_right; auto; intros i Hi _; apply perpendicular; exact Hi).
+    split; [now apply Rmult_lt_0_compat|]. split; (apply image_right; auto; intros i Hi _; apply perpendicular; exact Hi).
   Qed.
   Lemma intersected_right (x : ivec) same (f : three -> R) c : (forall i, shown (x i) (f i)) -> (forall i, same i = true -> f i = c) -> forall i, shown (intersected x same i) (f i).
   Proof.
@@ -387,4 +387,248 @@ Section Right.
     - destruct (Z.ltb_spec (hi (snd y j)) (lo (fst y i))) as [L|L]; [|now left].
       right. symmetry. apply RealNumbers.sg_N. pose proof (scaled_lt _ _ _ Hk (shown_below _ _ _ _ (B j) (A i) L)). lra.
   Qed.
+  (** ** The verdict *)
+  Let meets := common (place_of (p T0)) (place_of (p T1)) (place_of (p T2)) (place_of (q T0)) (place_of (q T1)) (place_of (q T2)).
+  Lemma separates l : (forall i j, dot l (p i) < dot l (q j))%R \/ (forall i j, dot l (q j) < dot l (p i))%R -> ~ meets.
+  Proof.
+    intros H (x & (k0 & k1 & k2 & A0 & A1 & A2 & AS & AE) & (l0 & l1 & l2 & B0 & B1 & B2 & BS & BE)). unfold place_of in AE, BE. rewrite AE in BE. injection BE as E1 E2 E3.
+    assert (E : (k0 * dot l (p T0) + k1 * dot l (p T1) + k2 * dot l (p T2) = l0 * dot l (q T0) + l1 * dot l (q T1) + l2 * dot l (q T2))%R).
+    { unfold dot. transitivity (X l * (k0 * X (p T0) + k1 * X (p T1) + k2 * X (p T2)) + Y l * (k0 * Y (p T0) + k1 * Y (p T1) + k2 * Y (p T2)) + Z_ l * (k0 * Z_ (p T0) + k1 * Z_ (p T1) + k2 * Z_ (p T2)))%R; [ring|].
+      rewrite E1, E2, E3. ring. }
+    assert (M : forall c0 c1 c2 x0 x1 x2 y, (0 <= c0 -> 0 <= c1 -> 0 <= c2 -> c0 + c1 + c2 = 1 -> x0 < y -> x1 < y -> x2 < y -> c0 * x0 + c1 * x1 + c2 * x2 < y)%R).
+    { intros c0 c1 c2 x0 x1 x2 y P0 P1 P2 S L0 L1 L2. assert (C : (1 / 3 <= c0 \/ 1 / 3 <= c1 \/ 1 / 3 <= c2)%R) by lra.
+      assert (0 <= c0 * (y - x0) /\ 0 <= c1 * (y - x1) /\ 0 <= c2 * (y - x2))%R by (repeat split; apply Rmult_le_pos; lra).
+      assert (G : (0 < c0 * (y - x0) + c1 * (y - x1) + c2 * (y - x2))%R).
+      { destruct C as [C|[C|C]]; [assert (0 < c0 * (y - x0))%R by (apply Rmult_lt_0_compat; lra)|assert (0 < c1 * (y - x1))%R by (apply Rmult_lt_0_compat; lra)|assert (0 < c2 * (y - x2))%R by (apply Rmult_lt_0_compat; lra)]; lra. }
+      replace y with ((c0 + c1 + c2) * y)%R by (rewrite S; ring). lra. }
+    destruct H as [H|H].
+    - assert (K : forall j, (k0 * dot l (p T0) + k1 * dot l (p T1) + k2 * dot l (p T2) < dot l (q j))%R) by (intros j; apply M; auto).
+      assert (L : (l0 * - dot l (q T0) + l1 * - dot l (q T1) + l2 * - dot l (q T2) < - (k0 * dot l (p T0) + k1 * dot l (p T1) + k2 * dot l (p T2)))%R) by (apply M; auto; apply Ropp_lt_contravar; apply K).
+      lra.
+    - assert (K : forall i, (l0 * dot l (q T0) + l1 * dot l (q T1) + l2 * dot l (q T2) < dot l (p i))%R) by (intros i; apply M; auto).
+      assert (L : (k0 * - dot l (p T0) + k1 * - dot l (p T1) + k2 * - dot l (p T2) < - (l0 * dot l (q T0) + l1 * dot l (q T1) + l2 * dot l (q T2)))%R) by (apply M; auto; apply Ropp_lt_contravar; apply K).
+      lra.
+  Qed.
+  Let v1 := there (minus (p T1) (p T0)). Let v2 := there (minus (p T2) (p T0)). Let w l := there (minus (q l) (p T0)).
+  Lemma meets_origin : R.S.meet R.S.origin v1 v2 (w T0) (w T1) (w T2) <-> meets.
+  Proof.
+    unfold meets. rewrite <- (meet_common (there (p T0)) (there (p T1)) (there (p T2)) (there (q T0)) (there (q T1)) (there (q T2))). symmetry. apply R.S.meet_shift.
+  Qed.
+
+  Lemma passing_right : passes (certain_signs (map (fun x => (x, images o t x)) (axes o))) = true -> meets.
+  Proof.
+    intros H. apply meets_origin. set (signs := certain_signs _) in H.
+    assert (C : certain (sign_at signs) (R.S.sign_of (R.S.fifteen v1 v2 (w T0) (w T1) (w T2)))).
+    { intros v. unfold sign_at, R.S.sign_of, R.S.pick.
+      assert (F : Forall2 (fun s r => s = O \/ s = RealNumbers.sg r) signs (R.S.fifteen v1 v2 (w T0) (w T1) (w T2))).
+      { unfold signs, certain_signs, axes, eleven. cbn [map app nth_error].
+        assert (E : forall x i j r, (dot (true_axis x) (q j) - dot (true_axis x) (p i))%R = r ->
+          side_of (fst (images o t x) i) (snd (images o t x) j) = O \/ side_of (fst (images o t x) i) (snd (images o t x) j) = RealNumbers.sg r).
+        { intros x i j r <-. apply side_right, images_right. }
+        unfold R.S.fifteen, v1, v2, w.
+        repeat apply Forall2_cons; try apply Forall2_nil; apply E; unfold true_axis, na, nb, ea, eb; cbn [next];
+          unfold there, R.S.cross, R.S.dot, dot, Vectors.cross, minus, RealNumbers.add, RealNumbers.sub, RealNumbers.mul, RealNumbers.opp; cbn; ring. }
+      clear H. generalize (place v). induction F as [|s r ss rs Hs F IH]; intros [|i]; cbn; auto. }
+    unfold passes in H. apply R.S.hits_common. apply existsb_exists in H as (e & I & H). apply existsb_exists. exists e. split; auto.
+    exact (pierces_hits _ _ _ C H).
+  Qed.
+
+  Lemma eleven_right : (forall x, In x eleven -> is_overlapping (compared o x (images o t x)) = true) -> meets.
+  Proof.
+    intros H. apply meets_origin. apply OnReals.A.eleven_axes.
+    assert (E : forall x l, In x eleven -> l = there (true_axis x) -> OnReals.A.overlaps [R.S.origin; v1; v2] [w T0; w T1; w T2] l).
+    { intros x l I ->. destruct (overlapping_right x _ (compared_right _ _ (images_right x)) (H x I)) as [(i & j & A) (i' & j' & B)].
+      assert (Vi : forall i, In (there (minus (p i) (p T0))) [R.S.origin; v1; v2]).
+      { intros []; unfold v1, v2; [left|right; left|right; right; left]; auto. unfold there, minus, R.S.origin, RealNumbers.zero; cbn. f_equal; ring. }
+      assert (Wj : forall j, In (w j) [w T0; w T1; w T2]) by (intros []; cbn; auto).
+      assert (D : forall i j, RealNumbers.sub (R.S.dot (there (true_axis x)) (w j)) (R.S.dot (there (true_axis x)) (there (minus (p i) (p T0)))) = (dot (true_axis x) (q j) - dot (true_axis x) (p i))%R).
+      { intros i0 j0. unfold w, R.S.dot, there, dot, minus, RealNumbers.add, RealNumbers.sub, RealNumbers.mul. cbn. ring. }
+      split; [exists (there (minus (p i) (p T0))), (w j)|exists (there (minus (p i') (p T0))), (w j')]; (split; [apply Vi|split; [apply Wj|]]); rewrite D;
+        [apply RealNumbers.sg_P|apply RealNumbers.sg_N]; lra. }
+    unfold OnReals.A.eleven.
+    repeat apply Forall_cons; try apply Forall_nil;
+      [apply (E NormalA)|apply (E NormalB)|apply (E (Cross T0 T0))|apply (E (Cross T0 T1))|apply (E (Cross T0 T2))|apply (E (Cross T1 T0))|apply (E (Cross T1 T1))|apply (E (Cross T1 T2))
+      |apply (E (Cross T2 T0))|apply (E (Cross T2 T1))|apply (E (Cross T2 T2))];
+      try (cbn; tauto); unfold v1, v2, w, true_axis, na, nb, ea, eb; cbn [next]; unfold there, R.S.cross, R.S.minus, R.S.origin, Vectors.cross, minus, RealNumbers.sub, RealNumbers.mul, RealNumbers.zero;
+      cbn; unfold RealNumbers.sub; f_equal; ring.
+  Qed.
+
+  Theorem decided_right : says (verdict (decided o t)) meets.
+  Proof.
+    unfold decided. cbn [verdict]. rewrite !map_map. cbn [fst snd].
+    destruct (existsb (fun x => x) _) eqn:S.
+    - split; [|discriminate]. intros _. apply existsb_exists in S as (f & I & ->). apply in_map_iff in I as (x & F & _).
+      apply (separates (true_axis x)). exact (separated_right x _ (compared_right _ _ (images_right x)) F).
+    - destruct (_ || _) eqn:O; [|split; discriminate]. split; [discriminate|]. intros _. apply orb_true_iff in O as [O|O].
+      + destruct (edge_test o); [|discriminate]. now apply passing_right.
+      + apply eleven_right. rewrite forallb_forall in O. intros x I. apply O. unfold axes. rewrite map_app.
+        rewrite firstn_app, firstn_all2, in_app_iff by (cbn; lia). left. apply in_map_iff. exists x. auto.
+  Qed.
 End Right.
+
+(** * Section 4: the pair moved to the origin and scaled *)
+Section Normalised.
+  Variable o : table. Variables a b : triple ivec.
+  Definition scale j : R := if renormalise o then (IZR (2 ^ places_along o a b j) * part (T o + 3 - N o))%R else part (T o - N o).
+  Definition origin_of j : R := if renormalise o then IZR (lo (a T0 j)) else 0%R.
+  Definition to (u : vec) := V3 (scale T0 * (X u - origin_of T0)) (scale T1 * (Y u - origin_of T1)) (scale T2 * (Z_ u - origin_of T2)).
+  Lemma comp_to u j : comp (to u) j = (scale j * (comp u j - origin_of j))%R.
+  Proof. now destruct j. Qed.
+  Lemma places_pos j : 0 <= T o -> 0 <= places_along o a b j.
+  Proof. intros H. apply free_places_pos. lia. Qed.
+  Lemma scale_pos j : 0 <= T o -> (0 < scale j)%R.
+  Proof.
+    intros H. unfold scale. destruct (renormalise o); [|apply part_pos]. apply Rmult_lt_0_compat; [|apply part_pos].
+    apply IZR_lt, Z.pow_pos_nonneg; [lia|now apply places_pos].
+  Qed.
+  Lemma moved_encloses y x c : encloses y x -> encloses (moved y c) (x - IZR c).
+  Proof. unfold encloses; cbn. rewrite !minus_IZR. lra. Qed.
+  Lemma normalised_right p q : 0 <= T o -> vencloses3 a p -> vencloses3 b q ->
+    vencloses3 (fst (normalised o a b)) (fun k => to (p k)) /\ vencloses3 (snd (normalised o a b)) (fun k => to (q k)).
+  Proof.
+    intros HT HA HB.
+    assert (G : forall (x : triple ivec) r, vencloses3 x r -> forall k j, encloses (if renormalise o
+        then bring (Rule (T o + 3 - N o) (Some (sticky o)) None) (shifted (moved (x k j) (lo (a T0 j))) (places_along o a b j))
+        else bring (Rule (T o - N o) (Some (sticky o)) None) (x k j)) (comp (to (r k)) j)).
+    { intros x r H k j. rewrite comp_to. unfold scale, origin_of. destruct (renormalise o).
+      - replace (IZR (2 ^ places_along o a b j) * part (T o + 3 - N o) * (comp (r k) j - IZR (lo (a T0 j))))%R with
+          ((comp (r k) j - IZR (lo (a T0 j))) * IZR (2 ^ places_along o a b j) * part (T o + 3 - N o))%R by ring.
+        apply (bring_encloses (Rule _ _ None) _ _ (sticky o)); cbn [upper clamp drop]; auto; [exact Logic.I|]. apply shifted_encloses; [now apply places_pos|].
+        apply moved_encloses, H.
+      - replace (part (T o - N o) * (comp (r k) j - 0))%R with (comp (r k) j * part (T o - N o))%R by ring.
+        apply (bring_encloses (Rule _ _ None) _ _ (sticky o)); cbn [upper clamp drop]; auto; [exact Logic.I|]. apply H. }
+    unfold normalised. destruct (renormalise o); split; intros k j; cbn [fst snd]; rewrite !get_tab; apply G; auto.
+  Qed.
+  (** The answer does not change. *)
+  Lemma common_to p0 p1 p2 q0 q1 q2 : 0 <= T o ->
+    common (place_of (to p0)) (place_of (to p1)) (place_of (to p2)) (place_of (to q0)) (place_of (to q1)) (place_of (to q2)) <->
+    common (place_of p0) (place_of p1) (place_of p2) (place_of q0) (place_of q1) (place_of q2).
+  Proof.
+    intros HT. pose proof (scale_pos T0 HT). pose proof (scale_pos T1 HT). pose proof (scale_pos T2 HT).
+    rewrite <- (meet_common (there (to p0)) (there (to p1)) (there (to p2)) (there (to q0)) (there (to q1)) (there (to q2))).
+    rewrite <- (meet_common (there p0) (there p1) (there p2) (there q0) (there q1) (there q2)).
+    rewrite R.S.meet_shift, (R.S.meet_shift (there p0)).
+    pose proof (meet_stretched (scale T0) (scale T1) (scale T2) R.S.origin (R.S.minus (there p1) (there p0)) (R.S.minus (there p2) (there p0))
+      (R.S.minus (there q0) (there p0)) (R.S.minus (there q1) (there p0)) (R.S.minus (there q2) (there p0)) ltac:(lra) ltac:(lra) ltac:(lra)) as S.
+    assert (E : forall u, R.S.minus (there (to u)) (there (to p0)) = stretched (scale T0) (scale T1) (scale T2) (R.S.minus (there u) (there p0))).
+    { intros u. unfold R.S.minus, there, to, stretched, RealNumbers.sub; cbn. unfold RealNumbers.sub. f_equal; ring. }
+    rewrite !E. replace (stretched (scale T0) (scale T1) (scale T2) R.S.origin) with R.S.origin in S; [exact S|].
+    unfold stretched, R.S.origin, RealNumbers.zero; cbn. f_equal; ring.
+  Qed.
+End Normalised.
+
+(** * The theorem *)
+(** A word stands for a number: its floor, and whether it is off the grid. *)
+Definition word_of (w : Z * bool) (x : R) : Prop := floor_of (fst w) x /\ (snd w = false -> x = IZR (fst w)).
+Definition words_of (w : triple (Z * bool)) (v : vec) : Prop := forall j, word_of (w j) (comp v j).
+Definition stands_for i u : Prop :=
+  (forall k, words_of (A i k) (TA u k)) /\ (forall k, words_of (B i k) (TB u k)) /\ (forall k, words_of (M i k) (TM u k)) /\ words_of (t i) (Tt u).
+(** B in the frame of A, in ulps. *)
+Definition true_placed o i u l : vec := match frame o, bypass i with
+  | Off, _ | _, true => TB u l
+  | Translate, _ => plus (TB u l) (Tt u)
+  | On, _ => let r j := (dot (TM u j) (TB u l) * part (T o - K o))%R in plus (V3 (r T0) (r T1) (r T2)) (Tt u) end.
+
+Lemma read_encloses o w x : word_of w x -> encloses (read o w) x.
+Proof.
+  intros [[A0 B0] C0]. unfold encloses, read; cbn [lo hi]. rewrite plus_IZR. destruct (sticky o), (snd w); cbn; try rewrite (C0 eq_refl) in *; lra.
+Qed.
+Lemma reads_encloses o w v : words_of w v -> vencloses (reads o w) v.
+Proof. intros H j. unfold reads. rewrite get_tab. now apply read_encloses. Qed.
+Lemma placed_right o i u l : 0 <= T o - K o -> stands_for i u -> vencloses (placed o i l) (true_placed o i u l).
+Proof.
+  intros HF (_ & HB & HM & Ht). unfold placed, true_placed.
+  assert (S : forall r, vencloses (reads o (B i l)) r -> vencloses (reads o (B i l)) r) by auto.
+  destruct (frame o); [now apply reads_encloses|..]; (destruct (bypass i); [now apply reads_encloses|]).
+  - intros j. rewrite get_tab. replace (comp (plus (TB u l) (Tt u)) j) with (comp (TB u l) j + comp (Tt u) j)%R by now destruct j.
+    apply sum_encloses; apply read_encloses; [apply HB|apply Ht].
+  - intros j. rewrite get_tab.
+    assert (E : comp (plus (V3 (dot (TM u T0) (TB u l) * part (T o - K o)) (dot (TM u T1) (TB u l) * part (T o - K o)) (dot (TM u T2) (TB u l) * part (T o - K o))) (Tt u)) j =
+      ((dot (TM u j) (TB u l) + comp (Tt u) j * IZR (2 ^ (T o - K o))) * part (T o - K o))%R).
+    { pose proof (part_pow _ HF) as P. transitivity (dot (TM u j) (TB u l) * part (T o - K o) + comp (Tt u) j * (part (T o - K o) * IZR (2 ^ (T o - K o))))%R; [rewrite P; destruct j; cbn; ring|ring]. }
+    rewrite E. apply (bring_encloses (Rule _ _ None) _ _ (sticky o)); cbn [upper clamp drop]; auto; [exact Logic.I|].
+    apply sum_encloses; [apply idot_encloses; apply reads_encloses; auto|]. apply shifted_encloses; auto. apply read_encloses, Ht.
+Qed.
+
+Definition a_of o i : triple ivec := tab (fun k => reads o (A i k)).
+Definition b_of o i : triple ivec := tab (placed o i).
+(** The true points after section 4. *)
+Definition true_a o i u k := to o (a_of o i) (b_of o i) (TA u k).
+Definition true_b o i u l := to o (a_of o i) (b_of o i) (true_placed o i u l).
+Lemma unit_right o i u : 0 <= axis_places o -> 0 <= K o <= T o -> stands_for i u -> saturation_holds o (true_a o i u) (true_b o i u) ->
+  says (verdict (unit o i)) (common (place_of (TA u T0)) (place_of (TA u T1)) (place_of (TA u T2))
+    (place_of (true_placed o i u T0)) (place_of (true_placed o i u T1)) (place_of (true_placed o i u T2))).
+Proof.
+  intros HP HT H Sat.
+  assert (HA : vencloses3 (a_of o i) (TA u)) by (intros k; unfold a_of; rewrite get_tab; apply reads_encloses, H).
+  assert (HB : vencloses3 (b_of o i) (true_placed o i u)) by (intros k; unfold b_of; rewrite get_tab; apply placed_right; [lia|exact H]).
+  destruct (normalised_right o _ _ _ _ ltac:(lia) HA HB) as [NA NB].
+  pose proof (decided_right o HP _ _ _ _ NA NB Sat) as D. cbv beta in D.
+  unfold says in *. rewrite (common_to o (a_of o i) (b_of o i)) in D by lia. unfold unit. fold (a_of o i) (b_of o i).
+  rewrite <- surjective_pairing in D. exact D.
+Qed.
+
+(** ** Saturation *)
+(** A bound on the true differences of A and of B along a coordinate axis, in the last place of the working format (lemma
+    edge-extent), and so on the components of normals (lemma triangle-area). *)
+Definition keeps x d c := match c with None => true | Some c => raised (Some true) x d <=? c end.
+Definition unsaturated (c : option Z) := match c with None => true | Some _ => false end.
+Definition saturates_beyond o (extent_a extent_b : Z) : bool :=
+  every (fun k => keeps extent_a (grid o - fraction_bits (edge_a o k)) (saturated (edge_a o k))) && keeps extent_b (grid o - fraction_bits (edge_b o)) (saturated (edge_b o))
+  && (if axis_places o =? 0 then keeps (extent_a * extent_a) (2 * grid o - fraction_bits (normal_a o)) (saturated (normal_a o)) && keeps (extent_b * extent_b) (2 * grid o - fraction_bits (normal_b o)) (saturated (normal_b o))
+    else unsaturated (saturated (normal_a o)) && unsaturated (saturated (normal_b o)))
+  && every (fun k => unsaturated (saturated (cross_a o k))) && every (fun k => unsaturated (saturated (in_plane_a o k))) && unsaturated (saturated (in_plane_b o)).
+Lemma keeps_right x d c y : keeps x d c = true -> (Rabs y <= IZR x)%R -> within_clamp c (y * part d).
+Proof.
+  destruct c as [c|]; cbn [keeps within_clamp]; auto. intros H L. apply Z.leb_le, IZR_le in H. pose proof (raised_sticky x d). pose proof (part_pos d).
+  rewrite Rabs_mult, (Rabs_pos_eq (part d)) by lra. pose proof (Rmult_le_compat_r (part d) _ _ ltac:(lra) L). lra.
+Qed.
+Lemma unsaturated_none c : unsaturated c = true -> c = None.
+Proof. destruct c; [discriminate|auto]. Qed.
+(** Lemma triangle-area, of differences in a box whose sides are e. *)
+Lemma triangle_area e (x y z t : R) : (Rabs x <= e -> Rabs y <= e -> Rabs (x - y) <= e -> Rabs z <= e -> Rabs t <= e -> Rabs (z - t) <= e -> Rabs (x * t - y * z) <= e * e)%R.
+Proof.
+  intros A1 A2 A3 B1 B2 B3. assert (He : (0 <= e)%R) by (eapply Rle_trans; [apply Rabs_pos|exact A1]).
+  apply Rabs_le_inv in A1, A2, A3, B1, B2, B3.
+  assert (P : forall u v, (0 <= u -> - e <= v <= e -> - (u * e) <= u * v <= u * e)%R) by (intros; nra).
+  apply Rabs_le. destruct (Rle_or_lt 0 x) as [Sx|Sx], (Rle_or_lt 0 y) as [Sy|Sy].
+  - destruct (Rle_or_lt y x).
+    + pose proof (P y (t - z)%R Sy ltac:(lra)). pose proof (P (x - y)%R t ltac:(lra) ltac:(lra)). assert (x * e <= e * e)%R by nra. nra.
+    + pose proof (P x (t - z)%R Sx ltac:(lra)). pose proof (P (y - x)%R z ltac:(lra) ltac:(lra)). assert (y * e <= e * e)%R by nra. nra.
+  - pose proof (P x t Sx ltac:(lra)). pose proof (P (- y)%R z ltac:(lra) ltac:(lra)). assert ((x - y) * e <= e * e)%R by nra. nra.
+  - pose proof (P (- x)%R t ltac:(lra) ltac:(lra)). pose proof (P y z Sy ltac:(lra)). assert ((y - x) * e <= e * e)%R by nra. nra.
+  - destruct (Rle_or_lt y x).
+    + pose proof (P (- x)%R (t - z)%R ltac:(lra) ltac:(lra)). pose proof (P (x - y)%R z ltac:(lra) ltac:(lra)). assert (- y * e <= e * e)%R by nra. nra.
+    + pose proof (P (- y)%R (t - z)%R ltac:(lra) ltac:(lra)). pose proof (P (y - x)%R t ltac:(lra) ltac:(lra)). assert (- x * e <= e * e)%R by nra. nra.
+Qed.
+Definition extends (p : three -> vec) (e : Z) : Prop := forall i j c, (Rabs (comp (p i) c - comp (p j) c) <= IZR e)%R.
+Lemma normal_extent p e c : extends p e -> (Rabs (comp (Vectors.cross (minus (p T1) (p T0)) (minus (p T2) (p T0))) c) <= IZR (e * e))%R.
+Proof.
+  intros H. rewrite mult_IZR.
+  assert (G : forall i j, (Rabs ((comp (p T1) i - comp (p T0) i) * (comp (p T2) j - comp (p T0) j) - (comp (p T2) i - comp (p T0) i) * (comp (p T1) j - comp (p T0) j)) <= IZR e * IZR e)%R).
+  { intros i j. apply triangle_area; try apply H;
+      [replace (comp (p T1) i - comp (p T0) i - (comp (p T2) i - comp (p T0) i))%R with (comp (p T1) i - comp (p T2) i)%R by ring
+      |replace (comp (p T1) j - comp (p T0) j - (comp (p T2) j - comp (p T0) j))%R with (comp (p T1) j - comp (p T2) j)%R by ring]; apply H. }
+  destruct c; cbn; [pose proof (G T1 T2) as K|pose proof (G T2 T0) as K|pose proof (G T0 T1) as K]; cbn in K;
+    match type of K with (Rabs ?x <= _)%R => match goal with |- (Rabs ?y <= _)%R => replace y with x by ring end end; exact K.
+Qed.
+Lemma saturation_right o p q ea eb : saturates_beyond o ea eb = true -> extends p ea -> extends q eb -> saturation_holds o p q.
+Proof.
+  intros H Ea Eb. unfold saturates_beyond in H. rewrite !andb_true_iff, !every_all in H. destruct H as [[[[[H1 H2] H3] H4] H5] H6].
+  unfold saturation_holds. split; [|split; [|split; [|split; [|split]]]]; try (intros; apply unsaturated_none; auto).
+  - intros k i. rewrite comp_minus. apply (keeps_right ea); [apply H1|apply Ea].
+  - intros k i. rewrite comp_minus. apply (keeps_right eb); [apply H2|apply Eb].
+  - destruct (axis_places o =? 0); apply andb_true_iff in H3 as [H3 H3']; [|split; now apply unsaturated_none]. split; intros i.
+    + replace (part (grid o - fraction_bits (edge_a o T0)) * part (grid o - fraction_bits (edge_a o T2)) * comp (Vectors.cross (minus (p (next T0)) (p T0)) (minus (p T2) (p T0))) i *
+        part (fraction_bits (edge_a o T0) + fraction_bits (edge_a o T2) - fraction_bits (normal_a o)))%R with
+        (comp (Vectors.cross (minus (p T1) (p T0)) (minus (p T2) (p T0))) i * part (2 * grid o - fraction_bits (normal_a o)))%R.
+      * apply (keeps_right (ea * ea)); [exact H3|now apply normal_extent].
+      * replace (2 * grid o - fraction_bits (normal_a o)) with ((grid o - fraction_bits (edge_a o T0)) + (grid o - fraction_bits (edge_a o T2)) +
+          (fraction_bits (edge_a o T0) + fraction_bits (edge_a o T2) - fraction_bits (normal_a o))) by ring. rewrite !(part_add (_ + _)), (part_add (grid o - _)). cbn [next]. ring.
+    + replace (part (grid o - fraction_bits (edge_b o)) * part (grid o - fraction_bits (edge_b o)) * comp (Vectors.cross (minus (q (next T0)) (q T0)) (minus (q T2) (q T0))) i *
+        part (2 * fraction_bits (edge_b o) - fraction_bits (normal_b o)))%R with
+        (comp (Vectors.cross (minus (q T1) (q T0)) (minus (q T2) (q T0))) i * part (2 * grid o - fraction_bits (normal_b o)))%R.
+      * apply (keeps_right (eb * eb)); [exact H3'|now apply normal_extent].
+      * replace (2 * grid o - fraction_bits (normal_b o)) with ((grid o - fraction_bits (edge_b o)) + (grid o - fraction_bits (edge_b o)) +
+          (2 * fraction_bits (edge_b o) - fraction_bits (normal_b o))) by ring. rewrite !(part_add (_ + _)), (part_add (grid o - _)). cbn [next]. ring.
+Qed.
