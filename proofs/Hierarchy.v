@@ -90,25 +90,27 @@ Proof.
   set (z := minus y (origin b)).
   assert (E : lies h (minus (at_ p y) (origin a)) = lies h o + dot (column p h) z) by (unfold lies, o, z, column, at_, dot, minus, vector; cbn; ring).
   (* (4) *)
+  assert (CZ : forall n, directions n -> lies n z <= IZR (codes b n * 2 ^ exponent b)) by exact CB. clearbody z. clear CB.
   assert (P : (0 < 2 ^ (f - 1))%Z) by (apply Z.pow_pos_nonneg; lia). assert (Q : (0 < 2 ^ exponent b)%Z) by (apply Z.pow_pos_nonneg; lia).
   assert (W : dot (column p h) z <= U).
   { apply IZR_lt in P, Q. set (F := IZR (2 ^ (f - 1))) in *. set (E2 := IZR (2 ^ exponent b)) in *.
     assert (Z1 : within (IZR most * E2) z).
     { assert (T : forall n, directions n -> lies n z <= IZR most * E2).
-      { intros n Dn. eapply Rle_trans; [apply (CB n Dn)|]. rewrite mult_IZR. fold E2. apply Rmult_le_compat_r; [lra|]. apply IZR_le, Most, Dn. }
+      { intros n Dn. eapply Rle_trans; [apply (CZ n Dn)|]. rewrite mult_IZR. fold E2. apply Rmult_le_compat_r; [lra|]. apply IZR_le, Most, Dn. }
       pose proof (T _ DX) as T4. pose proof (T _ (OD _ DX)) as T5. pose proof (T _ DY) as T6. pose proof (T _ (OD _ DY)) as T7. pose proof (T _ DZ) as T8. pose proof (T _ (OD _ DZ)) as T9.
       rewrite opposite_lies in T5, T7, T9. unfold lies, dot, vector in *; cbn in *. repeat split; apply Rabs_le; lra. }
-    assert (B0 : IZR (l0 r) * lies (j0 r) z <= IZR (l0 r) * (IZR (codes b (j0 r)) * E2)) by (apply Rmult_le_compat_l; [apply IZR_le; auto|unfold E2; rewrite <- mult_IZR; apply CB, D0]).
-    assert (B1 : IZR (l1 r) * lies (j1 r) z <= IZR (l1 r) * (IZR (codes b (j1 r)) * E2)) by (apply Rmult_le_compat_l; [apply IZR_le; auto|unfold E2; rewrite <- mult_IZR; apply CB, D1]).
-    assert (B2 : IZR (l2 r) * lies (j2 r) z <= IZR (l2 r) * (IZR (codes b (j2 r)) * E2)) by (apply Rmult_le_compat_l; [apply IZR_le; auto|unfold E2; rewrite <- mult_IZR; apply CB, D2]).
+    assert (B0 : IZR (l0 r) * lies (j0 r) z <= IZR (l0 r) * (IZR (codes b (j0 r)) * E2)) by (apply Rmult_le_compat_l; [apply IZR_le; auto|unfold E2; rewrite <- mult_IZR; apply CZ, D0]).
+    assert (B1 : IZR (l1 r) * lies (j1 r) z <= IZR (l1 r) * (IZR (codes b (j1 r)) * E2)) by (apply Rmult_le_compat_l; [apply IZR_le; auto|unfold E2; rewrite <- mult_IZR; apply CZ, D1]).
+    assert (B2 : IZR (l2 r) * lies (j2 r) z <= IZR (l2 r) * (IZR (codes b (j2 r)) * E2)) by (apply Rmult_le_compat_l; [apply IZR_le; auto|unfold E2; rewrite <- mult_IZR; apply CZ, D2]).
     assert (R0 : dot z (left_by f p h r) <= IZR (rest r) * E2).
-    { eapply Rle_trans; [apply Rle_abs|]. eapply Rle_trans; [apply dot_bound; exact Z1|]. unfold rest_within in Rest. nra. }
+    { eapply Rle_trans; [apply Rle_abs|]. eapply Rle_trans; [apply dot_bound; exact Z1|]. unfold rest_within in Rest.
+      replace (IZR most * E2 * norm (left_by f p h r)) with (IZR most * norm (left_by f p h r) * E2) by ring. apply Rmult_le_compat_r; lra. }
     assert (Sum : F * dot (column p h) z = IZR (l0 r) * lies (j0 r) z + IZR (l1 r) * lies (j1 r) z + IZR (l2 r) * lies (j2 r) z + dot z (left_by f p h r)).
     { unfold left_by, lies, dot, vector; cbn. fold F. ring. }
     pose proof (ceiling_above ((l0 r * codes b (j0 r) + l1 r * codes b (j1 r) + l2 r * codes b (j2 r) + rest r) * 2 ^ exponent b) (2 ^ (f - 1)) ltac:(apply lt_IZR; exact P)) as C.
     fold U F in C. rewrite mult_IZR, !plus_IZR, !mult_IZR in C. fold E2 in C.
     apply (Rmult_le_reg_r F); auto. lra. }
-  unfold lies, dot, vector in A, E; cbn in A, E. unfold lies, dot, vector in E; cbn in E. lra.
+  assert (L : lies h o = IZR (hx h) * X o + IZR (hy h) * Y o + IZR (hz h) * Z_ o) by reflexivity. clearbody o U. lra.
 Qed.
 
 (** * The traversal *)
