@@ -16,14 +16,14 @@ Definition flag x := negb (x =? 0).
 Definition vector l i := Z3 (at_ l i) (at_ l (1 + i)) (at_ l (2 + i)).
 Definition vectors l i := Tri (vector l i) (vector l (3 + i)) (vector l (6 + i)).
 Definition numbers_of v := [ZX v; ZY v; ZZ v].
-Definition bits_of (l : list bool) := fold_right (fun b n => 2 * n + if b then 1 else 0) 0 l.
+Definition bits_of (l : list bool) := fold_right (fun (b : bool) n => 2 * n + if b then 1 else 0) 0 l.
 Definition code a := match a with DeterminantUnit.Separate => 0 | DeterminantUnit.Intersect => 1 | DeterminantUnit.Unknown => 2 end.
 Definition sign_code s := match s with Sign.N => -1 | O => 0 | P => 1 end.
 Fixpoint same (a b : list Z) := match a, b with [], [] => true | x :: a, y :: b => if x =? y then same a b else false | _, _ => false end.
 (** The groups and cases with another answer. Each case has so many words. *)
 Definition differences (words : nat) (answer : list Z -> list Z -> list Z) (groups : list group) : list (nat * nat) :=
   flat_map (fun '(g, (options, cases)) => flat_map (fun '(n, l) => if same (answer options (firstn words l)) (skipn words l) then [] else [(g, n)])
-    (combine (seq 0 (length cases)) cases)) (combine (seq 0 (length groups)) groups).
+    (combine (List.seq 0 (length cases)) cases)) (combine (List.seq 0 (length groups)) groups).
 Definition all_valid (valid : list Z -> bool) (groups : list group) := forallb (fun g => valid (fst g)) groups.
 
 (** * Determinants *)

@@ -1,0 +1,242 @@
+//! The proofs in `proofs/`: Coq's kernel checks them, nothing is assumed beside the axioms of the standard library's real
+//! numbers, and the functions that are proved answer as the reference models do, number for number (docs/trust.md).
+//!
+//! Without Coq the tests say so on standard error and prove nothing. On every change the kernel checks the units and the engine,
+//! and what they are built on is read as stated; if everything is asked for, all files are checked and the assumptions of all main
+//! theorems are printed.
+
+mod vectors;
+
+use crate::extent::full;
+use crate::tools::{has, program, replaced};
+use std::collections::BTreeSet;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::sync::OnceLock;
+use vectors::Vectors;
+
+/// What the theorems about real numbers may rest on.
+const ALLOWED: [&str; 2] =
+    ["ClassicalDedekindReals.sig_forall_dec", "FunctionalExtensionality.functional_extensionality_dep"];
+
+/// Words of a proof that is none.
+const FORBIDDEN: [&str; 12] = [
+    "Admitted",
+    "admit",
+    "give_up",
+    "Axiom",
+    "Axioms",
+    "Parameter",
+    "Parameters",
+    "Conjecture",
+    "Abort",
+    "Unset",
+    "bypass_check",
+    "type_in_type",
+];
+
+/// The files of the book but the last, from what needs least to what needs most.
+fn chapters() -> Vec<PathBuf> {
+    let mut files: Vec<PathBuf> = fs::read_dir("proofs").unwrap().map(|entry| entry.unwrap().path()).collect();
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "v"));
+    files.sort();
+    files
+}
+
+/// A text without comments, and without what an instance has to prove.
+fn code(text: &str) -> String {
+    let mut code = String::new();
+    let (mut depth, mut rest) = (0, text);
+    while let Some(c) = rest.chars().next() {
+        let step = match (&rest[..rest.len().min(2)], depth) {
+            ("(*", _) => {
+                depth += 1;
+                2
+            }
+            ("*)", 1..) => {
+                depth -= 1;
+                2
+            }
+            (_, 0) => {
+                code.push(c);
+                c.len_utf8()
+            }
+            _ => c.len_utf8(),
+        };
+        rest = &rest[step..];
+    }
+    match (code.split_once("Module Type"), code.split_once("End DOM.")) {
+        (Some((before, _)), Some((_, after))) => format!("{before}{after}"),
+        _ => code,
+    }
+}
+
+/// Words of a text that make a proof none.
+fn forbidden(text: &str) -> Vec<&'static str> {
+    let code = code(text);
+    let words: BTreeSet<&str> = code.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
+    FORBIDDEN.into_iter().filter(|word| words.contains(word)).collect()
+}
+
+#[test]
+fn no_proof_is_left_out() {
+    let files = chapters();
+    assert!(files.len() > 15);
+    for path in files {
+        let text = fs::read_to_string(&path).unwrap();
+        assert!(text.starts_with("(** "), "{} begins with what it proves", path.display());
+        assert_eq!(forbidden(&text), [""; 0], "{}", path.display());
+    }
+    let mutants = [
+        ("Lemma l : False. Admitted.", "Admitted"),
+        ("Proof. admit. Qed.", "admit"),
+        ("Parameter x : nat.", "Parameter"),
+        ("Module Type DOM.\nParameter C : Type.\nEnd DOM.\nAxiom a : False.", "Axiom"),
+        ("(* a *) Unset Guard Checking.", "Unset"),
+    ];
+    for (text, word) in mutants {
+        assert_eq!(forbidden(text), [word]);
+    }
+    assert_eq!(
+        forbidden("Module Type DOM.\nAxiom a : True.\nEnd DOM.\n(* Admitted (* admit *) *) Lemma admitted : True."),
+        [""; 0]
+    );
+}
+
+/// Where the kernel works: files that did not change are not checked again.
+fn folder() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("target/proofs")
+}
+
+/// Brings a folder up to date with the book.
+fn copy(to: &Path) {
+    fs::create_dir_all(to).unwrap();
+    let names: BTreeSet<_> = chapters().iter().map(|path| path.file_name().unwrap().to_owned()).collect();
+    for entry in fs::read_dir(to).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_some_and(|extension| extension == "v") && !names.contains(path.file_name().unwrap()) {
+            fs::remove_file(path).unwrap();
+        }
+    }
+    for path in chapters() {
+        let (text, to) = (fs::read(&path).unwrap(), to.join(path.file_name().unwrap()));
+        if fs::read(&to).is_ok_and(|old| old == text) {
+            continue;
+        }
+        fs::write(to, text).unwrap();
+    }
+}
+
+/// Makes targets of a folder: `X.vo` is a file that is checked with all that it needs, `X.vok` one that is checked given what
+/// the others state, and `vos` all that is stated.
+fn make(dir: &Path, targets: &[&str]) -> Result<(), String> {
+    let names = || chapters().into_iter().map(|path| path.file_name().unwrap().to_owned());
+    let run = |command: &mut Command| match program::ran(command.current_dir(dir)) {
+        (Some(0), ..) => Ok(()),
+        (_, output, errors) => Err(output + &errors),
+    };
+    run(Command::new("coq_makefile").args(["-R", ".", "Efsat", "-o", "Makefile"]).args(names()))?;
+    run(Command::new("make").args(["-s", if full() { "-j2" } else { "-j1" }]).args(targets))
+}
+
+/// Whether Coq is there.
+fn there() -> bool {
+    has("Coq", "coqc", "--version")
+}
+
+/// What the book states, made once.
+fn stated() -> &'static Path {
+    static STATED: OnceLock<PathBuf> = OnceLock::new();
+    STATED.get_or_init(|| {
+        let dir = folder();
+        copy(&dir);
+        make(&dir, &["vos"]).unwrap_or_else(|e| panic!("{e}"));
+        dir
+    })
+}
+
+/// What the printed assumptions name that is not allowed.
+fn assumed(printed: &str) -> Vec<&str> {
+    // A type that is long begins in the next line.
+    let names = printed.lines().filter(|line| !line.starts_with(' ') && !line.is_empty() && *line != "Axioms:");
+    names.map(|line| line.split(" :").next().unwrap_or(line)).filter(|name| !ALLOWED.contains(name)).collect()
+}
+
+#[test]
+fn the_kernel_checks_the_proofs() {
+    if !there() {
+        return;
+    }
+    let dir = stated();
+    if !full() {
+        let files = ["Determinants", "DeterminantUnit", "AxisRanges", "Cascade", "Hierarchy", "Refuted"];
+        let targets = files.map(|file| format!("{file}.vok"));
+        return make(dir, &targets.each_ref().map(String::as_str)).unwrap_or_else(|e| panic!("{e}"));
+    }
+    make(dir, &["all"]).unwrap_or_else(|e| panic!("{e}"));
+    let (status, printed, errors) =
+        program::ran(Command::new("coqc").args(["-R", ".", "Efsat", "Main.v"]).current_dir(dir));
+    assert_eq!(status, Some(0), "{errors}");
+    println!("{printed}");
+    let reals = printed.strip_prefix("Closed under the global context\n").expect("integers need no axiom");
+    assert!(reals.starts_with("Axioms:\n"));
+    assert_eq!(assumed(reals), [""; 0]);
+    let cheat = "Axioms:\nOnIntegers.cheat : False\nClassicalDedekindReals.sig_forall_dec :\n  forall P\n";
+    assert_eq!(assumed(cheat), ["OnIntegers.cheat"]);
+}
+
+/// Runs the functions of a folder on vectors; what the kernel says if they differ.
+fn compared(dir: &Path, name: &str, vectors: &Vectors) -> Result<(), String> {
+    fs::write(dir.join(format!("{name}.v")), vectors.text()).unwrap();
+    let file = format!("{name}.v");
+    let ran = program::ran(Command::new("coqc").args(["-R", ".", "Efsat", "-vok", &file]).current_dir(dir));
+    fs::remove_file(dir.join(file)).unwrap();
+    match ran {
+        (Some(0), ..) => Ok(()),
+        (_, output, errors) => Err(output + &errors),
+    }
+}
+
+/// Mistakes in the functions that are proved: file, text, and what stands there instead.
+const MUTANTS: [[&str; 3]; 4] = [
+    ["Determinants", "Definition F level x := 4 * x", "Definition F level x := 3 * x"],
+    ["DeterminantUnit", "Definition box_gap level := 2 +", "Definition box_gap level := 1 +"],
+    ["AxisUnit", "(least hi a <? most lo b)", "(least hi a <=? most lo b)"],
+    ["Exact", "negb (existsb (hits_edge f) edge_list)", "negb (existsb (hits_edge f) (firstn 5 edge_list))"],
+];
+
+#[test]
+fn the_functions_that_are_proved_answer_as_the_reference_models_do() {
+    if !there() {
+        return;
+    }
+    let dir = stated();
+    let vectors = Vectors::new(if full() { 120 } else { 12 });
+    compared(dir, "Vectors", &vectors).unwrap_or_else(|e| panic!("{e}"));
+    println!("{vectors}");
+    // One number of one case changed: noticed in every method.
+    let few = Vectors::new(1);
+    for method in 0..Vectors::METHODS {
+        let said = compared(dir, "Changed", &few.changed(method)).expect_err("a changed number is noticed");
+        assert!(said.contains("no_difference"), "{said}");
+    }
+    // So is a mistake in a function.
+    let mutants = if full() { &MUTANTS[..] } else { &MUTANTS[..1] };
+    for [file, text, other] in mutants {
+        let home = tempfile::tempdir().unwrap();
+        for entry in fs::read_dir(dir).unwrap().map(Result::unwrap) {
+            let name = entry.file_name().into_string().unwrap();
+            if name.ends_with(".v") || name.ends_with(".vos") {
+                // With the time of its last change, by which `make` goes.
+                let (status, ..) = program::ran(Command::new("cp").arg("-p").arg(entry.path()).arg(home.path()));
+                assert_eq!(status, Some(0));
+            }
+        }
+        let path = home.path().join(format!("{file}.v"));
+        fs::write(&path, replaced(&fs::read_to_string(&path).unwrap(), text, other)).unwrap();
+        make(home.path(), &["Compare.vos"]).unwrap_or_else(|e| panic!("{e}"));
+        let said = compared(home.path(), "Vectors", &vectors).expect_err(other);
+        assert!(said.contains("no_difference"), "{said}");
+    }
+}
