@@ -183,3 +183,35 @@ Proof.
   intros [[A B] C] L U. apply IZR_le in L, U. rewrite opp_IZR in L. rewrite plus_IZR in U. apply Rabs_le.
   destruct (snd w); [lra|]. rewrite (C eq_refl) in *. lra.
 Qed.
+
+(** * Formats *)
+(** Lemma axis-shift: an axis component that is shifted by s before n bits are dropped has n bits, if the one that is not shifted
+    has n - s. *)
+Lemma floor_times x n s : 0 <= n -> 0 <= s -> Z.shiftr x n * 2 ^ s <= Z.shiftr (x * 2 ^ s) n <= (Z.shiftr x n + 1) * 2 ^ s - 1.
+Proof.
+  intros Hn Hs. rewrite !Z.shiftr_div_pow2 by lia. assert (P : 0 < 2 ^ n) by (apply Z.pow_pos_nonneg; lia). assert (Q : 0 < 2 ^ s) by (apply Z.pow_pos_nonneg; lia).
+  pose proof (Z.mul_div_le x (2 ^ n) P). pose proof (Z.mul_succ_div_gt x (2 ^ n) P). set (r := x / 2 ^ n) in *. split.
+  - apply Z.div_le_lower_bound; nia.
+  - enough (x * 2 ^ s / 2 ^ n < (r + 1) * 2 ^ s) by lia. apply Z.div_lt_upper_bound; nia.
+Qed.
+Theorem shifted_axis_fits n x u s : 0 <= s <= n - 1 -> let R := 2 ^ (n - 1) in
+  (Z.abs (Z.shiftr x n) * 2 ^ s < R -> Z.abs (Z.shiftr (x * 2 ^ s) n) <= R - 1) /\
+  (Z.abs (raised (Some u) x n) * 2 ^ s < R -> Z.abs (raised (Some u) (x * 2 ^ s) n) <= R - 1).
+Proof.
+  intros Hs R. assert (Q : 0 < 2 ^ s) by (apply Z.pow_pos_nonneg; lia).
+  assert (E : R = 2 ^ (n - 1 - s) * 2 ^ s) by (unfold R; rewrite <- Z.pow_add_r by lia; f_equal; lia).
+  set (k := 2 ^ (n - 1 - s)) in *. clearbody R k. subst R.
+  assert (B : forall r, Z.abs r * 2 ^ s < k * 2 ^ s -> Z.abs r <= k - 1) by (intros r H; apply Z.mul_lt_mono_pos_r in H; lia).
+  assert (F : forall y, Z.abs (Z.shiftr y n) * 2 ^ s < k * 2 ^ s -> Z.abs (Z.shiftr (y * 2 ^ s) n) <= k * 2 ^ s - 1).
+  { intros y H. apply B in H. pose proof (floor_times y n s ltac:(lia) ltac:(lia)). nia. }
+  split; [apply F|]. destruct u; cbn [raised].
+  - rewrite !Z.abs_opp. replace (- (x * 2 ^ s)) with (- x * 2 ^ s) by ring. apply F.
+  - destruct (Z.ltb_spec 0 n) as [Hn|Hn]; [|apply F]. intros H. apply B in H. pose proof (floor_times x n s ltac:(lia) ltac:(lia)). nia.
+Qed.
+(** Lemma normalise, (d): a coordinate x with |x| < 2^L is within [-1, 1] behind the scale, in steps of 2^-f. *)
+Theorem normalised_fits x L f : 0 <= L -> 0 <= f -> Z.abs x < 2 ^ L -> - 2 ^ f <= x * 2 ^ f / 2 ^ L /\ x * 2 ^ f / 2 ^ L + 1 <= 2 ^ f.
+Proof.
+  intros HL Hf H. assert (P : 0 < 2 ^ L) by (apply Z.pow_pos_nonneg; lia). assert (Q : 0 < 2 ^ f) by (apply Z.pow_pos_nonneg; lia). split.
+  - apply Z.div_le_lower_bound; nia.
+  - enough (x * 2 ^ f / 2 ^ L < 2 ^ f) by lia. apply Z.div_lt_upper_bound; nia.
+Qed.

@@ -61,6 +61,17 @@ Definition set_of_directions (directions : direction -> Prop) : Prop :=
   (forall n, directions n -> unit_entries n) /\ (forall n, directions n -> directions (opposite n)) /\
   directions (Direction 1 0 0) /\ directions (Direction 0 1 0) /\ directions (Direction 0 0 1).
 
+(** The error that the host sends with a shift is enough: along one axis of A, with rows m of M and m' of its rounded matrix, the
+    origin of B's block at most H steps from the centre, and a shift that is rounded down by at most r. *)
+Theorem host_error_is_enough (m m' o : vec) (shift shift' H r e : R) : 0 <= H -> within H o -> 0 <= shift - shift' <= r ->
+  norm (minus m m') * H + 1 + r <= e ->
+  Rabs (dot m o + shift - (IZR (Int_part (dot m' o)) + shift')) <= e.
+Proof.
+  intros HH Ho Hr He. destruct (base_Int_part (dot m' o)) as [A B].
+  pose proof (dot_bound _ _ (minus m m') Ho) as K. replace (dot o (minus m m')) with (dot m o - dot m' o) in K by (unfold dot, minus; cbn; ring).
+  apply Rabs_le_inv in K. apply Rabs_le. lra.
+Qed.
+
 Lemma ceiling_above x d : (0 < d)%Z -> IZR x <= IZR (ceiling x d) * IZR d.
 Proof.
   intros H. rewrite <- mult_IZR. apply IZR_le. unfold ceiling. pose proof (Z.mul_div_le (- x) d H). lia.

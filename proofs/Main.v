@@ -11,6 +11,8 @@ Definition over_integers := (
   OnIntegers.intersect_sound,
   AxisRanges.guard_keeps,
   AxisRanges.guard_replaces,
+  AxisRanges.shifted_axis_fits,
+  AxisRanges.normalised_fits,
   Hierarchy.no_pair_is_lost,
   Refuted.four_missed_edges,
   Refuted.weak_eleven_axes,
@@ -26,6 +28,7 @@ Definition over_real_numbers := (
   AxisRanges.axis_unit_is_right,
   AxisRanges.kept_words_are_declared,
   Cascade.cascade_is_right,
+  Hierarchy.host_error_is_enough,
   Hierarchy.touching_volumes_are_not_apart,
   Refuted.face_three_times,
   Refuted.gap_of_one).

@@ -116,7 +116,7 @@ Module Space (D : DOM).
     let sides := pick l s0 + pick l s1 + pick l s2 in pick l q - pick l p = if b then - sides else sides.
   Lemma edge_sums v1 v2 w0 w1 w2 r : Forall (edge_sum (fifteen v1 v2 w0 w1 w2 ++ r)) edge_list.
   Proof.
-    unfold edge_list, fifteen. repeat apply Forall_cons; try apply Forall_nil; cbn; unfold dot, cross; cbn; ring.
+    unfold edge_list, fifteen. repeat apply Forall_cons; try apply Forall_nil; cbn -[dot cross]; ring.
   Qed.
   Lemma no_sum_pattern l x : Forall (edge_sum l) edge_list -> In x sum_list -> holds (sign_of l) x = true -> False.
   Proof.
