@@ -1,4 +1,6 @@
-(** Eleven axes, and five missed edges. *)
+(** Eleven axes, section 7 of docs/proofs.md: if the images of two triangles overlap strictly on n_A, n_B and the nine products of
+    edges, the triangles have a common point ([eleven_axes]). And if they have one and are not in one plane, an edge hits even if any one of
+    the six is left out ([two_hit]). *)
 From Coq Require Import List Bool PArith ZArith Ring Lia.
 Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.Space Efsat.Exact Efsat.Five.
 Import ListNotations.

@@ -1,4 +1,5 @@
-(** Ordered integral domains, given by a sign: the integers, and the reals. *)
+(** Integers and real numbers as one: an ordered integral domain, given by a ring and the sign of a number. What is proved of any domain
+    holds of both. A module type lists what an instance has to prove; both instances prove it. *)
 From Coq Require Import List Bool PArith ZArith Lia Ring Reals Lra.
 Require Import Efsat.Sign.
 Import ListNotations.

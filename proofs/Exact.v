@@ -1,4 +1,5 @@
-(** The rule of the exact unit, and that it is right. *)
+(** The rule of the exact unit, sections 4 and 5 of docs/exact.md: `separate` if and only if the two closed triangles have no common
+    point, degenerate and coplanar ones included ([exact_right]). *)
 From Coq Require Import List Bool PArith ZArith Ring.
 Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.PlaneTable Efsat.Space Efsat.Plane.
 Import ListNotations.

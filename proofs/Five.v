@@ -1,4 +1,5 @@
-(** At least five missed edges: no common point, for the table of signs. *)
+(** Where triangles meet, two edges take part: signs of a common point with at least five missed edges are refuted by
+    computation. Section 7.8 of docs/determinants.md. *)
 From Coq Require Import List Bool PArith ZArith.
 Require Import Efsat.Sign Efsat.Table.
 Import ListNotations.

@@ -1,4 +1,4 @@
-(** The interval operators of the axis unit enclose (docs/proofs.md, section 2); bounds are integers, true numbers real. *)
+(** The interval operators of the axis unit, section 2 of docs/proofs.md: sums, differences, products by sign cases enclose what the same operation yields of the true numbers. Bounds are integers, true numbers real. *)
 From Coq Require Import ZArith Reals Lra Lia Psatz Bool.
 Local Open Scope Z_scope.
 Record interval := I { lo : Z; hi : Z }.
@@ -13,10 +13,6 @@ Definition product a b :=
   let l := if straddling then - reach else lo b in let h := if straddling then reach else hi b in
   I (Z.min (lo a * (if minus then h else l)) (hi a * (if plus then l else h)))
     (Z.max (lo a * (if minus then l else h)) (hi a * (if plus then h else l))).
-(** Outward rounding by d bits: implied (floor + 1) or sticky (ceiling). *)
-Definition down x d := x / 2 ^ d.
-Definition up (sticky : bool) x d := if d =? 0 then x else if sticky then - ((- x) / 2 ^ d) else x / 2 ^ d + 1.
-Definition rounded sticky d a := I (down (lo a) d) (up sticky (hi a) d).
 
 Lemma sum_encloses a b x y : encloses a x -> encloses b y -> encloses (sum a b) (x + y).
 Proof. unfold encloses; cbn. rewrite !plus_IZR. lra. Qed.
@@ -30,8 +26,6 @@ Proof. destruct (Z.max_spec a b) as [[H ->]|[H ->]]; [rewrite Rmax_right|rewrite
 (** A number between the ends times y is between what the ends make of y. *)
 Lemma between a b x y l h : (a <= x <= b)%R -> (l <= a * y <= h)%R -> (l <= b * y <= h)%R -> (l <= x * y <= h)%R.
 Proof. intros. destruct (Rle_or_lt 0 y); nra. Qed.
-Lemma end_low a c d y : (c <= y <= d)%R -> (a * (if Rlt_dec a 0 then d else c) <= a * y <= a * (if Rlt_dec a 0 then c else d))%R.
-Proof. intros. destruct (Rlt_dec a 0); nra. Qed.
 
 Theorem product_encloses a b x y : encloses a x -> encloses b y -> encloses (product a b) (x * y).
 Proof.
@@ -49,17 +43,4 @@ Proof.
   eapply between; [exact A| |].
   - split; [eapply Rle_trans; [apply Rmin_l|apply L]|eapply Rle_trans; [apply L|apply Rmax_l]].
   - split; [eapply Rle_trans; [apply Rmin_r|apply U]|eapply Rle_trans; [apply U|apply Rmax_r]].
-Qed.
-
-Theorem rounded_encloses sticky d a x : 0 <= d -> encloses a x -> encloses (rounded sticky d a) (x / IZR (2 ^ d)).
-Proof.
-  intros Hd [A B]. assert (P : 0 < 2 ^ d) by (apply Z.pow_pos_nonneg; lia). assert (P' := IZR_lt _ _ P).
-  unfold encloses, rounded, down, up; cbn [lo hi]. split.
-  - apply (Rmult_le_reg_r (IZR (2 ^ d))); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    eapply Rle_trans; [|exact A]. rewrite <- mult_IZR. apply IZR_le. pose proof (Z.mul_div_le (lo a) (2 ^ d) P). lia.
-  - apply (Rmult_le_reg_r (IZR (2 ^ d))); auto. unfold Rdiv. rewrite Rmult_assoc, Rinv_l, Rmult_1_r by lra.
-    eapply Rle_trans; [exact B|]. rewrite <- mult_IZR. apply IZR_le.
-    destruct (Z.eqb_spec d 0) as [->|N]; [change (2 ^ 0) with 1; lia|]. destruct sticky.
-    + pose proof (Z.mul_div_le (- hi a) (2 ^ d) P). lia.
-    + pose proof (Z.mul_succ_div_gt (hi a) (2 ^ d) P). lia.
 Qed.

@@ -1,4 +1,5 @@
-(** Six points in a plane, not all on one line through the first: an edge parts them, or they have a common point. *)
+(** Six points in a plane, not all on one line through the first: an edge parts the two triangles, or they have a common point
+    ([plane_complete]); if one parts them they have none ([parts_apart]). Section 7 of docs/exact.md, pairs in one plane. *)
 From Coq Require Import List Bool PArith ZArith Ring.
 Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.PlaneTable.
 Import ListNotations.

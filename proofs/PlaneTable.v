@@ -1,4 +1,5 @@
-(** Six points in a plane: the signs of the twenty orientations of three of them. *)
+(** Six points in a plane: the signs of the twenty orientations of three of them. Refuted by computation: that no edge parts two
+    triangles which have no common point ([plane_refuted]). *)
 From Coq Require Import List Bool PArith ZArith.
 Require Import Efsat.Sign Efsat.Table.
 Import ListNotations.

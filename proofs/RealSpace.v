@@ -1,4 +1,5 @@
-(** The integer rule decides whether the triangles of the real space have a common point. *)
+(** From integers to real space: the exact unit says `separate` if and only if the closed triangles, as sets of points of real space,
+    have no common point ([exact_unit_is_right]). For real numbers, weights and sets of points say the same ([meet_common]). *)
 From Coq Require Import List Bool PArith ZArith Reals Lra Lia.
 Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.PlaneTable Efsat.Space Efsat.Plane Efsat.Exact Efsat.Axes Efsat.Verdict.
 Import ListNotations.

@@ -1,4 +1,7 @@
-(** Six points in space: a common point of two triangles, and the fifteen determinants. *)
+(** Six points in space: a common point of two closed triangles, by weights, and the fifteen determinants.
+
+    A common point makes an edge hit, unless all fifteen determinants are 0 ([common_hits]); an edge that hits gives a common point
+    ([hits_common]). Section 7 of docs/exact.md, pairs that are not in one plane. *)
 From Coq Require Import List Bool PArith ZArith Ring.
 Require Import Efsat.Sign Efsat.Domain Efsat.Table.
 Import ListNotations.

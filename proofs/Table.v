@@ -1,4 +1,8 @@
-(** The fifteen determinants as an antisymmetric table: entry i j is the minor of the six points without i and j. *)
+(** The fifteen determinants of docs/determinants.md as an antisymmetric table: entry i j is the minor of the six points without i
+    and j.
+
+    Three sets of sign conditions that are refuted by computation: a common point without an edge that hits ([common_refuted]), eleven
+    axes that overlap without one ([axes_refuted]), and in Five.v five missed edges. *)
 From Coq Require Import List Bool PArith ZArith.
 Require Import Efsat.Sign.
 Import ListNotations.

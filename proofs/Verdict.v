@@ -1,4 +1,5 @@
-(** The verdict of the determinant unit, section 6 of docs/determinants.md: from signs that are certain. *)
+(** The verdict of the determinant unit from signs of which each is right or 0, section 6 of docs/determinants.md: `separate` is
+    right ([separate_sound]), and so is `intersect` ([intersect_sound]). *)
 From Coq Require Import List Bool PArith ZArith Ring Lia.
 Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.Space Efsat.Five Efsat.Axes.
 Import ListNotations.

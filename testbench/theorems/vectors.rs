@@ -32,7 +32,7 @@ const NAMES: [(&str, usize); Vectors::METHODS] = [("determinants", 31), ("exact"
 
 impl Vectors {
     /// Determinants, exact, cascade, axes.
-    pub const METHODS: usize = NAMES.len();
+    pub const METHODS: usize = 4;
 
     /// So many designs of each method.
     pub fn new(designs: usize) -> Self {
