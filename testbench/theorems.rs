@@ -7,7 +7,7 @@
 
 mod vectors;
 
-use crate::extent::full;
+use crate::extent::{full, share};
 use crate::tools::{has, program, replaced};
 use std::collections::BTreeSet;
 use std::fs;
@@ -36,7 +36,7 @@ const FORBIDDEN: [&str; 12] = [
     "type_in_type",
 ];
 
-/// The files of the book but the last, from what needs least to what needs most.
+/// The files of the book.
 fn chapters() -> Vec<PathBuf> {
     let mut files: Vec<PathBuf> = fs::read_dir("proofs").unwrap().map(|entry| entry.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|extension| extension == "v"));
@@ -198,6 +198,11 @@ fn compared(dir: &Path, name: &str, vectors: &Vectors) -> Result<(), String> {
     }
 }
 
+/// Whether the kernel says that there are differences, and nothing else is wrong.
+fn different(said: &str) -> bool {
+    said.split_whitespace().collect::<Vec<_>>().join(" ").contains("Unable to unify \"[]\" with \"[(")
+}
+
 /// Mistakes in the functions that are proved: file, text, and what stands there instead.
 const MUTANTS: [[&str; 3]; 4] = [
     ["Determinants", "Definition F level x := 4 * x", "Definition F level x := 3 * x"],
@@ -212,18 +217,18 @@ fn the_functions_that_are_proved_answer_as_the_reference_models_do() {
         return;
     }
     let dir = stated();
-    let vectors = Vectors::new(if full() { 120 } else { 12 });
-    compared(dir, "Vectors", &vectors).unwrap_or_else(|e| panic!("{e}"));
+    let vectors = Vectors::new(if full() { 100 } else { 6 });
+    compared(dir, "Words", &vectors).unwrap_or_else(|e| panic!("{e}"));
     println!("{vectors}");
-    // One number of one case changed: noticed in every method.
+    // One number of one case changed is noticed, of every method.
     let few = Vectors::new(1);
-    for method in 0..Vectors::METHODS {
+    for method in share(Vectors::METHODS, 0..Vectors::METHODS) {
         let said = compared(dir, "Changed", &few.changed(method)).expect_err("a changed number is noticed");
-        assert!(said.contains("no_difference"), "{said}");
+        assert!(different(&said), "{said}");
     }
     // So is a mistake in a function.
-    let mutants = if full() { &MUTANTS[..] } else { &MUTANTS[..1] };
-    for [file, text, other] in mutants {
+    let some = Vectors::new(if full() { 30 } else { 1 });
+    for [file, text, other] in MUTANTS.iter().filter(|_| full()) {
         let home = tempfile::tempdir().unwrap();
         for entry in fs::read_dir(dir).unwrap().map(Result::unwrap) {
             let name = entry.file_name().into_string().unwrap();
@@ -236,7 +241,7 @@ fn the_functions_that_are_proved_answer_as_the_reference_models_do() {
         let path = home.path().join(format!("{file}.v"));
         fs::write(&path, replaced(&fs::read_to_string(&path).unwrap(), text, other)).unwrap();
         make(home.path(), &["Compare.vos"]).unwrap_or_else(|e| panic!("{e}"));
-        let said = compared(home.path(), "Vectors", &vectors).expect_err(other);
-        assert!(said.contains("no_difference"), "{said}");
+        let said = compared(home.path(), "Words", &some).expect_err(other);
+        assert!(different(&said), "{said}");
     }
 }
