@@ -1,7 +1,7 @@
 (** What the main theorems rest on. Those over the integers rest on nothing; those over the real numbers on the two axioms of the
     standard library's reals, and on no other. *)
 Require Import Efsat.Domain Efsat.Axes Efsat.Verdict Efsat.RealSpace Efsat.Determinants Efsat.DeterminantUnit.
-Require Efsat.AxisUnit Efsat.AxisRanges Efsat.Cascade Efsat.Hierarchy Efsat.Refuted Efsat.Compare.
+Require Efsat.AxisUnit Efsat.AxisRanges Efsat.Cascade Efsat.Hierarchy Efsat.Stack Efsat.Refuted Efsat.Compare.
 
 Definition over_integers := (
   OnIntegers.A.E.exact_right,
@@ -14,6 +14,7 @@ Definition over_integers := (
   AxisRanges.shifted_axis_fits,
   AxisRanges.normalised_fits,
   Hierarchy.no_pair_is_lost,
+  Stack.stack_never_overflows,
   Refuted.four_missed_edges,
   Refuted.weak_eleven_axes,
   Refuted.only_piercing_edges,
