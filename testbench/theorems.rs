@@ -194,9 +194,9 @@ fn different(said: &str) -> bool {
 /// Mistakes in the functions that are proved: file, text, and what stands there instead.
 const MUTANTS: [[&str; 3]; 4] = [
     ["Determinants", "Definition F level x := 4 * x", "Definition F level x := 3 * x"],
-    ["DeterminantUnit", "Definition box_gap level := 2 +", "Definition box_gap level := 1 +"],
+    ["DeterminantUnit", "Z.max (fine o - d) 0", "Z.max (fine o - d - 1) 0"],
     ["AxisUnit", "(least hi a <? most lo b)", "(least hi a <=? most lo b)"],
-    ["Exact", "negb (existsb (hits_edge f) edge_list)", "negb (existsb (hits_edge f) (firstn 5 edge_list))"],
+    ["Table", "negb (seq p O && seq q O)", "negb (seq p O || seq q O)"],
 ];
 
 #[test]
