@@ -43,6 +43,7 @@ mod stress;
 mod stress_once;
 mod strict;
 mod synth;
+mod theorems;
 mod thirty_minutes;
 mod tools;
 mod wall;
