@@ -73,6 +73,21 @@ impl EngineArguments {
 
     /// The engine around a unit.
     pub fn design(&self, unit: &ParamArguments) -> Result<EngineDesign, Failure> {
+        Ok(EngineDesign::new(&self.typed, &self.unit(unit)?)?)
+    }
+
+    /// The engine that takes pairs by number.
+    pub fn design_by_number(&self, unit: &ParamArguments) -> Result<EngineDesign, Failure> {
+        let has = EngineDesign::OPTIONS_BY_NUMBER;
+        if let Some((option, value)) = self.given.iter().find(|(option, _)| !has.contains(option)) {
+            let why = format!("expected none of the engine's options but --{}", has.join(", --"));
+            return Err(Failure::Usage(format!("--{option} {value} with --pairs-by-number: {why}")));
+        }
+        Ok(EngineDesign::by_number(&self.typed, &self.unit(unit)?)?)
+    }
+
+    /// The unit in an engine.
+    fn unit(&self, unit: &ParamArguments) -> Result<Params, Failure> {
         let params = unit.params()?;
         if unit.has("tag-width") {
             let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
@@ -81,7 +96,7 @@ impl EngineArguments {
         if self.typed.memory == Memory::BlockRam && self.has("memory-width") {
             return Err(Failure::Usage("--memory-width with --memory block-ram: expected --memory axi".to_owned()));
         }
-        Ok(EngineDesign::new(&self.typed, &params)?)
+        Ok(params)
     }
 }
 

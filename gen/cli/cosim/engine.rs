@@ -9,7 +9,7 @@ use crate::source::{HEADLIGHT, load_scene};
 use efsat_checks::cosim::Simulator;
 use efsat_checks::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
 use efsat_engine::artefact::EngineDesign;
-use efsat_engine::host::{Image, Images, Layout, Numbers, memory};
+use efsat_engine::host::{Image, Images, Numbers, memory};
 use efsat_engine::model::Query;
 use efsat_engine::params::Memory;
 use efsat_engine::words::QueryFlags;
@@ -32,6 +32,10 @@ pub(super) struct EngineRun {
     /// sample of the queries [default: all, with ghdl 8]
     #[arg(long, conflicts_with_all = ["pairs", "random", "seed", "netlist", "wave", "probe"])]
     pub engine: bool,
+    /// With --engine: the engine that takes pairs by number, with the leaf pairs that the traversal would have found, a packet for
+    /// each query
+    #[arg(long, requires = "engine", conflicts_with = "first_contact")]
+    pairs_by_number: bool,
     /// Clocks from an address to its first word of memory, N or LEAST-MOST [default: 32]
     #[arg(long, value_name = "CLOCKS", value_parser = latency, allow_negative_numbers = true)]
     latency: Option<Latency>,
@@ -224,14 +228,17 @@ fn data_path(design: &EngineDesign, images: &[&Image], asked: &Asked, json: bool
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     refuse(arguments)?;
     let options = &arguments.engine;
-    let design = options.params.design(&arguments.params)?;
+    let design = match options.pairs_by_number {
+        false => options.params.design(&arguments.params)?,
+        true => options.params.design_by_number(&arguments.params)?,
+    };
     let name = arguments.source.scene.as_deref().unwrap_or(HEADLIGHT);
     let scene = load_scene(name)?;
     let numbers = Numbers::new(&design.params, &design.unit.params).map_err(DesignError::from)?;
     let held = Images::new(&scene.meshes().0, numbers).map_err(|e| Failure::Usage(format!("{name}: {e}")))?;
     let images = held.all();
     // Before the time that the queries take.
-    Layout::new(&design.params, &design.format, &images).map_err(DesignError::from)?;
+    design.layout(&images).map_err(DesignError::from)?;
     let asked = queries(&held, &scene, arguments);
     let queries = &asked.queries;
     if queries.is_empty() {

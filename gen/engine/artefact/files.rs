@@ -169,7 +169,7 @@ fn readme(
     project: Option<Project>,
 ) -> String {
     let params = &design.params;
-    let (unit, volume) = (design.unit.top.multipliers(), design.volume.stage.multipliers());
+    let [unit, volume] = design.multipliers();
     let memory = match params.memory {
         Memory::BlockRam => format!(
             "Trees are in block RAM, which holds {} blocks and {} triangles.",
@@ -225,7 +225,7 @@ fn manifest_of(design: &EngineDesign, command_line: &str, files: &FileSet) -> St
         clocks_per_expansion: design.volume.interval,
         volume_latency: design.volume.latency,
         unit_latency: design.unit.latency,
-        multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
+        multipliers: design.multipliers().iter().sum(),
         query_words: design.format.query_words(),
         pairs_header: unit(PacketKind::Pairs),
         pose_header: unit(PacketKind::Pose),

@@ -1,6 +1,6 @@
 //! The vector file of a generated engine: small meshes, and queries of every kind.
 
-use super::EngineDesign;
+use super::{EngineDesign, by_number};
 use super::vectors::EngineVectors;
 use crate::host::{Header, Image, Numbers, TRIANGLES_AT};
 use crate::model::Query;
@@ -49,6 +49,9 @@ pub fn turn(axis: usize) -> [[f64; 3]; 3] {
 /// # Errors
 /// If the meshes are too large for the memory, or their trees for the stack.
 pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
+    if design.by_number {
+        return by_number::samples(design);
+    }
     let numbers =
         Numbers::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
     let meshes = [hills(6), cuboid(3, 4, 2)];

@@ -2,6 +2,7 @@
 //! volumes, the traversal and the report.
 
 mod block;
+mod by_number;
 mod overlap;
 mod query;
 #[cfg(test)]
@@ -15,6 +16,7 @@ pub use block::{BadBlock, Block, Link, Volume};
 // For the tests of the volume unit.
 #[doc(hidden)]
 pub use overlap::{Distance, Frame, QueryRow, apart, bounds, distance, overlap};
+pub use by_number::ByNumber;
 pub use query::{Query, Side};
 pub use traversal::{EngineOutcome, Model, Opened, Visits};
 // For the tests of the volume unit.
