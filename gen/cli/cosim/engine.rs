@@ -14,7 +14,7 @@ use efsat_engine::model::Query;
 use efsat_engine::params::Memory;
 use efsat_engine::words::QueryFlags;
 use efsat_geometry::scene::Scene;
-use efsat_unit::design::top::DesignError;
+use efsat_unit::design::top::{DesignError, pace};
 use efsat_unit::params::options::Choice;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -107,7 +107,8 @@ struct Summary<'a> {
     mismatches: usize,
     answered_in_software: usize,
     clocks_per_query: f64,
-    clocks_per_expansion: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clocks_per_expansion: Option<usize>,
     clocks_per_pair: usize,
     #[serde(flatten)]
     measure: Measure,
@@ -272,7 +273,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             mismatches: wrong.len(),
             answered_in_software: asked.refused,
             clocks_per_query: measure.clocks_per_query(),
-            clocks_per_expansion: machine.design().volume.interval,
+            clocks_per_expansion: (!machine.design().by_number).then_some(machine.design().volume.interval),
             clocks_per_pair: machine.design().unit.interval,
             measure,
             distances: by_distance(machine.design(), &asked.distances, &replies),
@@ -291,7 +292,36 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
+/// What pairs by number came to.
+fn table_by_number(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usize) -> String {
+    let mut text = format!("{:<38}{:>14}{:>14}\n", "", "per pair", "all");
+    let pairs = measure.sums.leaf_pairs;
+    for (name, count) in [
+        ("pairs", pairs),
+        ("clocks", measure.clocks),
+        ("intersect", measure.sums.intersect),
+        ("possibly incorrect", measure.sums.possibly_incorrect),
+        ("triangles asked for", measure.triangles),
+        ("triangles read", measure.triangles_read),
+        ("words read", measure.words),
+    ] {
+        let mean = count as f64 / pairs.max(1) as f64;
+        let _ = writeln!(text, "{name:<38}{mean:>14.3}{count:>14}");
+    }
+    let _ = writeln!(
+        text,
+        "{} packets, {refused} more for software; the unit: {}; {simulator}\nclocks are those from the first word in to the last \
+         word out",
+        measure.sums.queries,
+        pace(design.unit.interval)
+    );
+    text
+}
+
 fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usize) -> String {
+    if design.by_number {
+        return table_by_number(measure, design, simulator, refused);
+    }
     let mut text = format!("{:<38}{:>14}{:>14}\n", "", "per query", "all");
     let mut row = |name: &str, count: u64| {
         let mean = count as f64 / measure.sums.queries as f64;

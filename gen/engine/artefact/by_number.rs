@@ -1,7 +1,7 @@
 //! An engine that takes pairs by number: what is said of it, and its vector file.
 
 use super::EngineDesign;
-use super::samples::{cuboid, hills, turn};
+use super::meshes::{cuboid, hills, turn};
 use super::vectors::EngineVectors;
 use crate::host::{Image, Numbers, TRIANGLES_AT};
 use crate::model::ByNumber;
@@ -11,21 +11,34 @@ use efsat_unit::pair::Pose;
 use efsat_unit::params::ParamError;
 use std::ops::Range;
 
+/// What its entities are for, in the order of the data; those of the memory come behind.
+pub(super) const ENTITIES: [(&str, &str); 3] = [
+    ("engine_number_command", "Packets in: pairs by number, loads and soft resets; what is none of them is reported."),
+    ("efsat", "The triangle unit."),
+    ("engine_number_answer", "Answers out, in order, and the reports."),
+];
+
+/// Where triangles are.
+pub(super) fn memory(design: &EngineDesign) -> String {
+    let params = &design.params;
+    match params.memory {
+        Memory::BlockRam => {
+            format!("Triangles are in block RAM, at most {}, filled through the stream.", params.triangle_lines)
+        }
+        Memory::Axi => format!(
+            "Triangles are in memory behind an AXI4 read master of {} bits, with caches of {}.",
+            params.memory_width, params.triangle_lines
+        ),
+    }
+}
+
 /// What the header of its top says.
 pub(super) fn description(design: &EngineDesign) -> Vec<String> {
-    let (params, format) = (&design.params, &design.format);
-    let memory = match params.memory {
-        Memory::BlockRam => {
-            format!("Triangles are in block RAM, {} of them, filled through the stream.", params.triangle_lines)
-        }
-        Memory::Axi => {
-            format!("Triangles are in memory behind an AXI4 read master, words of {} bits.", params.memory_width)
-        }
-    };
+    let format = &design.format;
     vec![
         "Pairs of triangles by number: a pose and the numbers of triangles in memory in, those that touch out.".to_owned(),
         String::new(),
-        memory,
+        memory(design),
         String::new(),
         "In: packets of 64-bit words, the last with TLAST:".to_owned(),
         "  0      header 31..0; 33 answer separate pairs too; 35 keep the caches; 63..40 number that the report returns".to_owned(),
@@ -57,11 +70,11 @@ pub(super) fn samples(design: &EngineDesign) -> Result<String, ParamError> {
         let query = numbers.query([(images[a], sides[a]), (images[b], sides[b])], &turn(axis), &t);
         ByNumber::of_query(&query.expect("a pose inside the ranges"), pairs)
     };
-    let grid = |a: Range<u32>, b: Range<u32>| -> Vec<[u32; 2]> {
-        a.flat_map(|a| b.clone().map(move |b| [a, b])).collect()
-    };
-    // All pairs in one packet; of one object; as they lie, among them a triangle and itself.
-    let crossing = ByNumber { number: 1, ..make([0, 1], 2, [2.5, 1.0, -1.0], grid(0..72, 0..12)) };
+    let grid =
+        |a: Range<u32>, b: Range<u32>| -> Vec<[u32; 2]> { a.flat_map(|a| b.clone().map(move |b| [a, b])).collect() };
+    // Of two objects; of one; as it lies, among them a triangle and itself.
+    let third = grid(0..72, 0..12).into_iter().filter(|[a, b]| (a + b) % 3 == 0).collect();
+    let crossing = ByNumber { number: 1, ..make([0, 1], 2, [2.5, 1.0, -1.0], third) };
     let of = |number: u32, pairs: &[[u32; 2]]| ByNumber { number, pairs: pairs.to_vec(), ..crossing.clone() };
     let itself = make([1, 1], 2, [0.5, 0.0, 0.0], grid(0..12, 0..12));
     let as_it_lies = Pose { bypass: true, ..Pose::identity(&design.unit.params) };
@@ -76,13 +89,12 @@ pub(super) fn samples(design: &EngineDesign) -> Result<String, ParamError> {
         ByNumber { number, all_pairs, keep_caches: true, ..packet }
     };
     for i in 0..24u32 {
-        let from = (5 * i % 60) as usize;
-        let pairs = &crossing.pairs[12 * from..][..1 + (i % 5) as usize];
+        let pairs = &crossing.pairs[(50 * i % 280) as usize..][..1 + (i % 5) as usize];
         vectors.numbers(&kept(0x100 + i, f64::from(i) / 8.0, pairs, i % 3 == 0));
     }
     // Pairs of triangles that are not there, as the first, in the midst, as the last one; the packet behind is as ever.
     for (number, at, pair) in [(6, 0, [72, 0]), (7, 5, [0, 12]), (8, 9, [u32::MAX, 0]), (9, 3, [0, 1 << 31])] {
-        let mut pairs = crossing.pairs[300..310].to_vec();
+        let mut pairs = crossing.pairs[200..210].to_vec();
         pairs[at] = pair;
         vectors.numbers(&of(number, &pairs));
         vectors.numbers(&kept(0x200 + number, 2.5, &crossing.pairs[..3], true));
@@ -138,11 +150,11 @@ pub(super) fn samples(design: &EngineDesign) -> Result<String, ParamError> {
     // Soft resets: while nothing is to be done, while pairs are asked for, while others wait.
     vectors.wait();
     vectors.reset(40, Some(16));
-    for clocks in [3, 30, 90, 200, 400] {
-        vectors.numbers(&of(17, &crossing.pairs[..200]));
-        vectors.numbers(&kept(18, 2.5, &crossing.pairs[300..310], true));
-        vectors.reset(clocks, (clocks < 200).then_some(clocks));
-        vectors.numbers(&of(19, &crossing.pairs[300..360]));
+    for clocks in [3, 30, 60, 90, 150] {
+        vectors.numbers(&of(17, &crossing.pairs[..90]));
+        vectors.numbers(&kept(18, 2.5, &crossing.pairs[200..210], true));
+        vectors.reset(clocks, (clocks < 90).then_some(clocks));
+        vectors.numbers(&of(19, &crossing.pairs[200..230]));
     }
     Ok(vectors.text().to_owned())
 }

@@ -5,6 +5,7 @@ mod by_number;
 mod files;
 mod host;
 mod memories;
+mod meshes;
 // For co-simulation and the testbench.
 #[doc(hidden)]
 pub mod samples;
@@ -94,8 +95,7 @@ impl EngineDesign {
         // A mesh has no more blocks than triangles.
         let block_lines = triangle_lines;
         let usual = EngineParams::default();
-        let params =
-            EngineParams { memory, memory_width, watchdog, axi_id_bits, triangle_lines, block_lines, ..usual };
+        let params = EngineParams { memory, memory_width, watchdog, axi_id_bits, triangle_lines, block_lines, ..usual };
         Self::of(&params, unit, true)
     }
 

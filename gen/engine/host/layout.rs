@@ -73,7 +73,8 @@ impl Layout {
     /// # Panics
     /// If it is none of them.
     pub fn there(&self, side: Side, from: &[Side]) -> Side {
-        let there = self.sides[from.iter().position(|known| known.triangles_at == side.triangles_at).expect("a side of an image")];
+        let there = self.sides
+            [from.iter().position(|known| known.triangles_at == side.triangles_at).expect("a side of an image")];
         Side { blocks_at: there.blocks_at, triangles_at: there.triangles_at, ..side }
     }
 }

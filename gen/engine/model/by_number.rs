@@ -60,11 +60,13 @@ impl ByNumber {
         let (pose_at, pairs_at) = (EngineFormat::NUMBERS_POSE_AT as usize, format.pairs_at() as usize);
         // What is wrong first: a number of the pose that is no sign extension of what the unit reads, or the end of the packet.
         let sign = 64 - format.transform_width;
-        let fits = |word: &u64| [*word, word >> 32].iter().all(|&half| {
-            let number = half as u32 as i32;
-            let read = ((i64::from(number) << sign) >> sign) as i32;
-            read == number
-        });
+        let fits = |word: &u64| {
+            [*word, word >> 32].iter().all(|&half| {
+                let number = half as u32 as i32;
+                let read = ((i64::from(number) << sign) >> sign) as i32;
+                read == number
+            })
+        };
         // The end comes first in the last word, if that is not the last one of the pose.
         let whole = if words.len() < pairs_at { words.len() - 1 } else { pairs_at };
         if words[..whole].iter().skip(pose_at + 1).any(|word| !fits(word)) {
@@ -74,11 +76,8 @@ impl ByNumber {
             return Err(Reason::TooShort);
         }
         let half = |word: u64, side: usize| (word >> (32 * side)) as u32;
-        let side = |side| Side {
-            triangles_at: half(words[1], side),
-            triangles: half(words[2], side),
-            ..Side::default()
-        };
+        let side =
+            |side| Side { triangles_at: half(words[1], side), triangles: half(words[2], side), ..Side::default() };
         let sides = [0, 1].map(side);
         let record: Vec<StreamWord> = words[pose_at..pairs_at].iter().map(|&word| u128::from(word).into()).collect();
         let named = words[pairs_at..].iter().map(|&word| [half(word, 0), half(word, 1)]);

@@ -14,9 +14,9 @@ mod triangle;
 #[doc(hidden)]
 pub use block::{BadBlock, Block, Link, Volume};
 // For the tests of the volume unit.
+pub use by_number::ByNumber;
 #[doc(hidden)]
 pub use overlap::{Distance, Frame, QueryRow, apart, bounds, distance, overlap};
-pub use by_number::ByNumber;
 pub use query::{Query, Side};
 pub use traversal::{EngineOutcome, Model, Opened, Visits};
 // For the tests of the volume unit.

@@ -309,7 +309,8 @@ impl Run<'_> {
     /// Tests the pairs of triangles that wait.
     fn test(&mut self) -> Result<(), Reason> {
         let leaves = std::mem::take(&mut self.leaves);
-        let records: Vec<[Triangle; 2]> = leaves.iter().map(|&pair| self.model.triangles(self.memory, &self.query.sides, pair)).collect();
+        let records: Vec<[Triangle; 2]> =
+            leaves.iter().map(|&pair| self.model.triangles(self.memory, &self.query.sides, pair)).collect();
         let mut verdicts = vec![];
         if self.query.leaf_pairs {
             verdicts.resize(records.len(), Verdict::PossiblyIncorrect);

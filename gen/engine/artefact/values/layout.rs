@@ -121,7 +121,9 @@ fn groups_by_number(design: &EngineDesign) -> Vec<Group> {
     named.push(field("option_spare", QueryFlags::KEEP_CACHES + 1, 4, ""));
     let memory = match params.memory {
         Memory::Axi => number("memory_width", params.memory_width, "bits of a word"),
-        Memory::BlockRam => number("triangle_line_bits", params.triangle_lines.ilog2(), "of the number of a triangle in memory"),
+        Memory::BlockRam => {
+            number("triangle_line_bits", params.triangle_lines.ilog2(), "of the number of a triangle in memory")
+        }
     };
     vec![
         Group { what: "Triangles, as they come from memory.", items: triangles(design) },
