@@ -3,19 +3,25 @@
 
 use crate::engine_rtl::{Bench, axi, changed, fine, number, small};
 use crate::extent::share;
-use crate::tools::{ghdl, made};
+use crate::tools::program::succeeds;
+use crate::tools::{CHECKED, compiles_everywhere, ghdl, has, made, run};
 use efsat::artefact::Prefix;
 use efsat::design::Design;
 use efsat::engine::artefact::samples::{cuboid, hills, turn};
 use efsat::engine::artefact::vectors::EngineVectors;
 use efsat::engine::artefact::{EngineDesign, engine_files};
+use efsat::engine::format::EngineFormat;
 use efsat::engine::host::{Image, Images, Numbers, memory};
-use efsat::engine::model::{ByNumber, Model};
+use efsat::engine::model::{ByNumber, Model, Side};
 use efsat::engine::params::{EngineParams, Memory};
 use efsat::engine::words::{Command, EngineAnswer, EngineReport, Reason};
 use efsat::evidence::cosim::engine::{Channel, Machine, Packet, Step};
-use efsat::params::{Guard, Method, Params, Transform, Truth, Upper};
+use efsat::pair::{Input, Pose};
+use efsat::params::options::Choice;
+use efsat::params::{Guard, Method, Params, Quantity, Transform, Truth, Upper};
 use efsat::scene::Scene;
+use rand::rngs::ChaCha8Rng;
+use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 use std::collections::HashSet;
 
@@ -222,6 +228,7 @@ fn a_wrong_entity_is_noticed() {
             "end if;\n        fault <= fine;",
         ),
         (top, "clears <= reset or forget;", "clears <= reset;"),
+        (command, "if (clears or reset_now) = '1' then\n        waiting", "if clears = '1' then\n        waiting"),
         // Answers of the packet behind come before a report; one is lost when the host is slow.
         (answer, "std_logic_vector(taken_count) = head(mark_field)", "tested_valid = '0'"),
         (answer, "free <= m_axis_tready or not offered;", "free <= '1';"),
@@ -238,7 +245,7 @@ fn a_wrong_entity_is_noticed() {
     let bench = Bench::of(ghdl, design(&axi(), &determinants()));
     let text = bench.files.get("efsat_engine_tb.vec").unwrap().to_owned();
     let options = ["-glatency_least=5", "-glatency_most=60", "-gfirst_pass=2"];
-    let unnoticed: Vec<&str> = share(19, changes)
+    let unnoticed: Vec<&str> = share(20, changes)
         .into_iter()
         .filter(|change| fine(&changed(&bench, *change, &text, &options)))
         .map(|(_, from, _)| from)
@@ -412,3 +419,159 @@ fn a_triangle_of_b_is_met_again() {
     }
     assert!((1.0..20.0).contains(&(pairs as f64 / once as f64)) && best <= 1.0, "{best}");
 }
+
+/// A packet of any numbers that its fields hold, of objects of 50 and 60 triangles.
+fn random_packet(rng: &mut ChaCha8Rng, format: &EngineFormat, unit: &Params) -> ByNumber {
+    let mut input = |quantity| {
+        let [least, most] = unit.declared(quantity);
+        Input { lo: rng.random_range(least..most), sticky: format.sticky && rng.random() }
+    };
+    let m = [(); 3].map(|()| [(); 3].map(|()| input(Quantity::Entry)));
+    let mut pose = Pose { m, t: [(); 3].map(|()| input(Quantity::Translation)), bypass: false };
+    if rng.random_range(0..4) == 0 {
+        let zero = Input { lo: 0, sticky: false };
+        pose = Pose { m: [[zero; 3]; 3], t: [zero; 3], bypass: true };
+    }
+    let mut side = |triangles| Side { triangles_at: rng.random_range(0..1 << 26), triangles, ..Side::default() };
+    let sides = [side(50), side(60)];
+    let pairs = (0..rng.random_range(2..9)).map(|_| [rng.random_range(0..50), rng.random_range(0..60)]).collect();
+    let number = rng.random_range(0..1 << 24);
+    ByNumber { sides, all_pairs: rng.random(), keep_caches: rng.random(), number, pose, pairs }
+}
+
+/// The answer to a packet, whose faces are the places counted from the last one, and whether it is to be taken: it is damaged, or not.
+fn random_answer(rng: &mut ChaCha8Rng, packet: &ByNumber) -> (Vec<u64>, bool) {
+    let mut report = EngineReport { number: packet.number, ..EngineReport::default() };
+    report.leaf_pairs = packet.pairs.len() as u32;
+    let mut words = vec![];
+    for &[a, b] in &packet.pairs {
+        let verdict = rng.random_range(0..3);
+        report.intersect += u32::from(verdict == 1);
+        report.possibly_incorrect += u32::from(verdict == 2);
+        if verdict > 0 || packet.all_pairs {
+            words.push(EngineAnswer { verdict, triangles: [49 - a, 59 - b] }.word());
+        }
+    }
+    let damage = rng.random_range(0..6);
+    let fine = match damage {
+        1 => {
+            report.number ^= 1;
+            false
+        }
+        2 => {
+            report.leaf_pairs += 1;
+            false
+        }
+        3 => words.pop().is_none(),
+        4 => words.first_mut().map(|word| *word ^= 1 << 50).is_none(),
+        5 => words.last().copied().map(|word| words.push(word)).is_none(),
+        _ => true,
+    };
+    words.extend(report.words());
+    (words, fine)
+}
+
+/// The files in C and in Python pack and refuse as the host here does.
+#[test]
+fn files_in_c_and_python_name_pairs() {
+    let mut rng = ChaCha8Rng::seed_from_u64(9);
+    for unit in [Params::default(), Params { upper: Upper::Sticky, ..Params::default() }] {
+        let format = EngineParams::default().format(&unit).unwrap();
+        let home = tempfile::tempdir().unwrap();
+        let upper = unit.upper.name();
+        succeeds(&home, &format!("generate --engine --pairs-by-number --out rtl --upper {upper}"));
+        let (mut c, mut python, mut due) = (String::new(), String::new(), String::new());
+        for _ in 0..40 {
+            let packet = random_packet(&mut rng, &format, &unit);
+            let words = packet.words(&format);
+            let (answer, fine) = random_answer(&mut rng, &packet);
+            let hex = |words: &[u64]| words.iter().map(|word| format!("{word:016x}")).collect::<Vec<_>>().join(" ");
+            due += &format!("{}\n{}\n", hex(&words), if fine { "taken" } else { "refused" });
+            let flags = u32::from(packet.all_pairs) << 1 | u32::from(packet.keep_caches) << 3;
+            let numbers: Vec<Input> = packet.pose.m.into_iter().flatten().chain(packet.pose.t).collect();
+            let sticky = numbers.iter().enumerate().map(|(i, x)| u32::from(x.sticky) << i).sum::<u32>();
+            let pose = numbers.iter().map(|x| x.lo.to_string()).collect::<Vec<_>>().join(", ");
+            let list = |list: &[u64]| list.iter().map(|word| format!("{word}u")).collect::<Vec<_>>().join(", ");
+            let pairs = |open: char, close: char| {
+                let pair = |[a, b]: &[u32; 2]| format!("{open}{a}, {b}{close}");
+                packet.pairs.iter().map(pair).collect::<Vec<_>>().join(", ")
+            };
+            let [a, b] = packet.sides.map(|side| u64::from(side.triangles_at) * 64);
+            let (bypass, number, count) = (packet.pose.bypass, packet.number, packet.pairs.len());
+            let of_sticky = if format.sticky { format!(", {sticky}") } else { String::new() };
+            c += &format!(
+                "  {{\n    const struct efsat_engine_head head = {{{{{{{a}u, 50}}, {{{b}u, 60}}}}, {flags}, {}, \
+                 {{{pose}}}{of_sticky}}};\n    const uint32_t pairs[][2] = {{{}}};\n    const uint64_t answer[] = \
+                 {{{}}};\n    failed |= check(&head, {number}, pairs, {count}, answer, sizeof answer / 8);\n  }}\n",
+                u8::from(bypass),
+                pairs('{', '}'),
+                list(&answer)
+            );
+            let of_pose = if bypass { "None".to_owned() } else { format!("[{pose}]") };
+            let of_sticky = if format.sticky { format!(", sticky={sticky}") } else { String::new() };
+            python += &format!(
+                "check(e.pairs([e.Side({a}, 50), e.Side({b}, 60)], [{}], {of_pose}, {flags}, {number}{of_sticky}), [{}])\n",
+                pairs('(', ')'),
+                list(&answer).replace('u', "")
+            );
+        }
+        let host = home.path().join("rtl/host");
+        std::fs::write(host.join("test.c"), IN_C.replace("CHECKS", &c)).unwrap();
+        std::fs::write(host.join("test.py"), format!("{IN_PYTHON}{python}")).unwrap();
+        compiles_everywhere(&host.join("efsat_engine.h"));
+        run(&host, "cc", &[CHECKED, &["-o", "test", "test.c"]].concat());
+        let python = has("Python", "python3", "--version");
+        for command in ["./test", "python3 -B test.py"].iter().take(if python { 2 } else { 1 }) {
+            let found = run(&host, "sh", &["-c", command]);
+            let differs = found.lines().zip(due.lines()).find(|(found, due)| found != due);
+            assert_eq!((differs, found.lines().count()), (None, due.lines().count()), "{command}: {upper}");
+        }
+    }
+}
+
+const IN_C: &str = "#include \"efsat_engine.h\"
+#include <inttypes.h>
+#include <stdio.h>
+
+static int check(const struct efsat_engine_head *head, uint32_t number, const uint32_t (*pairs)[2], size_t count, const uint64_t *answer, size_t words)
+{
+  static uint32_t places[2][60];
+  const uint32_t *const faces[2] = {places[0], places[1]};
+  uint64_t packet[64];
+  struct efsat_engine_report report;
+  for (uint32_t i = 0; i < 60; i++) {
+    places[0][i] = 49 - i;
+    places[1][i] = 59 - i;
+  }
+  if (efsat_engine_put_head(packet, head, &number, NULL))
+    return 1;
+  for (size_t i = 0; i < count; i++)
+    if (efsat_engine_put_pair(packet + EFSAT_ENGINE_PAIRS_WORD + i, packet, pairs[i][0], pairs[i][1], NULL))
+      return 1;
+  if (!efsat_engine_put_pair(packet, packet, 50, 0, NULL) || !efsat_engine_put_pair(packet, packet, 0, 60, NULL))
+    return 1;
+  for (size_t i = 0; i < EFSAT_ENGINE_PAIRS_WORD + count; i++)
+    printf(\"%s%016\" PRIx64, i ? \" \" : \"\", packet[i]);
+  printf(\"\\n%s\\n\", efsat_engine_get_answer(&report, packet, count, faces, answer, words, NULL) ? \"refused\" : \"taken\");
+  return 0;
+}
+
+int main(void)
+{
+  int failed = 0;
+CHECKS  return failed;
+}
+";
+
+const IN_PYTHON: &str = "import struct
+import efsat_engine as e
+
+def check(packet, words):
+    print(' '.join(f'{word:016x}' for word in struct.unpack(f'<{len(packet) // 8}Q', packet)))
+    try:
+        e.answer(struct.pack(f'<{len(words)}Q', *words), packet, [range(49, -1, -1), range(59, -1, -1)])
+        print('taken')
+    except ValueError:
+        print('refused')
+
+";

@@ -148,6 +148,7 @@ architecture rtl of {{ prefix }}engine_number_command is
   signal reports : std_logic;
   signal reported : std_logic;
   signal reset_taken : std_logic;
+  signal reset_now : std_logic := '0';  -- a clock later, in which the memory may still give a pair
   signal clears : std_logic;
 {%- if e.axi %}
   signal lines_read : unsigned(31 downto 0) := (others => '0');
@@ -259,7 +260,7 @@ begin
     variable at_last_of_pose : boolean;  -- with which a packet without pairs ends
   begin
     if rising_edge(clk) then
-      reset_word <= reset_taken and not (reset or soft_reset);
+      reset_now <= reset_taken and not (reset or soft_reset);
       reset_number <= head(option_number);
       found := fault;
       ends := '0';
@@ -435,7 +436,6 @@ begin
         end if;
         fault <= fine;
         asked <= '0';
-        waiting <= (others => '0');
         closing <= '0';
 {%- if e.axi %}
         restart_now <= '0';
@@ -443,8 +443,12 @@ begin
         triangle_write <= '0';
 {%- endif %}
       end if;
+      if (clears or reset_now) = '1' then
+        waiting <= (others => '0');
+      end if;
     end if;
   end process receive;
+  reset_word <= reset_now;
 {%- if e.axi %}
 
   -- ===== Counts of what memory has given for the packet =====
@@ -459,7 +463,7 @@ begin
       if word_read = '1' then
         beats_read <= beats_read + 1;
       end if;
-      if (clears or reported) = '1' then
+      if (clears or reset_now or reported) = '1' then
         lines_read <= (others => '0');
         beats_read <= (others => '0');
       end if;

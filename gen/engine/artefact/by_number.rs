@@ -156,6 +156,12 @@ pub(super) fn samples(design: &EngineDesign) -> Result<String, ParamError> {
         vectors.reset(clocks, (clocks < 90).then_some(clocks));
         vectors.numbers(&of(19, &crossing.pairs[200..230]));
     }
+    // A reset right behind pairs, while others come from memory and go to the unit.
+    for clocks in 0..6 {
+        vectors.numbers(&kept(20, 2.5, &crossing.pairs[..24], true));
+        vectors.reset(clocks, Some(clocks));
+        vectors.numbers(&kept(21, 2.5, &crossing.pairs[200..203], true));
+    }
     Ok(vectors.text().to_owned())
 }
 
