@@ -15,6 +15,7 @@ mod engine;
 mod engine_clocks;
 mod engine_entities;
 mod engine_host;
+mod engine_numbers;
 mod engine_rtl;
 mod engine_rules;
 mod engine_volume;
