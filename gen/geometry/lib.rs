@@ -7,6 +7,7 @@ pub mod finite;
 #[cfg(feature = "scenes")]
 pub mod mesh;
 pub mod pair_file;
+mod power;
 pub mod sample;
 #[cfg(feature = "scenes")]
 pub mod scene;
