@@ -30,8 +30,33 @@ const BINS: usize = 32;
 
 /// A triangle on its way to a leaf.
 struct Item {
-    bounds: Bounds,
-    centre: Point3<f64>,
+    reach: Reach,
+    centre: [f64; 3],
+}
+
+/// How far a box reaches along the axes, and along their opposites.
+#[derive(Clone, Copy)]
+struct Reach([f64; 6]);
+
+impl Reach {
+    /// That of no point.
+    const NONE: Self = Self([f64::NEG_INFINITY; 6]);
+
+    fn of(Bounds { min, max }: &Bounds) -> Self {
+        Self([max.x, max.y, max.z, -min.x, -min.y, -min.z])
+    }
+
+    #[inline(always)]
+    fn union(&self, other: &Self) -> Self {
+        Self(std::array::from_fn(|i| if self.0[i] > other.0[i] { self.0[i] } else { other.0[i] }))
+    }
+
+    /// Half the surface area.
+    #[inline(always)]
+    fn area(&self) -> f64 {
+        let [x, y, z] = [0, 1, 2].map(|axis| self.0[axis] + self.0[axis + 3]);
+        x * y + y * z + z * x
+    }
 }
 
 /// The nodes of a tree over the triangles of a mesh, by all threads of the current pool.
@@ -39,7 +64,7 @@ pub(super) fn nodes(mesh: &Mesh) -> Vec<Node> {
     let group = if mesh.faces().len() > LARGE { GROUP } else { LARGE };
     let item = |face: &[u32; 3]| {
         let bounds = Bounds::of(face.map(|v| &mesh.vertices()[v as usize]));
-        Item { bounds, centre: bounds.centre() }
+        Item { reach: Reach::of(&bounds), centre: bounds.centre().into() }
     };
     built(&mesh.faces().iter().map(item).collect::<Vec<_>>(), group)
 }
@@ -185,16 +210,16 @@ impl<'a> Part<'a> {
         let (count, legal) = (self.spare.len(), self.legal());
         let mut best = NONE;
         for (axis, order) in self.orders.iter().enumerate() {
-            let mut bounds = Bounds::empty();
+            let mut reach = Reach::NONE;
             for (triangle, cost) in order.iter().zip(&mut *self.costs).rev() {
-                bounds = bounds.union(&items[*triangle as usize].bounds);
-                *cost = area(&bounds);
+                reach = reach.union(&items[*triangle as usize].reach);
+                *cost = reach.area();
             }
-            bounds = Bounds::empty();
+            reach = Reach::NONE;
             for cut in 1..count {
-                bounds = bounds.union(&items[order[cut - 1] as usize].bounds);
+                reach = reach.union(&items[order[cut - 1] as usize].reach);
                 if legal.contains(&cut) {
-                    let cost = area(&bounds) * cut as f64 + self.costs[cut] * (count - cut) as f64;
+                    let cost = reach.area() * cut as f64 + self.costs[cut] * (count - cut) as f64;
                     best = better(best, (cost, cut.abs_diff(count - cut), axis, cut));
                 }
             }
@@ -218,34 +243,37 @@ impl<'a> Part<'a> {
     fn cut_of_bins(&mut self, items: &[Item]) -> Option<usize> {
         let (count, legal) = (self.spare.len(), self.legal());
         let [triangles, ..] = &mut self.orders;
-        let centres = Bounds::of(triangles.iter().map(|&triangle| &items[triangle as usize].centre));
-        let scale = (centres.max - centres.min).map(|extent| BINS as f64 / extent);
+        let centres = triangles.iter().fold(Reach::NONE, |reach, &triangle| {
+            let [x, y, z] = items[triangle as usize].centre;
+            reach.union(&Reach([x, y, z, -x, -y, -z]))
+        });
+        let least = [0, 1, 2].map(|axis| -centres.0[axis + 3]);
+        let scale = [0, 1, 2].map(|axis| BINS as f64 / (centres.0[axis] - least[axis]));
         // What is no number goes to the first bin.
-        let bin =
-            |item: &Item, axis: usize| (((item.centre[axis] - centres.min[axis]) * scale[axis]) as usize).min(BINS - 1);
-        let mut bins = [[(Bounds::empty(), 0); BINS]; 3];
+        let bin = |item: &Item, axis: usize| (((item.centre[axis] - least[axis]) * scale[axis]) as usize).min(BINS - 1);
+        let mut bins = [[(Reach::NONE, 0); BINS]; 3];
         for &triangle in &**triangles {
             let item = &items[triangle as usize];
             for (axis, bins) in bins.iter_mut().enumerate() {
-                let (bounds, count) = &mut bins[bin(item, axis)];
-                (*bounds, *count) = (bounds.union(&item.bounds), *count + 1);
+                let (reach, count) = &mut bins[bin(item, axis)];
+                (*reach, *count) = (reach.union(&item.reach), *count + 1);
             }
         }
         let mut best = NONE;
         for (axis, bins) in bins.iter().enumerate() {
             let mut right = [0.0; BINS];
-            let mut bounds = Bounds::empty();
+            let mut reach = Reach::NONE;
             for (cost, (of_bin, _)) in right.iter_mut().zip(bins).rev() {
-                bounds = bounds.union(of_bin);
-                *cost = area(&bounds);
+                reach = reach.union(of_bin);
+                *cost = reach.area();
             }
-            bounds = Bounds::empty();
+            reach = Reach::NONE;
             let mut cut = 0;
             for first_right in 1..BINS {
                 let (of_bin, in_bin) = &bins[first_right - 1];
-                (bounds, cut) = (bounds.union(of_bin), cut + in_bin);
+                (reach, cut) = (reach.union(of_bin), cut + in_bin);
                 if legal.contains(&cut) {
-                    let cost = area(&bounds) * cut as f64 + right[first_right] * (count - cut) as f64;
+                    let cost = reach.area() * cut as f64 + right[first_right] * (count - cut) as f64;
                     best = better(best, (cost, cut.abs_diff(count - cut), axis, first_right));
                 }
             }
@@ -298,12 +326,6 @@ fn partition(order: &mut [u32], spare: &mut [u32], first: impl Fn(u32) -> bool) 
         (kept, moved) = (kept + is_first, moved + 1 - is_first);
     }
     order[kept..].copy_from_slice(&spare[..moved]);
-}
-
-/// Half the surface area of a box.
-fn area(bounds: &Bounds) -> f64 {
-    let size = bounds.max - bounds.min;
-    size.x * size.y + size.y * size.z + size.z * size.x
 }
 
 #[cfg(test)]
@@ -378,7 +400,8 @@ mod tests {
             sort(triangles, axis);
             for cut in (1..count).filter(|cut| *cut <= most && count - cut <= most) {
                 let cost = |side: &[u32]| {
-                    area(&side.iter().fold(Bounds::empty(), |sum, t| sum.union(&bounds(*t)))) * side.len() as f64
+                    Reach::of(&side.iter().fold(Bounds::empty(), |sum, t| sum.union(&bounds(*t)))).area()
+                        * side.len() as f64
                 };
                 let (left, right) = triangles.split_at(cut);
                 best = better(best, (cost(left) + cost(right), cut.abs_diff(count - cut), axis, cut));
@@ -432,7 +455,7 @@ mod tests {
                 }
                 Node::Inner(right) => {
                     boxes[index] = boxes[index + 1].union(&boxes[right as usize]);
-                    sum += area(&boxes[index]);
+                    sum += Reach::of(&boxes[index]).area();
                 }
             }
         }
@@ -445,7 +468,7 @@ mod tests {
         let count = mesh.faces().len();
         let item = |face: &[u32; 3]| {
             let bounds = Bounds::of(face.map(|v| &mesh.vertices()[v as usize]));
-            Item { bounds, centre: bounds.centre() }
+            Item { reach: Reach::of(&bounds), centre: bounds.centre().into() }
         };
         let items: Vec<Item> = mesh.faces().iter().map(item).collect();
         let binned = built(&items, GROUP);

@@ -126,13 +126,13 @@ impl DopTree {
             let projection: f64 = n.iter().zip(y.iter()).map(|(&n, &y)| f64::from(n) * y).sum();
             // The conversion makes 0 of NaN; but the coordinates of a mesh are finite, and so are their differences from the centre of
             // their box, which are at most its half-size.
-            (projection + SLACK).ceil() as i32
+            let (bound, whole) = (projection + SLACK, (projection + SLACK) as i32);
+            whole + i32::from(bound > f64::from(whole))
         };
-        let of_vertices: Vec<i32> = vertices
-            .iter()
-            .flat_map(|y| (0..k).map(move |index| (y, index)))
-            .map(|(y, index)| offset(y, self.directions.vector(index)))
-            .collect();
+        let mut of_vertices = vec![0; vertices.len() * k];
+        for (y, offsets) in vertices.iter().zip(of_vertices.chunks_exact_mut(k)) {
+            offsets.iter_mut().enumerate().for_each(|(index, to)| *to = offset(y, self.directions.vector(index)));
+        }
         offsets(&self.nodes, mesh, &of_vertices, k)
     }
 }
