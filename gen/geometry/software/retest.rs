@@ -1,13 +1,13 @@
 //! The exact software retest: what becomes of pairs that the unit calls possibly incorrect.
 //!
-//! Three stages, each only for what the one before has left: separating axes in interval arithmetic
-//! ([`interval_axes`]), which decide nearly all pairs that do not touch; boxes, and the signs of
-//! determinants ([`robbins_whitesides`]), which decide all pairs whose products neither
-//! underflow nor overflow; and integers of any length ([`exact::pair`]). Every stage is exact where
-//! it answers, so the order changes the time and never the answer.
+//! Stages, each only for what the one before has left: separating axes in interval arithmetic ([`interval_axes`]), which decide
+//! nearly all pairs that do not touch; boxes; and the signs of determinants ([`robbins_whitesides`]), in whole numbers where the
+//! coordinates have a common grid (`whole`), and else by predicates that decide all pairs whose products neither underflow nor
+//! overflow. Pairs beyond that range are moved into it by a power of two; those with numbers from both of its ends are left to integers
+//! of any length ([`exact::pair`]). Every stage is exact where it answers, so the order changes the time and never the answer.
 //!
 //! Where B is moved by a pose, the filter is told what the rounded image may be off by. What it leaves is decided as a pair of points if
-//! the image is exact, and by integers if it is not.
+//! the image is exact, and else by determinants that know the pose (`posed`).
 //!
 //! Numbers that are not finite never pass the filter, so that only what it leaves is looked at.
 
