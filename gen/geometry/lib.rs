@@ -4,6 +4,8 @@
 pub mod directions;
 pub mod exact;
 pub mod finite;
+#[doc(hidden)]
+pub mod input;
 #[cfg(feature = "scenes")]
 pub mod mesh;
 pub mod pair_file;
