@@ -159,6 +159,8 @@ impl Format {
 }
 
 /// Reads pairs some at a time, so that no more are in memory; numbers are read by all threads of the current pool.
+// For the command line.
+#[doc(hidden)]
 pub struct Reader<'a> {
     file: String,
     source: Box<dyn BufRead + 'a>,
