@@ -140,8 +140,9 @@ pub struct Overlaps {
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 struct Family {
-    /// How far their boxes reach along the axes and along their opposites, in binary32, rounded outward; first one child, then the other.
-    reach: [[f32; 2]; 6],
+    /// How far their boxes reach along the axes and along their opposites, in binary32, rounded outward: two sides a row, each of both
+    /// children.
+    reach: [[f32; 4]; 3],
     /// The greatest number of a triangle below them.
     last: [u32; 2],
     /// What they are: a family, or a triangle with the highest bit set.
@@ -183,8 +184,8 @@ impl Overlaps {
             };
         }
         let family = |children: [usize; 2]| {
-            let reaches = children.map(|child| reach(&of_nodes[child]));
-            let reach = std::array::from_fn(|side| reaches.map(|reach| outward(reach[side])));
+            let reaches = children.map(|child| reach(&of_nodes[child]).map(outward));
+            let reach = [0, 1, 2].map(|row| [0, 1, 2, 3].map(|lane| reaches[lane % 2][2 * row + lane / 2]));
             Family { reach, last: children.map(|child| last[child]), open: children.map(|child| open[child]) }
         };
         let inner = nodes.iter().enumerate().filter_map(|(index, node)| match *node {
@@ -199,18 +200,21 @@ impl Overlaps {
         let bounds = &self.boxes[triangle as usize];
         // A box overlaps if it reaches as far as this one does in the opposite directions.
         let [x, y, z, u, v, w] = reach(bounds).map(|x| -outward(x));
-        let from = [u, v, w, x, y, z];
+        let from = [[u, u, v, v], [w, w, x, x], [y, y, z, z]];
         // Of each level at most one sibling waits.
         let (mut stack, mut waiting) = ([0; HEIGHT as usize], usize::from(!self.families.is_empty()));
         while waiting > 0 {
             waiting -= 1;
             let Family { reach, last, open } = &self.families[stack[waiting] as usize];
-            let mut overlap = [true; 2];
-            for (reach, from) in reach.iter().zip(from) {
-                overlap = [overlap[0] & (reach[0] >= from), overlap[1] & (reach[1] >= from)];
+            // All are compared without a branch between them.
+            let mut short = [0; 4];
+            for (reach, from) in reach.iter().zip(&from) {
+                for lane in 0..4 {
+                    short[lane] |= u32::from(reach[lane] < from[lane]);
+                }
             }
             for child in [1, 0] {
-                if overlap[child] & (last[child] > triangle) {
+                if (short[child] | short[child + 2] == 0) & (last[child] > triangle) {
                     match open[child] {
                         leaf if leaf & TRIANGLE != 0 => {
                             if self.boxes[last[child] as usize].overlaps(bounds) {
