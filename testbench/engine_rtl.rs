@@ -25,7 +25,7 @@ use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 
 /// A unit that simulates fast.
-fn small() -> Params {
+pub(crate) fn small() -> Params {
     Params { width: 10, transform_width: 26, ..Params::default() }
 }
 
@@ -34,20 +34,23 @@ fn block_ram() -> EngineParams {
 }
 
 /// Caches that are too small for the meshes.
-fn axi() -> EngineParams {
+pub(crate) fn axi() -> EngineParams {
     EngineParams { block_lines: 32, triangle_lines: 16, ..EngineParams::default() }
 }
 
 /// A generated engine in a folder of its own.
-struct Bench {
+pub(crate) struct Bench {
     ghdl: Ghdl,
-    design: EngineDesign,
-    files: FileSet,
+    pub design: EngineDesign,
+    pub files: FileSet,
 }
 
 impl Bench {
     fn new(ghdl: &'static Tool, engine: &EngineParams, unit: &Params) -> Self {
-        let design = EngineDesign::new(engine, unit).unwrap();
+        Self::of(ghdl, EngineDesign::new(engine, unit).unwrap())
+    }
+
+    pub fn of(ghdl: &'static Tool, design: EngineDesign) -> Self {
         let vectors = samples::text(&design).unwrap();
         let files = engine_design_files(&design, &Prefix::default(), &design.command_line(), &vectors).unwrap();
         let bench = Self { ghdl: Ghdl::new(ghdl), design, files };
@@ -63,25 +66,25 @@ impl Bench {
     }
 
     /// Runs the testbench; what it says.
-    fn run(&self, options: &[&str]) -> String {
+    pub fn run(&self, options: &[&str]) -> String {
         self.ghdl.run("efsat_engine_tb", &[&["--ieee-asserts=disable-at-0"], options].concat()).1
     }
 
     /// Runs it on other vectors.
-    fn run_vectors(&self, vectors: &str, options: &[&str]) -> String {
+    pub fn run_vectors(&self, vectors: &str, options: &[&str]) -> String {
         self.ghdl.write("other.vec", vectors);
         self.run(&[&["-gvectors=other.vec"], options].concat())
     }
 }
 
 /// The number that follows a word of the last line.
-fn number(report: &str, name: &str) -> Option<usize> {
+pub(crate) fn number(report: &str, name: &str) -> Option<usize> {
     let last = report.lines().find(|line| line.contains("efsat_engine_tb: packets ") && line.contains(" total "))?;
     last.split_whitespace().skip_while(|word| *word != name).nth(1)?.parse().ok()
 }
 
 /// No difference, and nothing is made of a word that is not there.
-fn fine(report: &str) -> bool {
+pub(crate) fn fine(report: &str) -> bool {
     !report.contains("metavalue")
         && number(report, "mismatches") == Some(0)
         && number(report, "packets").is_some_and(|packets| packets > 0)
@@ -290,7 +293,7 @@ fn a_wrong_engine_is_noticed() {
 }
 
 /// Runs vectors after a change of the text; what the testbench says.
-fn changed(bench: &Bench, (file, from, to): (&str, &str, &str), vectors: &str, options: &[&str]) -> String {
+pub(crate) fn changed(bench: &Bench, (file, from, to): (&str, &str, &str), vectors: &str, options: &[&str]) -> String {
     let text = bench.files.get(file).unwrap();
     bench.ghdl.write(file, &replaced(text, from, to));
     bench.analyse();

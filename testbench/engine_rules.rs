@@ -173,10 +173,10 @@ impl Alone {
         let machine = Rc::new(made(Machine::of(design, &files, None))?);
         let whole = cuboid(1, 1, 1);
         let side = Mesh::new(whole.vertices().to_vec(), whole.faces()[4..6].to_vec()).unwrap();
-        Some([whole, side].map(|mesh| {
+        Some([(whole, 0.5), (side, -0.25)].map(|(mesh, y)| {
             let image = Image::build(&[&mesh], &format).unwrap().remove(0);
             let (memory, sides) = memory(&[&image]);
-            let query = numbers.query([(&image, sides[0]); 2], &turn(2), &[0.25, 0.5, 0.5]).unwrap();
+            let query = numbers.query([(&image, sides[0]); 2], &turn(2), &[0.25, y, 0.5]).unwrap();
             Self { machine: Rc::clone(&machine), memory, query }
         }))
     }

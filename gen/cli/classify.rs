@@ -7,6 +7,7 @@ use super::progress;
 use super::source::{Source, SourceArguments};
 use efsat_geometry::Points;
 use efsat_geometry::exact::{self, Exact, Relation};
+use efsat_geometry::pair_file::Reader;
 use efsat_geometry::sample::random_points;
 use efsat_geometry::scene::{Meeting, Scene};
 use efsat_geometry::software::retest::retest;
@@ -245,11 +246,21 @@ impl Classifier {
         points.par_iter().map(one).collect()
     }
 
-    fn pairs(&self, pairs: &[Points], sink: &mut Sink, bar: &ProgressBar) -> Result<(), Failure> {
-        pairs.chunks(BATCH).try_for_each(|batch| {
-            bar.inc(batch.len() as u64);
-            sink.take(&self.loose(batch))
-        })
+    /// Answers the first pairs of a file, which have been read, and then the others.
+    fn file(
+        &self,
+        first: Vec<Points>,
+        file: &mut Reader<'_>,
+        sink: &mut Sink,
+        bar: &ProgressBar,
+    ) -> Result<(), Failure> {
+        let mut batch = first;
+        while !batch.is_empty() {
+            bar.set_position(file.position());
+            sink.take(&self.loose(&batch))?;
+            batch = file.next(BATCH)?;
+        }
+        Ok(())
     }
 
     fn random(&self, count: u64, seed: u64, sink: &mut Sink, bar: &ProgressBar) -> Result<(), Failure> {
@@ -258,7 +269,8 @@ impl Classifier {
         while left > 0 {
             let batch: Vec<Points> = (0..left.min(BATCH as u64)).map(|_| random_points(&mut rng)).collect();
             left -= batch.len() as u64;
-            self.pairs(&batch, sink, bar)?;
+            bar.inc(batch.len() as u64);
+            sink.take(&self.loose(&batch))?;
         }
         Ok(())
     }
@@ -298,18 +310,26 @@ impl Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let params = arguments.params.params()?;
-    let given = match (&arguments.file, &arguments.source) {
+    let mut given = match (&arguments.file, &arguments.source) {
         (Some(name), _) => Some(Source::file(name)?),
         (None, SourceArguments { scene: Some(name), .. }) => Some(Source::scene(name)?),
         (None, SourceArguments { random: Some(_), .. }) => None,
         _ => return Err(Failure::Usage("no pairs: expected one of FILE, --scene FILE and --random N".to_owned())),
     };
+    // Of a file that begins with something else nothing is answered.
+    let first = match &mut given {
+        Some(Source::Pairs(file)) => file.next(BATCH)?,
+        _ => vec![],
+    };
     let mut sink = Sink::new(arguments, &params)?;
     let Arguments { exact, retest, .. } = *arguments;
     let classifier = Classifier { reference: Reference::new(&params), exact, retest };
     let bar = |count: u64, steps| progress::bar("answering", count, steps, arguments.rows());
-    match (&given, arguments.source.random) {
-        (Some(Source::Pairs(pairs)), _) => classifier.pairs(pairs, &mut sink, &bar(pairs.len() as u64, "pairs"))?,
+    match (&mut given, arguments.source.random) {
+        (Some(Source::Pairs(file)), _) => {
+            let bar = bar(file.length(), "bytes");
+            classifier.file(first, file, &mut sink, &bar)?;
+        }
         (Some(Source::Scene(scene)), _) => {
             classifier.scene(scene, &mut sink, &bar(scene.frames() as u64, "poses"))?;
         }

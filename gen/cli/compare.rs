@@ -128,7 +128,7 @@ impl Arguments {
             Source::Pairs(_) if self.units.is_some() => {
                 Err(Failure::Usage("--units: found a file of pairs, which has no unit; expected a scene".to_owned()))
             }
-            Source::Pairs(pairs) => Ok((self.file.clone().unwrap_or_default(), Pairs::Loose(pairs))),
+            Source::Pairs(pairs) => Ok((self.file.clone().unwrap_or_default(), Pairs::Loose(pairs.all()?))),
         }
     }
 

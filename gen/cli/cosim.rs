@@ -181,7 +181,7 @@ fn job(arguments: &Arguments, params: &Params) -> Result<Job, Failure> {
         }
     };
     Ok(match source {
-        Source::Pairs(pairs) => Job::pairs(params, &pairs, arguments.limit),
+        Source::Pairs(pairs) => Job::pairs(params, &pairs.all()?, arguments.limit),
         Source::Scene(scene) => Job::scene(params, &scene, arguments.limit.unwrap_or(SCENE_LIMIT)),
     })
 }

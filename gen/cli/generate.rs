@@ -60,6 +60,9 @@ pub(super) struct Arguments {
     /// Write the collision engine around the unit: two trees and a pose in, the pairs of triangles that touch out
     #[arg(long, requires = "out", conflicts_with_all = ["lp", "dump", "ready", "stream_width", "unit", "svg", "dot"])]
     engine: bool,
+    /// With --engine: no trees; a packet is a pose and the numbers of two triangles in memory for each pair, 8 bytes
+    #[arg(long, requires = "engine")]
+    pairs_by_number: bool,
     #[command(flatten)]
     diagram: DiagramArguments,
     #[command(flatten)]
@@ -230,7 +233,8 @@ struct EngineWritten {
     block_rams: u64,
     block_rams_of_device: u32,
     frequency_mhz: u32,
-    clocks_per_expansion: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clocks_per_expansion: Option<usize>,
     clocks_per_pair: usize,
 }
 
@@ -241,8 +245,10 @@ impl fmt::Display for EngineWritten {
         let there = self.block_rams_of_device;
         writeln!(f, "{multipliers} multipliers ({device} has {all}), {block_rams} block RAMs of 18 kbit ({there})")?;
         writeln!(f, "units pipelined for {} MHz", self.frequency_mhz)?;
-        let expansions = pace(self.clocks_per_expansion).replacen("pair", "expansion", 1);
-        writeln!(f, "{expansions}, {}", pace(self.clocks_per_pair))
+        if let Some(clocks) = self.clocks_per_expansion {
+            write!(f, "{}, ", pace(clocks).replacen("pair", "expansion", 1))?;
+        }
+        writeln!(f, "{}", pace(self.clocks_per_pair))
     }
 }
 
@@ -251,7 +257,10 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
     let Some(out) = &arguments.out else {
         return Err(Failure::Usage("no --out: expected --out DIR with --engine".to_owned()));
     };
-    let design = arguments.engine_params.design(&arguments.params)?;
+    let design = match arguments.pairs_by_number {
+        false => arguments.engine_params.design(&arguments.params)?,
+        true => arguments.engine_params.design_by_number(&arguments.params)?,
+    };
     let prefix = arguments.name.clone().unwrap_or_default();
     let name = prefix.name().map(|name| format!(" --name {name}")).unwrap_or_default();
     let verilog = if arguments.verilog { " --verilog" } else { "" };
@@ -279,12 +288,12 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
         out: out.display().to_string(),
         files: set.len(),
         device: device.name,
-        multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
+        multipliers: design.multipliers().iter().sum(),
         multipliers_of_device: device.multipliers as usize,
         block_rams: design.block_rams(),
         block_rams_of_device: device.block_rams,
         frequency_mhz: design.unit.params.frequency,
-        clocks_per_expansion: design.volume.interval,
+        clocks_per_expansion: (!design.by_number).then_some(design.volume.interval),
         clocks_per_pair: design.unit.interval,
     };
     if arguments.json {
@@ -292,8 +301,10 @@ fn engine(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         print(&written.to_string())?
     }
-    let units = [&design.unit.top, &design.volume.stage].map(|module| estimate::whole(module, device));
-    if let Some((kind, used, there)) = units.into_iter().sum::<Resources>().shortage(&device.capacity) {
+    let mut units = vec![&design.unit.top];
+    units.extend((!design.by_number).then_some(&design.volume.stage));
+    let units = units.into_iter().map(|module| estimate::whole(module, device));
+    if let Some((kind, used, there)) = units.sum::<Resources>().shortage(&device.capacity) {
         warn(&format!("{} has {there} {kind}; the units of the design are predicted to take {used}", device.name));
     }
     if written.block_rams > device.block_rams.into() {

@@ -69,13 +69,28 @@ impl EngineArguments {
 
     /// The engine around a unit.
     pub fn design(&self, unit: &ParamArguments) -> Result<EngineDesign, Failure> {
+        Ok(EngineDesign::new(&self.typed, &self.unit(unit)?)?)
+    }
+
+    /// The engine that takes pairs by number.
+    pub fn design_by_number(&self, unit: &ParamArguments) -> Result<EngineDesign, Failure> {
+        let has = EngineDesign::OPTIONS_BY_NUMBER;
+        if let Some((option, value)) = self.given.iter().find(|(option, _)| !has.contains(option)) {
+            let why = format!("expected none of the engine's options but --{}", has.join(", --"));
+            return Err(Failure::Usage(format!("--{option} {value} with --pairs-by-number: {why}")));
+        }
+        Ok(EngineDesign::by_number(&self.typed, &self.unit(unit)?)?)
+    }
+
+    /// The unit in an engine.
+    fn unit(&self, unit: &ParamArguments) -> Result<Params, Failure> {
         let params = unit.params()?;
         if unit.has("tag-width") {
             let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
             return Err(Failure::Usage(format!("--tag-width {}: {why}", params.tag_width)));
         }
         self.typed.refuse_of_port(self.given.iter()).map_err(DesignError::from)?;
-        Ok(EngineDesign::new(&self.typed, &params)?)
+        Ok(params)
     }
 }
 

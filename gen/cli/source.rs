@@ -4,9 +4,8 @@ use super::error::Failure;
 use super::file;
 use super::output::warn;
 use efsat_geometry::mesh::{self, BUILTIN, Findings, Mesh};
-use efsat_geometry::pair_file::PairFileError;
+use efsat_geometry::pair_file::{PairFileError, Reader};
 use efsat_geometry::scene::{self, Scene};
-use efsat_geometry::{Points, pair_file};
 use efsat_unit::host::settings::Settings;
 use std::path::Path;
 
@@ -29,22 +28,21 @@ pub(super) struct SourceArguments {
 }
 
 /// A source of pairs that is not random.
-#[derive(Debug)]
 pub(super) enum Source {
     /// Pairs of a file.
-    Pairs(Vec<Points>),
+    Pairs(Reader<'static>),
     /// A scene.
     Scene(Scene),
 }
 
 impl Source {
-    /// Reads a file of pairs, or a scene if its name ends in `.toml`.
+    /// Opens a file of pairs, or reads a scene if its name ends in `.toml`.
     pub fn file(name: &str) -> Result<Self, Failure> {
         if Path::new(name).extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
             return Self::scene(name);
         }
         file::reads(name.as_ref());
-        pair_file::read(name).map(Self::Pairs).map_err(|e| match e {
+        Reader::open(name).map(Self::Pairs).map_err(|e| match e {
             // Here scenes are read as well.
             PairFileError::Kind { file, found, hint } => {
                 let found = match (Path::new(name).is_dir(), found.as_str()) {

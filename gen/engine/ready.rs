@@ -98,7 +98,7 @@ fn engine(set: &mut FileSet, unit: &Params) -> Result<EngineRow, ReadyError> {
     files.iter().for_each(|(name, text)| set.insert(format!("{ENGINE}/{name}"), text));
     Ok(EngineRow {
         name: ENGINE,
-        multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
+        multipliers: design.multipliers().iter().sum(),
         expansion_clocks: design.volume.interval,
         pair_clocks: design.unit.interval,
     })

@@ -9,6 +9,7 @@ pub mod input;
 #[cfg(feature = "scenes")]
 pub mod mesh;
 pub mod pair_file;
+mod power;
 pub mod sample;
 #[cfg(feature = "scenes")]
 pub mod scene;

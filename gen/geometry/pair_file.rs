@@ -2,7 +2,9 @@
 //! both a0 a1 a2 b0 b1 b2, each x y z.
 
 use crate::Points;
+use rayon::prelude::*;
 use std::io::{BufRead, BufReader, Read};
+use std::ops::Range;
 use std::path::Path;
 
 /// Bytes of one pair in a `.f64` file.
@@ -11,6 +13,9 @@ const RECORD: usize = 18 * 8;
 /// Bytes of the longest line. Eighteen numbers with all decimals of a binary64 take a quarter of it; what has no line feed at
 /// all does not fill the memory.
 const LINE: u64 = 1 << 16;
+
+/// Pairs that are read at a time where all are wanted.
+const MANY: usize = 1 << 14;
 
 /// Why a file of pairs cannot be read.
 #[derive(Debug, thiserror::Error)]
@@ -115,22 +120,7 @@ pub enum PairFileError {
 /// # Errors
 /// A file that cannot be read, is of no known kind, holds no pair, or holds anything but finite numbers, 18 a pair.
 pub fn read(name: &str) -> Result<Vec<Points>, PairFileError> {
-    if name == "-" {
-        return read_csv(std::io::stdin().lock(), "standard input");
-    }
-    let open = || std::fs::File::open(name).map_err(|source| PairFileError::Io { file: name.to_owned(), source });
-    let extension = Path::new(name).extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
-    match extension.as_str() {
-        "csv" => read_csv(open()?, name),
-        "f64" => read_f64(open()?, name),
-        _ => {
-            let hint = match extension.as_str() {
-                "stl" | "obj" | "ply" => " (a mesh: a scene file names it, or efsat compare --mesh reads it)",
-                _ => "",
-            };
-            Err(PairFileError::Kind { file: name.to_owned(), found: extension, hint })
-        }
-    }
+    Reader::open(name)?.all()
 }
 
 /// Reads CSV: 18 numbers a row, a first row none of whose fields is a number is a header, empty lines are skipped. A
@@ -141,47 +131,7 @@ pub fn read(name: &str) -> Result<Vec<Points>, PairFileError> {
 /// # Errors
 /// As [`read`].
 pub fn read_csv(source: impl Read, name: &str) -> Result<Vec<Points>, PairFileError> {
-    let file = || name.to_owned();
-    let mut source = BufReader::new(source);
-    let mut pairs = Vec::new();
-    let mut first = true;
-    let mut text = Vec::new();
-    for line in 1.. {
-        text.clear();
-        let length = source.by_ref().take(LINE).read_until(b'\n', &mut text);
-        match length.map_err(|source| PairFileError::Io { file: file(), source })? {
-            0 => break,
-            length if length as u64 == LINE => return Err(PairFileError::Long { file: file(), line }),
-            _ => {}
-        }
-        // A byte order mark would make a header of the first row.
-        let row = text.strip_prefix(b"\xef\xbb\xbf").filter(|_| line == 1).unwrap_or(&text);
-        if row.trim_ascii().is_empty() {
-            continue;
-        }
-        if let Some(found) = separator(row) {
-            return Err(PairFileError::Separator { file: file(), line, found });
-        }
-        let fields: Vec<&[u8]> = row.split(|&byte| byte == b',').map(unquoted).collect();
-        if std::mem::take(&mut first) && fields.iter().all(|field| number(field).is_none()) {
-            continue;
-        }
-        if fields.len() != 18 {
-            return Err(PairFileError::Fields { file: file(), line, found: fields.len() });
-        }
-        let mut points = Points::default();
-        for (i, field) in fields.into_iter().enumerate() {
-            match number(field) {
-                Some(x) if x.is_finite() && !(x == 0.0 && has_digits(field)) => points[i / 3][i % 3] = x,
-                _ => return Err(PairFileError::Field { file: file(), line, column: i + 1, found: shown(field) }),
-            }
-        }
-        pairs.push(points);
-    }
-    if pairs.is_empty() {
-        return Err(PairFileError::Empty { file: file() });
-    }
-    Ok(pairs)
+    Reader::new(source, name, Format::CSV).all()
 }
 
 /// Reads raw little-endian binary64 numbers, 18 a pair.
@@ -190,32 +140,212 @@ pub fn read_csv(source: impl Read, name: &str) -> Result<Vec<Points>, PairFileEr
 ///
 /// # Errors
 /// As [`read`].
-pub fn read_f64(mut source: impl Read, name: &str) -> Result<Vec<Points>, PairFileError> {
-    let file = || name.to_owned();
-    let mut bytes = Vec::new();
-    source.read_to_end(&mut bytes).map_err(|source| PairFileError::Io { file: file(), source })?;
-    if bytes.is_empty() {
-        return Err(PairFileError::Empty { file: file() });
-    }
-    if bytes.len() % RECORD != 0 {
-        return Err(PairFileError::Length { file: file(), found: bytes.len() });
-    }
-    let mut pairs = Vec::with_capacity(bytes.len() / RECORD);
-    for (pair, record) in bytes.chunks_exact(RECORD).enumerate() {
-        let mut points = Points::default();
-        for (i, word) in record.chunks_exact(8).enumerate() {
-            let mut raw = [0; 8];
-            raw.copy_from_slice(word);
-            let x = f64::from_le_bytes(raw);
-            if !x.is_finite() {
-                let offset = pair * RECORD + i * 8;
-                return Err(PairFileError::Value { file: file(), offset, pair, number: i + 1, found: x });
-            }
-            points[i / 3][i % 3] = x;
+pub fn read_f64(source: impl Read, name: &str) -> Result<Vec<Points>, PairFileError> {
+    Reader::new(source, name, Format::Raw).all()
+}
+
+/// How pairs are written.
+enum Format {
+    /// Text: how many lines have been read, and whether a row has.
+    Csv {
+        lines: usize,
+        begun: bool,
+    },
+    Raw,
+}
+
+impl Format {
+    const CSV: Self = Self::Csv { lines: 0, begun: false };
+}
+
+/// Reads pairs some at a time, so that no more are in memory; numbers are read by all threads of the current pool.
+// For the command line.
+#[doc(hidden)]
+pub struct Reader<'a> {
+    file: String,
+    source: Box<dyn BufRead + 'a>,
+    format: Format,
+    length: u64,
+    position: u64,
+    pairs: usize,
+}
+
+impl Reader<'_> {
+    /// Opens the file `name`, as [`read`] does.
+    ///
+    /// # Errors
+    /// A file that cannot be opened, or is of no known kind, or ends inside a pair.
+    pub fn open(name: &str) -> Result<Self, PairFileError> {
+        if name == "-" {
+            return Ok(Self::new(std::io::stdin().lock(), "standard input", Format::CSV));
         }
-        pairs.push(points);
+        let extension = Path::new(name).extension().unwrap_or_default().to_string_lossy().to_ascii_lowercase();
+        let format = match extension.as_str() {
+            "csv" => Format::CSV,
+            "f64" => Format::Raw,
+            _ => {
+                let hint = match extension.as_str() {
+                    "stl" | "obj" | "ply" => " (a mesh: a scene file names it, or efsat compare --mesh reads it)",
+                    _ => "",
+                };
+                return Err(PairFileError::Kind { file: name.to_owned(), found: extension, hint });
+            }
+        };
+        let no = |source| PairFileError::Io { file: name.to_owned(), source };
+        let file = std::fs::File::open(name).map_err(no)?;
+        // Of what is no file, a pipe perhaps, the length is 0.
+        let length = file.metadata().map_err(no)?.len();
+        if matches!(format, Format::Raw) && length % RECORD as u64 != 0 {
+            return Err(PairFileError::Length { file: name.to_owned(), found: length as usize });
+        }
+        Ok(Self { length, ..Self::new(file, name, format) })
     }
-    Ok(pairs)
+}
+
+impl<'a> Reader<'a> {
+    fn new(source: impl Read + 'a, name: &str, format: Format) -> Self {
+        let source = Box::new(BufReader::new(source));
+        Self { file: name.to_owned(), source, format, length: 0, position: 0, pairs: 0 }
+    }
+
+    /// The bytes of the file, or 0 if that is not known.
+    pub fn length(&self) -> u64 {
+        self.length
+    }
+
+    /// The bytes that have been read.
+    pub fn position(&self) -> u64 {
+        self.position
+    }
+
+    /// The next pairs, so many at most; none at the end.
+    ///
+    /// # Errors
+    /// As [`read`], for what has been read so far.
+    pub fn next(&mut self, most: usize) -> Result<Vec<Points>, PairFileError> {
+        let found = match self.format {
+            Format::Csv { .. } => self.rows(most)?,
+            Format::Raw => self.records(most)?,
+        };
+        self.pairs += found.len();
+        if self.pairs == 0 {
+            return Err(PairFileError::Empty { file: self.file.clone() });
+        }
+        Ok(found)
+    }
+
+    /// All that are left.
+    ///
+    /// # Errors
+    /// As [`read`].
+    pub fn all(mut self) -> Result<Vec<Points>, PairFileError> {
+        let mut all = vec![];
+        loop {
+            let found = self.next(MANY)?;
+            if found.is_empty() {
+                return Ok(all);
+            }
+            all.extend(found);
+        }
+    }
+
+    fn rows(&mut self, most: usize) -> Result<Vec<Points>, PairFileError> {
+        let Self { file, source, format: Format::Csv { lines, begun }, position, .. } = self else { return Ok(vec![]) };
+        let (mut text, mut rows, mut stopped) = (vec![], vec![], None);
+        while rows.len() < most {
+            let mut start = text.len();
+            let length = match source.by_ref().take(LINE).read_until(b'\n', &mut text) {
+                Ok(0) => break,
+                Ok(length) => length as u64,
+                Err(source) => {
+                    stopped = Some(PairFileError::Io { file: file.clone(), source });
+                    break;
+                }
+            };
+            (*lines, *position) = (*lines + 1, *position + length);
+            if length == LINE {
+                stopped = Some(PairFileError::Long { file: file.clone(), line: *lines });
+                break;
+            }
+            // A byte order mark would make a header of the first row.
+            if *lines == 1 && text.starts_with(b"\xef\xbb\xbf") {
+                start = 3;
+            }
+            let row = &text[start..];
+            if !row.trim_ascii().is_empty() && (std::mem::replace(begun, true) || !is_header(row)) {
+                rows.push((*lines, start..text.len()));
+            }
+        }
+        let numbers = |(line, place): &(usize, Range<usize>)| row(&text[place.clone()], file, *line);
+        let found = in_order(rows.par_iter().map(numbers).collect())?;
+        stopped.map_or(Ok(found), Err)
+    }
+
+    fn records(&mut self, most: usize) -> Result<Vec<Points>, PairFileError> {
+        let Self { file, source, position, pairs, .. } = self;
+        let mut bytes = vec![];
+        source
+            .by_ref()
+            .take((most * RECORD) as u64)
+            .read_to_end(&mut bytes)
+            .map_err(|source| PairFileError::Io { file: file.clone(), source })?;
+        *position += bytes.len() as u64;
+        if bytes.len() % RECORD != 0 {
+            return Err(PairFileError::Length { file: file.clone(), found: *position as usize });
+        }
+        let numbers = |(pair, bytes): (usize, &[u8])| record(bytes, file, *pairs + pair);
+        in_order(bytes.par_chunks_exact(RECORD).enumerate().map(numbers).collect())
+    }
+}
+
+/// All pairs, or the first error.
+fn in_order(found: Vec<Result<Points, PairFileError>>) -> Result<Vec<Points>, PairFileError> {
+    found.into_iter().collect()
+}
+
+/// Whether no field of a row is a number, though commas separate them.
+fn is_header(row: &[u8]) -> bool {
+    separator(row).is_none() && fields(row).all(|field| number(field).is_none())
+}
+
+/// The pair of a row.
+fn row(row: &[u8], file: &str, line: usize) -> Result<Points, PairFileError> {
+    let file = || file.to_owned();
+    if let Some(found) = separator(row) {
+        return Err(PairFileError::Separator { file: file(), line, found });
+    }
+    let found = fields(row).count();
+    if found != 18 {
+        return Err(PairFileError::Fields { file: file(), line, found });
+    }
+    let mut points = Points::default();
+    for (i, field) in fields(row).enumerate() {
+        match number(field) {
+            Some(x) if x.is_finite() && !(x == 0.0 && has_digits(field)) => points[i / 3][i % 3] = x,
+            _ => return Err(PairFileError::Field { file: file(), line, column: i + 1, found: shown(field) }),
+        }
+    }
+    Ok(points)
+}
+
+/// The pair of 144 bytes.
+fn record(bytes: &[u8], file: &str, pair: usize) -> Result<Points, PairFileError> {
+    let mut points = Points::default();
+    for (i, word) in bytes.chunks_exact(8).enumerate() {
+        let mut raw = [0; 8];
+        raw.copy_from_slice(word);
+        let x = f64::from_le_bytes(raw);
+        if !x.is_finite() {
+            let offset = pair * RECORD + i * 8;
+            return Err(PairFileError::Value { file: file.to_owned(), offset, pair, number: i + 1, found: x });
+        }
+        points[i / 3][i % 3] = x;
+    }
+    Ok(points)
+}
+
+fn fields(row: &[u8]) -> impl Iterator<Item = &[u8]> {
+    row.split(|&byte| byte == b',').map(unquoted)
 }
 
 /// What separates the numbers of a row if it is not commas. A header may have blanks, but no 18 numbers between them.
@@ -334,6 +464,36 @@ mod tests {
         let mut infinite = bytes.clone();
         infinite[160..168].copy_from_slice(&f64::NEG_INFINITY.to_le_bytes());
         assert_eq!(message(&infinite), "p.f64: byte 160 (pair 1, number 3): found -inf; expected a finite number");
+    }
+
+    /// In batches of any size the pairs are the same, and so are errors, with all pairs before them.
+    #[test]
+    fn batches_are_the_whole() {
+        let rows: String =
+            (0..50).map(|i| format!("{}\n{}", ROW.replacen('0', &i.to_string(), 1), &"\n"[i % 2..])).collect();
+        let text = format!("\u{feff}name\n{rows}");
+        let whole = read_csv(text.as_bytes(), "").unwrap();
+        let bytes: Vec<u8> = whole.iter().flatten().flatten().flat_map(|x| x.to_le_bytes()).collect();
+        let drain = |mut reader: Reader<'_>, most: usize| {
+            let mut all = vec![];
+            loop {
+                match reader.next(most) {
+                    Ok(found) if found.is_empty() => return (all, None),
+                    Ok(found) => all.extend(found),
+                    Err(e) => return (all, Some(e.to_string())),
+                }
+            }
+        };
+        for most in [1, 7, 50, 51] {
+            assert_eq!(drain(Reader::new(text.as_bytes(), "", Format::CSV), most), (whole.clone(), None));
+            assert_eq!(drain(Reader::new(&bytes[..], "", Format::Raw), most), (whole.clone(), None));
+            let cut = drain(Reader::new(&bytes[..bytes.len() - 1], "p", Format::Raw), most);
+            assert_eq!(cut.0.len(), 49 / most * most);
+            assert!(cut.1.unwrap().starts_with("p: found 7199 bytes"));
+            let wrong = text.replacen("48,", "x,", 1);
+            let (before, error) = drain(Reader::new(wrong.as_bytes(), "p", Format::CSV), most);
+            assert_eq!((before.len(), error.unwrap().contains("column 1: found \"x\"")), (48 / most * most, true));
+        }
     }
 
     #[test]

@@ -14,9 +14,10 @@
 --   N <address> <word>       64 bits of memory are written, where a word would come
 --   A <word>                 a pair that the next packet is to answer, in ascending order of the words
 --   R <low> <mode> <word 1> <word 2> <word 3>  its report: the low half of word 0, and what is compared: 2 all, 1 the low half
---                            and that no other pair is answered, 0 the low half alone
+--                            and that no other pair is answered, 0 the low half alone; 3 all, and the pairs are in the order of
+--                            the file; 4 the low half, and that the pairs are the first of these, in order
 --   O <word> <last>          a word that the next packet is to answer, in this place; for packets of pairs and poses
--- The order of pairs of a query is not compared. In the first pass words go at full speed and memory answers after latency_least to
+-- The order of pairs of a query is compared in modes 3 and 4 alone. In the first pass words go at full speed and memory answers after latency_least to
 -- latency_most clocks; in the others there are random stalls on all sides. The bounds of the stack, the rules of the streams
 -- and of AXI (steady addresses, bursts within 64 bytes, reads of nothing but the memory) are checked. It stops by itself;
 -- the last line it prints begins with "efsat_engine_tb:".
@@ -528,12 +529,23 @@ begin
       compare_word("word 0", tail(0)(31 downto 0), low);
       for i in 1 to 3 loop
         read_word(answer_line, due);
-        if mode = 2 then
+        if mode = 2 or mode = 3 then
           compare_word("word " & integer'image(i), tail(i), due);
         end if;
       end loop;
       place := 0;
-      if mode > 0 then
+      if mode > 2 then
+        for i in 0 to found_count - 1 loop
+          if i < expected_count then
+            compare_word("pair " & integer'image(i), found(i), expected(i));
+          else
+            compare_word("a pair too many", found(i), (word_64'range => '0'));
+          end if;
+        end loop;
+        if mode = 3 and found_count < expected_count then
+          complain("a pair is missing");
+        end if;
+      elsif mode > 0 then
         sort(found, found_count);
         for i in 0 to found_count - 1 loop
           while place < expected_count and unsigned(expected(place)) < unsigned(found(i)) loop

@@ -130,9 +130,9 @@ public:
     for (const Step &step : steps) {
       if (step.words.size() < 5 || uint32_t(step.words[0]) != 0x{{ query_header }})
         continue;
-      for (int part = 0; part < 4; part++) {
+      for (int part = 0; part < {% if by_number %}2{% else %}4{% endif %}; part++) {
         const auto half = [&](int place) { return step.words[place + part / 2] >> (part % 2 ? 32 : 0) & 0xffffffff; };
-        for (uint64_t i = half(1); i < half(1) + half(3) && i < readable.size(); i++)
+        for (uint64_t i = half(1); i < half(1) + half({% if by_number %}2{% else %}3{% endif %}) && i < readable.size(); i++)
           readable[i] = true;
       }
     }

@@ -4,7 +4,7 @@
 /*
  * The words of {{ h.prefix }}efsat_engine in C99 and C++: constants, packing of packets, unpacking of answers. A packet is words of 64
  * bits, TLAST with the last one; on the wire their bytes are little-endian. Images of trees are made by `efsat tree build`, and the
- * numbers and rows of a pose by `efsat tree query`.
+ * numbers {% if h.by_number %}of a pose{% else %}and rows of a pose{% endif %} by `efsat tree query`.
  *
  * A function that returns int refuses what the engine makes no promise for, and answers that it cannot have given: it returns 0, or
  * one of {{ h.upper }}_REFUSED_... and has then written nothing. `why`, if it is not null, gets the details, and
@@ -23,6 +23,8 @@
 {%- endfor %}
 {% endfor %}
 {% include "host/refusal.h" %}
+{% if h.by_number %}{% include "host/numbers_head.h" %}
+{% else -%}
 /* Where an object is in memory: addresses in bytes, multiples of 64, of its blocks and of its triangles, and how many there are. */
 struct {{ h.prefix }}efsat_engine_side {
   uint64_t blocks_at;
@@ -60,6 +62,7 @@ struct {{ h.prefix }}efsat_engine_query {
   struct {{ h.prefix }}efsat_engine_row rows[{{ h.upper }}_DIRECTIONS];
 };
 
+{% endif -%}
 /* A pair of triangles in an answer: one of {{ h.upper }}_VERDICT_..., and the faces of A and of B. */
 struct {{ h.prefix }}efsat_engine_pair {
   unsigned verdict;
@@ -94,6 +97,8 @@ static inline uint64_t {{ h.prefix }}efsat_engine_both(uint64_t low, uint64_t hi
   return (low & UINT32_MAX) | high << 32;
 }
 
+{% if h.by_number %}{% include "host/numbers_put.h" %}
+{% else -%}
 /* Asks in a packet of a query for something else. The query gets the number `*next`, which then is the next one, so that no two of the
  * last 2^{{ h.upper }}_QUERY_NUMBER_BITS queries have the same; begin with any. The report of its answer has to return it. */
 {{ h.upper }}_CHECKED static inline int {{ h.prefix }}efsat_engine_ask(uint64_t packet[{{ h.upper }}_QUERY_WORDS], struct {{ h.prefix }}efsat_engine_options options, uint32_t *next,
@@ -188,6 +193,7 @@ static inline uint64_t {{ h.prefix }}efsat_engine_both(uint64_t low, uint64_t hi
     packet[1 + i] = {{ h.prefix }}efsat_engine_both((uint64_t)lines[2 * i], (uint64_t)lines[2 * i + 1]);
   return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }
+{% endif -%}
 {% if h.block_ram %}
 /* The first two words of a packet that fills memory from a byte address on: 0 or more for blocks, {{ h.upper }}_TRIANGLES_AT or more
  * for triangles. The words of the image follow, eight for each block or triangle. */
@@ -200,6 +206,7 @@ static inline uint64_t {{ h.prefix }}efsat_engine_both(uint64_t low, uint64_t hi
   return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }
 {% endif %}
+{% if !h.by_number -%}
 /* The only word of a packet that ends the query with a number (its lower {{ h.upper }}_QUERY_NUMBER_BITS bits count), if it runs or
  * waits; it has no answer of its own. */
 static inline uint64_t {{ h.prefix }}efsat_engine_stop(uint32_t number)
@@ -207,6 +214,7 @@ static inline uint64_t {{ h.prefix }}efsat_engine_stop(uint32_t number)
   return (uint64_t)number << {{ h.upper }}_QUERY_NUMBER_LOW | {{ h.upper }}_STOP_HEADER;
 }
 
+{% endif -%}
 /* The only word of a packet after which nothing that was sent before has another answer than the report to this: its reason is
  * {{ h.upper }}_REASON_RESET, its number the given one, and words before it in its packet mean nothing. */
 static inline uint64_t {{ h.prefix }}efsat_engine_reset(uint32_t number)
@@ -249,6 +257,8 @@ static inline struct {{ h.prefix }}efsat_engine_report {{ h.prefix }}efsat_engin
   return report;
 }
 
+{% if h.by_number %}{% include "host/numbers_get.h" %}
+{% else -%}
 static inline int {{ h.prefix }}efsat_engine_by_triangles(const void *one, const void *other)
 {
   const uint64_t a = *(const uint64_t *)one >> 8, b = *(const uint64_t *)other >> 8;
@@ -303,4 +313,5 @@ static inline int {{ h.prefix }}efsat_engine_by_triangles(const void *one, const
   return {{ h.prefix }}efsat_engine_refuse(why, 0, 0, 0, 0, 0);
 }
 
+{% endif -%}
 #endif

@@ -4,10 +4,11 @@
 """The words of {{ h.prefix }}efsat_engine in Python: constants, packing of packets, unpacking of answers.
 
 A packet is words of 64 bits, TLAST with the last one; here it is bytes, little-endian. Images of trees are made by
-`efsat tree build`, and the numbers and rows of a pose by `efsat tree query`, whose packets `packets` reads.
+`efsat tree build`, and the numbers {% if h.by_number %}of a pose by `efsat tree query`.{% else %}and rows of a pose by `efsat tree query`, whose packets `packets` reads.{% endif %}
 
-    for packet in packets(open("queries.txt")):
-        pairs, report = answer(exchange(packet), packet)
+{% if h.by_number %}    packet = pairs(sides, [(0, 5), (0, 6)], pose)
+    found, report = answer(exchange(packet), packet){% else %}    for packet in packets(open("queries.txt")):
+        pairs, report = answer(exchange(packet), packet){% endif %}
 
 Numbers are whole, of any type that is. What the engine makes no promise for, and answers that it cannot have given, are refused with
 a ValueError that has the value, its index and the range expected; what is no whole number with a TypeError.
@@ -31,6 +32,15 @@ REASONS = (
 )
 
 
+{% if h.by_number -%}
+class Side(NamedTuple):
+    """Where the triangles of an object are in memory: an address in bytes, a multiple of 64, and how many there are."""
+
+    triangles_at: int
+    triangles: int
+
+
+{% else -%}
 # Directions that each choice of a row has.
 _CHOICES = ({{ h.slots }})
 
@@ -52,6 +62,7 @@ class Row(NamedTuple):
     rest: int
 
 
+{% endif -%}
 class Pair(NamedTuple):
     """A pair of triangles that is not separate: VERDICT_INTERSECT or VERDICT_POSSIBLY_INCORRECT, and the faces of A and B."""
 
@@ -103,6 +114,7 @@ def _words(data):
     return list(struct.unpack(f"<{len(data) // 8}Q", data))
 
 
+{% if !h.by_number -%}
 def _query(packet):
     words = _words(packet)
     if len(words) != QUERY_WORDS:
@@ -110,10 +122,12 @@ def _query(packet):
     return words
 
 
+{% endif -%}
 # The numbers that queries get.
 _numbers = itertools.count()
 
 
+{% if !h.by_number -%}
 def _options(limit, flags, number):
     flags = _field("flags", flags, 32)
     if flags & ~QUERY_FLAGS:
@@ -133,6 +147,7 @@ def _row(i, row):
     return word
 
 
+{% endif -%}
 def _address(what, at):
     at = _whole(what, at, 0, (1 << 38) - 64)
     if at % 64:
@@ -140,6 +155,8 @@ def _address(what, at):
     return at // 64
 
 
+{% if h.by_number %}{% include "host/numbers.py" %}
+{% else -%}
 def query(sides, errors, pose, rows, limit=0, flags=0, number=None{% if h.is_sticky %}, sticky=0{% endif %}):
     """The packet of a query: two Sides, three errors of the shift, m00 m01 m02 m10 ... m22 t_x t_y t_z, a Row for each direction.
 
@@ -193,6 +210,7 @@ def moved(packet, by):
     for i in (1, 2):
         words[i] = _both("address", *((words[i] >> low) % (1 << 32) + by // 64 for low in (0, 32)))
     return _bytes(words)
+{% endif -%}
 {% if h.block_ram %}
 
 def load(address, data):
@@ -207,11 +225,13 @@ def _order(header, number):
     return _bytes([header | _field("number", number, QUERY_NUMBER_BITS) << QUERY_NUMBER_LOW])
 
 
+{% if !h.by_number -%}
 def stop(number):
     """The packet that ends the query with a number, if it runs or waits; it has no answer of its own."""
     return _order(STOP_HEADER, number)
 
 
+{% endif -%}
 def reset(number=0):
     """The packet of a soft reset: nothing that was sent before has another answer than the report to this.
 
@@ -220,6 +240,9 @@ def reset(number=0):
     return _order(RESET_HEADER, number)
 
 
+{% if h.by_number %}{% include "host/numbers_belongs.py" %}
+
+{% else -%}
 def packets(lines):
     """The packets of a file that `efsat tree query` has written."""
     rows = [line.rstrip("\n").split(",") for line in lines]
@@ -279,6 +302,7 @@ def _belongs(pairs, report, query):
         raise ValueError(f"found {len(pairs)} pairs; expected {report.leaf_pairs}, as the report says")
 
 
+{% endif -%}
 def _pair(i, word):
     number = (1 << ANSWER_NUMBER_BITS) - 1
     pair = Pair(word & 3, word >> ANSWER_A_LOW & number, word >> ANSWER_B_LOW & number)

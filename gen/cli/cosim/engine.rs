@@ -9,12 +9,12 @@ use crate::source::{HEADLIGHT, load_scene};
 use efsat_checks::cosim::Simulator;
 use efsat_checks::cosim::engine::{Channel, Machine, Measure, Reply, check, data_path};
 use efsat_engine::artefact::EngineDesign;
-use efsat_engine::host::{Image, Images, Layout, Numbers, memory};
+use efsat_engine::host::{Image, Images, Numbers, memory};
 use efsat_engine::model::Query;
 use efsat_engine::params::Memory;
 use efsat_engine::words::QueryFlags;
 use efsat_geometry::scene::Scene;
-use efsat_unit::design::top::DesignError;
+use efsat_unit::design::top::{DesignError, pace};
 use efsat_unit::params::options::Choice;
 use rayon::prelude::*;
 use serde::Serialize;
@@ -32,6 +32,10 @@ pub(super) struct EngineRun {
     /// sample of the queries [default: all, with ghdl 8]
     #[arg(long, conflicts_with_all = ["pairs", "random", "seed", "netlist", "wave", "probe"])]
     pub engine: bool,
+    /// With --engine: the engine that takes pairs by number, with the leaf pairs that the traversal would have found, a packet for
+    /// each query
+    #[arg(long, requires = "engine", conflicts_with = "first_contact")]
+    pairs_by_number: bool,
     /// Clocks from an address to its first word of memory, N or LEAST-MOST [default: 32]
     #[arg(long, value_name = "CLOCKS", value_parser = latency, allow_negative_numbers = true)]
     latency: Option<Latency>,
@@ -103,7 +107,8 @@ struct Summary<'a> {
     mismatches: usize,
     answered_in_software: usize,
     clocks_per_query: f64,
-    clocks_per_expansion: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    clocks_per_expansion: Option<usize>,
     clocks_per_pair: usize,
     #[serde(flatten)]
     measure: Measure,
@@ -224,14 +229,17 @@ fn data_path(design: &EngineDesign, images: &[&Image], asked: &Asked, json: bool
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     refuse(arguments)?;
     let options = &arguments.engine;
-    let design = options.params.design(&arguments.params)?;
+    let design = match options.pairs_by_number {
+        false => options.params.design(&arguments.params)?,
+        true => options.params.design_by_number(&arguments.params)?,
+    };
     let name = arguments.source.scene.as_deref().unwrap_or(HEADLIGHT);
     let scene = load_scene(name)?;
     let numbers = Numbers::new(&design.params, &design.unit.params).map_err(DesignError::from)?;
     let held = Images::new(&scene.meshes().0, numbers).map_err(|e| Failure::Usage(format!("{name}: {e}")))?;
     let images = held.all();
     // Before the time that the queries take.
-    Layout::new(&design.params, &design.format, &images).map_err(DesignError::from)?;
+    design.layout(&images).map_err(DesignError::from)?;
     let asked = queries(&held, &scene, arguments);
     let queries = &asked.queries;
     if queries.is_empty() {
@@ -265,7 +273,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             mismatches: wrong.len(),
             answered_in_software: asked.refused,
             clocks_per_query: measure.clocks_per_query(),
-            clocks_per_expansion: machine.design().volume.interval,
+            clocks_per_expansion: (!machine.design().by_number).then_some(machine.design().volume.interval),
             clocks_per_pair: machine.design().unit.interval,
             measure,
             distances: by_distance(machine.design(), &asked.distances, &replies),
@@ -284,7 +292,36 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
+/// What pairs by number came to.
+fn table_by_number(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usize) -> String {
+    let mut text = format!("{:<38}{:>14}{:>14}\n", "", "per pair", "all");
+    let pairs = measure.sums.leaf_pairs;
+    for (name, count) in [
+        ("pairs", pairs),
+        ("clocks", measure.clocks),
+        ("intersect", measure.sums.intersect),
+        ("possibly incorrect", measure.sums.possibly_incorrect),
+        ("triangles asked for", measure.triangles),
+        ("triangles read", measure.triangles_read),
+        ("words read", measure.words),
+    ] {
+        let mean = count as f64 / pairs.max(1) as f64;
+        let _ = writeln!(text, "{name:<38}{mean:>14.3}{count:>14}");
+    }
+    let _ = writeln!(
+        text,
+        "{} packets, {refused} more for software; the unit: {}; {simulator}\nclocks are those from the first word in to the last \
+         word out",
+        measure.sums.queries,
+        pace(design.unit.interval)
+    );
+    text
+}
+
 fn table(measure: &Measure, design: &EngineDesign, simulator: &str, refused: usize) -> String {
+    if design.by_number {
+        return table_by_number(measure, design, simulator, refused);
+    }
     let mut text = format!("{:<38}{:>14}{:>14}\n", "", "per query", "all");
     let mut row = |name: &str, count: u64| {
         let mean = count as f64 / measure.sums.queries as f64;

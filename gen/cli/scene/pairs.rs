@@ -273,7 +273,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let components = arguments.containment.then(|| components(&arguments.file, &scene)).transpose()?;
     let search = Search {
         scene: &scene,
-        near: scene.near(),
+        near: Near::by_dops(&scene, true, None),
         forest: Forest::new(&scene, arguments.k),
         first_hit: arguments.first_hit,
         components,

@@ -1,7 +1,7 @@
 //! All files of a generated engine, as one value.
 
 use super::values::WORD;
-use super::{CORE, EngineDesign, NAME, TESTBENCH, bench, engine_files, host};
+use super::{CORE, EngineDesign, NAME, TESTBENCH, bench, by_number, engine_files, host};
 use crate::params::Memory;
 use crate::words::Command;
 use askama::Template;
@@ -25,6 +25,7 @@ struct Readme<'a> {
     pace: String,
     memory: String,
     axi: bool,
+    by_number: bool,
     multipliers: usize,
     unit_multipliers: usize,
     volume_multipliers: usize,
@@ -42,17 +43,30 @@ struct About {
     unit: BTreeMap<String, String>,
     engine: BTreeMap<String, String>,
     clocks_per_pair: usize,
-    clocks_per_expansion: usize,
-    volume_latency: usize,
+    #[serde(flatten)]
+    volumes: Option<Volumes>,
     unit_latency: usize,
     multipliers: usize,
-    query_words: u32,
-    pairs_header: String,
-    pose_header: String,
-    query_header: String,
+    #[serde(flatten)]
+    packets: Packets,
     load_header: Option<String>,
-    stop_header: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stop_header: Option<String>,
     reset_header: String,
+}
+
+#[derive(Serialize)]
+struct Volumes {
+    clocks_per_expansion: usize,
+    volume_latency: usize,
+}
+
+/// Packets of one kind of engine.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Packets {
+    Queries { query_words: u32, pairs_header: String, pose_header: String, query_header: String },
+    Numbers { pairs_word: u32, numbers_header: String },
 }
 
 /// What the entities of the engine are for, in the order of the data.
@@ -122,7 +136,12 @@ pub fn engine_design_files_with(
         row(&bench_file, "Testbench, for simulation only."),
         row(
             &vector_file,
-            "Meshes, queries of every kind, packets that are none, and the answers of the reference model.",
+            match design.by_number {
+                false => {
+                    "Meshes, queries of every kind, packets that are none, and the answers of the reference model."
+                }
+                true => "Meshes, pairs by number, packets that are none, and the answers of the reference model.",
+            },
         ),
         row(
             &format!("host/{prefix}{NAME}.h"),
@@ -170,8 +189,9 @@ fn readme(
     project: Option<Project>,
 ) -> String {
     let params = &design.params;
-    let (unit, volume) = (design.unit.top.multipliers(), design.volume.stage.multipliers());
+    let [unit, volume] = design.multipliers();
     let memory = match params.memory {
+        _ if design.by_number => by_number::memory(design),
         Memory::BlockRam => format!(
             "Trees are in block RAM, which holds {} blocks and {} triangles.",
             params.block_lines, params.triangle_lines
@@ -181,7 +201,8 @@ fn readme(
             params.memory_width, params.block_lines, params.triangle_lines
         ),
     };
-    let mut entities: Vec<FileRow> = ENTITIES.iter().map(|(name, what)| FileRow::new(&prefix.of(name), what)).collect();
+    let list = if design.by_number { &by_number::ENTITIES[..] } else { &ENTITIES };
+    let mut entities: Vec<FileRow> = list.iter().map(|(name, what)| FileRow::new(&prefix.of(name), what)).collect();
     let stores: &[(&str, &str)] = match params.memory {
         Memory::BlockRam => &[("engine_block_memory", "Blocks."), ("engine_triangle_memory", "Triangles.")],
         Memory::Axi => &[
@@ -190,7 +211,8 @@ fn readme(
             ("engine_read_master", "AXI4 reads for the caches."),
         ],
     };
-    entities.extend(stores.iter().map(|(name, what)| FileRow::new(&prefix.of(name), what)));
+    let stores = stores.iter().filter(|(name, _)| !design.by_number || !name.contains("block"));
+    entities.extend(stores.map(|(name, what)| FileRow::new(&prefix.of(name), what)));
 
     let readme = Readme {
         version: env!("CARGO_PKG_VERSION"),
@@ -201,6 +223,7 @@ fn readme(
         pace: pace(design.unit.interval),
         memory,
         axi: params.memory == Memory::Axi,
+        by_number: design.by_number,
         multipliers: unit + volume,
         unit_multipliers: unit,
         volume_multipliers: volume,
@@ -219,20 +242,27 @@ fn manifest_of(design: &EngineDesign, command_line: &str, files: &FileSet) -> St
     let header = |command| format!("{:016x}", design.format.header(command));
     let unit = |kind| format!("{:016x}", design.format.stream.header(kind));
     let load = (design.params.memory == Memory::BlockRam).then(|| header(Command::Load));
+    let (volume, trees) = (&design.volume, !design.by_number);
     let about = About {
         unit: options(design.unit.params.options()),
-        engine: options(design.params.options()),
+        engine: options(design.options()),
         clocks_per_pair: design.unit.interval,
-        clocks_per_expansion: design.volume.interval,
-        volume_latency: design.volume.latency,
+        volumes: trees.then(|| Volumes { clocks_per_expansion: volume.interval, volume_latency: volume.latency }),
         unit_latency: design.unit.latency,
-        multipliers: design.unit.top.multipliers() + design.volume.stage.multipliers(),
-        query_words: design.format.query_words(),
-        pairs_header: unit(PacketKind::Pairs),
-        pose_header: unit(PacketKind::Pose),
-        query_header: header(Command::Query),
+        multipliers: design.multipliers().iter().sum(),
+        packets: match trees {
+            true => Packets::Queries {
+                query_words: design.format.query_words(),
+                pairs_header: unit(PacketKind::Pairs),
+                pose_header: unit(PacketKind::Pose),
+                query_header: header(Command::Query),
+            },
+            false => {
+                Packets::Numbers { pairs_word: design.format.pairs_at(), numbers_header: header(Command::Numbers) }
+            }
+        },
         load_header: load,
-        stop_header: header(Command::Stop),
+        stop_header: trees.then(|| header(Command::Stop)),
         reset_header: header(Command::Reset),
     };
     manifest::of(command_line, about, files) + "\n"

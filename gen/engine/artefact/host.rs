@@ -22,6 +22,7 @@ struct Host<'a> {
     slots: String,
     is_sticky: bool,
     block_ram: bool,
+    by_number: bool,
 }
 
 impl<'a> Deref for Host<'a> {
@@ -71,8 +72,25 @@ pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String)
         ("PAIR", "a word that is no pair of the objects, word"),
         ("TWICE", "a pair of triangles twice, word"),
     ];
+    let of_numbers = [
+        refusals[0],
+        refusals[1],
+        refusals[2],
+        ("TRIANGLE", "triangle of A (0) or B (1)"),
+        refusals[7],
+        refusals[8],
+        ("ANSWER_NUMBER", "report of packet"),
+        ("COUNT", "pairs in the answer, as report and packet say"),
+        ("NO_REPORT", "an answer without a report that is due at its end, words"),
+        ("PAIR", "a word that is not the next one of the pairs, word"),
+    ];
+    let (name, constants) = ((NAME, prefix), (groups(design), &design.unit.params));
     let host = Host {
-        side: HostSide::new((NAME, prefix), (groups(design), &design.unit.params), refusals, ["PAIR", "MOVE"]),
+        side: match design.by_number {
+            false => HostSide::new(name, constants, refusals, ["PAIR", "MOVE"]),
+            true => HostSide::new(name, constants, of_numbers, ["PAIR", "NO_REPORT"]),
+        },
+        by_number: design.by_number,
         reasons: Reason::ALL.map(|code| reason(code).1).into(),
         slots: design.format.directions.slots().map(|slot| slot.len().to_string()).join(", "),
         is_sticky: design.format.sticky,
@@ -91,19 +109,28 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
     let (number, word) = (Constant::number, Constant::word);
     let header = |command| format.header(command) as u32;
     let block_ram = params.memory == Memory::BlockRam;
-    let mut packets = vec![
-        word("query_header", header(Command::Query), "low half of the first word of a query"),
-        word("query_format", format.header_high(), "high half, which says the formats below"),
-        word("stop_header", header(Command::Stop), "the only word of a stop, without the number of its query"),
-        word(
-            "reset_header",
-            header(Command::Reset),
-            "the only word of a soft reset, without the number for its report",
-        ),
-        number("query_words", format.query_words(), "words of a query"),
-        number("triangles_word", 4, "the word that says how many triangles the objects have"),
-        number("options_word", 5, "the word that says what is asked for"),
-    ];
+    let reset = word(
+        "reset_header",
+        header(Command::Reset),
+        "the only word of a soft reset, without the number for its report",
+    );
+    let mut packets = match design.by_number {
+        true => vec![
+            word("numbers_header", header(Command::Numbers), "low half of the first word of a packet"),
+            reset,
+            number("triangles_word", 2, "the word that says how many triangles the objects have"),
+            number("pairs_word", format.pairs_at(), "the word of the first pair"),
+        ],
+        false => vec![
+            word("query_header", header(Command::Query), "low half of the first word of a query"),
+            word("query_format", format.header_high(), "high half, which says the formats below"),
+            word("stop_header", header(Command::Stop), "the only word of a stop, without the number of its query"),
+            reset,
+            number("query_words", format.query_words(), "words of a query"),
+            number("triangles_word", 4, "the word that says how many triangles the objects have"),
+            number("options_word", 5, "the word that says what is asked for"),
+        ],
+    };
     if block_ram {
         packets.push(word("load_header", header(Command::Load), "first word of a load"));
         packets.push(word("triangles_at", TRIANGLES_AT << 6, "byte address of the first triangle; blocks begin at 0"));
@@ -113,7 +140,7 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
     let flag = |at: u32| 1 << (at - u32::BITS);
     let all = [QueryFlags::FIRST_CONTACT, QueryFlags::ALL_PAIRS, QueryFlags::LEAF_PAIRS, QueryFlags::KEEP_CACHES];
     let flags = all.into_iter().map(flag).sum();
-    vec![
+    let mut groups = vec![
         Group { what: "The engine.", constants: of_engine(design) },
         Group { what: "Packets in.", constants: packets },
         Group {
@@ -167,8 +194,33 @@ fn groups(design: &EngineDesign) -> Vec<Group> {
             ],
         },
         Group { what: "Reasons of a report.", constants: Reason::ALL.map(|code| reason(code).0).into() },
-    ]
+    ];
+    if design.by_number {
+        let has = |constant: &Constant| !WITH_TREES.contains(&constant.name);
+        groups.iter_mut().for_each(|group| group.constants.retain(has));
+        groups.retain(|group| !group.constants.is_empty());
+    }
+    groups
 }
+
+/// What an engine that takes pairs by number does not have.
+const WITH_TREES: [&str; 15] = [
+    "first_contact",
+    "leaf_pairs",
+    "query_flags",
+    "row_choice_bits",
+    "row_slot_bits",
+    "row_rest_low",
+    "row_rest_bits",
+    "directions",
+    "offset_bits",
+    "origin_bits",
+    "factor_bits",
+    "tree_height",
+    "row_word",
+    "clocks_per_expansion",
+    "block_lines",
+];
 
 fn of_engine(design: &EngineDesign) -> Vec<Constant> {
     let (params, format) = (&design.params, &design.format);
@@ -181,7 +233,10 @@ fn of_engine(design: &EngineDesign) -> Vec<Constant> {
         number("transform_bits", format.transform_width, "bits of a number of a triangle or a pose"),
         number("integral_bits", format.int_bits, "of them integral, with the sign"),
         number("tree_height", params.tree_height, "the greatest height of a tree"),
-        number("pose_word", EngineFormat::POSE_AT, "first word of the pose in a query"),
+        match design.by_number {
+            false => number("pose_word", EngineFormat::POSE_AT, "first word of the pose in a query"),
+            true => number("pose_word", EngineFormat::NUMBERS_POSE_AT, "first word of the pose in a packet"),
+        },
         number("row_word", format.row_at(0), "first row in a query"),
         number("clocks_per_expansion", design.volume.interval as u32, "clocks from expansion to expansion"),
         number("clocks_per_pair", design.unit.interval as u32, "clocks from pair to pair of triangles"),

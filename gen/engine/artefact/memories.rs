@@ -13,12 +13,16 @@ impl EngineDesign {
     pub fn block_rams(&self) -> u64 {
         let values = Values::new(self);
         let of = |places: u32, bits: u32| block_rams(places.into(), bits.into());
-        let stores = values.memory.memories.iter().map(|lines| {
+        let memories = &values.memory.memories[usize::from(self.by_number)..];
+        let stores = memories.iter().map(|lines| {
             let banks = u64::from(lines.words_per_line) * of(lines.lines, lines.word_bits);
             // A cache for each of the two trees, with tags and a bit that says whether there is one, and words on their way.
             let around = || of(lines.lines, lines.tag_bits + 1) + of(lines.return_words, lines.word_bits);
             if values.axi { 2 * (banks + around()) } else { banks }
         });
+        if self.by_number {
+            return stores.sum();
+        }
         stores.sum::<u64>()
             + of(values.traversal.stack_places, values.traversal.entry_bits)
             + of(values.traversal.pairs, PAIR_BITS)

@@ -1,9 +1,11 @@
 //! The collision engine around a unit (docs/engine.md): hand-written entities, printed by templates from the numbers that
 //! `values` computes, the unit and the volume unit.
 
+mod by_number;
 mod files;
 mod host;
 mod memories;
+mod meshes;
 // For co-simulation and the testbench.
 #[doc(hidden)]
 pub mod samples;
@@ -18,6 +20,7 @@ pub mod volume;
 
 use crate::design::volume_unit::VolumeDesign;
 use crate::format::EngineFormat;
+use crate::host::{Image, TRIANGLES_AT};
 use crate::params::{EngineParams, Memory, OFFSET_BITS};
 use crate::words::LINK_NUMBER_BITS;
 use askama::Template;
@@ -54,6 +57,8 @@ pub const TESTBENCH: &str = "efsat_engine_tb";
 
 /// Bits of the tag of the unit for the numbers of both triangles. Above them is the lane of the query.
 const NUMBERS_WIDTH: u32 = 2 * LINK_NUMBER_BITS;
+/// With pairs by number there is a bit in its place: whether the pair is answered if it is separate, too.
+const NUMBERS_TAG_WIDTH: u32 = NUMBERS_WIDTH + 1;
 
 /// Bytes from a block to the next, and from a triangle to the next, that the memories are made for.
 const STRIDE: u32 = 64;
@@ -66,8 +71,10 @@ pub struct EngineDesign {
     pub format: EngineFormat,
     /// The unit. Its tag are the numbers of a pair.
     pub unit: Design,
-    /// The volume unit.
+    /// The volume unit; an engine that takes pairs by number has none.
     pub volume: VolumeDesign,
+    /// Whether pairs of triangles are named by the host, in place of a traversal of trees.
+    pub by_number: bool,
 }
 
 impl EngineDesign {
@@ -76,18 +83,66 @@ impl EngineDesign {
     /// # Errors
     /// Parameters out of range, an unknown device, or a format that the memories of the engine are not made for.
     pub fn new(params: &EngineParams, unit: &Params) -> Result<Self, DesignError> {
-        let unit = Params { tag_width: NUMBERS_WIDTH + params.lane_bits(), ..unit.clone() };
+        Self::of(params, unit, false)
+    }
+
+    /// As [`EngineDesign::new`], an engine that takes pairs by number: of the options of the engine it has those of the memory of
+    /// triangles alone, and the others are as they are by default.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn by_number(params: &EngineParams, unit: &Params) -> Result<Self, DesignError> {
+        let &EngineParams { memory, memory_width, watchdog, axi_id_bits, triangle_lines, .. } = params;
+        // A mesh has no more blocks than triangles.
+        let block_lines = triangle_lines;
+        let usual = EngineParams::default();
+        let params = EngineParams { memory, memory_width, watchdog, axi_id_bits, triangle_lines, block_lines, ..usual };
+        Self::of(&params, unit, true)
+    }
+
+    fn of(params: &EngineParams, unit: &Params, by_number: bool) -> Result<Self, DesignError> {
+        let tag_width = if by_number { NUMBERS_TAG_WIDTH } else { NUMBERS_WIDTH + params.lane_bits() };
+        let unit = Params { tag_width, ..unit.clone() };
         let format = params.format(&unit)?;
         supported(&format)?;
         let volume = VolumeDesign::new(params, &unit)?;
-        Ok(Self { params: params.clone(), format, unit: Design::new(&unit, false)?, volume })
+        Ok(Self { params: params.clone(), format, unit: Design::new(&unit, false)?, volume, by_number })
     }
+
+    /// The options of the engine with their values.
+    pub fn options(&self) -> Vec<(&'static str, String)> {
+        let options = self.params.options().into_iter();
+        options.filter(|(name, _)| !self.by_number || Self::OPTIONS_BY_NUMBER.contains(name)).collect()
+    }
+
+    /// The options of the engine that one has which takes pairs by number.
+    pub const OPTIONS_BY_NUMBER: [&'static str; 5] =
+        ["memory", "memory-width", "watchdog", "axi-id-bits", "triangle-lines"];
 
     /// The command line that generates the engine, all options spelled out.
     pub fn command_line(&self) -> String {
         let unit = self.unit.params.options().into_iter().filter(|(name, _)| *name != "tag-width");
-        let options = unit.chain(self.params.options()).map(|(name, value)| format!(" --{name} {value}"));
-        format!("efsat generate --engine{}", options.collect::<String>())
+        let options = unit.chain(self.options()).map(|(name, value)| format!(" --{name} {value}"));
+        let by_number = if self.by_number { " --pairs-by-number" } else { "" };
+        format!("efsat generate --engine{by_number}{}", options.collect::<String>())
+    }
+
+    /// Where images are in its memory.
+    ///
+    /// # Errors
+    /// If block RAM is too small for them.
+    pub fn layout(&self, images: &[&Image]) -> Result<crate::host::Layout, ParamError> {
+        let mut layout = crate::host::Layout::new(&self.params, &self.format, images)?;
+        if self.by_number {
+            layout.loads.retain(|load| load[1] >= u64::from(TRIANGLES_AT) << 6);
+        }
+        Ok(layout)
+    }
+
+    /// Multipliers of the unit and of the volume unit.
+    pub fn multipliers(&self) -> [usize; 2] {
+        let volume = if self.by_number { 0 } else { self.volume.stage.multipliers() };
+        [self.unit.top.multipliers(), volume]
     }
 }
 
@@ -151,6 +206,9 @@ entities! {
     Control "engine/engine_control.vhd";
     ReadMaster "engine/engine_read_master.vhd";
     Engine "engine/efsat_engine.vhd";
+    NumberCommand "engine/engine_number_command.vhd";
+    NumberAnswer "engine/engine_number_answer.vhd";
+    ByNumber "engine/efsat_engine_by_number.vhd";
     Bench "engine/efsat_engine_tb.vhd";
 }
 
@@ -183,10 +241,13 @@ pub fn engine_files(
     let values = Values::new(design);
     let header = origin();
     let mut files = vhdl_files(&design.unit, prefix, command_line)?;
-    files.extend(volume_files(&design.volume, prefix)?);
+    if !design.by_number {
+        files.extend(volume_files(&design.volume, prefix)?);
+    }
     let mut add = |name: &str, text: String| files.push((format!("{}.vhd", prefix.of(name)), text));
     add("engine_layout", Layout::text(&header, prefix, &values));
-    for lines in &values.memory.memories {
+    let memories = &values.memory.memories;
+    for lines in if design.by_number { &memories[1..] } else { memories } {
         let text = match design.params.memory {
             Memory::BlockRam => MemoryText { header: &header, prefix, m: lines }.render(),
             Memory::Axi => CacheText { header: &header, prefix, m: lines }.render(),
@@ -196,6 +257,15 @@ pub fn engine_files(
     if design.params.memory == Memory::Axi {
         add("engine_read_master", ReadMaster::text(&header, prefix, &values));
     }
+    let mut top = header.clone();
+    top.push(command_line.to_owned());
+    if design.by_number {
+        top.extend(by_number::description(design));
+        add("engine_number_answer", NumberAnswer::text(&header, prefix, &values));
+        add("engine_number_command", NumberCommand::text(&header, prefix, &values));
+        add(NAME, ByNumber::text(&top, prefix, &values));
+        return Ok(files);
+    }
     add("engine_queries", Queries::text(&header, prefix, &values));
     add("engine_stack", Stack::text(&header, prefix, &values));
     add("engine_children", Children::text(&header, prefix, &values));
@@ -204,8 +274,6 @@ pub fn engine_files(
     add("engine_answer", Answer::text(&header, prefix, &values));
     add("engine_command", Command::text(&header, prefix, &values));
     add("engine_control", Control::text(&header, prefix, &values));
-    let mut top = header.clone();
-    top.push(command_line.to_owned());
     top.extend(description(design));
     add(NAME, Engine::text(&top, prefix, &values));
     Ok(files)
@@ -269,11 +337,14 @@ mod tests {
     fn the_texts_keep_to_the_rules_of_the_target() {
         for memory in [Memory::BlockRam, Memory::Axi] {
             let params = EngineParams { memory, ..EngineParams::default() };
-            let design = EngineDesign::new(&params, &Params::default()).unwrap();
-            let files = engine_files(&design, &Prefix::default(), "efsat generate --engine").unwrap();
-            let texts: Vec<(&str, &str)> = files.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
-            let findings: Vec<String> = lint(&texts).iter().map(ToString::to_string).collect();
-            assert!(findings.is_empty(), "{}", findings.join("\n"));
+            for make in [EngineDesign::new, EngineDesign::by_number] {
+                let design = make(&params, &Params::default()).unwrap();
+                let files = engine_files(&design, &Prefix::default(), "efsat generate --engine").unwrap();
+                let texts: Vec<(&str, &str)> =
+                    files.iter().map(|(name, text)| (name.as_str(), text.as_str())).collect();
+                let findings: Vec<String> = lint(&texts).iter().map(ToString::to_string).collect();
+                assert!(findings.is_empty(), "{}", findings.join("\n"));
+            }
         }
     }
 }

@@ -6,7 +6,7 @@
 use super::EngineDesign;
 use crate::format::EngineFormat;
 use crate::host::{Image, Layout, memory};
-use crate::model::{Model, Query, Side};
+use crate::model::{ByNumber, Model, Query, Side};
 use crate::params::Memory;
 use crate::words::{Command, EngineAnswer, EngineReport, Reason};
 use efsat_unit::artefact::{Stimulus, vectors};
@@ -23,6 +23,10 @@ enum Compared {
     NoOther = 1,
     /// Everything that does not depend on time.
     All = 2,
+    /// This, and the order of the pairs.
+    InOrder = 3,
+    /// Reason and number, and that the pairs are the first of those expected, in order.
+    FirstOf = 4,
 }
 
 /// The first line of a file, also a constant of the testbench.
@@ -32,11 +36,14 @@ pub fn formats_line(design: &EngineDesign) -> String {
         Memory::Axi => "axi".to_owned(),
         Memory::BlockRam => format!("block-ram {} {}", design.params.block_lines, design.params.triangle_lines),
     };
+    let (command, words) = match design.by_number {
+        false => (Command::Query, format.query_words()),
+        true => (Command::Numbers, format.pairs_at()),
+    };
     format!(
-        "{} query {:016x} words {} memory {memory}",
+        "{} query {:016x} words {words} memory {memory}",
         vectors::formats_line(&design.unit.params),
-        format.header(Command::Query),
-        format.query_words()
+        format.header(command)
     )
 }
 
@@ -63,7 +70,7 @@ impl<'a> EngineVectors<'a> {
         let (memory, sides) = memory(images);
         let model =
             Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
-        let layout = Layout::new(&design.params, &design.format, images).expect("images that fit");
+        let layout = design.layout(images).expect("images that fit");
         let unit = Maker::new(&design.unit.params, &design.format.stream);
         let text = format!("{}\n", formats_line(design));
         let mut vectors = Self { design, model, memory, sides, layout, unit, text };
@@ -114,6 +121,31 @@ impl<'a> EngineVectors<'a> {
         }
     }
 
+    /// A packet of pairs by number and its answer.
+    pub fn numbers(&mut self, packet: &ByNumber) {
+        self.words_of_numbers(packet, &self.numbers_words(packet));
+    }
+
+    /// The words of a packet of pairs by number, whose sides are those of [`EngineVectors::side`], to the engine.
+    pub fn numbers_words(&self, packet: &ByNumber) -> Vec<u64> {
+        let sides = packet.sides.map(|side| self.layout.there(side, &self.sides));
+        ByNumber { sides, ..packet.clone() }.words(&self.design.format)
+    }
+
+    /// Words for the engine, and the answer to the packet that they are of for the model.
+    pub fn words_of_numbers(&mut self, packet: &ByNumber, words: &[u64]) {
+        self.packet(words);
+        let outcome = self.model.run_numbers(&self.memory, &packet.words(&self.design.format));
+        self.expect(&outcome.answers, &outcome.report, Compared::InOrder);
+    }
+
+    /// A packet of pairs by number that memory ends: of its pairs the first are answered.
+    pub fn numbers_that_end(&mut self, packet: &ByNumber, reason: Reason) {
+        self.packet(&self.numbers_words(packet));
+        let outcome = self.model.run_numbers(&self.memory, &packet.words(&self.design.format));
+        self.expect(&outcome.answers, &EngineReport { reason, ..outcome.report }, Compared::FirstOf);
+    }
+
     /// A query that ends for a reason that the model does not know.
     pub fn query_that_ends(&mut self, query: &Query, reason: Reason) {
         let before = self.text.len();
@@ -134,7 +166,11 @@ impl<'a> EngineVectors<'a> {
         let other = others.iter().any(|&command| self.design.format.is_order(command, words[0].0));
         if words.iter().all(|(_, whole)| *whole) && !other {
             let packet: Vec<u64> = words.iter().map(|(word, _)| *word).collect();
-            assert_eq!(self.model.run(&self.memory, &packet).report.reason, reason, "{packet:x?}");
+            let outcome = match self.design.by_number {
+                false => self.model.run(&self.memory, &packet),
+                true => self.model.run_numbers(&self.memory, &packet),
+            };
+            assert_eq!(outcome.report.reason, reason, "{packet:x?}");
         }
         for (i, (word, whole)) in words.iter().enumerate() {
             self.word_in(*word, i == end, *whole);
@@ -236,7 +272,9 @@ impl<'a> EngineVectors<'a> {
 
     fn expect(&mut self, answers: &[EngineAnswer], report: &EngineReport, compared: Compared) {
         let mut words: Vec<u64> = answers.iter().map(EngineAnswer::word).collect();
-        words.sort_unstable();
+        if compared != Compared::InOrder && compared != Compared::FirstOf {
+            words.sort_unstable();
+        }
         for word in words {
             writeln!(self.text, "A {word:016x}").expect("a string takes text");
         }

@@ -4,7 +4,8 @@
 //! needs to answer without it. [`Objects::query`] makes a [`Job`] from two of them and a pose: the words of a packet.
 //! [`Job::finish`] takes the words that came back and gives [`Contacts`]. The answer is exact whatever the engine says of
 //! itself: pairs that it calls possibly incorrect are retested, and a query that it refuses or reports as *incomplete* is
-//! answered in software. [`UnitPackets`] has the packets of pairs and poses, which the engine takes between queries. How words
+//! answered in software. [`Objects::pairs`] and [`Objects::pairs_of_one`] make a [`PairsJob`] of pairs that the host names, for an engine
+//! that takes pairs by number. [`UnitPackets`] has the packets of pairs and poses, which the engine takes between queries. How words
 //! get to the engine and back is the user's; [`Engine`] is a short way to say it, and [`StandIn`] answers as the reference
 //! model does.
 //!
@@ -31,6 +32,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod by_number;
 mod job;
 mod objects;
 mod packets;
@@ -38,6 +40,7 @@ mod stand_in;
 #[cfg(test)]
 mod tests;
 
+pub use by_number::PairsJob;
 pub use job::{Cause, Contact, Contacts, Job};
 pub use objects::{Objects, ObjectsError, QueryOptions};
 pub use packets::UnitPackets;

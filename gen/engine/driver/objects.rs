@@ -42,12 +42,14 @@ pub struct Objects<'a> {
     pub(super) engine: EngineParams,
     pub(super) unit: Params,
     pub(super) meshes: Vec<&'a Mesh>,
-    images: Images,
-    layout: Layout,
+    pub(super) images: Images,
+    pub(super) layout: Layout,
     /// For the software; none before it is needed.
     trees: Vec<OnceLock<DopTree>>,
+    /// Where the triangle of each face is in its image; none before a pair by number is asked for.
+    pub(super) places: Vec<OnceLock<Vec<u32>>>,
     /// The number of the next query.
-    next: AtomicU32,
+    pub(super) next: AtomicU32,
 }
 
 impl<'a> Objects<'a> {
@@ -66,8 +68,9 @@ impl<'a> Objects<'a> {
         let images = Images::new(meshes, numbers)?;
         let layout = Layout::new(engine, images.numbers().format(), &images.all())?;
         let trees = meshes.iter().map(|_| OnceLock::new()).collect();
+        let places = meshes.iter().map(|_| OnceLock::new()).collect();
         let (engine, unit, meshes) = (engine.clone(), unit.clone(), meshes.to_vec());
-        Ok(Self { engine, unit, meshes, images, layout, trees, next: AtomicU32::new(0) })
+        Ok(Self { engine, unit, meshes, images, layout, trees, places, next: AtomicU32::new(0) })
     }
 
     /// What lies in the memory of an engine with an AXI4 read master, from address 0 on, as 64-bit words; empty for block RAM.

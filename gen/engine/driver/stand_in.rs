@@ -93,6 +93,12 @@ impl StandIn {
             _ if [Command::Stop, Command::Reset].iter().any(|&order| self.orders(words, order)) => {
                 report(Reason::TooLong)
             }
+            _ if words
+                .first()
+                .is_some_and(|&word| word as u32 == self.model.format().header(Command::Numbers) as u32) =>
+            {
+                self.numbers(words)
+            }
             Some(lines) if self.begins(words, Command::Query) => match self.placed(words, lines) {
                 Ok(words) => self.query(&words),
                 Err(answer) => answer,
@@ -111,6 +117,24 @@ impl StandIn {
 
     fn query(&self, words: &[u64]) -> Vec<u64> {
         let outcome = self.model.run(&self.memory, words);
+        outcome.answers.iter().map(EngineAnswer::word).chain(outcome.report.words()).collect()
+    }
+
+    /// Pairs by number, as an engine that takes them answers.
+    fn numbers(&self, words: &[u64]) -> Vec<u64> {
+        let mut words = words.to_vec();
+        if let Some([blocks, triangles]) = self.block_ram
+            && let [_, at, counts, ..] = &mut words[..]
+        {
+            // Triangles are behind the blocks; what begins or ends outside them ends beyond the memory.
+            let half = |word: u64, side: usize| (word >> (32 * side)) as u32;
+            let placed = [0, 1].map(|side| match half(*at, side).checked_sub(TRIANGLES_AT) {
+                Some(line) if u64::from(line) + u64::from(half(*counts, side)) <= u64::from(triangles) => blocks + line,
+                _ => u32::MAX,
+            });
+            *at = u64::from(placed[0]) | u64::from(placed[1]) << 32;
+        }
+        let outcome = self.model.run_numbers(&self.memory, &words);
         outcome.answers.iter().map(EngineAnswer::word).chain(outcome.report.words()).collect()
     }
 

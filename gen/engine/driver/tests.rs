@@ -372,3 +372,81 @@ fn pairs_and_poses_go_between_queries() {
     assert_eq!(answers(&[pairs[0] ^ 1 << 16]), [Some(UnitAnswer::Report(StreamReport::UnknownHeader))]);
     assert_eq!(answers(&pairs), expect(&own));
 }
+
+/// Pairs by number: the exact answer to each pair, in a pose and as one mesh lies, whichever memory, unit and end of the packet; a wrong
+/// answer is refused.
+#[test]
+fn pairs_by_number_are_exact() {
+    let case = Case::new();
+    let units =
+        [Params::default(), Params { upper: Upper::Sticky, ..Params::default() }, Params::of(Method::Determinants)];
+    let corners = |mesh: &Mesh, face: u32| mesh.triangle(face as usize).map(<[f64; 3]>::from);
+    for (unit, engine) in units.iter().zip([EngineParams::default(), block_ram(), block_ram()]) {
+        let objects = case.objects(&engine, unit);
+        let mut stand_in = StandIn::new(&objects).unwrap();
+        let [a, b] = [0, 1].map(|i| case.meshes[i].faces().len() as u32);
+        let all: Vec<[u32; 2]> = (0..a).flat_map(|p| (0..b).rev().map(move |q| [p, q])).collect();
+        for pose in &case.poses {
+            let job = objects.pairs([0, 1], pose, &all, false);
+            let words = job.packet().map(|packet| stand_in.packet(packet)).unwrap_or_default();
+            let found = job.finish(&words).unwrap();
+            let due = touching(&case.meshes[0], &case.meshes[1], pose);
+            for (pair, exact) in all.iter().zip(&found) {
+                let touches = due.iter().find(|(known, _)| known == pair).map_or(Exact::Separate, |(_, exact)| *exact);
+                assert_eq!(*exact, touches, "{pair:?}");
+            }
+        }
+        // One mesh as it lies: neighbours, too, and a triangle and itself.
+        let itself: Vec<[u32; 2]> = (0..b).flat_map(|p| (p..b).map(move |q| [p, q])).collect();
+        let job = objects.pairs_of_one(1, &itself, true);
+        let words = stand_in.packet(job.packet().unwrap());
+        // No pair with a common vertex is called separate, or is left to be found by its verdict.
+        let (answers, _) = words.split_last_chunk::<{ EngineReport::WORDS }>().unwrap();
+        let answered: Vec<[u32; 2]> = answers.iter().map(|&word| Answered::of(word).unwrap().triangles).collect();
+        for (pair, exact) in itself.iter().zip(job.finish(&words).unwrap()) {
+            let [p, q] = pair.map(|face| corners(&case.meshes[1], face));
+            assert_eq!(exact, efsat_geometry::exact::pair(&[p[0], p[1], p[2], q[0], q[1], q[2]]).unwrap(), "{pair:?}");
+            let adjacent = p.iter().any(|corner| q.contains(corner));
+            assert!(!adjacent || (answered.contains(pair) && exact != Exact::Separate), "{pair:?}");
+        }
+    }
+
+    let objects = case.objects(&EngineParams::default(), &Params::default());
+    let stand_in = StandIn::new(&objects).unwrap();
+    let all: Vec<[u32; 2]> = (0..72).flat_map(|p| (0..12).map(move |q| [p, q])).collect();
+    let job = || objects.pairs([0, 1], &case.poses[0], &all, false);
+    let asked = job();
+    let words = stand_in.clone().packet(asked.packet().unwrap());
+    assert!(words.len() > EngineReport::WORDS + 4);
+    let number = |job: PairsJob<'_, '_>, words: &[u64]| {
+        let own = job.packet().unwrap()[0] >> 40;
+        let report = words.len() - EngineReport::WORDS;
+        let mut words = words.to_vec();
+        words[report] = words[report] & !(0xff_ffff << 8) | own << 8;
+        job.finish(&words)
+    };
+    let right = number(job(), &words).unwrap();
+    let refused = |change: &dyn Fn(&mut Vec<u64>)| {
+        let mut changed = words.clone();
+        change(&mut changed);
+        assert!(number(job(), &changed).is_err(), "{changed:x?}");
+    };
+    // Exchanged, lost, doubled, another verdict, another pair; counts of the report; none at all.
+    refused(&|words| words.swap(1, 2));
+    refused(&|words| {
+        words.remove(3);
+    });
+    refused(&|words| words.insert(3, words[3]));
+    refused(&|words| words[0] ^= 3);
+    refused(&|words| words[0] &= !3);
+    refused(&|words| words[2] ^= 1 << 40);
+    refused(&|words| {
+        let at = words.len() - 6;
+        words[at] ^= 1 << 32;
+    });
+    assert!(matches!(job().finish(&[]), Err(EngineError::NoReport { .. })));
+    assert!(matches!(job().finish(&words), Err(EngineError::Number { .. })));
+    // A packet that was ended early is answered in software.
+    let report = EngineReport { reason: Reason::Reset, ..EngineReport::default() };
+    assert_eq!(job().finish(&report.words()).unwrap(), right);
+}

@@ -51,6 +51,8 @@ pub struct EngineFormat {
 impl EngineFormat {
     /// Words before the pose.
     pub const POSE_AT: u32 = 7;
+    /// Words before the pose of a packet of pairs by number.
+    pub const NUMBERS_POSE_AT: u32 = 3;
     /// Bits of an error of a shift.
     const SHIFT_ERROR_BITS: u32 = 16;
     /// Bits of the tag of a pair in a packet of pairs.
@@ -195,6 +197,11 @@ impl EngineFormat {
     /// Words of a query.
     pub fn query_words(&self) -> u32 {
         self.row_at(self.k())
+    }
+
+    /// The first word of a packet of pairs by number that is a pair, behind the pose.
+    pub fn pairs_at(&self) -> u32 {
+        Self::NUMBERS_POSE_AT + self.pose_words
     }
 
     /// The word of a row of a query.

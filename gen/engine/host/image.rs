@@ -221,6 +221,16 @@ impl Image {
         self.words.iter().flat_map(|word| word.to_le_bytes()).collect()
     }
 
+    /// Where the triangle of each face of the mesh is in the image.
+    pub fn places(&self) -> Vec<u32> {
+        let (layout, first) = (self.header.format.triangle(), self.header.triangles_at() as usize / 8);
+        let mut places = vec![0; self.header.triangles as usize];
+        for (place, record) in (0..).zip(self.words[first..].chunks_exact(layout.stride as usize / 8)) {
+            places[(record[0] & ((1 << layout.number_bits) - 1)) as usize] = place;
+        }
+        places
+    }
+
     /// Where its parts are if the image is copied to an address, in units of 64 bytes.
     pub fn side(&self, address: u32) -> Side {
         let at = |byte: u64| address + (byte / u64::from(LINE)) as u32;

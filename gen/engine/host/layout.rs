@@ -65,12 +65,16 @@ impl Layout {
     /// # Panics
     /// If one of its sides is none of `from`.
     pub fn moved(&self, query: &Query, from: &[Side]) -> Query {
-        let mut query = query.clone();
-        for side in &mut query.sides {
-            let is_it = |known: &Side| (known.blocks_at, known.triangles_at) == (side.blocks_at, side.triangles_at);
-            let there = self.sides[from.iter().position(is_it).expect("a side of an image")];
-            (side.blocks_at, side.triangles_at) = (there.blocks_at, there.triangles_at);
-        }
-        query
+        Query { sides: query.sides.map(|side| self.there(side, from)), ..query.clone() }
+    }
+
+    /// Where an object is, of those that are where `from` says.
+    ///
+    /// # Panics
+    /// If it is none of them.
+    pub fn there(&self, side: Side, from: &[Side]) -> Side {
+        let there = self.sides
+            [from.iter().position(|known| known.triangles_at == side.triangles_at).expect("a side of an image")];
+        Side { blocks_at: there.blocks_at, triangles_at: there.triangles_at, ..side }
     }
 }

@@ -2,6 +2,7 @@
 //! volumes, the traversal and the report.
 
 mod block;
+mod by_number;
 mod overlap;
 mod query;
 #[cfg(test)]
@@ -13,6 +14,7 @@ mod triangle;
 #[doc(hidden)]
 pub use block::{BadBlock, Block, Link, Volume};
 // For the tests of the volume unit.
+pub use by_number::ByNumber;
 #[doc(hidden)]
 pub use overlap::{Distance, Frame, QueryRow, apart, bounds, distance, overlap};
 pub use query::{Query, Side};

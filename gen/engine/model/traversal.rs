@@ -5,7 +5,7 @@ use crate::format::EngineFormat;
 use crate::params::EngineParams;
 use crate::words::{EngineAnswer, EngineReport, Reason};
 use efsat_unit::golden::Golden;
-use efsat_unit::pair::{Pair, Verdict};
+use efsat_unit::pair::{Pair, Pose, Verdict};
 use efsat_unit::params::{ParamError, Params};
 use std::collections::VecDeque;
 
@@ -45,6 +45,8 @@ pub struct Visits {
     pub opened: Vec<Opened>,
     /// For the triangle unit, unless the query is answered without it.
     pub pairs: Vec<Pair>,
+    /// The numbers of their triangles in the images.
+    pub numbers: Vec<[u32; 2]>,
 }
 
 /// A node of a tree as the stack knows it: a block, and which of its children are meant.
@@ -98,6 +100,34 @@ impl Model {
         (outcome, visits)
     }
 
+    /// Whether the ranges of both objects are in memory.
+    pub(super) fn ranges(&self, memory: &[u64], sides: &[Side; 2]) -> Result<(), Reason> {
+        let (block, triangle) = (self.format.block(), self.format.triangle());
+        let end = |at: u32, count: u32, stride: u32| 64 * u64::from(at) + u64::from(count) * u64::from(stride);
+        let ends = sides.iter().flat_map(|side| {
+            [end(side.blocks_at, side.blocks, block.stride), end(side.triangles_at, side.triangles, triangle.stride)]
+        });
+        match ends.into_iter().all(|end| end <= 8 * memory.len() as u64) {
+            true => Ok(()),
+            false => Err(Reason::Memory),
+        }
+    }
+
+    /// The triangles of a pair of numbers.
+    pub(super) fn triangles(&self, memory: &[u64], sides: &[Side; 2], pair: [u32; 2]) -> [Triangle; 2] {
+        let stride = self.format.triangle().stride;
+        let read = |i: usize| Triangle::of(record(memory, sides[i].triangles_at, pair[i], stride), &self.format);
+        [0, 1].map(read)
+    }
+
+    /// The verdicts of the unit.
+    pub(super) fn verdicts(&self, pose: &Pose, records: &[[Triangle; 2]]) -> (Vec<Pair>, Vec<Verdict>) {
+        let pairs: Vec<Pair> = records.iter().map(|[a, b]| Pair { a: a.corners, b: b.corners }).collect();
+        let mut verdicts = vec![];
+        self.unit.verdicts(pose, &pairs, &mut verdicts);
+        (pairs, verdicts)
+    }
+
     fn visited(
         &self,
         memory: &[u64],
@@ -133,6 +163,12 @@ impl Model {
     }
 }
 
+/// The words from an address in units of 64 bytes and a number of records of so many bytes.
+fn record(memory: &[u64], at: u32, number: u32, stride: u32) -> &[u64] {
+    let start = 8 * at as usize + number as usize * stride as usize / 8;
+    &memory[start..][..stride as usize / 8]
+}
+
 /// A query at work. Everything that ends it early is an error with the reason.
 struct Run<'a> {
     model: &'a Model,
@@ -156,9 +192,7 @@ const BATCH: usize = 1024;
 
 impl Run<'_> {
     fn traverse(&mut self, mut issue: impl FnMut() -> bool) -> Result<(), Reason> {
-        for side in self.query.sides {
-            self.range(side)?;
-        }
+        self.model.ranges(self.memory, &self.query.sides)?;
         if self.query.sides.iter().any(|side| side.blocks == 0) {
             return Err(Reason::BadTree);
         }
@@ -182,24 +216,6 @@ impl Run<'_> {
         }
     }
 
-    /// Whether the ranges of an object are in memory.
-    fn range(&self, side: Side) -> Result<(), Reason> {
-        let (block, triangle) = (self.model.format.block(), self.model.format.triangle());
-        let end = |at: u32, count: u32, stride: u32| 64 * u64::from(at) + u64::from(count) * u64::from(stride);
-        let ends =
-            [end(side.blocks_at, side.blocks, block.stride), end(side.triangles_at, side.triangles, triangle.stride)];
-        match ends.into_iter().all(|end| end <= 8 * self.memory.len() as u64) {
-            true => Ok(()),
-            false => Err(Reason::Memory),
-        }
-    }
-
-    /// The words from an address in units of 64 bytes and a number of records of so many bytes.
-    fn words(&self, at: u32, number: u32, stride: u32) -> &[u64] {
-        let start = 8 * at as usize + number as usize * stride as usize / 8;
-        &self.memory[start..][..stride as usize / 8]
-    }
-
     fn push(&mut self, entry: Entry) {
         self.stack.push(entry);
         assert!(self.stack.len() <= self.model.stack, "the stack overflows");
@@ -211,7 +227,7 @@ impl Run<'_> {
         let format = &self.model.format;
         let mut blocks = vec![];
         for (side, (number, _)) in self.query.sides.iter().zip(nodes) {
-            let words = self.words(side.blocks_at, number, format.block().stride);
+            let words = record(self.memory, side.blocks_at, number, format.block().stride);
             blocks.push(Block::of(words, format).map_err(|_| Reason::BadTree)?);
         }
         let chosen = |side: usize| {
@@ -293,15 +309,17 @@ impl Run<'_> {
     /// Tests the pairs of triangles that wait.
     fn test(&mut self) -> Result<(), Reason> {
         let leaves = std::mem::take(&mut self.leaves);
-        let records: Vec<[Triangle; 2]> = leaves.iter().map(|&pair| self.triangles(pair)).collect();
+        let records: Vec<[Triangle; 2]> =
+            leaves.iter().map(|&pair| self.model.triangles(self.memory, &self.query.sides, pair)).collect();
         let mut verdicts = vec![];
         if self.query.leaf_pairs {
             verdicts.resize(records.len(), Verdict::PossiblyIncorrect);
         } else {
-            let pairs: Vec<Pair> = records.iter().map(|[a, b]| Pair { a: a.corners, b: b.corners }).collect();
-            self.model.unit.verdicts(&self.query.pose, &pairs, &mut verdicts);
+            let pairs;
+            (pairs, verdicts) = self.model.verdicts(&self.query.pose, &records);
             if let Some(visits) = &mut self.visits {
                 visits.pairs.extend(pairs);
+                visits.numbers.extend(leaves);
             }
         }
         for (verdict, [a, b]) in verdicts.into_iter().zip(records) {
@@ -317,14 +335,5 @@ impl Run<'_> {
             }
         }
         Ok(())
-    }
-
-    fn triangles(&self, pair: [u32; 2]) -> [Triangle; 2] {
-        let layout = self.model.format.triangle();
-        let read = |side: usize| {
-            let words = self.words(self.query.sides[side].triangles_at, pair[side], layout.stride);
-            Triangle::of(words, &self.model.format)
-        };
-        [0, 1].map(read)
     }
 }

@@ -34,4 +34,6 @@ pub enum Command {
     Stop = 5,
     /// Forget all work.
     Reset = 6,
+    /// Test pairs of triangles that are named by their numbers.
+    Numbers = 7,
 }

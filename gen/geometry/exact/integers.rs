@@ -51,15 +51,20 @@ pub(super) fn decide(points: &[[f64; 3]; 6]) -> Relation {
         };
         return minkowski::decide(&parts.map(|point| point.map(at)));
     }
-    from_a0(parts.map(|point| point.map(|(mantissa, exponent)| Scaled { mantissa: mantissa.into(), exponent })))
+    let scaled = |(mantissa, exponent): (i64, i64)| Scaled { mantissa: mantissa.into(), exponent };
+    minkowski::decide(&from_a0(&parts.map(|point| point.map(scaled))))
 }
 
 /// Decides the pair of A and the image of B, exactly.
 pub(super) fn decide_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Relation {
+    minkowski::decide(&posed_points(a, b, m, t))
+}
+
+/// The corners of A and of the image of B relative to a0, in units of one power of two.
+pub(crate) fn posed_points(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> [[BigInt; 3]; 6] {
     let motion = Motion::new(m, t);
-    let [a, b] = [a.map(|x| x.map(Scaled::from)), b.map(|x| motion.image(&x))];
-    let ([a0, a1, a2], [b0, b1, b2]) = (a, b);
-    from_a0([a0, a1, a2, b0, b1, b2])
+    let [[a0, a1, a2], [b0, b1, b2]] = [a.map(|x| x.map(Scaled::from)), b.map(|x| motion.image(&x))];
+    from_a0(&[a0, a1, a2, b0, b1, b2])
 }
 
 /// x to M * x + t, exactly.
@@ -85,9 +90,9 @@ impl Motion {
     }
 }
 
-/// Decides points relative to a0, which makes the numbers of a small pair far from the origin small.
-fn from_a0(points: [[Scaled; 3]; 6]) -> Relation {
-    minkowski::decide(&relative(&points[0], &points))
+/// Points relative to a0, which makes the numbers of a small pair far from the origin small.
+fn from_a0(points: &[[Scaled; 3]; 6]) -> [[BigInt; 3]; 6] {
+    relative(&points[0], points)
 }
 
 /// Points relative to one of them, in units of one power of two.

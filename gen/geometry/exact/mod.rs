@@ -17,6 +17,7 @@ mod tableau;
 #[cfg(test)]
 mod tests;
 
+pub(crate) use integers::posed_points;
 #[cfg(feature = "scenes")]
 pub(crate) use integers::{Motion, Scaled};
 #[cfg(feature = "scenes")]
@@ -109,9 +110,4 @@ pub fn posed_pair(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[
 /// [`pair`] of numbers that are known to be finite.
 pub(crate) fn decide(points: &[[f64; 3]; 6]) -> Exact {
     integers::decide(points).class
-}
-
-/// [`posed_pair`] of numbers that are known to be finite.
-pub(crate) fn decide_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
-    integers::decide_posed(a, b, m, t).class
 }

@@ -11,7 +11,7 @@
 use super::Pose;
 use super::enclosure::image;
 use super::pieces::{MOST, rows};
-use super::split::{Node, halves, nodes};
+use super::split::{HEIGHT, Node, halves, nodes};
 use crate::mesh::{Bounds, Mesh};
 
 /// A binary tree of axis-aligned boxes over the triangles of a mesh, one triangle to a leaf.
@@ -130,37 +130,115 @@ impl<'a> Candidates<'a> {
 /// The pairs of triangles of one mesh whose boxes overlap, triangle by triangle.
 #[derive(Clone, Debug)]
 pub struct Overlaps {
-    nodes: Vec<Node>,
+    /// The box of each triangle.
     boxes: Vec<Bounds>,
-    /// The greatest number of a triangle below each node.
-    last: Vec<u32>,
+    /// Of each inner node, parents first.
+    families: Vec<Family>,
 }
+
+/// The children of an inner node, in one line of a cache.
+#[derive(Clone, Copy, Debug)]
+#[repr(align(64))]
+struct Family {
+    /// How far their boxes reach along the axes and along their opposites, in binary32, rounded outward: two sides a row, each of both
+    /// children.
+    reach: [[f32; 4]; 3],
+    /// The greatest number of a triangle below them.
+    last: [u32; 2],
+    /// What they are: a family, or a triangle with the highest bit set.
+    open: [u32; 2],
+}
+
+/// Marks a triangle.
+const TRIANGLE: u32 = 1 << 31;
 
 impl Overlaps {
     /// Builds the tree of a mesh.
+    ///
+    /// # Panics
+    /// If the mesh has 2^31 triangles or more.
     pub fn new(mesh: &Mesh) -> Self {
-        let Tree { nodes, boxes, .. } = Tree::of(mesh, halves(mesh));
+        let count = mesh.faces().len();
+        assert!(count < TRIANGLE as usize, "expected fewer than 2^31 triangles, found {count}");
+        let Tree { nodes, boxes: of_nodes, .. } = Tree::of(mesh, halves(mesh));
+        let mut boxes = vec![Bounds::empty(); count];
         let mut last = vec![0; nodes.len()];
+        // Inner nodes become families in their order, so that a child has a greater number than its parent.
+        let (mut open, mut families) = (vec![0; nodes.len()], 0);
+        for (index, node) in nodes.iter().enumerate() {
+            open[index] = match *node {
+                Node::Leaf(triangle) => TRIANGLE | triangle,
+                Node::Inner(_) => {
+                    families += 1;
+                    families - 1
+                }
+            };
+        }
         for (index, node) in nodes.iter().enumerate().rev() {
             last[index] = match *node {
-                Node::Leaf(triangle) => triangle,
+                Node::Leaf(triangle) => {
+                    boxes[triangle as usize] = of_nodes[index];
+                    triangle
+                }
                 Node::Inner(right) => last[index + 1].max(last[right as usize]),
             };
         }
-        Self { nodes, boxes, last }
+        let family = |children: [usize; 2]| {
+            let reaches = children.map(|child| reach(&of_nodes[child]).map(outward));
+            let reach = [0, 1, 2].map(|row| [0, 1, 2, 3].map(|lane| reaches[lane % 2][2 * row + lane / 2]));
+            Family { reach, last: children.map(|child| last[child]), open: children.map(|child| open[child]) }
+        };
+        let inner = nodes.iter().enumerate().filter_map(|(index, node)| match *node {
+            Node::Leaf(_) => None,
+            Node::Inner(right) => Some(family([index + 1, right as usize])),
+        });
+        Self { boxes, families: inner.collect() }
     }
 
-    /// Calls `visit` with all triangles of a greater number than `triangle` whose boxes overlap `bounds`, in any order.
-    pub fn after(&self, triangle: u32, bounds: &Bounds, mut visit: impl FnMut(u32)) {
-        let mut stack = vec![0];
-        while let Some(index) = stack.pop() {
-            if self.last.get(index).is_none_or(|last| *last <= triangle) || !self.boxes[index].overlaps(bounds) {
-                continue;
+    /// Calls `visit` with all triangles of a greater number than `triangle` whose boxes overlap its own, in any order.
+    pub fn after(&self, triangle: u32, mut visit: impl FnMut(u32)) {
+        let bounds = &self.boxes[triangle as usize];
+        // A box overlaps if it reaches as far as this one does in the opposite directions.
+        let [x, y, z, u, v, w] = reach(bounds).map(|x| -outward(x));
+        let from = [[u, u, v, v], [w, w, x, x], [y, y, z, z]];
+        // Of each level at most one sibling waits.
+        let (mut stack, mut waiting) = ([0; HEIGHT as usize], usize::from(!self.families.is_empty()));
+        while waiting > 0 {
+            waiting -= 1;
+            let Family { reach, last, open } = &self.families[stack[waiting] as usize];
+            // All are compared without a branch between them.
+            let mut short = [0; 4];
+            for (reach, from) in reach.iter().zip(&from) {
+                for lane in 0..4 {
+                    short[lane] |= u32::from(reach[lane] < from[lane]);
+                }
             }
-            match self.nodes[index] {
-                Node::Leaf(other) => visit(other),
-                Node::Inner(right) => stack.extend([right as usize, index + 1]),
+            for child in [1, 0] {
+                if (short[child] | short[child + 2] == 0) & (last[child] > triangle) {
+                    match open[child] {
+                        leaf if leaf & TRIANGLE != 0 => {
+                            if self.boxes[last[child] as usize].overlaps(bounds) {
+                                visit(last[child]);
+                            }
+                        }
+                        family => {
+                            stack[waiting] = family;
+                            waiting += 1;
+                        }
+                    }
+                }
             }
         }
     }
+}
+
+/// How far a box reaches along the axes, and along their opposites.
+fn reach(Bounds { min, max }: &Bounds) -> [f64; 6] {
+    [max.x, max.y, max.z, -min.x, -min.y, -min.z]
+}
+
+/// The least binary32 number that is not less.
+fn outward(x: f64) -> f32 {
+    let near = x as f32;
+    if f64::from(near) < x { near.next_up() } else { near }
 }

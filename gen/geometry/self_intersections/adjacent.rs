@@ -24,21 +24,14 @@
 //! only, shows for all cases that nothing else is common: a common point is on that edge, where B has only v. This is asked
 //! before the exact signs, as it decides most triangles that are in one plane.
 //!
-//! # Errors
-//!
-//! With u = 2^-53, a computed determinant of third order is a sum of six products of three differences each. A product has
-//! taken at most three roundings of differences, three of products and sums in its minor and with its factor, and two of the sum of
-//! three: it is off by 8 u (1 + 8 u) of its magnitude. The same sum over magnitudes is itself at most 8 u too small. So a
-//! determinant greater than 16 u times that sum has the sign that is computed; in the plane, with four roundings, one greater
-//! than 8 u times it. Within the range of `robbins_whitesides` nothing underflows or overflows.
+//! What binary64 does not show (`determinant`), the exact predicates do. All numbers are in the range of `robbins_whitesides`.
 
+use crate::software::determinant::{self, FLAT, SOLID, difference, sign};
 use crate::software::robbins_whitesides::{area, volume};
 
 type Point = [f64; 3];
 type Flat = [f64; 2];
 
-/// u.
-const U: f64 = f64::EPSILON / 2.0;
 /// What a projection keeps.
 const PLANES: [[usize; 2]; 3] = [[0, 1], [1, 2], [2, 0]];
 
@@ -120,28 +113,15 @@ fn flats(ends: [&Point; 2], plane: &[usize; 2]) -> [Flat; 2] {
 /// The sign of det(x - v, y - v, z - v), or 0 if binary64 does not show it.
 #[inline]
 fn certain(v: &Point, [x, y]: [&Point; 2], z: &Point) -> i8 {
-    let [x, y, z] = [x, y, z].map(|p| [p[0] - v[0], p[1] - v[1], p[2] - v[2]]);
-    let (mut sum, mut magnitude) = (0.0, 0.0);
-    for (axis, z) in z.into_iter().enumerate() {
-        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-        let (left, right) = (x[i] * y[j], x[j] * y[i]);
-        sum += (left - right) * z;
-        magnitude += (left.abs() + right.abs()) * z.abs();
-    }
-    sign(sum, 16.0 * U * magnitude)
+    let (sum, magnitude) = determinant::solid(difference(x, v), difference(y, v), difference(z, v));
+    sign(sum, SOLID * magnitude)
 }
 
 /// The sign of det(x - v, y - v), or 0 if binary64 does not show it.
 #[inline]
 fn certain_turn(v: &Flat, x: &Flat, y: &Flat) -> i8 {
-    let (left, right) = ((x[0] - v[0]) * (y[1] - v[1]), (x[1] - v[1]) * (y[0] - v[0]));
-    sign(left - right, 8.0 * U * (left.abs() + right.abs()))
-}
-
-/// The sign of a number that is off by up to an error.
-#[inline]
-fn sign(x: f64, error: f64) -> i8 {
-    i8::from(x > error) - i8::from(x < -error)
+    let (sum, magnitude) = determinant::flat(difference(x, v), difference(y, v));
+    sign(sum, FLAT * magnitude)
 }
 
 #[cfg(test)]

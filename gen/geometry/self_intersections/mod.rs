@@ -14,7 +14,7 @@ pub use question::{Faces, Question, points};
 
 use crate::Points;
 use crate::exact::{self, Exact};
-use crate::mesh::{Bounds, Mesh};
+use crate::mesh::Mesh;
 use crate::scene::Overlaps;
 use crate::software::retest::retest_batch;
 use crate::software::robbins_whitesides::is_in_range;
@@ -221,10 +221,9 @@ impl<'a> Share<'a> {
     /// Looks at the pairs of a triangle with all later ones.
     fn take(&mut self, triangle: u32) {
         let search = self.search;
-        let (vertices, faces) = (search.mesh.vertices(), search.mesh.faces());
+        let faces = search.mesh.faces();
         let face = faces[triangle as usize];
-        let bounds = Bounds::of(face.map(|vertex| &vertices[vertex as usize]));
-        search.overlaps.after(triangle, &bounds, |other| {
+        search.overlaps.after(triangle, |other| {
             let faces = [face, faces[other as usize]];
             self.effort.candidates += 1;
             let places = places(faces);

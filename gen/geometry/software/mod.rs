@@ -6,6 +6,8 @@
 //! of pairs that the unit calls possibly incorrect.
 
 pub(crate) mod affine;
+pub(crate) mod determinant;
+mod double_double;
 mod guigue_devillers;
 mod held;
 // For comparisons.
@@ -13,6 +15,7 @@ mod held;
 pub mod interval_axes;
 mod moeller;
 mod planar;
+mod posed;
 pub mod retest;
 // For comparisons.
 #[doc(hidden)]
@@ -21,6 +24,7 @@ mod separating_axes;
 #[cfg(test)]
 mod tests;
 mod vector;
+mod whole;
 
 use crate::Points;
 use crate::exact::Exact;

@@ -1,22 +1,26 @@
 //! The exact software retest: what becomes of pairs that the unit calls possibly incorrect.
 //!
-//! Three stages, each only for what the one before has left: separating axes in interval arithmetic
-//! ([`interval_axes`]), which decide nearly all pairs that do not touch; boxes, and the signs of
-//! determinants ([`robbins_whitesides`]), which decide all pairs whose products neither
-//! underflow nor overflow; and integers of any length ([`exact::pair`]). Every stage is exact where
-//! it answers, so the order changes the time and never the answer.
+//! Stages, each only for what the one before has left: separating axes in interval arithmetic ([`interval_axes`]), which decide
+//! nearly all pairs that do not touch; boxes; and the signs of determinants ([`robbins_whitesides`]), in whole numbers where the
+//! coordinates have a common grid (`whole`), and else by predicates that decide all pairs whose products neither underflow nor
+//! overflow. Pairs beyond that range are moved into it by a power of two; those with numbers from both of its ends are left to integers
+//! of any length ([`exact::pair`]). Every stage is exact where it answers, so the order changes the time and never the answer.
 //!
 //! Where B is moved by a pose, the filter is told what the rounded image may be off by. What it leaves is decided as a pair of points if
-//! the image is exact, and by integers if it is not.
+//! the image is exact, and else by determinants that know the pose (`posed`).
 //!
 //! Numbers that are not finite never pass the filter, so that only what it leaves is looked at.
 
 use rayon::prelude::*;
 
+use super::posed::Posed;
+use super::robbins_whitesides::{GREATEST, class, is_in_range};
+use super::whole::Whole;
 use super::{affine, interval_axes, robbins_whitesides};
 use crate::Points;
 use crate::exact::{self, Exact};
 use crate::finite::{self, NotFinite};
+use crate::power::{ceil_log2, scaled};
 
 /// Pairs filtered at a time: small enough to stay in the first cache.
 const BLOCK: usize = 64;
@@ -102,27 +106,52 @@ fn close(points: &[[f64; 3]; 6]) -> Result<Exact, NotFinite> {
 }
 
 fn close_points(points: &[[f64; 3]; 6]) -> Exact {
-    if boxes_apart(points) {
-        return Exact::Separate;
+    let Some(extent) = common_extent(points, 0.0) else { return Exact::Separate };
+    if let Some(whole) = Whole::of(points, extent) {
+        return class(&whole);
     }
-    robbins_whitesides::decide(points).unwrap_or_else(|| exact::decide(points))
+    robbins_whitesides::decide(points).unwrap_or_else(|| far(points))
+}
+
+/// Decides a pair of which a number is at an end of binary64: in units of another power of two, if all are in range then.
+#[cold]
+fn far(points: &[[f64; 3]; 6]) -> Exact {
+    let greatest = points.as_flattened().iter().fold(0.0, |greatest, x| f64::max(greatest, x.abs()));
+    let units = points.map(|point| point.map(|x| scaled(x, ceil_log2(GREATEST) - ceil_log2(greatest))));
+    let vanishes = |(x, unit): (&f64, &f64)| *x != 0.0 && *unit == 0.0;
+    let vanish = points.as_flattened().iter().zip(units.as_flattened()).any(vanishes);
+    if vanish || !units.iter().all(is_in_range) {
+        return exact::decide(points);
+    }
+    interval_axes::decide(&units).unwrap_or_else(|| class(&units))
 }
 
 /// Decides a pair under a pose, all numbers finite, that is too close to contact for a filter that knows what rounding does.
 #[cold]
 pub(crate) fn close_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
-    let Some([b0, b1, b2]) = affine::exact(b, m, t) else { return exact::decide_posed(a, b, m, t) };
-    let points = [a[0], a[1], a[2], b0, b1, b2];
-    interval_axes::decide(&points).unwrap_or_else(|| close_points(&points))
+    let posed = Posed::new(a, b, m, t);
+    let (points, error) = posed.rounded();
+    if error == 0.0 {
+        return interval_axes::decide(&points).unwrap_or_else(|| close_points(&points));
+    }
+    if common_extent(&points, error).is_none() { Exact::Separate } else { class(&posed) }
 }
 
-/// Whether a coordinate separates the triangles. The filter has no such axes, which separate many coplanar pairs.
-fn boxes_apart(points: &[[f64; 3]; 6]) -> bool {
+/// How wide the joint box of the triangles is, but for roundings, unless a coordinate separates those whose corners are off by at
+/// most `error`. The filter has no such axes, which separate many coplanar pairs.
+fn common_extent(points: &[[f64; 3]; 6], error: f64) -> Option<f64> {
     let [a0, a1, a2, b0, b1, b2] = points;
-    (0..3).any(|i| {
-        a0[i].max(a1[i]).max(a2[i]) < b0[i].min(b1[i]).min(b2[i])
-            || b0[i].max(b1[i]).max(b2[i]) < a0[i].min(a1[i]).min(a2[i])
-    })
+    let mut extent: f64 = 0.0;
+    for i in 0..3 {
+        let (a, b) = (a0[i].min(a1[i]).min(a2[i]), b0[i].min(b1[i]).min(b2[i]));
+        let (c, d) = (a0[i].max(a1[i]).max(a2[i]), b0[i].max(b1[i]).max(b2[i]));
+        // Rounding is monotonic: a difference that is positive is so exactly.
+        if b - c > 2.0 * error || a - d > 2.0 * error {
+            return None;
+        }
+        extent = extent.max(c.max(d) - a.min(b));
+    }
+    Some(extent)
 }
 
 #[cfg(test)]

@@ -34,25 +34,54 @@
 //! and not holding both if only their relative interiors are disjoint. Points on one line are in lexicographic order.
 
 use robust::{Coord, Coord3D, orient2d, orient3d};
+use std::cmp::Ordering;
 
+use crate::Points;
 use crate::exact::Exact;
 
 type Point = [f64; 3];
 
 /// The greatest magnitude, 2^250, and one over the least at which the predicates are exact: coordinates are multiples of
 /// 2^-302, so everything of degree three is a multiple of 2^-906, and below 2^760.
-const GREATEST: f64 = (1u128 << 125) as f64 * (1u128 << 125) as f64;
+pub(super) const GREATEST: f64 = (1u128 << 125) as f64 * (1u128 << 125) as f64;
+
+/// What is asked about six corners, which are numbered as in a0 a1 a2 b0 b1 b2. All answers are exact.
+pub(super) trait Signs {
+    /// The sign of det(q - p, r - p, s - p), which is that of the height of s above the plane of p, q, r.
+    fn volume(&self, corners: [usize; 4]) -> i8;
+    /// The sign of det(q - p, r - p) in the projection that keeps two axes: positive if r is to the left of the line from p to q.
+    fn area(&self, axes: [usize; 2], corners: [usize; 3]) -> i8;
+    /// How coordinates of two corners compare.
+    fn compare(&self, axis: usize, p: usize, q: usize) -> Ordering;
+}
+
+/// Points in the range of [`intersect`], by the predicates of the crate.
+impl Signs for Points {
+    fn volume(&self, corners: [usize; 4]) -> i8 {
+        let [p, q, r, s] = corners.map(|corner| &self[corner]);
+        volume(p, q, r, s)
+    }
+
+    fn area(&self, [i, j]: [usize; 2], corners: [usize; 3]) -> i8 {
+        let [p, q, r] = corners.map(|corner| [self[corner][i], self[corner][j]]);
+        area(&p, &q, &r)
+    }
+
+    fn compare(&self, axis: usize, p: usize, q: usize) -> Ordering {
+        self[p][axis].partial_cmp(&self[q][axis]).expect("coordinates are finite")
+    }
+}
 
 /// Whether the closed triangles a0 a1 a2 and b0 b1 b2 have a common point.
 ///
 /// Exact if every coordinate is zero or of a magnitude from 2^-250 to 2^250, segments and points included; beyond,
 /// products underflow or overflow and the answer may be wrong.
-pub fn intersect(points: &[Point; 6]) -> bool {
+pub fn intersect(points: &Points) -> bool {
     class(points) != Exact::Separate
 }
 
 /// How the triangles lie to each other; none if a coordinate is outside the range of [`intersect`].
-pub fn decide(points: &[Point; 6]) -> Option<Exact> {
+pub fn decide(points: &Points) -> Option<Exact> {
     points.iter().all(is_in_range).then(|| class(points))
 }
 
@@ -61,27 +90,34 @@ pub(crate) fn is_in_range(point: &Point) -> bool {
     point.iter().all(|x| *x == 0.0 || (1.0 / GREATEST..=GREATEST).contains(&x.abs()))
 }
 
-fn class(points: &[Point; 6]) -> Exact {
-    let [a0, a1, a2, b0, b1, b2] = *points;
-    let (a, b) = ([a0, a1, a2], [b0, b1, b2]);
-    let heights_a = a.map(|x| volume(&b0, &b1, &b2, &x));
+const A: [usize; 3] = [0, 1, 2];
+const B: [usize; 3] = [3, 4, 5];
+
+/// How the triangles lie to each other, by the signs that are given.
+pub(super) fn class(signs: &impl Signs) -> Exact {
+    // A coordinate that all have in common leaves nothing to find out about the heights.
+    if let Some(axis) = (0..3).find(|&axis| (1..6).all(|corner| signs.compare(axis, 0, corner).is_eq())) {
+        return in_plane(signs, axis);
+    }
+    let heights_a = A.map(|x| signs.volume([3, 4, 5, x]));
     if on_one_side(heights_a) {
         return Exact::Separate;
     }
-    let heights_b = b.map(|x| volume(&a0, &a1, &a2, &x));
+    let heights_b = B.map(|x| signs.volume([0, 1, 2, x]));
     if on_one_side(heights_b) {
         return Exact::Separate;
     }
     match (heights_a == [0; 3], heights_b == [0; 3]) {
-        (false, false) => crossing(a, heights_a, b, heights_b),
-        (false, true) => piercing(&a, heights_a, &b),
-        (true, false) => piercing(&b, heights_b, &a),
-        (true, true) => in_plane(points),
+        (false, false) => crossing(signs, heights_a, heights_b),
+        (false, true) => piercing(signs, A, heights_a, B),
+        (true, false) => piercing(signs, B, heights_b, A),
+        (true, true) => in_plane(signs, 2),
     }
 }
 
 /// Proper triangles in different planes, neither strictly on one side of the other's plane.
-fn crossing(mut a: [Point; 3], heights_a: [i8; 3], mut b: [Point; 3], heights_b: [i8; 3]) -> Exact {
+fn crossing(signs: &impl Signs, heights_a: [i8; 3], heights_b: [i8; 3]) -> Exact {
+    let (mut a, mut b) = (A, B);
     let ((vertex_a, below_a), (vertex_b, below_b)) = (apex(heights_a), apex(heights_b));
     a.rotate_left(vertex_a);
     b.rotate_left(vertex_b);
@@ -91,11 +127,11 @@ fn crossing(mut a: [Point; 3], heights_a: [i8; 3], mut b: [Point; 3], heights_b:
     if below_b {
         a.swap(1, 2);
     }
-    let first = volume(&a[0], &a[1], &b[0], &b[1]);
+    let first = signs.volume([a[0], a[1], b[0], b[1]]);
     if first > 0 {
         return Exact::Separate;
     }
-    let second = volume(&a[0], &a[2], &b[0], &b[2]);
+    let second = signs.volume([a[0], a[2], b[0], b[2]]);
     if second < 0 {
         return Exact::Separate;
     }
@@ -114,7 +150,7 @@ fn apex(heights: [i8; 3]) -> (usize, bool) {
 }
 
 /// A segment, not in the plane of a proper triangle and not strictly on one side of it.
-fn piercing(segment: &[Point; 3], heights: [i8; 3], triangle: &[Point; 3]) -> Exact {
+fn piercing(signs: &impl Signs, segment: [usize; 3], heights: [i8; 3], triangle: [usize; 3]) -> Exact {
     let (mut top, mut bottom) = (0, 0);
     for vertex in 1..3 {
         if heights[vertex] > heights[top] {
@@ -124,7 +160,7 @@ fn piercing(segment: &[Point; 3], heights: [i8; 3], triangle: &[Point; 3]) -> Ex
             bottom = vertex;
         }
     }
-    let side = |edge: usize| volume(&segment[top], &segment[bottom], &triangle[edge], &triangle[(edge + 1) % 3]);
+    let side = |edge: usize| signs.volume([segment[top], segment[bottom], triangle[edge], triangle[(edge + 1) % 3]]);
     let sides = [0, 1, 2].map(side);
     if on_both_sides(sides) {
         return Exact::Separate;
@@ -132,31 +168,29 @@ fn piercing(segment: &[Point; 3], heights: [i8; 3], triangle: &[Point; 3]) -> Ex
     met(on_both_sides(heights) && !sides.contains(&0))
 }
 
-/// Triangles each in the plane of the other; a segment or a point has none.
-fn in_plane(points: &[Point; 6]) -> Exact {
-    for (i, j) in [(0, 1), (1, 2), (2, 0)] {
-        let [a0, a1, a2, b0, b1, b2] = points.map(|x| [x[i], x[j]]);
-        let (a, b) = ([a0, a1, a2], [b0, b1, b2]);
-        let turns = [area(&a0, &a1, &a2), area(&b0, &b1, &b2)];
+/// Triangles each in the plane of the other; a segment or a point has none. The projection along `axis` is looked at first.
+fn in_plane(signs: &impl Signs, axis: usize) -> Exact {
+    for axes in [1, 2, 0].map(|next| [(axis + next) % 3, (axis + next + 1) % 3]) {
+        let turns = [A, B].map(|corners| signs.area(axes, corners));
         if turns != [0; 2] {
-            return in_coordinate_plane(&a, &b, turns);
+            return in_coordinate_plane(signs, axes, turns);
         }
-        let [least, greatest] = ends(&[a0, a1, a2, b0, b1, b2]);
-        if a.iter().chain(&b).any(|x| area(&least, &greatest, x) != 0) {
-            let (a_ends, b_ends) = (ends(&points[..3]), ends(&points[3..]));
-            let skew = volume(&a_ends[0], &a_ends[1], &b_ends[0], &b_ends[1]) != 0;
-            return if skew { Exact::Separate } else { in_coordinate_plane(&a, &b, turns) };
+        let [least, greatest] = ends(signs, &axes, 0..6);
+        if (0..6).any(|x| signs.area(axes, [least, greatest, x]) != 0) {
+            let [a, b] = [A, B].map(|corners| ends(signs, &[0, 1, 2], corners));
+            let skew = signs.volume([a[0], a[1], b[0], b[1]]) != 0;
+            return if skew { Exact::Separate } else { in_coordinate_plane(signs, axes, turns) };
         }
     }
-    on_line(ends(&points[..3]), ends(&points[3..]))
+    on_line(signs)
 }
 
 /// Triangles in a plane, not all on one line, that turn to the left or to the right or are segments.
-fn in_coordinate_plane(a: &[[f64; 2]; 3], b: &[[f64; 2]; 3], turns: [i8; 2]) -> Exact {
+fn in_coordinate_plane(signs: &impl Signs, axes: [usize; 2], turns: [i8; 2]) -> Exact {
     let mut touching = false;
-    for (own, turn, other) in [(a, turns[0], b), (b, turns[1], a)] {
+    for (own, turn, other) in [(A, turns[0], B), (B, turns[1], A)] {
         for edge in 0..3 {
-            let sides = [0, 1, 2].map(|i| area(&own[edge], &own[(edge + 1) % 3], &other[i]));
+            let sides = other.map(|corner| signs.area(axes, [own[edge], own[(edge + 1) % 3], corner]));
             let beyond = |sign: i8, limit: i8| sign * turn >= 0 && sides.iter().all(|side| sign * side <= limit);
             if beyond(1, -1) || beyond(-1, -1) {
                 return Exact::Separate;
@@ -169,12 +203,14 @@ fn in_coordinate_plane(a: &[[f64; 2]; 3], b: &[[f64; 2]; 3], turns: [i8; 2]) -> 
 }
 
 /// Segments on one line, or points.
-fn on_line(a: [Point; 2], b: [Point; 2]) -> Exact {
-    if a[1] < b[0] || b[1] < a[0] {
+fn on_line(signs: &impl Signs) -> Exact {
+    let [a, b] = [A, B].map(|corners| ends(signs, &[0, 1, 2], corners));
+    let order = |p: usize, q: usize| along(signs, &[0, 1, 2], p, q);
+    if order(a[1], b[0]).is_lt() || order(b[1], a[0]).is_lt() {
         return Exact::Separate;
     }
-    let both_points = a[0] == a[1] && b[0] == b[1];
-    met(both_points || (a[1] > b[0] && b[1] > a[0]))
+    let both_points = order(a[0], a[1]).is_eq() && order(b[0], b[1]).is_eq();
+    met(both_points || (order(a[1], b[0]).is_gt() && order(b[1], a[0]).is_gt()))
 }
 
 /// What triangles with a common point are.
@@ -190,11 +226,22 @@ fn on_both_sides(signs: [i8; 3]) -> bool {
     signs.contains(&1) && signs.contains(&-1)
 }
 
-/// The least and the greatest in lexicographic order: the ends, where the points are on one line.
-fn ends<const N: usize>(points: &[[f64; N]]) -> [[f64; N]; 2] {
-    points.iter().fold([points[0]; 2], |[least, greatest], &x| {
-        [if x < least { x } else { least }, if x > greatest { x } else { greatest }]
+/// The corners that are least and greatest in lexicographic order: the ends, where all are on one line.
+fn ends(signs: &impl Signs, axes: &[usize], corners: impl IntoIterator<Item = usize>) -> [usize; 2] {
+    let mut corners = corners.into_iter();
+    let first = corners.next().unwrap_or_default();
+    corners.fold([first; 2], |[least, greatest], corner| {
+        let is = |order: Ordering, other: usize| along(signs, axes, corner, other) == order;
+        [
+            if is(Ordering::Less, least) { corner } else { least },
+            if is(Ordering::Greater, greatest) { corner } else { greatest },
+        ]
     })
+}
+
+/// The lexicographic order of two corners.
+fn along(signs: &impl Signs, axes: &[usize], p: usize, q: usize) -> Ordering {
+    axes.iter().fold(Ordering::Equal, |order, &axis| order.then_with(|| signs.compare(axis, p, q)))
 }
 
 /// The sign of det(q - p, r - p, s - p), which is that of the height of s above the plane of p, q, r.

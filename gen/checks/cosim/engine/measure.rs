@@ -1,6 +1,6 @@
 //! What simulated queries answered and cost, against the reference model.
 
-use super::Reply;
+use super::{Reply, by_number};
 use efsat_engine::artefact::EngineDesign;
 use efsat_engine::host::{Image, memory};
 use efsat_engine::model::{EngineOutcome, Model, Query};
@@ -77,6 +77,16 @@ pub fn check(
     let model = Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
     let (words, _) = memory(images);
     let (format, stack) = (model.format(), design.params.stack);
+    if design.by_number {
+        let packets = by_number(design, &words, queries);
+        let compared = packets.par_iter().zip(replies).enumerate().map(|(number, (packet, reply))| {
+            let due = model.run_numbers(&words, &packet.words(format));
+            done();
+            let order = (due.answers != reply.answers).then(|| "the answers, or their order".to_owned());
+            difference(&due, reply).or(order).map(|difference| format!("query {number}: {difference}"))
+        });
+        return compared.flatten().collect();
+    }
     let compared = queries.par_iter().zip(replies).enumerate().map(|(number, (query, reply))| {
         let run = |query: &Query| model.run(&words, &query.words(format));
         let due = run(query);

@@ -13,15 +13,26 @@ use super::{CosimError, Simulator, verilator};
 use crate::synth::verilog;
 use askama::Template;
 use efsat_engine::artefact::{EngineDesign, NAME, TESTBENCH, engine_files};
-use efsat_engine::host::{Image, Layout, memory};
-use efsat_engine::model::Query;
+use efsat_engine::host::{Image, memory};
+use efsat_engine::model::{ByNumber, Model, Query};
 use efsat_engine::params::Memory;
 use efsat_engine::words::{Command, EngineAnswer, EngineReport};
 use efsat_hardware::tools::Tool;
 use efsat_unit::artefact::testbench::RESET_CLOCKS;
 use efsat_unit::artefact::{Prefix, Scratch, origin};
+use rayon::prelude::*;
 use std::ops::RangeInclusive;
 use std::path::{Path, PathBuf};
+
+/// What queries come to as packets of pairs by number: the pairs that a traversal finds.
+pub(super) fn by_number(design: &EngineDesign, memory: &[u64], queries: &[Query]) -> Vec<ByNumber> {
+    let model = Model::new(&design.params, &design.unit.params).expect("parameters of a design are in their ranges");
+    let packet = |query: &Query| {
+        let (_, visits) = model.visits(memory, &query.words(model.format()));
+        ByNumber::of_query(query, visits.numbers)
+    };
+    queries.par_iter().map(packet).collect()
+}
 
 /// The Verilog of the engine.
 const NETLIST: &str = "efsat_engine.v";
@@ -123,6 +134,7 @@ struct Bench {
     axi: bool,
     word_bytes: u32,
     word_size: u32,
+    by_number: bool,
     query_header: String,
     stop_header: String,
     reset_header: String,
@@ -141,7 +153,8 @@ impl Bench {
             axi,
             word_bytes,
             word_size: word_bytes.ilog2(),
-            query_header: header(Command::Query),
+            by_number: design.by_number,
+            query_header: header(if design.by_number { Command::Numbers } else { Command::Query }),
             stop_header: header(Command::Stop),
             reset_header: header(Command::Reset),
             reset_clocks: RESET_CLOCKS,
@@ -305,9 +318,16 @@ impl Machine {
     /// As [`Machine::exchange`], and images that do not fit into block RAM.
     pub fn run(&self, images: &[&Image], queries: &[Query], channel: &Channel) -> Result<Vec<Reply>, CosimError> {
         let format = &self.design.format;
-        let layout = Layout::new(&self.design.params, format, images).map_err(|e| CosimError::Design(e.into()))?;
-        let (_, sides) = memory(images);
-        let words = queries.iter().map(|query| layout.moved(query, &sides).words(format));
+        let layout = self.design.layout(images).map_err(|e| CosimError::Design(e.into()))?;
+        let (words, sides) = memory(images);
+        let numbers = self.design.by_number.then(|| by_number(&self.design, &words, queries));
+        let words = queries.iter().enumerate().map(|(i, query)| {
+            let query = layout.moved(query, &sides);
+            match &numbers {
+                None => query.words(format),
+                Some(packets) => ByNumber { sides: query.sides, ..packets[i].clone() }.words(format),
+            }
+        });
         let packets: Vec<Vec<u64>> = layout.loads.iter().cloned().chain(words).collect();
         let replies = self.exchange(&layout.memory, &packets, channel)?;
         let (loads, replies) = replies.split_at(layout.loads.len());

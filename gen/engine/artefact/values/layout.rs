@@ -20,7 +20,7 @@ pub(crate) struct Group {
 }
 
 /// A name and what it stands for.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(crate) struct Item {
     name: String,
     value: Value,
@@ -28,7 +28,7 @@ pub(crate) struct Item {
     pub what: &'static str,
 }
 
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 enum Value {
     Number(u32),
     Field(Bits),
@@ -70,6 +70,9 @@ pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// All of them.
 pub(super) fn groups(design: &EngineDesign) -> Vec<Group> {
+    if design.by_number {
+        return groups_by_number(design);
+    }
     let (params, format) = (&design.params, &design.format);
     let mut groups = vec![
         Group { what: "Blocks and triangles, as they come from memory.", items: objects(design) },
@@ -86,7 +89,7 @@ pub(super) fn groups(design: &EngineDesign) -> Vec<Group> {
         Group { what: "The options of a query.", items: options() },
         Group {
             what: "The pose of a job, where that of a query is; a number takes the low bits of its place.",
-            items: pose(design),
+            items: [pose(design, word_at(EngineFormat::POSE_AT)), shift(design)].concat(),
         },
         Group { what: "The last words of a job while they are a pair of a packet.", items: pair(design) },
         Group { what: "What the volume unit knows of a query.", items: query(format) },
@@ -109,10 +112,37 @@ pub(super) fn groups(design: &EngineDesign) -> Vec<Group> {
     groups
 }
 
+/// Those that entities without a traversal have.
+fn groups_by_number(design: &EngineDesign) -> Vec<Group> {
+    let (params, format) = (&design.params, &design.format);
+    let mut job = vec![number("job_bits", WORD * format.pose_words, "")];
+    job.extend(pose(design, 0));
+    let mut named = options().split_off(1);
+    named.push(number("option_keep", QueryFlags::KEEP_CACHES, "no image has changed"));
+    named.push(field("option_spare", QueryFlags::KEEP_CACHES + 1, 4, ""));
+    let memory = match params.memory {
+        Memory::Axi => number("memory_width", params.memory_width, "bits of a word"),
+        Memory::BlockRam => {
+            number("triangle_line_bits", params.triangle_lines.ilog2(), "of the number of a triangle in memory")
+        }
+    };
+    vec![
+        Group { what: "Triangles, as they come from memory.", items: triangles(design) },
+        Group { what: "The pose of a packet; a number takes the low bits of its place.", items: job },
+        Group { what: "The options of a packet, in its first word.", items: named },
+        Group { what: "Reasons of a report.", items: reasons() },
+        Group { what: "Memory.", items: vec![memory] },
+    ]
+}
+
 fn objects(design: &EngineDesign) -> Vec<Item> {
+    let blocks = number("block_bits", block_bits(&design.format), "");
+    [vec![blocks], triangles(design)].concat()
+}
+
+fn triangles(design: &EngineDesign) -> Vec<Item> {
     let triangle = design.format.triangle();
     let mut items = vec![
-        number("block_bits", block_bits(&design.format), ""),
         number("triangle_bits", triangle.bits, ""),
         field("triangle_number", 0, triangle.number_bits, ""),
         field("triangle_corners", triangle.lane, 9 * triangle.lane, "x, y and z of three corners"),
@@ -194,9 +224,9 @@ fn options() -> Vec<Item> {
     ]
 }
 
-fn pose(design: &EngineDesign) -> Vec<Item> {
+/// The pose whose record begins there.
+fn pose(design: &EngineDesign, at: u32) -> Vec<Item> {
     let (format, unit) = (&design.format, &design.unit.params);
-    let at = word_at(EngineFormat::POSE_AT);
     let number_at = |i| at + format.stream.number_at(i);
     let bits = word_at(format.row_at(0)) - at;
     let mut items = vec![
@@ -210,11 +240,16 @@ fn pose(design: &EngineDesign) -> Vec<Item> {
             items.push(number(format!("job_{port}_sticky"), at + i, ""));
         }
     }
+    items
+}
+
+fn shift(design: &EngineDesign) -> Vec<Item> {
+    let format = &design.format;
+    let number_at = |i| word_at(EngineFormat::POSE_AT) + format.stream.number_at(i);
     let (cut, bits) = (format.translation_shift() as u32, shift_bits(format));
     let shift =
         |(i, axis): (u32, &str)| field(format!("job_shift_{axis}"), number_at(9 + i) + cut, bits, "the shift as s4.22");
-    items.extend((0..).zip(AXES).map(shift));
-    items
+    (0..).zip(AXES).map(shift).collect()
 }
 
 fn pair(design: &EngineDesign) -> Vec<Item> {

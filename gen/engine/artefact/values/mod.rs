@@ -1,6 +1,7 @@
 //! The numbers that the templates of the engine print.
 
 mod blocks;
+mod by_number;
 mod layout;
 mod memory;
 mod query;
@@ -11,6 +12,7 @@ use super::EngineDesign;
 use super::vectors::formats_line;
 use crate::params::Memory;
 use blocks::Blocks;
+use by_number::Numbers;
 use efsat_unit::artefact::testbench::half_period;
 use efsat_unit::parts::Bits;
 use layout::Group;
@@ -35,6 +37,7 @@ pub(super) struct Values {
     pub unit: Unit,
     pub query: Query,
     pub memory: Memories,
+    pub numbers: Numbers,
     pub formats: String,
     pub patience: usize,
     pub half_period: String,
@@ -53,6 +56,7 @@ impl Values {
             unit: Unit::new(design),
             query: Query::new(format, params.memory),
             memory: Memories::new(design),
+            numbers: Numbers::new(design),
             formats: formats_line(design),
             patience: 20000 + 4 * (unit.latency + volume.latency),
             half_period: format!("{} ps", half_period(&unit.params)),

@@ -13,13 +13,15 @@ use rayon::prelude::*;
 
 /// Pairs tested at a time: small enough to stay in the first cache.
 const BLOCK: usize = 64;
+/// Open pairs of a block that are worth a second thread.
+const MANY: usize = 32;
 
 /// Pairs (triangle of A, triangle of B) that touch, in ascending order, and how they do; and what the traversal cost.
 pub type Contacts = (Vec<((u32, u32), Exact)>, Statistics);
 
 /// All pairs that touch with B in `pose` as seen from A. The twelve doubles of the pose are taken as they are: a filter in floating
-/// point knows how far the corners of B may be off, and whole numbers decide what it leaves, by all threads of the current pool,
-/// which takes long where very many pairs touch in planes.
+/// point knows how far the corners of B may be off, and exact signs decide what it leaves, by all threads of the current pool where
+/// very many pairs touch in planes.
 ///
 /// # Panics
 /// If the trees have different sets of directions, or are not those of the meshes.
@@ -35,11 +37,12 @@ pub fn contacts(meshes: [&Mesh; 2], trees: [&DopTree; 2], pose: &Pose, scratch: 
     search(meshes, trees, pose, scratch, |pairs, points, answers| {
         let certain = &mut certain[..pairs.len()];
         decide_moved(points, error, certain);
-        if !certain.contains(&None) {
-            return answers.extend(certain.iter().flatten());
-        }
         let answer = |(&pair, certain): (&(u32, u32), &Option<Exact>)| certain.unwrap_or_else(|| exactly(pair));
-        answers.par_extend(pairs.par_iter().zip(&*certain).map(answer));
+        if certain.iter().filter(|certain| certain.is_none()).count() < MANY {
+            answers.extend(pairs.iter().zip(&*certain).map(answer));
+        } else {
+            answers.par_extend(pairs.par_iter().zip(&*certain).map(answer));
+        }
     })
 }
 

@@ -2,7 +2,7 @@
 
 use super::{Directions, Placement};
 use crate::mesh::Mesh;
-use crate::scene::split::{Node, nodes, offsets};
+use crate::scene::split::{Node, best, offsets};
 
 /// The number formats of local blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,12 +56,13 @@ pub struct LocalTree {
 }
 
 impl LocalTree {
-    /// Builds the tree of a mesh inside its cube; nodes are split as those of the other trees.
+    /// Builds the tree of a mesh inside its cube; nodes are split as those of the other trees, but without bins: an image is built once
+    /// and asked often.
     ///
     /// # Panics
     /// If the placement does not hold the mesh.
     pub fn new(mesh: &Mesh, placement: &Placement, format: LocalFormat) -> Self {
-        let nodes = nodes(mesh);
+        let nodes = best(mesh);
         let (mut inner, mut leaves) = (0, 0);
         let number = |node: &Node| {
             let count = if matches!(node, Node::Inner(_)) { &mut inner } else { &mut leaves };

@@ -1,8 +1,8 @@
 //! Where meshes are put, so that fixed-point numbers hold them.
 
-use super::tree::ceil_log2;
 use crate::exact::ceiling;
 use crate::mesh::Mesh;
+use crate::power::ceil_log2;
 
 /// Powers of two by which meshes are scaled: a mesh of one point has one too.
 const POWERS: std::ops::RangeInclusive<i32> = -1024..=1022;

@@ -2,7 +2,8 @@
 
 use super::Directions;
 use super::family::{Group, LANES, groups};
-use super::tree::{DopTree, ceil_log2, scaled};
+use super::tree::DopTree;
+use crate::power::{ceil_log2, scaled};
 use crate::scene::Pose;
 use nalgebra::Vector3;
 

@@ -2,10 +2,10 @@
 
 use super::family::{Group, LANES, Members};
 use super::realign::Realignment;
-use super::tree::scaled;
 use super::*;
 use crate::exact::{Exact, pair, posed_pair};
 use crate::mesh::{Mesh, headlight};
+use crate::power::scaled;
 use crate::scene::pose::{Pose, axis_angle};
 use crate::scene::split::Node;
 use crate::software::interval_axes;

@@ -3,6 +3,7 @@
 use super::Directions;
 use super::family::{Group, LANES, Members, groups, members};
 use crate::mesh::Mesh;
+use crate::power::{ceil_log2, scaled};
 use crate::scene::split::{Node, nodes, offsets};
 use nalgebra::{Point3, Vector3};
 
@@ -125,35 +126,13 @@ impl DopTree {
             let projection: f64 = n.iter().zip(y.iter()).map(|(&n, &y)| f64::from(n) * y).sum();
             // The conversion makes 0 of NaN; but the coordinates of a mesh are finite, and so are their differences from the centre of
             // their box, which are at most its half-size.
-            (projection + SLACK).ceil() as i32
+            let (bound, whole) = (projection + SLACK, (projection + SLACK) as i32);
+            whole + i32::from(bound > f64::from(whole))
         };
-        let of_vertices: Vec<i32> = vertices
-            .iter()
-            .flat_map(|y| (0..k).map(move |index| (y, index)))
-            .map(|(y, index)| offset(y, self.directions.vector(index)))
-            .collect();
+        let mut of_vertices = vec![0; vertices.len() * k];
+        for (y, offsets) in vertices.iter().zip(of_vertices.chunks_exact_mut(k)) {
+            offsets.iter_mut().enumerate().for_each(|(index, to)| *to = offset(y, self.directions.vector(index)));
+        }
         offsets(&self.nodes, mesh, &of_vertices, k)
     }
-}
-
-/// The least e with x <= 2^e, for x >= 0; a small number for 0.
-pub(super) fn ceil_log2(x: f64) -> i32 {
-    let (exponent, fraction) = ((x.to_bits() >> 52) as i32, x.to_bits() << 12);
-    match exponent {
-        // Below 2^-1022; what is below the least exponent of a grid needs no better answer.
-        0 => -1022,
-        _ => exponent - 1023 + i32::from(fraction != 0),
-    }
-}
-
-/// x * 2^power, which rounds only results that leave the normal numbers.
-pub(super) fn scaled(x: f64, power: i32) -> f64 {
-    // 2^power itself may leave them.
-    let half = power / 2;
-    x * power_of_two(half) * power_of_two(power - half)
-}
-
-/// 2^power, of a power that normal numbers have.
-fn power_of_two(power: i32) -> f64 {
-    f64::from_bits(((1023 + power) as u64) << 52)
 }

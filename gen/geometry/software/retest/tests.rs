@@ -4,11 +4,11 @@ use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 
-use super::{retest, retest_batch, retest_parallel, retest_posed};
+use super::{Posed, Whole, class, common_extent, retest, retest_batch, retest_parallel, retest_posed};
 use crate::exact::{self, Exact};
 use crate::finite::{NotFinite, Place};
 use crate::sample;
-use crate::software::{affine, interval_axes, robbins_whitesides};
+use crate::software::{interval_axes, robbins_whitesides};
 
 type Points = [[f64; 3]; 6];
 
@@ -147,10 +147,16 @@ fn mixed(seed: u64, count: usize) -> Vec<Points> {
     (0..count).map(pair).collect()
 }
 
+/// The answer of the last stage for posed pairs, which nothing moves.
+fn at_rest([a0, a1, a2, b0, b1, b2]: &Points) -> Exact {
+    let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+    class(&Posed::new(&[*a0, *a1, *a2], &[*b0, *b1, *b2], &unit, &[0.0; 3]))
+}
+
 /// Pairs that each stage has decided, and pairs by class.
 #[derive(Default)]
 struct Seen {
-    stages: [u64; 3],
+    stages: [u64; 4],
     classes: [u64; 3],
     wrong: Vec<String>,
 }
@@ -158,14 +164,17 @@ struct Seen {
 impl Seen {
     fn add(mut self, points: &Points) -> Self {
         let truth = exact::pair(points).unwrap();
-        let stages = [interval_axes::decide(points), robbins_whitesides::decide(points)];
-        let decided = stages.iter().position(Option::is_some).unwrap_or(2);
+        let whole = common_extent(points, 0.0).and_then(|extent| Whole::of(points, extent));
+        let whole = whole.map(|whole| class(&whole));
+        let stages = [interval_axes::decide(points), whole, robbins_whitesides::decide(points)];
+        let decided = stages.iter().position(Option::is_some).unwrap_or(3);
         self.stages[decided] += 1;
         self.classes[truth as usize] += 1;
-        let closed = stages[1].map(|_| robbins_whitesides::intersect(points));
+        let closed = stages[2].map(|_| robbins_whitesides::intersect(points));
         if stages.iter().any(|stage| stage.is_some_and(|found| found != truth))
             || closed.is_some_and(|found| found != (truth != Exact::Separate))
             || retest(points).unwrap() != truth
+            || at_rest(points) != truth
         {
             self.wrong.push(format!("{truth}, but {stages:?} {closed:?} {}: {points:?}", retest(points).unwrap()));
         }
@@ -173,7 +182,7 @@ impl Seen {
     }
 
     fn with(mut self, other: Self) -> Self {
-        (0..3).for_each(|i| self.stages[i] += other.stages[i]);
+        (0..4).for_each(|i| self.stages[i] += other.stages[i]);
         (0..3).for_each(|i| self.classes[i] += other.classes[i]);
         self.wrong.extend(other.wrong);
         self
@@ -356,12 +365,50 @@ fn posed_pairs_are_decided_as_they_are_given() {
         let expected = exact::posed_pair(&a, &b, &m, &t).unwrap();
         assert_eq!(retest_posed(&a, &b, &m, &t), Ok(expected), "{a:?} {b:?} {m:?} {t:?}");
         seen[expected as usize] += 1;
-        if let Some([b0, b1, b2]) = affine::exact(&b, &m, &t) {
+        let (points, error) = Posed::new(&a, &b, &m, &t).rounded();
+        if error == 0.0 {
             exactly += 1;
-            assert_eq!(exact::pair(&[a[0], a[1], a[2], b0, b1, b2]), Ok(expected));
+            assert_eq!(exact::pair(&points), Ok(expected));
         }
     }
     assert!(seen.iter().all(|count| *count > 800) && (5_000..25_000).contains(&exactly), "{seen:?} {exactly}");
+}
+
+/// Rotations, which round everything, of pairs near contact: some are nearer than numbers of twice the length can tell.
+#[test]
+fn posed_pairs_near_contact_are_decided_as_they_are_given() {
+    let mut rng = ChaCha8Rng::seed_from_u64(22);
+    let turns = [
+        [[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]],
+        // About an axis: coordinates along it are exact.
+        [
+            [10f64.to_radians().cos(), -10f64.to_radians().sin(), 0.0],
+            [10f64.to_radians().sin(), 10f64.to_radians().cos(), 0.0],
+            [0.0, 0.0, 1.0],
+        ],
+    ];
+    let mut seen = [0; 3];
+    for round in 0..20_000 {
+        let mut p = KINDS[round % 9](&mut rng);
+        let (m, t) =
+            (turns[round % 2], [[0.0; 3], [1e5, -7e4, 3e4], [0.0, 0.0, 1.0], [1e-200, 0.0, -5e-324]][round / 2 % 4]);
+        match round % 3 {
+            // Back by the transpose, but for the rounding.
+            0 => p[3..].iter_mut().for_each(|x| *x = [0, 1, 2].map(|j| (0..3).map(|i| m[i][j] * (x[i] - t[i])).sum())),
+            // On the axis of the turn, which does not move it.
+            1 => {
+                p[3] = [0.0, 0.0, p[3][2]];
+                p[0] = [0, 1, 2].map(|i| t[i] + p[3][i]);
+            }
+            _ => p.iter_mut().for_each(|x| x[2] = 1.0),
+        }
+        let (a, b) = ([p[0], p[1], p[2]], [p[3], p[4], p[5]]);
+        let expected = exact::posed_pair(&a, &b, &m, &t).unwrap();
+        assert_eq!(retest_posed(&a, &b, &m, &t), Ok(expected), "{a:?} {b:?} {m:?} {t:?}");
+        assert_eq!(class(&Posed::new(&a, &b, &m, &t)), expected, "{a:?} {b:?} {m:?} {t:?}");
+        seen[expected as usize] += 1;
+    }
+    assert!(seen.iter().all(|count| *count > 500), "{seen:?}");
 }
 
 #[test]
