@@ -40,7 +40,7 @@ architecture rtl of {{ prefix }}efsat_engine is
   signal triangle_b : std_logic_vector(triangle_bits - 1 downto 0);
   signal pose_valid : std_logic;
   signal pose_ready : std_logic;
-  signal job_words : std_logic_vector(job_bits - 1 downto 0);
+  signal pose_words : std_logic_vector(job_bits - 1 downto 0);
 
   -- The unit
   signal unit_v : std_logic_vector(287 downto 0);  -- nine words for each triangle
@@ -120,7 +120,7 @@ begin
       separate_too => separate_too,
       pose_valid => pose_valid,
       pose_ready => pose_ready,
-      job_words => job_words,
+      job_words => pose_words,
 {%- if e.axi %}
       memory_error => memory_error,
       memory_silent => memory_silent,
@@ -187,7 +187,7 @@ begin
 {%- endfor %}
       pose_valid => pose_valid,
       pose_ready => pose_ready,
-      pose_bypass => job_words(job_bypass),
+      pose_bypass => pose_words(job_bypass),
       out_valid => tested_valid,
       out_ready => tested_taken,
       out_verdict => tested_verdict,
