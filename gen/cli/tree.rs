@@ -12,7 +12,7 @@ use super::params::{choice, whole};
 use clap::Subcommand;
 use efsat_engine::host::{Image, ImageError};
 use efsat_engine::params::{EngineParams, OFFSET_BITS, ORIGIN_BITS};
-use efsat_geometry::scene::hierarchy::Directions;
+use efsat_geometry::collide::hierarchy::Directions;
 use std::fs;
 use std::path::Path;
 

@@ -55,14 +55,25 @@ pub enum InvalidMesh {
         /// How many vertices there are.
         count: usize,
     },
+    /// More corners than indices count.
+    #[error("{count} corners; expected fewer than 2^32")]
+    TooMany {
+        /// How many there are.
+        count: usize,
+    },
 }
 
 impl Mesh {
-    /// A mesh of vertices, and of triangles as three indices into these, counted from 0.
+    /// A mesh of vertices, arrays or points, and of triangles as three indices into these, counted from 0.
     ///
     /// # Errors
     /// The first coordinate that is not finite, or the first triangle with an index out of range.
-    pub fn new(vertices: Vec<Point3<f64>>, faces: Vec<[u32; 3]>) -> Result<Self, InvalidMesh> {
+    pub fn new<V: Into<Point3<f64>>>(
+        vertices: impl IntoIterator<Item = V>,
+        faces: impl IntoIterator<Item = [u32; 3]>,
+    ) -> Result<Self, InvalidMesh> {
+        let vertices: Vec<Point3<f64>> = vertices.into_iter().map(Into::into).collect();
+        let faces: Vec<[u32; 3]> = faces.into_iter().collect();
         for (vertex, point) in vertices.iter().enumerate() {
             if let Some(axis) = (0..3).find(|&axis| !point[axis].is_finite()) {
                 return Err(NotFinite { place: Place::Vertex { mesh: None, vertex, axis }, value: point[axis] }.into());
@@ -75,6 +86,18 @@ impl Mesh {
             }
         }
         Ok(Self { vertices, faces })
+    }
+
+    /// A mesh of triangles by their corners. Corners that are equal as numbers become one vertex.
+    ///
+    /// # Errors
+    /// The first coordinate that is not finite; corner c of triangle t is vertex 3 t + c. More corners than 32 bits count.
+    pub fn from_triangles<V: Into<Point3<f64>>>(
+        triangles: impl IntoIterator<Item = [V; 3]>,
+    ) -> Result<Self, InvalidMesh> {
+        let corners: Vec<Point3<f64>> = triangles.into_iter().flatten().map(Into::into).collect();
+        let count = u32::try_from(corners.len()).map_err(|_| InvalidMesh::TooMany { count: corners.len() })?;
+        Ok(Self::new(corners, (0..count).step_by(3).map(|first| [first, first + 1, first + 2]))?.welded())
     }
 
     /// The vertices.

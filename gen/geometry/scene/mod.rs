@@ -6,30 +6,22 @@
 //! otherwise they are computed from both poses in binary64 ([`Pose::seen`]).
 
 mod check;
-mod containment;
-mod enclosure;
 mod file;
-pub mod hierarchy;
+mod forest;
 mod itself;
 mod meetings;
 mod motion;
 mod near;
-mod pieces;
-mod pose;
-mod split;
+pub(crate) mod rotation;
 mod sweep;
 mod trajectory;
-mod tree;
 
+pub use crate::collide::Pose;
 pub use check::InvalidScene;
-pub use containment::{Components, Nesting, OpenEdge, nestings};
 pub use file::{SceneError, load};
+pub use forest::Forest;
 pub use near::{Meeting, Near};
-pub use pose::Pose;
 pub use toml::Value;
-// For measurements of broad phases.
-#[doc(hidden)]
-pub use tree::{Candidates, Overlaps, Tree};
 
 use crate::mesh::{Findings, Mesh};
 use motion::Motion;

@@ -1,11 +1,12 @@
 //! The meetings of a scene frame by frame, and the pairs of triangles in them that may touch. Nothing that touches is lost,
 //! whatever finds them.
 
-use super::hierarchy::{Directions, Forest, Scratch, Statistics, pieces};
+use super::forest::Forest;
 use super::meetings::Meetings;
-use super::pieces::MOST;
-use super::tree::{Candidates, Tree};
 use super::{Pose, Scene};
+use crate::collide::hierarchy::{Directions, Scratch, Statistics, pieces};
+use crate::collide::pieces::MOST;
+use crate::collide::{Candidates, Tree};
 use crate::mesh::Mesh;
 use rayon::prelude::*;
 use std::convert::Infallible;

@@ -15,7 +15,7 @@ use rayon::prelude::*;
 
 use super::{affine, interval_axes, robbins_whitesides};
 use crate::Points;
-use crate::exact::{self, Exact};
+use crate::exact::{self, ContactKind, Exact};
 use crate::finite::{self, NotFinite};
 
 /// Pairs filtered at a time: small enough to stay in the first cache.
@@ -31,8 +31,13 @@ const SHARE: usize = 64 * BLOCK;
 pub fn retest(points: &[[f64; 3]; 6]) -> Result<Exact, NotFinite> {
     match interval_axes::decide(points) {
         Some(answer) => Ok(answer),
-        None => close(points),
+        None => close(points).map(ContactKind::class),
     }
+}
+
+/// The same with the kind of contact; none if the triangles are separate.
+pub(crate) fn retest_kind(points: &[[f64; 3]; 6]) -> Result<Option<ContactKind>, NotFinite> {
+    interval_axes::decide(points).map_or_else(|| close(points), |answer| Ok(ContactKind::of_filter(answer)))
 }
 
 /// How a triangle A and the image of B under x to M * x + t lie to each other, as [`retest`] says it of points; `m` is indexed
@@ -41,10 +46,20 @@ pub fn retest(points: &[[f64; 3]; 6]) -> Result<Exact, NotFinite> {
 /// # Errors
 /// If a number is not finite.
 pub fn retest_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Exact, NotFinite> {
+    retest_posed_kind(a, b, m, t).map(ContactKind::class)
+}
+
+/// The same with the kind of contact; none if the triangles are separate.
+pub(crate) fn retest_posed_kind(
+    a: &[[f64; 3]; 3],
+    b: &[[f64; 3]; 3],
+    m: &[[f64; 3]; 3],
+    t: &[f64; 3],
+) -> Result<Option<ContactKind>, NotFinite> {
     finite::posed(a, b, m, t)?;
     let ([b0, b1, b2], error) = affine::rounded(b, m, t);
     let certain = interval_axes::decide_off(&[a[0], a[1], a[2], b0, b1, b2], error);
-    Ok(certain.unwrap_or_else(|| close_posed(a, b, m, t)))
+    Ok(certain.map_or_else(|| close_posed(a, b, m, t), ContactKind::of_filter))
 }
 
 /// Appends the answers of [`retest`] for many pairs, several times as fast.
@@ -61,7 +76,7 @@ pub fn retest_batch(pairs: &[[[f64; 3]; 6]], answers: &mut Vec<Exact>) -> Result
         interval_axes::decide_batch(block, certain);
         let answer = |(place, (points, answer)): (usize, (_, &mut Option<Exact>))| {
             answer.unwrap_or_else(|| {
-                close(points).unwrap_or_else(|e| {
+                close(points).map(ContactKind::class).unwrap_or_else(|e| {
                     refused.get_or_insert(e.of_pair(number * BLOCK + place));
                     Exact::Separate
                 })
@@ -96,24 +111,29 @@ pub fn retest_parallel(pairs: &[[[f64; 3]; 6]]) -> Result<Vec<Exact>, NotFinite>
 
 /// Decides a pair that is too close to contact for the filter, or not finite.
 #[cold]
-fn close(points: &[[f64; 3]; 6]) -> Result<Exact, NotFinite> {
+fn close(points: &[[f64; 3]; 6]) -> Result<Option<ContactKind>, NotFinite> {
     finite::pair(points)?;
     Ok(close_points(points))
 }
 
-fn close_points(points: &[[f64; 3]; 6]) -> Exact {
+fn close_points(points: &[[f64; 3]; 6]) -> Option<ContactKind> {
     if boxes_apart(points) {
-        return Exact::Separate;
+        return None;
     }
-    robbins_whitesides::decide(points).unwrap_or_else(|| exact::decide(points))
+    robbins_whitesides::decide(points).unwrap_or_else(|| exact::decide(points)).kind()
 }
 
 /// Decides a pair under a pose, all numbers finite, that is too close to contact for a filter that knows what rounding does.
 #[cold]
-pub(crate) fn close_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
-    let Some([b0, b1, b2]) = affine::exact(b, m, t) else { return exact::decide_posed(a, b, m, t) };
+pub(crate) fn close_posed(
+    a: &[[f64; 3]; 3],
+    b: &[[f64; 3]; 3],
+    m: &[[f64; 3]; 3],
+    t: &[f64; 3],
+) -> Option<ContactKind> {
+    let Some([b0, b1, b2]) = affine::exact(b, m, t) else { return exact::decide_posed(a, b, m, t).kind() };
     let points = [a[0], a[1], a[2], b0, b1, b2];
-    interval_axes::decide(&points).unwrap_or_else(|| close_points(&points))
+    interval_axes::decide(&points).map_or_else(|| close_points(&points), ContactKind::of_filter)
 }
 
 /// Whether a coordinate separates the triangles. The filter has no such axes, which separate many coplanar pairs.

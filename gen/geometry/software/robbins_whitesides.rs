@@ -35,7 +35,7 @@
 
 use robust::{Coord, Coord3D, orient2d, orient3d};
 
-use crate::exact::Exact;
+use crate::exact::{Exact, Relation};
 
 type Point = [f64; 3];
 
@@ -48,12 +48,12 @@ const GREATEST: f64 = (1u128 << 125) as f64 * (1u128 << 125) as f64;
 /// Exact if every coordinate is zero or of a magnitude from 2^-250 to 2^250, segments and points included; beyond,
 /// products underflow or overflow and the answer may be wrong.
 pub fn intersect(points: &[Point; 6]) -> bool {
-    class(points) != Exact::Separate
+    relation(points).class != Exact::Separate
 }
 
 /// How the triangles lie to each other; none if a coordinate is outside the range of [`intersect`].
-pub fn decide(points: &[Point; 6]) -> Option<Exact> {
-    points.iter().all(is_in_range).then(|| class(points))
+pub fn decide(points: &[Point; 6]) -> Option<Relation> {
+    points.iter().all(is_in_range).then(|| relation(points))
 }
 
 /// Whether all coordinates of a point are in the range of [`intersect`], where the signs of [`volume`] and [`area`] are exact.
@@ -61,21 +61,22 @@ pub(crate) fn is_in_range(point: &Point) -> bool {
     point.iter().all(|x| *x == 0.0 || (1.0 / GREATEST..=GREATEST).contains(&x.abs()))
 }
 
-fn class(points: &[Point; 6]) -> Exact {
+fn relation(points: &[Point; 6]) -> Relation {
     let [a0, a1, a2, b0, b1, b2] = *points;
     let (a, b) = ([a0, a1, a2], [b0, b1, b2]);
+    let across_planes = |class: Exact| Relation { class, coplanar: false };
     let heights_a = a.map(|x| volume(&b0, &b1, &b2, &x));
     if on_one_side(heights_a) {
-        return Exact::Separate;
+        return across_planes(Exact::Separate);
     }
     let heights_b = b.map(|x| volume(&a0, &a1, &a2, &x));
     if on_one_side(heights_b) {
-        return Exact::Separate;
+        return across_planes(Exact::Separate);
     }
     match (heights_a == [0; 3], heights_b == [0; 3]) {
-        (false, false) => crossing(a, heights_a, b, heights_b),
-        (false, true) => piercing(&a, heights_a, &b),
-        (true, false) => piercing(&b, heights_b, &a),
+        (false, false) => across_planes(crossing(a, heights_a, b, heights_b)),
+        (false, true) => across_planes(piercing(&a, heights_a, &b)),
+        (true, false) => across_planes(piercing(&b, heights_b, &a)),
         (true, true) => in_plane(points),
     }
 }
@@ -133,22 +134,24 @@ fn piercing(segment: &[Point; 3], heights: [i8; 3], triangle: &[Point; 3]) -> Ex
 }
 
 /// Triangles each in the plane of the other; a segment or a point has none.
-fn in_plane(points: &[Point; 6]) -> Exact {
+fn in_plane(points: &[Point; 6]) -> Relation {
+    let coplanar = |class: Exact| Relation { class, coplanar: true };
     for (i, j) in [(0, 1), (1, 2), (2, 0)] {
         let [a0, a1, a2, b0, b1, b2] = points.map(|x| [x[i], x[j]]);
         let (a, b) = ([a0, a1, a2], [b0, b1, b2]);
         let turns = [area(&a0, &a1, &a2), area(&b0, &b1, &b2)];
         if turns != [0; 2] {
-            return in_coordinate_plane(&a, &b, turns);
+            return coplanar(in_coordinate_plane(&a, &b, turns));
         }
         let [least, greatest] = ends(&[a0, a1, a2, b0, b1, b2]);
         if a.iter().chain(&b).any(|x| area(&least, &greatest, x) != 0) {
             let (a_ends, b_ends) = (ends(&points[..3]), ends(&points[3..]));
             let skew = volume(&a_ends[0], &a_ends[1], &b_ends[0], &b_ends[1]) != 0;
-            return if skew { Exact::Separate } else { in_coordinate_plane(&a, &b, turns) };
+            let apart = Relation { class: Exact::Separate, coplanar: false };
+            return if skew { apart } else { coplanar(in_coordinate_plane(&a, &b, turns)) };
         }
     }
-    on_line(ends(&points[..3]), ends(&points[3..]))
+    coplanar(on_line(ends(&points[..3]), ends(&points[3..])))
 }
 
 /// Triangles in a plane, not all on one line, that turn to the left or to the right or are segments.

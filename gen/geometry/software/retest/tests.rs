@@ -4,7 +4,7 @@ use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 
-use super::{retest, retest_batch, retest_parallel, retest_posed};
+use super::{retest, retest_batch, retest_kind, retest_parallel, retest_posed};
 use crate::exact::{self, Exact};
 use crate::finite::{NotFinite, Place};
 use crate::sample;
@@ -158,7 +158,8 @@ struct Seen {
 impl Seen {
     fn add(mut self, points: &Points) -> Self {
         let truth = exact::pair(points).unwrap();
-        let stages = [interval_axes::decide(points), robbins_whitesides::decide(points)];
+        let relation = robbins_whitesides::decide(points);
+        let stages = [interval_axes::decide(points), relation.map(|relation| relation.class)];
         let decided = stages.iter().position(Option::is_some).unwrap_or(2);
         self.stages[decided] += 1;
         self.classes[truth as usize] += 1;
@@ -166,6 +167,8 @@ impl Seen {
         if stages.iter().any(|stage| stage.is_some_and(|found| found != truth))
             || closed.is_some_and(|found| found != (truth != Exact::Separate))
             || retest(points).unwrap() != truth
+            || retest_kind(points).unwrap() != exact::relation(points).unwrap().kind()
+            || relation.is_some_and(|found| found != exact::relation(points).unwrap())
         {
             self.wrong.push(format!("{truth}, but {stages:?} {closed:?} {}: {points:?}", retest(points).unwrap()));
         }

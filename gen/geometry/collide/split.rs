@@ -170,7 +170,7 @@ mod tests {
         let vertices: Vec<Point3<f64>> = places
             .flat_map(|x| [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|[y, z]| Point3::new(x, 0.1 * y, 0.1 * z)))
             .collect();
-        let faces = (0..vertices.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let faces: Vec<_> = (0..vertices.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         Mesh::new(vertices, faces).unwrap()
     }
 

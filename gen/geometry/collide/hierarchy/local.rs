@@ -1,8 +1,8 @@
 //! Trees of local blocks: the volumes of two children relative to an origin near them, in few bits (docs/engine.md).
 
 use super::{Directions, Placement};
+use crate::collide::split::{Node, nodes, offsets};
 use crate::mesh::Mesh;
-use crate::scene::split::{Node, nodes, offsets};
 
 /// The number formats of local blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

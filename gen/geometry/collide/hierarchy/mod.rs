@@ -5,7 +5,6 @@
 
 mod contacts;
 mod family;
-mod forest;
 mod local;
 mod placement;
 mod realign;
@@ -15,7 +14,6 @@ mod tree;
 
 pub use crate::directions::Directions;
 pub use contacts::{Contacts, contacts, rounded_contacts};
-pub use forest::Forest;
 // For images of the engine.
 #[doc(hidden)]
 pub use local::{LocalBlock, LocalChild, LocalFormat, LocalTree};
