@@ -38,6 +38,7 @@ mod reported;
 mod scenes;
 mod schedule;
 mod self_intersections;
+mod software;
 mod stream;
 mod stress;
 mod stress_once;

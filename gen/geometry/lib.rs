@@ -45,3 +45,8 @@ pub use nalgebra;
 
 /// A pair of triangles: a0 a1 a2 b0 b1 b2, each x y z. What takes one refuses numbers that are not finite.
 pub type Points = [[f64; 3]; 6];
+
+/// The examples of the page.
+#[cfg(doctest)]
+#[doc = include_str!("../../docs/exact-software.md")]
+struct Page;

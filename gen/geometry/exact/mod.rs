@@ -4,6 +4,15 @@
 //! are two formulations that share no code, so that each checks the other: the facets of the Minkowski difference
 //! (`minkowski`, over `integers`), which answers here, and a linear programme ([`linear_programme`], over `tableau`).
 //! Neither computes in floating point.
+//!
+//! ```
+//! use efsat_geometry::exact::{Exact, Relation, relation};
+//!
+//! // Two triangles in one plane that share area.
+//! let pair = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [1.0, 1.0, 0.0], [5.0, 1.0, 0.0], [1.0, 5.0, 0.0]];
+//! assert_eq!(relation(&pair)?, Relation { class: Exact::Intersect, coplanar: true });
+//! # Ok::<(), efsat_geometry::NotFinite>(())
+//! ```
 
 mod common;
 mod integers;

@@ -3,6 +3,20 @@
 //! Reading keeps every triangle of a file, degenerate ones included, in the order of the file; nothing is repaired,
 //! scaled or moved. Of STL files, vertices that are equal bit for bit are stored once. Polygons become triangles that tile
 //! them. What is read and what is refused is described in `docs/formats.md`.
+//!
+//! ```
+//! use efsat_geometry::mesh::{Mesh, read};
+//!
+//! // A mesh of shared vertices, and one of triangles by their corners.
+//! let square = Mesh::new([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]], [[0, 1, 2], [0, 2, 3]])?;
+//! let triangles = [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]], [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]];
+//! assert_eq!(Mesh::from_triangles(triangles)?, square);
+//!
+//! let error = Mesh::new([[0.0, 0.0, 0.0]], [[0, 0, 1]]).unwrap_err();
+//! assert_eq!(error.to_string(), "triangle 0: vertex 1; expected one of 1 vertices, counted from 0");
+//! assert!(read("no_such_file.stl".as_ref()).is_err());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub(crate) mod angle;
 mod bounds;

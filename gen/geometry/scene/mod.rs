@@ -4,6 +4,17 @@
 //! named first: `x_A = M * x_B + t`. The twelve doubles of that relative pose are taken as exact reals by everything
 //! that follows; `M` need not be perfectly orthonormal. If A stands as in its file they are those of B's own pose;
 //! otherwise they are computed from both poses in binary64 ([`Pose::seen`]).
+//!
+//! ```
+//! use efsat_geometry::Collider;
+//! use efsat_geometry::scene::Scene;
+//!
+//! let scene = Scene::default_scene();
+//! let collider = Collider::new(&*scene.objects[0].mesh, &*scene.objects[1].mesh);
+//! let meeting = &scene.near().meetings(823)[0];
+//! assert_eq!(collider.contacts(&meeting.pose).len(), 22);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod check;
 mod file;

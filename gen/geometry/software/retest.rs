@@ -10,6 +10,20 @@
 //! the image is exact, and by integers if it is not.
 //!
 //! Numbers that are not finite never pass the filter, so that only what it leaves is looked at.
+//!
+//! ```
+//! use efsat_geometry::exact::Exact;
+//! use efsat_geometry::software::retest::{retest_batch, retest_parallel};
+//!
+//! let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+//! let pair = |z: f64| [face[0], face[1], face[2], [1.0, 1.0, z], [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]];
+//! let pairs = [pair(-1.0), pair(0.0), pair(5e-324)];
+//! let mut answers = vec![];
+//! retest_batch(&pairs, &mut answers)?;
+//! assert_eq!(answers, [Exact::Intersect, Exact::Touch, Exact::Separate]);
+//! assert_eq!(retest_parallel(&pairs)?, answers);
+//! # Ok::<(), efsat_geometry::NotFinite>(())
+//! ```
 
 use rayon::prelude::*;
 

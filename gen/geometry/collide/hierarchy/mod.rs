@@ -2,6 +2,18 @@
 //!
 //! All numbers of a tree and of a test are integers of a fixed number of bits. No pair of triangles with a common point
 //! is ever lost; the proof is in `docs/hierarchy.md`.
+//!
+//! ```
+//! use efsat_geometry::collide::hierarchy::{Directions, DopTree, Scratch, pairs};
+//! use efsat_geometry::mesh::builtin;
+//! use efsat_geometry::Pose;
+//!
+//! let mesh = builtin("headlight").unwrap();
+//! let tree = DopTree::new(&mesh, Directions::Eighteen);
+//! let (near, statistics) = pairs(&tree, &tree, &Pose::moved([0.0, 0.0, 1.0])?, &mut Scratch::default());
+//! assert_eq!(near.len() as u64, statistics.pairs_tested);
+//! # Ok::<(), efsat_geometry::NotFinite>(())
+//! ```
 
 mod contacts;
 mod family;
