@@ -1,7 +1,8 @@
 //! Exact answers for triangles and meshes in binary64, which is taken as it is given: nothing is rounded, no tolerance.
 //!
 //! * A pair of triangles: [`Pair`]; many at once: [`software::retest`].
-//! * Two meshes and a pose: [`Collider`]. One mesh against itself: [`self_intersections`]. Files: [`mesh::read`].
+//! * Two meshes and a pose: [`Collider`]. As solids: [`Solid`](solids::Solid). One mesh against itself: [`self_intersections`].
+//!   Files: [`mesh::read`].
 //! * What checks these: [`exact`], the oracle, and [`software`], published tests.
 //!
 //! Numbers that are infinite or no number are refused where a [`Pair`], a [`Mesh`] or a [`Pose`] is made.
@@ -32,6 +33,8 @@ pub mod scene;
 #[cfg(feature = "meshes")]
 pub mod self_intersections;
 pub mod software;
+#[cfg(feature = "meshes")]
+pub mod solids;
 
 #[cfg(feature = "meshes")]
 pub use collide::{Body, Collider, Contact, Pose};

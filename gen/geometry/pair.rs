@@ -45,7 +45,7 @@ impl Pair {
         retest_kind(&self.0).expect("pairs are finite")
     }
 
-    /// What the triangles have in common, as [`common`](crate::exact::common) says it.
+    /// What the triangles have in common, as [`common`](crate::exact::common()) says it.
     pub fn common(&self) -> Vec<ExactPoint> {
         self.kind().map_or(vec![], |_| common(&self.0).expect("pairs are finite"))
     }

@@ -1,7 +1,6 @@
 //! Queries of two meshes that move against each other.
 
 use super::hierarchy::{Directions, DopTree, Scratch, contacts, first_hit};
-use super::solids::{self, NotSolid};
 use super::{Components, Nesting, OpenEdge, Pose, nestings};
 use crate::exact::{ContactKind, ExactPoint, posed_common};
 use crate::mesh::Mesh;
@@ -32,13 +31,12 @@ struct Parts {
     mesh: Mesh,
     tree: DopTree,
     components: OnceLock<Result<Components, OpenEdge>>,
-    solid: OnceLock<Result<(), NotSolid>>,
 }
 
 impl From<Mesh> for Body {
     fn from(mesh: Mesh) -> Self {
         let tree = DopTree::new(&mesh, Directions::Eighteen);
-        Self(Arc::new(Parts { mesh, tree, components: OnceLock::new(), solid: OnceLock::new() }))
+        Self(Arc::new(Parts { mesh, tree, components: OnceLock::new() }))
     }
 }
 
@@ -68,14 +66,8 @@ impl Body {
         self.0.components.get_or_init(|| Components::new(self.mesh())).as_ref().map_err(|open| *open)
     }
 
-    /// The components of the mesh, if it bounds a solid.
-    pub(super) fn solid(&self) -> Result<&Components, NotSolid> {
-        (*self.0.solid.get_or_init(|| solids::checked(self)))?;
-        Ok(self.components()?)
-    }
-
     /// The corners of a triangle.
-    pub(super) fn triangle(&self, face: u32) -> [[f64; 3]; 3] {
+    pub(crate) fn triangle(&self, face: u32) -> [[f64; 3]; 3] {
         self.mesh().triangle(face as usize).map(Into::into)
     }
 }
@@ -94,8 +86,8 @@ pub struct Contact {
 /// Finds the contacts of two bodies in any pose of B as seen from A, exactly for the twelve numbers of the pose.
 #[derive(Clone, Debug)]
 pub struct Collider {
-    pub(super) a: Body,
-    pub(super) b: Body,
+    a: Body,
+    b: Body,
 }
 
 impl Collider {
@@ -135,7 +127,7 @@ impl Collider {
         poses.par_iter().map(|pose| self.first_contact(pose)).collect()
     }
 
-    /// What two triangles have in common, as [`common`](crate::exact::common) says it, exact, in the frame of A.
+    /// What two triangles have in common, as [`common`](crate::exact::common()) says it, exact, in the frame of A.
     ///
     /// # Panics
     /// If there are no such triangles.

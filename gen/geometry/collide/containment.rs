@@ -111,7 +111,7 @@ impl Components {
     }
 
     /// Around each component so many others are, none of which it has a common point with.
-    pub(super) fn depths(&self, mesh: &Mesh) -> Vec<usize> {
+    pub(crate) fn depths(&self, mesh: &Mesh) -> Vec<usize> {
         let placed = Placed::new(mesh, self, &Pose::identity());
         let around = |inner: usize| {
             let others = (0..self.len()).filter(|other| *other != inner && placed.overlap(*other, &placed, inner));
@@ -121,7 +121,7 @@ impl Components {
     }
 
     /// Whether a component of one of two solids that touches nothing of the other one is inside it, with B in `pose`.
-    pub(super) fn enter(
+    pub(crate) fn enter(
         meshes: [&Mesh; 2],
         components: [&Self; 2],
         pose: &Pose,

@@ -25,17 +25,20 @@
 mod collider;
 mod containment;
 pub(crate) mod enclosure;
+// For the engine, the command line and benchmarks.
+#[doc(hidden)]
 pub mod hierarchy;
 pub(crate) mod pieces;
 mod pose;
-mod solids;
 mod split;
 mod tree;
 
 pub use collider::{Body, Collider, Contact};
-pub use containment::{Components, Nesting, OpenEdge, nestings};
+pub use containment::{Components, Nesting, OpenEdge};
 pub use pose::Pose;
-pub use solids::{NotSolid, Solids};
+// For the command line.
+#[doc(hidden)]
+pub use containment::nestings;
 // For measurements of broad phases.
 #[doc(hidden)]
 pub use tree::{Candidates, Overlaps, Tree};

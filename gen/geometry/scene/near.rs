@@ -92,6 +92,7 @@ impl<'a> Near<'a> {
 
     /// Calls `visit` with the pairs (triangle of A, triangle of B) of a meeting in ascending order, in one piece or several. What
     /// it took is counted for trees of k-DOPs.
+    #[doc(hidden)]
     pub fn pieces(&self, meeting: &Meeting, scratch: &mut Scratch, mut visit: impl FnMut(&[(u32, u32)])) -> Statistics {
         match &self.volumes {
             Volumes::Dops(forest) => {
@@ -183,6 +184,7 @@ impl<'a> Near<'a> {
     ///
     /// # Errors
     /// The first error of `visit`.
+    #[doc(hidden)]
     pub fn frames_in_order<T: Send, E>(
         &self,
         work: impl Fn(usize, &mut Scratch) -> T + Sync,

@@ -10,6 +10,8 @@ mod question;
 #[cfg(test)]
 mod tests;
 
+// For the unit's host, which asks the exact unit.
+#[doc(hidden)]
 pub use question::{Faces, Question, points};
 
 use crate::Points;

@@ -80,12 +80,11 @@ fn bodies_of_cubes_lie_as_their_cubes_do() {
             _ => Solids::Apart,
         };
         let t = mapped(map, halves).map(|x| x as f64 / 2.0);
-        let collider = Collider::new(&meshes[0], &meshes[1]);
-        let found = collider.solids(&Pose::moved(t).unwrap()).unwrap();
+        let solids = meshes.map(|mesh| Solid::new(mesh).unwrap());
+        let found = solids[0].beside(&solids[1], &Pose::moved(t).unwrap()).unwrap();
         assert_eq!(found, due, "round {round}: {cells:?}, {halves:?}, {map:?}");
-        // Both mirrored: the pose turns them inside out, and their triangles with them.
         let back = Pose::moved(t.map(|x| -x)).unwrap();
-        assert_eq!(Collider::new(&meshes[1], &meshes[0]).solids(&back).unwrap(), due, "round {round}, exchanged");
+        assert_eq!(solids[1].beside(&solids[0], &back).unwrap(), due, "round {round}, exchanged");
         seen[due as usize] += 1;
     }
     assert!(seen.iter().all(|count| *count > 40), "{seen:?}");
@@ -140,16 +139,17 @@ fn tetrahedra_lie_as_separating_axes_say() {
         };
         let (a, b) = (tetrahedron(), tetrahedron());
         let mesh = |x: [Vector; 4]| {
-            Mesh::new(x.map(|x| x.map(|x| x as f64)), SIDES.map(|side| side.map(|corner| corner as u32))).unwrap()
+            let corners = x.map(|x| x.map(|x| x as f64));
+            Solid::new(Mesh::new(corners, SIDES.map(|side| side.map(|corner| corner as u32))).unwrap()).unwrap()
         };
         let due = by_axes(&a, &b);
-        let found = Collider::new(mesh(a), mesh(b)).solids(&Pose::identity());
+        let found = mesh(a).beside(&mesh(b), &Pose::identity());
         assert_eq!(found, Ok(due), "round {round}: {a:?} {b:?}");
         // Mirrored, with a pose that turns it back.
         let mirror = |x: Vector| [-x[0], x[1], x[2]];
         let [p, q, r, s] = b.map(mirror);
         let back = Pose::from_rows([[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]], [0.0; 3]).unwrap();
-        assert_eq!(Collider::new(mesh(a), mesh([p, r, q, s])).solids(&back), Ok(due), "round {round}, mirrored");
+        assert_eq!(mesh(a).beside(&mesh([p, r, q, s]), &back), Ok(due), "round {round}, mirrored");
         seen[due as usize] += 1;
     }
     assert!(seen.iter().all(|count| *count > 200), "{seen:?}");
@@ -176,7 +176,7 @@ fn inside_out(mesh: &Mesh) -> Mesh {
 }
 
 fn lie(a: &Mesh, b: &Mesh) -> Solids {
-    Collider::new(a, b).solids(&Pose::identity()).unwrap()
+    Solid::new(a).unwrap().beside(&Solid::new(b).unwrap(), &Pose::identity()).unwrap()
 }
 
 #[test]
@@ -244,7 +244,7 @@ fn what_is_inside_overlaps_and_what_is_in_a_cavity_does_not() {
 #[test]
 fn what_is_no_solid_is_refused() {
     let unit = cuboid([0.0; 3], [1.0; 3]);
-    let with = |mesh: &Mesh| Collider::new(mesh, &unit).solids(&Pose::identity()).unwrap_err();
+    let with = |mesh: &Mesh| Solid::new(mesh).unwrap_err();
     let open = Mesh::new(unit.vertices().to_vec(), unit.faces()[1..].to_vec()).unwrap();
     assert!(matches!(with(&open), NotSolid::Open(_)));
     let mut faces = unit.faces().to_vec();
@@ -260,5 +260,6 @@ fn what_is_no_solid_is_refused() {
     let nested = joined(&cuboid([-1.0; 3], [2.0; 3]), &unit);
     assert_eq!(with(&nested), NotSolid::InsideOut { component: 1 });
     let flat = Pose::from_rows([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [1.0, 1.0, 0.0]], [0.0; 3]).unwrap();
-    assert_eq!(Collider::new(&unit, &unit).solids(&flat), Err(NotSolid::Flat));
+    let unit = Solid::new(&unit).unwrap();
+    assert_eq!(unit.beside(&unit, &flat), Err(NotSolid::Flat));
 }

@@ -12,16 +12,30 @@
 //! so its surface is that of both, and 2 is so. For 1, take the surface of A without what it has in common with that of B: each
 //! connected part of that is inside B or outside as a whole. One that is a whole component of A is told by the parity of a ray. Any other
 //! part reaches a point of contact, and in a triangle of A there: the part of a triangle beside its contacts ends at corners of what
-//! triangles have in common ([`clipped`]), because contacts of a triangle with two triangles of B meet at such corners, B having
+//! triangles have in common (`exact::clipped`), because contacts of a triangle with two triangles of B meet at such corners, B having
 //! no self-intersections. So it is enough to ask for every such corner x, in the plane of every triangle at x, for every direction between
 //! two neighbouring contacts or edges, whether the first step from x is inside the other solid.
 //!
-//! That is told by the triangles of the other solid at x ([`is_inside`]): on the way from the direction d to a direction m inside one of
+//! That is told by the triangles of the other solid at x (`is_inside`): on the way from the direction d to a direction m inside one of
 //! them, along d (1 - s) + m s, the first one that is crossed has d below it or above it. All of it is exact. Ways that cross an edge
 //! or run in a triangle tell nothing; but with weights 1, i, i^2 of the corners, m is in a given plane for two i at most, so one
 //! of a few ways does.
+//!
+//! ```
+//! use efsat_geometry::solids::{Solid, Solids};
+//! use efsat_geometry::{Mesh, Pose};
+//!
+//! let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
+//! let solid = Solid::new(Mesh::new(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])?)?;
+//! // Upside down below it, face to face; a step of binary64 higher; in the same place.
+//! let below = |z: f64| Pose::from_rows([[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]], [0.0, 0.0, z]);
+//! assert_eq!(solid.beside(&solid, &below(0.0)?)?, Solids::Abut);
+//! assert_eq!(solid.beside(&solid, &below(5e-324)?)?, Solids::Overlap);
+//! assert_eq!(solid.beside(&solid, &Pose::identity())?, Solids::Overlap);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
-use super::{Body, Collider, Components, OpenEdge, Pose};
+use crate::collide::{Body, Collider, Components, OpenEdge, Pose};
 use crate::exact::{ContactKind, ExactPoint, Motion, Scaled, Whole, clipped, cross, difference, dot, is_zero, whole};
 use crate::self_intersections::{self, Defect};
 use num_bigint::{BigInt, Sign};
@@ -68,8 +82,8 @@ pub enum NotSolid {
     Flat,
 }
 
-/// The components of a mesh that bounds a solid.
-pub(super) fn checked(body: &Body) -> Result<(), NotSolid> {
+/// Looks at whether a mesh bounds a solid.
+fn check(body: &Body) -> Result<(), NotSolid> {
     let (mesh, components) = (body.mesh(), body.components()?);
     let welded = mesh.welded();
     let mut balance: BTreeMap<(u32, u32), i64> = BTreeMap::new();
@@ -104,33 +118,33 @@ pub(super) fn checked(body: &Body) -> Result<(), NotSolid> {
     }
 }
 
-impl Collider {
-    /// How the two solids lie that the meshes bound, exactly. Whether they are solids is looked at the first time.
-    ///
-    /// ```
-    /// use efsat_geometry::collide::Solids;
-    /// use efsat_geometry::{Collider, Mesh, Pose};
-    ///
-    /// let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    /// let solid = Mesh::new(corners, [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])?;
-    /// let solids = Collider::new(&solid, &solid);
-    /// // Upside down below it, face to face.
-    /// let below = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]];
-    /// assert_eq!(solids.solids(&Pose::from_rows(below, [0.0, 0.0, 0.0])?)?, Solids::Abut);
-    /// assert_eq!(solids.solids(&Pose::from_rows(below, [0.0, 0.0, 5e-324])?)?, Solids::Overlap);
-    /// assert_eq!(solids.solids(&Pose::identity())?, Solids::Overlap);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
+/// A body whose mesh is known to bound a solid. Copies share it.
+#[derive(Clone, Debug)]
+pub struct Solid(Body);
+
+impl Solid {
+    /// The solid of a mesh or body.
     ///
     /// # Errors
-    /// If a mesh bounds no solid, or the pose makes it flat.
-    pub fn solids(&self, pose: &Pose) -> Result<Solids, NotSolid> {
-        let components = [self.a.solid()?, self.b.solid()?];
+    /// Why it bounds none.
+    pub fn new(body: impl Into<Body>) -> Result<Self, NotSolid> {
+        let body = body.into();
+        check(&body)?;
+        Ok(Self(body))
+    }
+
+    /// How it lies to another one in a pose as seen from it, exactly.
+    ///
+    /// # Errors
+    /// If the pose makes the other one flat.
+    pub fn beside(&self, other: &Self, pose: &Pose) -> Result<Solids, NotSolid> {
+        let ([a, b], legal) = ([&self.0, &other.0], "solids are closed");
+        let components = [a, b].map(|body| body.components().expect(legal));
         let turns = determinant(pose);
         if turns == Sign::NoSign {
             return Err(NotSolid::Flat);
         }
-        let contacts = self.contacts(pose);
+        let contacts = Collider::new(a, b).contacts(pose);
         if contacts.iter().any(|contact| contact.kind == ContactKind::Crossing) {
             return Ok(Solids::Overlap);
         }
@@ -142,10 +156,10 @@ impl Collider {
         let motion = Motion::new(&pose.rows(), &pose.translation().into());
         let mut places: Vec<[Scaled; 3]> = vec![];
         for &face in &touched[0] {
-            places.extend(self.a.triangle(face).map(|corner| corner.map(Scaled::from)));
+            places.extend(a.triangle(face).map(|corner| corner.map(Scaled::from)));
         }
         for &face in &touched[1] {
-            let [p, q, r] = self.b.triangle(face).map(|corner| motion.image(&corner));
+            let [p, q, r] = b.triangle(face).map(|corner| motion.image(&corner));
             places.extend(if turns == Sign::Minus { [p, r, q] } else { [p, q, r] });
         }
         let (corners, _) = whole(&places);
@@ -172,7 +186,7 @@ impl Collider {
         }
         let touching: [BTreeSet<u32>; 2] =
             [0, 1].map(|side| touched[side].iter().map(|&face| components[side].of(face)).collect());
-        if Components::enter([self.a.mesh(), self.b.mesh()], components, pose, &touching) {
+        if Components::enter([a.mesh(), b.mesh()], components, pose, &touching) {
             return Ok(Solids::Overlap);
         }
         Ok(if contacts.is_empty() { Solids::Apart } else { Solids::Abut })
