@@ -10,6 +10,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -167,6 +168,21 @@ def row_of(rows, paper=False, method="axes", width="18"):
     raise SystemExit(f"error: docs/accuracy: expected a row of {width} bits, {method}, {'the' if paper else 'not the'} paper's options")
 
 
+def files(*devices):
+    """The files and folders beside the entities of a unit, by the README of the generated design, and the devices that have them."""
+    found = {}
+    for device in devices:
+        with tempfile.TemporaryDirectory() as folder:
+            run(f"efsat generate --device {device} --out {folder}")
+            listed = Path(folder, "README.md").read_text().split("## The files")[1]
+        for name, what in re.findall(r"^\| `(\S+)` \| (.*) \|$", listed, re.MULTILINE):
+            if not name.endswith(".vhd") or "constants" in name:
+                what = re.sub(r", part \S+\.$", ".", what)
+                found.setdefault((name, what), []).append(device)
+    rows = ([code(name), what, "every" if len(of) == len(devices) else ", ".join(map(code, of))] for (name, what), of in found.items())
+    return table(["<file or folder", "<what it is", "<device"], rows)
+
+
 def budgets():
     """How many units fit into a part and what they do together: multipliers all used, look-up tables to four fifths, 100 MHz."""
     parts = ["xc2v6000-4", "xc7a200t-1"]
@@ -297,4 +313,5 @@ def tori():
     return table(head, ([n, *(mean(one, key) for key in keys), *busy(one)] for n, one in found.items()))
 
 
-SPECIAL = {f.__name__: f for f in (scenes, budgets, schedule, synthesis, comparison, distances, tori)}
+SPECIAL = {f.__name__: f for f in (scenes, budgets, schedule, synthesis, comparison, distances, files, tori)}
+

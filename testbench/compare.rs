@@ -186,7 +186,7 @@ fn wrong_command_lines_and_files_are_one_line_and_status_2() {
         ("pairs.csv --random 3", "cannot be used with"),
         ("pairs.csv --units cube", "--units: found a file of pairs"),
         ("--random 3 --units cube", "cannot be used with"),
-        ("--random 0", "expected a whole number, 1 or greater"),
+        ("--random 0", "expected a whole number from 1 to 18446744073709551615"),
         ("--seed 3", "required"),
         ("--steps 3", "required"),
         ("--distances 1", "required"),

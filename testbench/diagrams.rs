@@ -4,7 +4,7 @@ use crate::extent::share;
 use crate::tools::has;
 use crate::tools::program::{efsat, succeeds};
 use efsat::design::{Design, Probes};
-use efsat::diagram::{Picture, units};
+use efsat::diagram::{Picture, blocks};
 use efsat::params::{Axes, Params, Projections};
 use efsat::schedule::Scheduler;
 use std::fs;
@@ -17,7 +17,7 @@ const SHOWN: [&str; 3] = ["comparator_network", "interval_multiply", "projection
 fn pictures(params: &Params) -> Vec<Picture> {
     let design = Design::new(params, Probes::None).unwrap();
     let mut scheduler = Scheduler::new(design.device, params.frequency);
-    units(&design.pipeline).iter().map(|unit| Picture::new(&scheduler.schedule(unit), scheduler.period())).collect()
+    blocks(&design.pipeline).iter().map(|unit| Picture::new(&scheduler.schedule(unit), scheduler.period())).collect()
 }
 
 #[test]

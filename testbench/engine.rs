@@ -157,9 +157,9 @@ fn images_are_built_inspected_and_verified() {
     bad[64 + 19..64 + 21].copy_from_slice(&less.to_le_bytes());
     fs::write(dir.join("bad.image"), &bad).unwrap();
     fails(dir, "tree verify bad.image m8_nut.stl", 1, "bad.image: byte 64: block 0: code ");
-    fails(dir, "tree inspect bad.image", 1, "bad.image: byte 64: block 0: code ");
+    fails(dir, "tree inspect bad.image", 2, "bad.image: byte 64: block 0: code ");
     fs::write(dir.join("short.image"), &good[..100]).unwrap();
-    fails(dir, "tree inspect short.image", 1, "short.image: byte 100: end of the file: 100 bytes; expected ");
+    fails(dir, "tree inspect short.image", 2, "short.image: byte 100: end of the file: 100 bytes; expected ");
     fails(dir, "tree inspect none.image", 2, "none.image: cannot be read");
     let absent = "nowhere/x.image: No such file or directory (os error 2); expected a file in an existing folder";
     fails(dir, "tree build m8_nut.stl --out nowhere/x.image", 2, absent);

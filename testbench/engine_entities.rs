@@ -27,16 +27,18 @@ type Outcome = Result<(), String>;
 
 /// An engine whose queues are soon full.
 fn small(memory: Memory) -> EngineDesign {
-    let engine = EngineParams {
+    let mut engine = EngineParams {
         memory,
         block_lines: 32,
         triangle_lines: 32,
         stack: 40,
         tree_height: 10,
         pair_queue: 16,
-        watchdog: 300,
         ..EngineParams::default()
     };
+    if memory == Memory::Axi {
+        engine.watchdog = 300;
+    }
     EngineDesign::new(&engine, &Params::default()).unwrap()
 }
 

@@ -11,7 +11,7 @@ use efsat::engine::design::volume_unit::VolumeDesign;
 use efsat::engine::format::EngineFormat;
 use efsat::engine::params::EngineParams;
 use efsat::graph::evaluate::Evaluator;
-use efsat::graph::{Op, Unit};
+use efsat::graph::{Block, Op};
 use efsat::op::Comb;
 use efsat::params::Params;
 use efsat::vhdl::lint::lint;
@@ -60,7 +60,7 @@ struct Bench {
 }
 
 impl Bench {
-    fn new(unit: &Rc<Unit>) -> Self {
+    fn new(unit: &Rc<Block>) -> Self {
         let inputs = unit.inputs.iter().map(|id| unit.node(*id).name()).collect();
         Self { evaluator: Evaluator::new(unit), inputs }
     }
@@ -73,7 +73,7 @@ impl Bench {
             let node = &flat.nodes[step.node];
             if !matches!(node.op, Op::Comb(Comb::ShiftLeft(_))) {
                 let (value, (least, most)) =
-                    (self.evaluator.at(step.node, step.phase), flat.units[node.origin.0].range(node.origin.1));
+                    (self.evaluator.at(step.node, step.phase), flat.blocks[node.origin.0].range(node.origin.1));
                 assert!(least <= value && value <= most, "{}: {value}", node.path);
             }
         }

@@ -8,7 +8,7 @@ use efsat::evidence::cosim::inputs;
 use efsat::exact::{self, Exact};
 use efsat::golden::Golden;
 use efsat::graph::evaluate::Evaluator;
-use efsat::graph::{Library, Signals, Unit};
+use efsat::graph::{Block, Library, Signals};
 use efsat::host::sample;
 use efsat::op::Type;
 use efsat::pair::{Input, Pair, Pose, Verdict};
@@ -49,8 +49,8 @@ fn small() -> Vec<Params> {
 }
 
 /// The guard of one number by itself, for any word.
-fn alone(p: &Params, bound: i128) -> Rc<Unit> {
-    Library::default().unit("bench", &[], 1, |top| {
+fn alone(p: &Params, bound: i128) -> Rc<Block> {
+    Library::default().block("bench", &[], 1, |top| {
         let lo = top.input(input_type(p), input_type(p).limits());
         let sticky = (p.upper == Upper::Sticky).then(|| top.input(Type::FLAG, (0, 1)));
         let word = Number { lo, sticky }.named("word");

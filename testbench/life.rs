@@ -76,7 +76,7 @@ fn the_command_dumps_every_entity_and_replaces_nothing() {
     }
     for (schedule, _) in design.schedules() {
         for kind in ["graph", "schedule"] {
-            assert!(dumps.join(format!("{}.{kind}.txt", schedule.unit.name)).exists(), "{}", schedule.unit.name);
+            assert!(dumps.join(format!("{}.{kind}.txt", schedule.block.name)).exists(), "{}", schedule.block.name);
         }
     }
     fs::remove_file(dumps.join("manifest.json")).unwrap();

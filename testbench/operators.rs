@@ -18,7 +18,7 @@ mod transform_row;
 use efsat::design::interval::Interval as Bundle;
 use efsat::graph::evaluate::Evaluator;
 use efsat::graph::flat::FlatNode;
-use efsat::graph::{Library, Op, Sig, Signals, Top, Unit, Vec3};
+use efsat::graph::{Block, Library, Op, Sig, Signals, Top, Vec3};
 use efsat::number::{Interval, Upper, floor_shift, upper_shift};
 use efsat::op::{Comb, Range, Type};
 use std::ops::RangeInclusive;
@@ -71,16 +71,16 @@ impl Bench {
     /// A unit that is shared over phases.
     fn shared(interval: usize, body: impl for<'l> FnOnce(Top<'l>) -> Vec<Sig<'l>>) -> Self {
         let library = Library::default();
-        Self::of(&library.unit("bench", &[], interval, |top| body(top).named("result")))
+        Self::of(&library.block("bench", &[], interval, |top| body(top).named("result")))
     }
 
-    fn of(unit: &Rc<Unit>) -> Self {
+    fn of(unit: &Rc<Block>) -> Self {
         let evaluator = Evaluator::new(unit);
         let flat = evaluator.flat();
         let claim = |node: &FlatNode| match node.op {
             // What a shift would lose shows in its value; where that is chosen, the choice has a bound.
             Op::Comb(Comb::ShiftLeft(_)) => (i128::MIN, i128::MAX),
-            _ => flat.units[node.origin.0].range(node.origin.1),
+            _ => flat.blocks[node.origin.0].range(node.origin.1),
         };
         Self { claimed: flat.nodes.iter().map(claim).collect(), evaluator, inputs: vec![] }
     }

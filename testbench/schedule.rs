@@ -40,7 +40,7 @@ fn the_default_design_is_within_ten_per_cent_of_the_optimum() {
         design.top.hierarchy().iter().map(|module| (module.name.clone(), own_bits(module))).collect();
     let ours: Vec<(String, usize, u64)> = schedules
         .iter()
-        .map(|(schedule, instances)| (schedule.unit.name.clone(), *instances, schedule.register_bits))
+        .map(|(schedule, instances)| (schedule.block.name.clone(), *instances, schedule.register_bits))
         .collect();
     let recorded = recorded();
     let as_recorded: Vec<(String, usize, u64)> = recorded.iter().map(|(u, i, b, _)| (u.clone(), *i, *b)).collect();
@@ -76,9 +76,9 @@ fn modules_have_the_registers_that_the_program_counts() {
             schedules
                 .into_iter()
                 .filter_map(|(schedule, _)| {
-                    let module = modules.iter().find(|m| m.name == schedule.unit.name)?;
+                    let module = modules.iter().find(|m| m.name == schedule.block.name)?;
                     let (own, counted) = (own_bits(module), schedule.register_bits);
-                    let name = &schedule.unit.name;
+                    let name = &schedule.block.name;
                     // Uses of a per-pair value share its captures where they can, and where each reads it through a
                     // whole interval of its own they cannot; no program counts either.
                     let most = if schedule.program.held.is_empty() { counted } else { counted * 3 / 2 };

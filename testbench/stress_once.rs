@@ -72,8 +72,13 @@ fn errors_say_what_was_expected() {
     refuses(dir, "stress --once --log .", "directory");
     refuses(dir, "stress --once --shard 1/2", "--log");
     refuses(dir, "stress --once --shard 3/2 --log x", "I from 1 to N");
-    refuses(dir, "stress --once --pairs 0", "expected a whole number, 1 or greater");
+    refuses(dir, "stress --once --pairs 0", "expected a whole number from 1 to 18446744073709551615");
     refuses(dir, "stress --once --pairs 18446744073709551615", "expected fewer than 2^64 pairs");
     refuses(dir, "stress --once --sweep width=1", "--sweep: at character");
+    refuses(
+        dir,
+        "stress --once --sweep width=16|18 --width 20",
+        "--width with --sweep, which sets width too: expected only one",
+    );
     refuses(dir, "stress --once --family nobody", "nobody");
 }

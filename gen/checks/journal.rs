@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub enum JournalError {
     /// The operating system says no.
-    #[error("{}: {source}", path.display())]
+    #[error("{}: {source}; expected a file in an existing folder that can be read and written", path.display())]
     Io {
         /// The file.
         path: PathBuf,

@@ -36,7 +36,7 @@ impl DiagramArguments {
     /// Draws the unit.
     pub fn run(&self, design: &Design) -> Result<(), Failure> {
         let name = self.unit.as_deref().unwrap_or_default();
-        let units: Vec<_> = design.pipelines().flat_map(diagram::units).collect();
+        let units: Vec<_> = design.pipelines().flat_map(diagram::blocks).collect();
         let Some(unit) = units.iter().find(|unit| unit.name == name) else {
             let names: Vec<&str> = units.iter().map(|unit| unit.name.as_str()).collect();
             return Err(Failure::Usage(format!("--unit {name}: expected one of {}", names.join(", "))));

@@ -33,7 +33,7 @@ impl ParamArguments {
     }
 
     /// Whether an option was typed.
-    fn has(&self, option: &str) -> bool {
+    pub fn has(&self, option: &str) -> bool {
         self.given.contains(&option)
     }
 }
@@ -49,10 +49,6 @@ impl EngineArguments {
     /// The parameters as they were typed.
     pub fn params(&self) -> &EngineParams {
         &self.typed
-    }
-
-    fn has(&self, option: &str) -> bool {
-        self.given.iter().any(|(typed, _)| *typed == option)
     }
 
     /// Refuses options of the engine where there is none.
@@ -78,9 +74,7 @@ impl EngineArguments {
             let why = "expected no width of the tag with --engine, whose unit carries the numbers of both triangles";
             return Err(Failure::Usage(format!("--tag-width {}: {why}", params.tag_width)));
         }
-        if self.typed.memory == Memory::BlockRam && self.has("memory-width") {
-            return Err(Failure::Usage("--memory-width with --memory block-ram: expected --memory axi".to_owned()));
-        }
+        self.typed.refuse_of_port(self.given.iter()).map_err(DesignError::from)?;
         Ok(EngineDesign::new(&self.typed, &params)?)
     }
 }

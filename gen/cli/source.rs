@@ -127,7 +127,7 @@ fn known_scenes() -> String {
 /// A whole number, at least 1.
 pub(super) fn count(text: &str) -> Result<u64, String> {
     let legal = |e: &u64| *e > 0;
-    text.parse().ok().filter(legal).ok_or_else(|| "expected a whole number, 1 or greater".to_owned())
+    text.parse().ok().filter(legal).ok_or_else(|| format!("expected a whole number from 1 to {}", u64::MAX))
 }
 
 pub(super) fn seed(text: &str) -> Result<u64, String> {

@@ -13,7 +13,7 @@ use clap::Subcommand;
 use efsat_engine::host::{Image, ImageError};
 use efsat_engine::params::{EngineParams, OFFSET_BITS, ORIGIN_BITS};
 use efsat_geometry::collide::hierarchy::Directions;
-use std::fs;
+use efsat_geometry::input;
 use std::path::Path;
 
 /// Builds and checks images of trees for the collision engine, and counts what it would do with them
@@ -55,12 +55,12 @@ impl VolumeArguments {
     }
 }
 
-/// Reads an image; one that is not in order is a failed check.
-fn read(path: &Path) -> Result<Image, Failure> {
-    let bytes = fs::read(path).map_err(|e| {
+/// Reads an image; `fault` is what one that is not in order means.
+fn read(path: &Path, fault: fn(String) -> Failure) -> Result<Image, Failure> {
+    let bytes = input::read(path).map_err(|e| {
         Failure::Usage(format!("{}: cannot be read ({e}); expected an image made by efsat tree build", path.display()))
     })?;
-    Image::read(&bytes).map_err(|e| wrong(path, &e))
+    Image::read(&bytes).map_err(|e| fault(wrong(path, &e)))
 }
 
 /// Words of 64 bits as they are printed.
@@ -69,8 +69,8 @@ fn hexadecimal(words: &[u64]) -> Vec<String> {
 }
 
 /// What is wrong inside an image.
-fn wrong(path: &Path, e: &ImageError) -> Failure {
-    Failure::Check(format!("{}: {e}", path.display()))
+fn wrong(path: &Path, e: &ImageError) -> String {
+    format!("{}: {e}", path.display())
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {

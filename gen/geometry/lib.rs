@@ -22,6 +22,9 @@ pub mod collide;
 pub mod directions;
 pub mod exact;
 pub mod finite;
+// For the readers of the engine and the command line.
+#[doc(hidden)]
+pub mod input;
 #[cfg(feature = "meshes")]
 pub mod mesh;
 mod pair;

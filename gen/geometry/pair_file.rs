@@ -27,7 +27,7 @@ const LINE: u64 = 1 << 16;
 #[derive(Debug, thiserror::Error)]
 pub enum PairFileError {
     /// The operating system says no.
-    #[error("{file}: {source}")]
+    #[error("{file}: cannot be read ({source}); expected a file of pairs")]
     Io {
         /// The file as named by the user, `standard input` for `-`.
         file: String,

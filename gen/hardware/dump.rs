@@ -3,7 +3,7 @@
 //! Names that nobody gave, but that were derived, stand in parentheses. Where several have one name, as constants may, their
 //! numbers stand behind it.
 
-use crate::graph::{Op, Rate, Unit};
+use crate::graph::{Block, Op, Rate};
 use crate::netlist::{Driver, Module, SignalId};
 use crate::op::{Comb, Range};
 use crate::schedule::Schedule;
@@ -15,16 +15,16 @@ use std::fmt::Write;
 /// ```
 /// # use efsat_hardware::testing::examples::*;
 /// # let library = Library::default();
-/// # let unit = library.unit("square", &[], 1, |top| {
+/// # let block = library.block("square", &[], 1, |top| {
 /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
 /// #     (x * x).named("y")
 /// # });
-/// assert_eq!(dump::unit(&unit).lines().last(), Some("  output y: y"));
+/// assert_eq!(dump::block(&block).lines().last(), Some("  output y: y"));
 /// ```
-pub fn unit(unit: &Unit) -> String {
-    let labels = labels(unit.nodes.iter().map(|node| node.name()));
-    let mut text = format!("unit {}, {}\n", unit.name, counted(unit.interval, "phase"));
-    header(&mut text, &unit.doc);
+pub fn block(block: &Block) -> String {
+    let labels = labels(block.nodes.iter().map(|node| node.name()));
+    let mut text = format!("block {}, {}\n", block.name, counted(block.interval, "phase"));
+    header(&mut text, &block.doc);
     let row = |(i, node): (usize, &crate::graph::Node)| {
         let rate = match node.rate {
             Rate::Any => "any",
@@ -34,18 +34,18 @@ pub fn unit(unit: &Unit) -> String {
         let columns = [
             shown(&labels[i], node.named),
             node.ty.to_string(),
-            interval(unit.range(i)),
+            interval(block.range(i)),
             rate.to_owned(),
-            operation(unit, i, &labels),
+            operation(block, i, &labels),
             remark(&node.comment),
         ];
         columns.to_vec()
     };
-    table(&mut text, &unit.nodes.iter().enumerate().map(row).collect::<Vec<_>>());
-    for (place, node) in &unit.outputs {
+    table(&mut text, &block.nodes.iter().enumerate().map(row).collect::<Vec<_>>());
+    for (place, node) in &block.outputs {
         let _ = writeln!(text, "  output {place}: {}", labels[node.0]);
     }
-    for probe in &unit.probes {
+    for probe in &block.probes {
         let phases: Vec<String> = probe.phases.iter().map(|(s, late)| format!("{s}{}", lateness(*late))).collect();
         let _ = writeln!(text, "  probe {} in phases {}", labels[probe.node.0], phases.join(", "));
     }
@@ -53,8 +53,8 @@ pub fn unit(unit: &Unit) -> String {
 }
 
 /// What a node is, with its operands.
-fn operation(unit: &Unit, i: usize, labels: &[String]) -> String {
-    let node = &unit.nodes[i];
+fn operation(block: &Block, i: usize, labels: &[String]) -> String {
+    let node = &block.nodes[i];
     let mut args: Vec<String> = node.args.iter().map(|a| labels[a.0].clone()).collect();
     let what = match &node.op {
         Op::Input { early: 0 } => "Input".to_owned(),
@@ -76,7 +76,7 @@ fn operation(unit: &Unit, i: usize, labels: &[String]) -> String {
         }
         Op::Instance(child) => format!("Instance of {}", child.name),
         Op::Output(port) => {
-            let Op::Instance(child) = &unit.node(node.args[0]).op else { unreachable!("outputs are of instances") };
+            let Op::Instance(child) = &block.node(node.args[0]).op else { unreachable!("outputs are of instances") };
             format!("Output {}", child.outputs[*port].0)
         }
         other @ (Op::Steady | Op::ScanOr | Op::Earlier(_) | Op::Known(_) | Op::Point) => format!("{other:?}"),
@@ -89,24 +89,24 @@ fn operation(unit: &Unit, i: usize, labels: &[String]) -> String {
 /// ```
 /// # use efsat_hardware::testing::examples::*;
 /// # let library = Library::default();
-/// # let unit = library.unit("square", &[], 1, |top| {
+/// # let block = library.block("square", &[], 1, |top| {
 /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
 /// #     (x * x).named("y")
 /// # });
-/// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&unit);
+/// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
 /// assert!(dump::schedule(&schedule).starts_with("schedule of square: latency 1 clock, 1 phase\n"));
 /// # Ok::<(), device::UnknownDevice>(())
 /// ```
 pub fn schedule(schedule: &Schedule) -> String {
-    let unit = &schedule.unit;
-    let labels = labels(unit.nodes.iter().map(|node| node.name()));
+    let block = &schedule.block;
+    let labels = labels(block.nodes.iter().map(|node| node.name()));
     let (ns, end) = &schedule.critical;
     let mut text = format!(
         "schedule of {}: latency {}, {}\n  input path {:.2} ns, output {:.2} ns, longest path {ns:.2} ns to {end}\n  \
          {} register bits, {} of them in any schedule\n",
-        unit.name,
+        block.name,
         counted(schedule.latency as usize, "clock"),
-        counted(unit.interval, "phase"),
+        counted(block.interval, "phase"),
         schedule.input_path,
         schedule.output_ns,
         schedule.register_bits,
@@ -147,13 +147,13 @@ pub fn schedule(schedule: &Schedule) -> String {
 /// ```
 /// # use efsat_hardware::testing::examples::*;
 /// # let library = Library::default();
-/// # let unit = library.unit("square", &[], 1, |top| {
+/// # let block = library.block("square", &[], 1, |top| {
 /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
 /// #     (x * x).named("y")
 /// # });
 /// let device = device::find("xc2v6000-4")?;
 /// let mut scheduler = Scheduler::new(device, 100);
-/// let (module, _) = Lowering::new(&mut scheduler, device).lower(&unit, false);
+/// let (module, _) = Lowering::new(&mut scheduler, device).lower(&block, false);
 /// assert!(dump::module(&module).contains("Register of Multiply x, x"));
 /// # Ok::<(), device::UnknownDevice>(())
 /// ```

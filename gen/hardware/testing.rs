@@ -51,20 +51,20 @@ pub mod examples {
 /// Numbers in examples of the builder.
 pub const NUMBER: Type = Type::signed(16, 0);
 
-/// What a unit computes of some [numbers](NUMBER) from -1000 to 1000, in each of its phases: for examples of the builder.
+/// What a block computes of some [numbers](NUMBER) from -1000 to 1000, in each of its phases: for examples of the builder.
 #[must_use]
 pub fn evaluated(phases: usize, numbers: &[i128], body: impl for<'l> FnOnce(&[Sig<'l>]) -> Sig<'l>) -> Vec<i128> {
-    let unit = Library::default().unit("example", &[], phases, |top| {
+    let block = Library::default().block("example", &[], phases, |top| {
         let inputs = numbers.iter().map(|_| top.input(NUMBER, (-1000, 1000))).collect::<Vec<_>>();
         body(&inputs.named("x")).named("y")
     });
-    let mut evaluator = Evaluator::new(&unit);
+    let mut evaluator = Evaluator::new(&block);
     evaluator.run(numbers);
     let output = evaluator.flat().outputs[0];
     (0..phases).map(|phase| evaluator.at(output, phase)).collect()
 }
 
-/// The same in a unit of one phase.
+/// The same in a block of one phase.
 #[must_use]
 pub fn value(numbers: &[i128], body: impl for<'l> FnOnce(&[Sig<'l>]) -> Sig<'l>) -> i128 {
     evaluated(1, numbers, body)[0]

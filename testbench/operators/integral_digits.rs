@@ -29,7 +29,7 @@ fn factor<'l>(top: Top<'l>, name: &str, fraction: i32, bound: i128, p: &Params) 
 /// Whether a unit can be made; if not, the reason must be what a rounding makes.
 fn possible(body: impl for<'l> FnOnce(Top<'l>) -> Vec<Sig<'l>>) -> bool {
     let made = catch_unwind(AssertUnwindSafe(|| {
-        Library::default().unit("row", &[], 1, |top| body(top).named("result"));
+        Library::default().block("row", &[], 1, |top| body(top).named("result"));
     }));
     let Err(why) = made else { return true };
     let why = why.downcast::<String>().expect("a message");

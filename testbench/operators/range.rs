@@ -58,7 +58,7 @@ fn numbers(top: Top<'_>, range: Range) -> [Sig<'_>; 2] {
 /// Why a unit of the inputs x and y within a range cannot be made.
 fn refusal(range: Range, body: impl for<'l> FnOnce(Top<'l>, Sig<'l>, Sig<'l>) -> Sig<'l>) -> Option<String> {
     let made = catch_unwind(AssertUnwindSafe(|| {
-        Library::default().unit("outer", &[], 2, |top| {
+        Library::default().block("outer", &[], 2, |top| {
             let [x, y] = numbers(top, range);
             body(top, x, y).named("result")
         });
@@ -72,7 +72,7 @@ fn an_overflow_is_refused_by_name() {
     let of_sum = |most: i128, bits| {
         refusal((-most, most), |_, x, y| entity!("inner", &[], (x, y) => x.apply(Add(Some(bits)), &[y]).named("sum")))
     };
-    let found = |why: &str| Some(format!("unit {why}"));
+    let found = |why: &str| Some(format!("block {why}"));
     assert_eq!((of_sum(20, 7), of_sum(15, 6)), (None, None));
     assert_eq!(of_sum(20, 6), found("inner, sum(x, y): values from -40 to 40 do not fit s6.0"));
     let of_phases = |range| {

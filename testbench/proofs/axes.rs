@@ -227,7 +227,7 @@ pub fn comparator(params: &Params) -> Claim {
 /// The same at few bits, and what the flags say holds for every choice of true projections.
 pub fn sound_comparator(bits: u32, policy: Projections) -> Claim {
     let points = if policy == Projections::Skip { 4 } else { 6 };
-    let unit = Library::default().unit("sound", &[], 1, |u| {
+    let unit = Library::default().block("sound", &[], 1, |u| {
         let p: Vec<_> = (0..points).map(|_| interval(u, bits)).collect();
         let flag = || u.input(Type::FLAG, (0, 1));
         let owners = match policy {

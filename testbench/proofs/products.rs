@@ -60,7 +60,7 @@ fn mistakes(claim: &mut Claim) {
 
 /// The multiplication of intervals of so many bits.
 fn small((x, y): (u32, u32)) -> Subject {
-    let unit = Library::default().unit("operator", &[], 1, |u| {
+    let unit = Library::default().block("operator", &[], 1, |u| {
         let factor = |bits| Factor { interval: interval(u, bits), sign_case: u.input(Type::unsigned(2), (0, 3)) };
         multiply(factor(x).named("x"), factor(y).named("y")).named("p")
     });
@@ -69,7 +69,7 @@ fn small((x, y): (u32, u32)) -> Subject {
 
 /// The product of numbers of so many bits.
 fn product_of((x, y): (u32, u32)) -> Subject {
-    let unit = Library::default().unit("operator", &[], 1, |u| {
+    let unit = Library::default().block("operator", &[], 1, |u| {
         let (x, y) = (interval(u, x).named("x"), interval(u, y).named("y"));
         product(x.lo, y.lo).named("p")
     });

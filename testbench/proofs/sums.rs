@@ -26,7 +26,7 @@ fn binary(
     bits: u32,
     of: impl for<'l> Fn(Interval<Sig<'l>>, Interval<Sig<'l>>) -> Interval<Sig<'l>>,
 ) -> Subject {
-    let unit = Library::default().unit("operator", &[], 1, |u| {
+    let unit = Library::default().block("operator", &[], 1, |u| {
         let (x, y) = (interval(u, bits).named("x"), interval(u, bits).named("y"));
         entity!(name, &[], (x, y) => of(x, y).named("r")).named("r")
     });
@@ -62,7 +62,7 @@ pub fn edges(setting: &Setting) -> Vec<Claim> {
     let most = (1i128 << grid) + 1;
     let edge = |name: &str, row: &FormatRow, anchored: bool| {
         let way = Rounding::to_row(grid, row);
-        let unit = Library::default().unit("operator", &[], 1, |u| {
+        let unit = Library::default().block("operator", &[], 1, |u| {
             // Re-normalised coordinates are in [-1, 1].
             let coordinate = || u.input(Type::signed(params.width, grid), (-(1 << grid), 1 << grid));
             let point = |name: &str| Interval { lo: coordinate(), hi: coordinate() }.named(name);
@@ -106,7 +106,7 @@ pub fn roundings(bits: u32, most_dropped: u32) -> Vec<Claim> {
         for (drop, most) in [(-2, None), (0, None), (1, None), (most_dropped as i32, None), (3, Some(5i128))] {
             let way = Rounding { drop, saturate: most.map(|most| (most, "edge-extent")) };
             let kept = if most.is_some() { 4 } else { (bits as i32 - drop.min(bits as i32) + 2) as u32 };
-            let unit = Library::default().unit("operator", &[], 1, |u| {
+            let unit = Library::default().block("operator", &[], 1, |u| {
                 let x = interval(u, bits).named("x");
                 let ty = Type { signed: true, bits: kept, fraction: None };
                 entity!("rounding", &[], (x) => x.round_outward(&Roundings::one(way, upper, ty)).named("r")).named("r")

@@ -3,7 +3,7 @@
 use super::settings::Setting;
 use efsat::design::{Design, Probes};
 use efsat::device;
-use efsat::graph::{Place, Unit};
+use efsat::graph::{Block, Place};
 use efsat::netlist::lower::Lowering;
 use efsat::netlist::{Driver, Module, Signal, SignalId};
 use efsat::params::Params;
@@ -144,7 +144,7 @@ impl Subject {
     }
 
     /// An entity that a unit instantiates, scheduled and printed like those of a design.
-    pub fn of_unit(unit: &Rc<Unit>, name: &str) -> Self {
+    pub fn of_unit(unit: &Rc<Block>, name: &str) -> Self {
         let params = Params::default();
         let device = device::find(&params.device).expect("the default device");
         let mut scheduler = Scheduler::new(device, params.frequency);

@@ -79,9 +79,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let design = arguments.engine_params.design(&arguments.params)?;
     let (params, unit) = (&design.params, &design.unit.params);
-    let mut images = vec![read(&arguments.a)?];
+    let mut images = vec![read(&arguments.a, Failure::Usage)?];
     if arguments.b != arguments.a {
-        images.push(read(&arguments.b)?);
+        images.push(read(&arguments.b, Failure::Usage)?);
     }
     let images: Vec<&Image> = images.iter().collect();
     let numbers = Numbers::new(params, unit).map_err(DesignError::from)?;

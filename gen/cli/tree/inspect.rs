@@ -109,6 +109,6 @@ impl Report {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let report = Report::new(&read(&arguments.file)?);
+    let report = Report::new(&read(&arguments.file, Failure::Usage)?);
     if arguments.json { print_json(&report) } else { print(&report.table()) }
 }

@@ -22,9 +22,9 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let file = arguments.file.display();
-    let image = read(&arguments.file)?;
+    let image = read(&arguments.file, Failure::Check)?;
     if let Some(path) = &arguments.mesh {
-        image.verify(&load_mesh(path)?.0).map_err(|e| wrong(&arguments.file, &e))?;
+        image.verify(&load_mesh(path)?.0).map_err(|e| Failure::Check(wrong(&arguments.file, &e)))?;
     }
     let header = image.header();
     let (blocks, triangles) = (counted(header.blocks, "blocks"), counted(header.triangles, "triangles"));

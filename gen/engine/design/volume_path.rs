@@ -8,7 +8,7 @@ use super::row_sum::{ceiling, row_sum};
 use super::select_code::select_code;
 use crate::format::{EngineFormat, Width};
 use crate::words::BlockLayout;
-use efsat_hardware::graph::{Library, Phases, Sig, Signals, Top, Unit, Vec3};
+use efsat_hardware::graph::{self, Library, Phases, Sig, Signals, Top, Vec3};
 use efsat_hardware::op::Type;
 use efsat_hardware::record;
 use efsat_unit::parts::{any, shared};
@@ -97,13 +97,13 @@ struct Job {
 
 /// The data path. Its inputs are the query, and two blocks held for the slot; its output is `survive`, bit 2 p + q: child p
 /// of A and child q of B may overlap.
-pub fn unit(format: &EngineFormat, clocks: usize) -> Rc<Unit> {
+pub fn unit(format: &EngineFormat, clocks: usize) -> Rc<graph::Block> {
     let doc = [
         "The data path of an expansion: D, then in each direction h of A the bound of D, B's codes through the row of h, A's",
         "code of the opposite direction, and the test. Units are shared over the phases of the slot. A value captured for the",
         "expansion is named after what it is; later copies end in _h<clocks>.",
     ];
-    Library::with_prefix(PREFIX).unit("path", &doc, clocks, |u| {
+    Library::with_prefix(PREFIX).block("path", &doc, clocks, |u| {
         let query = Query::new(u, format);
         let (a, b) = (Block::new(u, format, "a"), Block::new(u, format, "b"));
         let ends = ends(u, format, &query, &a, &b);

@@ -5,7 +5,7 @@ use crate::format::EngineFormat;
 use crate::params::EngineParams;
 use crate::words::BlockLayout;
 use efsat_hardware::device::Device;
-use efsat_hardware::graph::{Place, Step, Unit};
+use efsat_hardware::graph::{Block, Place, Step};
 use efsat_hardware::netlist::lower::{HOLDS, Lowering, PHASE};
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::op::{Concatenate, Type};
@@ -22,7 +22,7 @@ pub struct VolumeDesign {
     /// Target part.
     pub device: &'static Device,
     /// Data path, with the proven ranges of all nodes.
-    pub path: Rc<Unit>,
+    pub path: Rc<Block>,
     /// Schedule of the data path.
     pub schedule: Rc<Schedule>,
     /// The unit with a port for each number.

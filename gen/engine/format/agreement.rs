@@ -1,7 +1,7 @@
 //! What the options of an engine and those of the unit behind it have to agree on.
 
 use super::{EngineFormat, ORIGIN_OVER_OFFSET};
-use crate::params::{EngineParams, Memory};
+use crate::params::EngineParams;
 use crate::words::BlockLayout;
 use efsat_unit::params::options::Choice;
 use efsat_unit::params::{Method, ParamError, Params, Transform};
@@ -55,9 +55,8 @@ impl EngineParams {
             return wrong("offset-bits", self.offset_bits, legal);
         }
         self.block_numbers()?;
-        if self.memory == Memory::BlockRam && self.axi_id_bits > 0 {
-            return wrong("axi-id-bits", self.axi_id_bits, "expected 0 with --memory block-ram".to_owned());
-        }
+        let (all, usual) = (self.options(), Self::default().options());
+        self.refuse_of_port(all.iter().filter(|option| !usual.contains(option)))?;
         let least = 3 * self.tree_height + 2;
         if self.stack < least {
             return wrong("stack", self.stack, format!("expected at least 3 x tree-height + 2 = {least}"));

@@ -56,7 +56,7 @@ fn blocks_of_other_formats_are_powers_of_two() {
 #[test]
 fn every_option_outside_its_range_is_named() {
     type Change = fn(&mut EngineParams);
-    let cases: [(Change, &str); 16] = [
+    let cases: [(Change, &str); 18] = [
         (|p| p.origin_bits = 23, "--origin-bits 23: expected 4 to 22"),
         (|p| p.offset_bits = 16, "--offset-bits 16: expected 4 to 15"),
         (|p| p.factor_bits = 3, "--factor-bits 3: expected 4 to 16"),
@@ -80,7 +80,18 @@ fn every_option_outside_its_range_is_named() {
         (|p| p.in_flight = 0, "--in-flight 0: expected 1 to 64"),
         (|p| p.watchdog = (1 << 24) + 1, "--watchdog 16777217: expected 0 to 16777216"),
         (|p| p.axi_id_bits = 17, "--axi-id-bits 17: expected 0 to 16"),
-        (|p| (p.memory, p.axi_id_bits) = (Memory::BlockRam, 1), "--axi-id-bits 1: expected 0 with --memory block-ram"),
+        (
+            |p| (p.memory, p.axi_id_bits) = (Memory::BlockRam, 1),
+            "--axi-id-bits 1: expected --memory axi with it: block RAM has no read port",
+        ),
+        (
+            |p| (p.memory, p.watchdog) = (Memory::BlockRam, 500),
+            "--watchdog 500: expected --memory axi with it: block RAM has no read port",
+        ),
+        (
+            |p| (p.memory, p.memory_width) = (Memory::BlockRam, 128),
+            "--memory-width 128: expected --memory axi with it: block RAM has no read port",
+        ),
         (|p| p.block_number_bits = 27, "--block-number-bits 27: expected at most 26: no more blocks have an address"),
         (
             |p| (p.memory, p.block_lines, p.block_number_bits) = (Memory::BlockRam, 1024, 9),

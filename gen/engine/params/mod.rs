@@ -127,6 +127,24 @@ impl EngineParams {
         self.stack - 3 * self.tree_height - 1
     }
 
+    /// Refuses options of the read port where there is none: `given` are those that somebody chose.
+    ///
+    /// # Errors
+    /// The first such option.
+    pub fn refuse_of_port<'a>(
+        &self,
+        mut given: impl Iterator<Item = &'a (&'static str, String)>,
+    ) -> Result<(), ParamError> {
+        let of_port = |option: &str| ["memory-width", "axi-id-bits", "watchdog"].contains(&option);
+        match given.find(|(option, _)| self.memory == Memory::BlockRam && of_port(option)) {
+            None => Ok(()),
+            Some((option, found)) => {
+                let legal = "expected --memory axi with it: block RAM has no read port".to_owned();
+                Err(ParamError { option, found: found.clone(), legal })
+            }
+        }
+    }
+
     /// Whether the numbers of blocks are those of the blocks that memory can hold.
     pub(crate) fn block_numbers(&self) -> Result<(), ParamError> {
         let (bits, lines) = (self.block_number_bits, self.block_lines);

@@ -39,6 +39,7 @@ pub use findings::{Defect, Finding, Findings, Numbers, Remark};
 pub use snapped::Snapped;
 
 use crate::finite::{NotFinite, Place};
+use crate::input;
 use build::Faults;
 use error::Fault;
 use nalgebra::Point3;
@@ -266,7 +267,7 @@ fn parsed(path: &Path) -> Result<Parsed, MeshError> {
         }
         Fault::new(format!("extension '{extension}'"), Format::LEGAL).of(path)
     })?;
-    let bytes = std::fs::read(path)
+    let bytes = input::read(path)
         .map_err(|e| Fault::new(format!("cannot be read ({e})"), "expected a readable file").of(path))?;
     let content = Format::of_content(&bytes).unwrap_or(format);
     let mut parsed = content.parse(&bytes).map_err(|fault| fault.of(path))?;

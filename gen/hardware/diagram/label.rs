@@ -1,18 +1,18 @@
 //! What a node computes, in a few characters.
 
-use crate::graph::{Op, Unit};
+use crate::graph::{Block, Op};
 use crate::op::{self, Comb};
 
 /// What a box stands for; it sets the colour.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
-    /// An input or output of the unit.
+    /// An input or output of the block.
     Port,
     /// A combinational operation.
     Operation(op::Kind),
     /// What time sharing takes: multiplexers by phase, captures.
     Sharing,
-    /// An instance of another unit.
+    /// An instance of another block.
     Instance,
 }
 
@@ -20,11 +20,11 @@ pub enum Kind {
 const LONGEST: usize = 30;
 
 /// The kind of node `i`, and its operation with the names of its operands, or without them where that is too long.
-pub(super) fn operation(unit: &Unit, i: usize) -> (Kind, String) {
-    let node = &unit.nodes[i];
+pub(super) fn operation(block: &Block, i: usize) -> (Kind, String) {
+    let node = &block.nodes[i];
     let (kind, text) = match &node.op {
         Op::Comb(op) => {
-            let operands: Vec<String> = node.args.iter().map(|a| operand(unit, a.0)).collect();
+            let operands: Vec<String> = node.args.iter().map(|a| operand(block, a.0)).collect();
             let (kind, long, short) = op.picture(&operands);
             return (Kind::Operation(kind), if long.chars().count() <= LONGEST { long } else { short });
         }
@@ -42,12 +42,12 @@ pub(super) fn operation(unit: &Unit, i: usize) -> (Kind, String) {
 }
 
 /// The name of an operand: of what it is a name for, and the value of a constant.
-fn operand(unit: &Unit, mut i: usize) -> String {
-    while unit.renames(i) || matches!(unit.nodes[i].op, Op::Comb(Comb::Resize(_))) {
-        i = unit.nodes[i].args[0].0;
+fn operand(block: &Block, mut i: usize) -> String {
+    while block.renames(i) || matches!(block.nodes[i].op, Op::Comb(Comb::Resize(_))) {
+        i = block.nodes[i].args[0].0;
     }
-    match &unit.nodes[i].op {
+    match &block.nodes[i].op {
         Op::Comb(Comb::Constant(constant)) => constant.0.to_string(),
-        _ => unit.nodes[i].name(),
+        _ => block.nodes[i].name(),
     }
 }

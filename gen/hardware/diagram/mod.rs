@@ -1,4 +1,4 @@
-//! Pictures of a scheduled unit: clocks as columns, formats on the edges, the critical path marked.
+//! Pictures of a scheduled block: clocks as columns, formats on the edges, the critical path marked.
 //!
 //! [`Picture::new`] takes from a schedule what is to be seen, [`Picture::dot`] writes it for Graphviz, [`Picture::svg`]
 //! lays it out and draws it. Equal schedules give equal bytes.
@@ -16,24 +16,24 @@ mod tests;
 pub use label::Kind;
 pub use model::{Edge, Picture, Place};
 
-use crate::graph::{Op, Unit};
+use crate::graph::{Block, Op};
 use std::collections::HashSet;
 use std::rc::Rc;
 
-/// A unit and all units in it, each once, inner ones first.
-pub fn units(unit: &Rc<Unit>) -> Vec<Rc<Unit>> {
-    fn visit(unit: &Rc<Unit>, seen: &mut HashSet<*const Unit>, order: &mut Vec<Rc<Unit>>) {
-        if !seen.insert(Rc::as_ptr(unit)) {
+/// A block and all blocks in it, each once, inner ones first.
+pub fn blocks(block: &Rc<Block>) -> Vec<Rc<Block>> {
+    fn visit(block: &Rc<Block>, seen: &mut HashSet<*const Block>, order: &mut Vec<Rc<Block>>) {
+        if !seen.insert(Rc::as_ptr(block)) {
             return;
         }
-        for node in &unit.nodes {
+        for node in &block.nodes {
             if let Op::Instance(child) = &node.op {
                 visit(child, seen, order);
             }
         }
-        order.push(Rc::clone(unit));
+        order.push(Rc::clone(block));
     }
     let mut order = vec![];
-    visit(unit, &mut HashSet::new(), &mut order);
+    visit(block, &mut HashSet::new(), &mut order);
     order
 }

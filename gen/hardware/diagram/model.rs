@@ -45,10 +45,10 @@ pub struct Edge {
     pub critical: bool,
 }
 
-/// A unit as a picture.
+/// A block as a picture.
 #[derive(Clone, Debug)]
 pub struct Picture {
-    /// Name of the unit.
+    /// Name of the block.
     pub name: String,
     /// What it is, one line.
     pub what: String,
@@ -63,7 +63,7 @@ pub struct Picture {
 }
 
 impl Picture {
-    /// The picture of a scheduled unit for a clock of `period` ns.
+    /// The picture of a scheduled block for a clock of `period` ns.
     pub fn new(schedule: &Schedule, period: f64) -> Self {
         Maker::new(schedule).picture(period)
     }
@@ -85,28 +85,28 @@ struct Maker<'a> {
 
 impl<'a> Maker<'a> {
     fn new(schedule: &'a Schedule) -> Self {
-        let unit = &schedule.unit;
+        let block = &schedule.block;
         let picture = Picture {
-            name: unit.name.clone(),
-            what: first_sentence(&unit.doc),
+            name: block.name.clone(),
+            what: first_sentence(&block.doc),
             latency: schedule.latency,
             longest: String::new(),
             places: vec![],
             edges: vec![],
         };
         let path = critical::path(schedule).into_iter().collect();
-        Self { schedule, path, boxes: vec![None; unit.nodes.len()], picture }
+        Self { schedule, path, boxes: vec![None; block.nodes.len()], picture }
     }
 
     fn picture(mut self, period: f64) -> Picture {
-        let unit = &self.schedule.unit;
-        let shown: Vec<usize> = (0..unit.nodes.len()).filter(|i| self.shown(*i)).collect();
+        let block = &self.schedule.block;
+        let shown: Vec<usize> = (0..block.nodes.len()).filter(|i| self.shown(*i)).collect();
         for i in &shown {
             self.boxes[*i] = Some(self.picture.places.len());
             let slot = self.schedule.slots[*i];
-            let (kind, operation) = label::operation(unit, *i);
+            let (kind, operation) = label::operation(block, *i);
             let place = Place {
-                name: unit.nodes[*i].name(),
+                name: block.nodes[*i].name(),
                 operation,
                 kind,
                 start: if slot.start == i32::MIN { 0 } else { slot.start },
@@ -117,7 +117,7 @@ impl<'a> Maker<'a> {
             self.picture.places.push(place);
         }
         for i in &shown {
-            let node = &unit.nodes[*i];
+            let node = &block.nodes[*i];
             let start = self.schedule.slots[*i].start;
             let registered = self.schedule.slots[*i].registered && !matches!(node.op, Op::Mux { .. });
             for (place, arg) in node.args.iter().enumerate() {
@@ -125,7 +125,7 @@ impl<'a> Maker<'a> {
                 self.edge(arg.0, *i, start, registered, late);
             }
         }
-        for (name, node) in &unit.outputs {
+        for (name, node) in &block.outputs {
             let to = self.picture.places.len();
             let (latency, ns) = (self.schedule.latency, 0.0);
             let (name, operation) = (name.to_string(), "output".to_owned());
@@ -140,20 +140,20 @@ impl<'a> Maker<'a> {
 
     /// Whether a node has a box: constants, patterns of phases and what costs nothing have none.
     fn shown(&self, i: usize) -> bool {
-        let unit = &self.schedule.unit;
+        let block = &self.schedule.block;
         let hidden =
-            matches!(unit.nodes[i].op, Op::Comb(Comb::Constant(_) | Comb::Resize(_)) | Op::Phase(_) | Op::Output(_));
-        !hidden && !unit.renames(i)
+            matches!(block.nodes[i].op, Op::Comb(Comb::Constant(_) | Comb::Resize(_)) | Op::Phase(_) | Op::Output(_));
+        !hidden && !block.renames(i)
     }
 
     /// The node that has the box of node `i`, and the outputs and resizes on the way to it.
     fn carrier(&self, mut i: usize) -> (usize, Type, String) {
-        let unit = &self.schedule.unit;
-        let ty = unit.nodes[i].ty;
+        let block = &self.schedule.block;
+        let ty = block.nodes[i].ty;
         let mut port = String::new();
-        while !self.shown(i) && !unit.nodes[i].args.is_empty() {
-            let node = &unit.nodes[i];
-            if let (Op::Output(k), Op::Instance(child)) = (&node.op, &unit.node(node.args[0]).op) {
+        while !self.shown(i) && !block.nodes[i].args.is_empty() {
+            let node = &block.nodes[i];
+            if let (Op::Output(k), Op::Instance(child)) = (&node.op, &block.node(node.args[0]).op) {
                 port = child.outputs[*k].0.to_string();
             }
             i = node.args[0].0;
@@ -171,8 +171,8 @@ impl<'a> Maker<'a> {
         let (carrier, ty, port) = self.carrier(from);
         let Some(place) = self.boxes[carrier] else { return };
         let slot = self.schedule.slots[from];
-        let rate = self.schedule.unit.nodes[from].rate;
-        let registers = if late { 0 } else { registers(slot, rate, start, registered, self.schedule.unit.interval) };
+        let rate = self.schedule.block.nodes[from].rate;
+        let registers = if late { 0 } else { registers(slot, rate, start, registered, self.schedule.block.interval) };
         let critical = critical && registers == 0;
         let edge = Edge { from: place, to, port, format: ty.to_string(), registers, late, critical };
         if !self

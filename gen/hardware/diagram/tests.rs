@@ -1,4 +1,4 @@
-//! Pictures of a small unit, whose schedule is known, and of units as drawn.
+//! Pictures of a small block, whose schedule is known, and of blocks as drawn.
 
 use super::layout::Layout;
 use super::*;
@@ -8,9 +8,9 @@ use crate::op::{self, Magnitude, Type};
 use crate::schedule::Scheduler;
 
 /// y = a * b, then z = |y + c| behind it, with c waiting for the product, and a node that nothing needs.
-fn unit() -> Rc<Unit> {
+fn block() -> Rc<Block> {
     let library = Library::default();
-    library.unit("sample", &["A product and a sum, |a b + c|. For tests", "alone."], 1, |top| {
+    library.block("sample", &["A product and a sum, |a b + c|. For tests", "alone."], 1, |top| {
         let [a, b, c] = ["in_a", "in_b", "in_c"].map(|name| top.input(Type::signed(8, 4), (-100, 100)).named(name));
         let product = (a * b).named("product");
         let sum = (product.floor(4).named("product_floor") + c).named("sum");
@@ -22,7 +22,7 @@ fn unit() -> Rc<Unit> {
 fn picture() -> Picture {
     let device = device::find("xc2v6000-4").unwrap();
     let mut scheduler = Scheduler::new(device, 100);
-    Picture::new(&scheduler.schedule(&unit()), scheduler.period())
+    Picture::new(&scheduler.schedule(&block()), scheduler.period())
 }
 
 fn find<'a>(picture: &'a Picture, name: &str) -> (usize, &'a Place) {
@@ -65,7 +65,7 @@ fn the_critical_path_is_the_longest_chain_of_one_clock() {
 fn nothing_is_drawn_over_another_thing() {
     let device = device::find("xc2v6000-4").unwrap();
     let mut scheduler = Scheduler::new(device, 100);
-    let picture = Picture::new(&scheduler.schedule(&unit()), scheduler.period());
+    let picture = Picture::new(&scheduler.schedule(&block()), scheduler.period());
     let layout = Layout::new(&picture);
     let mut wrong = vec![];
     for (i, a) in layout.items.iter().enumerate() {

@@ -1,30 +1,30 @@
-//! Units in the making: copyable handles, and the nodes that operators on them make.
+//! Blocks in the making: copyable handles, and the nodes that operators on them make.
 
 mod operations;
 
+use super::block::{Block, Fact, Node, NodeId, Op, Probe, Rate};
 use super::names;
 use super::place::{Place, Step};
-use super::unit::{Fact, Node, NodeId, Op, Probe, Rate, Unit};
 use crate::op::*;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::rc::Rc;
 
-/// The units of a design in the making.
+/// The blocks of a design in the making.
 #[derive(Default)]
 pub struct Library {
-    /// What names of units begin with, so that those of two libraries can stand side by side.
+    /// What names of blocks begin with, so that those of two libraries can stand side by side.
     prefix: &'static str,
     drafts: RefCell<Vec<Draft>>,
-    finished: RefCell<HashMap<String, Rc<Unit>>>,
+    finished: RefCell<HashMap<String, Rc<Block>>>,
 }
 
-/// A unit in the making.
+/// A block in the making.
 struct Draft {
-    unit: Unit,
+    block: Block,
     /// Ranges of every node: one, or one per column.
     ranges: Vec<Vec<Range>>,
-    /// Cases in which per-phase values have ranges of their own: the phases of the unit at the top.
+    /// Cases in which per-phase values have ranges of their own: the phases of the block at the top.
     columns: usize,
     /// Values that are connected later, with what they are connected to.
     later: HashMap<usize, Option<NodeId>>,
@@ -33,15 +33,15 @@ struct Draft {
 impl Draft {
     /// Removes what no output depends on.
     fn prune(&mut self) {
-        let mut used = vec![false; self.unit.nodes.len()];
-        let inputs = self.unit.inputs.iter().copied();
-        let mut open: Vec<NodeId> = inputs.chain(self.unit.outputs.iter().map(|o| o.1)).collect();
+        let mut used = vec![false; self.block.nodes.len()];
+        let inputs = self.block.inputs.iter().copied();
+        let mut open: Vec<NodeId> = inputs.chain(self.block.outputs.iter().map(|o| o.1)).collect();
         while let Some(id) = open.pop() {
             if !std::mem::replace(&mut used[id.0], true) {
-                open.extend(&self.unit.nodes[id.0].args);
+                open.extend(&self.block.nodes[id.0].args);
                 // All outputs of an instance stay, so that every port is connected.
-                if matches!(self.unit.nodes[id.0].op, Op::Instance(_)) {
-                    let outputs = (0..used.len()).filter(|i| self.unit.nodes[*i].args.first() == Some(&id));
+                if matches!(self.block.nodes[id.0].op, Op::Instance(_)) {
+                    let outputs = (0..used.len()).filter(|i| self.block.nodes[*i].args.first() == Some(&id));
                     open.extend(outputs.map(NodeId));
                 }
             }
@@ -53,29 +53,29 @@ impl Draft {
         };
         let places: Vec<NodeId> = used.iter().map(&mut place).collect();
         let mut kept = used.iter();
-        self.unit.nodes.retain(|_| *kept.next().expect("one flag per node"));
+        self.block.nodes.retain(|_| *kept.next().expect("one flag per node"));
         let mut kept = used.iter();
         self.ranges.retain(|_| *kept.next().expect("one flag per node"));
         let moved = |id: &mut NodeId| *id = places[id.0];
-        self.unit.nodes.iter_mut().flat_map(|n| &mut n.args).for_each(moved);
-        self.unit.inputs.iter_mut().for_each(moved);
-        self.unit.outputs.iter_mut().for_each(|o| moved(&mut o.1));
-        self.unit.probes.retain(|p| used[p.node.0]);
-        self.unit.probes.iter_mut().for_each(|p| moved(&mut p.node));
+        self.block.nodes.iter_mut().flat_map(|n| &mut n.args).for_each(moved);
+        self.block.inputs.iter_mut().for_each(moved);
+        self.block.outputs.iter_mut().for_each(|o| moved(&mut o.1));
+        self.block.probes.retain(|p| used[p.node.0]);
+        self.block.probes.iter_mut().for_each(|p| moved(&mut p.node));
     }
 }
 
-/// A signal: a handle of a node in a unit in the making.
+/// A signal: a handle of a node in a block in the making.
 #[derive(Clone, Copy)]
 pub struct Sig<'l> {
     library: &'l Library,
-    unit: usize,
+    block: usize,
     id: NodeId,
 }
 
 impl PartialEq for Sig<'_> {
     fn eq(&self, other: &Self) -> bool {
-        (self.unit, self.id) == (other.unit, other.id)
+        (self.block, self.id) == (other.block, other.id)
     }
 }
 
@@ -88,66 +88,70 @@ impl std::fmt::Debug for Sig<'_> {
 }
 
 impl Library {
-    /// A library in which the name of every unit begins with a prefix.
+    /// A library in which the name of every block begins with a prefix.
     ///
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// let library = Library::with_prefix("mine_");
-    /// let unit = library.unit("copy", &[], 1, |top| top.input(NUMBER, (0, 9)).named("x"));
-    /// assert_eq!(unit.name, "mine_copy");
+    /// let block = library.block("copy", &[], 1, |top| top.input(NUMBER, (0, 9)).named("x"));
+    /// assert_eq!(block.name, "mine_copy");
     /// ```
     pub fn with_prefix(prefix: &'static str) -> Self {
         Self { prefix, ..Self::default() }
     }
 
-    /// Begins a unit with `interval` phases. `columns` are the cases in which per-phase values are looked at.
+    /// Begins a block with `interval` phases. `columns` are the cases in which per-phase values are looked at.
     pub(super) fn begin(&self, name: &str, doc: &[&str], interval: usize, columns: usize) -> usize {
         let doc = doc.iter().map(|line| (*line).to_owned()).collect();
-        let unit = Unit::new(format!("{}{name}", self.prefix), doc, interval);
+        let block = Block::new(format!("{}{name}", self.prefix), doc, interval);
         let mut drafts = self.drafts.borrow_mut();
-        drafts.push(Draft { unit, ranges: vec![], columns, later: HashMap::new() });
+        drafts.push(Draft { block, ranges: vec![], columns, later: HashMap::new() });
         drafts.len() - 1
     }
 
-    /// The finished unit; one of that name that is the same but for ranges is taken instead.
-    pub(super) fn finish(&self, unit: usize, outputs: &[Sig<'_>]) -> Rc<Unit> {
+    /// The finished block; one of that name that is the same but for ranges is taken instead.
+    pub(super) fn finish(&self, block: usize, outputs: &[Sig<'_>]) -> Rc<Block> {
         let mut draft = {
             let mut drafts = self.drafts.borrow_mut();
-            assert_eq!(unit + 1, drafts.len(), "units are finished from the inside outward");
-            drafts.pop().expect("the unit was begun")
+            assert_eq!(block + 1, drafts.len(), "blocks are finished from the inside outward");
+            drafts.pop().expect("the block was begun")
         };
         for (node, to) in std::mem::take(&mut draft.later) {
             let to =
-                to.unwrap_or_else(|| panic!("unit {}: a value that comes later is not connected", draft.unit.name));
-            draft.unit.nodes.iter_mut().flat_map(|n| &mut n.args).filter(|a| a.0 == node).for_each(|a| *a = to);
+                to.unwrap_or_else(|| panic!("block {}: a value that comes later is not connected", draft.block.name));
+            draft.block.nodes.iter_mut().flat_map(|n| &mut n.args).filter(|a| a.0 == node).for_each(|a| *a = to);
         }
-        draft.unit.outputs = outputs.iter().map(|o| (Place::default(), o.id)).collect();
+        draft.block.outputs = outputs.iter().map(|o| (Place::default(), o.id)).collect();
         draft.prune();
-        names::derive(&mut draft.unit);
+        names::derive(&mut draft.block);
         let ranges: Vec<Range> = draft.ranges.into_iter().map(hull).collect();
-        let (mut finished, unit) = (self.finished.borrow_mut(), draft.unit);
-        let known = finished.get(&unit.name).cloned();
-        assert!(known.as_ref().is_none_or(|known| known.same(&unit)), "two different units are called {}", unit.name);
-        let unit = known.unwrap_or_else(|| {
-            let (name, unit) = (unit.name.clone(), Rc::new(unit));
-            finished.insert(name, Rc::clone(&unit));
-            unit
+        let (mut finished, block) = (self.finished.borrow_mut(), draft.block);
+        let known = finished.get(&block.name).cloned();
+        assert!(
+            known.as_ref().is_none_or(|known| known.same(&block)),
+            "two different blocks are called {}",
+            block.name
+        );
+        let block = known.unwrap_or_else(|| {
+            let (name, block) = (block.name.clone(), Rc::new(block));
+            finished.insert(name, Rc::clone(&block));
+            block
         });
-        unit.widen(&ranges);
-        unit
+        block.widen(&ranges);
+        block
     }
 }
 
-/// The unit at the top in the making: what makes its inputs.
+/// The block at the top in the making: what makes its inputs.
 #[derive(Clone, Copy)]
 pub struct Top<'l> {
     library: &'l Library,
-    unit: usize,
+    block: usize,
 }
 
 impl<'l> Top<'l> {
-    pub(super) fn of(library: &'l Library, unit: usize) -> Self {
-        Self { library, unit }
+    pub(super) fn of(library: &'l Library, block: usize) -> Self {
+        Self { library, block }
     }
 
     /// An input that is held for the pair.
@@ -155,11 +159,11 @@ impl<'l> Top<'l> {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// let library = Library::default();
-    /// let unit = library.unit("twice", &["y = 2 x"], 1, |top| {
+    /// let block = library.block("twice", &["y = 2 x"], 1, |top| {
     ///     let x = top.input(NUMBER, (0, 9)).named("x");
     ///     (x + x).named("y")
     /// });
-    /// assert_eq!(unit.range(unit.outputs[unit.output("y")].1.0), (0, 18));
+    /// assert_eq!(block.range(block.outputs[block.output("y")].1.0), (0, 18));
     /// ```
     pub fn input(self, ty: Type, range: Range) -> Sig<'l> {
         self.port(ty, vec![range], Rate::Pair)
@@ -170,14 +174,14 @@ impl<'l> Top<'l> {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// let library = Library::default();
-    /// let unit = library.unit("held", &[], 4, |top| (-top.input_until(NUMBER, (0, 9), 1).named("x")).named("y"));
-    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&unit);
+    /// let block = library.block("held", &[], 4, |top| (-top.input_until(NUMBER, (0, 9), 1).named("x")).named("y"));
+    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
     /// assert_eq!(schedule.slots[0].until, 3);
     /// # Ok::<(), device::UnknownDevice>(())
     /// ```
     pub fn input_until(self, ty: Type, range: Range, early: usize) -> Sig<'l> {
         let input = self.input(ty, range);
-        self.library.with(self.unit, |draft| draft.unit.nodes[input.id.0].op = Op::Input { early });
+        self.library.with(self.block, |draft| draft.block.nodes[input.id.0].op = Op::Input { early });
         input
     }
 
@@ -186,7 +190,7 @@ impl<'l> Top<'l> {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// let library = Library::default();
-    /// library.unit("sum", &[], 4, |top| {
+    /// library.block("sum", &[], 4, |top| {
     ///     let x = top.steady(NUMBER, (0, 9)).named("x");
     ///     assert_eq!(x.rate(), Rate::Any);
     ///     (x + top.input(NUMBER, (0, 9)).named("y")).named("z")
@@ -194,14 +198,14 @@ impl<'l> Top<'l> {
     /// ```
     pub fn steady(self, ty: Type, range: Range) -> Sig<'l> {
         let input = self.port(ty, vec![range], Rate::Any);
-        self.library.with(self.unit, |draft| draft.unit.nodes[input.id.0].op = Op::Steady);
+        self.library.with(self.block, |draft| draft.block.nodes[input.id.0].op = Op::Steady);
         input
     }
 
     /// An input with ranges of its own in every case, or the same in all.
     pub(super) fn port(self, ty: Type, ranges: Vec<Range>, rate: Rate) -> Sig<'l> {
-        let sig = self.library.push(self.unit, Op::Input { early: 0 }, vec![], ty, rate, ranges);
-        self.library.with(self.unit, |draft| draft.unit.inputs.push(sig.id));
+        let sig = self.library.push(self.block, Op::Input { early: 0 }, vec![], ty, rate, ranges);
+        self.library.with(self.block, |draft| draft.block.inputs.push(sig.id));
         sig
     }
 
@@ -209,21 +213,21 @@ impl<'l> Top<'l> {
     ///
     /// ```
     /// # use efsat_hardware::testing::examples::*;
-    /// assert_eq!(evaluated(3, &[5], |x| x[0].like(x[0].unit().interval() as i128) + x[0]), [8; 3]);
+    /// assert_eq!(evaluated(3, &[5], |x| x[0].like(x[0].block().interval() as i128) + x[0]), [8; 3]);
     /// ```
     pub fn interval(self) -> usize {
-        self.library.with(self.unit, |draft| draft.unit.interval)
+        self.library.with(self.block, |draft| draft.block.interval)
     }
 
     /// A constant.
     ///
     /// ```
     /// # use efsat_hardware::testing::examples::*;
-    /// assert_eq!(value(&[5], |x| x[0].unit().constant(7, NUMBER) - x[0]), 2);
+    /// assert_eq!(value(&[5], |x| x[0].block().constant(7, NUMBER) - x[0]), 2);
     /// ```
     pub fn constant(self, value: i128, ty: Type) -> Sig<'l> {
         let op = Op::Comb(Constant(value, ty).into());
-        self.library.shared(self.unit, op, ty, Rate::Any, vec![(value, value)])
+        self.library.shared(self.block, op, ty, Rate::Any, vec![(value, value)])
     }
 
     /// A constant of its own: an element of a bundle.
@@ -231,13 +235,13 @@ impl<'l> Top<'l> {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// assert_eq!(value(&[5], |x| {
-    ///     let both = [1, 2].map(|i| x[0].unit().element(i, NUMBER)).named("both");
+    ///     let both = [1, 2].map(|i| x[0].block().element(i, NUMBER)).named("both");
     ///     both[1] * x[0]
     /// }), 10);
     /// ```
     pub fn element(self, value: i128, ty: Type) -> Sig<'l> {
         let op = Op::Comb(Constant(value, ty).into());
-        self.library.push(self.unit, op, vec![], ty, Rate::Any, vec![(value, value)])
+        self.library.push(self.block, op, vec![], ty, Rate::Any, vec![(value, value)])
     }
 
     /// A constant of each phase; none where it does not matter.
@@ -248,7 +252,7 @@ impl<'l> Top<'l> {
             return self.constant(first, ty);
         }
         let ranges = values.iter().map(|v| v.unwrap_or(0)).map(|v| (v, v)).collect();
-        self.library.shared(self.unit, Op::Phase(values), ty, Rate::Phase, ranges)
+        self.library.shared(self.block, Op::Phase(values), ty, Rate::Phase, ranges)
     }
 
     /// A value that is connected later; its type and range are promised.
@@ -257,7 +261,7 @@ impl<'l> Top<'l> {
     /// # use efsat_hardware::testing::examples::*;
     /// // The last phase reads what the first has made.
     /// let values = evaluated(2, &[5], |x| {
-    ///     let first = x[0].unit().later(NUMBER, (0, 900));
+    ///     let first = x[0].block().later(NUMBER, (0, 900));
     ///     let phases = Phases::new(2, |s| Some([x[0], first][s])).late(|signal| *signal == first);
     ///     let next = (phases.mux().named("operand") + x[0].like(2)).named("next");
     ///     first.connect(next.capture(0, false).within((0, 900), "x is positive").bits(16).named("first"));
@@ -266,25 +270,25 @@ impl<'l> Top<'l> {
     /// assert_eq!(values, [7, 9]);
     /// ```
     pub fn later(self, ty: Type, range: Range) -> Sig<'l> {
-        let sig = self.library.push(self.unit, Op::Input { early: 0 }, vec![], ty, Rate::Pair, vec![range]);
-        self.library.with(self.unit, |draft| draft.later.insert(sig.id.0, None));
+        let sig = self.library.push(self.block, Op::Input { early: 0 }, vec![], ty, Rate::Pair, vec![range]);
+        self.library.with(self.block, |draft| draft.later.insert(sig.id.0, None));
         sig
     }
 }
 
 impl Library {
-    fn with<R>(&self, unit: usize, f: impl FnOnce(&mut Draft) -> R) -> R {
-        f(&mut self.drafts.borrow_mut()[unit])
+    fn with<R>(&self, block: usize, f: impl FnOnce(&mut Draft) -> R) -> R {
+        f(&mut self.drafts.borrow_mut()[block])
     }
 
-    fn push(&self, unit: usize, op: Op, args: Vec<NodeId>, ty: Type, rate: Rate, ranges: Vec<Range>) -> Sig<'_> {
-        let id = self.with(unit, |draft| {
+    fn push(&self, block: usize, op: Op, args: Vec<NodeId>, ty: Type, rate: Rate, ranges: Vec<Range>) -> Sig<'_> {
+        let id = self.with(block, |draft| {
             let (place, comment) = (Place::default(), String::new());
-            draft.unit.nodes.push(Node { op, args, ty, rate, place, named: false, comment });
+            draft.block.nodes.push(Node { op, args, ty, rate, place, named: false, comment });
             draft.ranges.push(ranges);
-            NodeId(draft.unit.nodes.len() - 1)
+            NodeId(draft.block.nodes.len() - 1)
         });
-        let sig = Sig { library: self, unit, id };
+        let sig = Sig { library: self, block, id };
         let (ty, ranges) = (sig.ty(), sig.ranges());
         for (column, range) in ranges.iter().enumerate() {
             if !ty.holds(*range) {
@@ -296,24 +300,25 @@ impl Library {
     }
 
     /// A node without operands, made once.
-    fn shared(&self, unit: usize, op: Op, ty: Type, rate: Rate, ranges: Vec<Range>) -> Sig<'_> {
-        let known = self.with(unit, |draft| draft.unit.nodes.iter().position(|n| n.op == op && n.ty == ty && !n.named));
+    fn shared(&self, block: usize, op: Op, ty: Type, rate: Rate, ranges: Vec<Range>) -> Sig<'_> {
+        let known =
+            self.with(block, |draft| draft.block.nodes.iter().position(|n| n.op == op && n.ty == ty && !n.named));
         match known {
-            Some(id) => Sig { library: self, unit, id: NodeId(id) },
-            None => self.push(unit, op, vec![], ty, rate, ranges),
+            Some(id) => Sig { library: self, block, id: NodeId(id) },
+            None => self.push(block, op, vec![], ty, rate, ranges),
         }
     }
 }
 
 impl<'l> Sig<'l> {
-    /// The unit it is in.
+    /// The block it is in.
     ///
     /// ```
     /// # use efsat_hardware::testing::examples::*;
-    /// assert_eq!(value(&[5], |x| x[0] + x[0].unit().constant(1, NUMBER)), 6);
+    /// assert_eq!(value(&[5], |x| x[0] + x[0].block().constant(1, NUMBER)), 6);
     /// ```
-    pub fn unit(self) -> Top<'l> {
-        Top { library: self.library, unit: self.unit }
+    pub fn block(self) -> Top<'l> {
+        Top { library: self.library, block: self.block }
     }
 
     pub(super) fn library(self) -> &'l Library {
@@ -321,11 +326,11 @@ impl<'l> Sig<'l> {
     }
 
     pub(super) fn columns(self) -> usize {
-        self.library.with(self.unit, |draft| draft.columns)
+        self.library.with(self.block, |draft| draft.columns)
     }
 
     fn node<R>(self, f: impl FnOnce(&mut Node) -> R) -> R {
-        self.library.with(self.unit, |draft| f(&mut draft.unit.nodes[self.id.0]))
+        self.library.with(self.block, |draft| f(&mut draft.block.nodes[self.id.0]))
     }
 
     /// Its type.
@@ -371,7 +376,7 @@ impl<'l> Sig<'l> {
 
     /// Its ranges: one, or one per phase.
     pub(super) fn ranges(self) -> Vec<Range> {
-        self.library.with(self.unit, |draft| draft.ranges[self.id.0].clone())
+        self.library.with(self.block, |draft| draft.ranges[self.id.0].clone())
     }
 
     /// The range of all its values.
@@ -397,15 +402,15 @@ impl<'l> Sig<'l> {
         match op {
             Op::Comb(op) => format!("{}({})", op.role(), args.join(", ")),
             Op::Output(_) => args.concat(),
-            Op::Instance(unit) => unit.name.clone(),
+            Op::Instance(block) => block.name.clone(),
             other => format!("{other:?}({})", args.join(", ")),
         }
     }
 
     /// Refuses what cannot be: a defect of the caller.
     fn refuse(self, why: &str) -> ! {
-        let unit = self.library.with(self.unit, |draft| draft.unit.name.clone());
-        panic!("unit {unit}, {}: {why}", self.describe())
+        let block = self.library.with(self.block, |draft| draft.block.name.clone());
+        panic!("block {block}, {}: {why}", self.describe())
     }
 
     /// An operation on this signal and others.
@@ -434,7 +439,7 @@ impl<'l> Sig<'l> {
             })
         };
         if let Some(values) = args.iter().map(constant).collect::<Option<Vec<i128>>>() {
-            return self.unit().element(op.value(&values, &types, ty), ty);
+            return self.block().element(op.value(&values, &types, ty), ty);
         }
         self.make(Op::Comb(op), &args, ty, ranges)
     }
@@ -442,15 +447,15 @@ impl<'l> Sig<'l> {
     /// A node that reads `args`.
     fn make(self, op: Op, args: &[Self], ty: Type, ranges: Vec<Range>) -> Self {
         let rate = args.iter().map(|a| a.rate()).fold(Rate::Any, |a, b| if a == Rate::Any { b } else { a });
-        self.library.push(self.unit, op, args.iter().map(|a| a.id).collect(), ty, rate, ranges)
+        self.library.push(self.block, op, args.iter().map(|a| a.id).collect(), ty, rate, ranges)
     }
 
     /// The same per-pair value in every phase.
     fn broadcast(self) -> Self {
-        let select = self.unit().constant(0, Type::FLAG);
-        let known = self.library.with(self.unit, |draft| {
+        let select = self.block().constant(0, Type::FLAG);
+        let known = self.library.with(self.block, |draft| {
             let op = Op::Mux { late: vec![false] };
-            draft.unit.nodes.iter().position(|n| n.op == op && n.args == [select.id, self.id])
+            draft.block.nodes.iter().position(|n| n.op == op && n.args == [select.id, self.id])
         });
         match known {
             Some(id) => Self { id: NodeId(id), ..self },
@@ -470,7 +475,7 @@ impl<'l> Sig<'l> {
         }
         let late = operands.iter().map(|o| o.1).collect();
         let args = std::iter::once(select.id).chain(operands.iter().map(|o| o.0.id)).collect();
-        self.library.push(self.unit, Op::Mux { late }, args, ty, Rate::Phase, ranges)
+        self.library.push(self.block, Op::Mux { late }, args, ty, Rate::Phase, ranges)
     }
 
     /// Running disjunction over phases, anew where `first` is set.
@@ -479,7 +484,7 @@ impl<'l> Sig<'l> {
     /// # use efsat_hardware::testing::examples::*;
     /// let so_far = evaluated(4, &[1, 2, 4, 8], |x| {
     ///     let flags = Phases::new(4, |s| Some(x[s])).mux().low(4).at_point(None);
-    ///     let first = Phases::new(4, |s| Some(i128::from(s == 0 || s == 2))).constant(x[0].unit(), Type::FLAG);
+    ///     let first = Phases::new(4, |s| Some(i128::from(s == 0 || s == 2))).constant(x[0].block(), Type::FLAG);
     ///     flags.or_over_phases(first)
     /// });
     /// assert_eq!(so_far, [1, 3, 4, 12]);
@@ -496,7 +501,7 @@ impl<'l> Sig<'l> {
             so_far = if starts { fresh } else { Or.range(&[fresh, so_far], &[], self.ty()) };
             ranges.push(so_far);
         }
-        self.library.push(self.unit, Op::ScanOr, vec![self.id, first.id], self.ty(), Rate::Phase, ranges)
+        self.library.push(self.block, Op::ScanOr, vec![self.id, first.id], self.ty(), Rate::Phase, ranges)
     }
 
     /// Connects a value made by [`Top::later`].
@@ -505,7 +510,7 @@ impl<'l> Sig<'l> {
     /// # use efsat_hardware::testing::examples::*;
     /// // What is made at the end, read where it is not there yet.
     /// assert_eq!(value(&[5], |x| {
-    ///     let later = x[0].unit().later(NUMBER, (-1000, 1000));
+    ///     let later = x[0].block().later(NUMBER, (-1000, 1000));
     ///     let y = later + x[0];
     ///     later.connect(x[0]);
     ///     y
@@ -517,7 +522,7 @@ impl<'l> Sig<'l> {
             let expected = format!("{} within {promised:?}", self.ty());
             self.refuse(&format!("expected {expected}, found {} of {} within {found:?}", value.describe(), value.ty()));
         }
-        self.library.with(self.unit, |draft| draft.later.insert(self.id.0, Some(value.id)));
+        self.library.with(self.block, |draft| draft.later.insert(self.id.0, Some(value.id)));
     }
 
     pub(super) fn set_name(self, base: &str, path: &[Step]) -> Self {
@@ -533,11 +538,11 @@ impl<'l> Sig<'l> {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// let library = Library::default();
-    /// let unit = library.unit("sum", &[], 1, |top| {
+    /// let block = library.block("sum", &[], 1, |top| {
     ///     let x = top.input(NUMBER, (0, 9)).named("x");
     ///     ((x + x).called("twice") * x).named("y")
     /// });
-    /// assert!(unit.nodes.iter().any(|node| node.name() == "y_twice"));
+    /// assert!(block.nodes.iter().any(|node| node.name() == "y_twice"));
     /// ```
     pub fn called(self, role: &str) -> Self {
         self.node(|n| {
@@ -555,7 +560,7 @@ impl<'l> Sig<'l> {
 
     pub(super) fn set_probe(self, phases: &[(usize, bool)]) -> Self {
         let probe = Probe { node: self.id, phases: phases.to_vec() };
-        self.library.with(self.unit, |draft| draft.unit.probes.push(probe));
+        self.library.with(self.block, |draft| draft.block.probes.push(probe));
         self
     }
 
@@ -563,7 +568,7 @@ impl<'l> Sig<'l> {
         let ranges = self.ranges();
         let range = ranges[phase % ranges.len()];
         let op = Op::Capture { phase, late };
-        self.library.push(self.unit, op, vec![self.id], self.ty(), Rate::Pair, vec![range])
+        self.library.push(self.block, op, vec![self.id], self.ty(), Rate::Pair, vec![range])
     }
 
     pub(super) fn assume_range(self, bound: Range, lemma: &'static str, phases: &[bool]) -> Self {
@@ -594,7 +599,7 @@ impl<'l> Sig<'l> {
     pub(super) fn earlier_signal(self, phases: usize) -> Self {
         let ranges = self.ranges();
         let ranges = (0..ranges.len()).map(|s| ranges[s.saturating_sub(phases)]).collect();
-        self.library.push(self.unit, Op::Earlier(phases), vec![self.id], self.ty(), Rate::Phase, ranges)
+        self.library.push(self.block, Op::Earlier(phases), vec![self.id], self.ty(), Rate::Phase, ranges)
     }
 
     /// The value, which is known to equal a function of others.
@@ -627,21 +632,21 @@ impl<'l> Sig<'l> {
         self.make(Op::Point, &[self], Type { fraction, ..self.ty() }, self.ranges())
     }
 
-    pub(super) fn instance_of(self, unit: &Rc<Unit>, args: &[Self]) -> Self {
-        self.make(Op::Instance(Rc::clone(unit)), args, Type::FLAG, vec![(0, 0)])
+    pub(super) fn instance_of(self, block: &Rc<Block>, args: &[Self]) -> Self {
+        self.make(Op::Instance(Rc::clone(block)), args, Type::FLAG, vec![(0, 0)])
     }
 
     pub(super) fn output_of(self, port: usize, ty: Type, rate: Rate, ranges: Vec<Range>) -> Self {
         let rate = if rate == Rate::Any { self.rate() } else { rate };
-        self.library.push(self.unit, Op::Output(port), vec![self.id], ty, rate, ranges)
+        self.library.push(self.block, Op::Output(port), vec![self.id], ty, rate, ranges)
     }
 }
 
 /// Operands of one node: per-pair values are brought into the phases where others are there already.
 pub(super) fn joined<'l>(args: &[Sig<'l>]) -> Vec<Sig<'l>> {
     for other in &args[1..] {
-        if other.unit != args[0].unit {
-            args[0].refuse(&format!("{} is in another unit", other.describe()));
+        if other.block != args[0].block {
+            args[0].refuse(&format!("{} is in another block", other.describe()));
         }
     }
     let phases = args.iter().any(|a| a.rate() == Rate::Phase);

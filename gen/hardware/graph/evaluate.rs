@@ -1,11 +1,11 @@
 //! Untimed evaluation: every node of a graph in every phase, on integers.
 
 use super::flat::{Flat, Step};
-use super::{Op, Place, Unit, place};
+use super::{Block, Op, Place, place};
 use crate::op::{Comb, ShiftLeft};
 use std::rc::Rc;
 
-/// Evaluates a unit; made once, used for many pairs.
+/// Evaluates a block; made once, used for many pairs.
 pub struct Evaluator {
     flat: Flat,
     values: Vec<i128>,
@@ -17,15 +17,15 @@ impl Evaluator {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// # let library = Library::default();
-    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// # let block = library.block("square", &[], 1, |top| {
     /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
     /// #     (x * x).named("y")
     /// # });
-    /// let mut evaluator = Evaluator::new(&unit);
+    /// let mut evaluator = Evaluator::new(&block);
     /// evaluator.run(&[-5]);
     /// assert_eq!(evaluator.output("y"), 25);
     /// ```
-    pub fn new(top: &Rc<Unit>) -> Self {
+    pub fn new(top: &Rc<Block>) -> Self {
         let flat = Flat::new(top);
         let values = vec![0; flat.nodes.len() * flat.interval];
         Self { flat, values }
@@ -36,11 +36,11 @@ impl Evaluator {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// # let library = Library::default();
-    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// # let block = library.block("square", &[], 1, |top| {
     /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
     /// #     (x * x).named("y")
     /// # });
-    /// let mut evaluator = Evaluator::new(&unit);
+    /// let mut evaluator = Evaluator::new(&block);
     /// assert_eq!(evaluator.flat().nodes.len(), 2);
     /// ```
     pub fn flat(&self) -> &Flat {
@@ -55,11 +55,11 @@ impl Evaluator {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// # let library = Library::default();
-    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// # let block = library.block("square", &[], 1, |top| {
     /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
     /// #     (x * x).named("y")
     /// # });
-    /// let mut evaluator = Evaluator::new(&unit);
+    /// let mut evaluator = Evaluator::new(&block);
     /// evaluator.run(&[7]);
     /// assert_eq!(evaluator.output("y"), 49);
     /// ```
@@ -108,11 +108,11 @@ impl Evaluator {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// # let library = Library::default();
-    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// # let block = library.block("square", &[], 1, |top| {
     /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
     /// #     (x * x).named("y")
     /// # });
-    /// let mut evaluator = Evaluator::new(&unit);
+    /// let mut evaluator = Evaluator::new(&block);
     /// evaluator.run(&[7]);
     /// assert_eq!(evaluator.at(evaluator.flat().outputs[0], 0), 49);
     /// ```
@@ -129,22 +129,22 @@ impl Evaluator {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// # let library = Library::default();
-    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// # let block = library.block("square", &[], 1, |top| {
     /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
     /// #     (x * x).named("y")
     /// # });
-    /// let mut evaluator = Evaluator::new(&unit);
+    /// let mut evaluator = Evaluator::new(&block);
     /// evaluator.run(&[3]);
     /// assert_eq!(evaluator.output("y"), 9);
     /// ```
     pub fn output(&self, name: &str) -> i128 {
-        let unit = &self.flat.units[0];
+        let block = &self.flat.blocks[0];
         let value = |port: usize| self.at(self.flat.outputs[port], 0);
-        let flag = |i: usize| unit.outputs.iter().position(|(at, _)| *at == Place::at(name, &[place::Step::Index(i)]));
+        let flag = |i: usize| block.outputs.iter().position(|(at, _)| *at == Place::at(name, &[place::Step::Index(i)]));
         match flag(0) {
             // A vector of flags, the first in bit 0.
             Some(_) => (0..).map_while(flag).enumerate().map(|(i, port)| value(port) << i).sum(),
-            None => value(unit.output(name)),
+            None => value(block.output(name)),
         }
     }
 }

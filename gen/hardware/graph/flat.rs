@@ -1,6 +1,6 @@
-//! A unit with all its instances dissolved: one list of (node, phase) steps in an order in which operands come first.
+//! A block with all its instances dissolved: one list of (node, phase) steps in an order in which operands come first.
 
-use super::{Op, Rate, Unit};
+use super::{Block, Op, Rate};
 use crate::op::{Comb, Constant, Type};
 use std::collections::HashMap;
 use std::rc::Rc;
@@ -18,7 +18,7 @@ pub struct FlatNode {
     pub rate: Rate,
     /// Path: instance names and node name, with dots.
     pub path: String,
-    /// Index of the unit in [`Flat::units`], and of the node in it.
+    /// Index of the block in [`Flat::blocks`], and of the node in it.
     pub origin: (usize, usize),
 }
 
@@ -38,8 +38,8 @@ pub struct Flat {
     pub nodes: Vec<FlatNode>,
     /// Every (node, phase) once, operands first.
     pub steps: Vec<Step>,
-    /// The different units met, the top first.
-    pub units: Vec<Rc<Unit>>,
+    /// The different blocks met, the top first.
+    pub blocks: Vec<Rc<Block>>,
     /// Flat nodes of the top's inputs, in order.
     pub inputs: Vec<usize>,
     /// Flat nodes of the top's outputs, in order.
@@ -51,11 +51,11 @@ pub struct Flat {
 
 impl Flat {
     /// Dissolves `top`.
-    pub fn new(top: &Rc<Unit>) -> Self {
+    pub fn new(top: &Rc<Block>) -> Self {
         let mut flat = Self {
             nodes: vec![],
             steps: vec![],
-            units: vec![Rc::clone(top)],
+            blocks: vec![Rc::clone(top)],
             inputs: vec![],
             outputs: vec![],
             interval: top.interval,
@@ -81,24 +81,24 @@ impl Flat {
         self.nodes[node].rate == Rate::Phase
     }
 
-    fn dissolve(&mut self, unit: &Rc<Unit>, index: usize, path: &str, args: Option<&[usize]>) -> Vec<usize> {
-        let mut own = vec![usize::MAX; unit.nodes.len()];
+    fn dissolve(&mut self, block: &Rc<Block>, index: usize, path: &str, args: Option<&[usize]>) -> Vec<usize> {
+        let mut own = vec![usize::MAX; block.nodes.len()];
         let mut instances: HashMap<usize, Vec<usize>> = HashMap::new();
         let mut late: Vec<(usize, usize)> = vec![];
         if let Some(args) = args {
-            for (input, arg) in unit.inputs.iter().zip(args) {
+            for (input, arg) in block.inputs.iter().zip(args) {
                 own[input.0] = *arg;
             }
         }
-        for (i, node) in unit.nodes.iter().enumerate() {
+        for (i, node) in block.nodes.iter().enumerate() {
             let node_path = format!("{path}{}", node.name());
             match &node.op {
                 Op::Input { .. } if args.is_some() => {}
                 Op::Instance(child) => {
                     let operands: Vec<usize> = node.args.iter().map(|a| own[a.0]).collect();
-                    let child_index = self.units.iter().position(|u| Rc::ptr_eq(u, child)).unwrap_or_else(|| {
-                        self.units.push(Rc::clone(child));
-                        self.units.len() - 1
+                    let child_index = self.blocks.iter().position(|u| Rc::ptr_eq(u, child)).unwrap_or_else(|| {
+                        self.blocks.push(Rc::clone(child));
+                        self.blocks.len() - 1
                     });
                     let inner = self.dissolve(child, child_index, &format!("{node_path}."), Some(&operands));
                     instances.insert(i, child.outputs.iter().map(|o| inner[o.1.0]).collect());
@@ -121,12 +121,12 @@ impl Flat {
         }
         // Late operands may refer to nodes that came later.
         for (i, flat) in late {
-            self.nodes[flat].args = unit.nodes[i].args.iter().map(|a| own[a.0]).collect();
+            self.nodes[flat].args = block.nodes[i].args.iter().map(|a| own[a.0]).collect();
         }
         own
     }
 
-    /// A node of a unit that does not care takes the rate of what it is given.
+    /// A node of a block that does not care takes the rate of what it is given.
     fn resolve_rates(&mut self) {
         for i in 0..self.nodes.len() {
             if self.nodes[i].rate == Rate::Any {

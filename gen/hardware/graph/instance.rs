@@ -1,15 +1,15 @@
 //! Instances: a function of bundles as an entity of its own.
 
+use super::block::Rate;
 use super::build::{Sig, joined};
 use super::bundle::Bundle;
 use super::signals::Signals;
-use super::unit::Rate;
 
 /// A bundle at a port of that name.
 #[derive(Clone)]
 pub struct Port<B>(pub &'static str, pub B);
 
-/// The ports of a unit: several bundles, each named.
+/// The ports of a block: several bundles, each named.
 pub trait Ports<'l>: Sized {
     /// The ports with every signal replaced.
     fn each(&self, f: &mut dyn FnMut(Sig<'l>) -> Sig<'l>) -> Self;
@@ -41,10 +41,10 @@ ports! {
     A 0, B 1, C 2, D 3, E 4, F 5;
 }
 
-/// An instance of the unit that `body` makes of its ports. Equal units of one name are one entity.
+/// An instance of the block that `body` makes of its ports. Equal blocks of one name are one entity.
 ///
 /// # Panics
-/// If two different units have the name, or an operand does not fit.
+/// If two different blocks have the name, or an operand does not fit.
 ///
 /// ```
 /// # use efsat_hardware::testing::examples::*;
@@ -63,18 +63,18 @@ pub fn instance<'l, P: Ports<'l>, R: Signals<'l>>(name: &str, doc: &[&str], port
     });
     let args = joined(&args);
     let (library, columns) = (args[0].library(), args[0].columns());
-    let unit = library.begin(name, doc, 1, columns);
+    let block = library.begin(name, doc, 1, columns);
     let mut given = args.iter();
     let inner = ports.each(&mut |signal| {
         let arg = given.next().expect("one operand for each port");
-        let top = super::build::Top::of(signal.library(), unit);
+        let top = super::build::Top::of(signal.library(), block);
         top.port(arg.ty(), arg.ranges(), Rate::Any)
     });
     inner.name();
     let results = body(inner);
     let inner_results: Vec<(crate::op::Type, Rate, Vec<crate::op::Range>)> =
         results.signals().iter().map(|r| (r.ty(), r.rate(), r.ranges())).collect();
-    let made = library.finish(unit, &results.signals());
+    let made = library.finish(block, &results.signals());
     let instance = args[0].instance_of(&made, &args);
     let outputs = inner_results.into_iter().enumerate();
     let outputs: Vec<Sig<'l>> =

@@ -1,9 +1,9 @@
-//! The dataflow graph: nodes in units, written with copyable handles and bundles of them.
+//! The dataflow graph: nodes in blocks, written with copyable handles and bundles of them.
 //!
-//! A [`Unit`] is a named graph with ports; units contain instances of units. Time enters in two steps only. A pair
+//! A [`Block`] is a named graph with ports; blocks contain instances of blocks. Time enters in two steps only. A pair
 //! occupies a *slot* of `interval` clocks (the initiation interval), and a value is either *per pair* (held for the slot)
-//! or *per phase* (another one in each clock of the slot). A unit is shared over the phases with [`Phases`]: a value for
-//! each phase, from which operand multiplexers and capture registers follow. Clocks proper appear only when a unit is
+//! or *per phase* (another one in each clock of the slot). A block is shared over the phases with [`Phases`]: a value for
+//! each phase, from which operand multiplexers and capture registers follow. Clocks proper appear only when a block is
 //! [scheduled](crate::schedule).
 //!
 //! What a value is called follows from the structure: a [bundle](Bundle) is named as a whole, and what was given no name
@@ -14,6 +14,7 @@ mod build;
 mod bundle;
 pub mod evaluate;
 // For the tests of operators.
+mod block;
 #[doc(hidden)]
 pub mod flat;
 mod instance;
@@ -21,7 +22,6 @@ mod names;
 mod phases;
 mod place;
 mod signals;
-mod unit;
 mod vector;
 
 pub use build::{Library, Sig, Top};
@@ -29,8 +29,8 @@ pub use bundle::Bundle;
 pub use instance::{Port, Ports, instance};
 pub use phases::Phases;
 // For printing.
+pub use block::{Block, Fact, Node, NodeId, Op, Probe, Rate};
 #[doc(hidden)]
 pub use place::{Place, Step, append_step};
 pub use signals::Signals;
-pub use unit::{Fact, Node, NodeId, Op, Probe, Rate, Unit};
 pub use vector::Vec3;

@@ -1,11 +1,11 @@
 //! Time sharing: a value for each phase of the slot.
 
+use super::block::Rate;
 use super::build::{Sig, Top};
 use super::signals::Signals;
-use super::unit::Rate;
 use crate::op::Type;
 
-/// What a shared unit works on in each phase; nothing in idle ones. *Late* phases belong to the pair whose slot began a
+/// What a shared block works on in each phase; nothing in idle ones. *Late* phases belong to the pair whose slot began a
 /// whole number of intervals earlier: they read results of early phases.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Phases<T> {
@@ -126,16 +126,16 @@ impl<T> Phases<T> {
 
 impl Phases<i128> {
     /// A constant of each phase. Idle phases repeat the first busy one, as the operands of idle phases do, so that what a
-    /// unit computes there is in range too.
+    /// block computes there is in range too.
     ///
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// let weights = Phases::new(3, |s| (s != 1).then_some(2 + s as i128));
-    /// assert_eq!(evaluated(3, &[5], |x| weights.constant(x[0].unit(), NUMBER)), [2, 2, 4]);
+    /// assert_eq!(evaluated(3, &[5], |x| weights.constant(x[0].block(), NUMBER)), [2, 2, 4]);
     /// ```
-    pub fn constant<'l>(&self, unit: Top<'l>, ty: Type) -> Sig<'l> {
+    pub fn constant<'l>(&self, block: Top<'l>, ty: Type) -> Sig<'l> {
         let first = self.busy().next().map(|(_, x)| *x);
-        unit.pattern((0..self.of.len()).map(|s| self.get(s).copied().or(first)).collect(), ty)
+        block.pattern((0..self.of.len()).map(|s| self.get(s).copied().or(first)).collect(), ty)
     }
 }
 
@@ -168,8 +168,8 @@ impl<'l, B: Signals<'l>> Phases<B> {
         if operands.len() == 1 && operands[0].0.iter().all(|signal| signal.rate() == Rate::Any) {
             return any.clone();
         }
-        let unit = first.unit();
-        let select = unit.pattern(taken.iter().map(|t| t.map(|t| t as i128)).collect(), Type::index(operands.len()));
+        let block = first.block();
+        let select = block.pattern(taken.iter().map(|t| t.map(|t| t as i128)).collect(), Type::index(operands.len()));
         let mut signals = 0..;
         any.each(|_, signal| {
             let i = signals.next().unwrap_or(0);

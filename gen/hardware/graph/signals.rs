@@ -1,9 +1,9 @@
 //! Bundles of graph signals: what is done with a bundle as a whole.
 
+use super::block::Block;
 use super::build::{Library, Sig, Top};
 use super::bundle::Bundle;
 use super::place::Step;
-use super::unit::Unit;
 use crate::op::Select;
 use std::rc::Rc;
 
@@ -15,27 +15,27 @@ impl<'l> Bundle<Sig<'l>> for Sig<'l> {
 }
 
 impl Library {
-    /// The unit at the top, made by a function from the library to its outputs.
+    /// The block at the top, made by a function from the library to its outputs.
     ///
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// let library = Library::default();
-    /// let unit = library.unit("sum", &["z = x + y"], 1, |top| {
+    /// let block = library.block("sum", &["z = x + y"], 1, |top| {
     ///     let [x, y] = ["x", "y"].map(|name| top.input(NUMBER, (0, 9)).named(name));
     ///     (x + y).named("z")
     /// });
-    /// assert_eq!(unit.inputs.len(), 2);
+    /// assert_eq!(block.inputs.len(), 2);
     /// ```
-    pub fn unit<'l, R: Signals<'l>>(
+    pub fn block<'l, R: Signals<'l>>(
         &'l self,
         name: &str,
         doc: &[&str],
         interval: usize,
         body: impl FnOnce(Top<'l>) -> R,
-    ) -> Rc<Unit> {
-        let unit = self.begin(name, doc, interval, interval);
-        let outputs = body(Top::of(self, unit)).signals();
-        self.finish(unit, &outputs)
+    ) -> Rc<Block> {
+        let block = self.begin(name, doc, interval, interval);
+        let outputs = body(Top::of(self, block)).signals();
+        self.finish(block, &outputs)
     }
 }
 
@@ -129,8 +129,8 @@ pub trait Signals<'l>: Bundle<Sig<'l>> {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// let library = Library::default();
-    /// let unit = library.unit("copy", &[], 1, |top| top.input(NUMBER, (0, 9)).named("x").comment("equation 2"));
-    /// assert_eq!(unit.nodes[0].comment, "equation 2");
+    /// let block = library.block("copy", &[], 1, |top| top.input(NUMBER, (0, 9)).named("x").comment("equation 2"));
+    /// assert_eq!(block.nodes[0].comment, "equation 2");
     /// ```
     fn comment(self, text: &str) -> Self {
         self.each(|_, signal| signal.set_comment(text))
@@ -141,8 +141,8 @@ pub trait Signals<'l>: Bundle<Sig<'l>> {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// let library = Library::default();
-    /// let unit = library.unit("copy", &[], 1, |top| top.input(NUMBER, (0, 9)).named("x").probe(&[(0, false)]));
-    /// assert_eq!(unit.probes.len(), 1);
+    /// let block = library.block("copy", &[], 1, |top| top.input(NUMBER, (0, 9)).named("x").probe(&[(0, false)]));
+    /// assert_eq!(block.probes.len(), 1);
     /// ```
     fn probe(self, phases: &[(usize, bool)]) -> Self {
         self.each(|_, signal| signal.set_probe(phases))

@@ -1,4 +1,4 @@
-//! Lowering: a scheduled unit becomes a module, every wait a register.
+//! Lowering: a scheduled block becomes a module, every wait a register.
 //!
 //! Names: a value delayed by n clocks is `name_d<n>`, a per-pair value captured again n clocks later is `name_h<n>`, a
 //! constant of each phase read from phase p of the slot on is `name_at_<p>`, and the strobe of phase p is element p of
@@ -19,7 +19,7 @@ mod tapped_line;
 use self::multiplexer::Digits;
 use super::module::{Driver, Instance, Module, Signal, SignalId};
 use crate::device::Device;
-use crate::graph::{Op, Place, Rate, Step, Unit};
+use crate::graph::{Block, Op, Place, Rate, Step};
 use crate::op::{Or, Type};
 use crate::schedule::{Schedule, Scheduler};
 use std::collections::{BTreeMap, BTreeSet, HashMap};
@@ -39,15 +39,15 @@ pub struct Probe {
     pub ty: Type,
     /// Whether there is a value in each phase.
     pub per_phase: bool,
-    /// Phases with a meaning, each with the clock of its value relative to phase 0 of the unit's inputs.
+    /// Phases with a meaning, each with the clock of its value relative to phase 0 of the block's inputs.
     pub clocks: Vec<(usize, i32)>,
 }
 
-/// Lowers scheduled units to modules, each unit once.
+/// Lowers scheduled blocks to modules, each block once.
 pub struct Lowering<'a> {
     scheduler: &'a mut Scheduler,
     device: &'static Device,
-    done: HashMap<*const Unit, Rc<Module>>,
+    done: HashMap<*const Block, Rc<Module>>,
     /// Delay lines with a tap, by sign and bits of what they delay.
     lines: HashMap<(bool, u32), Rc<Module>>,
 }
@@ -58,13 +58,13 @@ impl<'a> Lowering<'a> {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// # let library = Library::default();
-    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// # let block = library.block("square", &[], 1, |top| {
     /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
     /// #     (x * x).named("y")
     /// # });
     /// let device = device::find("xc2v6000-4")?;
     /// let mut scheduler = Scheduler::new(device, 100);
-    /// let (module, _) = Lowering::new(&mut scheduler, device).lower(&unit, false);
+    /// let (module, _) = Lowering::new(&mut scheduler, device).lower(&block, false);
     /// assert_eq!(module.register_bits(), 32);
     /// # Ok::<(), device::UnknownDevice>(())
     /// ```
@@ -72,25 +72,25 @@ impl<'a> Lowering<'a> {
         Self { scheduler, device, done: HashMap::new(), lines: HashMap::new() }
     }
 
-    /// The module of a unit; `probed` brings out the nodes the unit marks.
+    /// The module of a block; `probed` brings out the nodes the block marks.
     ///
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// # let library = Library::default();
-    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// # let block = library.block("square", &[], 1, |top| {
     /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
     /// #     (x * x).named("y")
     /// # });
     /// let device = device::find("xc2v6000-4")?;
     /// let mut scheduler = Scheduler::new(device, 100);
-    /// let (module, probes) = Lowering::new(&mut scheduler, device).lower(&unit, true);
+    /// let (module, probes) = Lowering::new(&mut scheduler, device).lower(&block, true);
     /// assert_eq!((module.latency, probes.len()), (Some(1), 0));
     /// # Ok::<(), device::UnknownDevice>(())
     /// ```
-    pub fn lower(&mut self, unit: &Rc<Unit>, probed: bool) -> (Rc<Module>, Vec<Probe>) {
-        let schedule = self.scheduler.schedule(unit);
+    pub fn lower(&mut self, block: &Rc<Block>, probed: bool) -> (Rc<Module>, Vec<Probe>) {
+        let schedule = self.scheduler.schedule(block);
         let mut modules = HashMap::new();
-        for (i, node) in unit.nodes.iter().enumerate() {
+        for (i, node) in block.nodes.iter().enumerate() {
             let Op::Instance(child) = &node.op else { continue };
             let key = Rc::as_ptr(child);
             let known = self.done.get(&key).cloned();
@@ -98,14 +98,14 @@ impl<'a> Lowering<'a> {
             self.done.insert(key, Rc::clone(&module));
             modules.insert(i, module);
         }
-        let out = Module::new(&unit.name, unit.doc.clone());
+        let out = Module::new(&block.name, block.doc.clone());
         let lowered = Lowered {
-            unit: Rc::clone(unit),
+            block: Rc::clone(block),
             schedule: &schedule,
             modules: &modules,
             device: self.device,
             out,
-            base: vec![None; unit.nodes.len()],
+            base: vec![None; block.nodes.len()],
             copies: BTreeMap::new(),
             strobes: vec![],
             selects: BTreeMap::new(),
@@ -123,7 +123,7 @@ impl<'a> Lowering<'a> {
 }
 
 struct Lowered<'a> {
-    unit: Rc<Unit>,
+    block: Rc<Block>,
     schedule: &'a Schedule,
     modules: &'a HashMap<usize, Rc<Module>>,
     device: &'static Device,
@@ -151,12 +151,12 @@ struct Lowered<'a> {
 
 impl Lowered<'_> {
     fn interval(&self) -> i32 {
-        self.unit.interval as i32
+        self.block.interval as i32
     }
 
     fn run(mut self, probed: bool) -> (Rc<Module>, Vec<Probe>) {
-        let unit = Rc::clone(&self.unit);
-        if unit.phased() {
+        let block = Rc::clone(&self.block);
+        if block.phased() {
             let latency = self.schedule.latency;
             let mut port = |place: Place, ty, comment: &str| {
                 let port = self.push(place, ty, Driver::Port);
@@ -166,25 +166,25 @@ impl Lowered<'_> {
             };
             let phase = port(
                 Place::new(PHASE),
-                Type::index(unit.interval),
+                Type::index(block.interval),
                 "phase of the slot: 0 in the first clock of the inputs",
             );
             let place = |age: i32| Place::at(HOLDS, &[Step::Index(age as usize)]);
             // Outputs of every phase leave until the last phase of the slot that begins with the latency.
-            let per_phase = unit.outputs.iter().any(|(_, node)| unit.node(*node).rate == Rate::Phase);
-            let last = latency + if per_phase { unit.interval as i32 - 1 } else { 0 };
-            let ages = 0..=last / unit.interval as i32;
+            let per_phase = block.outputs.iter().any(|(_, node)| block.node(*node).rate == Rate::Phase);
+            let last = latency + if per_phase { block.interval as i32 - 1 } else { 0 };
+            let ages = 0..=last / block.interval as i32;
             self.holds =
                 ages.map(|age| port(place(age), Type::FLAG, "whether the slot k slots ago holds a pair")).collect();
             self.phase = Some(phase);
         }
-        for input in &unit.inputs {
+        for input in &block.inputs {
             let id = self.of_node(input.0, Driver::Port);
             self.out.inputs.push(id);
         }
         // Late operands refer to nodes that come later: everything else first, what has late operands connected last.
         let mut pending = vec![];
-        for (i, node) in unit.nodes.iter().enumerate() {
+        for (i, node) in block.nodes.iter().enumerate() {
             match &node.op {
                 Op::Mux { late } if late.contains(&true) => pending.push((i, self.reserve_mux(i))),
                 _ => self.node(i),
@@ -195,7 +195,7 @@ impl Lowered<'_> {
             self.connect_mux(i, id, operands);
         }
         let latency = self.schedule.latency;
-        for (place, node) in &unit.outputs {
+        for (place, node) in &block.outputs {
             let id = self.fetch(node.0, latency);
             self.out.outputs.push((place.clone(), id));
         }
@@ -206,10 +206,10 @@ impl Lowered<'_> {
     }
 
     fn probes(&mut self) -> Vec<Probe> {
-        let unit = Rc::clone(&self.unit);
+        let block = Rc::clone(&self.block);
         let mut probes = vec![];
-        for probe in &unit.probes {
-            let (i, slot, node) = (probe.node.0, self.schedule.slots[probe.node.0], unit.node(probe.node));
+        for probe in &block.probes {
+            let (i, slot, node) = (probe.node.0, self.schedule.slots[probe.node.0], block.node(probe.node));
             let Some(id) = self.base[i] else { continue };
             let per_phase = node.rate == Rate::Phase;
             let name = node.name();
@@ -234,7 +234,7 @@ impl Lowered<'_> {
 
     /// The signal of a node.
     fn of_node(&mut self, i: usize, driver: Driver) -> SignalId {
-        let node = &self.unit.nodes[i];
+        let node = &self.block.nodes[i];
         let (place, named, ty) = (node.place.clone(), node.named, node.ty);
         let id = self.push(place, ty, driver);
         self.out.signals[id.0].named = named;
@@ -246,8 +246,8 @@ impl Lowered<'_> {
 
     fn describe(&mut self, id: SignalId, node: usize, clock: Option<i32>) {
         let signal = &mut self.out.signals[id.0];
-        signal.comment.clone_from(&self.unit.nodes[node].comment);
-        signal.range = Some(self.unit.range(node));
+        signal.comment.clone_from(&self.block.nodes[node].comment);
+        signal.range = Some(self.block.range(node));
         signal.clock = clock;
     }
 
@@ -257,12 +257,12 @@ impl Lowered<'_> {
 
     /// Computes node `i` from its operands.
     fn node(&mut self, i: usize) {
-        let unit = Rc::clone(&self.unit);
-        let node = &unit.nodes[i];
+        let block = Rc::clone(&self.block);
+        let node = &block.nodes[i];
         let slot = self.schedule.slots[i];
         match &node.op {
             Op::Input { .. } | Op::Steady | Op::Phase(..) | Op::Earlier(_) => {}
-            _ if unit.renames(i) => self.rename(i),
+            _ if block.renames(i) => self.rename(i),
             Op::Capture { phase, late } => {
                 let arg = node.args[0].0;
                 let lag = if *late { self.schedule.lag_clocks() } else { 0 };
@@ -331,12 +331,12 @@ impl Lowered<'_> {
 
     /// Knowledge, not hardware; what is known of the value is said where it is declared.
     fn rename(&mut self, i: usize) {
-        let unit = Rc::clone(&self.unit);
-        let node = &unit.nodes[i];
+        let block = Rc::clone(&self.block);
+        let node = &block.nodes[i];
         let Some(id) = self.base[node.args[0].0] else { return };
         self.base[i] = Some(id);
         let signal = &mut self.out.signals[id.0];
-        signal.range = Some(unit.range(i));
+        signal.range = Some(block.range(i));
         signal.ty.fraction = node.ty.fraction;
         if !node.comment.is_empty() {
             signal.comment.clone_from(&node.comment);
@@ -366,19 +366,19 @@ impl Lowered<'_> {
 
     /// The value of a node as it was some phases before a clock.
     fn fetch_earlier(&mut self, i: usize, clock: i32, phases: usize) -> SignalId {
-        let i = self.unit.carrier(i);
+        let i = self.block.carrier(i);
         let slot = self.schedule.slots[i];
         let (used, clock) = (clock, clock.saturating_add(phases as i32));
-        match &self.unit.nodes[i].op {
+        match &self.block.nodes[i].op {
             Op::Phase(..) => return self.select(i, clock, used, Digits::All),
-            Op::Earlier(more) => return self.fetch_earlier(self.unit.nodes[i].args[0].0, used, phases + more),
+            Op::Earlier(more) => return self.fetch_earlier(self.block.nodes[i].args[0].0, used, phases + more),
             _ => {}
         }
         let base = self.base[i].expect("operands come first");
         if slot.from == i32::MIN || clock == slot.from {
             return base;
         }
-        assert!(clock > slot.from, "{}: {} is read before it is there", self.unit.name, self.unit.nodes[i].name());
+        assert!(clock > slot.from, "{}: {} is read before it is there", self.block.name, self.block.nodes[i].name());
         if slot.until == i32::MAX {
             return self.delayed(i, clock - slot.from);
         }
@@ -404,7 +404,7 @@ impl Lowered<'_> {
         // A copy is called after the signal, which may have a name that its node has not.
         let base = self.base[i].expect("operands come first");
         let place = self.out.signal(base).place.suffixed(&format!("{kind}{clocks}"));
-        let id = self.register(place, self.unit.nodes[i].ty, from, enable);
+        let id = self.register(place, self.block.nodes[i].ty, from, enable);
         self.describe(id, i, Some(self.schedule.slots[i].from + clocks));
         let signal = &mut self.out.signals;
         signal[id.0].ty = signal[base.0].ty;
@@ -415,7 +415,7 @@ impl Lowered<'_> {
 
     /// A per-pair value captured again so that its window begins in clock `earliest` to `latest`.
     fn hold(&mut self, i: usize, earliest: i32, latest: i32) -> SignalId {
-        let i = self.unit.carrier(i);
+        let i = self.block.carrier(i);
         let slot = self.schedule.slots[i];
         let base = self.base[i].expect("operands come first");
         let known = self.copies.range((base, earliest - slot.from)..=(base, latest - slot.from)).next_back();
@@ -426,8 +426,8 @@ impl Lowered<'_> {
         let (mut from, mut until) = (slot.from, slot.until);
         loop {
             let at = until.min(latest);
-            let name = || self.unit.nodes[i].name();
-            assert!(at > from, "{}: {} cannot be held from {earliest} to {latest}: {slot:?}", self.unit.name, name());
+            let name = || self.block.nodes[i].name();
+            assert!(at > from, "{}: {} cannot be held from {earliest} to {latest}: {slot:?}", self.block.name, name());
             let clocks = at - slot.from;
             source = match self.copies.get(&(base, clocks)) {
                 Some(id) => *id,

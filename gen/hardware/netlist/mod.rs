@@ -1,4 +1,4 @@
-//! Netlists: scheduled units as clocked modules, control logic written as such, and their simulation.
+//! Netlists: scheduled blocks as clocked modules, control logic written as such, and their simulation.
 
 mod control;
 pub mod lower;

@@ -1,7 +1,7 @@
-//! Clocked modules: what a scheduled unit becomes. One module is one entity of the printed design.
+//! Clocked modules: what a scheduled block becomes. One module is one entity of the printed design.
 //!
 //! A module is a list of signals, each with one driver: a combinational operation, a register, a memory or the output
-//! of an instance. Units are [lowered](super::lower()) to modules; the little control logic there is (sequencer, top) is
+//! of an instance. Blocks are [lowered](super::lower()) to modules; the little control logic there is (sequencer, top) is
 //! written with [`Control`](super::Control), because it has state that no dataflow graph has.
 
 use crate::device::SHORTEST_PRODUCT;
@@ -158,7 +158,7 @@ pub struct Module {
     pub outputs: Vec<(Place, SignalId)>,
     /// Instances.
     pub instances: Vec<Instance>,
-    /// Clocks from inputs to outputs, for lowered units.
+    /// Clocks from inputs to outputs, for lowered blocks.
     pub latency: Option<i32>,
 }
 

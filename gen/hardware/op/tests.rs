@@ -66,7 +66,7 @@ fn subranges(ty: &Type) -> Vec<Range> {
     (least..=most).flat_map(|lo| (lo..=most).map(move |hi| (lo, hi))).collect()
 }
 
-/// Where all values fit the type of the result, so does the range: else units are refused. A resize cuts its values.
+/// Where all values fit the type of the result, so does the range: else blocks are refused. A resize cuts its values.
 #[test]
 fn ranges_of_operations_fit_their_types() {
     for Case { op, types, to } in cases().into_iter().filter(|case| !matches!(case.op, Comb::Resize(_))) {
@@ -86,7 +86,7 @@ fn ranges_of_operations_enclose_their_values() {
             let value = op.value(&args, &types, to);
             let alone: Vec<Range> = args.iter().map(|x| (*x, *x)).collect();
             let (least, most) = op.range(&alone, &types, to);
-            // What does not fit is refused when a unit is built.
+            // What does not fit is refused when a block is built.
             assert!((least..=most).contains(&value) || !to.holds((least, most)), "{op:?} of {args:?} is {value}");
         }
         let all = types.iter().map(subranges).fold(vec![vec![]], |all: Vec<Vec<Range>>, each| {
@@ -134,7 +134,7 @@ fn cells_compute_the_values() {
             assert_eq!(result.len(), to.bits as usize, "{op:?}");
             for values in operands(&types) {
                 let found = evaluate(&words, &args, &values, &result);
-                // A value that does not fit the type is refused when a unit is built.
+                // A value that does not fit the type is refused when a block is built.
                 let expected = to.wrap(op.value(&values, &types, to));
                 assert_eq!(to.wrap(found), expected, "{op:?} of {values:?} on {}", device.name);
             }

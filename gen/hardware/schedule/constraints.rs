@@ -1,8 +1,8 @@
-//! From a unit and its earliest schedule to the program of all schedules of the same latency.
+//! From a block and its earliest schedule to the program of all schedules of the same latency.
 
 use super::linear_program::{Event, Held, LinearProgram, Reading, Stream};
 use super::{GROUP, Pass, Slot, delay, operand_phases};
-use crate::graph::{Op, Unit};
+use crate::graph::{Block, Op};
 use crate::op::Comb;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
@@ -53,7 +53,7 @@ impl<'a> Constraints<'a> {
         latency: i32,
         output_ns: f64,
     ) -> (LinearProgram, Vec<Option<usize>>) {
-        let count = pass.unit.nodes.len();
+        let count = pass.block.nodes.len();
         let program = LinearProgram {
             variables: vec!["ports".to_owned()],
             interval: pass.interval(),
@@ -68,7 +68,7 @@ impl<'a> Constraints<'a> {
             pass,
             earliest,
             program,
-            live: live(pass.unit),
+            live: live(pass.block),
             valid: vec![],
             variables: none,
             bundles: HashMap::new(),
@@ -83,7 +83,7 @@ impl<'a> Constraints<'a> {
         for i in 0..count {
             all.uses(i);
         }
-        for (_, node) in &pass.unit.outputs {
+        for (_, node) in &pass.block.outputs {
             let out = PORTS.later(latency);
             match all.valid[node.0].clone() {
                 Valid::Always => {}
@@ -110,7 +110,7 @@ impl<'a> Constraints<'a> {
     /// A start for a node. The elements of a bundle that start together in the earliest schedule go on doing so, so that
     /// they are printed as one.
     fn variable(&mut self, i: usize) -> Event {
-        let (node, slot) = (&self.pass.unit.nodes[i], self.earliest[i]);
+        let (node, slot) = (&self.pass.block.nodes[i], self.earliest[i]);
         let bundle = (format!("{}{}", node.place.base, node.place.suffix), slot.start, slot.from);
         let variable = *self.bundles.entry(bundle).or_insert_with(|| {
             self.program.variables.push(node.name());
@@ -125,8 +125,8 @@ impl<'a> Constraints<'a> {
 
     /// When the value of a node is there; operands come first.
     fn node(&mut self, i: usize) -> Valid {
-        let (unit, slot) = (self.pass.unit, self.earliest[i]);
-        let node = &unit.nodes[i];
+        let (block, slot) = (self.pass.block, self.earliest[i]);
+        let node = &block.nodes[i];
         let interval = self.pass.interval();
         let bits = u64::from(node.ty.bits);
         match &node.op {
@@ -135,7 +135,7 @@ impl<'a> Constraints<'a> {
             Op::Comb(Comb::Constant(_)) | Op::Phase(..) | Op::Steady => Valid::Always,
             // What no output depends on is no hardware and follows the others.
             _ if !self.live[i] => Valid::Always,
-            _ if unit.renames(i) => self.valid[node.args[0].0].clone(),
+            _ if block.renames(i) => self.valid[node.args[0].0].clone(),
             Op::Output(_) | Op::Earlier(_) => self.valid[node.args[0].0].clone(),
             Op::Capture { phase, late } => {
                 self.program.fixed += bits;
@@ -199,22 +199,22 @@ impl<'a> Constraints<'a> {
 
     /// What node `i` needs of its operands.
     fn uses(&mut self, i: usize) {
-        let (unit, slot) = (self.pass.unit, self.earliest[i]);
-        if let (Op::Capture { .. }, Some(arg)) = (&unit.nodes[i].op, unit.nodes[i].args.first())
+        let (block, slot) = (self.pass.block, self.earliest[i]);
+        if let (Op::Capture { .. }, Some(arg)) = (&block.nodes[i].op, block.nodes[i].args.first())
             && let (Op::Earlier(_), Valid::Stream(from)) =
-                (&unit.nodes[self.pass.unit.carrier(arg.0)].op, &self.valid[arg.0])
+                (&block.nodes[self.pass.block.carrier(arg.0)].op, &self.valid[arg.0])
         {
             return self.carry(arg.0, *from);
         }
         let Some(variable) = self.variables[i] else { return };
         let start = Event { variable, offset: 0 };
-        if let Op::Mux { late } = &unit.nodes[i].op {
+        if let Op::Mux { late } = &block.nodes[i].op {
             let operands = late.len();
             for (operand, late) in late.iter().enumerate() {
-                let Some((first, last)) = operand_phases(unit, i, operand) else { continue };
+                let Some((first, last)) = operand_phases(block, i, operand) else { continue };
                 let lag = if *late { self.pass.lag_clocks() } else { 0 };
                 let limit = slot.latest_operand(self.pass.device, operands, *late);
-                let arg = unit.nodes[i].args[1 + operand].0;
+                let arg = block.nodes[i].args[1 + operand].0;
                 match self.valid[arg].clone() {
                     Valid::Always => {}
                     Valid::Stream(from) => {
@@ -231,7 +231,7 @@ impl<'a> Constraints<'a> {
             }
             return;
         }
-        for arg in unit.nodes[i].args.iter().map(|a| a.0) {
+        for arg in block.nodes[i].args.iter().map(|a| a.0) {
             match self.valid[arg].clone() {
                 Valid::Always => {}
                 Valid::Stream(from) => {
@@ -255,23 +255,23 @@ impl<'a> Constraints<'a> {
 
     /// A value of every phase is used in a clock.
     fn carry(&mut self, i: usize, mut at: Event) {
-        let mut i = self.pass.unit.carrier(i);
-        while let Op::Earlier(phases) = &self.pass.unit.nodes[i].op {
+        let mut i = self.pass.block.carrier(i);
+        while let Op::Earlier(phases) = &self.pass.block.nodes[i].op {
             at = at.later(*phases as i32);
-            i = self.pass.unit.carrier(self.pass.unit.nodes[i].args[0].0);
+            i = self.pass.block.carrier(self.pass.block.nodes[i].args[0].0);
         }
         let Valid::Stream(from) = self.valid[i] else { return };
         // With one phase, a choice among one is the per-pair value itself, and all that use it share its registers.
         if self.pass.interval() == 1
-            && matches!(&self.pass.unit.nodes[i].op, Op::Mux { late } if late.len() == 1)
-            && let arg = self.pass.unit.nodes[i].args[1].0
+            && matches!(&self.pass.block.nodes[i].op, Op::Mux { late } if late.len() == 1)
+            && let arg = self.pass.block.nodes[i].args[1].0
             && let Valid::Pair(windows) = self.valid[arg].clone()
         {
             return self.hold(arg, &windows, Reading { first: at, last: at, captured: false });
         }
         let streams = &mut self.program.streams;
         let place = *self.streams[i].get_or_insert_with(|| {
-            let node = &self.pass.unit.nodes[i];
+            let node = &self.pass.block.nodes[i];
             streams.push(Stream { name: node.name(), bits: node.ty.bits, from, uses: vec![] });
             streams.len() - 1
         });
@@ -282,13 +282,13 @@ impl<'a> Constraints<'a> {
 
     /// A per-pair value is used.
     fn hold(&mut self, i: usize, windows: &[Window], reading: Reading) {
-        let i = self.pass.unit.carrier(i);
+        let i = self.pass.block.carrier(i);
         for w in windows {
             self.order(w.from.later(i32::from(reading.captured)), reading.first);
         }
         let held = &mut self.program.held;
         let place = *self.held[i].get_or_insert_with(|| {
-            let node = &self.pass.unit.nodes[i];
+            let node = &self.pass.block.nodes[i];
             let windows = windows.iter().map(|w| (w.from, w.until)).collect();
             held.push(Held { name: node.name(), bits: node.ty.bits, windows, uses: vec![] });
             held.len() - 1
@@ -301,8 +301,8 @@ impl<'a> Constraints<'a> {
     /// Two nodes on a path that does not fit in one clock are at least one clock apart.
     fn paths(&mut self, origin: usize, latency: i32, output_ns: f64) {
         let Valid::Stream(from) = self.valid[origin] else { return };
-        let node = &self.pass.unit.nodes[origin];
-        if matches!(node.op, Op::Output(_)) || self.pass.unit.renames(origin) {
+        let node = &self.pass.block.nodes[origin];
+        if matches!(node.op, Op::Output(_)) || self.pass.block.renames(origin) {
             return;
         }
         let arrival = match &node.op {
@@ -312,11 +312,11 @@ impl<'a> Constraints<'a> {
             _ if from.offset > 0 || matches!(node.op, Op::Input { .. }) => self.pass.launch(),
             _ => self.base(origin) + self.delay(origin),
         };
-        let mut arrivals = vec![f64::NEG_INFINITY; self.pass.unit.nodes.len()];
+        let mut arrivals = vec![f64::NEG_INFINITY; self.pass.block.nodes.len()];
         arrivals[origin] = arrival;
         let mut open: BTreeSet<usize> = self.pass.users[origin].iter().copied().collect();
         while let Some(i) = open.pop_first() {
-            let node = &self.pass.unit.nodes[i];
+            let node = &self.pass.block.nodes[i];
             // Late operands come from registers.
             let late = |k: usize| matches!(&node.op, Op::Mux { late } if k > 0 && late[k - 1]);
             let in_time = node.args.iter().enumerate().filter(|(k, _)| !late(*k));
@@ -324,13 +324,13 @@ impl<'a> Constraints<'a> {
             if before == f64::NEG_INFINITY {
                 continue;
             }
-            if self.pass.unit.renames(i) || matches!(self.pass.unit.nodes[i].op, Op::Output(_)) {
+            if self.pass.block.renames(i) || matches!(self.pass.block.nodes[i].op, Op::Output(_)) {
                 arrivals[i] = before;
                 open.extend(&self.pass.users[i]);
                 continue;
             }
             let Some(variable) = self.variables[i] else { continue };
-            if !matches!(self.pass.unit.nodes[i].op, Op::Mux { .. }) {
+            if !matches!(self.pass.block.nodes[i].op, Op::Mux { .. }) {
                 before = before.max(self.base(i));
             }
             let ns = before + self.delay(i);
@@ -343,7 +343,7 @@ impl<'a> Constraints<'a> {
             }
         }
         // Outputs arrive no later than in the earliest schedule, so that what follows them still fits.
-        if self.pass.unit.outputs.iter().any(|o| arrivals[o.1.0] > output_ns + 1e-9) {
+        if self.pass.block.outputs.iter().any(|o| arrivals[o.1.0] > output_ns + 1e-9) {
             self.order(from.later(1), PORTS.later(latency));
         }
     }
@@ -351,34 +351,34 @@ impl<'a> Constraints<'a> {
     /// Arrival of what does not depend on the schedule at the inputs of a node.
     fn base(&self, i: usize) -> f64 {
         let slot = self.earliest[i];
-        if let Op::Mux { late } = &self.pass.unit.nodes[i].op {
+        if let Op::Mux { late } = &self.pass.block.nodes[i].op {
             return slot.latest_operand(self.pass.device, late.len(), false);
         }
-        let always = self.pass.unit.nodes[i].args.iter().filter(|a| matches!(self.valid[a.0], Valid::Always));
+        let always = self.pass.block.nodes[i].args.iter().filter(|a| matches!(self.valid[a.0], Valid::Always));
         always.map(|a| self.earliest[a.0].ns).fold(self.pass.launch(), f64::max)
     }
 
     /// Delay from the inputs of a node to its output, or to its first registers; unlimited where operands must come
     /// from registers.
     fn delay(&self, i: usize) -> f64 {
-        let node = &self.pass.unit.nodes[i];
+        let node = &self.pass.block.nodes[i];
         match &node.op {
             Op::Instance(_) => self.pass.children[&i].input_path,
             _ if self.earliest[i].from > self.earliest[i].start => f64::INFINITY,
             Op::Mux { late } => self.pass.device.mux(late.len()),
-            _ => delay(self.pass.device, self.pass.unit, i),
+            _ => delay(self.pass.device, self.pass.block, i),
         }
     }
 }
 
 /// The nodes that some output depends on; of what merely renames its first operand the others do not count.
-fn live(unit: &Unit) -> Vec<bool> {
-    let mut live = vec![false; unit.nodes.len()];
-    let mut open: Vec<usize> = unit.outputs.iter().map(|o| o.1.0).collect();
+fn live(block: &Block) -> Vec<bool> {
+    let mut live = vec![false; block.nodes.len()];
+    let mut open: Vec<usize> = block.outputs.iter().map(|o| o.1.0).collect();
     while let Some(i) = open.pop() {
         if !std::mem::replace(&mut live[i], true) {
-            let args = &unit.nodes[i].args;
-            let count = if unit.renames(i) { 1 } else { args.len() };
+            let args = &block.nodes[i].args;
+            let count = if block.renames(i) { 1 } else { args.len() };
             open.extend(args[..count].iter().map(|a| a.0));
         }
     }

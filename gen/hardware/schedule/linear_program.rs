@@ -1,4 +1,4 @@
-//! The schedule of a unit as a linear program: difference constraints between start clocks, and register bits.
+//! The schedule of a block as a linear program: difference constraints between start clocks, and register bits.
 //!
 //! One integer per node: its start. A value that follows the phases is carried by one register per clock to its last use; a
 //! per-pair value is captured again once an interval after its window has closed. But for the whole number of captures the
@@ -95,7 +95,7 @@ pub struct Reading {
     pub captured: bool,
 }
 
-/// The program of one unit.
+/// The program of one block.
 #[derive(Clone, Debug)]
 pub struct LinearProgram {
     /// Names of the variables.

@@ -1,11 +1,11 @@
-//! Scheduling: when each node of a unit is computed, on a device at a clock period.
+//! Scheduling: when each node of a block is computed, on a device at a clock period.
 //!
 //! As soon as possible, on times (clock, nanoseconds): a node starts when its last operand has arrived; where it would
 //! end after the period it starts a clock later from registers, and what is too long even then misses the clock. A product
 //! stands between registers, the one behind it being the multiplier's own; where the nets to multipliers would take too much
 //! of the period, there is one more register in front of each operand. A multiplexer of more than four operands that is too
 //! long takes two clocks: among the operands of each group, then among the groups, with registers between; what is too long
-//! even so stays so. Units are scheduled by themselves,
+//! even so stays so. Blocks are scheduled by themselves,
 //! their inputs arriving from registers in clock 0, and all outputs leave at one latency; an instance then is one
 //! operation of its parent. That fixes the latency; within it nodes then start where they take the fewest register bits
 //! (see [`linear_program`]).
@@ -22,7 +22,7 @@ pub mod linear_program;
 
 use crate::device::Device;
 use crate::graph::flat::pattern;
-use crate::graph::{Op, Rate, Step, Unit};
+use crate::graph::{Block, Op, Rate, Step};
 use crate::op::{Comb, Type};
 use constraints::Constraints;
 use linear_program::LinearProgram;
@@ -32,7 +32,7 @@ use std::rc::Rc;
 /// When a node's value is there.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slot {
-    /// Clock in which the operands are consumed, relative to phase 0 of the unit's inputs.
+    /// Clock in which the operands are consumed, relative to phase 0 of the block's inputs.
     pub start: i32,
     /// Clock in which the value is first valid (per-phase values: that of phase 0).
     pub from: i32,
@@ -54,11 +54,11 @@ impl Slot {
     }
 }
 
-/// The schedule of one unit.
+/// The schedule of one block.
 #[derive(Clone, Debug)]
 pub struct Schedule {
-    /// The unit.
-    pub unit: Rc<Unit>,
+    /// The block.
+    pub block: Rc<Block>,
     /// One slot a node.
     pub slots: Vec<Slot>,
     /// Clocks from inputs to outputs.
@@ -69,7 +69,7 @@ pub struct Schedule {
     pub output_ns: f64,
     /// By how many intervals late phases follow.
     pub lag: i32,
-    /// The longest path between registers in the unit and its instances, ns, with the name of its last node.
+    /// The longest path between registers in the block and its instances, ns, with the name of its last node.
     pub critical: (f64, String),
     /// All schedules of this latency as a linear program.
     pub program: LinearProgram,
@@ -82,16 +82,16 @@ pub struct Schedule {
 }
 
 impl Schedule {
-    /// The schedules of the unit and of all units in it, instantiated ones first, each with its number of instances.
+    /// The schedules of the block and of all blocks in it, instantiated ones first, each with its number of instances.
     ///
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// # let library = Library::default();
-    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// # let block = library.block("square", &[], 1, |top| {
     /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
     /// #     (x * x).named("y")
     /// # });
-    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&unit);
+    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
     /// assert_eq!(schedule.hierarchy().len(), 1);
     /// # Ok::<(), device::UnknownDevice>(())
     /// ```
@@ -113,24 +113,24 @@ impl Schedule {
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// # let library = Library::default();
-    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// # let block = library.block("square", &[], 1, |top| {
     /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
     /// #     (x * x).named("y")
     /// # });
-    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&unit);
+    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
     /// assert_eq!(schedule.lag_clocks(), 0, "no late phases");
     /// # Ok::<(), device::UnknownDevice>(())
     /// ```
     pub fn lag_clocks(&self) -> i32 {
-        self.lag * self.unit.interval as i32
+        self.lag * self.block.interval as i32
     }
 }
 
-/// Schedules units for one device and clock; each unit once.
+/// Schedules blocks for one device and clock; each block once.
 pub struct Scheduler {
     device: &'static Device,
     period: f64,
-    done: HashMap<*const Unit, Rc<Schedule>>,
+    done: HashMap<*const Block, Rc<Schedule>>,
 }
 
 /// Legs of a group, where a multiplexer takes two clocks: two bits of the index choose among them.
@@ -139,7 +139,7 @@ pub const GROUP: usize = 4;
 /// Rounds in which bundles are aligned before those that still move are given up.
 const MOST_MOVES: usize = 64;
 
-/// Lags tried before giving up: a result that needs more intervals than this is a defect of the unit.
+/// Lags tried before giving up: a result that needs more intervals than this is a defect of the block.
 const MOST_LAG: i32 = 256;
 
 impl Scheduler {
@@ -165,24 +165,24 @@ impl Scheduler {
         self.period
     }
 
-    /// The schedule of a unit (made on first use).
+    /// The schedule of a block (made on first use).
     ///
     /// ```
     /// # use efsat_hardware::testing::examples::*;
     /// # let library = Library::default();
-    /// # let unit = library.unit("square", &[], 1, |top| {
+    /// # let block = library.block("square", &[], 1, |top| {
     /// #     let x = top.input(NUMBER, (-9, 9)).named("x");
     /// #     (x * x).named("y")
     /// # });
-    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&unit);
+    /// let schedule = Scheduler::new(device::find("xc2v6000-4")?, 100).schedule(&block);
     /// assert_eq!(schedule.latency, 1, "a product has a register");
     /// # Ok::<(), device::UnknownDevice>(())
     /// ```
-    pub fn schedule(&mut self, unit: &Rc<Unit>) -> Rc<Schedule> {
-        if let Some(schedule) = self.done.get(&Rc::as_ptr(unit)) {
+    pub fn schedule(&mut self, block: &Rc<Block>) -> Rc<Schedule> {
+        if let Some(schedule) = self.done.get(&Rc::as_ptr(block)) {
             return Rc::clone(schedule);
         }
-        let children: BTreeMap<usize, Rc<Schedule>> = unit
+        let children: BTreeMap<usize, Rc<Schedule>> = block
             .nodes
             .iter()
             .enumerate()
@@ -191,21 +191,21 @@ impl Scheduler {
                 _ => None,
             })
             .collect();
-        let late = unit.nodes.iter().any(|n| matches!(&n.op, Op::Mux { late } if late.contains(&true)));
+        let late = block.nodes.iter().any(|n| matches!(&n.op, Op::Mux { late } if late.contains(&true)));
         let lags = if late { 0..MOST_LAG } else { 0..1 };
         let schedule = lags
             .map(|lag| Pass {
                 device: self.device,
                 period: self.period,
-                unit,
+                block,
                 children: &children,
-                users: users(unit),
+                users: users(block),
                 lag,
             })
             .find_map(|pass| pass.run())
-            .unwrap_or_else(|| panic!("unit {}: late operands depend on themselves", unit.name));
+            .unwrap_or_else(|| panic!("block {}: late operands depend on themselves", block.name));
         let schedule = Rc::new(schedule);
-        self.done.insert(Rc::as_ptr(unit), Rc::clone(&schedule));
+        self.done.insert(Rc::as_ptr(block), Rc::clone(&schedule));
         schedule
     }
 }
@@ -214,7 +214,7 @@ impl Scheduler {
 struct Pass<'a> {
     device: &'static Device,
     period: f64,
-    unit: &'a Rc<Unit>,
+    block: &'a Rc<Block>,
     children: &'a BTreeMap<usize, Rc<Schedule>>,
     /// The nodes that have each node as operand.
     users: Vec<Vec<usize>>,
@@ -250,13 +250,13 @@ impl Pass<'_> {
 
     /// Whether a node is a product whose operands each have a register of their own.
     fn registers_operands(&self, i: usize) -> bool {
-        let node = &self.unit.nodes[i];
+        let node = &self.block.nodes[i];
         matches!(node.op, Op::Comb(Comb::Multiply(_)))
             && self.device.registers_operands(node.ty.bits, self.period - self.device.setup() + 1e-9)
     }
 
     fn interval(&self) -> i32 {
-        self.unit.interval as i32
+        self.block.interval as i32
     }
 
     fn lag_clocks(&self) -> i32 {
@@ -294,7 +294,7 @@ impl Pass<'_> {
     fn aligned(&self) -> Vec<Slot> {
         let mut bundles = self.bundles();
         loop {
-            let mut wishes = vec![NO_WISH; self.unit.nodes.len()];
+            let mut wishes = vec![NO_WISH; self.block.nodes.len()];
             let mut moving = HashSet::new();
             for _ in 0..MOST_MOVES {
                 let slots = self.slots(&wishes);
@@ -320,13 +320,13 @@ impl Pass<'_> {
 
     /// The nodes that are elements of one vector or record: all of them, or those of one field.
     fn bundles(&self) -> Vec<Vec<usize>> {
-        let unit = self.unit;
+        let block = self.block;
         let mut bundles: BTreeMap<(String, Vec<Step>), Vec<usize>> = BTreeMap::new();
-        for (i, node) in unit.nodes.iter().enumerate() {
-            let own = matches!(node.op, Op::Comb(_) | Op::Mux { .. }) && !unit.renames(i);
+        for (i, node) in block.nodes.iter().enumerate() {
+            let own = matches!(node.op, Op::Comb(_) | Op::Mux { .. }) && !block.renames(i);
             let constant = matches!(node.op, Op::Comb(Comb::Constant(_)));
             let element = node.place.path.iter().any(|step| !matches!(step, Step::Index(_)));
-            let read = !self.users[i].is_empty() || unit.outputs.iter().any(|o| o.1.0 == i);
+            let read = !self.users[i].is_empty() || block.outputs.iter().any(|o| o.1.0 == i);
             if own && !constant && element && read {
                 let elements = node.place.path.iter().copied().filter(|step| matches!(step, Step::Index(_)));
                 let key = (format!("{}{}", node.place.base, node.place.suffix), elements.collect());
@@ -341,7 +341,7 @@ impl Pass<'_> {
             }
             let mut fields: BTreeMap<Option<Step>, Vec<usize>> = BTreeMap::new();
             for i in members {
-                let field = unit.nodes[i].place.path.iter().copied().find(|step| matches!(step, Step::Field(..)));
+                let field = block.nodes[i].place.path.iter().copied().find(|step| matches!(step, Step::Field(..)));
                 fields.entry(field).or_default().push(i);
             }
             all.extend(fields.into_values().filter(|members| !self.depend(members)));
@@ -351,7 +351,7 @@ impl Pass<'_> {
 
     /// Whether one of the nodes is made of another.
     fn depend(&self, nodes: &[usize]) -> bool {
-        let mut seen = vec![false; self.unit.nodes.len()];
+        let mut seen = vec![false; self.block.nodes.len()];
         let mut open: Vec<usize> = nodes.iter().flat_map(|i| self.users[*i].clone()).collect();
         while let Some(i) = open.pop() {
             if nodes.contains(&i) {
@@ -376,14 +376,14 @@ impl Pass<'_> {
 
     /// Clocks to the last output, and its arrival.
     fn latency(&self, slots: &[Slot]) -> (i32, f64) {
-        let outputs = || self.unit.outputs.iter().map(|o| slots[o.1.0]);
+        let outputs = || self.block.outputs.iter().map(|o| slots[o.1.0]);
         let latency = outputs().map(|s| s.from).max().unwrap_or(0).max(0);
         let late = outputs().filter(|s| s.from == latency);
         (latency, late.map(|s| s.ns).fold(self.launch(), f64::max))
     }
 
     fn schedule(&self, slots: Vec<Slot>, program: LinearProgram, starts: Vec<i32>) -> Schedule {
-        let unit = self.unit;
+        let block = self.block;
         let (latency, output_ns) = self.latency(&slots);
         // Every node that starts in clock 0 lies on a path from the inputs to the first register.
         let path = |i: usize| match self.children.get(&i) {
@@ -391,7 +391,7 @@ impl Pass<'_> {
             _ if slots[i].from == 0 => slots[i].ns,
             // With registers behind it an operation leaves nothing of the period to what comes before.
             None if (slots[i].start == 0 || self.registers_operands(i))
-                && !matches!(unit.nodes[i].op, Op::Capture { .. } | Op::Output(_)) =>
+                && !matches!(block.nodes[i].op, Op::Capture { .. } | Op::Output(_)) =>
             {
                 self.period
             }
@@ -400,13 +400,13 @@ impl Pass<'_> {
         let input_path = (0..slots.len()).map(path).fold(self.launch(), f64::max) - self.launch();
         let mut critical = (0.0, String::new());
         for (i, slot) in slots.iter().enumerate() {
-            let ns = match &unit.nodes[i].op {
+            let ns = match &block.nodes[i].op {
                 Op::Mux { .. } if slot.from > slot.start => slot.ns.max(self.launch() + self.device.mux(GROUP)),
-                Op::Comb(Comb::Multiply(_)) => self.launch() + delay(self.device, unit, i),
+                Op::Comb(Comb::Multiply(_)) => self.launch() + delay(self.device, block, i),
                 _ => slot.ns,
             };
             if ns > critical.0 {
-                critical = (ns, format!("{}.{}", unit.name, unit.nodes[i].name()));
+                critical = (ns, format!("{}.{}", block.name, block.nodes[i].name()));
             }
         }
         for child in self.children.values() {
@@ -415,7 +415,7 @@ impl Pass<'_> {
             }
         }
         Schedule {
-            unit: Rc::clone(unit),
+            block: Rc::clone(block),
             slots,
             latency,
             input_path,
@@ -430,7 +430,7 @@ impl Pass<'_> {
     }
 
     fn place(&self, i: usize, slots: &[Slot], wish: Wish) -> Slot {
-        let node = &self.unit.nodes[i];
+        let node = &self.block.nodes[i];
         let interval = self.interval();
         match &node.op {
             Op::Input { early } => {
@@ -439,7 +439,7 @@ impl Pass<'_> {
             }
             Op::Comb(Comb::Constant(_)) => Slot::ALWAYS,
             Op::Steady => Slot { ns: self.launch(), ..Slot::ALWAYS },
-            _ if self.unit.renames(i) => slots[node.args[0].0],
+            _ if self.block.renames(i) => slots[node.args[0].0],
             Op::Phase(..) => Slot { ns: self.launch(), ..Slot::ALWAYS },
             Op::Capture { phase, late } => {
                 let arg = slots[node.args[0].0];
@@ -466,7 +466,7 @@ impl Pass<'_> {
                 Slot { start, from: start + child.latency, until, ns, registered }
             }
             op => {
-                let delay = delay(self.device, self.unit, i);
+                let delay = delay(self.device, self.block, i);
                 // Made of constants of each phase alone: they are there at any time, but another one in every clock.
                 let wish = if node.rate == Rate::Phase { Wish { start: wish.start.max(0), ..wish } } else { wish };
                 let (arrival, start, ns, registered) = self.start(i, slots, delay, wish);
@@ -493,7 +493,7 @@ impl Pass<'_> {
         let in_register = self.launch() + delay;
         if wish.captured {
             // Operands that arrive after the edge, or are gone before the slot is over, are captured in the clock before.
-            let earliest = self.unit.nodes[i].args.iter().map(|a| slots[a.0]).map(|s| match s.until {
+            let earliest = self.block.nodes[i].args.iter().map(|a| slots[a.0]).map(|s| match s.until {
                 _ if s.from == i32::MIN => i32::MIN,
                 i32::MAX => s.from + i32::from(s.ns > self.launch()),
                 until => s.from + i32::from(s.ns > self.launch() || until < wish.start.saturating_add(self.interval())),
@@ -515,12 +515,12 @@ impl Pass<'_> {
     /// Whether an operand that is first there in a clock is gone before a slot is over: it has to be captured first.
     fn too_short(&self, i: usize, slots: &[Slot], clock: i32) -> bool {
         let until = clock.saturating_add(self.interval());
-        self.unit.nodes[i].args.iter().map(|a| slots[a.0]).any(|s| s.from == clock && s.until < until)
+        self.block.nodes[i].args.iter().map(|a| slots[a.0]).any(|s| s.from == clock && s.until < until)
     }
 
     /// When the last operand of a node arrives, or where that is later, clock `least`.
     fn arrival(&self, i: usize, slots: &[Slot], least: i32) -> Arrival {
-        let node = &self.unit.nodes[i];
+        let node = &self.block.nodes[i];
         let args: Vec<Slot> = node.args.iter().map(|a| slots[a.0]).collect();
         let clock = args.iter().map(|s| s.from).max().unwrap_or(i32::MIN).max(least);
         let mut arrival = Arrival { clock, ns: self.launch(), until: i32::MAX };
@@ -551,14 +551,14 @@ impl Pass<'_> {
     }
 
     fn place_mux(&self, i: usize, late: &[bool], slots: &[Slot], wish: Wish) -> Slot {
-        let node = &self.unit.nodes[i];
+        let node = &self.block.nodes[i];
         let delay = self.choice(late.len());
         let divided = self.divides(late.len());
         let mut clock = wish.start.max(0);
         loop {
             let (mut ready, mut ns) = (clock, self.launch());
             for (operand, is_late) in late.iter().enumerate() {
-                let Some((first, last)) = operand_phases(self.unit, i, operand).filter(|_| !is_late) else { continue };
+                let Some((first, last)) = operand_phases(self.block, i, operand).filter(|_| !is_late) else { continue };
                 let slot = slots[node.args[1 + operand].0];
                 if slot.from == i32::MIN {
                     continue;
@@ -583,10 +583,10 @@ impl Pass<'_> {
     }
 
     fn late_operands_arrive(&self, slots: &[Slot]) -> bool {
-        self.unit.nodes.iter().enumerate().all(|(i, node)| {
+        self.block.nodes.iter().enumerate().all(|(i, node)| {
             let Op::Mux { late } = &node.op else { return true };
             late.iter().enumerate().filter(|l| *l.1).all(|(operand, _)| {
-                let Some((first, last)) = operand_phases(self.unit, i, operand) else { return true };
+                let Some((first, last)) = operand_phases(self.block, i, operand) else { return true };
                 let slot = slots[node.args[1 + operand].0];
                 let read = |phase: usize| slots[i].start + phase as i32 + self.lag * self.interval();
                 let direct = slot.ns <= self.launch() && read(last) < slot.until;
@@ -599,9 +599,9 @@ impl Pass<'_> {
 }
 
 /// The nodes that have each node as operand.
-fn users(unit: &Unit) -> Vec<Vec<usize>> {
-    let mut users = vec![vec![]; unit.nodes.len()];
-    for (i, node) in unit.nodes.iter().enumerate() {
+fn users(block: &Block) -> Vec<Vec<usize>> {
+    let mut users = vec![vec![]; block.nodes.len()];
+    for (i, node) in block.nodes.iter().enumerate() {
         for arg in &node.args {
             users[arg.0].push(i);
         }
@@ -610,11 +610,11 @@ fn users(unit: &Unit) -> Vec<Vec<usize>> {
 }
 
 /// Delay of a node from its inputs to its output, nets before it included, ns.
-fn delay(device: &Device, unit: &Unit, i: usize) -> f64 {
-    let node = &unit.nodes[i];
+fn delay(device: &Device, block: &Block, i: usize) -> f64 {
+    let node = &block.nodes[i];
     match &node.op {
         Op::Comb(op) => {
-            let types: Vec<Type> = node.args.iter().map(|a| unit.node(*a).ty).collect();
+            let types: Vec<Type> = node.args.iter().map(|a| block.node(*a).ty).collect();
             op.delay(device, &types, node.ty)
         }
         Op::ScanOr => device.tree(2),
@@ -623,9 +623,9 @@ fn delay(device: &Device, unit: &Unit, i: usize) -> f64 {
 }
 
 /// First and last phase in which a operand of a multiplexer is read, if any.
-pub fn operand_phases(unit: &Unit, choose: usize, operand: usize) -> Option<(usize, usize)> {
-    let select = &unit.node(unit.nodes[choose].args[0]).op;
-    let mut phases = (0..unit.interval).filter(|s| pattern(select, *s) == Some(operand));
+pub fn operand_phases(block: &Block, choose: usize, operand: usize) -> Option<(usize, usize)> {
+    let select = &block.node(block.nodes[choose].args[0]).op;
+    let mut phases = (0..block.interval).filter(|s| pattern(select, *s) == Some(operand));
     let first = phases.next()?;
     Some((first, phases.next_back().unwrap_or(first)))
 }

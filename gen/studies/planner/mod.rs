@@ -3,7 +3,7 @@
 //! An effect is an optional stage of the unit or of the software before it ([`Effect`](efsat_unit::host::settings::Effect)). Whether a
 //! scene needs one is measured with the reference model on all pairs that survive ([`plan`](fn@plan)); then the unit
 //! without the others is run on the same pairs ([`run`](fn@run)). The rules are on a page of their own,
-//! `docs/effects.md`.
+//! `docs/planner.md`.
 
 mod bench;
 mod census;

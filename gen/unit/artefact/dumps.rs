@@ -9,8 +9,8 @@ use efsat_hardware::dump;
 pub fn dump_files(design: &Design, command_line: &str) -> FileSet {
     let mut set = FileSet::default();
     for (schedule, _) in design.schedules() {
-        let unit = &schedule.unit;
-        set.insert(format!("{}.graph.txt", unit.name), dump::unit(unit));
+        let unit = &schedule.block;
+        set.insert(format!("{}.graph.txt", unit.name), dump::block(unit));
         set.insert(format!("{}.schedule.txt", unit.name), dump::schedule(&schedule));
     }
     for module in design.top.hierarchy() {

@@ -14,7 +14,7 @@ pub fn programme_files(design: &Design, command_line: &str) -> FileSet {
     let mut set = FileSet::default();
     let mut units = "unit,instances,register_bits\n".to_owned();
     for (schedule, instances) in design.schedules() {
-        let name = &schedule.unit.name;
+        let name = &schedule.block.name;
         let doc = format!("The schedule of {name} in {} clocks; {command_line}", schedule.latency);
         set.insert(format!("{name}.lp"), schedule.program.text(&doc));
         let _ = writeln!(units, "{name},{instances},{}", schedule.register_bits);

@@ -40,7 +40,7 @@ pub fn axis_shift<'l>(p: &Params, exact: Vector<'l>) -> Vector<'l> {
         }
         let most = (1i128 << (n - 1)) - 1;
         let up = |x: Sig<'l>, lost: Sig<'l>| match p.upper {
-            Upper::Implied => x + x.unit().constant(1, Type::FLAG),
+            Upper::Implied => x + x.block().constant(1, Type::FLAG),
             Upper::Sticky => x + lost,
         };
         let bounded = |x: Sig<'l>| x.assume(most, "axis-shift").resize(working(p));

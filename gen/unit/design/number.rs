@@ -34,7 +34,7 @@ impl<'l> Number<Sig<'l>> {
 
     /// Flag: the upper bound is above the lower one.
     pub fn inexact(self) -> Sig<'l> {
-        self.sticky.unwrap_or_else(|| self.lo.unit().constant(1, Type::FLAG))
+        self.sticky.unwrap_or_else(|| self.lo.block().constant(1, Type::FLAG))
     }
 
     /// The interval: the upper bound is one unit in the last place above the lower one (equation 5), or a sticky bit.

@@ -13,7 +13,7 @@ use super::rounding::{Rounding, Roundings};
 use super::tested_axes::{self, Edges, Flags};
 use super::transform_row::{transform_row, translate_row};
 use crate::params::{FormatRow, Formats, Params, Transform};
-use efsat_hardware::graph::{Library, Phases, Sig, Signals, Top, Unit, Vec3};
+use efsat_hardware::graph::{Block, Library, Phases, Sig, Signals, Top, Vec3};
 use efsat_hardware::op::Type;
 use std::rc::Rc;
 
@@ -22,12 +22,12 @@ type Point<'l> = Vec3<Number<Sig<'l>>>;
 
 /// The data path for a parameter set. Its inputs are the pair and its pose, held for the slot; its outputs are
 /// `verdict`, `separated` and `overlapping` (bit i: axis i), and `outside` where there is a guard.
-pub fn unit(p: &Params) -> Rc<Unit> {
+pub fn unit(p: &Params) -> Rc<Block> {
     let doc = [
         "The data path of one pair: frame transform, re-normalisation, axes, verdict. Units are shared over the phases of",
         "the slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.",
     ];
-    Library::default().unit("pair_pipeline", &doc, p.interval(), |u| {
+    Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
         let path = Path { u, p, formats: p.formats(), guards: Guards::new(u, p) };
         let Inputs { v, w, pose } = Inputs::new(u, p);
         let b = pose.map(|pose| path.transformed(&w, &pose));

@@ -70,7 +70,7 @@ pub fn round_up<'l>(x: Sig<'l>, drop: u32, upper: Upper) -> Sig<'l> {
     let floor = x.floor(drop as i32);
     match upper {
         // floor + ulp (equation 5)
-        Upper::Implied => (floor + floor.unit().constant(1, Type::FLAG)).called("up"),
+        Upper::Implied => (floor + floor.block().constant(1, Type::FLAG)).called("up"),
         // Exact ceiling: floor + OR of the dropped bits.
         Upper::Sticky => (floor + x.low(drop).any().called("inexact")).called("up").known(Fact::Ceiling(drop), &[x]),
     }

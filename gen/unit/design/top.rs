@@ -5,7 +5,7 @@ use super::sequencer::{self, PoseReading, Sequencer};
 use super::{determinants, exact, number::input_type, pipeline};
 use crate::params::{Method, ParamError, Params, Transform};
 use efsat_hardware::device::{self, Device, UnknownDevice};
-use efsat_hardware::graph::{Place, Step, Unit};
+use efsat_hardware::graph::{Block, Place, Step};
 use efsat_hardware::netlist::lower::{Lowering, Probe};
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::number::Upper;
@@ -62,7 +62,7 @@ pub struct Design {
     /// Target part.
     pub device: &'static Device,
     /// Data path, with the proven ranges of all nodes.
-    pub pipeline: Rc<Unit>,
+    pub pipeline: Rc<Block>,
     /// Schedule of the data path.
     pub schedule: Rc<Schedule>,
     /// Top module.
@@ -83,7 +83,7 @@ pub struct Design {
 /// The second data path of a cascade.
 pub struct SecondStage {
     /// It, with the proven ranges of all nodes.
-    pub pipeline: Rc<Unit>,
+    pub pipeline: Rc<Block>,
     /// Its schedule.
     pub schedule: Rc<Schedule>,
     /// Clocks from the acceptance of a pair that the first stage leaves open to the offer of its verdict, at most, all queues
@@ -98,7 +98,7 @@ pub fn pace(interval: usize) -> String {
 
 impl Design {
     /// The units at the top of the data paths.
-    pub fn pipelines(&self) -> impl Iterator<Item = &Rc<Unit>> {
+    pub fn pipelines(&self) -> impl Iterator<Item = &Rc<Block>> {
         [&self.pipeline].into_iter().chain(self.second.as_ref().map(|second| &second.pipeline))
     }
 

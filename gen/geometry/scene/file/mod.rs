@@ -7,6 +7,7 @@ mod tables;
 
 use super::motion::Motion;
 use super::{Entry, Scene};
+use crate::input;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use tables::{Entries, SceneTable};
@@ -58,7 +59,7 @@ pub fn load(path: &Path) -> Result<Scene, SceneError> {
         let message = format!("found {hint}: expected a scene in TOML");
         return Err(SceneError { file: path.to_owned(), line: None, message });
     }
-    let text = std::fs::read_to_string(path).map_err(|e| SceneError {
+    let text = input::text(path).map_err(|e| SceneError {
         file: path.to_owned(),
         line: None,
         message: format!("cannot be read ({e}): expected a readable TOML file"),

@@ -1,7 +1,7 @@
 //! The operations of signals, as methods and operators.
 
 use super::Sig;
-use crate::graph::unit::Op;
+use crate::graph::block::Op;
 use crate::op::*;
 use std::ops;
 
@@ -14,7 +14,7 @@ impl<'l> Sig<'l> {
     /// assert_eq!(value(&[5], |x| x[0] - x[0].like(2)), 3);
     /// ```
     pub fn like(self, value: i128) -> Self {
-        self.unit().constant(value, self.ty())
+        self.block().constant(value, self.ty())
     }
 
     /// The bits above the lowest `drop`, or with a negative number that many zeros appended: the value rounded toward
@@ -143,7 +143,7 @@ impl<'l> Sig<'l> {
     pub fn plus(self, other: Self, carry: Self) -> Self {
         let fraction = self.ty().fraction;
         let below = |low: Self, x: Self| low.below(&[x.at_point(None)]);
-        (below(self.unit().constant(1, Type::FLAG), self) + below(carry, other)).floor(1).at_point(fraction)
+        (below(self.block().constant(1, Type::FLAG), self) + below(carry, other)).floor(1).at_point(fraction)
     }
 
     /// Flag: both are equal.
@@ -174,7 +174,7 @@ impl<'l> Sig<'l> {
     /// ```
     pub fn saturate(self, bound: i128, lemma: &'static str) -> Self {
         let ty = self.ty();
-        let (most, least) = (self.unit().constant(bound, ty), self.unit().constant(-bound, ty));
+        let (most, least) = (self.block().constant(bound, ty), self.block().constant(-bound, ty));
         let bits = 129 - bound.leading_zeros();
         let inside = self.less(least).called("too_low").choose(least, self).called("raised");
         let saturated = most.less(self).called("too_high").choose(most, inside).called("saturated");

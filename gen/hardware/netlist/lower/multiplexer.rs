@@ -25,7 +25,7 @@ impl Lowered<'_> {
     }
 
     pub(super) fn connect_mux(&mut self, i: usize, id: SignalId, operands: Vec<SignalId>) {
-        let (select, slot) = (self.unit.nodes[i].args[0].0, self.schedule.slots[i]);
+        let (select, slot) = (self.block.nodes[i].args[0].0, self.schedule.slots[i]);
         let (select, operands) = if slot.from == slot.start {
             (self.fetch(select, slot.start), operands)
         } else {
@@ -38,8 +38,8 @@ impl Lowered<'_> {
 
     /// The first of the two clocks of a multiplexer: the chosen operand of each group, registered.
     fn groups(&mut self, i: usize, operands: &[SignalId]) -> Vec<SignalId> {
-        let unit = Rc::clone(&self.unit);
-        let (node, slot) = (&unit.nodes[i], self.schedule.slots[i]);
+        let block = Rc::clone(&self.block);
+        let (node, slot) = (&block.nodes[i], self.schedule.slots[i]);
         let mut chosen = vec![];
         for (group, members) in operands.chunks(GROUP).enumerate() {
             let (op, args) = if members.iter().all(|o| *o == members[0]) {
@@ -60,14 +60,14 @@ impl Lowered<'_> {
 
     /// The operands of a multiplexer, each as it is in the clocks in which it is read.
     pub(super) fn mux_operands(&mut self, i: usize) -> Vec<SignalId> {
-        let unit = Rc::clone(&self.unit);
-        let Op::Mux { late } = &unit.nodes[i].op else { return vec![] };
+        let block = Rc::clone(&self.block);
+        let Op::Mux { late } = &block.nodes[i].op else { return vec![] };
         let slot = self.schedule.slots[i];
         let lag_clocks = self.schedule.lag_clocks();
         let mut operands = vec![];
         for (k, is_late) in late.iter().enumerate() {
-            let arg = unit.nodes[i].args[1 + k].0;
-            let Some((first, last)) = operand_phases(&unit, i, k) else {
+            let arg = block.nodes[i].args[1 + k].0;
+            let Some((first, last)) = operand_phases(&block, i, k) else {
                 // Never read: any operand will do.
                 operands.push(None);
                 continue;
@@ -114,13 +114,13 @@ impl Lowered<'_> {
 
     /// The values of a constant of each phase, that of phase 0 in `clock`, for a use that starts in `used`.
     pub(super) fn select(&mut self, i: usize, clock: i32, used: i32, digits: Digits) -> SignalId {
-        let unit = Rc::clone(&self.unit);
+        let block = Rc::clone(&self.block);
         let at = clock.rem_euclid(self.interval());
         if let Some(id) = self.selects.get(&(i, at, digits)).copied() {
             self.read.entry(id).or_default().insert(used);
             return id;
         }
-        let node = &unit.nodes[i];
+        let node = &block.nodes[i];
         let Op::Phase(values) = &node.op else { return self.base[i].expect("operands come first") };
         let group = GROUP as i128;
         let most = values.iter().flatten().max().copied().unwrap_or(0);

@@ -112,6 +112,6 @@ impl Lowered<'_> {
     }
 
     pub(super) fn phase_port(&self) -> SignalId {
-        self.phase.expect("a unit with phases has the port")
+        self.phase.expect("a block with phases has the port")
     }
 }

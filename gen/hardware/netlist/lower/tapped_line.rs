@@ -33,24 +33,24 @@ impl Lowered<'_> {
     /// How many clocks before the value was there that a multiplexer takes in each phase, where a delay line with a tap can
     /// take its place, and the node of those values.
     pub(super) fn delays(&self, i: usize) -> Option<(usize, Vec<i32>)> {
-        let (node, slot) = (&self.unit.nodes[i], self.schedule.slots[i]);
+        let (node, slot) = (&self.block.nodes[i], self.schedule.slots[i]);
         let Op::Mux { late } = &node.op else { return None };
-        let Op::Phase(taken) = &self.unit.node(node.args[0]).op else { return None };
+        let Op::Phase(taken) = &self.block.node(node.args[0]).op else { return None };
         let in_time = self.device.tapped_line().is_some_and(|ns| ns <= slot.ns + 1e-9);
         if !in_time || node.ty.is_flag() || slot.from != slot.start || late.len() < 3 || late.contains(&true) {
             return None;
         }
         let captured = |arg: &NodeId| {
-            let capture = &self.unit.nodes[self.unit.carrier(arg.0)];
+            let capture = &self.block.nodes[self.block.carrier(arg.0)];
             let Op::Capture { phase, late: false } = capture.op else { return None };
-            Some((self.unit.carrier(capture.args[0].0), phase))
+            Some((self.block.carrier(capture.args[0].0), phase))
         };
         let captures: Vec<(usize, usize)> = node.args[1..].iter().map(captured).collect::<Option<_>>()?;
         let stream = captures[0].0;
         let from = self.schedule.slots[stream].from;
-        let alike = captures.iter().all(|c| c.0 == stream) && self.unit.nodes[stream].ty.bits == node.ty.bits;
+        let alike = captures.iter().all(|c| c.0 == stream) && self.block.nodes[stream].ty.bits == node.ty.bits;
         // What was some phases before is a tap of a line already.
-        if !alike || from == i32::MIN || matches!(self.unit.nodes[stream].op, Op::Earlier(_)) {
+        if !alike || from == i32::MIN || matches!(self.block.nodes[stream].op, Op::Earlier(_)) {
             return None;
         }
         // An idle phase goes on with the value of the phase before, which is a clock older then.
@@ -70,8 +70,8 @@ impl Lowered<'_> {
 
     /// Puts a delay line with a tap in the place of a multiplexer.
     pub(super) fn tapped(&mut self, i: usize, (stream, delays): &(usize, Vec<i32>)) {
-        let unit = Rc::clone(&self.unit);
-        let (node, start) = (&unit.nodes[i], self.schedule.slots[i].start);
+        let block = Rc::clone(&self.block);
+        let (node, start) = (&block.nodes[i], self.schedule.slots[i].start);
         // What is delayed more than a line can goes through registers first.
         let most = delays.iter().max().copied().unwrap_or(0);
         let before = if most > LINE_CLOCKS as i32 { delays.iter().min().map_or(0, |least| least - 1) } else { 0 };
@@ -94,11 +94,11 @@ impl Lowered<'_> {
             return known;
         }
         // Elements of a bundle that were captured in different phases have taps of their own.
-        let muxes = (0..self.unit.nodes.len()).filter(|i| self.unit.nodes[*i].args.first() == Some(&NodeId(select)));
+        let muxes = (0..self.block.nodes.len()).filter(|i| self.block.nodes[*i].args.first() == Some(&NodeId(select)));
         let mut all: Vec<Vec<i32>> = muxes.filter_map(|i| self.delays(i)).map(|(_, delays)| delays).collect();
         all.sort_unstable();
         all.dedup();
-        let mut place = self.unit.nodes[select].place.suffixed(&format!("tap_at_{at}"));
+        let mut place = self.block.nodes[select].place.suffixed(&format!("tap_at_{at}"));
         if all.len() > 1 {
             place.path.push(Step::Index(all.iter().position(|d| d == delays).unwrap_or(0)));
         }

@@ -23,16 +23,16 @@ fn text(flat: &Flat) -> Vec<String> {
 
 #[test]
 fn instances_are_dissolved_and_take_the_rate_of_their_operands() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let x = Phases::new(2, |s| Some([a, b][s])).mux().named("x");
         let y = entity!("negated", &[], (x) => (-x).named("n")).named("y");
         let z = entity!("outer", &[], (a) => { let x = a; (entity!("negated", &[], (x) => (-x).named("n")) + a).named("s") });
         vec![y, z.named("z")]
     });
-    let flat = Flat::new(&unit);
-    let units: Vec<&str> = flat.units.iter().map(|unit| unit.name.as_str()).collect();
-    assert_eq!(units, ["sample", "negated", "outer"]);
+    let flat = Flat::new(&block);
+    let blocks: Vec<&str> = flat.blocks.iter().map(|block| block.name.as_str()).collect();
+    assert_eq!(blocks, ["sample", "negated", "outer"]);
     assert_eq!(flat.top_node("z").map(|i| flat.nodes[i].path.as_str()), Some("z_unit.s"));
     lines(
         expect![[r#"
@@ -60,7 +60,7 @@ fn instances_are_dissolved_and_take_the_rate_of_their_operands() {
 
 #[test]
 fn a_step_reads_the_phase_that_its_node_is_about() {
-    let unit = unit(3, |top| {
+    let block = block(3, |top| {
         let a = [0; 3].map(|_| top.input(S8, ALL)).to_vec().named("a");
         let x = Phases::new(3, |s| Some(a[s])).mux().named("x");
         let first = Phases::new(3, |s| Some(i128::from(s == 0))).constant(top, Type::FLAG).named("first");
@@ -108,13 +108,13 @@ fn a_step_reads_the_phase_that_its_node_is_about() {
             y@0 <- before@2
             z@0 <- so_far@1
         "#]],
-        text(&Flat::new(&unit)),
+        text(&Flat::new(&block)),
     );
 }
 
 #[test]
 fn what_comes_later_is_ordered_by_phase() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let a = top.input(S8, (0, 9)).named("a");
         let back = top.later(S8, (0, 50));
         let x = Phases::new(2, |s| Some((s, [a, back][s]))).late(|(s, _)| *s == 1).map(|x| x.1).mux().named("x");
@@ -141,6 +141,6 @@ fn what_comes_later_is_ordered_by_phase() {
             next@1 <- x@1 next_constant@0
             y@0 <- x@1
         "#]],
-        text(&Flat::new(&unit)),
+        text(&Flat::new(&block)),
     );
 }

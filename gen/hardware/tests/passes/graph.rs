@@ -9,7 +9,7 @@ use expect_test::expect;
 
 #[test]
 fn ranges_follow_from_those_of_operands() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let a = top.input(S8, (-3, 100)).named("a");
         let b = top.input(S8, (5, 7)).named("b");
         let product = (a * b).named("product");
@@ -20,7 +20,7 @@ fn ranges_follow_from_those_of_operands() {
         vec![product, low, sum, sign, at_least, a.magnitude().named("size"), sign.choose(a, b).named("chosen")]
     });
     expect![[r#"
-        unit sample, 1 phase
+        block sample, 1 phase
           a                    s4.4   -3..100   pair  Input
           b                    s4.4   5..7      pair  Input
           product              s8.8   -21..700  pair  Multiply a, b
@@ -42,12 +42,12 @@ fn ranges_follow_from_those_of_operands() {
           output size: size
           output chosen: chosen
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn operations_on_constants_are_constants() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let a = top.input(S8, ALL).named("a");
         let five = a.like(5);
         let flag = a.less(five).named("flag");
@@ -64,7 +64,7 @@ fn operations_on_constants_are_constants() {
         ]
     });
     expect![[r#"
-        unit sample, 1 phase
+        block sample, 1 phase
           a                   s4.4    -128..127  pair  Input
           (both_constant)     s4.4    5..5       any   Constant(5, s4.4)
           both                flag    0..1       pair  Less a, both_constant
@@ -84,18 +84,18 @@ fn operations_on_constants_are_constants() {
           output or: or#12
           output odd: odd
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn a_sum_without_a_name_is_made_in_the_bits_asked_for() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let a = top.input(S8, (-10, 10)).named("a");
         let named = (a + a).named("named");
         vec![(a - a.like(1)).bits(6).named("six"), named.bits(6).named("cut")]
     });
     expect![[r#"
-        unit sample, 1 phase
+        block sample, 1 phase
           a               s4.4  -10..10  pair  Input
           named           s5.4  -20..20  pair  Add a, a
           (six_constant)  s4.4  1..1     any   Constant(1, s4.4)
@@ -104,19 +104,19 @@ fn a_sum_without_a_name_is_made_in_the_bits_asked_for() {
           output six: six
           output cut: cut
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn composed_operations() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let carry = top.input(Type::FLAG, (0, 1)).named("carry");
         let sum = a.plus(b, carry).named("sum");
         vec![sum, a.saturate(20, "a is small").named("small"), carry.below(&[a.low(3).at_point(None)]).named("word")]
     });
     expect![[r#"
-        unit sample, 1 phase
+        block sample, 1 phase
           a                                      s4.4     -128..127  pair  Input
           b                                      s4.4     -128..127  pair  Input
           carry                                  flag     0..1       pair  Input
@@ -142,23 +142,23 @@ fn composed_operations() {
           output sum: sum
           output small: small#18
           output word: word#21
-    "#]].assert_eq(&dump::unit(&unit));
+    "#]].assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn what_does_not_fit_is_refused_by_its_name() {
-    let refused = |body: for<'l> fn(Top<'l>) -> Sig<'l>| refusal(|| unit(1, |top| vec![body(top).named("y")]));
+    let refused = |body: for<'l> fn(Top<'l>) -> Sig<'l>| refusal(|| block(1, |top| vec![body(top).named("y")]));
     lines(
         expect![[r#"
-            unit sample, Input { early: 0 }(): values from -129 to 0 do not fit s4.4
-            unit sample, resized(a): values from -128 to 127 do not fit s3.4
-            unit sample, a: shifted of a: expected to shift s4.4 by less than its width, found 8
-            unit sample, a: product of a and b: expected signed factors, found s4.4 and 3 bits
-            unit sample, a: sum of a and b: expected one binary point, found s4.4 and s3.5
-            unit sample, floor(a): floor of floor(a): expected to drop 1 to 5 bits of s4.2, found 6
-            unit sample, a: values up to 16 do not fit 4 bits
-            unit sample: a value that comes later is not connected
-            unit sample, a: expected s4.4 within (0, 5), found b of s4.4 within (0, 6)
+            block sample, Input { early: 0 }(): values from -129 to 0 do not fit s4.4
+            block sample, resized(a): values from -128 to 127 do not fit s3.4
+            block sample, a: shifted of a: expected to shift s4.4 by less than its width, found 8
+            block sample, a: product of a and b: expected signed factors, found s4.4 and 3 bits
+            block sample, a: sum of a and b: expected one binary point, found s4.4 and s3.5
+            block sample, floor(a): floor of floor(a): expected to drop 1 to 5 bits of s4.2, found 6
+            block sample, a: values up to 16 do not fit 4 bits
+            block sample: a value that comes later is not connected
+            block sample, a: expected s4.4 within (0, 5), found b of s4.4 within (0, 6)
         "#]],
         [
             refused(|top| top.input(S8, (-129, 0))),
@@ -181,38 +181,38 @@ fn what_does_not_fit_is_refused_by_its_name() {
 #[test]
 fn what_does_not_fit_in_one_phase_is_refused() {
     let refused = refusal(|| {
-        unit(2, |top| {
+        block(2, |top| {
             let operands = [(0, 3), (0, 100)].map(|range| top.input(S8, range));
             let x = Phases::new(2, |s| Some(operands[s])).mux().named("x");
             vec![(x + x).bits(8).named("y")]
         })
     });
-    expect!["unit sample, sum(x, x): values from 0 to 200 in phase 1 do not fit s4.4"].assert_eq(&refused);
+    expect!["block sample, sum(x, x): values from 0 to 200 in phase 1 do not fit s4.4"].assert_eq(&refused);
     let refused = refusal(|| {
-        unit(2, |top| {
+        block(2, |top| {
             let (a, b) = (top.input(S8, ALL).named("a"), top.input(Type::signed(9, 4), ALL).named("b"));
             vec![Phases::new(2, |s| Some(if s == 0 { a } else { b })).mux().named("y")]
         })
     });
-    expect!["unit sample, b: expected s4.4 as the other operands of the multiplexer, found s5.4"].assert_eq(&refused);
+    expect!["block sample, b: expected s4.4 as the other operands of the multiplexer, found s5.4"].assert_eq(&refused);
 }
 
 #[test]
 fn signals_of_two_units_do_not_meet() {
     let library = Library::default();
     let refused = refusal(|| {
-        library.unit("outer", &[], 1, |top| {
+        library.block("outer", &[], 1, |top| {
             let a = top.input(S8, ALL).named("a");
             let b = top.input(S8, ALL).named("b");
             entity!("inner", &[], (a) => (a.apply(Multiply, &[b])).named("y"))
         })
     });
-    expect!["unit inner, a: b is in another unit"].assert_eq(&refused);
+    expect!["block inner, a: b is in another block"].assert_eq(&refused);
 }
 
 #[test]
 fn values_of_pairs_are_brought_into_the_phases_of_others_once() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let [a, b, c] = ["a", "b", "c"].map(|name| top.input(S8, ALL).named(name));
         let x = Phases::new(2, |s| Some([a, b][s])).mux().named("x");
         let sum = (x + c).named("sum");
@@ -220,7 +220,7 @@ fn values_of_pairs_are_brought_into_the_phases_of_others_once() {
         vec![sum, difference]
     });
     expect![[r#"
-        unit sample, 2 phases
+        block sample, 2 phases
           a                     s4.4  -128..127  pair   Input
           b                     s4.4  -128..127  pair   Input
           c                     s4.4  -128..127  pair   Input
@@ -233,12 +233,12 @@ fn values_of_pairs_are_brought_into_the_phases_of_others_once() {
           output sum: sum
           output difference: difference
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn a_mux_has_in_each_phase_the_range_of_its_operand() {
-    let unit = unit(3, |top| {
+    let block = block(3, |top| {
         let [a, b] = [(0, 1), (10, 20)].map(|range| top.input(S8, range));
         let operands = [a.named("a"), b.named("b")];
         let phases = Phases::new(3, |s| operands.get(s).copied());
@@ -249,7 +249,7 @@ fn a_mux_has_in_each_phase_the_range_of_its_operand() {
         held
     });
     expect![[r#"
-        unit sample, 3 phases
+        block sample, 3 phases
           a           s4.4  0..1    pair   Input
           b           s4.4  10..20  pair   Input
           (x_select)  flag  0..1    phase  Phase 0 1 -
@@ -260,12 +260,12 @@ fn a_mux_has_in_each_phase_the_range_of_its_operand() {
           output first: first
           output second: second
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn or_over_phases_starts_anew_in_phase_0_and_where_it_is_told() {
-    let unit = unit(4, |top| {
+    let block = block(4, |top| {
         let ty = Type::unsigned(4);
         let operands = [1, 2, 4, 8].map(|most| top.input(ty, (0, most)));
         let operands = operands.to_vec().named("a");
@@ -275,7 +275,7 @@ fn or_over_phases_starts_anew_in_phase_0_and_where_it_is_told() {
         (0..4).map(|s| so_far.capture(s, false).named_at("y", s)).collect()
     });
     expect![[r#"
-        unit sample, 4 phases
+        block sample, 4 phases
           a0          4 bits  0..1   pair   Input
           a1          4 bits  0..2   pair   Input
           a2          4 bits  0..4   pair   Input
@@ -293,19 +293,19 @@ fn or_over_phases_starts_anew_in_phase_0_and_where_it_is_told() {
           output y2: y2
           output y3: y3
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn earlier_takes_the_range_of_the_phase_before() {
-    let unit = unit(3, |top| {
+    let block = block(3, |top| {
         let operands = [1, 2, 4].map(|most| top.input(S8, (0, most))).to_vec().named("a");
         let x = Phases::new(3, |s| Some(operands[s])).mux().named("x");
         let before = x.earlier(1).named("before");
         (0..3).map(|s| before.capture(s, false).named_at("y", s)).collect()
     });
     expect![[r#"
-        unit sample, 3 phases
+        block sample, 3 phases
           a0          s4.4    0..1  pair   Input
           a1          s4.4    0..2  pair   Input
           a2          s4.4    0..4  pair   Input
@@ -319,12 +319,12 @@ fn earlier_takes_the_range_of_the_phase_before() {
           output y1: y1
           output y2: y2
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn what_is_known_bounds_the_range() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, (-100, 100)).named(name));
         let small = a.within((-9, 5), "a lemma").named("small");
         let up = (a.floor(2) + a.low(2).any()).known(Fact::Ceiling(2), &[a]).named("up");
@@ -335,7 +335,7 @@ fn what_is_known_bounds_the_range() {
         [vec![up, square], held.to_vec()].concat()
     });
     expect![[r#"
-        unit sample, 2 phases
+        block sample, 2 phases
           a                 s4.4   -100..100  pair   Input
           b                 s4.4   -100..100  pair   Input
           small             s4.4   -9..5      pair   Assume -9..5 by "a lemma" a
@@ -356,14 +356,14 @@ fn what_is_known_bounds_the_range() {
           output held0: held0
           output held1: held1
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
-fn a_unit_has_the_ranges_of_all_its_uses() {
+fn a_block_has_the_ranges_of_all_its_uses() {
     let library = Library::default();
     let ranges = [(-20, 0), (3, 50), (1, 2)];
-    let top = library.unit("outer", &[], 1, |top| {
+    let top = library.block("outer", &[], 1, |top| {
         let twice = |(i, range): (usize, &Range)| {
             let x = top.input(S8, *range).named_at("x", i);
             entity!("inner", &["Twice."], (x) => (x + x).named("y")).named_at("z", i)
@@ -372,12 +372,12 @@ fn a_unit_has_the_ranges_of_all_its_uses() {
     });
     let efsat_hardware::graph::Op::Instance(inner) = &top.nodes[1].op else { panic!("an instance") };
     expect![[r#"
-        unit inner, 1 phase
+        block inner, 1 phase
           -- Twice.
           x  s4.4  -20..50   any  Input
           y  s5.4  -40..100  any  Add x, x
           output y: y
-        unit outer, 1 phase
+        block outer, 1 phase
           x0         s4.4  -20..0  pair  Input
           (z0_unit)  flag  0..0    pair  Instance of inner x0
           z0         s5.4  -40..0  pair  Output y z0_unit
@@ -391,25 +391,25 @@ fn a_unit_has_the_ranges_of_all_its_uses() {
           output z1: z1
           output z2: z2
     "#]]
-    .assert_eq(&(dump::unit(inner) + &dump::unit(&top)));
+    .assert_eq(&(dump::block(inner) + &dump::block(&top)));
 }
 
 #[test]
 fn two_different_units_of_one_name_are_refused() {
     let refused = refusal(|| {
-        unit(1, |top| {
+        block(1, |top| {
             let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
             let one = entity!("inner", &[], (a) => (-a).named("y")).named("one");
             let other = entity!("inner", &[], (b) => b.magnitude().named("y")).named("other");
             vec![one, other]
         })
     });
-    expect!["two different units are called inner"].assert_eq(&refused);
+    expect!["two different blocks are called inner"].assert_eq(&refused);
 }
 
 #[test]
 fn a_value_that_comes_later_is_connected() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let a = top.input(S8, (0, 9)).named("a");
         let back = top.later(S8, (0, 50));
         let x = Phases::new(2, |s| Some((if s == 0 { a } else { back }, s))).late(|(_, s)| *s == 1);
@@ -419,7 +419,7 @@ fn a_value_that_comes_later_is_connected() {
         vec![next.capture(1, true).named("y")]
     });
     expect![[r#"
-        unit sample, 2 phases
+        block sample, 2 phases
           a                s4.4  0..9   pair   Input
           (x_select)       flag  0..1   phase  Phase 0 1
           x                s4.4  0..50  phase  Mux x_select, a, first late
@@ -429,18 +429,18 @@ fn a_value_that_comes_later_is_connected() {
           y                s4.4  1..51  pair   Capture of phase 1 late next
           output y: y
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn vectors_are_named_by_component() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [e, f] = ["e", "f"].map(|name| Vec3::each(|_| top.input(S8, (-9, 9))).named(name));
         let dot = e.dot(f).named("dot");
         e.cross(f).named("cross").comment("e x f").signals().into_iter().chain([dot]).collect()
     });
     expect![[r#"
-        unit sample, 1 phase
+        block sample, 1 phase
           e_x                       s4.4   -9..9      pair  Input
           e_y                       s4.4   -9..9      pair  Input
           e_z                       s4.4   -9..9      pair  Input
@@ -465,5 +465,5 @@ fn vectors_are_named_by_component() {
           output cross_y: cross_y
           output cross_z: cross_z
           output dot: dot
-    "#]].assert_eq(&dump::unit(&unit));
+    "#]].assert_eq(&dump::block(&block));
 }

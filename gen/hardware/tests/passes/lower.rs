@@ -1,4 +1,4 @@
-//! Scheduled units as modules: registers where values wait, phases, multiplexers, delay lines.
+//! Scheduled blocks as modules: registers where values wait, phases, multiplexers, delay lines.
 
 use super::*;
 use efsat_hardware::dump;
@@ -8,7 +8,7 @@ use expect_test::expect;
 
 #[test]
 fn values_of_every_clock_wait_in_registers() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let product = (a * b).named("product").comment("a b");
         vec![(product + a.at_point(product.ty().fraction)).named("y"), (product.floor(9) * b).named("z")]
@@ -30,12 +30,12 @@ fn values_of_every_clock_wait_in_registers() {
           output y: y_h2
           output z: z
     "#]]
-    .assert_eq(&dump::module(&lowered(&unit, 100)));
+    .assert_eq(&dump::module(&lowered(&block, 100)));
 }
 
 #[test]
 fn values_of_pairs_are_held_and_captured() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let [a, b, c, d] = ["a", "b", "c", "d"].map(|name| top.input(S8, ALL).named(name));
         let pairs = Phases::new(2, |s| Some([[a, b], [c, d]][s]));
         let [x, y] = pairs.mux();
@@ -82,12 +82,12 @@ fn values_of_pairs_are_held_and_captured() {
           output difference: difference
           output sign: sign_d3
           delay line sign: sign_d1, sign_d2, sign_d3
-    "#]].assert_eq(&dump::module(&lowered(&unit, 100)));
+    "#]].assert_eq(&dump::module(&lowered(&block, 100)));
 }
 
 #[test]
 fn running_flags_are_reset_in_the_clock_before_they_start_anew() {
-    let unit = unit(3, |top| {
+    let block = block(3, |top| {
         let a = [0; 3].map(|_| top.input(Type::FLAG, (0, 1))).to_vec().named("a");
         let x = Phases::new(3, |s| Some(a[s])).mux().named("x");
         let first = Phases::new(3, |s| Some(i128::from(s != 2))).constant(top, Type::FLAG).named("first");
@@ -122,12 +122,12 @@ fn running_flags_are_reset_in_the_clock_before_they_start_anew() {
           y                     flag    0..1  clock 3  Register of so_far when strobe2
           holds0_or_in_phase_2  flag                   Or holds0, in_phase_2
           output y: y
-    "#]].assert_eq(&dump::module(&lowered_for("lfe5u-85-6", &unit, 100).0));
+    "#]].assert_eq(&dump::module(&lowered_for("lfe5u-85-6", &block, 100).0));
 }
 
 #[test]
 fn what_was_before_is_a_tap_of_a_delay_line() {
-    let unit = unit(3, |top| {
+    let block = block(3, |top| {
         let a = [0; 3].map(|_| top.input(S8, ALL)).to_vec().named("a");
         let x = Phases::new(3, |s| Some(a[s])).mux().named("x");
         let constant = Phases::new(3, |s| Some(s as i128)).constant(top, S8).named("constant");
@@ -168,12 +168,12 @@ fn what_was_before_is_a_tap_of_a_delay_line() {
           holds0_or_in_phase_2  flag                        Or holds0, in_phase_2
           output y: y
           output z: z
-    "#]].assert_eq(&dump::module(&lowered_for("lfe5u-85-6", &unit, 100).0));
+    "#]].assert_eq(&dump::module(&lowered_for("lfe5u-85-6", &block, 100).0));
 }
 
 #[test]
 fn wide_multiplexers_choose_in_groups_and_among_them() {
-    let unit = unit(9, |top| {
+    let block = block(9, |top| {
         let a = (0..9).map(|_| top.input(S8, ALL)).collect::<Vec<_>>().named("a");
         let x = Phases::new(9, |s| (s != 3).then(|| a[s])).mux().named("x");
         vec![x.capture(8, false).named("y")]
@@ -231,12 +231,12 @@ fn wide_multiplexers_choose_in_groups_and_among_them() {
           y                       s4.4    -128..127  clock 10  Register of x when strobe0
           holds0_or_in_phase_8    flag                         Or holds0, in_phase_8
           output y: y
-    "#]].assert_eq(&dump::module(&lowered(&unit, 300)));
+    "#]].assert_eq(&dump::module(&lowered(&block, 300)));
 }
 
 #[test]
 fn values_captured_of_one_stream_are_read_from_a_delay_line_with_a_tap() {
-    let unit = unit(4, |top| {
+    let block = block(4, |top| {
         let a = [0; 4].map(|_| top.input(S8, ALL)).to_vec().named("a");
         let x = Phases::new(4, |s| Some(a[s])).mux().named("x");
         let held: Vec<Sig> = (0..3).map(|s| x.capture(s, false).named_at("held", s)).collect();
@@ -279,12 +279,12 @@ fn values_captured_of_one_stream_are_read_from_a_delay_line_with_a_tap() {
           busy_3                 flag                        Register of holds0 when in_phase_1                                        -- set in clocks 2 to 5 of a pair
           instance again_line: tapped_line_8 of x, again_select_tap_at_3
           output y: y
-    "#]].assert_eq(&dump::module(&lowered(&unit, 100)));
+    "#]].assert_eq(&dump::module(&lowered(&block, 100)));
 }
 
 #[test]
 fn late_operands_are_connected_last() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let a = top.input(S8, (0, 9)).named("a");
         let back = top.later(S8, (0, 50));
         let x = Phases::new(2, |s| Some((s, [a, back][s]))).late(|(s, _)| *s == 1).map(|x| x.1).mux().named("x");
@@ -315,12 +315,12 @@ fn late_operands_are_connected_last() {
           x_select_at_0         flag                  Register of Lookup([1, 0], flag) phase when holds0_or_in_phase_1
           holds0_or_in_phase_1  flag                  Or holds0, in_phase_1
           output y: y
-    "#]].assert_eq(&dump::module(&lowered(&unit, 100)));
+    "#]].assert_eq(&dump::module(&lowered(&block, 100)));
 }
 
 #[test]
 fn what_is_no_hardware_is_its_operand() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let a = top.input(S8, (-100, 100)).named("a");
         let size = a.magnitude().within((0, 9), "a is small").named("size").comment("|a|");
         vec![
@@ -336,18 +336,18 @@ fn what_is_no_hardware_is_its_operand() {
           output y: y
           output same: same
     "#]]
-    .assert_eq(&dump::module(&lowered(&unit, 100)));
+    .assert_eq(&dump::module(&lowered(&block, 100)));
 }
 
 #[test]
 fn instances_and_probes() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let x = Phases::new(2, |s| Some([a, b][s])).mux().named("x").probe(&[(0, false), (1, false)]);
         let square = entity!("square", &["x x"], (x) => (x * x).named("y")).named("square");
         vec![square.capture(1, false).named("z").probe(&[(0, false)])]
     });
-    let (module, probes) = lowered_for("xc2v6000-4", &unit, 100);
+    let (module, probes) = lowered_for("xc2v6000-4", &block, 100);
     let probes = probes.into_iter().map(|probe| format!("{probe:?}\n")).collect::<String>();
     let text = module.hierarchy().iter().map(|module| dump::module(module)).collect::<String>() + &probes;
     expect![[r#"
@@ -434,7 +434,7 @@ fn delay_lines_end_where_they_are_read() {
 
 #[test]
 fn multipliers_and_register_bits_are_counted_in_all_instances() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let c = top.input(Type::signed(4, 4), (-8, 7)).named("c");
         fn product<'l>(a: Sig<'l>, b: Sig<'l>) -> Sig<'l> {
@@ -442,7 +442,7 @@ fn multipliers_and_register_bits_are_counted_in_all_instances() {
         }
         vec![product(a, b).named("y"), product(b, a).named("z"), (c * c).named("w")]
     });
-    let module = lowered(&unit, 100);
+    let module = lowered(&block, 100);
     // Look-up tables make the shortest product.
     assert_eq!((module.multipliers(), module.register_bits()), (2, 16 + 16 + 8));
 }

@@ -17,7 +17,7 @@ mod simulate;
 mod vhdl;
 
 use efsat_hardware::device::{self, Device};
-use efsat_hardware::graph::{Library, Sig, Top, Unit};
+use efsat_hardware::graph::{Block, Library, Sig, Top};
 use efsat_hardware::netlist::lower::{Lowering, Probe};
 use efsat_hardware::netlist::{Control, Module};
 use efsat_hardware::op::{Range, Type};
@@ -34,27 +34,27 @@ fn part(name: &str) -> &'static Device {
     device::find(name).expect("a known device")
 }
 
-/// A unit at the top whose outputs are what `body` makes.
-fn unit(interval: usize, body: impl for<'l> FnOnce(Top<'l>) -> Vec<Sig<'l>>) -> Rc<Unit> {
-    Library::default().unit("sample", &[], interval, body)
+/// A block at the top whose outputs are what `body` makes.
+fn block(interval: usize, body: impl for<'l> FnOnce(Top<'l>) -> Vec<Sig<'l>>) -> Rc<Block> {
+    Library::default().block("sample", &[], interval, body)
 }
 
 /// On a Virtex-II.
-fn scheduled(unit: &Rc<Unit>, megahertz: u32) -> Rc<Schedule> {
-    scheduled_for("xc2v6000-4", unit, megahertz)
+fn scheduled(block: &Rc<Block>, megahertz: u32) -> Rc<Schedule> {
+    scheduled_for("xc2v6000-4", block, megahertz)
 }
 
-fn scheduled_for(device: &str, unit: &Rc<Unit>, megahertz: u32) -> Rc<Schedule> {
-    Scheduler::new(part(device), megahertz).schedule(unit)
+fn scheduled_for(device: &str, block: &Rc<Block>, megahertz: u32) -> Rc<Schedule> {
+    Scheduler::new(part(device), megahertz).schedule(block)
 }
 
-fn lowered_for(device: &str, unit: &Rc<Unit>, megahertz: u32) -> (Rc<Module>, Vec<Probe>) {
+fn lowered_for(device: &str, block: &Rc<Block>, megahertz: u32) -> (Rc<Module>, Vec<Probe>) {
     let device = part(device);
-    Lowering::new(&mut Scheduler::new(device, megahertz), device).lower(unit, true)
+    Lowering::new(&mut Scheduler::new(device, megahertz), device).lower(block, true)
 }
 
-fn lowered(unit: &Rc<Unit>, megahertz: u32) -> Rc<Module> {
-    lowered_for("xc2v6000-4", unit, megahertz).0
+fn lowered(block: &Rc<Block>, megahertz: u32) -> Rc<Module> {
+    lowered_for("xc2v6000-4", block, megahertz).0
 }
 
 fn module(body: impl FnOnce(&Control)) -> Rc<Module> {

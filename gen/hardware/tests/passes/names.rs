@@ -8,7 +8,7 @@ use expect_test::expect;
 
 #[test]
 fn what_has_one_reader_is_called_after_it_and_what_has_more_after_its_source() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let shared = a.floor(2);
         let y = (shared * b.floor(1)).named("y");
@@ -16,7 +16,7 @@ fn what_has_one_reader_is_called_after_it_and_what_has_more_after_its_source() {
         vec![y, z, (-(a + b)).called("opposite").resize(Type::signed(12, 4)).named("w")]
     });
     expect![[r#"
-        unit sample, 1 phase
+        block sample, 1 phase
           a                              s4.4  -128..127    pair  Input
           b                              s4.4  -128..127    pair  Input
           (a_floor_2)                    s4.2  -32..31      pair  Floor(2) a
@@ -34,17 +34,17 @@ fn what_has_one_reader_is_called_after_it_and_what_has_more_after_its_source() {
           output z: z
           output w: w
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn operands_of_one_kind_are_told_apart_by_their_place() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b, c] = ["a", "b", "c"].map(|name| top.input(S8, ALL).named(name));
         vec![((a + b) * (b + c)).named("y"), ((a * b) + (b * c)).named("z")]
     });
     expect![[r#"
-        unit sample, 1 phase
+        block sample, 1 phase
           a                   s4.4   -128..127      pair  Input
           b                   s4.4   -128..127      pair  Input
           c                   s4.4   -128..127      pair  Input
@@ -57,12 +57,12 @@ fn operands_of_one_kind_are_told_apart_by_their_place() {
           output y: y
           output z: z
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn instances_and_their_ports() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [v, w] = ["v", "w"].map(|name| Vec3::each(|_| top.input(S8, ALL)).named(name));
         let inner = |v: Vec3<_>| entity!("negated", &[], (v) => v.map(|x: Sig| -x).named("n"));
         let chain = inner(v).map(|x| x.bits(8 + 1));
@@ -70,7 +70,7 @@ fn instances_and_their_ports() {
         vec![summed.named("y"), inner(w)[2].named("z")]
     });
     expect![[r#"
-        unit sample, 1 phase
+        block sample, 1 phase
           v_x             s4.4  -128..127  pair  Input
           v_y             s4.4  -128..127  pair  Input
           v_z             s4.4  -128..127  pair  Input
@@ -90,18 +90,18 @@ fn instances_and_their_ports() {
           output y: y
           output z: z
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn selects_are_called_after_the_bundle_that_they_choose() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let [v, w] = ["v", "w"].map(|name| Vec3::each(|_| top.input(S8, ALL)).named(name));
         let x = Phases::new(2, |s| Some([v, w][s])).mux().named("x");
         x.capture(1, false).named("y").signals()
     });
     expect![[r#"
-        unit sample, 2 phases
+        block sample, 2 phases
           v_x         s4.4  -128..127  pair   Input
           v_y         s4.4  -128..127  pair   Input
           v_z         s4.4  -128..127  pair   Input
@@ -119,17 +119,17 @@ fn selects_are_called_after_the_bundle_that_they_choose() {
           output y_y: y_y
           output y_z: y_z
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn what_cannot_be_told_apart_is_refused() {
     let refused =
-        |body: for<'l> fn(Sig<'l>) -> Vec<Sig<'l>>| refusal(|| unit(1, |top| body(top.input(S8, ALL).named("a"))));
+        |body: for<'l> fn(Sig<'l>) -> Vec<Sig<'l>>| refusal(|| block(1, |top| body(top.input(S8, ALL).named("a"))));
     lines(
         expect![[r#"
-            unit sample: two nodes are called y: Comb(Negate(Negate(None))) and Comb(Magnitude(Magnitude))
-            unit sample: an output has no name (Comb(Negate(Negate(None))))
+            block sample: two nodes are called y: Comb(Negate(Negate(None))) and Comb(Magnitude(Magnitude))
+            block sample: an output has no name (Comb(Negate(Negate(None))))
             not refused
         "#]],
         [

@@ -1,4 +1,4 @@
-//! What a shared unit works on in each phase.
+//! What a shared block works on in each phase.
 
 use super::*;
 use efsat_hardware::dump;
@@ -31,7 +31,7 @@ fn each_phase_has_its_own() {
 
 #[test]
 fn equal_operands_share_a_leg_and_idle_phases_take_any() {
-    let unit = unit(5, |top| {
+    let block = block(5, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let phases = Phases::new(5, |s| [Some(a), None, Some(b), Some(a), Some(b)][s]);
         let x = phases.mux().named("x");
@@ -41,7 +41,7 @@ fn equal_operands_share_a_leg_and_idle_phases_take_any() {
         phases.capture(&sum).enumerate().map(|(i, (_, value))| value.named_at("y", i)).collect()
     });
     expect![[r#"
-        unit sample, 5 phases
+        block sample, 5 phases
           a                s4.4  -128..127  pair   Input
           b                s4.4  -128..127  pair   Input
           (x_select)       flag  0..1       phase  Phase 0 - 1 0 1
@@ -59,19 +59,19 @@ fn equal_operands_share_a_leg_and_idle_phases_take_any() {
           output y2: y2
           output y3: y3
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn an_operand_is_late_or_not() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let a = top.input(S8, ALL).named("a");
         let both = Phases::new(2, |s| Some((a, s))).late(|(_, s)| *s == 1).map(|(a, _)| *a);
         let x = both.mux().named("x");
         both.capture(&x).enumerate().map(|(s, (_, value))| value.named_at("y", s)).collect()
     });
     expect![[r#"
-        unit sample, 2 phases
+        block sample, 2 phases
           a           s4.4  -128..127  pair   Input
           (x_select)  flag  0..1       phase  Phase 0 1
           x           s4.4  -128..127  phase  Mux x_select, a, a late
@@ -80,21 +80,21 @@ fn an_operand_is_late_or_not() {
           output y0: y0
           output y1: y1
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn what_never_changes_is_no_multiplexer() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let a = top.steady(S8, ALL).named("a");
         vec![(Phases::new(2, |_| Some(a)).mux() + top.input(S8, ALL).named("b")).named("y")]
     });
     expect![[r#"
-        unit sample, 2 phases
+        block sample, 2 phases
           a  s4.4  -128..127  any   Steady
           b  s4.4  -128..127  pair  Input
           y  s5.4  -256..254  pair  Add a, b
           output y: y
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }

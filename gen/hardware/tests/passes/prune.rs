@@ -8,14 +8,14 @@ use expect_test::expect;
 
 #[test]
 fn nodes_that_no_output_needs_go_with_their_probes() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let _ = (a * b).named("forgotten").probe(&[(0, false)]);
         let kept = (a - a.like(1)).named("kept").probe(&[(0, false)]);
         vec![kept.magnitude().named("y")]
     });
     expect![[r#"
-        unit sample, 1 phase
+        block sample, 1 phase
           a                s4.4  -128..127  pair  Input
           b                s4.4  -128..127  pair  Input
           (kept_constant)  s4.4  1..1       any   Constant(1, s4.4)
@@ -24,26 +24,26 @@ fn nodes_that_no_output_needs_go_with_their_probes() {
           output y: y
           probe kept in phases 0
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]
 fn all_outputs_of_an_instance_stay() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let a = top.input(S8, ALL).named("a");
         let [size, sign] = entity!("parts", &[], (a) => [a.magnitude().named("size"), a.negative().named("sign")]);
         let _ = size;
         vec![sign.named("y")]
     });
     expect![[r#"
-        unit sample, 1 phase
+        block sample, 1 phase
           a              s4.4  -128..127  pair  Input
           (a_size_unit)  flag  0..0       pair  Instance of parts a
           (a_size)       u4.4  0..128     pair  Output size a_size_unit
           y              flag  0..1       pair  Output sign a_size_unit
           output y: y
     "#]]
-    .assert_eq(&dump::unit(&unit));
+    .assert_eq(&dump::block(&block));
 }
 
 #[test]

@@ -8,7 +8,7 @@ use expect_test::expect;
 
 #[test]
 fn what_fits_in_a_clock_shares_it() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b, c] = ["a", "b", "c"].map(|name| top.input(S8, ALL).named(name));
         let sum = ((a + b).named("ab") + c).named("abc");
         vec![(sum + (a - c).named("ac")).named("y")]
@@ -43,21 +43,21 @@ fn what_fits_in_a_clock_shares_it() {
           abc (10 bits) is captured again 1 time
           ac (9 bits) is captured again 2 times
     "#]]
-    .assert_eq(&(dump::schedule(&scheduled(&unit, 100)) + &dump::schedule(&scheduled(&unit, 200))));
+    .assert_eq(&(dump::schedule(&scheduled(&block, 100)) + &dump::schedule(&scheduled(&block, 200))));
 }
 
 /// The arrival at the end of a clock may take the period less the set-up of a register, and not a bit more.
 #[test]
 fn set_up_is_part_of_the_clock() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         vec![((a + b).named("sum") - a).named("y")]
     });
     let device = part("xc2v6000-4");
-    let ns = scheduled(&unit, 50).slots[unit.outputs[0].1.0].ns;
+    let ns = scheduled(&block, 50).slots[block.outputs[0].1.0].ns;
     let clocks = |period: f64| {
         // Only whole MHz can be asked for: the next slower clock.
-        let schedule = scheduled(&unit, (1000.0 / period).floor() as u32);
+        let schedule = scheduled(&block, (1000.0 / period).floor() as u32);
         (schedule.latency, 1000.0 / (1000.0 / period).floor())
     };
     let (latency, period) = clocks(ns + device.setup());
@@ -69,7 +69,7 @@ fn set_up_is_part_of_the_clock() {
 
 #[test]
 fn products_stand_between_registers() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b, c] = ["a", "b", "c"].map(|name| top.input(S8, ALL).named(name));
         let sum = (a + b).named("sum");
         vec![((sum * c).named("product") + (a * b).named("ab")).named("y")]
@@ -90,12 +90,12 @@ fn products_stand_between_registers() {
           sum (9 bits) is captured again 1 time
           c (8 bits) is captured again 1 time
     "#]]
-    .assert_eq(&dump::schedule(&scheduled(&unit, 100)));
+    .assert_eq(&dump::schedule(&scheduled(&block, 100)));
 }
 
 #[test]
 fn values_of_pairs_are_there_for_a_slot_and_captured_again_after_it() {
-    let unit = unit(3, |top| {
+    let block = block(3, |top| {
         let a = top.input(S8, ALL).named("a");
         let b = top.input_until(S8, ALL, 1).named("b");
         let product = ((a * a).named("square").floor(4).bits(12).named("cut") * a).named("cube");
@@ -129,12 +129,12 @@ fn values_of_pairs_are_there_for_a_slot_and_captured_again_after_it() {
           a (8 bits) is captured again 1 time
           early_use (9 bits) is captured again 1 time
     "#]]
-    .assert_eq(&dump::schedule(&scheduled(&unit, 100)));
+    .assert_eq(&dump::schedule(&scheduled(&block, 100)));
 }
 
 #[test]
 fn operations_are_shared_over_phases() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let [a, b, c, d] = ["a", "b", "c", "d"].map(|name| top.input(S8, ALL).named(name));
         let pairs = Phases::new(2, |s| Some([[a, b], [c, d]][s]));
         let [x, y] = pairs.mux();
@@ -159,12 +159,12 @@ fn operations_are_shared_over_phases() {
           x (8 bits) is there from clock 0, delayed by 1 clock
           y (8 bits) is there from clock 0, delayed by 1 clock
     "#]]
-    .assert_eq(&dump::schedule(&scheduled(&unit, 100)));
+    .assert_eq(&dump::schedule(&scheduled(&block, 100)));
 }
 
 #[test]
 fn elements_of_a_bundle_start_together() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let v = Vec3::each(|_| top.input(S8, ALL)).named("v");
         let slow = (v[0] * v[1]).named("slow").floor(4).named("cut");
         Vec3([slow, v[1], v[2]]).map(|x| x + v[0]).named("w").signals()
@@ -186,12 +186,12 @@ fn elements_of_a_bundle_start_together() {
           v_y (8 bits) is captured again 1 time
           v_z (8 bits) is captured again 1 time
     "#]]
-    .assert_eq(&dump::schedule(&scheduled(&unit, 100)));
+    .assert_eq(&dump::schedule(&scheduled(&block, 100)));
 }
 
 #[test]
 fn late_phases_follow_where_results_come_back() {
-    let unit = unit(2, |top| {
+    let block = block(2, |top| {
         let a = top.input(S8, (0, 9)).named("a");
         let back = top.later(S8, ALL);
         let x = Phases::new(2, |s| Some((s, [a, back][s]))).late(|(s, _)| *s == 1).map(|x| x.1).mux().named("x");
@@ -216,17 +216,17 @@ fn late_phases_follow_where_results_come_back() {
           y                                 5       6       8      0.57
           x (8 bits) is there from clock 0, delayed by 1 clock
     "#]]
-    .assert_eq(&dump::schedule(&scheduled(&unit, 100)));
+    .assert_eq(&dump::schedule(&scheduled(&block, 100)));
 }
 
 #[test]
 fn a_wide_multiplexer_takes_two_clocks() {
-    let unit = unit(9, |top| {
+    let block = block(9, |top| {
         let a = (0..9).map(|_| top.input(S8, ALL)).collect::<Vec<_>>().named("a");
         let x = Phases::new(9, |s| Some(a[s])).mux().named("x");
         vec![(x + x.like(1)).named("sum").capture(8, false).named("y")]
     });
-    let ends = |megahertz| dump::schedule(&scheduled(&unit, megahertz));
+    let ends = |megahertz| dump::schedule(&scheduled(&block, megahertz));
     expect![[r#"
         schedule of sample: latency 9 clocks, 9 phases
           input path 7.69 ns, output 0.57 ns, longest path 8.26 ns to sample.sum
@@ -271,7 +271,7 @@ fn a_wide_multiplexer_takes_two_clocks() {
 
 #[test]
 fn an_instance_is_one_operation_of_its_parent() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let y = entity!("product", &[], (a, b) => (a * b).named("p")).named("y");
         let z = entity!("sum", &[], (a, b) => (a + b).named("s")).named("z");
@@ -292,20 +292,20 @@ fn an_instance_is_one_operation_of_its_parent() {
           w#7     1      1     2      7.20
           z (9 bits) is captured again 1 time
     "#]]
-    .assert_eq(&dump::schedule(&scheduled(&unit, 100)));
+    .assert_eq(&dump::schedule(&scheduled(&block, 100)));
 }
 
 /// A flag of wide numbers is made at once, and waits in place of them; what is narrow waits before it is made wide.
 #[test]
 fn nodes_start_where_they_take_the_fewest_registers() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b, c] = ["a", "b", "c"].map(|name| top.input(S8, ALL).named(name));
         let less = b.less(c).named("less");
         let wide = a.floor(-10).named("wide");
         let product = ((a * a).named("square").low(8).below(&[a]).named("word").floor(6) * a).named("cube");
         vec![less.choose(product, product.like(0)).named("y"), (wide + wide.like(1)).named("sum"), (a * b).named("ab")]
     });
-    let schedule = scheduled(&unit, 100);
+    let schedule = scheduled(&block, 100);
     expect![[r#"
         schedule of sample: latency 3 clocks, 1 phase
           input path 9.43 ns, output 5.51 ns, longest path 5.51 ns to sample.y
@@ -338,7 +338,7 @@ fn nodes_start_where_they_take_the_fewest_registers() {
 
 #[test]
 fn a_value_is_carried_to_its_last_use() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let first = (a * b).named("first");
         vec![(first.floor(9) * b).named("second"), first, first.negative().named("sign")]
@@ -357,13 +357,13 @@ fn a_value_is_carried_to_its_last_use() {
           first (16 bits) is there from clock 1, delayed by 2 clocks
           b (8 bits) is captured again 2 times
     "#]]
-    .assert_eq(&dump::schedule(&scheduled(&unit, 100)));
+    .assert_eq(&dump::schedule(&scheduled(&block, 100)));
 }
 
 #[test]
 fn what_depends_on_itself_is_refused() {
     let refused = refusal(|| {
-        let unit = unit(2, |top| {
+        let block = block(2, |top| {
             let a = top.input(S8, (0, 9)).named("a");
             let back = top.later(S8, (0, 50));
             let x = Phases::new(2, |s| Some((s, [a, back][s]))).late(|(s, _)| *s == 1).map(|x| x.1).mux().named("x");
@@ -371,7 +371,7 @@ fn what_depends_on_itself_is_refused() {
             back.connect(x.floor(1).bits(8).at_point(Some(4)).named("next").capture(1, true).named("first"));
             vec![x.capture(1, true).named("y")]
         });
-        scheduled(&unit, 100)
+        scheduled(&block, 100)
     });
-    expect!["unit sample: late operands depend on themselves"].assert_eq(&refused);
+    expect!["block sample: late operands depend on themselves"].assert_eq(&refused);
 }

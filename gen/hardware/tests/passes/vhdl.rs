@@ -106,7 +106,7 @@ fn registers_begin_with_the_value_that_they_are_reset_to() {
 
 #[test]
 fn what_has_one_reader_is_written_where_it_is_read() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let [a, b] = ["a", "b"].map(|name| top.input(S8, ALL).named(name));
         let sum = (a + b).floor(1) - a.floor(1);
         let twice = (a - b).magnitude();
@@ -136,12 +136,12 @@ fn what_has_one_reader_is_written_where_it_is_read() {
           z <= abs_of(resize(a, 9) - resize(b, 9)) or to_unsigned(1, 9);
           most <= a when less(a, b) = '1' else b;
         end architecture rtl;"#]]
-    .assert_eq(&inside(&lowered(&unit, 100)));
+    .assert_eq(&inside(&lowered(&block, 100)));
 }
 
 #[test]
 fn bundles_are_records_and_arrays_and_what_is_done_alike_is_a_loop() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let v = Vec3::each(|_| Bounds { least: top.input(S8, ALL), most: top.input(S8, ALL) }).named("v");
         let w = [0; 4].map(|_| top.input(S8, ALL)).named("w");
         let wide = v.map(|b| Bounds { least: b.least - b.most, most: b.most + b.most }).named("wide");
@@ -150,7 +150,7 @@ fn bundles_are_records_and_arrays_and_what_is_done_alike_is_a_loop() {
         let flags = w.map(|x| x.negative()).named("flags");
         [wide.signals(), turned.signals(), sums.signals(), flags.signals()].concat()
     });
-    let module = lowered(&unit, 100);
+    let module = lowered(&block, 100);
     let files = {
         let top = Control::new("outer", vec![]);
         let inputs: Vec<Wire> = module
@@ -352,7 +352,7 @@ fn bits_of_a_port_of_a_top_are_converted_and_not_cut_off_a_conversion() {
 
 #[test]
 fn loops_begin_with_any_element() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let w = [0; 4].map(|_| top.input(S8, ALL)).named("w");
         [0, 1, 2].map(|i| w[i + 1] - w[i]).named("steps").to_vec()
     });
@@ -371,12 +371,12 @@ fn loops_begin_with_any_element() {
             steps(k) <= resize(w(k + 1), 9) - resize(w(k), 9);
           end generate steps_each;
         end architecture rtl;"#]]
-    .assert_eq(&inside(&lowered(&unit, 100)));
+    .assert_eq(&inside(&lowered(&block, 100)));
 }
 
 #[test]
 fn delays_are_lines_and_phases_are_tables() {
-    let unit = unit(4, |top| {
+    let block = block(4, |top| {
         let a = [0; 4].map(|_| top.input(S8, ALL)).to_vec().named("a");
         let x = Phases::new(4, |s| Some(a[s])).mux().named("x");
         let held: Vec<Sig> = (0..3).map(|s| x.capture(s, false).named_at("held", s)).collect();
@@ -500,7 +500,7 @@ fn delays_are_lines_and_phases_are_tables() {
             end if;
           end process delays;
         end architecture rtl;"#]]
-    .assert_eq(&inside(&lowered(&unit, 100)));
+    .assert_eq(&inside(&lowered(&block, 100)));
 }
 
 #[test]
@@ -577,7 +577,7 @@ fn memories_flags_and_choices() {
 
 #[test]
 fn instances_that_are_alike_are_generated() {
-    let unit = unit(1, |top| {
+    let block = block(1, |top| {
         let v = Vec3::each(|_| top.input(S8, ALL)).named("v");
         let a = top.input(S8, ALL).named("a");
         let each = Vec3::each(|i| {
@@ -609,7 +609,7 @@ fn instances_that_are_alike_are_generated() {
           z_unit : entity work.part
             port map (clk => clk, x => a, a => a, p => z);
         end architecture rtl;"#]]
-    .assert_eq(&inside(&lowered(&unit, 100)));
+    .assert_eq(&inside(&lowered(&block, 100)));
 }
 
 #[test]

@@ -228,7 +228,7 @@ fn products<'l>(u: Top<'l>, p: &Params, edges: &Edges<'l>, shift: Shift<'l>, lev
 fn leading<'l>(p: &Params, z: Sig<'l>) -> Sig<'l> {
     match p.width - 6 {
         0 => z,
-        dropped => (z + constant(z.unit(), (1 << dropped) - 1)).floor(dropped as i32),
+        dropped => (z + constant(z.block(), (1 << dropped) - 1)).floor(dropped as i32),
     }
 }
 

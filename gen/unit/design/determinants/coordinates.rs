@@ -160,7 +160,7 @@ pub fn rounded<'l>(scale: &Scale, cut: Vec3<Sig<'l>>, carried: Vec3<Sig<'l>>) ->
     let most = (1 << (scale.width - 1)) - 1;
     entity!("coordinate_round", &doc, (cut, carried) => {
         let chosen = cut.zip(carried, |x, carried| carried.choose(x.floor(1), x)).named("chosen");
-        let round = |x: Sig<'l>| (x + constant(x.unit(), 1)).floor(1).assume(most, "coordinate").bits(scale.width);
+        let round = |x: Sig<'l>| (x + constant(x.block(), 1)).floor(1).assume(most, "coordinate").bits(scale.width);
         chosen.map(round).named("y")
     })
 }

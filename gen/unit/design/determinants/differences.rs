@@ -89,10 +89,10 @@ pub fn row<'l>(p: &Params, m: Vec3<Sig<'l>>, w: Vec3<Sig<'l>>) -> Sig<'l> {
         if cut { &parts } else { "the products are exact" },
     ];
     // One more bit than 2^f has, for the sign.
-    let middle = |x: Sig<'l>| constant(x.unit(), 1).below(&[x.bits(fraction + 2)]);
+    let middle = |x: Sig<'l>| constant(x.block(), 1).below(&[x.bits(fraction + 2)]);
     entity!("difference_row", &doc, (m, w) => {
         let (m, w) = (m.map(middle).named("m_middle"), w.map(middle).named("w_middle"));
-        let sum = |x: Vec3<Sig<'l>>, more: i128| (x[0] + x[1]) + (x[2] + constant(x[0].unit(), more));
+        let sum = |x: Vec3<Sig<'l>>, more: i128| (x[0] + x[1]) + (x[2] + constant(x[0].block(), more));
         let half = 1 << (fraction + 1);
         let turned = if cut {
             let (q, high) = (low_bits, |x: Sig<'l>| x.floor(low_bits as i32));

@@ -14,20 +14,20 @@ mod verdict;
 use super::guard::Guards;
 use super::pipeline::Inputs;
 use crate::params::Params;
-use efsat_hardware::graph::{Library, Phases, Sig, Signals, Top, Unit, Vec3};
+use efsat_hardware::graph::{Block, Library, Phases, Sig, Signals, Top, Vec3};
 use efsat_hardware::op::Type;
 use std::rc::Rc;
 pub(super) use verdict::Outcome;
 
 /// The data path for a parameter set. Its inputs are the pair and its pose, held for the slot; its outputs are
 /// `verdict`, `separated` and `overlapping` (bit i: witness i), and `outside` where there is a guard.
-pub fn unit(p: &Params) -> Rc<Unit> {
+pub fn unit(p: &Params) -> Rc<Block> {
     let doc = [
         "The data path of one pair: differences from V0, coordinates of working width, moments, fifteen determinants with",
         "bounds on their errors, verdict. Units are shared over the phases of the slot. A value captured for the pair is",
         "named after what it is; later copies end in _h<clocks>.",
     ];
-    Library::default().unit("pair_pipeline", &doc, p.interval(), |u| {
+    Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
         let guards = Guards::new(u, p);
         let inputs = Inputs::new(u, p);
         let differences = differences::points(u, p, &guards, &inputs);

@@ -98,7 +98,7 @@ fn rounded<'l>(p: &Params, cut: Vec3<Sig<'l>>, shift: Shift<'l>) -> Vec3<Sig<'l>
         let chosen = cut.map(|x| by_number(places, |k| x.floor(k as i32), shift.span));
         let chosen = if places.is_some() { chosen.named("chosen") } else { chosen };
         let range = (-(1 << (n - 1)), (1 << (n - 1)) - 1);
-        let round = |x: Sig<'l>| (x + constant(x.unit(), 1)).floor(1).within(range, "moment").bits(n);
+        let round = |x: Sig<'l>| (x + constant(x.block(), 1)).floor(1).within(range, "moment").bits(n);
         chosen.map(round).named("moment")
     })
 }

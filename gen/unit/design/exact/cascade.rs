@@ -11,7 +11,7 @@ use super::super::pipeline::Inputs;
 use super::super::sequencer::{self, Sequencer};
 use super::{decided, fitted};
 use crate::params::{BELOW_GRID, Params};
-use efsat_hardware::graph::{Library, Place, Sig, Signals, Unit, Vec3};
+use efsat_hardware::graph::{Block, Library, Place, Sig, Signals, Vec3};
 use efsat_hardware::netlist::{Control, Module, Wire};
 use efsat_hardware::op::Type;
 use std::rc::Rc;
@@ -23,13 +23,13 @@ pub const SECOND_STAGE: &str = "exact_";
 pub const HANDED_OVER: &str = "fitted";
 
 /// The first data path. Its outputs are those of the exact unit's, whether the pair is left open, and its differences.
-pub fn first(p: &Params, first: &Params) -> Rc<Unit> {
+pub fn first(p: &Params, first: &Params) -> Rc<Block> {
     let doc = [
         "The data path of one pair in the first stage: differences from V0, rounded to 18 bits behind the highest of them that",
         "is set, moments, fifteen determinants with bounds on their errors, verdict. Units are shared over the phases of the",
         "slot. A value captured for the pair is named after what it is; later copies end in _h<clocks>.",
     ];
-    Library::default().unit("pair_pipeline", &doc, p.interval(), |u| {
+    Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
         let inputs = Inputs::new(u, p);
         let guards = Guards::new(u, p);
         let differences = differences::points(u, p, &guards, &inputs);
@@ -42,13 +42,13 @@ pub fn first(p: &Params, first: &Params) -> Rc<Unit> {
 }
 
 /// The second data path, of differences that fit.
-pub fn second(p: &Params, clocks: u32) -> Rc<Unit> {
+pub fn second(p: &Params, clocks: u32) -> Rc<Block> {
     let doc = [
         "The data path of one pair in the second stage: moments, fifteen determinants, the rule for pairs in one plane, verdict;",
         "nothing is rounded. Units are shared over the phases of the slot. A value captured for the pair is named after what it",
         "is; later copies end in _h<clocks>.",
     ];
-    Library::with_prefix(SECOND_STAGE).unit("pipeline", &doc, clocks as usize, |u| {
+    Library::with_prefix(SECOND_STAGE).block("pipeline", &doc, clocks as usize, |u| {
         let most = (1i128 << (p.width - 1)) - 1;
         let ty = Type { signed: true, bits: p.width, fraction: None };
         let points: [Vec3<Sig>; 5] = std::array::from_fn(|_| Vec3::each(|_| u.input(ty, (-most, most))));

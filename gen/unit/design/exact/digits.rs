@@ -27,7 +27,7 @@ pub fn offset(x: Sig<'_>, most: i128) -> Sig<'_> {
     let of_digits = |digits: u32| {
         let added: i128 = (0..digits - 1).map(|i| 1 << (BELOW + MULTIPLIER_BITS * i)).sum();
         let sum =
-            x + x.unit().constant(added, Type { bits: x.ty().bits.max(MULTIPLIER_BITS * (digits - 1) + 1), ..x.ty() });
+            x + x.block().constant(added, Type { bits: x.ty().bits.max(MULTIPLIER_BITS * (digits - 1) + 1), ..x.ty() });
         sum.bits(129 - (most + added).leading_zeros())
     };
     match count(x.ty().bits) {

@@ -17,19 +17,19 @@ use super::pipeline::Inputs;
 use super::product::product;
 use crate::params::Params;
 use efsat_hardware::entity;
-use efsat_hardware::graph::{Library, Sig, Signals, Top, Unit, Vec3};
+use efsat_hardware::graph::{Block, Library, Sig, Signals, Top, Vec3};
 use std::rc::Rc;
 use verdict::Outcome;
 
 /// The data path for a parameter set. Its inputs are the pair and its pose, held for the slot; its outputs are `verdict`,
 /// `outside`, and `separated` and `overlapping` (bit i: witness i).
-pub fn unit(p: &Params) -> Rc<Unit> {
+pub fn unit(p: &Params) -> Rc<Block> {
     let doc = [
         "The data path of one pair: differences from V0, moments, fifteen determinants, the rule for pairs in one plane,",
         "verdict; nothing is rounded. Units are shared over the phases of the slot. A value captured for the pair is named",
         "after what it is; later copies end in _h<clocks>.",
     ];
-    Library::default().unit("pair_pipeline", &doc, p.interval(), |u| {
+    Library::default().block("pair_pipeline", &doc, p.interval(), |u| {
         let inputs = Inputs::new(u, p);
         let guards = Guards::new(u, p);
         let differences = differences::points(u, p, &guards, &inputs);

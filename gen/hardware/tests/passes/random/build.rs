@@ -3,7 +3,7 @@
 use super::case::Case;
 use crate::{lowered_for, scheduled_for};
 use efsat_hardware::entity;
-use efsat_hardware::graph::{Fact, Library, Phases, Rate, Sig, Signals, Top, Unit, Vec3};
+use efsat_hardware::graph::{Block, Fact, Library, Phases, Rate, Sig, Signals, Top, Vec3};
 use efsat_hardware::netlist::Module;
 use efsat_hardware::netlist::lower::Probe;
 use efsat_hardware::op::{Range, Select, Type};
@@ -502,7 +502,7 @@ impl<'l> Builder<'l> {
 
 /// A design, and what is to be known of it.
 pub struct Built {
-    pub unit: Rc<Unit>,
+    pub block: Rc<Block>,
     /// The range of each input.
     pub inputs: Vec<Range>,
     /// The phases in which each output has a meaning.
@@ -513,12 +513,12 @@ pub struct Built {
 }
 
 /// A graph, the range of each input, and the phases in which each output has a meaning.
-type Graph = (Rc<Unit>, Vec<Range>, Vec<Vec<(usize, bool)>>);
+type Graph = (Rc<Block>, Vec<Range>, Vec<Vec<(usize, bool)>>);
 
-fn unit(case: &Case, named: bool) -> Graph {
+fn block(case: &Case, named: bool) -> Graph {
     let (mut inputs, mut meanings) = (vec![], vec![]);
     let library = Library::default();
-    let unit = library.unit("design", &["Made at random."], case.interval, |top| {
+    let block = library.block("design", &["Made at random."], case.interval, |top| {
         let mut b = Builder {
             top,
             interval: case.interval,
@@ -553,27 +553,27 @@ fn unit(case: &Case, named: bool) -> Graph {
         }
         outputs
     });
-    (unit, inputs, meanings)
+    (block, inputs, meanings)
 }
 
 /// Builds, schedules and lowers the design of a case; nothing where two values would be called the same by the structure, even
 /// with names for most of them.
 pub fn build(case: &Case) -> Option<Built> {
     let device = device::names()[case.device % device::names().len()];
-    let (unit, inputs, outputs) = [false, true].into_iter().find_map(|named| {
-        catch_unwind(AssertUnwindSafe(|| unit(case, named))).map(Some).unwrap_or_else(|why| {
+    let (block, inputs, outputs) = [false, true].into_iter().find_map(|named| {
+        catch_unwind(AssertUnwindSafe(|| block(case, named))).map(Some).unwrap_or_else(|why| {
             let clash = why.downcast_ref::<String>().is_some_and(|why| why.contains("two nodes are called"));
             if clash { None } else { resume_unwind(why) }
         })
     })?;
-    let (module, probes) = lowered_for(device, &unit, case.megahertz);
-    let schedule = scheduled_for(device, &unit, case.megahertz);
-    Some(Built { unit, inputs, outputs, schedule, module, probes })
+    let (module, probes) = lowered_for(device, &block, case.megahertz);
+    let schedule = scheduled_for(device, &block, case.megahertz);
+    Some(Built { block, inputs, outputs, schedule, module, probes })
 }
 
 /// All dumps of a case.
 pub fn shown(case: &Case) -> String {
     let Ok(Some(built)) = catch_unwind(|| build(case)) else { return "not built\n".to_owned() };
     let modules: String = built.module.hierarchy().iter().map(|module| dump::module(module)).collect();
-    dump::unit(&built.unit) + &dump::schedule(&built.schedule) + &modules
+    dump::block(&built.block) + &dump::schedule(&built.schedule) + &modules
 }

@@ -61,7 +61,7 @@ fn top(module: &Rc<Module>, interval: usize) -> Rc<Module> {
 }
 
 fn run(case: &Case) -> Option<Run> {
-    let Built { unit, inputs: ranges, outputs, schedule, module, probes } = &build(case)?;
+    let Built { block, inputs: ranges, outputs, schedule, module, probes } = &build(case)?;
     let mut random = ChaCha8Rng::seed_from_u64(case.seed);
     let top = top(module, case.interval);
     let interval = case.interval;
@@ -73,19 +73,19 @@ fn run(case: &Case) -> Option<Run> {
         _ => random.random_range(least..=most),
     };
     let steady: Vec<i128> = ranges.iter().map(|range| value(*range)).collect();
-    let phased = top.inputs.len() > unit.inputs.len();
+    let phased = top.inputs.len() > block.inputs.len();
     // No pair is accepted before the first clock.
     let holds: Vec<bool> = (0..SLOTS).map(|slot| (slot > 0 || !phased) && value((0, 3)) > 0).collect();
     let mut inputs = vec![vec![]; top.inputs.len()];
     let mut expected = vec![vec![None; clocks]; top.outputs.len()];
-    let mut evaluator = Evaluator::new(unit);
+    let mut evaluator = Evaluator::new(block);
     for slot in 0..clocks.div_ceil(interval) {
         let pair = holds.get(slot) == Some(&true);
-        let each = unit.inputs.iter().enumerate().map(|(k, id)| match (&unit.node(*id).op, pair) {
+        let each = block.inputs.iter().enumerate().map(|(k, id)| match (&block.node(*id).op, pair) {
             (Op::Steady, _) => steady[k],
             (_, true) => value(ranges[k]),
             // Whatever has so many bits.
-            (_, false) => value(unit.node(*id).ty.limits()),
+            (_, false) => value(block.node(*id).ty.limits()),
         });
         let each: Vec<i128> = each.collect();
         let first = inputs.len() - each.len();
@@ -94,8 +94,8 @@ fn run(case: &Case) -> Option<Run> {
                 let next = holds.get(slot + 1) == Some(&true);
                 inputs[0].push(i128::from(if s + 1 == interval { next } else { value((0, 1)) == 1 }));
             }
-            for (k, id) in unit.inputs.iter().enumerate() {
-                let node = unit.node(*id);
+            for (k, id) in block.inputs.iter().enumerate() {
+                let node = block.node(*id);
                 let gone = matches!(node.op, Op::Input { early } if s + early >= interval);
                 inputs[first + k].push(if gone { value(node.ty.limits()) } else { each[k] });
             }

@@ -1,18 +1,18 @@
-//! Units: named graphs with ports.
+//! Blocks: named graphs with ports.
 
 use super::place::{Place, Step};
 use crate::op::{Comb, Range, Type};
 use std::cell::RefCell;
 use std::rc::Rc;
 
-/// A node of a unit.
+/// A node of a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct NodeId(pub usize);
 
 /// How often a value changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Rate {
-    /// Follows its operands: the unit does not care (its inputs, constants, what is steady).
+    /// Follows its operands: the block does not care (its inputs, constants, what is steady).
     Any,
     /// Once per pair: the value is held for the whole slot of `interval` clocks.
     Pair,
@@ -23,12 +23,12 @@ pub enum Rate {
 /// What a node is. Operands are the node's arguments, in order.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Op {
-    /// An input port of the unit.
+    /// An input port of the block.
     Input {
         /// A per-pair value changes this many clocks before the slot ends.
         early: usize,
     },
-    /// An input port of the unit at the top that does not change while anything is in flight.
+    /// An input port of the block at the top that does not change while anything is in flight.
     Steady,
     /// A combinational operation.
     Comb(Comb),
@@ -62,8 +62,8 @@ pub enum Op {
     Known(Fact),
     /// No hardware: the same bits with another binary point.
     Point,
-    /// An instance of a unit; its arguments are the unit's inputs, in order.
-    Instance(Rc<Unit>),
+    /// An instance of a block; its arguments are the block's inputs, in order.
+    Instance(Rc<Block>),
     /// This output of an instance.
     Output(usize),
 }
@@ -109,7 +109,7 @@ pub struct Node {
     pub ty: Type,
     /// How often the result changes.
     pub rate: Rate,
-    /// Name, unique in the unit.
+    /// Name, unique in the block.
     pub place: Place,
     /// Whether somebody gave it this name: such nodes stay visible in the printed text.
     pub named: bool,
@@ -135,7 +135,7 @@ pub struct Probe {
 
 /// A named graph with ports: one entity of the printed design.
 #[derive(Debug)]
-pub struct Unit {
+pub struct Block {
     /// Name, also of the entity.
     pub name: String,
     /// What it is, for the entity's header: equation, source, formats.
@@ -154,13 +154,13 @@ pub struct Unit {
     ranges: RefCell<Vec<Range>>,
 }
 
-impl Unit {
+impl Block {
     pub(super) fn new(name: String, doc: Vec<String>, interval: usize) -> Self {
         let ranges = RefCell::default();
         Self { name, doc, interval, nodes: vec![], inputs: vec![], outputs: vec![], probes: vec![], ranges }
     }
 
-    /// A node of this unit.
+    /// A node of this block.
     pub fn node(&self, id: NodeId) -> &Node {
         &self.nodes[id.0]
     }
@@ -170,20 +170,20 @@ impl Unit {
         self.ranges.borrow()[node]
     }
 
-    /// Includes the ranges of another use of the unit.
+    /// Includes the ranges of another use of the block.
     pub(super) fn widen(&self, ranges: &[Range]) {
         let mut own = self.ranges.borrow_mut();
         own.resize(ranges.len(), (i128::MAX, i128::MIN));
         own.iter_mut().zip(ranges).for_each(|(own, r)| *own = (own.0.min(r.0), own.1.max(r.1)));
     }
 
-    /// Whether another unit is the same but for ranges.
+    /// Whether another block is the same but for ranges.
     pub(super) fn same(&self, other: &Self) -> bool {
         (&self.nodes, &self.inputs, &self.outputs) == (&other.nodes, &other.inputs, &other.outputs)
             && (self.interval, &self.doc) == (other.interval, &other.doc)
     }
 
-    /// Whether the unit has a `phase` port: values of pairs are captured in some phase of a slot of several clocks, if only to
+    /// Whether the block has a `phase` port: values of pairs are captured in some phase of a slot of several clocks, if only to
     /// be held until the others are there.
     pub fn phased(&self) -> bool {
         self.interval > 1
@@ -213,12 +213,12 @@ impl Unit {
     /// If there is none.
     pub fn output(&self, name: &str) -> usize {
         let found = self.outputs.iter().position(|(place, _)| place.to_string() == name);
-        found.unwrap_or_else(|| panic!("unit {} has no output {name}", self.name))
+        found.unwrap_or_else(|| panic!("block {} has no output {name}", self.name))
     }
 }
 
-/// Instances of one unit are equal.
-impl PartialEq for Unit {
+/// Instances of one block are equal.
+impl PartialEq for Block {
     fn eq(&self, other: &Self) -> bool {
         std::ptr::eq(self, other)
     }
