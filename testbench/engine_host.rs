@@ -2,6 +2,7 @@
 
 use crate::tools::program::{object, refuses, succeeds};
 use crate::tools::{CHECKED, compiles_everywhere, has, run};
+use efsat::collide::hierarchy::Directions;
 use efsat::engine::format::EngineFormat;
 use efsat::engine::model::{Model, Query, QueryRow, Side};
 use efsat::engine::params::EngineParams;
@@ -11,7 +12,6 @@ use efsat::number::Upper;
 use efsat::pair::{Input, Pose};
 use efsat::params::options::Choice;
 use efsat::params::{Params, Quantity};
-use efsat::scene::hierarchy::Directions;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::fmt::Write;
