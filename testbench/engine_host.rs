@@ -207,9 +207,8 @@ fn files_in_c_and_python_pack_as_the_host_here_does() {
         [(EngineParams::default(), sticky), (corners, Params::default()), (block_ram, Params::default())]
     {
         let (home, format) = (tempfile::tempdir().unwrap(), engine.format(&unit).unwrap());
-        let options = engine.options().into_iter().chain([("upper", unit.upper.name().to_owned())]);
-        let of_memory = |name: &str| engine.memory == Memory::BlockRam && name == "memory-width";
-        let options = options.filter(|(name, _)| !of_memory(name));
+        let of_engine = engine.options().into_iter().filter(|(name, _)| engine.has(name));
+        let options = of_engine.chain([("upper", unit.upper.name().to_owned())]);
         let options: String = options.map(|(name, value)| format!(" --{name} {value}")).collect();
         succeeds(&home, &format!("generate --engine --out rtl{options}"));
         let (mut asked, mut due) = (String::new(), String::new());
