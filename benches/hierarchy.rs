@@ -2,8 +2,8 @@
 //! less than a minute on the cores at hand.
 
 use criterion::{Criterion, criterion_group, criterion_main};
+use efsat::collide::hierarchy::{Directions, DopTree, Scratch, pairs};
 use efsat::mesh::Mesh;
-use efsat::scene::hierarchy::{Directions, DopTree, Scratch, pairs};
 use efsat::scene::{Pose, Scene};
 use nalgebra::Point3;
 use rayon::prelude::*;
@@ -27,12 +27,12 @@ fn bumpy_sphere() -> Mesh {
         Point3::new(r * u.sin() * v.cos(), r * u.sin() * v.sin(), r * u.cos())
     };
     let index = |i: u32, j: u32| i * sides + j % sides;
-    let vertices = (0..=rings).flat_map(|i| (0..sides).map(move |j| vertex(i, j))).collect();
+    let vertices: Vec<_> = (0..=rings).flat_map(|i| (0..sides).map(move |j| vertex(i, j))).collect();
     let square = |(i, j): (u32, u32)| {
         let [p, q, r, s] = [index(i, j), index(i, j + 1), index(i + 1, j + 1), index(i + 1, j)];
         [[p, q, r], [p, r, s]]
     };
-    let faces = (0..rings).flat_map(|i| (0..sides).map(move |j| (i, j))).flat_map(square).collect();
+    let faces: Vec<_> = (0..rings).flat_map(|i| (0..sides).map(move |j| (i, j))).flat_map(square).collect();
     Mesh::new(vertices, faces).unwrap()
 }
 

@@ -2,8 +2,8 @@
 //! of a scene. Writes meshes and poses to a folder, so that `scripts/fcl` can ask another library the same. Prints queries,
 //! touching pairs and microseconds per query; then distance, queries and microseconds per query for each distance of a turn.
 
+use efsat::collide::hierarchy::{Directions, DopTree, Scratch, rounded_contacts};
 use efsat::mesh::Mesh;
-use efsat::scene::hierarchy::{Directions, DopTree, Scratch, rounded_contacts};
 use efsat::scene::{Meeting, Scene, load};
 use std::fs;
 use std::path::Path;

@@ -56,7 +56,8 @@ pub mod evidence {
 
 pub use efsat_engine as engine;
 pub use efsat_geometry::{
-    NotFinite, Points, directions, exact, finite, mesh, pair_file, sample, scene, self_intersections, software,
+    NotFinite, Points, collide, directions, exact, finite, mesh, pair_file, sample, scene, self_intersections,
+    software, solids,
 };
 pub use efsat_hardware::{cells, device, diagram, estimate, graph, netlist, number, op, schedule, vhdl};
 pub use efsat_unit::{artefact, design, golden, host, pair, params, words};

@@ -3,6 +3,7 @@
 use crate::extent::share;
 use crate::hierarchy::brute_force;
 use crate::tools::program::{fails, object, succeeds};
+use efsat::collide::hierarchy::Directions;
 use efsat::engine::host::{Image, Numbers, memory};
 use efsat::engine::model::{Model, Query};
 use efsat::engine::params::EngineParams;
@@ -10,7 +11,6 @@ use efsat::engine::words::Reason;
 use efsat::mesh::{Mesh, read};
 use efsat::pair::Verdict;
 use efsat::params::Params;
-use efsat::scene::hierarchy::Directions;
 use efsat::scene::{Pose, Scene, load};
 use rayon::prelude::*;
 use serde_json::Value;

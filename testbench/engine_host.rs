@@ -2,6 +2,7 @@
 
 use crate::tools::program::{object, refuses, succeeds};
 use crate::tools::{CHECKED, compiles_everywhere, has, run};
+use efsat::collide::hierarchy::Directions;
 use efsat::engine::format::EngineFormat;
 use efsat::engine::model::{Model, Query, QueryRow, Side};
 use efsat::engine::params::EngineParams;
@@ -11,7 +12,6 @@ use efsat::number::Upper;
 use efsat::pair::{Input, Pose};
 use efsat::params::options::Choice;
 use efsat::params::{Params, Quantity};
-use efsat::scene::hierarchy::Directions;
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use std::fmt::Write;
@@ -207,9 +207,8 @@ fn files_in_c_and_python_pack_as_the_host_here_does() {
         [(EngineParams::default(), sticky), (corners, Params::default()), (block_ram, Params::default())]
     {
         let (home, format) = (tempfile::tempdir().unwrap(), engine.format(&unit).unwrap());
-        let options = engine.options().into_iter().chain([("upper", unit.upper.name().to_owned())]);
-        let of_memory = |name: &str| engine.memory == Memory::BlockRam && name == "memory-width";
-        let options = options.filter(|(name, _)| !of_memory(name));
+        let of_engine = engine.options().into_iter().filter(|(name, _)| engine.has(name));
+        let options = of_engine.chain([("upper", unit.upper.name().to_owned())]);
         let options: String = options.map(|(name, value)| format!(" --{name} {value}")).collect();
         succeeds(&home, &format!("generate --engine --out rtl{options}"));
         let (mut asked, mut due) = (String::new(), String::new());

@@ -2,9 +2,9 @@
 
 use crate::extent::share;
 use crate::tools::program::{command, efsat, object, ran, refuses, succeeds};
+use efsat::collide::hierarchy::{Directions, DopTree, Scratch, first_hit, pairs};
 use efsat::exact::{Exact, posed_pair};
 use efsat::mesh::{Bounds, Mesh, read};
-use efsat::scene::hierarchy::{Directions, DopTree, Scratch, first_hit, pairs};
 use efsat::scene::{Pose, Scene};
 use rayon::prelude::*;
 use serde_json::Value;

@@ -337,6 +337,24 @@ fn the_face_is_small() {
     assert!(all <= FACE, "{all} public items, expected at most {FACE}; hide what no user needs: {counts:?}");
 }
 
+/// Modules of the exact software that its documentation shows, each with an example that runs.
+#[test]
+fn every_module_of_the_software_has_an_example() {
+    let sources = sources();
+    let strip = |(path, text): &(String, String)| Some((path.strip_prefix("gen/geometry/")?.to_owned(), text.clone()));
+    let sources: BTreeMap<String, String> = sources.iter().filter_map(strip).collect();
+    let codes: Vec<(String, String)> = sources.iter().map(|(path, text)| (path.clone(), code(text))).collect();
+    let file = |item: String| {
+        let path = item.replace("::", "/");
+        [format!("{path}.rs"), format!("{path}/mod.rs")].into_iter().find(|path| sources.contains_key(path))
+    };
+    let modules: BTreeSet<String> = face::shown(&codes).into_iter().filter_map(file).collect();
+    assert!(modules.len() > 8, "{modules:?}");
+    let has_example = |path: &&String| ["//! ```\n", "/// ```\n"].iter().any(|mark| sources[*path].contains(mark));
+    let bare: Vec<&String> = modules.iter().filter(|path| !has_example(path)).collect();
+    assert!(bare.is_empty(), "without an example: {bare:?}");
+}
+
 #[test]
 fn only_the_command_line_prints() {
     let printing = sources()

@@ -39,6 +39,7 @@ mod reported;
 mod scenes;
 mod schedule;
 mod self_intersections;
+mod software;
 mod stream;
 mod stress;
 mod stress_once;

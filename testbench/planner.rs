@@ -2,13 +2,13 @@
 
 use crate::tools::program::{command, efsat, object, ran, refuses, succeeds};
 use crate::tools::{ghdl, made};
+use efsat::collide::hierarchy::{Directions, Scratch};
 use efsat::evidence::planner::{Front, Options, Plan, Request, Sampling, TooMany, frame_contacts, plan, run};
 use efsat::golden::Golden;
 use efsat::host::ReadyScene;
 use efsat::host::settings::Settings;
 use efsat::pair::Verdict;
 use efsat::params::Params;
-use efsat::scene::hierarchy::{Directions, Scratch};
 use efsat::scene::{Near, Scene, load};
 use rayon::prelude::*;
 use serde_json::Value;

@@ -212,7 +212,7 @@ fn read_mesh(path: &Path) -> Result<(), String> {
     assert!(!mesh.faces().is_empty() && (read.is_err() == (findings.left_out() > 0)), "{findings}");
     let finite = mesh.vertices().iter().all(|vertex| vertex.iter().all(|x| x.is_finite()));
     assert!(finite && mesh.faces().iter().flatten().all(|vertex| (*vertex as usize) < mesh.vertices().len()));
-    scene::Tree::new(&mesh);
+    efsat::collide::Tree::new(&mesh);
     if let Some(grid) = mesh::Snapped::finest(&mesh, 131_071.0)
         && mesh::Snapped::most(&mesh) / grid < 2f64.powi(53)
     {

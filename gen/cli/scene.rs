@@ -9,7 +9,7 @@ mod times;
 
 use super::error::Failure;
 use clap::Subcommand;
-use efsat_geometry::scene::hierarchy::Directions;
+use efsat_geometry::collide::hierarchy::Directions;
 
 /// Analyses scenes: which triangles come close, and which optional stages of the unit that calls for
 #[derive(Debug, clap::Args)]

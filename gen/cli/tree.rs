@@ -12,8 +12,8 @@ use super::params::{choice, whole};
 use clap::Subcommand;
 use efsat_engine::host::{Image, ImageError};
 use efsat_engine::params::{EngineParams, OFFSET_BITS, ORIGIN_BITS};
+use efsat_geometry::collide::hierarchy::Directions;
 use efsat_geometry::input;
-use efsat_geometry::scene::hierarchy::Directions;
 use std::path::Path;
 
 /// Builds and checks images of trees for the collision engine, and counts what it would do with them

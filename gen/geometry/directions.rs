@@ -1,4 +1,13 @@
 //! The directions of k-DOPs, and any vector as a sum of three of them.
+//!
+//! ```
+//! use efsat_geometry::directions::Directions;
+//!
+//! let set = Directions::of(18).unwrap();
+//! let terms = set.combination(&[3.0, -1.0, 0.5].into());
+//! let sum = |axis: usize| terms.iter().map(|&(index, factor)| f64::from(set.vector(index)[axis]) * factor).sum::<f64>();
+//! assert_eq!([sum(0), sum(1), sum(2)], [3.0, -1.0, 0.5]);
+//! ```
 
 use nalgebra::Vector3;
 

@@ -2,6 +2,17 @@
 //!
 //! Meshes and poses are checked when they are made, so that nothing behind them looks again; functions that take plain numbers
 //! check these, and refuse them with the place of the first that is infinite or no number.
+//!
+//! ```
+//! use efsat_geometry::finite::Place;
+//! use efsat_geometry::software::retest::retest;
+//!
+//! let mut points = [[0.0; 3]; 6];
+//! points[4][2] = f64::INFINITY;
+//! let refused = retest(&points).unwrap_err();
+//! assert_eq!(refused.place, Place::Pair { pair: None, corner: 4, axis: 2 });
+//! assert_eq!(refused.to_string(), "z of b1 is inf: expected a finite number");
+//! ```
 
 use crate::Points;
 use std::fmt;

@@ -1,5 +1,16 @@
 //! Files of triangle pairs: `.csv` (18 numbers a row) and `.f64` (raw little-endian binary64, 144 bytes a pair), in
 //! both a0 a1 a2 b0 b1 b2, each x y z.
+//!
+//! ```
+//! use efsat_geometry::pair_file::read_csv;
+//!
+//! let text = "0,0,0, 4,0,0, 0,4,0, 1,1,0, 1,1,1, 2,1,1\n";
+//! let pairs = read_csv(text.as_bytes(), "pairs.csv")?;
+//! assert_eq!(pairs[0][3], [1.0, 1.0, 0.0]);
+//! let error = read_csv("1,2,3\n".as_bytes(), "pairs.csv").unwrap_err();
+//! assert!(error.to_string().starts_with("pairs.csv: "));
+//! # Ok::<(), efsat_geometry::pair_file::PairFileError>(())
+//! ```
 
 use crate::Points;
 use rayon::prelude::*;

@@ -1,5 +1,13 @@
 //! Seeded pairs of triangles in binary64: near, far, touching, coplanar, degenerate, at mixed scales. They depend on the
 //! generator's state only, so a seed names its pairs on every machine.
+//!
+//! ```
+//! use efsat_geometry::sample::random_points;
+//! use rand::{SeedableRng, rngs::ChaCha8Rng};
+//!
+//! let [first, again] = [(); 2].map(|()| random_points(&mut ChaCha8Rng::seed_from_u64(1)));
+//! assert_eq!(first, again);
+//! ```
 
 use nalgebra::Vector3;
 use rand::RngExt;

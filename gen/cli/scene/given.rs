@@ -5,7 +5,7 @@ use crate::error::{Failure, from_clap};
 use crate::params::ParamArguments;
 use clap::parser::ValueSource;
 use clap::{ArgMatches, Args, Command, FromArgMatches};
-use efsat_geometry::scene::hierarchy::Directions;
+use efsat_geometry::collide::hierarchy::Directions;
 use efsat_studies::planner::{Request, Stages, Wish};
 use efsat_unit::host::settings::{Effect, Parameter, Settings, Switch};
 use efsat_unit::params::options::{Choice, OptionRow};

@@ -13,7 +13,7 @@ pub fn hills(cells: u32) -> Mesh {
         [[corner, corner + 1, corner + row + 1], [corner, corner + row + 1, corner + row]]
     };
     let faces = (0..cells).flat_map(|y| (0..cells).flat_map(move |x| cell(x, y)));
-    Mesh::new(vertices.collect(), faces.collect()).expect("a grid")
+    Mesh::new(vertices, faces).expect("a grid")
 }
 
 /// The surface of a box with whole corners.
@@ -25,7 +25,7 @@ pub fn cuboid(x: u32, y: u32, z: u32) -> Mesh {
     });
     let sides = [[0, 1, 3, 2], [4, 5, 7, 6], [0, 1, 5, 4], [2, 3, 7, 6], [0, 2, 6, 4], [1, 3, 7, 5]];
     let faces = sides.iter().flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]]);
-    Mesh::new(vertices.collect(), faces.collect()).expect("a box")
+    Mesh::new(vertices, faces).expect("a box")
 }
 
 /// A turn about an axis by the angle of the triangle 3, 4, 5.

@@ -112,7 +112,8 @@ impl EngineDesign {
     /// The options of the engine with their values.
     pub fn options(&self) -> Vec<(&'static str, String)> {
         let options = self.params.options().into_iter();
-        options.filter(|(name, _)| !self.by_number || Self::OPTIONS_BY_NUMBER.contains(name)).collect()
+        let by_number = |name| !self.by_number || Self::OPTIONS_BY_NUMBER.contains(&name);
+        options.filter(|(name, _)| self.params.has(name) && by_number(*name)).collect()
     }
 
     /// The options of the engine that one has which takes pairs by number.

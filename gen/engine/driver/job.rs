@@ -3,9 +3,9 @@
 use super::{EngineError, Objects, QueryOptions};
 use crate::host::Refusal;
 use crate::words::{EngineAnswer, EngineReport, Reason};
+use efsat_geometry::collide::hierarchy::{Scratch, contacts, first_hit};
 use efsat_geometry::exact::Exact;
 use efsat_geometry::scene::Pose;
-use efsat_geometry::scene::hierarchy::{Scratch, contacts, first_hit};
 use efsat_geometry::software::retest::retest_posed;
 use efsat_unit::pair::Verdict;
 use rayon::prelude::*;
@@ -179,7 +179,7 @@ impl Job<'_, '_> {
         } else {
             let meshes = self.pair.map(|object| self.objects.meshes[object]);
             let (found, _) = contacts(meshes, [a, b], &self.pose, &mut scratch);
-            found.into_iter().map(contact).collect()
+            found.into_iter().map(|(pair, kind)| contact((pair, kind.into()))).collect()
         };
         Contacts { pairs, report, software: Some(cause) }
     }

@@ -3,8 +3,8 @@
 use super::image::{Header, Image, LINE};
 use crate::format::EngineFormat;
 use crate::model::{Block, Link, Triangle};
+use efsat_geometry::collide::hierarchy::{LocalBlock, LocalChild, LocalFormat, LocalTree, Placement};
 use efsat_geometry::mesh::Mesh;
-use efsat_geometry::scene::hierarchy::{LocalBlock, LocalChild, LocalFormat, LocalTree, Placement};
 use efsat_unit::pair::Input;
 
 /// Why there is no image of a mesh.

@@ -2,7 +2,7 @@
 
 use super::image::{Image, ImageError};
 use crate::model::{BadBlock, Block, Link, Triangle};
-use efsat_geometry::{mesh::Mesh, scene::hierarchy::Placement};
+use efsat_geometry::{collide::hierarchy::Placement, mesh::Mesh};
 use efsat_hardware::number::Upper;
 
 impl Image {

@@ -56,8 +56,8 @@ fn dot(n: [i8; 3], x: &[Dyadic; 3]) -> Dyadic {
 /// A mesh of `count` triangles with corners on a coarse grid around a point, so that they often touch exactly.
 fn random_mesh(rng: &mut ChaCha8Rng, count: u32, scale: f64, centre: f64) -> Mesh {
     let mut corner = || Point3::from([0; 3].map(|_| (centre + f64::from(rng.random_range(-8..=8))) * scale));
-    let vertices = (0..3 * count).map(|_| corner()).collect();
-    Mesh::new(vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).unwrap()
+    let vertices: Vec<_> = (0..3 * count).map(|_| corner()).collect();
+    Mesh::new(vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2])).unwrap()
 }
 
 /// Turns, quarter turns, shears and singular matrices, all with entries from -1 to 1.

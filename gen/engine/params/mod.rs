@@ -137,6 +137,11 @@ impl EngineParams {
         self.stack - 3 * self.tree_height - 1
     }
 
+    /// Whether the engine has an option: with block RAM there is no read port.
+    pub fn has(&self, option: &str) -> bool {
+        self.memory == Memory::Axi || !["memory-width", "axi-id-bits", "watchdog"].contains(&option)
+    }
+
     /// Refuses options of the read port where there is none: `given` are those that somebody chose.
     ///
     /// # Errors
@@ -145,8 +150,7 @@ impl EngineParams {
         &self,
         mut given: impl Iterator<Item = &'a (&'static str, String)>,
     ) -> Result<(), ParamError> {
-        let of_port = |option: &str| ["memory-width", "axi-id-bits", "watchdog"].contains(&option);
-        match given.find(|(option, _)| self.memory == Memory::BlockRam && of_port(option)) {
+        match given.find(|(option, _)| !self.has(option)) {
             None => Ok(()),
             Some((option, found)) => {
                 let legal = "expected --memory axi with it: block RAM has no read port".to_owned();

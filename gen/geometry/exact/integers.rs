@@ -104,6 +104,12 @@ pub(super) fn relative<const COUNT: usize>(
     points.each_ref().map(|point| [0, 1, 2].map(|i| point[i].at(grid) - origin[i].at(grid)))
 }
 
+/// Points in units of one power of two, and its exponent.
+pub(crate) fn whole(points: &[[Scaled; 3]]) -> (Vec<[BigInt; 3]>, i64) {
+    let grid = grid(points.as_flattened());
+    (points.iter().map(|point| point.each_ref().map(|x| x.at(grid))).collect(), grid)
+}
+
 /// The least exponent of numbers other than zero.
 fn grid(numbers: &[Scaled]) -> i64 {
     numbers.iter().filter(|x| x.mantissa != BigInt::ZERO).map(|x| x.exponent).min().unwrap_or(0)

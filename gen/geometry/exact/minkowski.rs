@@ -29,7 +29,7 @@ use std::ops::{Add, Mul, Sub};
 use super::{Exact, Relation};
 
 /// An exact number.
-pub(super) trait Number: Clone + Ord + Default {
+pub(crate) trait Number: Clone + Ord + Default {
     /// self * other.
     fn times(&self, other: &Self) -> Self;
     /// self + other.
@@ -56,21 +56,21 @@ where
     }
 }
 
-type Vector<N> = [N; 3];
+pub(crate) type Vector<N> = [N; 3];
 
-fn difference<N: Number>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
+pub(crate) fn difference<N: Number>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
     [0, 1, 2].map(|i| a[i].minus(&b[i]))
 }
 
-fn cross<N: Number>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
+pub(crate) fn cross<N: Number>(a: &Vector<N>, b: &Vector<N>) -> Vector<N> {
     [(1, 2), (2, 0), (0, 1)].map(|(j, k)| a[j].times(&b[k]).minus(&a[k].times(&b[j])))
 }
 
-fn dot<N: Number>(a: &Vector<N>, b: &Vector<N>) -> N {
+pub(crate) fn dot<N: Number>(a: &Vector<N>, b: &Vector<N>) -> N {
     a[0].times(&b[0]).plus(&a[1].times(&b[1])).plus(&a[2].times(&b[2]))
 }
 
-fn is_zero<N: Number>(a: &Vector<N>) -> bool {
+pub(crate) fn is_zero<N: Number>(a: &Vector<N>) -> bool {
     *a == Vector::<N>::default()
 }
 

@@ -3,14 +3,13 @@
 use super::Mesh;
 use super::build::Faults;
 use robust::{Coord, orient2d};
-use serde::Serialize;
 use std::collections::HashSet;
 use std::fmt;
 use std::sync::Arc;
 
 /// What can be wrong with a face.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "snake_case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "scenes", derive(serde::Serialize), serde(rename_all = "snake_case"))]
 pub enum Defect {
     /// Fewer than three corners: left out.
     FewCorners,
@@ -60,7 +59,8 @@ impl Defect {
 }
 
 /// How often a defect was found, and where first.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "scenes", derive(serde::Serialize))]
 pub struct Finding {
     /// What was found.
     pub defect: Defect,
@@ -71,7 +71,8 @@ pub struct Finding {
 }
 
 /// What a reader did not take as part of the mesh, or took otherwise than the file says: how often, and where first.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
+#[cfg_attr(feature = "scenes", derive(serde::Serialize))]
 pub struct Remark {
     /// What it is.
     pub what: &'static str,
@@ -126,14 +127,15 @@ impl Numbers {
 }
 
 /// Everything found in a mesh file that its triangles do not show; it prints as one line.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "scenes", derive(serde::Serialize))]
 pub struct Findings {
     /// One entry for each defect that was found, in the order of [`Defect::ALL`].
     pub list: Vec<Finding>,
     /// What else there is to say.
     pub remarks: Vec<Remark>,
     /// The faces that the triangles are of.
-    #[serde(skip)]
+    #[cfg_attr(feature = "scenes", serde(skip))]
     pub numbers: Numbers,
 }
 

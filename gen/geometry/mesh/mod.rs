@@ -3,6 +3,20 @@
 //! Reading keeps every triangle of a file, degenerate ones included, in the order of the file; nothing is repaired,
 //! scaled or moved. Of STL files, vertices that are equal bit for bit are stored once. Polygons become triangles that tile
 //! them. What is read and what is refused is described in `docs/formats.md`.
+//!
+//! ```
+//! use efsat_geometry::mesh::{Mesh, read};
+//!
+//! // A mesh of shared vertices, and one of triangles by their corners.
+//! let square = Mesh::new([[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]], [[0, 1, 2], [0, 2, 3]])?;
+//! let triangles = [[[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 1.0, 0.0]], [[0.0, 0.0, 0.0], [1.0, 1.0, 0.0], [0.0, 1.0, 0.0]]];
+//! assert_eq!(Mesh::from_triangles(triangles)?, square);
+//!
+//! let error = Mesh::new([[0.0, 0.0, 0.0]], [[0, 0, 1]]).unwrap_err();
+//! assert_eq!(error.to_string(), "triangle 0: vertex 1; expected one of 1 vertices, counted from 0");
+//! assert!(read("no_such_file.stl".as_ref()).is_err());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub(crate) mod angle;
 mod bounds;
@@ -56,14 +70,25 @@ pub enum InvalidMesh {
         /// How many vertices there are.
         count: usize,
     },
+    /// More corners than indices count.
+    #[error("{count} corners; expected fewer than 2^32")]
+    TooMany {
+        /// How many there are.
+        count: usize,
+    },
 }
 
 impl Mesh {
-    /// A mesh of vertices, and of triangles as three indices into these, counted from 0.
+    /// A mesh of vertices, arrays or points, and of triangles as three indices into these, counted from 0.
     ///
     /// # Errors
     /// The first coordinate that is not finite, or the first triangle with an index out of range.
-    pub fn new(vertices: Vec<Point3<f64>>, faces: Vec<[u32; 3]>) -> Result<Self, InvalidMesh> {
+    pub fn new<V: Into<Point3<f64>>>(
+        vertices: impl IntoIterator<Item = V>,
+        faces: impl IntoIterator<Item = [u32; 3]>,
+    ) -> Result<Self, InvalidMesh> {
+        let vertices: Vec<Point3<f64>> = vertices.into_iter().map(Into::into).collect();
+        let faces: Vec<[u32; 3]> = faces.into_iter().collect();
         for (vertex, point) in vertices.iter().enumerate() {
             if let Some(axis) = (0..3).find(|&axis| !point[axis].is_finite()) {
                 return Err(NotFinite { place: Place::Vertex { mesh: None, vertex, axis }, value: point[axis] }.into());
@@ -76,6 +101,18 @@ impl Mesh {
             }
         }
         Ok(Self { vertices, faces })
+    }
+
+    /// A mesh of triangles by their corners. Corners that are equal as numbers become one vertex.
+    ///
+    /// # Errors
+    /// The first coordinate that is not finite; corner c of triangle t is vertex 3 t + c. More corners than 32 bits count.
+    pub fn from_triangles<V: Into<Point3<f64>>>(
+        triangles: impl IntoIterator<Item = [V; 3]>,
+    ) -> Result<Self, InvalidMesh> {
+        let corners: Vec<Point3<f64>> = triangles.into_iter().flatten().map(Into::into).collect();
+        let count = u32::try_from(corners.len()).map_err(|_| InvalidMesh::TooMany { count: corners.len() })?;
+        Ok(Self::new(corners, (0..count).step_by(3).map(|first| [first, first + 1, first + 2]))?.welded())
     }
 
     /// The vertices.

@@ -4,32 +4,35 @@
 //! named first: `x_A = M * x_B + t`. The twelve doubles of that relative pose are taken as exact reals by everything
 //! that follows; `M` need not be perfectly orthonormal. If A stands as in its file they are those of B's own pose;
 //! otherwise they are computed from both poses in binary64 ([`Pose::seen`]).
+//!
+//! ```
+//! use efsat_geometry::Collider;
+//! use efsat_geometry::scene::Scene;
+//!
+//! let scene = Scene::default_scene();
+//! let collider = Collider::new(&*scene.objects[0].mesh, &*scene.objects[1].mesh);
+//! let meeting = &scene.near().meetings(823)[0];
+//! assert_eq!(collider.contacts(&meeting.pose).len(), 22);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 mod check;
-mod containment;
-mod enclosure;
 mod file;
-pub mod hierarchy;
+mod forest;
 mod itself;
 mod meetings;
 mod motion;
 mod near;
-mod pieces;
-mod pose;
-mod split;
+pub(crate) mod rotation;
 mod sweep;
 mod trajectory;
-mod tree;
 
+pub use crate::collide::Pose;
 pub use check::InvalidScene;
-pub use containment::{Components, Nesting, OpenEdge, nestings};
 pub use file::{SceneError, load};
+pub use forest::Forest;
 pub use near::{Meeting, Near};
-pub use pose::Pose;
 pub use toml::Value;
-// For measurements of broad phases.
-#[doc(hidden)]
-pub use tree::{Candidates, Overlaps, Tree};
 
 use crate::mesh::{Findings, Mesh};
 use motion::Motion;

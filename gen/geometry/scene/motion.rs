@@ -2,7 +2,8 @@
 //! memory does not grow with the number of frames.
 
 use super::Object;
-use super::pose::{Pose, tumbled, unit};
+use super::Pose;
+use super::rotation::{tumbled, unit};
 use super::trajectory::Trajectory;
 use nalgebra::{Point3, Vector3};
 

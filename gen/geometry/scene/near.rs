@@ -1,11 +1,12 @@
 //! The meetings of a scene frame by frame, and the pairs of triangles in them that may touch. Nothing that touches is lost,
 //! whatever finds them.
 
-use super::hierarchy::{Directions, Forest, Scratch, Statistics, pieces};
+use super::forest::Forest;
 use super::meetings::Meetings;
-use super::pieces::MOST;
-use super::tree::{Candidates, Tree};
 use super::{Pose, Scene};
+use crate::collide::hierarchy::{Directions, Scratch, Statistics, pieces};
+use crate::collide::pieces::MOST;
+use crate::collide::{Candidates, Tree};
 use crate::mesh::Mesh;
 use rayon::prelude::*;
 use std::convert::Infallible;
@@ -91,6 +92,7 @@ impl<'a> Near<'a> {
 
     /// Calls `visit` with the pairs (triangle of A, triangle of B) of a meeting in ascending order, in one piece or several. What
     /// it took is counted for trees of k-DOPs.
+    #[doc(hidden)]
     pub fn pieces(&self, meeting: &Meeting, scratch: &mut Scratch, mut visit: impl FnMut(&[(u32, u32)])) -> Statistics {
         match &self.volumes {
             Volumes::Dops(forest) => {
@@ -182,6 +184,7 @@ impl<'a> Near<'a> {
     ///
     /// # Errors
     /// The first error of `visit`.
+    #[doc(hidden)]
     pub fn frames_in_order<T: Send, E>(
         &self,
         work: impl Fn(usize, &mut Scratch) -> T + Sync,

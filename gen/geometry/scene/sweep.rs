@@ -1,7 +1,7 @@
 //! Sort and sweep: which objects of a frame can meet at all.
 
-use super::Pose;
-use super::enclosure::image_of_box;
+use crate::collide::Pose;
+use crate::collide::enclosure::image_of_box;
 use crate::mesh::Bounds;
 use nalgebra::{Matrix3, Vector3};
 

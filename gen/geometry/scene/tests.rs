@@ -1,6 +1,7 @@
 //! Tests of scenes: the default one, scene files and their faults, poses, and that no pair is missed.
 
 use super::*;
+use crate::collide::{Candidates, Tree, pieces};
 use crate::mesh::{self, Bounds, Defect};
 use nalgebra::{Matrix3, Point3, Vector3};
 use num_bigint::BigInt;
@@ -88,7 +89,7 @@ fn explicit_poses_and_scales_are_read() {
     assert_eq!(quaternion.rotation, turn.rotation);
     // The quaternion is 1.5 (1 + 3 k) for the unit axis k, so the tangent of half its angle is 3.
     let degrees = 2.0 * 3f64.atan().to_degrees();
-    let expected = pose::axis_angle(Vector3::new(1.0, 2.0, -2.0), degrees);
+    let expected = rotation::axis_angle(Vector3::new(1.0, 2.0, -2.0), degrees);
     assert!((by_quaternion.rotation - expected).amax() < 1e-15);
     assert!(by_angle.rotation.trace().abs() < 1e-15, "1 + 2 cos 120 degrees");
 }
@@ -172,21 +173,21 @@ fn trajectories_go_through_their_keys() {
     let third = frames[2].poses[2];
     assert_eq!(third.translation, Vector3::new(0.0, 2.0, 0.0));
     // Half the angle has the tangent (1/3) / (2/3).
-    let expected = pose::axis_angle(Vector3::new(0., -1., 0.), 2.0 * 0.5f64.atan().to_degrees());
+    let expected = rotation::axis_angle(Vector3::new(0., -1., 0.), 2.0 * 0.5f64.atan().to_degrees());
     assert!((third.rotation - expected).amax() < 1e-15, "{third:?}");
     let middle = three(
         "[[trajectory]]\nframes = 3\n[[trajectory.track]]\n\
          key = [{ time = 0, axis = [1, 0, 0], angle_degrees = 0 }, { time = 1, axis = [0, 0, 2], angle_degrees = 90 }]\n",
     );
     let halfway = middle.unwrap().frame(1).poses[2].rotation;
-    assert!((halfway - pose::axis_angle(Vector3::z(), 45.0)).amax() < 1e-15, "{halfway}");
+    assert!((halfway - rotation::axis_angle(Vector3::z(), 45.0)).amax() < 1e-15, "{halfway}");
     // Three quarters of a turn one way is a quarter the other way.
     let shorter = three(
         "[[trajectory]]\nframes = 3\n[[trajectory.track]]\n\
          key = [{ time = 0, quaternion = [1, 0, 0, 0] }, { time = 1, quaternion = [-1, 0, 0, 1] }]\n",
     );
     let halfway = shorter.unwrap().frame(1).poses[2].rotation;
-    assert!((halfway - pose::axis_angle(Vector3::z(), -45.0)).amax() < 1e-15, "{halfway}");
+    assert!((halfway - rotation::axis_angle(Vector3::z(), -45.0)).amax() < 1e-15, "{halfway}");
 }
 
 #[test]
@@ -255,7 +256,7 @@ fn no_meeting_of_turned_objects_is_missed() {
                 } else {
                     rng.random_range(0.0..360.0)
                 };
-                let rotation = pose::axis_angle(if round % 2 == 0 { Vector3::y() } else { axis }, degrees);
+                let rotation = rotation::axis_angle(if round % 2 == 0 { Vector3::y() } else { axis }, degrees);
                 Pose { rotation, translation: Vector3::from([0; 3].map(|_| f64::from(rng.random_range(-9..=9)))) }
             })
             .collect();
@@ -374,8 +375,8 @@ fn exact_boxes(mesh: &Mesh, pose: &Pose) -> Vec<[(BigInt, BigInt); 3]> {
 /// A mesh of `count` triangles with corners on a coarse grid, so that boxes often touch exactly.
 fn random_mesh(rng: &mut ChaCha8Rng, count: u32, scale: f64) -> Mesh {
     let mut corner = || Point3::from([0; 3].map(|_| f64::from(rng.random_range(-8..=8)) * scale));
-    let vertices = (0..3 * count).map(|_| corner()).collect();
-    Mesh::new(vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).unwrap()
+    let vertices: Vec<_> = (0..3 * count).map(|_| corner()).collect();
+    Mesh::new(vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2])).unwrap()
 }
 
 #[test]
@@ -389,8 +390,8 @@ fn no_pair_of_exact_boxes_is_missed() {
         let axis = Vector3::from([0; 3].map(|_| rng.random_range(-1.0..1.0)));
         let m = match round % 4 {
             0 => Matrix3::identity(),
-            1 => pose::axis_angle(axis, 90.0 * f64::from(rng.random_range(0..4))),
-            _ => pose::axis_angle(axis, rng.random_range(-180.0..180.0)),
+            1 => rotation::axis_angle(axis, 90.0 * f64::from(rng.random_range(0..4))),
+            _ => rotation::axis_angle(axis, rng.random_range(-180.0..180.0)),
         };
         let t = Vector3::from([0; 3].map(|_| f64::from(rng.random_range(-9..=9)) * scale));
         let pose = Pose { rotation: m, translation: t };
@@ -420,7 +421,7 @@ fn the_tree_agrees_with_brute_force_on_the_headlight() {
     let meetings = (6 * 360..7 * 360).step_by(20).flat_map(|frame| near.meetings(frame));
     let meeting = meetings.max_by_key(|meeting| near.pairs(meeting).len()).unwrap();
     let [fixed, tumbling] = near.meshes(&meeting);
-    let vertices = tumbling.vertices().iter().map(|v| meeting.pose.image(v)).collect();
+    let vertices: Vec<_> = tumbling.vertices().iter().map(|v| meeting.pose.image(v)).collect();
     let moved = Mesh::new(vertices, tumbling.faces().to_vec()).unwrap();
     let boxes = |mesh: &Mesh| (0..mesh.faces().len()).map(|i| mesh::Bounds::of(&mesh.triangle(i))).collect::<Vec<_>>();
     let (a, b) = (boxes(fixed), boxes(&moved));
@@ -478,7 +479,7 @@ fn pairs_that_are_too_many_come_in_pieces() {
     use std::convert::Infallible;
     // Triangles at one place, and some beside them: the former all meet, and the boxes of the latter meet some.
     let mut mesh = random_mesh(&mut ChaCha8Rng::seed_from_u64(9), 40, 1.0);
-    let faces = mesh.faces().iter().copied().chain(vec![[0, 1, 2]; 260]).collect();
+    let faces = mesh.faces().iter().copied().chain(vec![[0, 1, 2]; 260]);
     mesh = Mesh::new(mesh.vertices().to_vec(), faces).unwrap();
     let tree = Tree::new(&mesh);
     let pose = Pose { rotation: Matrix3::identity(), translation: Vector3::repeat(0.5) };
@@ -522,7 +523,7 @@ fn what_is_not_finite_is_no_pose_and_no_mesh() {
 #[test]
 fn poses_that_cannot_be_seen_from_each_other_are_refused() {
     let huge = Pose::new(Matrix3::repeat(f64::MAX), Vector3::zeros()).unwrap();
-    let turned = Pose::new(pose::axis_angle(Vector3::z(), 30.0), Vector3::zeros()).unwrap();
+    let turned = Pose::new(rotation::axis_angle(Vector3::z(), 30.0), Vector3::zeros()).unwrap();
     assert_eq!(Pose::identity().seen(&huge), Ok(huge));
     assert!(turned.seen(&huge).is_err());
     let object = |name: &str, placed| Object {

@@ -1,6 +1,7 @@
 //! Trajectories: poses between key frames.
 
-use super::pose::{Pose, Rotation, about, axis_angle, quaternion, unit};
+use super::Pose;
+use super::rotation::{Rotation, about, axis_angle, quaternion, unit};
 use crate::mesh::angle::sin_cos_degrees;
 use nalgebra::{Matrix3, Vector3, Vector4};
 

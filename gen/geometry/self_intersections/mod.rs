@@ -10,20 +10,22 @@ mod question;
 #[cfg(test)]
 mod tests;
 
+// For the unit's host, which asks the exact unit.
+#[doc(hidden)]
 pub use question::{Faces, Question, points};
 
 use crate::Points;
+use crate::collide::Overlaps;
 use crate::exact::{self, Exact};
 use crate::mesh::Mesh;
-use crate::scene::Overlaps;
 use crate::software::retest::retest_batch;
 use crate::software::robbins_whitesides::is_in_range;
 use rayon::prelude::*;
-use serde::Serialize;
+use std::convert::Infallible;
 
 /// What is wrong with two triangles of a mesh.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[cfg_attr(feature = "scenes", derive(serde::Serialize), serde(rename_all = "kebab-case"))]
 pub enum Kind {
     /// They share no vertex, and the relative interiors meet.
     Crossing,
@@ -69,7 +71,8 @@ pub struct Defect {
 }
 
 /// How much was looked at.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "scenes", derive(serde::Serialize))]
 pub struct Effort {
     /// Pairs whose boxes overlap.
     pub candidates: u64,
@@ -86,6 +89,29 @@ impl Effort {
         self.neighbours += other.neighbours;
         self.contradictions += other.contradictions;
     }
+}
+
+/// All self-intersections of a mesh, ascending.
+///
+/// ```
+/// use efsat_geometry::Mesh;
+/// use efsat_geometry::self_intersections::{Kind, find};
+///
+/// // Two triangles with a common edge, and a third one through the first.
+/// let corners = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [4.0, 4.0, 0.0], [1.0, 1.0, -1.0], [1.0, 1.0, 1.0], [1.0, 0.5, 0.0]];
+/// let mesh = Mesh::new(corners, [[0, 1, 2], [1, 3, 2], [4, 5, 6]])?;
+/// let found: Vec<_> = find(&mesh).into_iter().map(|defect| (defect.pair, defect.kind)).collect();
+/// assert_eq!(found, [((0, 2), Kind::Crossing)]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn find(mesh: &Mesh) -> Vec<Defect> {
+    let mut found = vec![];
+    let Ok(()) = Search::new(mesh, false).each(|_, defects, _| {
+        found.extend_from_slice(defects);
+        Ok::<(), Infallible>(())
+    });
+    found.sort_unstable();
+    found
 }
 
 /// What finds the self-intersections of a mesh.

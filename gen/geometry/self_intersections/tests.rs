@@ -185,7 +185,7 @@ fn small(rng: &mut ChaCha8Rng, place: impl Fn([f64; 3]) -> [f64; 3]) -> Mesh {
     // Some vertices are equal, and one has another zero.
     let mut vertices: Vec<Point3<f64>> = (0..9).map(|_| place(at(rng)).into()).collect();
     vertices.push(vertices[0].map(|x| if x == 0.0 { -x } else { x }));
-    let faces = (0..8).map(|_| [0; 3].map(|_: u32| rng.random_range(0..10))).collect();
+    let faces: Vec<_> = (0..8).map(|_| [0; 3].map(|_: u32| rng.random_range(0..10))).collect();
     Mesh::new(vertices, faces).unwrap()
 }
 
@@ -232,7 +232,7 @@ fn neighbours_next_to_contact_are_what_the_extreme_points_say() {
         }
         let shared = rng.random_range(1..=2);
         let faces = vec![[0, 1, 2], if shared == 1 { [3, 0, 4] } else { [1, 3, 0] }];
-        let mesh = Mesh::new(vertices.into_iter().map(Point3::from).collect(), faces).unwrap();
+        let mesh = Mesh::new(vertices, faces).unwrap();
         let found = found(&mesh);
         assert_eq!(found, by_extreme_points(&mesh), "{mesh:?}");
         *counts.entry((shared, !found.is_empty())).or_default() += 1;
@@ -260,8 +260,8 @@ fn self_intersections_of_files_are_those_of_the_extreme_points() {
 #[test]
 fn what_is_found_does_not_depend_on_threads() {
     let mut rng = ChaCha8Rng::seed_from_u64(9);
-    let vertices = (0..600).map(|_| [(); 3].map(|()| rng.random_range(-1.0..1.0)).into()).collect();
-    let faces = (0..3000).map(|_| [0; 3].map(|_: u32| rng.random_range(0..600))).collect();
+    let vertices: Vec<[f64; 3]> = (0..600).map(|_| [(); 3].map(|()| rng.random_range(-1.0..1.0))).collect();
+    let faces: Vec<_> = (0..3000).map(|_| [0; 3].map(|_: u32| rng.random_range(0..600))).collect();
     let mesh = Mesh::new(vertices, faces).unwrap();
     let run = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().unwrap();
@@ -286,6 +286,6 @@ fn segments_and_points_are_counted_exactly() {
     let least = f64::from_bits(1);
     let corners = [[0.0; 3], [least, 0.0, 0.0], [2.0 * least, 0.0, 0.0], [0.0, least, 0.0], [1e300, 0.0, least]];
     let faces = vec![[0, 1, 2], [0, 1, 3], [0, 0, 3], [4, 4, 4], [0, 1, 4]];
-    let mesh = Mesh::new(corners.map(Point3::from).into(), faces).unwrap();
+    let mesh = Mesh::new(corners, faces).unwrap();
     assert_eq!(Search::new(&mesh, false).degenerate(), 3);
 }

@@ -4,6 +4,15 @@
 //! floating-point ones is exact: what each answers on touching, coplanar and degenerate input stands in its module.
 //! [`robbins_whitesides`] is exact where no product leaves the range of binary64, [`retest`] everywhere: it is what becomes
 //! of pairs that the unit calls possibly incorrect.
+//!
+//! ```
+//! use efsat_geometry::software::Test;
+//!
+//! // A corner next to a face.
+//! let pair = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0], [1.0, 1.0, 1e-8], [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]];
+//! assert_eq!(Test::MoellerEpsilon.intersect(&pair), Ok(true));
+//! assert_eq!(Test::Retest.intersect(&pair), Ok(false));
+//! ```
 
 pub(crate) mod affine;
 pub(crate) mod determinant;

@@ -10,15 +10,29 @@
 //! the image is exact, and else by determinants that know the pose (`posed`).
 //!
 //! Numbers that are not finite never pass the filter, so that only what it leaves is looked at.
+//!
+//! ```
+//! use efsat_geometry::exact::Exact;
+//! use efsat_geometry::software::retest::{retest_batch, retest_parallel};
+//!
+//! let face = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
+//! let pair = |z: f64| [face[0], face[1], face[2], [1.0, 1.0, z], [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]];
+//! let pairs = [pair(-1.0), pair(0.0), pair(5e-324)];
+//! let mut answers = vec![];
+//! retest_batch(&pairs, &mut answers)?;
+//! assert_eq!(answers, [Exact::Intersect, Exact::Touch, Exact::Separate]);
+//! assert_eq!(retest_parallel(&pairs)?, answers);
+//! # Ok::<(), efsat_geometry::NotFinite>(())
+//! ```
 
 use rayon::prelude::*;
 
 use super::posed::Posed;
-use super::robbins_whitesides::{GREATEST, class, is_in_range};
+use super::robbins_whitesides::{GREATEST, is_in_range, relation};
 use super::whole::Whole;
 use super::{affine, interval_axes, robbins_whitesides};
 use crate::Points;
-use crate::exact::{self, Exact};
+use crate::exact::{self, ContactKind, Exact};
 use crate::finite::{self, NotFinite};
 use crate::power::{ceil_log2, scaled};
 
@@ -35,8 +49,13 @@ const SHARE: usize = 64 * BLOCK;
 pub fn retest(points: &[[f64; 3]; 6]) -> Result<Exact, NotFinite> {
     match interval_axes::decide(points) {
         Some(answer) => Ok(answer),
-        None => close(points),
+        None => close(points).map(ContactKind::class),
     }
+}
+
+/// The same with the kind of contact; none if the triangles are separate.
+pub(crate) fn retest_kind(points: &[[f64; 3]; 6]) -> Result<Option<ContactKind>, NotFinite> {
+    interval_axes::decide(points).map_or_else(|| close(points), |answer| Ok(ContactKind::of_filter(answer)))
 }
 
 /// How a triangle A and the image of B under x to M * x + t lie to each other, as [`retest`] says it of points; `m` is indexed
@@ -45,10 +64,20 @@ pub fn retest(points: &[[f64; 3]; 6]) -> Result<Exact, NotFinite> {
 /// # Errors
 /// If a number is not finite.
 pub fn retest_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Result<Exact, NotFinite> {
+    retest_posed_kind(a, b, m, t).map(ContactKind::class)
+}
+
+/// The same with the kind of contact; none if the triangles are separate.
+pub(crate) fn retest_posed_kind(
+    a: &[[f64; 3]; 3],
+    b: &[[f64; 3]; 3],
+    m: &[[f64; 3]; 3],
+    t: &[f64; 3],
+) -> Result<Option<ContactKind>, NotFinite> {
     finite::posed(a, b, m, t)?;
     let ([b0, b1, b2], error) = affine::rounded(b, m, t);
     let certain = interval_axes::decide_off(&[a[0], a[1], a[2], b0, b1, b2], error);
-    Ok(certain.unwrap_or_else(|| close_posed(a, b, m, t)))
+    Ok(certain.map_or_else(|| close_posed(a, b, m, t), ContactKind::of_filter))
 }
 
 /// Appends the answers of [`retest`] for many pairs, several times as fast.
@@ -65,7 +94,7 @@ pub fn retest_batch(pairs: &[[[f64; 3]; 6]], answers: &mut Vec<Exact>) -> Result
         interval_axes::decide_batch(block, certain);
         let answer = |(place, (points, answer)): (usize, (_, &mut Option<Exact>))| {
             answer.unwrap_or_else(|| {
-                close(points).unwrap_or_else(|e| {
+                close(points).map(ContactKind::class).unwrap_or_else(|e| {
                     refused.get_or_insert(e.of_pair(number * BLOCK + place));
                     Exact::Separate
                 })
@@ -100,41 +129,47 @@ pub fn retest_parallel(pairs: &[[[f64; 3]; 6]]) -> Result<Vec<Exact>, NotFinite>
 
 /// Decides a pair that is too close to contact for the filter, or not finite.
 #[cold]
-fn close(points: &[[f64; 3]; 6]) -> Result<Exact, NotFinite> {
+fn close(points: &[[f64; 3]; 6]) -> Result<Option<ContactKind>, NotFinite> {
     finite::pair(points)?;
     Ok(close_points(points))
 }
 
-fn close_points(points: &[[f64; 3]; 6]) -> Exact {
-    let Some(extent) = common_extent(points, 0.0) else { return Exact::Separate };
+fn close_points(points: &[[f64; 3]; 6]) -> Option<ContactKind> {
+    let extent = common_extent(points, 0.0)?;
     if let Some(whole) = Whole::of(points, extent) {
-        return class(&whole);
+        return relation(&whole).kind();
     }
-    robbins_whitesides::decide(points).unwrap_or_else(|| far(points))
+    robbins_whitesides::decide(points).map_or_else(|| far(points), |relation| relation.kind())
 }
 
 /// Decides a pair of which a number is at an end of binary64: in units of another power of two, if all are in range then.
 #[cold]
-fn far(points: &[[f64; 3]; 6]) -> Exact {
+fn far(points: &[[f64; 3]; 6]) -> Option<ContactKind> {
     let greatest = points.as_flattened().iter().fold(0.0, |greatest, x| f64::max(greatest, x.abs()));
     let units = points.map(|point| point.map(|x| scaled(x, ceil_log2(GREATEST) - ceil_log2(greatest))));
     let vanishes = |(x, unit): (&f64, &f64)| *x != 0.0 && *unit == 0.0;
     let vanish = points.as_flattened().iter().zip(units.as_flattened()).any(vanishes);
     if vanish || !units.iter().all(is_in_range) {
-        return exact::decide(points);
+        return exact::decide(points).kind();
     }
-    interval_axes::decide(&units).unwrap_or_else(|| class(&units))
+    interval_axes::decide(&units).map_or_else(|| relation(&units).kind(), ContactKind::of_filter)
 }
 
 /// Decides a pair under a pose, all numbers finite, that is too close to contact for a filter that knows what rounding does.
 #[cold]
-pub(crate) fn close_posed(a: &[[f64; 3]; 3], b: &[[f64; 3]; 3], m: &[[f64; 3]; 3], t: &[f64; 3]) -> Exact {
+pub(crate) fn close_posed(
+    a: &[[f64; 3]; 3],
+    b: &[[f64; 3]; 3],
+    m: &[[f64; 3]; 3],
+    t: &[f64; 3],
+) -> Option<ContactKind> {
     let posed = Posed::new(a, b, m, t);
     let (points, error) = posed.rounded();
     if error == 0.0 {
-        return interval_axes::decide(&points).unwrap_or_else(|| close_points(&points));
+        return interval_axes::decide(&points).map_or_else(|| close_points(&points), ContactKind::of_filter);
     }
-    if common_extent(&points, error).is_none() { Exact::Separate } else { class(&posed) }
+    common_extent(&points, error)?;
+    relation(&posed).kind()
 }
 
 /// How wide the joint box of the triangles is, but for roundings, unless a coordinate separates those whose corners are off by at

@@ -37,7 +37,7 @@ use robust::{Coord, Coord3D, orient2d, orient3d};
 use std::cmp::Ordering;
 
 use crate::Points;
-use crate::exact::Exact;
+use crate::exact::{Exact, Relation};
 
 type Point = [f64; 3];
 
@@ -77,12 +77,12 @@ impl Signs for Points {
 /// Exact if every coordinate is zero or of a magnitude from 2^-250 to 2^250, segments and points included; beyond,
 /// products underflow or overflow and the answer may be wrong.
 pub fn intersect(points: &Points) -> bool {
-    class(points) != Exact::Separate
+    relation(points).class != Exact::Separate
 }
 
 /// How the triangles lie to each other; none if a coordinate is outside the range of [`intersect`].
-pub fn decide(points: &Points) -> Option<Exact> {
-    points.iter().all(is_in_range).then(|| class(points))
+pub fn decide(points: &Points) -> Option<Relation> {
+    points.iter().all(is_in_range).then(|| relation(points))
 }
 
 /// Whether all coordinates of a point are in the range of [`intersect`], where the signs of [`volume`] and [`area`] are exact.
@@ -94,23 +94,24 @@ const A: [usize; 3] = [0, 1, 2];
 const B: [usize; 3] = [3, 4, 5];
 
 /// How the triangles lie to each other, by the signs that are given.
-pub(super) fn class(signs: &impl Signs) -> Exact {
+pub(super) fn relation(signs: &impl Signs) -> Relation {
     // A coordinate that all have in common leaves nothing to find out about the heights.
     if let Some(axis) = (0..3).find(|&axis| (1..6).all(|corner| signs.compare(axis, 0, corner).is_eq())) {
         return in_plane(signs, axis);
     }
+    let across_planes = |class: Exact| Relation { class, coplanar: false };
     let heights_a = A.map(|x| signs.volume([3, 4, 5, x]));
     if on_one_side(heights_a) {
-        return Exact::Separate;
+        return across_planes(Exact::Separate);
     }
     let heights_b = B.map(|x| signs.volume([0, 1, 2, x]));
     if on_one_side(heights_b) {
-        return Exact::Separate;
+        return across_planes(Exact::Separate);
     }
     match (heights_a == [0; 3], heights_b == [0; 3]) {
-        (false, false) => crossing(signs, heights_a, heights_b),
-        (false, true) => piercing(signs, A, heights_a, B),
-        (true, false) => piercing(signs, B, heights_b, A),
+        (false, false) => across_planes(crossing(signs, heights_a, heights_b)),
+        (false, true) => across_planes(piercing(signs, A, heights_a, B)),
+        (true, false) => across_planes(piercing(signs, B, heights_b, A)),
         (true, true) => in_plane(signs, 2),
     }
 }
@@ -169,20 +170,22 @@ fn piercing(signs: &impl Signs, segment: [usize; 3], heights: [i8; 3], triangle:
 }
 
 /// Triangles each in the plane of the other; a segment or a point has none. The projection along `axis` is looked at first.
-fn in_plane(signs: &impl Signs, axis: usize) -> Exact {
+fn in_plane(signs: &impl Signs, axis: usize) -> Relation {
+    let coplanar = |class: Exact| Relation { class, coplanar: true };
     for axes in [1, 2, 0].map(|next| [(axis + next) % 3, (axis + next + 1) % 3]) {
         let turns = [A, B].map(|corners| signs.area(axes, corners));
         if turns != [0; 2] {
-            return in_coordinate_plane(signs, axes, turns);
+            return coplanar(in_coordinate_plane(signs, axes, turns));
         }
         let [least, greatest] = ends(signs, &axes, 0..6);
         if (0..6).any(|x| signs.area(axes, [least, greatest, x]) != 0) {
             let [a, b] = [A, B].map(|corners| ends(signs, &[0, 1, 2], corners));
             let skew = signs.volume([a[0], a[1], b[0], b[1]]) != 0;
-            return if skew { Exact::Separate } else { in_coordinate_plane(signs, axes, turns) };
+            let apart = Relation { class: Exact::Separate, coplanar: false };
+            return if skew { apart } else { coplanar(in_coordinate_plane(signs, axes, turns)) };
         }
     }
-    on_line(signs)
+    coplanar(on_line(signs))
 }
 
 /// Triangles in a plane, not all on one line, that turn to the left or to the right or are segments.

@@ -2,9 +2,9 @@
 
 use super::Front;
 use super::sample::{Least, Place, mixed};
+use efsat_geometry::collide::hierarchy::Statistics;
 use efsat_geometry::mesh::Mesh;
 use efsat_geometry::scene::Meeting;
-use efsat_geometry::scene::hierarchy::Statistics;
 use efsat_unit::host::ReadyScene;
 use efsat_unit::params::Params;
 use nalgebra::{Matrix3, Point3};

@@ -1,6 +1,6 @@
 //! The stages before the unit: what they leave for it.
 
-use efsat_geometry::scene::hierarchy::Directions;
+use efsat_geometry::collide::hierarchy::Directions;
 use efsat_geometry::scene::{Meeting, Near, Scene};
 use serde::Serialize;
 

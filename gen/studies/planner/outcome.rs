@@ -1,8 +1,8 @@
 //! What a run is asked for and what comes out of it.
 
 use super::Place;
+use efsat_geometry::collide::hierarchy::Statistics;
 use efsat_geometry::exact::Exact;
-use efsat_geometry::scene::hierarchy::Statistics;
 use efsat_unit::pair::Verdict;
 use serde::Serialize;
 

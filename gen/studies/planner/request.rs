@@ -1,6 +1,6 @@
 //! What a plan is asked for.
 
-use efsat_geometry::scene::hierarchy::Directions;
+use efsat_geometry::collide::hierarchy::Directions;
 use efsat_unit::host::settings::{Effect, Settings, Switch};
 use efsat_unit::params::Params;
 use serde::Serialize;

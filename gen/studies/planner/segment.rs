@@ -1,57 +1,56 @@
-//! Where two triangles meet, for drawing: in binary64, so that no answer may depend on it.
+//! Where two triangles of a frame meet, for drawing: exact, then rounded and moved to the frame.
 
+use super::outcome::Contact;
+use efsat_geometry::exact::posed_common;
+use efsat_geometry::scene::{Pose, Scene};
 use nalgebra::Point3;
 
-type Triangle = [Point3<f64>; 3];
-
-/// How far outside a triangle a point may be by its weights, so that touching corners are drawn.
-const TOLERANCE: f64 = 1e-9;
-
-/// The ends of the segment that two triangles have in common; none if that is empty or if they lie in one plane.
-pub(super) fn segment(a: &Triangle, b: &Triangle) -> Option<[Point3<f64>; 2]> {
-    let points: Vec<Point3<f64>> = pierced(a, b).chain(pierced(b, a)).collect();
-    let ends = points.iter().flat_map(|p| points.iter().map(move |q| [*p, *q]));
-    let length = |[p, q]: &[Point3<f64>; 2]| (q - p).norm_squared();
-    ends.max_by(|x, y| length(x).total_cmp(&length(y)))
-}
-
-/// Where the edges of one triangle pass through the other.
-fn pierced<'a>(edges: &'a Triangle, face: &'a Triangle) -> impl Iterator<Item = Point3<f64>> + 'a {
-    let normal = (face[1] - face[0]).cross(&(face[2] - face[0]));
-    (0..3).filter_map(move |k| {
-        let (p, q) = (edges[k], edges[(k + 1) % 3]);
-        let [above, below] = [p, q].map(|end| normal.dot(&(end - face[0])));
-        if above * below > 0.0 || above == below {
-            return None;
-        }
-        let point = p + (q - p) * (above / (above - below));
-        let inside = (0..3).all(|l| {
-            let (from, to) = (face[l], face[(l + 1) % 3]);
-            (to - from).cross(&(point - from)).dot(&normal) >= -TOLERANCE * normal.norm_squared()
-        });
-        inside.then_some(point)
-    })
+/// The ends of the segment that the two triangles of a contact have in common with objects in these poses; none if they share a
+/// polygon, or nothing.
+pub(super) fn segment(scene: &Scene, poses: &[Pose], contact: &Contact) -> Option<[Point3<f64>; 2]> {
+    let ((a, b), (p, q)) = (contact.place.objects, contact.place.pair);
+    let corners = |object: usize, face: u32| scene.objects[object].mesh.triangle(face as usize).map(<[f64; 3]>::from);
+    // B as the contact was decided: seen from A.
+    let pose = poses[a].seen(&poses[b]).ok()?;
+    let common = posed_common(&corners(a, p), &corners(b, q), &pose.rows(), &pose.translation().into());
+    let common = common.expect("meshes and poses are finite");
+    let ends = [common.first()?, common.last()?].map(|end| poses[a].image(&end.rounded().into()));
+    (common.len() <= 2).then_some(ends)
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::Place;
     use super::*;
+    use efsat_geometry::mesh::{Findings, Mesh};
+    use efsat_geometry::scene::Object;
+    use std::sync::Arc;
 
     const FACE: [[f64; 3]; 3] = [[0.0, 0.0, 0.0], [4.0, 0.0, 0.0], [0.0, 4.0, 0.0]];
 
-    fn found(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> Option<f64> {
-        let [a, b] = [a, b].map(|corners| corners.map(Point3::from));
-        segment(&a, &b).map(|[p, q]| (q - p).norm())
+    /// Of two triangles, both in one pose.
+    fn found(a: [[f64; 3]; 3], b: [[f64; 3]; 3]) -> Option<[[f64; 3]; 2]> {
+        let placed = Pose::from_rows([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]], [0.0, 0.0, 5.0]).unwrap();
+        let object = |corners: [[f64; 3]; 3]| Object {
+            name: String::new(),
+            mesh: Arc::new(Mesh::from_triangles([corners]).unwrap()),
+            findings: Findings::default(),
+            placed,
+        };
+        let scene = Scene::at_rest("x", vec![object(a), object(b)]).unwrap();
+        let place = Place { frame: 0, objects: (0, 1), pair: (0, 0) };
+        let contact = Contact { place, verdict: None, exact: None };
+        segment(&scene, &scene.frame(0).poses, &contact).map(|ends| ends.map(<[f64; 3]>::from))
     }
 
     #[test]
-    fn segments_have_their_lengths() {
+    fn segments_end_where_triangles_meet() {
         let upright = |x: f64| [[x, 1.0, -1.0], [x, 1.0, 1.0], [x, 2.0, 0.0]];
-        assert_eq!(found(FACE, upright(1.0)), Some(1.0));
+        assert_eq!(found(FACE, upright(1.0)), Some([[-2.0, 1.0, 5.0], [-1.0, 1.0, 5.0]]));
         // The slanted edge of the face cuts it short.
-        assert_eq!(found(FACE, upright(2.5)), Some(0.5));
+        assert_eq!(found(FACE, upright(2.5)), Some([[-1.5, 2.5, 5.0], [-1.0, 2.5, 5.0]]));
         assert_eq!(found(FACE, upright(3.5)), None);
-        assert_eq!(found(FACE, [[1.0, 1.0, 0.0], [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]]), Some(0.0));
+        assert_eq!(found(FACE, [[1.0, 1.0, 0.0], [1.0, 1.0, 1.0], [2.0, 1.0, 1.0]]), Some([[-1.0, 1.0, 5.0]; 2]));
         assert_eq!(found(FACE, FACE), None);
     }
 }

@@ -10,7 +10,6 @@ use efsat_unit::golden::Golden;
 use efsat_unit::host::{Host, ReadyMeeting, ReadyScene, ScenePose};
 use efsat_unit::pair::{Outcome, Verdict};
 use efsat_unit::params::{Method, Params};
-use nalgebra::Point3;
 use serde::Serialize;
 use std::collections::BTreeMap;
 
@@ -132,10 +131,7 @@ impl<'a, 'b> Viewer<'a, 'b> {
             let host = posed.host();
             for contact in here {
                 let (p, q) = contact.place.pair;
-                let corners = |object: usize, face: u32| -> [Point3<f64>; 3] {
-                    scene.objects[object].mesh.triangle(face as usize).map(|v| poses[object].image(&v))
-                };
-                let common = segment(&corners(meeting.a, p), &corners(meeting.b, q)).filter(|_| contact.touches());
+                let common = contact.touches().then(|| segment(scene, &poses, contact)).flatten();
                 let ends = common.map(|[p, q]| [p.x, p.y, p.z, q.x, q.y, q.z].map(|x| x as f32));
                 let signs = contact.verdict.and_then(|_| signs(&self.golden, &self.params, &posed, &host, (p, q)));
                 let says = signs.map(|(names, signs)| {

@@ -2,7 +2,8 @@
 
 use super::Fault;
 use super::tables::PoseParts;
-use crate::scene::pose::{Pose, Rotation, about};
+use crate::collide::Pose;
+use crate::scene::rotation::{Rotation, about};
 use nalgebra::{Matrix3, Vector3};
 use toml::Spanned;
 

@@ -109,7 +109,7 @@ fn mesh_of(table: &ObjectTable, unit: Option<&Spanned<String>>, folder: &Path) -
 
 /// A mesh with its vertices multiplied, if they stay finite.
 fn times(mesh: &Mesh, factor: f64) -> Option<Mesh> {
-    Mesh::new(mesh.vertices().iter().map(|vertex| vertex * factor).collect(), mesh.faces().to_vec()).ok()
+    Mesh::new(mesh.vertices().iter().map(|vertex| vertex * factor), mesh.faces().iter().copied()).ok()
 }
 
 fn scale_factor(scale: &Spanned<Scale>, mesh: &Mesh) -> Result<f64, Fault> {

@@ -4,7 +4,7 @@ use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
 use rayon::prelude::*;
 
-use super::{Posed, Whole, class, common_extent, retest, retest_batch, retest_parallel, retest_posed};
+use super::{Posed, Whole, common_extent, relation, retest, retest_batch, retest_kind, retest_parallel, retest_posed};
 use crate::exact::{self, Exact};
 use crate::finite::{NotFinite, Place};
 use crate::sample;
@@ -150,7 +150,7 @@ fn mixed(seed: u64, count: usize) -> Vec<Points> {
 /// The answer of the last stage for posed pairs, which nothing moves.
 fn at_rest([a0, a1, a2, b0, b1, b2]: &Points) -> Exact {
     let unit = [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]];
-    class(&Posed::new(&[*a0, *a1, *a2], &[*b0, *b1, *b2], &unit, &[0.0; 3]))
+    relation(&Posed::new(&[*a0, *a1, *a2], &[*b0, *b1, *b2], &unit, &[0.0; 3])).class
 }
 
 /// Pairs that each stage has decided, and pairs by class.
@@ -165,8 +165,9 @@ impl Seen {
     fn add(mut self, points: &Points) -> Self {
         let truth = exact::pair(points).unwrap();
         let whole = common_extent(points, 0.0).and_then(|extent| Whole::of(points, extent));
-        let whole = whole.map(|whole| class(&whole));
-        let stages = [interval_axes::decide(points), whole, robbins_whitesides::decide(points)];
+        let whole = whole.map(|whole| relation(&whole).class);
+        let closest = robbins_whitesides::decide(points);
+        let stages = [interval_axes::decide(points), whole, closest.map(|relation| relation.class)];
         let decided = stages.iter().position(Option::is_some).unwrap_or(3);
         self.stages[decided] += 1;
         self.classes[truth as usize] += 1;
@@ -175,6 +176,8 @@ impl Seen {
             || closed.is_some_and(|found| found != (truth != Exact::Separate))
             || retest(points).unwrap() != truth
             || at_rest(points) != truth
+            || retest_kind(points).unwrap() != exact::relation(points).unwrap().kind()
+            || closest.is_some_and(|found| found != exact::relation(points).unwrap())
         {
             self.wrong.push(format!("{truth}, but {stages:?} {closed:?} {}: {points:?}", retest(points).unwrap()));
         }
@@ -405,7 +408,7 @@ fn posed_pairs_near_contact_are_decided_as_they_are_given() {
         let (a, b) = ([p[0], p[1], p[2]], [p[3], p[4], p[5]]);
         let expected = exact::posed_pair(&a, &b, &m, &t).unwrap();
         assert_eq!(retest_posed(&a, &b, &m, &t), Ok(expected), "{a:?} {b:?} {m:?} {t:?}");
-        assert_eq!(class(&Posed::new(&a, &b, &m, &t)), expected, "{a:?} {b:?} {m:?} {t:?}");
+        assert_eq!(relation(&Posed::new(&a, &b, &m, &t)).class, expected, "{a:?} {b:?} {m:?} {t:?}");
         seen[expected as usize] += 1;
     }
     assert!(seen.iter().all(|count| *count > 500), "{seen:?}");

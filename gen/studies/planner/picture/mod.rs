@@ -91,7 +91,7 @@ impl Picture {
                 let mark = marks.entry(triangle).or_insert(Mark::OpenSeparate);
                 *mark = (*mark).min(Mark::of(contact));
             }
-            segments.extend(segment(&corners(a, p), &corners(b, q)).filter(|_| contact.touches()));
+            segments.extend(contact.touches().then(|| segment(scene, &poses, contact)).flatten());
         }
         let colour = |object: usize| OBJECTS[object % OBJECTS.len()];
         let faces = |object: usize| 0..scene.objects[object].mesh.faces().len() as u32;

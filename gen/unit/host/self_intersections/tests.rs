@@ -25,7 +25,7 @@ fn the_unit_finds_what_the_software_finds() {
         let faces: Vec<[u32; 3]> = (0..8).map(|_| [0; 3].map(|_: u32| rng.random_range(0..count))).collect();
         // Odd numbers keep the unit's own grid from being coarser.
         let place = |x: i64| if unit > 1.0 && x > 0 { unit * x as f64 + 1.0 } else { x as f64 };
-        let vertices = vertices.iter().map(|x| Point3::from(x.map(place))).collect();
+        let vertices: Vec<_> = vertices.iter().map(|x| Point3::from(x.map(place))).collect();
         let mesh = Mesh::new(vertices, faces).unwrap();
         let mut expected = vec![];
         let Ok(()) = Search::new(&mesh, false).each(|_, defects, _| {

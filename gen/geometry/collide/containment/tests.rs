@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::exact::{Exact, posed_pair};
-use crate::scene::pose::axis_angle;
+use crate::scene::rotation::axis_angle;
 use nalgebra::{Matrix3, Point3, Vector3};
 use rand::rngs::ChaCha8Rng;
 use rand::{RngExt, SeedableRng};
@@ -137,7 +137,7 @@ fn the_hole_of_a_ring_is_outside() {
         let [s, r] = [p, q].map(|corner| (corner + 4) % 16);
         [[p, q, r], [p, r, s]]
     };
-    let faces = (0..4).flat_map(|strip| (0..4).map(move |side| (strip, side))).flat_map(square).collect();
+    let faces: Vec<_> = (0..4).flat_map(|strip| (0..4).map(move |side| (strip, side))).flat_map(square).collect();
     let ring = Mesh::new(vertices, faces).unwrap();
     let mut rng = ChaCha8Rng::seed_from_u64(3);
     let small = boxes(&mut rng, &[[[-1; 3], [1; 3]]]);
@@ -175,7 +175,7 @@ fn open_meshes_are_refused_with_an_edge() {
         .enumerate()
         .map(|(i, v)| if i % 2 == 0 { v.map(|x| if x == 0.0 { -0.0 } else { x }) } else { *v })
         .collect();
-    let faces = (0..apart.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+    let faces: Vec<_> = (0..apart.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
     assert_eq!(Components::new(&Mesh::new(apart, faces).unwrap()).unwrap().len(), 2);
     let at_an_edge = boxes(&mut rng, &[[[0; 3], [1; 3]], [[1, 1, 0], [2, 2, 1]]]);
     assert_eq!(Components::new(&at_an_edge).unwrap().len(), 1);

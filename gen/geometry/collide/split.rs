@@ -345,7 +345,7 @@ mod tests {
         let vertices: Vec<Point3<f64>> = places
             .flat_map(|x| [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]].map(|[y, z]| Point3::new(x, 0.1 * y, 0.1 * z)))
             .collect();
-        let faces = (0..vertices.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+        let faces: Vec<_> = (0..vertices.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
         Mesh::new(vertices, faces).unwrap()
     }
 
@@ -437,7 +437,7 @@ mod tests {
                 false => rng.random_range(-1.0..1.0),
             };
             let vertices: Vec<Point3<f64>> = (0..3 * count).map(|_| Point3::from([(); 3].map(|()| number()))).collect();
-            let faces = (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect();
+            let faces = (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
             let mesh = Mesh::new(vertices, faces).unwrap();
             let mut expected = vec![];
             by_sorting(&mesh, &mut (0..count).collect::<Vec<_>>(), HEIGHT, &mut expected);

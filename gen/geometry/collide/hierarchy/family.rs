@@ -6,7 +6,7 @@
 //! compares the other two pairs.
 
 use super::Directions;
-use crate::scene::split::Node;
+use crate::collide::split::Node;
 
 /// Numbers in a group: those of the widest vector register that is used.
 pub(super) const LANES: usize = 8;

@@ -3,11 +3,12 @@
 use super::family::{Group, LANES, Members};
 use super::realign::Realignment;
 use super::*;
-use crate::exact::{Exact, pair, posed_pair};
+use crate::collide::pose::Pose;
+use crate::collide::split::Node;
+use crate::exact::{ContactKind, Exact, pair, posed_pair};
 use crate::mesh::{Mesh, headlight};
 use crate::power::scaled;
-use crate::scene::pose::{Pose, axis_angle};
-use crate::scene::split::Node;
+use crate::scene::rotation::axis_angle;
 use crate::software::interval_axes;
 use nalgebra::{Matrix3, Point3, Rotation3, Vector3};
 use num_bigint::BigInt;
@@ -36,8 +37,8 @@ fn power_of_two(exponent: i32) -> Rational {
 /// A mesh of `count` triangles with corners on a coarse grid around a point, so that they often touch exactly.
 fn random_mesh(rng: &mut ChaCha8Rng, count: u32, scale: f64, centre: f64) -> Mesh {
     let mut corner = || Point3::from([0; 3].map(|_| (centre + f64::from(rng.random_range(-8..=8))) * scale));
-    let vertices = (0..3 * count).map(|_| corner()).collect();
-    Mesh::new(vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect()).unwrap()
+    let vertices: Vec<_> = (0..3 * count).map(|_| corner()).collect();
+    Mesh::new(vertices, (0..count).map(|i| [3 * i, 3 * i + 1, 3 * i + 2])).unwrap()
 }
 
 /// Quarter turns and any others, shears, and what no rotation is.
@@ -113,6 +114,11 @@ fn exact_offset(points: &[Point3<f64>], h: [i8; 3], pose: &Pose, centre: &Point3
 }
 
 /// Realigned offsets are upper bounds, in exact arithmetic, for scales and poses of all kinds.
+/// Contacts without their kinds.
+fn classes((found, statistics): Contacts<ContactKind>) -> Contacts<Exact> {
+    (found.into_iter().map(|(pair, kind)| (pair, kind.into())).collect(), statistics)
+}
+
 #[test]
 fn realigned_offsets_hold_what_is_in_them() {
     let mut rng = ChaCha8Rng::seed_from_u64(2);
@@ -204,8 +210,8 @@ fn no_pair_of_touching_triangles_is_lost() {
             let (found, statistics) = pairs(&trees[0], &trees[1], &pose, &mut scratch);
             assert!(found.windows(2).all(|w| w[0] < w[1]));
             assert_eq!(statistics.pairs_tested, found.len() as u64);
-            let touching = contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch);
-            assert_eq!(touching, (exact.clone(), statistics), "round {round}, {set:?}");
+            let (touching, took) = classes(contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch));
+            assert_eq!((&touching, took), (&exact, statistics), "round {round}, {set:?}");
             let rounded = rounded_contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch).unwrap().0;
             let test = |&(p, q): &(u32, u32)| {
                 let y = corners(&b, q as usize).map(|x| pose.image(&x.into()).into());
@@ -250,7 +256,7 @@ fn what_rounding_of_the_pose_moves_is_known() {
         let [x, y] = [&a, &b].map(|mesh| mesh.triangle(0).map(<[f64; 3]>::from));
         let truth = posed_pair(&x, &y, &pose.rows(), &pose.translation.into()).unwrap();
         let trees = [&a, &b].map(|mesh| DopTree::new(mesh, Directions::Six));
-        let found = contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch).0;
+        let found = classes(contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch)).0;
         let due: &[((u32, u32), Exact)] = if truth == Exact::Separate { &[] } else { &[((0, 0), truth)] };
         assert_eq!(found, due, "{pose:?} {a:?} {b:?}");
         let [y0, y1, y2] = b.triangle(0).map(|y| pose.image(&y).into());
@@ -316,7 +322,7 @@ fn no_pair_is_lost_where_sums_of_entries_overflow() {
         let rotation = Matrix3::from_fn(|row, _| entry(&mut rng, row));
         let mut whole = |most: i32| f64::from(rng.random_range(-most..=most));
         let translation = Vector3::from_fn(|row, _| scaled(whole(4), rows[row]));
-        let mesh = |corners: [Point3<f64>; 6]| Mesh::new(corners.into(), vec![[0, 1, 2], [3, 4, 5]]).unwrap();
+        let mesh = |corners: [Point3<f64>; 6]| Mesh::new(corners, vec![[0, 1, 2], [3, 4, 5]]).unwrap();
         let a = mesh([(); 6].map(|()| Point3::from([0, 1, 2].map(|row| scaled(whole(5), rows[row])))));
         let b = mesh([(); 6].map(|()| Point3::from([0; 3].map(|_| scaled(whole(2), -exponent)))));
         let pose = Pose { rotation, translation };
@@ -332,7 +338,7 @@ fn no_pair_is_lost_where_sums_of_entries_overflow() {
         touching += due.len();
         for set in Directions::ALL {
             let trees = [&a, &b].map(|mesh| DopTree::new(mesh, set));
-            let found = contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch).0;
+            let found = classes(contacts([&a, &b], [&trees[0], &trees[1]], &pose, &mut scratch)).0;
             if found != due {
                 lost.push(format!("{set:?}, {pose:?}, {a:?}, {b:?}: {found:?}, expected {due:?}"));
             }

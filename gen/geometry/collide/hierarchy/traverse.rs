@@ -3,8 +3,8 @@
 use super::family::{Group, Members, overlap};
 use super::realign::Realignment;
 use super::{Directions, DopTree, Statistics};
-use crate::scene::Pose;
-use crate::scene::pieces::{MOST, rows};
+use crate::collide::Pose;
+use crate::collide::pieces::{MOST, rows};
 use pulp::{Arch, Simd, WithSimd};
 use std::convert::Infallible;
 

@@ -5,7 +5,7 @@ use super::split::Node;
 
 /// Pairs that are looked for at once. Where there are more, they are found triangle by triangle of A, and handed on when
 /// there are so many of them: memory is that for this number and for the triangles of B.
-pub(super) const MOST: usize = 1 << 16;
+pub(crate) const MOST: usize = 1 << 16;
 
 /// Calls `visit` with the pairs of one triangle of A after the other, some triangles at a time, until it fails. `nodes`
 /// are those of A's tree; `row` appends the pairs of a leaf in any order.

@@ -2,11 +2,11 @@
 
 use super::traverse::rank;
 use super::{DopTree, Scratch, Statistics, batches};
-use crate::exact::Exact;
+use crate::collide::Pose;
+use crate::collide::enclosure;
+use crate::exact::{ContactKind, Exact};
 use crate::finite::NotFinite;
 use crate::mesh::Mesh;
-use crate::scene::Pose;
-use crate::scene::enclosure;
 use crate::software::interval_axes::decide_moved;
 use crate::software::retest::{close_posed, retest_batch};
 use rayon::prelude::*;
@@ -17,7 +17,7 @@ const BLOCK: usize = 64;
 const MANY: usize = 32;
 
 /// Pairs (triangle of A, triangle of B) that touch, in ascending order, and how they do; and what the traversal cost.
-pub type Contacts = (Vec<((u32, u32), Exact)>, Statistics);
+pub type Contacts<How> = (Vec<((u32, u32), How)>, Statistics);
 
 /// All pairs that touch with B in `pose` as seen from A. The twelve doubles of the pose are taken as they are: a filter in floating
 /// point knows how far the corners of B may be off, and exact signs decide what it leaves, by all threads of the current pool where
@@ -25,7 +25,7 @@ pub type Contacts = (Vec<((u32, u32), Exact)>, Statistics);
 ///
 /// # Panics
 /// If the trees have different sets of directions, or are not those of the meshes.
-pub fn contacts(meshes: [&Mesh; 2], trees: [&DopTree; 2], pose: &Pose, scratch: &mut Scratch) -> Contacts {
+pub fn contacts(meshes: [&Mesh; 2], trees: [&DopTree; 2], pose: &Pose, scratch: &mut Scratch) -> Contacts<ContactKind> {
     let error = enclosure::error(&trees[1].farthest(), pose);
     let (rows, translation) = (pose.rows(), pose.translation.into());
     let exactly = |(p, q): (u32, u32)| {
@@ -37,7 +37,9 @@ pub fn contacts(meshes: [&Mesh; 2], trees: [&DopTree; 2], pose: &Pose, scratch: 
     search(meshes, trees, pose, scratch, |pairs, points, answers| {
         let certain = &mut certain[..pairs.len()];
         decide_moved(points, error, certain);
-        let answer = |(&pair, certain): (&(u32, u32), &Option<Exact>)| certain.unwrap_or_else(|| exactly(pair));
+        let answer = |(&pair, certain): (&(u32, u32), &Option<Exact>)| {
+            certain.map_or_else(|| exactly(pair), ContactKind::of_filter)
+        };
         if certain.iter().filter(|certain| certain.is_none()).count() < MANY {
             answers.extend(pairs.iter().zip(&*certain).map(answer));
         } else {
@@ -58,24 +60,28 @@ pub fn rounded_contacts(
     trees: [&DopTree; 2],
     pose: &Pose,
     scratch: &mut Scratch,
-) -> Result<Contacts, NotFinite> {
-    let mut refused = None;
-    let found = search(meshes, trees, pose, scratch, |_, points, answers| {
-        if let Err(e) = retest_batch(points, answers) {
-            refused.get_or_insert(e);
+) -> Result<Contacts<Exact>, NotFinite> {
+    let (mut refused, mut found) = (None, vec![]);
+    let touching = search(meshes, trees, pose, scratch, |_, points, answers| {
+        found.clear();
+        match retest_batch(points, &mut found) {
+            Ok(()) => answers.extend(found.iter().map(|answer| Some(*answer).filter(|x| *x != Exact::Separate))),
+            Err(e) => {
+                refused.get_or_insert(e);
+            }
         }
     });
-    refused.map_or(Ok(found), Err)
+    refused.map_or(Ok(touching), Err)
 }
 
 /// Finds pairs, and keeps those that touch by the answers that `test` appends for pairs and their rounded corners.
-fn search(
+fn search<How: Copy>(
     [a, b]: [&Mesh; 2],
     trees: [&DopTree; 2],
     pose: &Pose,
     scratch: &mut Scratch,
-    mut test: impl FnMut(&[(u32, u32)], &[[[f64; 3]; 6]], &mut Vec<Exact>),
-) -> Contacts {
+    mut test: impl FnMut(&[(u32, u32)], &[[[f64; 3]; 6]], &mut Vec<Option<How>>),
+) -> Contacts<How> {
     let mut found = vec![];
     let (mut points, mut answers) = ([[[0.0; 3]; 6]; BLOCK], Vec::with_capacity(BLOCK));
     let statistics = batches(trees[0], trees[1], pose, scratch, |pairs| {
@@ -89,8 +95,7 @@ fn search(
             }
             answers.clear();
             test(pairs, points, &mut answers);
-            let answered = pairs.iter().copied().zip(answers.iter().copied());
-            found.extend(answered.filter(|(_, answer)| *answer != Exact::Separate));
+            found.extend(pairs.iter().zip(&answers).filter_map(|(pair, answer)| Some((*pair, (*answer)?))));
         }
     });
     found.sort_unstable_by_key(|&(pair, _)| rank(pair));

@@ -1,11 +1,11 @@
 //! What a query cost, as the literature counts it.
 
-use serde::Serialize;
 use std::iter::Sum;
 use std::ops::Add;
 
 /// The cost of a query.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(feature = "scenes", derive(serde::Serialize))]
 pub struct Statistics {
     /// Overlap tests of two DOPs.
     pub overlap_tests: u64,

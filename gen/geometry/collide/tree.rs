@@ -67,7 +67,7 @@ impl<'a> Candidates<'a> {
     }
 
     /// All of them in ascending order, unless they are [too many](MOST).
-    pub(super) fn few(&self) -> Option<Vec<(u32, u32)>> {
+    pub(crate) fn few(&self) -> Option<Vec<(u32, u32)>> {
         let mut pairs = vec![];
         self.below(0, |pair| {
             pairs.push(pair);
@@ -89,7 +89,7 @@ impl<'a> Candidates<'a> {
     }
 
     /// The same for pairs that are too many.
-    pub(super) fn rows<E>(&self, visit: impl FnMut(&[(u32, u32)]) -> Result<(), E>) -> Result<(), E> {
+    pub(crate) fn rows<E>(&self, visit: impl FnMut(&[(u32, u32)]) -> Result<(), E>) -> Result<(), E> {
         let row = |leaf: usize, pairs: &mut Vec<(u32, u32)>| {
             self.below(leaf, |pair| {
                 pairs.push(pair);

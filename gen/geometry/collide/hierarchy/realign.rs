@@ -3,8 +3,8 @@
 use super::Directions;
 use super::family::{Group, LANES, groups};
 use super::tree::DopTree;
+use crate::collide::Pose;
 use crate::power::{ceil_log2, scaled};
-use crate::scene::Pose;
 use nalgebra::Vector3;
 
 /// The greatest factor of a realignment is at most 2^FACTOR_BITS in units of its last place: 21 bits.

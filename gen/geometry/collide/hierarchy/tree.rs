@@ -2,9 +2,9 @@
 
 use super::Directions;
 use super::family::{Group, LANES, Members, groups, members};
+use crate::collide::split::{Node, nodes, offsets};
 use crate::mesh::Mesh;
 use crate::power::{ceil_log2, scaled};
-use crate::scene::split::{Node, nodes, offsets};
 use nalgebra::{Point3, Vector3};
 
 /// The half-size of a mesh is at most 2^FRACTION steps of its grid.

@@ -1,8 +1,8 @@
 //! Trees of local blocks: the volumes of two children relative to an origin near them, in few bits (docs/engine.md).
 
 use super::{Directions, Placement};
+use crate::collide::split::{Node, best, offsets};
 use crate::mesh::Mesh;
-use crate::scene::split::{Node, best, offsets};
 
 /// The number formats of local blocks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -12,7 +12,7 @@ use super::enclosure::image;
 use super::pose::Pose;
 use crate::exact::{Motion, Scaled, crosses};
 use crate::mesh::{Bounds, Mesh};
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::fmt;
 
 /// The connected components of a closed mesh: triangles that have a vertex in common, directly or by way of others. Vertices that are
@@ -110,6 +110,35 @@ impl Components {
         self.faces.is_empty()
     }
 
+    /// Around each component so many others are, none of which it has a common point with.
+    pub(crate) fn depths(&self, mesh: &Mesh) -> Vec<usize> {
+        let placed = Placed::new(mesh, self, &Pose::identity());
+        let around = |inner: usize| {
+            let others = (0..self.len()).filter(|other| *other != inner && placed.overlap(*other, &placed, inner));
+            others.filter(|other| placed.holds(*other, &placed, inner)).count()
+        };
+        (0..self.len()).map(around).collect()
+    }
+
+    /// Whether a component of one of two solids that touches nothing of the other one is inside it, with B in `pose`.
+    pub(crate) fn enter(
+        meshes: [&Mesh; 2],
+        components: [&Self; 2],
+        pose: &Pose,
+        touching: &[BTreeSet<u32>; 2],
+    ) -> bool {
+        let placed =
+            [Placed::new(meshes[0], components[0], &Pose::identity()), Placed::new(meshes[1], components[1], pose)];
+        [0, 1].into_iter().any(|side| {
+            let [own, other] = [&placed[side], &placed[1 - side]];
+            let is_inside = |inner: usize| {
+                let around = (0..other.boxes.len()).filter(|outer| other.overlap(*outer, own, inner));
+                around.filter(|outer| other.holds(*outer, own, inner)).count() % 2 == 1
+            };
+            (0..own.boxes.len()).any(|inner| !touching[side].contains(&(inner as u32)) && is_inside(inner))
+        })
+    }
+
     /// The component that a triangle belongs to.
     ///
     /// # Panics
@@ -148,12 +177,12 @@ pub fn nestings(
     touching: &HashSet<(u32, u32)>,
 ) -> Vec<((u32, u32), Nesting)> {
     let [a, b] =
-        [(0, &Pose::identity()), (1, pose)].map(|(side, pose)| Solid::new(meshes[side], components[side], pose));
+        [(0, &Pose::identity()), (1, pose)].map(|(side, pose)| Placed::new(meshes[side], components[side], pose));
     let count = |side: usize| components[side].len() as u32;
     let pairs = (0..count(0)).flat_map(|p| (0..count(1)).map(move |q| (p, q)));
     let nesting = |pair: (u32, u32)| {
         let (p, q) = (pair.0 as usize, pair.1 as usize);
-        if touching.contains(&pair) || !a.boxes[p].overlaps(&b.boxes[q]) {
+        if touching.contains(&pair) || !a.overlap(p, &b, q) {
             return None;
         }
         let found = if a.holds(p, &b, q) {
@@ -169,7 +198,7 @@ pub fn nestings(
 }
 
 /// A mesh in the frame of A.
-struct Solid<'a> {
+struct Placed<'a> {
     mesh: &'a Mesh,
     components: &'a Components,
     motion: Motion,
@@ -178,7 +207,7 @@ struct Solid<'a> {
     boxes: Vec<Bounds>,
 }
 
-impl<'a> Solid<'a> {
+impl<'a> Placed<'a> {
     fn new(mesh: &'a Mesh, components: &'a Components, pose: &Pose) -> Self {
         let motion = Motion::new(&pose.rows(), &pose.translation.into());
         let vertices: Vec<Bounds> = mesh.vertices().iter().map(|v| image(v, pose)).collect();
@@ -195,8 +224,13 @@ impl<'a> Solid<'a> {
         self.motion.image(&self.mesh.vertices()[vertex as usize].into())
     }
 
+    /// Whether the boxes of one of its components and one of another mesh overlap.
+    fn overlap(&self, component: usize, other: &Placed<'_>, of_other: usize) -> bool {
+        self.boxes[component].overlaps(&other.boxes[of_other])
+    }
+
     /// Whether one component of it is around one of another, if they have no common point.
-    fn holds(&self, component: usize, other: &Solid<'_>, inner: usize) -> bool {
+    fn holds(&self, component: usize, other: &Placed<'_>, inner: usize) -> bool {
         let point = other.mesh.faces()[other.components.faces[inner][0] as usize][0];
         let near = &other.vertices[point as usize];
         if !self.boxes[component].overlaps(near) {

@@ -29,7 +29,8 @@ pub(super) fn error(reach: &Vector3<f64>, pose: &Pose) -> f64 {
 }
 
 /// A box that surely holds the image of a box: an affine map keeps convex hulls, so the boxes of the corners do.
-pub(super) fn image_of_box(x: &Bounds, pose: &Pose) -> Bounds {
+#[cfg(feature = "scenes")]
+pub(crate) fn image_of_box(x: &Bounds, pose: &Pose) -> Bounds {
     let corner = |index: usize| {
         let side = |axis: usize| if index >> axis & 1 == 0 { x.min[axis] } else { x.max[axis] };
         image(&Point3::new(side(0), side(1), side(2)), pose)

@@ -1,7 +1,7 @@
 //! The trees of a scene.
 
-use super::{Directions, DopTree};
-use crate::scene::{Meeting, Scene};
+use super::{Meeting, Scene};
+use crate::collide::hierarchy::{Directions, DopTree};
 use rayon::prelude::*;
 
 /// The k-DOP trees of a scene's meshes, each built once.
