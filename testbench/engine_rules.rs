@@ -169,7 +169,7 @@ impl Alone {
         let design = EngineDesign::new(&engine, &unit).unwrap();
         let numbers = Numbers::new(&engine, &unit).unwrap();
         let files = engine_files(&design, &Prefix::default(), "efsat generate --engine").unwrap();
-        let format = design.format.clone();
+        let format = design.format;
         let machine = Rc::new(made(Machine::of(design, &files, None))?);
         let whole = cuboid(1, 1, 1);
         let side = Mesh::new(whole.vertices().to_vec(), whole.faces()[4..6].to_vec()).unwrap();

@@ -154,13 +154,14 @@ fn the_hardware_answers_as_the_reference_model() {
         while next < stimulus.expansions.len() || !due.is_empty() {
             random = random << 1 | (random >> 15 ^ random >> 13 ^ random >> 12 ^ random >> 10) & 1;
             let full_speed = next < stimulus.expansions.len() / 2;
-            if let Some(expansion) = stimulus.expansions.get(next) {
-                if !offered && (full_speed || random & 3 == 0) {
-                    for (name, value) in stimulus.numbers(expansion) {
-                        unit.set(&name, value);
-                    }
-                    offered = true;
+            if let Some(expansion) = stimulus.expansions.get(next)
+                && !offered
+                && (full_speed || random & 3 == 0)
+            {
+                for (name, value) in stimulus.numbers(expansion) {
+                    unit.set(&name, value);
                 }
+                offered = true;
             }
             unit.set("in_valid", offered.into());
             unit.clock();

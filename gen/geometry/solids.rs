@@ -297,10 +297,10 @@ impl<'a> Wedge<'a> {
             return None;
         }
         let mut inward = vec![];
-        for k in 0..3 {
+        for (k, spoke) in spokes.iter().enumerate() {
             let upright = cross(&facet.normal, &difference(&facet.corners[(k + 1) % 3], &facet.corners[k]));
             // How far x is from the edge, times minus a positive number.
-            match dot(&upright, &spokes[k]).sign() {
+            match dot(&upright, spoke).sign() {
                 Sign::Plus => return None,
                 Sign::NoSign => inward.push(upright),
                 Sign::Minus => {}

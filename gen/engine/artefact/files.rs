@@ -247,7 +247,7 @@ fn manifest_of(design: &EngineDesign, command_line: &str, files: &FileSet) -> St
         unit: options(design.unit.params.options()),
         engine: options(design.options()),
         clocks_per_pair: design.unit.interval,
-        volumes: trees.then(|| Volumes { clocks_per_expansion: volume.interval, volume_latency: volume.latency }),
+        volumes: trees.then_some(Volumes { clocks_per_expansion: volume.interval, volume_latency: volume.latency }),
         unit_latency: design.unit.latency,
         multipliers: design.multipliers().iter().sum(),
         packets: match trees {

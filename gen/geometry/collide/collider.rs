@@ -1,7 +1,7 @@
 //! Queries of two meshes that move against each other.
 
 use super::hierarchy::{Directions, DopTree, Scratch, contacts, first_hit};
-use super::{Components, Nesting, OpenEdge, Pose, nestings};
+use super::{Components, Nestings, OpenEdge, Pose, nestings};
 use crate::exact::{ContactKind, ExactPoint, posed_common};
 use crate::mesh::Mesh;
 use crate::software::retest::retest_posed_kind;
@@ -140,7 +140,7 @@ impl Collider {
     ///
     /// # Errors
     /// If a mesh is not closed.
-    pub fn nestings(&self, pose: &Pose) -> Result<Vec<((u32, u32), Nesting)>, OpenEdge> {
+    pub fn nestings(&self, pose: &Pose) -> Result<Nestings, OpenEdge> {
         let components = [self.a.components()?, self.b.components()?];
         let touching: HashSet<(u32, u32)> =
             self.contacts(pose).iter().map(|found| (components[0].of(found.a), components[1].of(found.b))).collect();

@@ -165,6 +165,9 @@ fn root(parents: &mut [u32], mut point: u32) -> u32 {
     point
 }
 
+/// Pairs of components (of A, of B), ascending, and which of both is inside the other.
+pub type Nestings = Vec<((u32, u32), Nesting)>;
+
 /// The pairs of components (of A, of B) of which one is inside the other with B in `pose` as seen from A, ascending. Those that have
 /// a common point are given, and are never among them.
 ///
@@ -175,7 +178,7 @@ pub fn nestings(
     components: [&Components; 2],
     pose: &Pose,
     touching: &HashSet<(u32, u32)>,
-) -> Vec<((u32, u32), Nesting)> {
+) -> Nestings {
     let [a, b] =
         [(0, &Pose::identity()), (1, pose)].map(|(side, pose)| Placed::new(meshes[side], components[side], pose));
     let count = |side: usize| components[side].len() as u32;

@@ -34,7 +34,7 @@ mod split;
 mod tree;
 
 pub use collider::{Body, Collider, Contact};
-pub use containment::{Components, Nesting, OpenEdge};
+pub use containment::{Components, Nesting, Nestings, OpenEdge};
 pub use pose::Pose;
 // For the command line.
 #[doc(hidden)]
