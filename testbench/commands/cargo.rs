@@ -104,7 +104,8 @@ fn halves(words: &[String]) -> [&[String]; 2] {
 pub fn fault(words: &[String]) -> Option<String> {
     let (name, rest) = words.split_first()?;
     let known = [
-        "bench", "binstall", "build", "clippy", "doc", "fmt", "install", "mutants", "package", "publish", "run", "test",
+        "bench", "binstall", "build", "clippy", "doc", "fmt", "install", "mutants", "package", "publish", "run",
+        "test", "tree",
     ];
     if !known.contains(&name.as_str()) {
         return Some(format!("cargo {name}: no such command"));
