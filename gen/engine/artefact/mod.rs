@@ -117,6 +117,7 @@ impl EngineDesign {
     }
 
     /// The options of the engine that one has which takes pairs by number.
+    #[doc(hidden)]
     pub const OPTIONS_BY_NUMBER: [&'static str; 5] =
         ["memory", "memory-width", "watchdog", "axi-id-bits", "triangle-lines"];
 
@@ -132,6 +133,7 @@ impl EngineDesign {
     ///
     /// # Errors
     /// If block RAM is too small for them.
+    #[doc(hidden)]
     pub fn layout(&self, images: &[&Image]) -> Result<crate::host::Layout, ParamError> {
         let mut layout = crate::host::Layout::new(&self.params, &self.format, images)?;
         if self.by_number {
@@ -141,6 +143,7 @@ impl EngineDesign {
     }
 
     /// Multipliers of the unit and of the volume unit.
+    #[doc(hidden)]
     pub fn multipliers(&self) -> [usize; 2] {
         let volume = if self.by_number { 0 } else { self.volume.stage.multipliers() };
         [self.unit.top.multipliers(), volume]

@@ -52,6 +52,7 @@ impl EngineFormat {
     /// Words before the pose.
     pub const POSE_AT: u32 = 7;
     /// Words before the pose of a packet of pairs by number.
+    #[doc(hidden)]
     pub const NUMBERS_POSE_AT: u32 = 3;
     /// Bits of an error of a shift.
     const SHIFT_ERROR_BITS: u32 = 16;
@@ -200,6 +201,7 @@ impl EngineFormat {
     }
 
     /// The first word of a packet of pairs by number that is a pair, behind the pose.
+    #[doc(hidden)]
     pub fn pairs_at(&self) -> u32 {
         Self::NUMBERS_POSE_AT + self.pose_words
     }

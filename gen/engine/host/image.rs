@@ -222,6 +222,7 @@ impl Image {
     }
 
     /// Where the triangle of each face of the mesh is in the image.
+    #[doc(hidden)]
     pub fn places(&self) -> Vec<u32> {
         let (layout, first) = (self.header.format.triangle(), self.header.triangles_at() as usize / 8);
         let mut places = vec![0; self.header.triangles as usize];

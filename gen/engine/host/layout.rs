@@ -72,6 +72,7 @@ impl Layout {
     ///
     /// # Panics
     /// If it is none of them.
+    #[doc(hidden)]
     pub fn there(&self, side: Side, from: &[Side]) -> Side {
         let there = self.sides
             [from.iter().position(|known| known.triangles_at == side.triangles_at).expect("a side of an image")];

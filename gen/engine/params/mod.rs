@@ -128,6 +128,7 @@ option_set! {
 
 impl EngineParams {
     /// Bits of the number of a lane, which a query in flight has.
+    #[doc(hidden)]
     pub fn lane_bits(&self) -> u32 {
         self.queries.ilog2()
     }
@@ -138,6 +139,7 @@ impl EngineParams {
     }
 
     /// Whether the engine has an option: with block RAM there is no read port.
+    #[doc(hidden)]
     pub fn has(&self, option: &str) -> bool {
         self.memory == Memory::Axi || !["memory-width", "axi-id-bits", "watchdog"].contains(&option)
     }
@@ -146,6 +148,7 @@ impl EngineParams {
     ///
     /// # Errors
     /// The first such option.
+    #[doc(hidden)]
     pub fn refuse_of_port<'a>(
         &self,
         mut given: impl Iterator<Item = &'a (&'static str, String)>,
