@@ -110,6 +110,7 @@ impl EngineDesign {
     }
 
     /// The options of the engine with their values.
+    #[doc(hidden)]
     pub fn options(&self) -> Vec<(&'static str, String)> {
         let options = self.params.options().into_iter();
         let by_number = |name| !self.by_number || Self::OPTIONS_BY_NUMBER.contains(&name);

@@ -26,12 +26,14 @@ pub struct ByNumber {
 
 impl ByNumber {
     /// These pairs, of the objects and in the pose of a query.
+    #[doc(hidden)]
     pub fn of_query(query: &Query, pairs: Vec<[u32; 2]>) -> Self {
         let &Query { sides, all_pairs, keep_caches, number, pose, .. } = query;
         Self { sides, all_pairs, keep_caches, number, pose, pairs }
     }
 
     /// Its words.
+    #[doc(hidden)]
     pub fn words(&self, format: &EngineFormat) -> Vec<u64> {
         let both = |[low, high]: [u32; 2]| u64::from(low) | u64::from(high) << 32;
         let flags = [(QueryFlags::ALL_PAIRS, self.all_pairs), (QueryFlags::KEEP_CACHES, self.keep_caches)];
@@ -50,6 +52,7 @@ impl ByNumber {
     ///
     /// # Errors
     /// The reason of the report, if it is no packet for this engine.
+    #[doc(hidden)]
     pub fn of(words: &[u64], format: &EngineFormat) -> Result<(Self, Reason), Reason> {
         let flags = [QueryFlags::ALL_PAIRS, QueryFlags::KEEP_CACHES].map(|at| 1 << at);
         let flag = |i: usize| words[0] & flags[i] != 0;

@@ -26,6 +26,7 @@ pub const MEMORY_WIDTH: &[u32] = &[32, 64, 128, 256, 512];
 /// Legal lines of a cache.
 pub const LINES: &[u32] = &[16, 32, 64, 128, 256, 512, 1024, 2048, 4096, 8192, 16384];
 /// Legal numbers of queries in flight.
+#[doc(hidden)]
 pub const QUERIES: &[u32] = &[2, 4];
 /// Legal numbers of pairs of nodes in flight.
 pub const IN_FLIGHT: RangeInclusive<u32> = 1..=64;

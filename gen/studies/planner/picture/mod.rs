@@ -105,10 +105,11 @@ impl Picture {
         let shown = |object: usize| touched.is_empty() || touched.contains(&object);
         let bodies = content.bodies.iter().enumerate().filter(|(object, _)| shown(*object));
         let whole = view::Frame::around(bodies.flat_map(|(_, (faces, _))| faces.iter().flatten()));
-        // Where triangles are long, the segments say better where the contact is.
-        let part = match content.segments.as_slice() {
-            [] => view::Frame::around(content.marked.iter().flat_map(|(corners, _)| corners)),
-            segments => view::Frame::around(segments.iter().flatten()),
+        // Where triangles are long, the segments say better where the contacts are, if each has one.
+        let part = if content.segments.len() < contacts.len() {
+            view::Frame::around(content.marked.iter().flat_map(|(corners, _)| corners))
+        } else {
+            view::Frame::around(content.segments.iter().flatten())
         };
         let view = View::new(&whole, &MAIN);
         let main = content.pane(&view, ALL);
