@@ -297,22 +297,6 @@ begin
       draining => open,
       silent => memory_silent,
       word_read => word_read,
-      m_axi_araddr => m_axi_araddr,
-      m_axi_arlen => m_axi_arlen,
-      m_axi_arsize => m_axi_arsize,
-      m_axi_arburst => m_axi_arburst,
-      m_axi_arvalid => m_axi_arvalid,
-      m_axi_arready => m_axi_arready,
-      m_axi_rdata => m_axi_rdata,
-      m_axi_rresp => m_axi_rresp,
-      m_axi_rlast => m_axi_rlast,
-      m_axi_rvalid => m_axi_rvalid,
-      m_axi_rready => m_axi_rready
-    );
-{%- if e.memory.id.is_some() %}
-  m_axi_arid <= (others => '0');
-{%- endif %}
-  m_axi_arcache <= "0011";
-  m_axi_arprot <= "000";
+{% include "engine/read_port.vhd" %}
 {%- endif %}
 end architecture rtl;

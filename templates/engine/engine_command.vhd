@@ -97,18 +97,7 @@ architecture rtl of {{ prefix }}engine_command is
   constant is_load : natural := 7;
 {%- endif %}
   constant kinds : natural := {{ e.query.kinds }};
-  signal kind : std_logic_vector(kinds - 1 downto 0);
-  signal running : std_logic := '0';
-  signal head_valid : std_logic := '0';
-  signal head : std_logic_vector(63 downto 0) := (others => '0');
-  signal head_last : std_logic := '0';
-  signal head_whole : std_logic := '0';
-  signal head_kind : std_logic_vector(kinds - 1 downto 0) := (others => '0');
-  signal next_valid : std_logic := '0';
-  signal next_word : std_logic_vector(63 downto 0) := (others => '0');
-  signal next_last : std_logic := '0';
-  signal next_whole : std_logic := '0';
-  signal next_kind : std_logic_vector(kinds - 1 downto 0) := (others => '0');
+{% include "engine/held_signals.vhd" %}
   signal ready : std_logic;
   signal arrives : std_logic;
   signal within_packet : std_logic := '0';  -- the last word that came was not the last of its packet
@@ -175,48 +164,7 @@ begin
   kind(is_load) <= whole when s_axis_tdata(31 downto 0) = load_header else '0';
 {%- endif %}
 
-  hold : process (clk)
-  begin
-    if rising_edge(clk) then
-      if taken = '1' or head_valid = '0' then
-        if next_valid = '1' then
-          head <= next_word;
-          head_last <= next_last;
-          head_whole <= next_whole;
-          head_kind <= next_kind;
-        else
-          head <= s_axis_tdata;
-          head_last <= s_axis_tlast;
-          head_whole <= whole;
-          head_kind <= kind;
-        end if;
-      end if;
-      if next_valid = '0' then
-        next_word <= s_axis_tdata;
-        next_last <= s_axis_tlast;
-        next_whole <= whole;
-        next_kind <= kind;
-      end if;
-      if reset = '1' then
-        within_packet <= '0';
-      else
-        within_packet <= stays_within;
-      end if;
-      if (reset or soft_reset) = '1' then
-        running <= '0';
-        head_valid <= '0';
-        next_valid <= '0';
-      else
-        running <= '1';
-        if taken = '1' or head_valid = '0' then
-          head_valid <= next_valid or arrives;
-          next_valid <= '0';
-        else
-          next_valid <= next_valid or arrives;
-        end if;
-      end if;
-    end if;
-  end process hold;
+{% include "engine/held_words.vhd" %}
 
   -- ===== Packets =====
   -- A packet begins when its job has a place to go, and pairs when everything before them is done.

@@ -1,0 +1,12 @@
+  signal kind : std_logic_vector(kinds - 1 downto 0);
+  signal running : std_logic := '0';
+  signal head_valid : std_logic := '0';
+  signal head : std_logic_vector(63 downto 0) := (others => '0');
+  signal head_last : std_logic := '0';
+  signal head_whole : std_logic := '0';
+  signal head_kind : std_logic_vector(kinds - 1 downto 0) := (others => '0');
+  signal next_valid : std_logic := '0';
+  signal next_word : std_logic_vector(63 downto 0) := (others => '0');
+  signal next_last : std_logic := '0';
+  signal next_whole : std_logic := '0';
+  signal next_kind : std_logic_vector(kinds - 1 downto 0) := (others => '0');
