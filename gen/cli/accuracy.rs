@@ -100,22 +100,22 @@ pub(super) fn points(spec: &str, base: &Params) -> Result<Vec<Params>, Failure> 
     combinations(spec)?.iter().map(|settings| point(settings, base)).collect()
 }
 
-/// The settings of every point of a sweep.
-fn combinations(spec: &str) -> Result<Vec<Vec<sweep::Setting>>, Failure> {
-    let names: Vec<&str> = Params::OPTIONS.iter().map(|option| option.name).collect();
-    sweep::parse(spec, &names).map_err(|e| Failure::Usage(format!("--sweep: {e}")))
-}
-
-/// Refuses an option beside a sweep all of whose points set it: it would change nothing.
-pub(super) fn refuse_swept(spec: &str, given: &ParamArguments) -> Result<(), Failure> {
-    let points = combinations(spec)?;
-    let swept = |option: &&str| points.iter().all(|settings| settings.iter().any(|one| one.option == *option));
-    match Params::OPTIONS.iter().map(|option| option.name).find(|name| given.has(name) && swept(name)) {
-        None => Ok(()),
+/// The same beside options that were typed; one that all points set is refused, as it would change nothing.
+pub(super) fn points_beside(spec: &str, typed: &ParamArguments, base: &Params) -> Result<Vec<Params>, Failure> {
+    let all = combinations(spec)?;
+    let swept = |option: &&str| all.iter().all(|settings| settings.iter().any(|one| one.option == *option));
+    match Params::OPTIONS.iter().map(|option| option.name).find(|name| typed.has(name) && swept(name)) {
+        None => all.iter().map(|settings| point(settings, base)).collect(),
         Some(name) => {
             Err(Failure::Usage(format!("--{name} with --sweep, which sets {name} too: expected only one of them")))
         }
     }
+}
+
+/// The settings of every point of a sweep.
+fn combinations(spec: &str) -> Result<Vec<Vec<sweep::Setting>>, Failure> {
+    let names: Vec<&str> = Params::OPTIONS.iter().map(|option| option.name).collect();
+    sweep::parse(spec, &names).map_err(|e| Failure::Usage(format!("--sweep: {e}")))
 }
 
 /// The parameters of a point, read as the command line reads them.

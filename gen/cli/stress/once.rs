@@ -1,7 +1,7 @@
 //! `efsat stress --once`.
 
 use super::Arguments;
-use crate::accuracy::{points, refuse_swept};
+use crate::accuracy::points_beside;
 use crate::error::Failure;
 use crate::output::{print, print_json, tell};
 use crate::progress;
@@ -55,10 +55,7 @@ fn table(families: &[&Family], designs: &[Params], seed: u64, block: &Block) -> 
 
 pub(super) fn run(arguments: &Arguments, families: &[&'static Family], base: Params) -> Result<(), Failure> {
     let designs = match &arguments.sweep {
-        Some(spec) => {
-            refuse_swept(spec, &arguments.params)?;
-            points(spec, &base)?
-        }
+        Some(spec) => points_beside(spec, &arguments.params, &base)?,
         None => vec![base],
     };
     let pairs = arguments.pairs.unwrap_or(1_000_000);

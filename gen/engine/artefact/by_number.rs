@@ -167,11 +167,7 @@ pub(super) fn samples(design: &EngineDesign) -> Result<String, ParamError> {
 
 /// Loads that write nothing: below the triangles, and behind the memory.
 fn refused_loads(vectors: &mut EngineVectors<'_>, design: &EngineDesign) {
-    let header = design.format.header(Command::Load);
-    let mut load = |rest: &[u64], reason| {
-        let words: Vec<(u64, bool)> = [header].iter().chain(rest).map(|&word| (word, true)).collect();
-        vectors.malformed(&words, reason);
-    };
+    let mut load = |rest: &[u64], reason| vectors.refused_load(rest, reason);
     let lines = design.params.triangle_lines;
     for line in [lines, 2 * lines, TRIANGLES_AT - 1] {
         load(&[u64::from(TRIANGLES_AT + line) << 6, 0, 0, 0, 0, 0, 0, 0, 0], Reason::TooLong);

@@ -138,11 +138,7 @@ pub fn text(design: &EngineDesign) -> Result<String, ParamError> {
 
 /// Loads that write nothing: addresses that are none, and those from the first behind each memory to the last there is.
 fn refused_loads(vectors: &mut EngineVectors<'_>, design: &EngineDesign) {
-    let header = design.format.header(Command::Load);
-    let mut load = |rest: &[u64], reason| {
-        let words: Vec<(u64, bool)> = [header].iter().chain(rest).map(|&word| (word, true)).collect();
-        vectors.malformed(&words, reason);
-    };
+    let mut load = |rest: &[u64], reason| vectors.refused_load(rest, reason);
     let EngineParams { block_lines, triangle_lines, .. } = design.params;
     let larger = block_lines.max(triangle_lines).next_power_of_two();
     for (memory, lines) in [(0, block_lines), (TRIANGLES_AT, triangle_lines)] {

@@ -156,6 +156,12 @@ impl<'a> EngineVectors<'a> {
         self.expect(&[], &report, Compared::Reason);
     }
 
+    /// A load that is refused: the words behind its header, and the reason.
+    pub fn refused_load(&mut self, rest: &[u64], reason: Reason) {
+        let words = [self.design.format.header(Command::Load)].into_iter().chain(rest.iter().copied());
+        self.malformed(&words.map(|word| (word, true)).collect::<Vec<_>>(), reason);
+    }
+
     /// A packet that is no query, and the reason that its report gives.
     ///
     /// # Panics
