@@ -287,7 +287,7 @@ fn queries_of_a_scene_are_written() {
         ("s.toml --image y --memory block-ram", "--image with --memory block-ram: expected --memory axi"),
         (
             "headlight --memory block-ram",
-            "--block-lines 512: expected at least 5961, which the meshes take in block RAM",
+            "--block-lines 1024: expected at least 5961, which the meshes take in block RAM",
         ),
     ] {
         refuses(dir, &format!("tree query {options} --out x.csv"), part);

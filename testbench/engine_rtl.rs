@@ -110,7 +110,7 @@ fn answers_and_reports_equal_the_reference_models() {
     let memory = |memory_width| EngineParams { memory_width, ..axi() };
     let least = "-glatency_least=1";
     let cases: [(EngineParams, Params, &[&str]); 10] = [
-        (block_ram(), Params::default(), if full() { &[] } else { &["-gpasses=1"] }),
+        (block_ram(), block_ram().unit(), if full() { &[] } else { &["-gpasses=1"] }),
         (axi(), small(), &[least, "-glatency_most=1"]),
         (axi(), small(), &["-glatency_least=5", "-glatency_most=200", "-gseed=7"]),
         (narrow, small(), &["-gpasses=1"]),

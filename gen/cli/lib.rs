@@ -17,6 +17,7 @@ mod manual;
 mod mutate;
 mod output;
 mod params;
+mod plan_engine;
 mod progress;
 mod scene;
 mod self_intersections;
@@ -29,7 +30,7 @@ mod wall;
 use clap::error::ErrorKind;
 use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use error::Failure;
-use params::ParamArguments;
+use params::{EngineArguments, ParamArguments};
 use std::process::ExitCode;
 
 /// Generates and proves synthesizable VHDL for EFSAT, an exact triangle-triangle intersection unit in fixed-point
@@ -58,6 +59,7 @@ enum Command {
     Mutate(mutate::Arguments),
     Synth(synth::Arguments),
     Scene(scene::Arguments),
+    PlanEngine(plan_engine::Arguments),
     Tree(tree::Arguments),
     SelfIntersections(self_intersections::Arguments),
     Accuracy(accuracy::Arguments),
@@ -79,6 +81,7 @@ pub fn main() -> ExitCode {
             Command::Mutate(arguments) => mutate::run(&arguments),
             Command::Synth(arguments) => synth::run(&arguments),
             Command::Scene(arguments) => scene::run(&arguments),
+            Command::PlanEngine(arguments) => plan_engine::run(&arguments),
             Command::Tree(arguments) => tree::run(&arguments),
             Command::SelfIntersections(arguments) => self_intersections::run(&arguments),
             Command::Accuracy(arguments) => accuracy::run(&arguments),
@@ -118,7 +121,12 @@ pub fn check<'w>(words: impl IntoIterator<Item = &'w str>) -> Result<(), clap::E
     if !command.get_arguments().any(|argument| argument.get_id() == "like_paper") {
         return Ok(());
     }
-    let fits = ParamArguments::from_arg_matches(matches)?.params();
+    let is_set = |flag| matches.try_get_one::<bool>(flag).ok().flatten().copied();
+    let unit = ParamArguments::from_arg_matches(matches)?;
+    let fits = match is_set("engine") {
+        Some(true) => EngineArguments::from_arg_matches(matches)?.unit(&unit, is_set("pairs_by_number") == Some(true)),
+        _ => unit.params(),
+    };
     fits.map(|_| ()).map_err(|failure| clap::Error::raw(ErrorKind::ValueValidation, failure.message()))
 }
 

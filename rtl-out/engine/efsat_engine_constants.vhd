@@ -18,14 +18,14 @@ package efsat_engine_constants is
   constant pose_word : natural := 7;  -- first word of the pose in a query
   constant row_word : natural := 14;  -- first row in a query
   constant clocks_per_expansion : natural := 4;  -- clocks from expansion to expansion
-  constant clocks_per_pair : natural := 11;  -- clocks from pair to pair of triangles
+  constant clocks_per_pair : natural := 3;  -- clocks from pair to pair of triangles
   constant clock_mhz : natural := 100;  -- the target clock in MHz
 
   -- Packets in.
-  constant query_header : std_logic_vector(31 downto 0) := x"44102003";  -- low half of the first word of a query
+  constant query_header : std_logic_vector(31 downto 0) := x"4410a003";  -- low half of the first word of a query
   constant query_format : std_logic_vector(31 downto 0) := x"0024ca12";  -- high half, which says the formats below
-  constant stop_header : std_logic_vector(31 downto 0) := x"44102005";  -- the only word of a stop, without the number of its query
-  constant reset_header : std_logic_vector(31 downto 0) := x"44102006";  -- the only word of a soft reset, without the number for its report
+  constant stop_header : std_logic_vector(31 downto 0) := x"4410a005";  -- the only word of a stop, without the number of its query
+  constant reset_header : std_logic_vector(31 downto 0) := x"4410a006";  -- the only word of a soft reset, without the number for its report
   constant query_words : natural := 32;  -- words of a query
   constant triangles_word : natural := 4;  -- the word that says how many triangles the objects have
   constant options_word : natural := 5;  -- the word that says what is asked for

@@ -32,7 +32,7 @@ entity efsat_engine_tb is
     vectors : string := "efsat_engine_tb.vec";
     answers : string := "";  -- a file for all words that come out, each with its TLAST and its clock
     compared : boolean := true;  -- answers, with those in the file
-    patience : natural := 20308;  -- clocks without a transfer before giving up
+    patience : natural := 20236;  -- clocks without a transfer before giving up
     latency_least : positive := 30;
     latency_most : positive := 30;
     hang : positive := 100000;
@@ -46,7 +46,7 @@ entity efsat_engine_tb is
 end entity efsat_engine_tb;
 
 architecture simulation of efsat_engine_tb is
-  constant formats : string := "efsat vectors 1: input s4.28 upper implied transform on width 18 axes 11 guard query 0024ca1244102003 words 32 memory axi";
+  constant formats : string := "efsat vectors 1: determinants input s4.28 transform on width 18 span 1 levels 6 bound moments boxes on guard query 0024ca124410a003 words 32 memory axi";
   constant most_pairs : natural := 65536;  -- of a packet
   subtype word_64 is std_logic_vector(63 downto 0);
   type words_64 is array (natural range <>) of word_64;
@@ -690,8 +690,8 @@ begin
               read_word(word_line, flag);
               s_tdata <= word;
               s_tlast <= flag(0);
-              stop_header := flag(0) = '1' and word(39 downto 0) = x"0044102005";
-              reset_header := flag(0) = '1' and word(39 downto 0) = x"0044102006";
+              stop_header := flag(0) = '1' and word(39 downto 0) = x"004410a005";
+              reset_header := flag(0) = '1' and word(39 downto 0) = x"004410a006";
               read_word(word_line, flag);
               stop_header := stop_header and flag(0) = '1';
               reset_header := reset_header and flag(0) = '1';

@@ -52,12 +52,12 @@ entity engine_command is
 end entity engine_command;
 
 architecture rtl of engine_command is
-  constant pairs_header : std_logic_vector(31 downto 0) := x"44102001";
-  constant pose_header : std_logic_vector(31 downto 0) := x"44102002";
-  constant query_header : std_logic_vector(31 downto 0) := x"44102003";
+  constant pairs_header : std_logic_vector(31 downto 0) := x"4410a001";
+  constant pose_header : std_logic_vector(31 downto 0) := x"4410a002";
+  constant query_header : std_logic_vector(31 downto 0) := x"4410a003";
   constant query_format : std_logic_vector(31 downto 0) := x"0024ca12";
-  constant stop_header : std_logic_vector(39 downto 0) := x"0044102005";
-  constant reset_header : std_logic_vector(39 downto 0) := x"0044102006";
+  constant stop_header : std_logic_vector(39 downto 0) := x"004410a005";
+  constant reset_header : std_logic_vector(39 downto 0) := x"004410a006";
   constant all_bytes : std_logic_vector(7 downto 0) := (others => '1');
   constant fine : std_logic_vector(4 downto 0) := reason_complete;
   constant unknown : std_logic_vector(4 downto 0) := reason_unknown_header;

@@ -15,8 +15,8 @@ package engine_layout is
   subtype triangle_corners is natural range 319 downto 32;  -- x, y and z of three corners
 
   -- Queries in flight: each has a lane, the next query the next one.
-  constant lanes : natural := 2;
-  constant lane_bits : natural := 1;  -- of the number of a lane
+  constant lanes : natural := 4;
+  constant lane_bits : natural := 2;  -- of the number of a lane
 
   -- An entry of the stack: a pair of nodes. Children are 11 (both), 01 (left) or 10 (right).
   constant node_bits : natural := 24;  -- of the number of a block

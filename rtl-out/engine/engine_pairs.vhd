@@ -55,7 +55,7 @@ end entity engine_pairs;
 
 architecture rtl of engine_pairs is
   constant places : natural := 128;
-  constant all_places : natural := 256;
+  constant all_places : natural := 512;
   constant place_bits : natural := 7;
   constant open_bits : natural := 9;
   subtype flags is std_logic_vector(lanes - 1 downto 0);

@@ -10,8 +10,8 @@ entity multiply_18_18 is
   port (
     clk : in  std_logic;
     x   : in  signed(17 downto 0);  -- |.| <= 131071
-    y   : in  signed(17 downto 0);  -- |.| <= 131071
-    p   : out signed(35 downto 0) := (others => '0')  -- |.| <= 17179607041
+    y   : in  signed(17 downto 0);  -- |.| <= 131072
+    p   : out signed(35 downto 0) := (others => '0')  -- |.| <= 17179738112
   );
 end entity multiply_18_18;
 

@@ -170,14 +170,14 @@ fn what_does_not_fit_is_said() {
     assert_eq!(warns(dir, "generate --engine --out small"), "");
     let large = "--memory block-ram --block-lines 16384 --triangle-lines 16384";
     let said = warns(dir, &format!("generate --engine --out large {large}"));
-    assert_eq!(said, "warning: xc2v6000-4 has 144 block RAMs; the design is predicted to take 836\n");
-    let many = warns(dir, "generate --engine --out many --method determinants");
+    assert_eq!(said, "warning: xc2v6000-4 has 144 block RAMs; the design is predicted to take 842\n");
+    let many = warns(dir, "generate --engine --out many --clocks-per-pair 1");
     assert!(many.contains("xc2v6000-4 has 144 multipliers; the units of the design are predicted to take "), "{many}");
     let predicted = |options: &str| object(dir, &format!("synth --predict --engine --json {options}"));
     let block_rams = |options: &str| predicted(options)["block_rams"].clone();
-    assert_eq!(block_rams(""), serde_json::json!({"predicted": 68, "capacity": 144}));
-    assert_eq!(block_rams(large)["predicted"], 836);
-    assert!(succeeds(dir, "synth --predict --engine").contains("68 of 144 (47.2 %) block RAMs of 18 kbit\n"));
+    assert_eq!(block_rams(""), serde_json::json!({"predicted": 74, "capacity": 144}));
+    assert_eq!(block_rams(large)["predicted"], 842);
+    assert!(succeeds(dir, "synth --predict --engine").contains("74 of 144 (51.4 %) block RAMs of 18 kbit\n"));
 }
 
 #[test]

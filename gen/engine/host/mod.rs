@@ -5,9 +5,9 @@
 //! use efsat_engine::host::{Image, Numbers, memory};
 //! use efsat_engine::model::Model;
 //! use efsat_engine::params::EngineParams;
-//! use efsat_unit::params::Params;
 //!
-//! let (engine, unit) = (EngineParams::default(), Params::default());
+//! let engine = EngineParams::default();
+//! let unit = engine.unit();
 //! let numbers = Numbers::new(&engine, &unit)?;
 //! let image = Image::build(&[&headlight()], numbers.format())?.remove(0);
 //!

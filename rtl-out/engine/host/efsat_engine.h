@@ -26,7 +26,7 @@
 #define EFSAT_ENGINE_POSE_WORD 7 /* first word of the pose in a query */
 #define EFSAT_ENGINE_ROW_WORD 14 /* first row in a query */
 #define EFSAT_ENGINE_CLOCKS_PER_EXPANSION 4 /* clocks from expansion to expansion */
-#define EFSAT_ENGINE_CLOCKS_PER_PAIR 11 /* clocks from pair to pair of triangles */
+#define EFSAT_ENGINE_CLOCKS_PER_PAIR 3 /* clocks from pair to pair of triangles */
 #define EFSAT_ENGINE_CLOCK_MHZ 100 /* the target clock in MHz */
 
 /* Ranges of numbers; for others the unit makes no promise, and the functions below refuse them. */
@@ -40,10 +40,10 @@
 #define EFSAT_ENGINE_TRANSLATION_MOST INT64_C(1073741816) /* the greatest */
 
 /* Packets in. */
-#define EFSAT_ENGINE_QUERY_HEADER UINT32_C(0x44102003) /* low half of the first word of a query */
+#define EFSAT_ENGINE_QUERY_HEADER UINT32_C(0x4410a003) /* low half of the first word of a query */
 #define EFSAT_ENGINE_QUERY_FORMAT UINT32_C(0x0024ca12) /* high half, which says the formats below */
-#define EFSAT_ENGINE_STOP_HEADER UINT32_C(0x44102005) /* the only word of a stop, without the number of its query */
-#define EFSAT_ENGINE_RESET_HEADER UINT32_C(0x44102006) /* the only word of a soft reset, without the number for its report */
+#define EFSAT_ENGINE_STOP_HEADER UINT32_C(0x4410a005) /* the only word of a stop, without the number of its query */
+#define EFSAT_ENGINE_RESET_HEADER UINT32_C(0x4410a006) /* the only word of a soft reset, without the number for its report */
 #define EFSAT_ENGINE_QUERY_WORDS 32 /* words of a query */
 #define EFSAT_ENGINE_TRIANGLES_WORD 4 /* the word that says how many triangles the objects have */
 #define EFSAT_ENGINE_OPTIONS_WORD 5 /* the word that says what is asked for */

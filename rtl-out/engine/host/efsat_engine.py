@@ -27,7 +27,7 @@ TREE_HEIGHT = 32  # the greatest height of a tree
 POSE_WORD = 7  # first word of the pose in a query
 ROW_WORD = 14  # first row in a query
 CLOCKS_PER_EXPANSION = 4  # clocks from expansion to expansion
-CLOCKS_PER_PAIR = 11  # clocks from pair to pair of triangles
+CLOCKS_PER_PAIR = 3  # clocks from pair to pair of triangles
 CLOCK_MHZ = 100  # the target clock in MHz
 
 # Ranges of numbers; for others the unit makes no promise, and the functions below refuse them.
@@ -41,10 +41,10 @@ TRANSLATION_LEAST = -1073741816  # the least entry of t that is declared
 TRANSLATION_MOST = 1073741816  # the greatest
 
 # Packets in.
-QUERY_HEADER = 0x44102003  # low half of the first word of a query
+QUERY_HEADER = 0x4410a003  # low half of the first word of a query
 QUERY_FORMAT = 0x0024ca12  # high half, which says the formats below
-STOP_HEADER = 0x44102005  # the only word of a stop, without the number of its query
-RESET_HEADER = 0x44102006  # the only word of a soft reset, without the number for its report
+STOP_HEADER = 0x4410a005  # the only word of a stop, without the number of its query
+RESET_HEADER = 0x4410a006  # the only word of a soft reset, without the number for its report
 QUERY_WORDS = 32  # words of a query
 TRIANGLES_WORD = 4  # the word that says how many triangles the objects have
 OPTIONS_WORD = 5  # the word that says what is asked for

@@ -121,11 +121,10 @@ pub(super) fn run(
     scene: &Scene,
     settings: &Settings,
 ) -> Result<(), Failure> {
-    let unit = arguments.given.unit(&arguments.file, settings)?;
     if machine == Answering::Model {
         arguments.engine.params.refuse_timing()?;
     }
-    let design = arguments.engine.params.design(&unit)?;
+    let design = arguments.given.engine(&arguments.file, settings, &arguments.engine.params)?;
     let (meshes, _) = scene.meshes();
     let objects = Objects::new(&design.params, &design.unit.params, &meshes)?;
     let model = StandIn::new(&objects).map_err(DesignError::from)?;
