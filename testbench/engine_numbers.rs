@@ -2,9 +2,9 @@
 //! memory with latencies, gaps and faults, soft resets, and a pair per clock.
 
 use crate::engine_rtl::{Bench, axi, changed, fine, number, small};
-use crate::extent::share;
+use crate::extent::{in_full, share};
 use crate::tools::program::succeeds;
-use crate::tools::{CHECKED, compiles_everywhere, ghdl, has, made, run};
+use crate::tools::{CHECKED, compiles_everywhere, ghdl_of_long_runs, has, made, run};
 use efsat::artefact::Prefix;
 use efsat::design::Design;
 use efsat::engine::artefact::samples::{cuboid, hills, turn};
@@ -71,7 +71,7 @@ impl Crossing {
 
 #[test]
 fn answers_equal_the_reference_models_in_order() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let least = "-glatency_least=1";
     let most = "-glatency_most=200";
     let memory = |memory_width| EngineParams { memory_width, ..axi() };
@@ -101,10 +101,10 @@ fn answers_equal_the_reference_models_in_order() {
 /// in the unit, and the packet behind are whole. A memory that is silent ends packets until it answers.
 #[test]
 fn a_fault_of_memory_ends_one_packet() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::of(ghdl, design(&EngineParams { watchdog: 500, ..axi() }, &determinants()));
     let crossing = Crossing::new(&bench.design);
-    let options = ["-gpasses=2", "-glatency_least=2", "-glatency_most=40", "-ghang=6000"];
+    let options = ["-gpasses=2", "-glatency_least=2", "-glatency_most=40", "-ghang=2500"];
     // Triangles of A that the packet asks for first, in its midst, last; and one of B.
     let faults =
         [crossing.triangle(0, 20), crossing.triangle(0, 25), crossing.triangle(0, 29), crossing.triangle(1, 3)];
@@ -134,12 +134,12 @@ fn a_fault_of_memory_ends_one_packet() {
         vectors.reset(3, Some(5));
         vectors.numbers_that_end(&crossing.some(6, 0, 9), Reason::Silent);
         vectors.wait();
-        vectors.pause(7000);
+        vectors.pause(3000);
         vectors.numbers(&ByNumber { number: 7, ..crossing.packet.clone() });
         vectors.text().to_owned()
     };
-    let once = ["-gpasses=1", "-glatency_least=5", "-glatency_most=40", "-ghang=6000"];
-    for number in [20, 27] {
+    let once = ["-gpasses=1", "-glatency_least=5", "-glatency_most=40", "-ghang=2500"];
+    for number in share(2, [20, 27]) {
         let report = bench.run_vectors(&late(number), &once);
         assert!(fine(&report), "{report}");
     }
@@ -165,8 +165,8 @@ fn a_fault_of_memory_ends_one_packet() {
             "unit_valid <= triangles_valid and not memory_error;",
         ),
     ];
-    let options = [&once[..], &["-gpatience=9000"]].concat();
-    let unnoticed: Vec<&str> = share(6, changes)
+    let options = [&once[..], &["-gpatience=4500"]].concat();
+    let unnoticed: Vec<&str> = in_full(changes)
         .into_iter()
         .filter(|change| [&first, &late(27)].iter().all(|text| fine(&changed(&bench, *change, text, &options))))
         .map(|(_, from, _)| from)
@@ -177,7 +177,7 @@ fn a_fault_of_memory_ends_one_packet() {
 /// A mesh is written over at its old address: a packet without the option to keep the caches is about what is there now.
 #[test]
 fn triangles_that_were_written_over_are_read_again() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::of(ghdl, design(&axi(), &small()));
     let crossing = Crossing::new(&bench.design);
     let other = Image::build(&[&cuboid(4, 1, 1)], &bench.design.format).unwrap();
@@ -194,13 +194,13 @@ fn triangles_that_were_written_over_are_read_again() {
     let report = bench.run_vectors(vectors.text(), &options);
     assert!(fine(&report), "{report}");
     let change = ("engine_number_command.vhd", "flush_now <= '1';", "flush_now <= '0';");
-    assert!(!fine(&changed(&bench, change, vectors.text(), &options)));
+    assert!(in_full([change]).iter().all(|change| !fine(&changed(&bench, *change, vectors.text(), &options))));
 }
 
 /// Mistakes in the text, each of which the generated vectors notice.
 #[test]
 fn a_wrong_entity_is_noticed() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let (command, answer, top) = ("engine_number_command.vhd", "engine_number_answer.vhd", "efsat_engine.vhd");
     let changes = [
         // Numbers that are not there, of one side; the pose before, or that of the packet behind.
@@ -257,7 +257,7 @@ fn a_wrong_entity_is_noticed() {
 /// triangles.
 #[test]
 fn a_pair_per_clock() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     for engine in share(2, [block_ram(), EngineParams { triangle_lines: 256, ..axi() }]) {
         let bench = Bench::of(ghdl, design(&engine, &determinants()));
         let crossing = Crossing::new(&bench.design);
