@@ -31,8 +31,7 @@ fn a_query_after_a_soft_reset_is_right() {
     };
     for latency in latencies {
         let options = options(latency);
-        let report = bench.run_vectors(vectors.text(), &options.each_ref().map(String::as_str));
-        assert!(fine(&report), "{latency:?}: {report}");
+        bench.passes(vectors.text(), &options.each_ref().map(String::as_str));
     }
     let changes = [
         // It forgets bursts; it does not say so; what works on the query goes on.
@@ -41,12 +40,7 @@ fn a_query_after_a_soft_reset_is_right() {
         ("efsat_engine.vhd", "restart <= forgotten or abort;", "restart <= reset or abort;"),
     ];
     let options = options([160, 200]);
-    let unnoticed: Vec<&str> = in_full(changes)
-        .into_iter()
-        .filter(|change| fine(&changed(&bench, *change, vectors.text(), &options.each_ref().map(String::as_str))))
-        .map(|(_, from, _)| from)
-        .collect();
-    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
+    bench.notices(in_full(changes), &[vectors.text()], &options.each_ref().map(String::as_str));
 }
 
 /// A memory that does not answer in time: the query ends with a reason of its own, and so do those behind it, until memory has
@@ -74,8 +68,7 @@ fn a_memory_that_does_not_answer_ends_queries() {
         vectors.text().to_owned()
     });
     for text in &late {
-        let report = bench.run_vectors(text, &options);
-        assert!(fine(&report), "{report}");
+        bench.passes(text, &options);
     }
 
     let mut vectors = EngineVectors::new(&bench.design, &images_of);
@@ -85,8 +78,7 @@ fn a_memory_that_does_not_answer_ends_queries() {
     vectors.query_that_ends(&Query { number: 2, ..query.clone() }, Reason::Silent);
     vectors.reset(900, None);
     vectors.query_that_ends(&Query { number: 3, ..query.clone() }, Reason::Silent);
-    let report = bench.run_vectors(vectors.text(), &options);
-    assert!(fine(&report), "{report}");
+    bench.passes(vectors.text(), &options);
 
     let changes = [
         ("engine_control.vhd", "          if memory_silent = '1' then\n", "          if memory_silent = '0' then\n"),
@@ -98,12 +90,7 @@ fn a_memory_that_does_not_answer_ends_queries() {
         ),
     ];
     let options = [&options[..], &["-gpatience=4500"]].concat();
-    let unnoticed: Vec<&str> = in_full(changes)
-        .into_iter()
-        .filter(|change| late.iter().all(|text| fine(&changed(&bench, *change, text, &options))))
-        .map(|(_, from, _)| from)
-        .collect();
-    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
+    bench.notices(in_full(changes), &late.each_ref().map(String::as_str), &options);
 }
 
 /// A mesh against itself, so that the query is long when the stop comes.
@@ -130,8 +117,7 @@ fn a_stop_ends_the_query_that_runs() {
         vectors.stop(300, 9);
         vectors.stop(5, 8);
         vectors.query(&Query { number: 9, ..query });
-        let report = bench.run_vectors(vectors.text(), &["-gpasses=1"]);
-        assert!(fine(&report), "{report}");
+        bench.passes(vectors.text(), &["-gpasses=1"]);
     }
 }
 
@@ -174,7 +160,6 @@ fn damaged_trees_do_no_harm() {
         let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
         let whole = numbers.query([(&images[1], query.sides[1]); 2], &turn(0), &[0.5, 0.0, 0.0]).unwrap();
         vectors.query(&Query { number: 2, ..whole });
-        let report = bench.run_vectors(vectors.text(), &["-gpasses=1", "-glatency_least=5", "-glatency_most=20"]);
-        assert!(fine(&report), "{report}");
+        bench.passes(vectors.text(), &["-gpasses=1", "-glatency_least=5", "-glatency_most=20"]);
     }
 }
