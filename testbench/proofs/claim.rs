@@ -236,7 +236,7 @@ impl Claim {
     pub fn run(&self) -> Row {
         let claim = [self.subject.name.clone(), self.widths.clone(), self.property.to_owned()];
         let mutated = |mutant: &Mutant| self.subject.mutated(mutant).map(|files| self.ask(&files).outcome);
-        Row::new(claim, self.ask(&self.subject.files), &share(6, &self.mutants), mutated)
+        Row::new(claim, self.ask(&self.subject.files), &share(12, &self.mutants), mutated)
     }
 }
 
@@ -269,7 +269,9 @@ impl Row {
 /// What a checker says of the certificate of a claim, if everything is asked for.
 fn certified(formulas: &Formulas) -> String {
     match full().then(Tools::new).flatten() {
-        Some(tools) => tools.certify(formulas).map_or_else(|reason| format!("none: {reason}"), |found| found.to_string()),
+        Some(tools) => {
+            tools.certify(formulas).map_or_else(|reason| format!("none: {reason}"), |found| found.to_string())
+        }
         None => String::new(),
     }
 }
