@@ -208,7 +208,7 @@ Module Crosses (D : DOM).
         destruct I as [[I|[I|[I|I]]]|[I|I]]; [exfalso|exfalso|exfalso|exfalso|exfalso|eauto].
         - exact (zero_sums (pick all) _ _ (cramer_holds _ _ _ _ _ _ _ _ _ _ _ M) I Hp).
         - exact (no_five _ p I Hp).
-        - apply in_map_iff in I as (v & <- & Iv). cbn in Hp. rewrite andb_true_r in Hp.
+        - apply in_map_iff in I as (v & <- & Iv). unfold holds in Hp. cbn [forallb fst snd] in Hp. rewrite andb_true_r in Hp.
           assert (K : sign_of all v = P) by (cbn in Iv; repeat destruct Iv as [<-|Iv]; try destruct Iv; unfold sign_of, all, l, fifteen; cbn; apply A; lia).
           rewrite K in Hp. discriminate.
         - apply all_zero_holds with (f := sign_of all) in I; auto. enough (true = false) by discriminate. rewrite <- NZ. symmetry. apply forallb_forall.
