@@ -86,10 +86,10 @@ Proof. split; [vm_compute; reflexivity|]. intros K. apply IK.origin_crosses in K
 
 (** Words of numbers on the grid. *)
 Definition on_words i := Truth (fun k => real (A i k)) (fun k => real (B i k)) (fun k => real (M i k)) (real (t i)).
-Theorem words_stand a b : (forall k, Z.abs (ZX (b k)) <= 2 ^ 28 /\ Z.abs (ZY (b k)) <= 2 ^ 28 /\ Z.abs (ZZ (b k)) <= 2 ^ 28) ->
+Theorem words_stand (a b : triple zvec) : (forall k, Z.abs (ZX (b k)) <= 2 ^ 28 /\ Z.abs (ZY (b k)) <= 2 ^ 28 /\ Z.abs (ZZ (b k)) <= 2 ^ 28) ->
   stands_for default (still a b) (on_words (still a b)).
 Proof.
   assert (F : forall w, floors w (real w)) by (intros w; unfold floors, floor_of, real; cbn; repeat split; lra).
-  intros Hb. split; [intros; apply F|]. split; [intros; apply F|]. split; [intros; apply F|]. split; [apply F|]. intros _ k. unfold declared, within, real. cbn [on_words TB TM].
+  intros Hb. split; [intros; apply F|]. split; [intros; apply F|]. split; [intros; apply F|]. split; [apply F|]. intros _ k. unfold on_words, declared, within, real. cbn [TB TM X Y Z_].
   destruct (Hb k) as (H1 & H2 & H3). split; (split; [|split]); rewrite <- abs_IZR; apply IZR_le; try assumption; destruct k; cbn; lia.
 Qed.

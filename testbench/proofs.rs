@@ -260,7 +260,8 @@ fn certificates() {
     let (true, Some(tools)) = (tools::there(), certificate::Tools::new()) else { return };
     let [right, wrong] = sums::exact_sums(4, true)[0].answers().map(|answer| answer.formulas);
     let [dir, other] = [&right, &wrong].map(|formulas| formulas.dir.path());
-    table::print(&format!("\nCertificate of a sum of 4 bits: {}\n", tools.certify(&right).unwrap()));
+    let found = tools.certify(&right).unwrap().expect("a certificate in time");
+    table::print(&format!("\nCertificate of a sum of 4 bits: {found}\n"));
     let [formula, proof, hints] = ["claim.cnf", "claim.drat", "claim.lrat"].map(|name| dir.join(name));
     let wrong = other.join("claim.cnf");
     assert_eq!(tools.decide(&wrong, &other.join("claim.drat")), Err("there is a solution".to_owned()));

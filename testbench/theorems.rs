@@ -161,7 +161,7 @@ fn the_kernel_checks_the_proofs() {
     let dir = Path::new("target/proofs/book");
     copy(dir, |_, text| text);
     if !full() {
-        return make(dir, &["Table.vo", "Interval.vo", "Determinants.vo", "Hierarchy.vo", "Stack.vo"])
+        return make(dir, &["Interval.vo", "Determinants.vo", "Hierarchy.vo", "Stack.vo", "Certificate.vo"])
             .unwrap_or_else(|e| panic!("{e}"));
     }
     make(dir, &["all"]).unwrap_or_else(|e| panic!("{e}"));
@@ -206,7 +206,8 @@ fn different(said: &str) -> bool {
 }
 
 /// Mistakes in the functions that are proved: file, text, and what stands there instead.
-const MUTANTS: [[&str; 3]; 4] = [
+const MUTANTS: [[&str; 3]; 5] = [
+    ["CrossTable", "(apart P N || apart N P)", "(apart P N && apart N P)"],
     ["Determinants", "Definition F level x := 4 * x", "Definition F level x := 3 * x"],
     ["DeterminantUnit", "Z.max (fine o - d) 0", "Z.max (fine o - d - 1) 0"],
     ["AxisUnit", "(least hi a <? most lo b)", "(least hi a <=? most lo b)"],

@@ -41,7 +41,7 @@ pub struct Row {
     pub seconds: f64,
     /// `proved`, or what went wrong.
     pub verdict: &'static str,
-    /// What a checker said of the certificate, if one was asked for.
+    /// Size and times of the certificate, if one was asked for.
     pub certificate: String,
     /// Mutants refuted and tried.
     pub refuted: [usize; 2],
@@ -260,20 +260,18 @@ impl Row {
         };
         let alive: Vec<String> = mutants.iter().filter_map(alive).collect();
         let refuted = [mutants.len() - alive.len(), mutants.len()];
-        let certificate = if failure.is_none() { certified(&answer.formulas) } else { String::new() };
-        let failures = failure.into_iter().chain(alive).collect();
+        let certificate = if failure.is_none() { certified(&answer.formulas) } else { Ok(String::new()) };
+        let refused = certificate.as_ref().err().map(|reason| format!("certificate: {reason}"));
+        let failures = failure.into_iter().chain(refused).chain(alive).collect();
+        let certificate = certificate.unwrap_or_default();
         Self { claim, seconds: answer.seconds, verdict, certificate, refuted, failures }
     }
 }
 
-/// What a checker says of the certificate of a claim, if everything is asked for.
-fn certified(formulas: &Formulas) -> String {
-    match full().then(Tools::new).flatten() {
-        Some(tools) => {
-            tools.certify(formulas).map_or_else(|reason| format!("none: {reason}"), |found| found.to_string())
-        }
-        None => String::new(),
-    }
+/// The certificate of a claim, if everything is asked for. That a solver or a checker says something else is a failure.
+fn certified(formulas: &Formulas) -> Result<String, String> {
+    let Some(tools) = full().then(Tools::new).flatten() else { return Ok(String::new()) };
+    Ok(tools.certify(formulas)?.map_or("no certificate in time".to_owned(), |found| found.to_string()))
 }
 
 /// The name of the word of which a wire is an element.
