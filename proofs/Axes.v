@@ -2,11 +2,12 @@
     edges, the triangles have a common point ([eleven_axes]). And if they have one and are not in one plane, an edge hits even if any one of
     the six is left out ([two_hit]). *)
 From Coq Require Import List Bool PArith ZArith Ring Lia.
-Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.Space Efsat.Exact Efsat.Five.
+Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.Space Efsat.Exact Efsat.Crosses Efsat.Five.
 Import ListNotations.
 
 Module Axes (D : DOM).
-  Module E := Exact D.
+  Module K := Crosses D.
+  Module E := K.E.
   Module S := E.S.
   Import D S.F S.
   Local Open Scope dom.

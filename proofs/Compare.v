@@ -44,18 +44,19 @@ Definition determinants_answer options l :=
 Definition determinants_valid l := DeterminantUnit.valid (options_of l).
 
 (** * Exact *)
-(** Verdict, both words of flags (but whether the pair crosses), and the fifteen determinants, of a pair that fits. *)
+Definition of_points {A} (rule : I.S.vec -> I.S.vec -> I.S.vec -> I.S.vec -> I.S.vec -> A) x : A :=
+  let g := Cascade.on_grid in rule (g (V1 x)) (g (V2 x)) (g (W x T0)) (g (W x T1)) (g (W x T2)).
+(** Verdict, both words of flags, and the fifteen determinants, of a pair that fits. *)
 Definition exact_answer options l :=
   let x := DeterminantUnit.differences (options_of options) (words_of l) in
-  let at_ := Cascade.on_grid in
-  let numbers := I.S.fifteen (at_ (V1 x)) (at_ (V2 x)) (at_ (W x T0)) (at_ (W x T1)) (at_ (W x T2)) in
+  let numbers := of_points I.S.fifteen x in
   let signs := map Integers.sg numbers in let f v := nth (place v) signs O in
-  let separate := I.separate (at_ (V1 x)) (at_ (V2 x)) (at_ (W x T0)) (at_ (W x T1)) (at_ (W x T2)) in
+  let separate := of_points I.separate x in
   let flat := forallb (fun v => seq (f v) O) [1; 2; 3; 4; 5; 6]%positive in
   let reach := 2 ^ (DeterminantUnit.width (options_of options) - 1) - 1 in
   if forallb (fun y => Z.abs y <=? reach) (points_numbers x) then
     [if separate then 0 else 1; bits_of ((flat && separate) :: one_side f [1; 2; 3]%positive :: one_side f [4; 5; 6]%positive :: map (at_edge misses f) edge_list);
-     bits_of (false :: (flat && forallb (fun v => seq (f v) O) [7; 8; 9; 10; 11; 12; 13; 14; 15]%positive) :: existsb (at_edge pierces f) edge_list :: map (at_edge hits f) edge_list)] ++ numbers
+     bits_of (of_points IK.crosses x :: (flat && forallb (fun v => seq (f v) O) [7; 8; 9; 10; 11; 12; 13; 14; 15]%positive) :: existsb (at_edge pierces f) edge_list :: map (at_edge hits f) edge_list)] ++ numbers
   else [2; 0; 0].
 Definition cascade_answer options l :=
   let x := DeterminantUnit.differences (options_of options) (words_of l) in

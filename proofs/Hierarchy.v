@@ -158,10 +158,10 @@ Section Traversal.
     - exists (Leaf w z). cbn. auto.
     - destruct B as (_ & Bl & Br). apply in_app_iff in I as [I|I]; [exists l|exists r]; repeat split; auto; lia.
   Qed.
-  Theorem no_pair_is_lost m n x y : bounded holds_a m -> bounded holds_b n -> In x (triangles m) -> In y (triangles n) -> touch x y ->
-    In (x, y) (leaf_pairs (Nat.max (height m) (height n)) m n).
+  Theorem no_pair_is_lost level m n x y : (height m <= level /\ height n <= level)%nat -> bounded holds_a m -> bounded holds_b n ->
+    In x (triangles m) -> In y (triangles n) -> touch x y -> In (x, y) (leaf_pairs level m n).
   Proof.
-    remember (Nat.max (height m) (height n)) as level eqn:L. assert (L' : (height m <= level /\ height n <= level)%nat) by lia. clear L.
+    intros L'.
     revert m n L'. induction level as [|level IH]; intros m n [Lm Ln] Bm Bn Im In_ T.
     - destruct m, n; cbn in Lm, Ln; try lia. cbn in Im, In_ |- *. destruct Im as [->|[]], In_ as [->|[]]. auto.
     - assert (G : In (x, y) (flat_map (fun c => flat_map (fun d => if are_apart (top c) (top d) then [] else leaf_pairs level c d) (children n)) (children m))).

@@ -1,9 +1,10 @@
 (** From integers to real space: the exact unit says `separate` if and only if the closed triangles, as sets of points of real space,
-    have no common point ([exact_unit_is_right]). For real numbers, weights and sets of points say the same ([meet_common]). *)
+    have no common point ([exact_unit_is_right]), and *crosses* if and only if their relative interiors have one
+    ([exact_crossing_is_right]). For real numbers, weights and sets of points say the same ([meet_common]). *)
 From Coq Require Import List Bool PArith ZArith Reals Lra Lia.
-Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.PlaneTable Efsat.Space Efsat.Plane Efsat.Exact Efsat.Axes Efsat.Verdict.
+Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.PlaneTable Efsat.Space Efsat.Plane Efsat.Exact Efsat.CrossTable Efsat.Crosses Efsat.Axes Efsat.Verdict.
 Import ListNotations.
-Module I := OnIntegers.A.E. Module R := OnReals.A.E.
+Module IK := OnIntegers.A.K. Module RK := OnReals.A.K. Module I := IK.E. Module R := RK.E.
 
 Definition real (v : I.S.vec) : R.S.vec := R.S.V3 (IZR (I.S.X v)) (IZR (I.S.Y v)) (IZR (I.S.Z v)).
 Lemma sg_IZR x : RealNumbers.sg (IZR x) = Integers.sg x.
@@ -131,4 +132,76 @@ Proof.
   assert (E : I.exact_separate a b c d e f = R.exact_separate (real a) (real b) (real c) (real d) (real e) (real f)).
   { unfold I.exact_separate, R.exact_separate. rewrite <- !real_minus. symmetry. apply real_separate. }
   rewrite E, R.exact_right. apply meet_common.
+Qed.
+
+(** * Crossing *)
+Lemma real_nearly_apart a b : RK.nearly_apart (map IZR a) (map IZR b) = IK.nearly_apart a b.
+Proof.
+  assert (T : forall (g : sign -> bool) a b, forallb (fun x => forallb (fun y => g (RealNumbers.sg (RealNumbers.sub y x))) (map IZR b)) (map IZR a) =
+    forallb (fun x => forallb (fun y => g (Integers.sg (Integers.sub y x))) b) a).
+  { intros g c d. induction c as [|x c IH]; cbn; auto. rewrite IH. f_equal. clear IH. induction d as [|y d IH]; cbn; auto. rewrite IH. f_equal. f_equal.
+    rewrite <- sg_IZR. push. reflexivity. }
+  unfold RK.nearly_apart, IK.nearly_apart, RK.nearly_below, IK.nearly_below, RK.level, IK.level.
+  now rewrite !(T (fun s => negb (seq s N))), (T (fun s => seq s O)).
+Qed.
+Lemma real_boxes_nearly v1 v2 w0 w1 w2 : RK.boxes_nearly_apart (real v1) (real v2) (real w0) (real w1) (real w2) = IK.boxes_nearly_apart v1 v2 w0 w1 w2.
+Proof. unfold RK.boxes_nearly_apart, IK.boxes_nearly_apart. cbn [existsb]. rewrite <- !real_nearly_apart. reflexivity. Qed.
+Lemma real_nearly_parted v1 v2 w0 w1 w2 ar ai : (forall v, ar (real v) = real2 (ai v)) ->
+  RK.nearly_parted (real v1) (real v2) (real w0) (real w1) (real w2) ar = IK.nearly_parted v1 v2 w0 w1 w2 ai.
+Proof.
+  intros H. unfold RK.nearly_parted, IK.nearly_parted. apply existsb_ext. intros [[[[b0 u0] [b1 u1]] [b2 u2]] [b u]]. cbn. rewrite real_origin, !H, !real_plane_sign. reflexivity.
+Qed.
+Lemma real_straddle a : RK.straddle (map IZR a) = IK.straddle a.
+Proof.
+  assert (T : forall t, existsb (fun x => seq (RealNumbers.sg x) t) (map IZR a) = existsb (fun x => seq (Integers.sg x) t) a).
+  { intros t. induction a as [|x a IH]; cbn; [reflexivity|]. now rewrite IH, sg_IZR. }
+  unfold RK.straddle, IK.straddle. now rewrite !T.
+Qed.
+Lemma crosses_outside_ext f g : (forall v, f v = g v) -> crosses_outside f = crosses_outside g.
+Proof. intros H. unfold crosses_outside, straddles, through, passes_at, at_edge, edge_list. cbn. now rewrite !H. Qed.
+Lemma real_crosses v1 v2 w0 w1 w2 : RK.crosses (real v1) (real v2) (real w0) (real w1) (real w2) = IK.crosses v1 v2 w0 w1 w2.
+Proof.
+  unfold RK.crosses, IK.crosses.
+  rewrite (forallb_ext _ (fun v => seq (I.S.sign_of (I.S.fifteen v1 v2 w0 w1 w2) v) O)) by (intros; now rewrite real_sign).
+  rewrite (forallb_ext _ (fun v => seq (I.S.sign_of (I.S.fifteen v1 v2 w0 w1 w2) v) O) [7; 8; 9; 10; 11; 12; 13; 14; 15]%positive) by (intros; now rewrite real_sign).
+  rewrite (crosses_outside_ext _ (I.S.sign_of (I.S.fifteen v1 v2 w0 w1 w2))) by (intros; apply real_sign).
+  rewrite real_separate. destruct (forallb _ [1; 2; 3; 4; 5; 6]%positive); auto. f_equal. unfold RK.inside, IK.inside.
+  rewrite !real_boxes_nearly, (real_moment _ _ _ _ _ _ I.S.X), (real_moment _ _ _ _ _ _ I.S.Y), (real_moment _ _ _ _ _ _ I.S.Z) by reflexivity.
+  rewrite (real_nearly_parted _ _ _ _ _ _ I.along_x), (real_nearly_parted _ _ _ _ _ _ I.along_y), (real_nearly_parted _ _ _ _ _ _ I.along_z) by reflexivity.
+  destruct (I.some_moment _ _ _ _ _ I.S.X); auto. destruct (I.some_moment _ _ _ _ _ I.S.Y); auto. destruct (I.some_moment _ _ _ _ _ I.S.Z); auto.
+  change [real v1; real v2] with (map real [v1; v2]). change [real w0; real w1; real w2] with (map real [w0; w1; w2]).
+  rewrite !real_first, <- real_cross, real_zero. destruct (I.zero_vec _); auto.
+  cbn [existsb]. rewrite <- !real_straddle. cbn. now rewrite !sg_IZR.
+Qed.
+
+(** The relative interior: all three weights are positive. *)
+Definition inside_triangle (a b c x : point) : Prop := exists l m n, 0 < l /\ 0 < m /\ 0 < n /\ l + m + n = 1 /\
+  let '(ax, ay, az) := a in let '(bx, by_, bz) := b in let '(cx, cy, cz) := c in
+  x = (l * ax + m * bx + n * cx, l * ay + m * by_ + n * cy, l * az + m * bz + n * cz).
+Definition cross_each_other (a b c d e f : point) : Prop := exists x, inside_triangle a b c x /\ inside_triangle d e f x.
+Lemma cross_common (a b c d e f : R.S.vec) :
+  RK.cross_ a b c d e f <-> cross_each_other (place_of a) (place_of b) (place_of c) (place_of d) (place_of e) (place_of f).
+Proof.
+  unfold RK.cross_, RK.balance, RK.all_positive, R.S.combine, cross_each_other, place_of; cbn. split.
+  - intros (x & [H S] & Q). assert (G : forall i, (i < 6)%nat -> 0 < x i) by (intros i Hi; now apply RealNumbers.sg_P, Q).
+    unfold RealNumbers.add, RealNumbers.mul in *. injection H as H1 H2 H3.
+    pose proof (G 0%nat ltac:(lia)). pose proof (G 1%nat ltac:(lia)). pose proof (G 2%nat ltac:(lia)).
+    set (t := x 0%nat + x 1%nat + x 2%nat) in *. assert (T : 0 < t) by (unfold t; lra).
+    assert (D : forall y, 0 < y -> 0 < y / t) by (intros; apply Rdiv_lt_0_compat; auto).
+    exists ((x 0%nat * R.S.X a + x 1%nat * R.S.X b + x 2%nat * R.S.X c) / t, (x 0%nat * R.S.Y a + x 1%nat * R.S.Y b + x 2%nat * R.S.Y c) / t,
+      (x 0%nat * R.S.Z a + x 1%nat * R.S.Z b + x 2%nat * R.S.Z c) / t). split.
+    + exists (x 0%nat / t), (x 1%nat / t), (x 2%nat / t). repeat split; auto; [unfold t; field; fold t; lra|]. f_equal; [f_equal|]; field; lra.
+    + exists (x 3%nat / t), (x 4%nat / t), (x 5%nat / t). repeat split; try (apply D, G; lia); [rewrite S; field; lra|]. rewrite H1, H2, H3. f_equal; [f_equal|]; field; lra.
+  - intros (x & (l & m & n & L0 & L1 & L2 & LS & LE) & (l' & m' & n' & L3 & L4 & L5 & LS' & LE')).
+    exists (fun i => nth i [l; m; n; l'; m'; n'] 0). cbn. rewrite LE in LE'. injection LE' as H1 H2 H3.
+    unfold RealNumbers.add, RealNumbers.mul. split; [split; [f_equal; assumption|lra]|].
+    intros i Hi. apply RealNumbers.sg_P. do 6 (destruct i as [|i]; [cbn; assumption|]). lia.
+Qed.
+Theorem exact_crossing_is_right (a b c d e f : I.S.vec) :
+  IK.exact_crosses a b c d e f = true <->
+  cross_each_other (of_grid a) (of_grid b) (of_grid c) (of_grid d) (of_grid e) (of_grid f).
+Proof.
+  assert (E : IK.exact_crosses a b c d e f = RK.exact_crosses (real a) (real b) (real c) (real d) (real e) (real f)).
+  { unfold IK.exact_crosses, RK.exact_crosses. rewrite <- !real_minus. symmetry. apply real_crosses. }
+  rewrite E, RK.crosses_right. apply cross_common.
 Qed.

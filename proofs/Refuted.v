@@ -6,6 +6,8 @@
     - [four_missed_edges]: separate if four of six edges are missed (section 6);
     - [weak_eleven_axes]: the eleven axes with <= in place of <, for triangles in one plane (section 6 of docs/contract.md);
     - [only_piercing_edges]: an exact rule that asks for a piercing edge where it should ask for one that hits (docs/exact.md);
+    - [boxes_that_touch]: boxes that are apart in place of nearly apart, for whether a pair on one line crosses (docs/exact.md);
+    - [words_stand]: what the theorem of the determinant unit assumes of words and numbers can be;
     - [mute]: and the units do answer: a pair that is certainly separate, and one that certainly meets. *)
 From Coq Require Import ZArith Reals Lra Lia List Bool.
 Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.Triple Efsat.Verdict Efsat.RealSpace Efsat.Vectors Efsat.Determinants Efsat.DeterminantUnit.
@@ -76,3 +78,18 @@ Theorem mute : DeterminantUnit.valid default = true /\
   verdict (unit default (still (Tri zero (point 8 0 0) (point 0 8 0)) (Tri (point 2 2 (-4)) (point 2 3 4) (point 3 2 4)))) = Intersect /\
   verdict (unit default (still (Tri zero (point 8 0 0) (point 0 8 0)) (Tri (point 2 2 1) (point 2 3 4) (point 3 2 4)))) = Separate.
 Proof. repeat split; vm_compute; reflexivity. Qed.
+
+(** Two segments that touch at an end. *)
+Theorem boxes_that_touch : I.boxes_apart (v 8 0 0) (v 8 0 0) (v 8 0 0) (v 16 0 0) (v 16 0 0) = false /\
+  ~ IK.cross_ I.S.origin (v 8 0 0) (v 8 0 0) (v 8 0 0) (v 16 0 0) (v 16 0 0).
+Proof. split; [vm_compute; reflexivity|]. intros K. apply IK.origin_crosses in K. vm_compute in K. discriminate. Qed.
+
+(** Words of numbers on the grid. *)
+Definition on_words i := Truth (fun k => real (A i k)) (fun k => real (B i k)) (fun k => real (M i k)) (real (t i)).
+Theorem words_stand (a b : triple zvec) : (forall k, Z.abs (ZX (b k)) <= 2 ^ 28 /\ Z.abs (ZY (b k)) <= 2 ^ 28 /\ Z.abs (ZZ (b k)) <= 2 ^ 28) ->
+  stands_for default (still a b) (on_words (still a b)).
+Proof.
+  assert (F : forall w, floors w (real w)) by (intros w; unfold floors, floor_of, real; cbn; repeat split; lra).
+  intros Hb. split; [intros; apply F|]. split; [intros; apply F|]. split; [intros; apply F|]. split; [apply F|]. intros _ k. unfold on_words, declared, within, real. cbn [TB TM X Y Z_].
+  destruct (Hb k) as (H1 & H2 & H3). split; (split; [|split]); rewrite <- abs_IZR; apply IZR_le; try assumption; destruct k; cbn; lia.
+Qed.

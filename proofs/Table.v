@@ -64,6 +64,10 @@ Proof. vm_cast_no_check (eq_refl true). Qed.
 Definition misses (p q s0 s1 s2 : sign) : bool :=
   (seq (smul p q) P || ((seq s0 P || seq s1 P || seq s2 P) && (seq s0 N || seq s1 N || seq s2 N)))%bool.
 Definition hits p q s0 s1 s2 : bool := (negb (misses p q s0 s1 s2) && negb (seq p O && seq q O))%bool.
+Definition at_edge {A} (g : sign -> sign -> sign -> sign -> sign -> A) (f : positive -> sign) (e : bool * (positive * positive * positive * positive * positive)) : A :=
+  let '(_, (p, q, s0, s1, s2)) := e in g (f p) (f q) (f s0) (f s1) (f s2).
+Definition pierces p q s0 s1 s2 : bool :=
+  (seq (smul p q) N && ((seq s0 P && seq s1 P && seq s2 P) || (seq s0 N && seq s1 N && seq s2 N)))%bool.
 Lemma hit_patterns_hit f b p q s0 s1 s2 x : In x (hit_patterns b p q s0 s1 s2) -> holds f x = true ->
   hits (f p) (f q) (f s0) (f s1) (f s2) = true.
 Proof.

@@ -4,10 +4,6 @@ From Coq Require Import List Bool PArith ZArith Ring Lia.
 Require Import Efsat.Sign Efsat.Domain Efsat.Table Efsat.Space Efsat.Five Efsat.Axes.
 Import ListNotations.
 
-Definition at_edge {A} (g : sign -> sign -> sign -> sign -> sign -> A) (f : positive -> sign) (e : bool * (positive * positive * positive * positive * positive)) : A :=
-  let '(_, (p, q, s0, s1, s2)) := e in g (f p) (f q) (f s0) (f s1) (f s2).
-Definition pierces p q s0 s1 s2 : bool :=
-  seq (smul p q) N && ((seq s0 P && seq s1 P && seq s2 P) || (seq s0 N && seq s1 N && seq s2 N)).
 Definition one_side (f : positive -> sign) (vs : list positive) : bool := forallb (fun v => seq (f v) P) vs || forallb (fun v => seq (f v) N) vs.
 Definition says_separate f : bool := one_side f [1; 2; 3]%positive || one_side f [4; 5; 6]%positive
   || Nat.leb 5 (length (filter (at_edge misses f) edge_list)).

@@ -7,6 +7,7 @@
 
 mod axes;
 mod before_axes;
+mod certificate;
 mod claim;
 mod determinants;
 mod exact;
@@ -250,4 +251,32 @@ fn volumes() {
     use volume::*;
     let claims = [origin_row, select_code, row_sum, align_sum, align_code, direction_test, no_point_in_both];
     prove("Volumes", claims.into_iter().map(|claim| claim()).collect());
+}
+
+/// The certificate of a claim is accepted, by the checker and by Coq's kernel. One with a step less is not, nor is it one of a
+/// wrong text, where the solver finds what is wrong.
+#[test]
+fn certificates() {
+    let (true, Some(tools)) = (tools::there(), certificate::Tools::new()) else { return };
+    let [right, wrong] = sums::exact_sums(4, true)[0].answers().map(|answer| answer.formulas);
+    let [dir, other] = [&right, &wrong].map(|formulas| formulas.dir.path());
+    let found = tools.certify(&right).unwrap().expect("a certificate in time");
+    table::print(&format!("\nCertificate of a sum of 4 bits: {found}\n"));
+    let [formula, proof, hints] = ["claim.cnf", "claim.drat", "claim.lrat"].map(|name| dir.join(name));
+    let wrong = other.join("claim.cnf");
+    assert_eq!(tools.decide(&wrong, &other.join("claim.drat")), Err("there is a solution".to_owned()));
+    tools.check(&wrong, &proof, &other.join("claim.lrat")).unwrap_err();
+    let read = |path| std::fs::read_to_string(path).unwrap();
+    let (formula_text, steps) = (read(&formula), read(&hints));
+    // Without the first step that adds a clause.
+    let first = steps.lines().find(|line| !line.contains(" d ")).expect("a step");
+    let fewer = crate::tools::replaced(&steps, &format!("{first}\n"), "");
+    let theorems = [(&formula_text, &steps), (&formula_text, &fewer), (&read(&wrong), &steps)];
+    if let Some(accepted) =
+        crate::theorems::certified(&theorems.map(|(formula, steps)| certificate::theorem(formula, steps)))
+    {
+        assert_eq!(accepted, [true, false, false]);
+    }
+    std::fs::write(&proof, "0\n").unwrap();
+    tools.check(&formula, &proof, &hints).unwrap_err();
 }

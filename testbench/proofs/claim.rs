@@ -1,8 +1,9 @@
 //! A claim about a unit, as a Verilog module: the unit, free true numbers, what is given and what is shown.
 
-use super::tools::{self, Outcome};
+use super::certificate::{Formulas, Tools};
+use super::tools::{self, Answer, Outcome};
 use super::unit::{AROUND, Mistake, Mutant, Subject, Wire};
-use crate::extent::share;
+use crate::extent::{full, share};
 use std::collections::BTreeMap;
 use std::fmt::Write;
 
@@ -39,7 +40,9 @@ pub struct Row {
     /// Seconds of Yosys' processor time for the proof, mutants apart.
     pub seconds: f64,
     /// `proved`, or what went wrong.
-    pub verdict: String,
+    pub verdict: &'static str,
+    /// Size and times of the certificate, if one was asked for.
+    pub certificate: String,
     /// Mutants refuted and tried.
     pub refuted: [usize; 2],
     /// What must not be: the counterexample, or the mutants that were not refuted.
@@ -218,15 +221,21 @@ impl Claim {
         )
     }
 
-    fn ask(&self, files: &[(String, String)]) -> (Outcome, f64) {
+    fn ask(&self, files: &[(String, String)]) -> Answer {
         let paths = |wires: &[Wire]| wires.iter().map(|w| w.path.clone()).collect::<Vec<_>>();
         tools::solve(&tools::verilog(files, AROUND), AROUND, &self.verilog(), &paths(&self.seen), &paths(&self.cut))
+    }
+
+    /// Asks whether the claim holds of the unit, and whether it does of the first of its mutants.
+    pub fn answers(&self) -> [Answer; 2] {
+        let wrong = self.subject.mutated(&self.mutants[0]).expect("something to mutate");
+        [self.ask(&self.subject.files), self.ask(&wrong)]
     }
 
     /// Proves the claim of the unit and refutes it of every mutant.
     pub fn run(&self) -> Row {
         let claim = [self.subject.name.clone(), self.widths.clone(), self.property.to_owned()];
-        let mutated = |mutant: &Mutant| self.subject.mutated(mutant).map(|files| self.ask(&files).0);
+        let mutated = |mutant: &Mutant| self.subject.mutated(mutant).map(|files| self.ask(&files).outcome);
         Row::new(claim, self.ask(&self.subject.files), &share(12, &self.mutants), mutated)
     }
 }
@@ -235,11 +244,11 @@ impl Row {
     /// Of the answer to a claim, and to the same of its mutants; none where there is nothing to mutate.
     pub fn new(
         claim: [String; 3],
-        (outcome, seconds): (Outcome, f64),
+        answer: Answer,
         mutants: &[&Mutant],
         mutated: impl Fn(&Mutant) -> Option<Outcome>,
     ) -> Self {
-        let (verdict, failure) = match outcome {
+        let (verdict, failure) = match answer.outcome {
             Outcome::Proved => ("proved", None),
             Outcome::Refuted(found) => ("REFUTED", Some(format!("counterexample:\n{found}"))),
             Outcome::Undecided => ("UNDECIDED", Some("no answer in the time allowed".to_owned())),
@@ -251,9 +260,18 @@ impl Row {
         };
         let alive: Vec<String> = mutants.iter().filter_map(alive).collect();
         let refuted = [mutants.len() - alive.len(), mutants.len()];
-        let failures = failure.into_iter().chain(alive).collect();
-        Self { claim, seconds, verdict: verdict.to_owned(), refuted, failures }
+        let certificate = if failure.is_none() { certified(&answer.formulas) } else { Ok(String::new()) };
+        let refused = certificate.as_ref().err().map(|reason| format!("certificate: {reason}"));
+        let failures = failure.into_iter().chain(refused).chain(alive).collect();
+        let certificate = certificate.unwrap_or_default();
+        Self { claim, seconds: answer.seconds, verdict, certificate, refuted, failures }
     }
+}
+
+/// The certificate of a claim, if everything is asked for. That a solver or a checker says something else is a failure.
+fn certified(formulas: &Formulas) -> Result<String, String> {
+    let Some(tools) = full().then(Tools::new).flatten() else { return Ok(String::new()) };
+    Ok(tools.certify(formulas)?.map_or("no certificate in time".to_owned(), |found| found.to_string()))
 }
 
 /// The name of the word of which a wire is an element.

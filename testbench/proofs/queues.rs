@@ -6,7 +6,7 @@
 //! holds for all time, whatever comes in. What is assumed of the unit around the stage is what docs/cascade.md says of it.
 
 use super::claim::Row;
-use super::tools::{self, Outcome};
+use super::tools::{self, Answer};
 use super::unit::Mistake::{Inverted, NotMissing, WrongArm, WrongGate};
 use super::unit::{Mistake, Mutant};
 use crate::extent::share;
@@ -77,7 +77,7 @@ impl Invariant {
         )
     }
 
-    fn ask(&self, files: &[(String, String)]) -> (Outcome, f64) {
+    fn ask(&self, files: &[(String, String)]) -> Answer {
         let seen: Vec<String> = self.seen.iter().map(|(name, _)| name.clone()).collect();
         let words: Vec<String> = self.words.iter().map(|(name, ..)| format!("{name}*")).collect();
         tools::induce(&tools::verilog(files, self.entity), self.entity, &self.verilog(), &seen, &words)
@@ -86,7 +86,7 @@ impl Invariant {
     /// Proves the claim, and sees that the proof of no wrong text goes through.
     pub fn run(&self) -> Row {
         let claim = [self.entity.to_owned(), self.sizes.clone(), self.property.to_owned()];
-        let mutated = |mutant: &Mutant| mutant.applied(&self.files).map(|files| self.ask(&files).0);
+        let mutated = |mutant: &Mutant| mutant.applied(&self.files).map(|files| self.ask(&files).outcome);
         Row::new(claim, self.ask(&self.files), &share(14, &self.mutants), mutated)
     }
 }

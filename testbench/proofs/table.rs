@@ -19,13 +19,14 @@ pub fn text(title: &str, rows: &[Row]) -> String {
         let [a, b, c] = cells;
         format!("{a:0$}  {b:1$}  {c:2$}  {rest}\n", columns[0], columns[1], columns[2])
     };
-    let mut text = format!("\n{title}\n{}", line(&head, "seconds  claim   mutants"));
+    let mut text = format!("\n{title}\n{}", line(&head, "seconds  claim   mutants; certificate"));
     for row in rows {
         let mutants = match row.refuted {
             [_, 0] => "none".to_owned(),
             [refuted, tried] => format!("{refuted} of {tried} refuted"),
         };
-        let rest = format!("{:7.1}  {}  {mutants}", row.seconds, row.verdict);
+        let certificate = if row.certificate.is_empty() { String::new() } else { format!("; {}", row.certificate) };
+        let rest = format!("{:7.1}  {}  {mutants}{certificate}", row.seconds, row.verdict);
         text += &line(&row.claim, &rest);
     }
     text

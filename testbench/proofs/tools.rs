@@ -1,6 +1,7 @@
 //! The tools of a machine proof: GHDL turns the generated VHDL into Verilog, Yosys joins it with a claim and asks its
 //! SAT solver.
 
+use super::certificate::Formulas;
 use crate::tools::{has, made, run};
 use efsat::evidence::synth::verilog;
 use std::fs;
@@ -28,6 +29,15 @@ pub enum Outcome {
     Undecided,
 }
 
+/// The answer to a claim.
+pub struct Answer {
+    pub outcome: Outcome,
+    /// Seconds of Yosys' processor time, which other load does not change much.
+    pub seconds: f64,
+    /// What was asked; without a solution if the claim holds.
+    pub formulas: Formulas,
+}
+
 /// Whether both tools are installed.
 pub fn there() -> bool {
     has("Yosys", "yosys", "-V") && made(verilog::ghdl()).is_some()
@@ -39,22 +49,28 @@ pub fn verilog(files: &[(String, String)], top: &str) -> String {
     verilog::from_vhdl(files, top, dir.path()).unwrap_or_else(|e| panic!("{top}: {e}"))
 }
 
-/// Runs Yosys on sources and a script; what it printed, and the seconds of processor time.
-fn yosys(sources: &[(&str, &str)], script: &str) -> (String, f64) {
+/// Runs Yosys on sources and a script that writes formulas.
+fn yosys(
+    sources: &[(&str, &str)],
+    script: &str,
+    formulas: &[&'static str],
+    outcome: impl Fn(&str) -> Outcome,
+) -> Answer {
     let dir = TempDir::new().expect("a folder for Yosys");
     for (name, text) in sources.iter().chain(&[("script.ys", script)]) {
         fs::write(dir.path().join(name), text).expect("a source for Yosys");
     }
     let text = run(dir.path(), "yosys", &["-s", "script.ys"]);
     let seconds = text.rsplit_once("CPU: user ").and_then(|(_, rest)| rest.split_once('s')?.0.parse().ok());
-    (text, seconds.unwrap_or(f64::NAN))
+    let formulas = Formulas { dir, names: formulas.to_vec() };
+    Answer { outcome: outcome(&text), seconds: seconds.unwrap_or(f64::NAN), formulas }
 }
 
 /// Asks whether the module `claim`, a claim about the clocked entity `top`, holds at the start, and after a clock if it held
 /// before it. `seen` are signals that the claim looks at, `words` those of memories.
 ///
 /// Refuted is a claim of which either is not so: a step may begin where the unit never is.
-pub fn induce(unit: &str, top: &str, claim: &str, seen: &[String], words: &[String]) -> (Outcome, f64) {
+pub fn induce(unit: &str, top: &str, claim: &str, seen: &[String], words: &[String]) -> Answer {
     let wires = |names: &[String]| names.iter().map(|name| format!(" {top}/w:{name}")).collect::<String>();
     let script = format!(
         "read_verilog unit.v
@@ -75,28 +91,27 @@ opt_expr
 opt_clean
 select -assert-none t:$mem*
 select -assert-min 1 t:$assert
-sat -tempinduct -prove-asserts -set-assumes -show-inputs -maxsteps 1 -timeout {PATIENCE}
+sat -seq 1 -prove-asserts -set-assumes -timeout {PATIENCE} -dump_cnf start.cnf
+sat -tempinduct -prove-asserts -set-assumes -show-inputs -maxsteps 1 -timeout {PATIENCE} -dump_cnf step.cnf
 ",
         wires(seen),
         wires(words),
     );
-    let (text, seconds) = yosys(&[("unit.v", unit), ("claim.v", claim)], &script);
-    let outcome = if text.contains("Induction step proven: SUCCESS!") {
-        Outcome::Proved
-    } else if text.contains("proof failed.") || text.contains("FAIL!") {
-        Outcome::Refuted("no induction".to_owned())
-    } else {
-        assert!(text.contains("TIMEOUT"), "yosys: {text}");
-        Outcome::Undecided
-    };
-    (outcome, seconds)
+    yosys(&[("unit.v", unit), ("claim.v", claim)], &script, &["start", "step"], |text| {
+        if text.contains("Induction step proven: SUCCESS!") {
+            Outcome::Proved
+        } else if text.contains("proof failed.") || text.contains("FAIL!") {
+            Outcome::Refuted("no induction".to_owned())
+        } else {
+            assert!(text.contains("TIMEOUT"), "yosys: {text}");
+            Outcome::Undecided
+        }
+    })
 }
 
 /// Asks whether the module `claim` holds of the unit `top`; `seen` are wires of the unit that the claim looks at, `cut`
 /// wires whose value it sets.
-///
-/// Also returns the seconds of processor time that Yosys took, which other load does not change much.
-pub fn solve(unit: &str, top: &str, claim: &str, seen: &[String], cut: &[String]) -> (Outcome, f64) {
+pub fn solve(unit: &str, top: &str, claim: &str, seen: &[String], cut: &[String]) -> Answer {
     let wires = |names: &[String]| names.iter().map(|name| format!(" {top}/w:{name}")).collect::<String>();
     let expose = |option: &str, names: &[String]| {
         if names.is_empty() { String::new() } else { format!("expose {option}{}\n", wires(names)) }
@@ -119,19 +134,19 @@ alumacc t:$mul
 maccmap
 opt -full
 select -assert-min 1 t:$assert
-sat -prove-asserts -set-assumes -show-inputs -timeout {PATIENCE}
+sat -prove-asserts -set-assumes -show-inputs -timeout {PATIENCE} -dump_cnf claim.cnf
 ",
         expose("", seen),
         expose("-cut -sep __", cut),
     );
-    let (text, seconds) = yosys(&[("unit.v", unit), ("claim.v", claim), ("wires.v", WIRES)], &script);
-    let outcome = if text.contains("no model found: SUCCESS!") {
-        Outcome::Proved
-    } else if let Some((_, found)) = text.split_once("model found: FAIL!") {
-        Outcome::Refuted(found.lines().filter(|l| l.starts_with("  \\")).collect::<Vec<_>>().join("\n"))
-    } else {
-        assert!(text.contains("TIMEOUT"), "yosys: {text}");
-        Outcome::Undecided
-    };
-    (outcome, seconds)
+    yosys(&[("unit.v", unit), ("claim.v", claim), ("wires.v", WIRES)], &script, &["claim"], |text| {
+        if text.contains("no model found: SUCCESS!") {
+            Outcome::Proved
+        } else if let Some((_, found)) = text.split_once("model found: FAIL!") {
+            Outcome::Refuted(found.lines().filter(|l| l.starts_with("  \\")).collect::<Vec<_>>().join("\n"))
+        } else {
+            assert!(text.contains("TIMEOUT"), "yosys: {text}");
+            Outcome::Undecided
+        }
+    })
 }

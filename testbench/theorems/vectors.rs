@@ -266,8 +266,7 @@ fn answer(p: &Params, golden: &Golden, pose: &Pose, pair: &Pair) -> Numbers {
             let overlapping = bits([vec![0; 3], of("pierces")].concat());
             [vec![verdict as i128, first[0], separated, overlapping], computed()].concat()
         }
-        // Whether the pair crosses is not decided by the function that is proved.
-        Method::Exact => [vec![flags[0], flags[1], flags[2] & !1], of("determinant")].concat(),
+        Method::Exact => [flags, of("determinant")].concat(),
         Method::Axes => {
             let digest = |prefix: &str| {
                 let ends = trace.iter().filter(|(name, _)| name.starts_with(prefix)).flat_map(|(_, x)| [x.lo, x.hi]);
