@@ -92,7 +92,7 @@ fn a_run_lists_what_touches_and_what_is_undecided() {
     let home = tempfile::tempdir().unwrap();
     let dir = home.path();
     fs::write(dir.join("s.toml"), SCENE).unwrap();
-    let total = &object(dir, "scene run s.toml --cosim none --width 10 --pairs p.csv --json")["total"];
+    let total = &object(dir, "scene run s.toml --cosim none --width 8 --pairs p.csv --json")["total"];
     let listed = rows(&fs::read_to_string(dir.join("p.csv")).unwrap());
     let (open, touching) =
         (listed.iter().filter(|row| is_open(row)), listed.iter().filter(|row| row["exact"] != "separate"));
