@@ -85,10 +85,15 @@ def own(mesh):
 def own_meshlib(mesh):
     from meshlib import mrmeshpy
 
-    part = mrmeshpy.MeshPart(of_meshlib(mesh))
-    return lambda _: mrmeshpy.findSelfCollidingTriangles(part), lambda found: [
-        sorted((pair.aFace.get(), pair.bFace.get())) for pair in found
-    ]
+    built = of_meshlib(mesh)
+    part = mrmeshpy.MeshPart(built)
+
+    def query(_):
+        # Its tree is kept; this project makes its own each time.
+        built.invalidateCaches()
+        return mrmeshpy.findSelfCollidingTriangles(part)
+
+    return query, lambda found: [sorted((pair.aFace.get(), pair.bFace.get())) for pair in found]
 
 
 def ask(query, read, poses):
