@@ -18,6 +18,7 @@ mod mutate;
 mod output;
 mod params;
 mod plan_engine;
+mod places;
 mod progress;
 mod scene;
 mod self_intersections;
@@ -33,8 +34,7 @@ use error::Failure;
 use params::{EngineArguments, ParamArguments};
 use std::process::ExitCode;
 
-/// Generates and proves synthesizable VHDL for EFSAT, an exact triangle-triangle intersection unit in fixed-point
-/// interval arithmetic
+/// Do triangles intersect? Answers exactly in software, and generates and checks VHDL for units whose definite answers are never wrong
 #[derive(Debug, Parser)]
 #[command(name = "efsat", version = VERSION, after_help = AFTER)]
 struct CommandLine {
@@ -70,6 +70,9 @@ enum Command {
 
 /// Runs the command line of the process.
 pub fn main() -> ExitCode {
+    if let Some(help) = params::design_help(typed) {
+        return ended(output::print(&help));
+    }
     let result = match CommandLine::try_parse() {
         Ok(CommandLine { command }) => match command {
             Command::Generate(arguments) => generate::run(&arguments),
@@ -92,6 +95,11 @@ pub fn main() -> ExitCode {
         Err(e) if !e.use_stderr() => output::print(&e.render().to_string()),
         Err(e) => Err(error::from_clap(&e, &commands())),
     };
+    ended(result)
+}
+
+/// The exit status, after it is said why.
+fn ended(result: Result<(), Failure>) -> ExitCode {
     match result {
         // Whoever reads has seen enough: `| head`.
         Ok(()) | Err(Failure::Closed) => ExitCode::SUCCESS,
@@ -130,8 +138,8 @@ pub fn check<'w>(words: impl IntoIterator<Item = &'w str>) -> Result<(), clap::E
     fits.map(|_| ()).map_err(|failure| clap::Error::raw(ErrorKind::ValueValidation, failure.message()))
 }
 
-/// The names of the commands that may follow those on the command line.
-fn commands() -> Vec<String> {
+/// The command on the command line, as far as it is one.
+fn typed() -> clap::Command {
     let mut command = CommandLine::command();
     for argument in std::env::args_os().skip(1) {
         match command.find_subcommand(&argument) {
@@ -139,7 +147,17 @@ fn commands() -> Vec<String> {
             None => break,
         }
     }
-    command.get_subcommands().map(|c| c.get_name().to_owned()).collect()
+    command
+}
+
+/// The names of the commands that may follow those on the command line.
+fn commands() -> Vec<String> {
+    typed().get_subcommands().map(|c| c.get_name().to_owned()).collect()
+}
+
+/// Says on standard error what an interruption leaves.
+pub fn interrupted() {
+    output::tell("interrupted", &progress::left());
 }
 
 /// Says on standard error why the process ends with `status`.

@@ -2,7 +2,7 @@
 
 use super::error::Failure;
 use clap::parser::ValueSource;
-use clap::{ArgMatches, Args, Command, FromArgMatches, Id};
+use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, Id};
 use efsat_engine::artefact::EngineDesign;
 use efsat_engine::params::{EngineParams, Memory};
 use efsat_unit::design::top::DesignError;
@@ -140,11 +140,14 @@ impl Args for EngineArguments {
     }
 
     fn augment_args(command: Command) -> Command {
-        EngineParams::augment_args(command)
+        let ids = EngineParams::default().options().into_iter().map(|(option, _)| option.replace('-', "_"));
+        ids.fold(EngineParams::augment_args(command), |command, id| {
+            command.mut_arg(id, |arg| arg.hide_short_help(true))
+        })
     }
 
     fn augment_args_for_update(command: Command) -> Command {
-        EngineParams::augment_args_for_update(command)
+        Self::augment_args(command)
     }
 }
 
@@ -176,12 +179,38 @@ impl Args for ParamArguments {
     }
 }
 
-/// Options that not all methods have stand apart in the help.
+/// What stands in short help for all options of a design, and prints them.
+const HELP: &str = "help-design";
+
+/// Options that not all methods have stand apart in the help, and short help has one line for all.
 fn grouped(command: Command) -> Command {
-    let of_methods = Params::OPTIONS.iter().filter_map(|row| Some((row.name.replace('-', "_"), heading(row)?)));
-    let command =
-        of_methods.fold(command, |command, (id, heading)| command.mut_arg(id, |arg| arg.help_heading(heading)));
-    command.mut_arg("like_paper", |arg| arg.help_heading(AXES))
+    let rows = Params::OPTIONS.iter().map(|row| (row.name.replace('-', "_"), heading(row)));
+    let all = rows.chain([("like_paper".to_owned(), Some(AXES))]);
+    let command = all.fold(command, |command, (id, heading)| {
+        command.mut_arg(id, |arg| {
+            match heading {
+                Some(heading) => arg.help_heading(heading),
+                None => arg,
+            }
+            .hide_short_help(true)
+        })
+    });
+    let help = format!("Print the {} options of the design, such as --method and --width", Params::OPTIONS.len() + 1);
+    command.arg(Arg::new("help_design").long(HELP).action(ArgAction::SetTrue).help(help).display_order(998))
+}
+
+/// The help of the options of a design, if it is asked for and the command has such.
+pub(super) fn design_help(command: impl FnOnce() -> Command) -> Option<String> {
+    let asked = format!("--{HELP}");
+    std::env::args_os().take_while(|word| word != "--").find(|word| *word == *asked)?;
+    let command = command();
+    command.get_arguments().find(|arg| arg.get_long() == Some(HELP))?;
+    let of_design = |arg: Arg| {
+        let others = !arg.is_hide_short_help_set();
+        arg.hide(others)
+    };
+    let mut command = command.disable_help_flag(true).help_template("{all-args}\n").mut_args(of_design);
+    Some(command.render_long_help().to_string())
 }
 
 const AXES: &str = "Parameters of --method axes";

@@ -141,7 +141,7 @@ pub(super) fn run(
     let (params, frames) = (design.unit.params.clone(), frames(arguments, machine, scene));
     let report = Report::new::<EngineCounts>(arguments.json, arguments.summary, "engine", &head)?;
     let viewer = view.is_some().then(|| Viewer::new(&front, &params));
-    let mut sinks = Sinks::new::<EngineCounts>(scene, report, viewer, csv, pairs)?;
+    let mut sinks = Sinks::new::<EngineCounts>(scene, &params, report, viewer, csv, pairs)?;
     let mut taken = Taken { total: EngineCounts::default(), drawn: frames[0], most: None, contacts: vec![] };
     let bar = progress::bar("answering", frames.len() as u64, "poses", !arguments.summary);
     let visit = |row: Row<EngineCounts>, found: &[Contact]| {
