@@ -35,4 +35,6 @@ pub use images::Images;
 // For the memory model of the testbench.
 #[doc(hidden)]
 pub use layout::{Layout, TRIANGLES_AT};
+pub(crate) use image::LINE;
+pub(crate) use numbers::FINE;
 pub use numbers::{Numbers, Refusal};

@@ -75,14 +75,31 @@ fn at(path: &Path) -> impl FnOnce(io::Error) -> FileSetError + '_ {
     move |source| FileSetError::Io { path: path.to_owned(), source }
 }
 
+/// A text with the licence of generated files, which is that of the program, as a comment: above all but a line that tools look for.
+fn licensed(name: &str, text: String) -> String {
+    let (open, close) = match name.trim_end_matches(".txt").rsplit('.').next() {
+        Some("vhd") => ("--", ""),
+        Some("v" | "cpp") => ("//", ""),
+        Some("h") => ("/*", " */"),
+        Some("md") => ("<!--", " -->"),
+        Some("py" | "tcl" | "xdc" | "ucf" | "xst" | "lpf" | "sh" | "core") => ("#", ""),
+        _ => return text,
+    };
+    let is_first = |line: &&str| line.starts_with("#!") || line.starts_with("CAPI=");
+    let first = text.split_inclusive('\n').next().filter(is_first).unwrap_or_default();
+    let licence = concat!("SPDX-License-Identifier: ", env!("CARGO_PKG_LICENSE"));
+    format!("{first}{open} {licence}{close}\n{}", &text[first.len()..])
+}
+
 impl FileSet {
-    /// Adds a file; a text ends with a line feed.
+    /// Adds a file; a text ends with a line feed, and begins with its licence if it may have comments.
     pub fn insert(&mut self, name: impl Into<String>, text: impl Into<String>) {
-        let mut text = text.into();
+        let name = name.into();
+        let mut text = licensed(&name, text.into());
         if !text.ends_with('\n') {
             text.push('\n');
         }
-        self.0.insert(name.into(), text);
+        self.0.insert(name, text);
     }
 
     /// Names and texts, by name.
