@@ -382,7 +382,8 @@ fn all_hold(cases: &[Case], check: impl Fn(&str, &Params) -> Result<(), String> 
 #[test]
 fn builtin_agrees_with_the_reference_model_in_every_option_value() {
     let cases = [varied(&Params::default()), others_than_axes()].concat();
-    all_hold(&cases, |name, p| agrees(name, p, 60, Simulator::Builtin, true).map(|_| ()));
+    let pairs = if full() { 60 } else { 24 };
+    all_hold(&cases, |name, p| agrees(name, p, pairs, Simulator::Builtin, true).map(|_| ()));
 }
 
 #[test]
@@ -428,7 +429,7 @@ fn traced(p: &Params, design: &Design, stimulus: &Stimulus) -> Vec<(usize, usize
 
 #[test]
 fn graph_equals_reference_model_in_every_inner_signal() {
-    let cases = share(5, [varied(&Params::default()), combined(20), others_than_axes()].concat());
+    let cases = share(7, [varied(&Params::default()), combined(20), others_than_axes()].concat());
     cases.par_iter().for_each(|(name, p)| {
         let design = Design::new(p, Probes::All).unwrap_or_else(|e| panic!("{name}: {e}"));
         let golden = Golden::new(p);
@@ -497,7 +498,7 @@ fn ghdl_agrees_in_option_values() {
     }
     // Narrow but for the widths under test: GHDL takes many times as long as the built-in simulator, which runs them all.
     let narrow = Params { width: 10, transform_width: 14, ..Params::default() };
-    all_hold(&share(12, [varied(&narrow), determinants(&narrow)].concat()), ghdl_equals_builtin);
+    all_hold(&share(31, [varied(&narrow), determinants(&narrow)].concat()), ghdl_equals_builtin);
 }
 
 #[test]
@@ -518,7 +519,7 @@ fn ghdl_agrees_in_cascades_and_with_snapped_geometry() {
         let p = Params { width: 8, transform_width: 8, clocks_per_pair, exact_clocks, ..Params::snapped() };
         cases.push((format!("snapped, {clocks_per_pair} and {exact_clocks:?}"), p));
     }
-    all_hold(&cases, ghdl_equals_builtin);
+    all_hold(&share(2, cases), ghdl_equals_builtin);
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The cascade: open pairs in their queue, the order of the answers, the rates, and stalls (docs/cascade.md).
 
+use crate::extent::share;
 use crate::protocol::{Unit, expected};
 use efsat::artefact::Stimulus;
 use efsat::design::{Design, Probes};
@@ -102,7 +103,7 @@ const RATES: [(u32, u32); 4] = [(1, 16), (1, 11), (2, 32), (11, 15)];
 
 #[test]
 fn with_gaps_and_stalls_every_pair_is_answered_once_and_in_order() {
-    for (clocks_per_pair, exact_clocks) in RATES {
+    for (clocks_per_pair, exact_clocks) in share(2, RATES) {
         let p = params(clocks_per_pair, exact_clocks);
         let (mut unit, pairs) = (Unit::new(&p), Pairs::new(&p));
         let mut rng = ChaCha8Rng::seed_from_u64(exact_clocks.into());
@@ -118,7 +119,7 @@ fn with_gaps_and_stalls_every_pair_is_answered_once_and_in_order() {
 
 #[test]
 fn if_all_pairs_are_open_the_second_stage_sets_the_pace() {
-    for (clocks_per_pair, exact_clocks) in RATES {
+    for (clocks_per_pair, exact_clocks) in share(2, RATES) {
         let p = params(clocks_per_pair, exact_clocks);
         let (mut unit, pairs) = (Unit::new(&p), Pairs::new(&p));
         let given = pairs.mixed(&mut ChaCha8Rng::seed_from_u64(1), 300, 256);
@@ -155,7 +156,7 @@ fn few_open_pairs_do_not_slow_the_unit_down() {
 
 #[test]
 fn latencies_are_as_declared() {
-    for (clocks_per_pair, exact_clocks) in RATES {
+    for (clocks_per_pair, exact_clocks) in share(2, RATES) {
         let p = params(clocks_per_pair, exact_clocks);
         let pairs = Pairs::new(&p);
         let mut unit = Unit::new(&p);

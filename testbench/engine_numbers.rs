@@ -1,10 +1,10 @@
 //! The engine that takes pairs by number, in GHDL and in Verilator, against its reference model: answers in order, every end of a packet,
 //! memory with latencies, gaps and faults, soft resets, and a pair per clock.
 
-use crate::engine_rtl::{Bench, axi, changed, fine, number, small};
-use crate::extent::share;
+use crate::engine_rtl::{Bench, axi, fine, number, small};
+use crate::extent::{full, in_full, share};
 use crate::tools::program::succeeds;
-use crate::tools::{CHECKED, compiles_everywhere, ghdl, has, made, run};
+use crate::tools::{CHECKED, compiles_everywhere, ghdl_of_long_runs, has, made, run};
 use efsat::artefact::Prefix;
 use efsat::design::Design;
 use efsat::engine::artefact::samples::{cuboid, hills, turn};
@@ -71,14 +71,14 @@ impl Crossing {
 
 #[test]
 fn answers_equal_the_reference_models_in_order() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let least = "-glatency_least=1";
     let most = "-glatency_most=200";
     let memory = |memory_width| EngineParams { memory_width, ..axi() };
     let slow = Params { clocks_per_pair: 3, guard: Guard::Always, transform_width: 28, ..determinants() };
     let exact = Params { method: Method::Exact, truth: Truth::Snapped, transform_width: 26, ..Params::default() };
     let cases: [(EngineParams, Params, &[&str]); 7] = [
-        (block_ram(), determinants(), &["-gpasses=3"]),
+        (block_ram(), determinants(), if full() { &["-gpasses=3"] } else { &["-gpasses=1"] }),
         (axi(), small(), &[least, "-glatency_most=1"]),
         (axi(), determinants(), &["-glatency_least=5", most, "-gseed=7", "-gpasses=3"]),
         (memory(128), Params { upper: Upper::Sticky, ..small() }, &[]),
@@ -101,10 +101,10 @@ fn answers_equal_the_reference_models_in_order() {
 /// in the unit, and the packet behind are whole. A memory that is silent ends packets until it answers.
 #[test]
 fn a_fault_of_memory_ends_one_packet() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::of(ghdl, design(&EngineParams { watchdog: 500, ..axi() }, &determinants()));
     let crossing = Crossing::new(&bench.design);
-    let options = ["-gpasses=2", "-glatency_least=2", "-glatency_most=40", "-ghang=6000"];
+    let options = ["-gpasses=2", "-glatency_least=2", "-glatency_most=40", "-ghang=2500"];
     // Triangles of A that the packet asks for first, in its midst, last; and one of B.
     let faults =
         [crossing.triangle(0, 20), crossing.triangle(0, 25), crossing.triangle(0, 29), crossing.triangle(1, 3)];
@@ -119,8 +119,7 @@ fn a_fault_of_memory_ends_one_packet() {
         vectors.text().to_owned()
     };
     for (at, kind) in share(4, faults.into_iter().zip([1, 2, 3, 1])) {
-        let report = bench.run_vectors(&text(at, kind), &options);
-        assert!(fine(&report), "fault {kind} at {at}: {report}");
+        bench.passes(&text(at, kind), &options);
     }
 
     let late = |number: u32| {
@@ -134,14 +133,13 @@ fn a_fault_of_memory_ends_one_packet() {
         vectors.reset(3, Some(5));
         vectors.numbers_that_end(&crossing.some(6, 0, 9), Reason::Silent);
         vectors.wait();
-        vectors.pause(7000);
+        vectors.pause(3000);
         vectors.numbers(&ByNumber { number: 7, ..crossing.packet.clone() });
         vectors.text().to_owned()
     };
-    let once = ["-gpasses=1", "-glatency_least=5", "-glatency_most=40", "-ghang=6000"];
-    for number in [20, 27] {
-        let report = bench.run_vectors(&late(number), &once);
-        assert!(fine(&report), "{report}");
+    let once = ["-gpasses=1", "-glatency_least=5", "-glatency_most=40", "-ghang=2500"];
+    for number in share(2, [20, 27]) {
+        bench.passes(&late(number), &once);
     }
 
     let first = text(crossing.triangle(0, 25), 1);
@@ -165,19 +163,14 @@ fn a_fault_of_memory_ends_one_packet() {
             "unit_valid <= triangles_valid and not memory_error;",
         ),
     ];
-    let options = [&once[..], &["-gpatience=9000"]].concat();
-    let unnoticed: Vec<&str> = share(6, changes)
-        .into_iter()
-        .filter(|change| [&first, &late(27)].iter().all(|text| fine(&changed(&bench, *change, text, &options))))
-        .map(|(_, from, _)| from)
-        .collect();
-    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
+    let options = [&once[..], &["-gpatience=4500"]].concat();
+    bench.notices(in_full(changes), &[&first, &late(27)], &options);
 }
 
 /// A mesh is written over at its old address: a packet without the option to keep the caches is about what is there now.
 #[test]
 fn triangles_that_were_written_over_are_read_again() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::of(ghdl, design(&axi(), &small()));
     let crossing = Crossing::new(&bench.design);
     let other = Image::build(&[&cuboid(4, 1, 1)], &bench.design.format).unwrap();
@@ -191,16 +184,15 @@ fn triangles_that_were_written_over_are_read_again() {
     vectors.numbers(&ByNumber { keep_caches: false, ..crossing.some(2, 0, 60) });
     vectors.numbers(&crossing.some(3, 0, 60));
     let options = ["-gpasses=1", "-glatency_least=5", "-glatency_most=20"];
-    let report = bench.run_vectors(vectors.text(), &options);
-    assert!(fine(&report), "{report}");
+    bench.passes(vectors.text(), &options);
     let change = ("engine_number_command.vhd", "flush_now <= '1';", "flush_now <= '0';");
-    assert!(!fine(&changed(&bench, change, vectors.text(), &options)));
+    bench.notices(in_full([change]), &[vectors.text()], &options);
 }
 
 /// Mistakes in the text, each of which the generated vectors notice.
 #[test]
 fn a_wrong_entity_is_noticed() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let (command, answer, top) = ("engine_number_command.vhd", "engine_number_answer.vhd", "efsat_engine.vhd");
     let changes = [
         // Numbers that are not there, of one side; the pose before, or that of the packet behind.
@@ -245,19 +237,14 @@ fn a_wrong_entity_is_noticed() {
     let bench = Bench::of(ghdl, design(&axi(), &determinants()));
     let text = bench.files.get("efsat_engine_tb.vec").unwrap().to_owned();
     let options = ["-glatency_least=5", "-glatency_most=60", "-gfirst_pass=2"];
-    let unnoticed: Vec<&str> = share(20, changes)
-        .into_iter()
-        .filter(|change| fine(&changed(&bench, *change, &text, &options)))
-        .map(|(_, from, _)| from)
-        .collect();
-    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
+    bench.notices(share(20, changes), &[&text], &options);
 }
 
 /// With a unit that takes a pair per clock a packet of N pairs takes N clocks and some: out of block RAM, and of caches that hold the
 /// triangles.
 #[test]
 fn a_pair_per_clock() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     for engine in share(2, [block_ram(), EngineParams { triangle_lines: 256, ..axi() }]) {
         let bench = Bench::of(ghdl, design(&engine, &determinants()));
         let crossing = Crossing::new(&bench.design);
@@ -267,8 +254,7 @@ fn a_pair_per_clock() {
                 let pairs = crossing.packet.pairs.clone();
                 vectors.numbers(&ByNumber { number, pairs, keep_caches: true, ..crossing.packet.clone() });
             }
-            let report = bench.run_vectors(vectors.text(), &["-gpasses=1"]);
-            assert!(fine(&report), "{report}");
+            let report = bench.passes(vectors.text(), &["-gpasses=1"]);
             number(&report, "total").unwrap()
         };
         // The head of a packet, the way from the stream to the unit, and the pose.

@@ -4,8 +4,8 @@
 mod ends;
 mod overlap;
 
-use crate::extent::{full, share};
-use crate::tools::{Ghdl, ghdl, replaced};
+use crate::extent::{full, in_full, share};
+use crate::tools::{Ghdl, ghdl, ghdl_of_long_runs, replaced};
 use efsat::artefact::{FileSet, Prefix};
 use efsat::directions::Directions;
 use efsat::engine::artefact::samples::{cuboid, hills, turn};
@@ -62,7 +62,14 @@ impl Bench {
     }
 
     fn analyse(&self) {
-        self.ghdl.analyse(&self.files.get("files.txt").unwrap().lines().collect::<Vec<_>>());
+        self.analyse_from("");
+    }
+
+    /// Analyses a file and those behind it, which may depend on it; all, if it is not in the list.
+    fn analyse_from(&self, name: &str) {
+        let files: Vec<&str> = self.files.get("files.txt").unwrap().lines().collect();
+        let first = files.iter().position(|file| *file == name).unwrap_or(0);
+        self.ghdl.analyse(&files[first..]);
     }
 
     /// Runs the testbench; what it says.
@@ -74,6 +81,26 @@ impl Bench {
     pub fn run_vectors(&self, vectors: &str, options: &[&str]) -> String {
         self.ghdl.write("other.vec", vectors);
         self.run(&[&["-gvectors=other.vec"], options].concat())
+    }
+
+    /// Nothing is wrong with other vectors; what the testbench says.
+    pub fn passes(&self, vectors: &str, options: &[&str]) -> String {
+        let report = self.run_vectors(vectors, options);
+        assert!(fine(&report), "{options:?}: {report}");
+        report
+    }
+
+    /// Each change of a file, from one text to another, is noticed with some of these vectors.
+    pub fn notices<'a>(
+        &self,
+        changes: impl IntoIterator<Item = (&'a str, &'a str, &'a str)>,
+        vectors: &[&str],
+        options: &[&str],
+    ) {
+        let passes = |change| vectors.iter().all(|text| fine(&changed(self, change, text, options)));
+        let unnoticed: Vec<&str> =
+            changes.into_iter().filter(|change| passes(*change)).map(|(_, from, _)| from).collect();
+        assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
     }
 }
 
@@ -104,15 +131,15 @@ fn crossing(design: &EngineDesign) -> (Vec<Image>, impl Fn(&EngineVectors<'_>, &
 
 #[test]
 fn answers_and_reports_equal_the_reference_models() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let determinants = Params { method: Method::Determinants, ..small() };
     let narrow = EngineParams { stack: 3 * 10 + 2, tree_height: 10, ..block_ram() };
     let memory = |memory_width| EngineParams { memory_width, ..axi() };
     let least = "-glatency_least=1";
     let cases: [(EngineParams, Params, &[&str]); 10] = [
-        (block_ram(), Params::default(), if full() { &[] } else { &["-gpasses=1"] }),
         (axi(), small(), &[least, "-glatency_most=1"]),
         (axi(), small(), &["-glatency_least=5", "-glatency_most=200", "-gseed=7"]),
+        (block_ram(), Params::default(), &[]),
         (narrow, small(), &["-gpasses=1"]),
         (EngineParams { expansion_clocks: 1, ..block_ram() }, determinants.clone(), &["-gseed=3"]),
         (
@@ -139,7 +166,7 @@ fn answers_and_reports_equal_the_reference_models() {
 /// A mesh is written over at its old address: the same query with the options of every host is about what is there now.
 #[test]
 fn a_mesh_that_was_written_over_is_read_again() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &axi(), &small());
     let (images, query) = crossing(&bench.design);
     let other = Image::build(&[&cuboid(4, 1, 1)], &bench.design.format).unwrap();
@@ -155,18 +182,17 @@ fn a_mesh_that_was_written_over_is_read_again() {
     vectors.query(&Query { number: 2, ..query.clone() });
     vectors.query(&Query { number: 3, keep_caches: true, ..query.clone() });
     let options = ["-gpasses=1", "-glatency_least=5", "-glatency_most=20"];
-    let report = bench.run_vectors(vectors.text(), &options);
-    assert!(fine(&report), "{report}");
+    bench.passes(vectors.text(), &options);
     // Caches that are kept hold what is not there any more.
     let change = ("engine_control.vhd", "or checked(job_keep) = '0' then", "or checked(job_keep) = '1' then");
-    assert!(!fine(&changed(&bench, change, vectors.text(), &options)));
+    bench.notices(in_full([change]), &[vectors.text()], &options);
 }
 
 /// Packets of pairs and poses are answered word by word as the stream wrapper does, in turn with queries, and mistakes in the text
 /// are noticed.
 #[test]
 fn pairs_and_poses_come_in_turn_with_queries() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &axi(), &Params { guard: Guard::Always, ..small() });
     let images = Image::build(&[&cuboid(2, 2, 2)], &bench.design.format).unwrap();
     let mut vectors = EngineVectors::new(&bench.design, &[&images[0]]);
@@ -187,8 +213,7 @@ fn pairs_and_poses_come_in_turn_with_queries() {
     vectors.unusual_pairs(&pairs[20], &segments[1].0);
     vectors.pairs(&pairs[20..23]);
     let passes = if full() { "-gpasses=2" } else { "-gpasses=1" };
-    let report = bench.run_vectors(vectors.text(), &["-glatency_least=2", "-glatency_most=20", passes]);
-    assert!(fine(&report), "{report}");
+    bench.passes(vectors.text(), &["-glatency_least=2", "-glatency_most=20", passes]);
     let changes = [
         // Pairs do not wait for the query before them; a query does not wait for pairs.
         ("engine_command.vhd", "waits <= pending or (busy and head_kind(is_pairs));", "waits <= pending;"),
@@ -211,18 +236,13 @@ fn pairs_and_poses_come_in_turn_with_queries() {
         // A number that does not fit is taken.
         ("engine_command.vhd", "record_unfit <= record_unfit or word_unfit;", "record_unfit <= word_unfit;"),
     ];
-    let unnoticed: Vec<&str> = share(7, changes)
-        .into_iter()
-        .filter(|change| fine(&changed(&bench, *change, vectors.text(), &["-gpasses=1"])))
-        .map(|(_, from, _)| from)
-        .collect();
-    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
+    bench.notices(in_full(changes), &[vectors.text()], &["-gpasses=1"]);
 }
 
 /// Mistakes in the text, each with options that show it.
 #[test]
 fn a_wrong_engine_is_noticed() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let quick: &[&str] = &["-gpasses=1"];
     let slow: &[&str] = &["-gpasses=2", "-glatency_least=5", "-glatency_most=60"];
     let changes: [(&str, &str, &str, &[&str]); 12] = [
@@ -280,26 +300,20 @@ fn a_wrong_engine_is_noticed() {
     }
     shallow.iter().for_each(|query| vectors.query(query));
     assert_eq!(vectors.text().matches("8f 0 ").count(), 2, "two queries end for reason 3");
-    let report = bench.run_vectors(vectors.text(), if full() { slow } else { quick });
-    assert!(fine(&report), "{report}");
-    let unnoticed: Vec<&str> = share(12, changes)
-        .iter()
-        .filter_map(|(file, from, to, options)| {
-            let report = changed(&bench, (file, from, to), vectors.text(), options);
-            fine(&report).then_some(*from)
-        })
-        .collect();
-    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
+    bench.passes(vectors.text(), if full() { slow } else { quick });
+    for (file, from, to, options) in share(12, changes) {
+        bench.notices([(file, from, to)], &[vectors.text()], options);
+    }
 }
 
 /// Runs vectors after a change of the text; what the testbench says.
-pub(crate) fn changed(bench: &Bench, (file, from, to): (&str, &str, &str), vectors: &str, options: &[&str]) -> String {
+fn changed(bench: &Bench, (file, from, to): (&str, &str, &str), vectors: &str, options: &[&str]) -> String {
     let text = bench.files.get(file).unwrap();
     bench.ghdl.write(file, &replaced(text, from, to));
-    bench.analyse();
+    bench.analyse_from(file);
     let report = bench.run_vectors(vectors, options);
     bench.ghdl.write(file, text);
-    bench.analyse();
+    bench.analyse_from(file);
     report
 }
 
@@ -363,7 +377,7 @@ fn the_rule_of_the_stack_is_exact() {
 /// Queries about objects that the caches hold read nothing; what is emptied, or another object, is read again.
 #[test]
 fn caches_are_emptied() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     // Every block and triangle has a line of its own.
     let bench = Bench::new(ghdl, &EngineParams { triangle_lines: 32, ..axi() }, &small());
     let images = Image::build(&[&cuboid(3, 4, 2), &cuboid(2, 2, 2)], &bench.design.format).unwrap();
@@ -412,7 +426,7 @@ fn caches_are_emptied() {
         ("engine_block_cache.vhd", "if looked = '1' and looked_at(", "if looked = '0' and looked_at("),
         ("engine_block_cache.vhd", "if judged = '1' and judged_at(", "if judged = '0' and judged_at("),
     ];
-    let unnoticed: Vec<&str> = share(5, changes)
+    let unnoticed: Vec<&str> = in_full(changes)
         .into_iter()
         .filter(|change| reads(&changed(&bench, *change, vectors.text(), &options)) == Some(due.clone()))
         .map(|(file, _, _)| file)
@@ -423,7 +437,7 @@ fn caches_are_emptied() {
 /// Levels beyond the greatest are refused: a tree that is higher than the engine is made for.
 #[test]
 fn a_tree_that_is_too_high_is_refused() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let large = EngineParams { block_lines: 1024, triangle_lines: 1024, ..block_ram() };
     let tall = EngineDesign::new(&large, &small()).unwrap();
     let (images, _) = crossing(&tall);
@@ -435,6 +449,5 @@ fn a_tree_that_is_too_high_is_refused() {
     let query = numbers.query([pair; 2], &turn(2), &[0.0, 0.0, 0.0]).unwrap();
     vectors.query(&Query { number: 5, ..query });
     assert!(vectors.text().contains("R 0000058f 0 "), "reason 3");
-    let report = bench.run_vectors(vectors.text(), &["-gpasses=1"]);
-    assert!(fine(&report), "{report}");
+    bench.passes(vectors.text(), &["-gpasses=1"]);
 }

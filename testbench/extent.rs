@@ -6,3 +6,8 @@ pub use efsat_hardware::testing::full;
 pub fn share<T>(n: usize, cases: impl IntoIterator<Item = T>) -> Vec<T> {
     cases.into_iter().step_by(if full() { 1 } else { n }).collect()
 }
+
+/// Cases that are tried if everything is asked for alone.
+pub fn in_full<T>(cases: impl IntoIterator<Item = T>) -> Vec<T> {
+    cases.into_iter().take_while(|_| full()).collect()
+}

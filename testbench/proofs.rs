@@ -196,7 +196,7 @@ fn determinants() {
 fn pairs_by_determinants() {
     let params = |transform| Params { method: Method::Determinants, transform, ..Params::default() };
     let settings =
-        share(3, [Transform::On, Transform::Translate, Transform::Off].map(params)).into_iter().map(Setting::full);
+        share(3, [Transform::Off, Transform::Translate, Transform::On].map(params)).into_iter().map(Setting::full);
     let mut claims: Vec<Claim> = settings.map(|setting| pair::differences(&setting)).collect();
     if full() {
         let setting = Setting::full(params(Transform::On));

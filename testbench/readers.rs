@@ -2,9 +2,10 @@
 //! first checks. No reader may panic, take memory without bound, or refuse a file in other words than one line that names
 //! it; what a reader accepts, the code behind it must be able to use.
 //!
-//! `EFSAT_ROUNDS=N` asks for N changed files of every kind in place of a few hundred ([the campaign](../docs/evidence.md)).
+//! `EFSAT_ROUNDS=N` asks for N changed files of every kind in place of 80, or 300 with `EFSAT_TESTS=full` ([the campaign](../docs/evidence.md)).
 //! The changes depend on the number of the round alone.
 
+use crate::extent::full;
 use crate::tools::program::{efsat, succeeds};
 use efsat::artefact::FileSet;
 use efsat::evidence::accuracy::{self, Results, Store};
@@ -485,7 +486,9 @@ fn no_file_panics_a_reader_or_takes_its_memory() {
     let script = format!(
         "ulimit -v {MEMORY}; exec timeout {SECONDS} \"$0\" readers::in_little_memory --exact --ignored --nocapture"
     );
+    let rounds = std::env::var("EFSAT_ROUNDS").unwrap_or_else(|_| if full() { "300" } else { "80" }.to_owned());
     let mut command = Command::new("sh");
+    command.env("EFSAT_ROUNDS", rounds);
     let output = command.args(["-c", &script]).arg(test).env("RAYON_NUM_THREADS", "2").output().unwrap();
     let (told, errors) = (String::from_utf8_lossy(&output.stdout), String::from_utf8_lossy(&output.stderr));
     assert!(told.contains("in_little_memory"), "the campaign is not there: {told}{errors}");

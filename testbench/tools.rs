@@ -5,7 +5,7 @@ pub mod ghdl;
 pub mod program;
 
 pub use efsat_hardware::testing::skip;
-pub use ghdl::{Ghdl, ghdl};
+pub use ghdl::{Ghdl, ghdl, ghdl_of_long_runs};
 
 use std::io::Write;
 use std::path::Path;

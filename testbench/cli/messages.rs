@@ -24,7 +24,7 @@ fn every_wrong_value_is_one_line_and_status_2() {
         ("--renormalise yes", "expected one of on, off"),
         ("--transform rotate", "expected one of on, translate, off"),
         ("--guard sometimes", "expected one of left-out, always"),
-        ("--device xc7", "expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1"),
+        ("--device xc7", "expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1, xc7z020-1"),
         ("--frequency 19", "expected a whole number from 20 to 250"),
         ("--frequency 100.5", "expected a whole number from 20 to 250"),
         ("--tag-width 65", "expected a whole number from 0 to 64"),

@@ -11,7 +11,7 @@ fn smallest() -> EngineParams {
 /// memory of the testbench is not reset with the engine.
 #[test]
 fn a_query_after_a_soft_reset_is_right() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &smallest(), &small());
     let images = Image::build(&[&cuboid(3, 4, 2)], &bench.design.format).unwrap();
     let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
@@ -31,8 +31,7 @@ fn a_query_after_a_soft_reset_is_right() {
     };
     for latency in latencies {
         let options = options(latency);
-        let report = bench.run_vectors(vectors.text(), &options.each_ref().map(String::as_str));
-        assert!(fine(&report), "{latency:?}: {report}");
+        bench.passes(vectors.text(), &options.each_ref().map(String::as_str));
     }
     let changes = [
         // It forgets bursts; it does not say so; what works on the query goes on.
@@ -41,23 +40,18 @@ fn a_query_after_a_soft_reset_is_right() {
         ("efsat_engine.vhd", "restart <= forgotten or abort;", "restart <= reset or abort;"),
     ];
     let options = options([160, 200]);
-    let unnoticed: Vec<&str> = share(3, changes)
-        .into_iter()
-        .filter(|change| fine(&changed(&bench, *change, vectors.text(), &options.each_ref().map(String::as_str))))
-        .map(|(_, from, _)| from)
-        .collect();
-    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
+    bench.notices(in_full(changes), &[vectors.text()], &options.each_ref().map(String::as_str));
 }
 
 /// A memory that does not answer in time: the query ends with a reason of its own, and so do those behind it, until memory has
 /// answered; a burst without a last word is never answered.
 #[test]
 fn a_memory_that_does_not_answer_ends_queries() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &EngineParams { watchdog: 500, ..axi() }, &small());
     let (images, query) = crossing(&bench.design);
     let images_of: Vec<&Image> = images.iter().collect();
-    let options = ["-gpasses=1", "-glatency_least=5", "-glatency_most=40", "-ghang=6000"];
+    let options = ["-gpasses=1", "-glatency_least=5", "-glatency_most=40", "-ghang=2500"];
     let query = query(&EngineVectors::new(&bench.design, &images_of), &images);
     // The root's block of A, which every query reads; then a block of B in the midst of the query.
     let late = [query.sides[0].blocks_at, query.sides[1].blocks_at + 3].map(|at| {
@@ -69,13 +63,12 @@ fn a_memory_that_does_not_answer_ends_queries() {
         vectors.reset(3, Some(3));
         vectors.query_that_ends(&Query { number: 4, ..query.clone() }, Reason::Silent);
         vectors.wait();
-        vectors.pause(7000);
+        vectors.pause(3000);
         vectors.query(&Query { number: 5, keep_caches: true, ..query.clone() });
         vectors.text().to_owned()
     });
     for text in &late {
-        let report = bench.run_vectors(text, &options);
-        assert!(fine(&report), "{report}");
+        bench.passes(text, &options);
     }
 
     let mut vectors = EngineVectors::new(&bench.design, &images_of);
@@ -85,8 +78,7 @@ fn a_memory_that_does_not_answer_ends_queries() {
     vectors.query_that_ends(&Query { number: 2, ..query.clone() }, Reason::Silent);
     vectors.reset(900, None);
     vectors.query_that_ends(&Query { number: 3, ..query.clone() }, Reason::Silent);
-    let report = bench.run_vectors(vectors.text(), &options);
-    assert!(fine(&report), "{report}");
+    bench.passes(vectors.text(), &options);
 
     let changes = [
         ("engine_control.vhd", "          if memory_silent = '1' then\n", "          if memory_silent = '0' then\n"),
@@ -97,19 +89,14 @@ fn a_memory_that_does_not_answer_ends_queries() {
             "elsif silence = watchdog and reset = '1' then",
         ),
     ];
-    let options = [&options[..], &["-gpatience=9000"]].concat();
-    let unnoticed: Vec<&str> = share(3, changes)
-        .into_iter()
-        .filter(|change| late.iter().all(|text| fine(&changed(&bench, *change, text, &options))))
-        .map(|(_, from, _)| from)
-        .collect();
-    assert!(unnoticed.is_empty(), "{}", unnoticed.join("\n"));
+    let options = [&options[..], &["-gpatience=4500"]].concat();
+    bench.notices(in_full(changes), &late.each_ref().map(String::as_str), &options);
 }
 
 /// A mesh against itself, so that the query is long when the stop comes.
 #[test]
 fn a_stop_ends_the_query_that_runs() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     for engine in share(2, [axi(), block_ram()]) {
         let bench = Bench::new(ghdl, &engine, &small());
         let numbers = Numbers::new(&engine, &small()).unwrap();
@@ -130,14 +117,13 @@ fn a_stop_ends_the_query_that_runs() {
         vectors.stop(300, 9);
         vectors.stop(5, 8);
         vectors.query(&Query { number: 9, ..query });
-        let report = bench.run_vectors(vectors.text(), &["-gpasses=1"]);
-        assert!(fine(&report), "{report}");
+        bench.passes(vectors.text(), &["-gpasses=1"]);
     }
 }
 
 #[test]
 fn a_fault_of_memory_ends_the_query_and_the_next_is_right() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &axi(), &small());
     let (images, query) = crossing(&bench.design);
     for kind in share(3, 1..=3) {
@@ -156,7 +142,7 @@ fn a_fault_of_memory_ends_the_query_and_the_next_is_right() {
 /// Blocks damaged bit by bit: the report comes with the model's reason, nothing outside is read, the next query is right.
 #[test]
 fn damaged_trees_do_no_harm() {
-    let Some(ghdl) = ghdl() else { return };
+    let Some(ghdl) = ghdl_of_long_runs() else { return };
     let bench = Bench::new(ghdl, &axi(), &small());
     let (images, query) = crossing(&bench.design);
     let mut rng = ChaCha8Rng::seed_from_u64(5);
@@ -174,7 +160,6 @@ fn damaged_trees_do_no_harm() {
         let numbers = Numbers::new(&bench.design.params, &bench.design.unit.params).unwrap();
         let whole = numbers.query([(&images[1], query.sides[1]); 2], &turn(0), &[0.5, 0.0, 0.0]).unwrap();
         vectors.query(&Query { number: 2, ..whole });
-        let report = bench.run_vectors(vectors.text(), &["-gpasses=1", "-glatency_least=5", "-glatency_most=20"]);
-        assert!(fine(&report), "{report}");
+        bench.passes(vectors.text(), &["-gpasses=1", "-glatency_least=5", "-glatency_most=20"]);
     }
 }

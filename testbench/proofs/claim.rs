@@ -227,7 +227,7 @@ impl Claim {
     pub fn run(&self) -> Row {
         let claim = [self.subject.name.clone(), self.widths.clone(), self.property.to_owned()];
         let mutated = |mutant: &Mutant| self.subject.mutated(mutant).map(|files| self.ask(&files).0);
-        Row::new(claim, self.ask(&self.subject.files), &share(6, &self.mutants), mutated)
+        Row::new(claim, self.ask(&self.subject.files), &share(12, &self.mutants), mutated)
     }
 }
 

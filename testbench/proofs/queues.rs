@@ -87,7 +87,7 @@ impl Invariant {
     pub fn run(&self) -> Row {
         let claim = [self.entity.to_owned(), self.sizes.clone(), self.property.to_owned()];
         let mutated = |mutant: &Mutant| mutant.applied(&self.files).map(|files| self.ask(&files).0);
-        Row::new(claim, self.ask(&self.files), &share(7, &self.mutants), mutated)
+        Row::new(claim, self.ask(&self.files), &share(14, &self.mutants), mutated)
     }
 }
 

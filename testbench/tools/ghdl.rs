@@ -7,13 +7,23 @@ use std::process::{Child, Command, Stdio};
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-/// The GHDL of all tests, that which compiles fastest; where none is installed none, which is said.
+/// The GHDL of tests with short runs, that which compiles fastest; where none is installed none, which is said.
 pub fn ghdl() -> Option<&'static Tool> {
     static FOUND: LazyLock<Option<Tool>> = LazyLock::new(|| tools::ghdl(true));
-    if FOUND.is_none() {
+    or_skip(&FOUND)
+}
+
+/// That of tests with long runs, which simulates fastest.
+pub fn ghdl_of_long_runs() -> Option<&'static Tool> {
+    static FOUND: LazyLock<Option<Tool>> = LazyLock::new(|| tools::ghdl(false));
+    or_skip(&FOUND)
+}
+
+fn or_skip(found: &'static Option<Tool>) -> Option<&'static Tool> {
+    if found.is_none() {
         skip("GHDL is not installed");
     }
-    FOUND.as_ref()
+    found.as_ref()
 }
 
 /// A folder in which GHDL works, in strict VHDL-93.

@@ -112,8 +112,8 @@ pub const MULTIPLIER_BITS: u32 = 18;
 /// Bits of the shortest product that is worth a multiplier; look-up tables make shorter ones.
 pub const SHORTEST_PRODUCT: u32 = 9;
 
-const DEVICES: [Device; 5] =
-    [virtex2::XC2V6000, spartan6::XC6SLX150, series7::XC7A200T, ecp5::LFE5U_85, series7::XC7A100T];
+const DEVICES: [Device; 6] =
+    [virtex2::XC2V6000, spartan6::XC6SLX150, series7::XC7A200T, ecp5::LFE5U_85, series7::XC7A100T, series7::XC7Z020];
 
 /// A device name that is not known.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -260,7 +260,7 @@ mod tests {
     fn an_unknown_device_names_the_known() {
         assert_eq!(
             find("xc7").unwrap_err().to_string(),
-            "--device xc7: expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1"
+            "--device xc7: expected one of xc2v6000-4, xc6slx150-3, xc7a200t-1, lfe5u-85-6, xc7a100t-1, xc7z020-1"
         );
     }
 }

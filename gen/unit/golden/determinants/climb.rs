@@ -13,6 +13,7 @@ use super::moments::{Moments, Rounding};
 use super::number::{Vector, cross, dot, minus};
 use crate::params::options::Choice;
 use crate::params::{Bound, Params, SPAN};
+use efsat_hardware::testing::full;
 use rand::rngs::ChaCha8Rng;
 use rand::seq::IndexedRandom;
 use rand::{RngExt, SeedableRng};
@@ -330,9 +331,4 @@ fn errors_come_near_their_bounds_and_keep_to_them() {
             );
         }
     }
-}
-
-/// Whether more is to be tried than on every change.
-fn full() -> bool {
-    std::env::var("EFSAT_TESTS").is_ok_and(|asked| asked == "full")
 }
