@@ -202,7 +202,9 @@ fn ready_headers_compile_everywhere() {
     for design in std::fs::read_dir(ready).unwrap().map(|design| design.unwrap().path().join("host")) {
         let files = design.is_dir().then(|| std::fs::read_dir(design).unwrap()).into_iter().flatten();
         let headers = files.map(|file| file.unwrap().path()).filter(|file| file.extension().is_some_and(|e| e == "h"));
-        headers.filter(|header| seen.insert(std::fs::read(header).unwrap())).for_each(|header| compiles_everywhere(&header));
+        headers
+            .filter(|header| seen.insert(std::fs::read(header).unwrap()))
+            .for_each(|header| compiles_everywhere(&header));
     }
     assert!(seen.len() >= 9, "{} headers", seen.len());
 }

@@ -28,7 +28,10 @@ fn said(host: &Path, command: &[&str], bytes: &[u8]) -> Vec<u8> {
     fs::write(host.join("asked"), bytes).unwrap();
     let program = host.join(command[0]);
     let mut run = Command::new(program);
-    run.args(&command[1..]).current_dir(host).stdin(fs::File::open(host.join("asked")).unwrap()).stderr(Stdio::inherit());
+    run.args(&command[1..])
+        .current_dir(host)
+        .stdin(fs::File::open(host.join("asked")).unwrap())
+        .stderr(Stdio::inherit());
     let output = run.output().unwrap();
     assert!(output.status.success(), "{command:?}: {}", output.status);
     output.stdout
@@ -97,7 +100,8 @@ fn pairs_are_retested_in_c() {
         let found = String::from_utf8(said(home.path(), &["retest"], &bytes)).unwrap();
         assert_eq!(found.lines().count(), cases.len());
         for (x, found) in cases.iter().zip(found.lines()) {
-            let ([a, b, m], t): ([Matrix; 3], [f64; 3]) = ([0, 9, 18].map(|at| threes(&x[at..])), threes::<1>(&x[27..])[0]);
+            let ([a, b, m], t): ([Matrix; 3], [f64; 3]) =
+                ([0, 9, 18].map(|at| threes(&x[at..])), threes::<1>(&x[27..])[0]);
             let points: Points = threes(&x[..18]);
             let due = [retest_posed(&a, &b, &m, &t).unwrap(), retest(&points).unwrap()];
             if round == 0 {
@@ -128,7 +132,12 @@ fn c_computes_in_whole_numbers_alone() {
     let whole = ["-mgeneral-regs-only", "-fsyntax-only"];
     let home = ready();
     fs::write(home.path().join("none.c"), "int x;\n").unwrap();
-    let works = Command::new("cc").args(whole).arg("none.c").current_dir(home.path()).output().is_ok_and(|o| o.status.success());
+    let works = Command::new("cc")
+        .args(whole)
+        .arg("none.c")
+        .current_dir(home.path())
+        .output()
+        .is_ok_and(|o| o.status.success());
     if !works {
         efsat_hardware::testing::skip("a compiler with -mgeneral-regs-only is not installed");
         return;
@@ -170,7 +179,10 @@ fn random_pose(rng: &mut ChaCha8Rng, scale: f64) -> (Matrix, [f64; 3]) {
         1 => m[rng.random_range(0..3)][rng.random_range(0..3)] = any(rng, 2),
         2 => t[rng.random_range(0..3)] = any(rng, 2),
         3 => t[rng.random_range(0..3)] *= 1e3,
-        4 => m[rng.random_range(0..3)][rng.random_range(0..3)] = [1.0 + f64::EPSILON, f64::NAN, -1.0][rng.random_range(0..3)],
+        4 => {
+            m[rng.random_range(0..3)][rng.random_range(0..3)] =
+                [1.0 + f64::EPSILON, f64::NAN, -1.0][rng.random_range(0..3)]
+        }
         5 => t[rng.random_range(0..3)] = f64::INFINITY,
         6 => m.as_flattened_mut().iter_mut().for_each(|x| *x = rng.random_range(-1.0..1.0)),
         _ => {}
@@ -197,7 +209,14 @@ fn refusal(of: &Refusal) -> [u32; 2] {
 
 /// Poses as words of queries, or of packets of pairs by number, in C and here. Returns how many were taken, and refused for each
 /// reason.
-fn poses_agree(engine: &EngineParams, unit: &Params, by_number: bool, host: &Path, poses: usize, seed: u64) -> [u32; 6] {
+fn poses_agree(
+    engine: &EngineParams,
+    unit: &Params,
+    by_number: bool,
+    host: &Path,
+    poses: usize,
+    seed: u64,
+) -> [u32; 6] {
     let numbers = Numbers::new(engine, unit).unwrap();
     let (mut rng, mut counts) = (ChaCha8Rng::seed_from_u64(seed), [0; 6]);
     let words = if by_number { numbers.format().pairs_at() } else { numbers.format().query_words() } as usize;
@@ -214,7 +233,13 @@ fn poses_agree(engine: &EngineParams, unit: &Params, by_number: bool, host: &Pat
     };
     compiled(host, "pose", &program.replace("SIDE", side));
     // Meshes near the origin and far from it, of all sizes; then of two scales.
-    let places = [(1.0, [0.0; 3]), (1e-300, [0.0; 3]), (0.01, [1e6, -3.0, 0.1]), (1e150, [1e160, 0.0, -7.0]), (1.0, [0.1, 1e-9, 2.0])];
+    let places = [
+        (1.0, [0.0; 3]),
+        (1e-300, [0.0; 3]),
+        (0.01, [1e6, -3.0, 0.1]),
+        (1e150, [1e160, 0.0, -7.0]),
+        (1.0, [0.1, 1e-9, 2.0]),
+    ];
     for (scale, centre) in places {
         let images = images(numbers.format(), scale, centre);
         for (name, image) in ["a", "b"].iter().zip(&images) {
@@ -308,7 +333,12 @@ fn images_agree(engine: &EngineParams, unit: &Params, host: &Path, step: usize) 
     compiled(host, "image", include_str!("image.c"));
     let mut files: Vec<Vec<u8>> = [0, 1, 2, 3].iter().map(|&count| few(&format, count)).collect();
     let whole = files.clone();
-    files.extend([whole[3][..63].to_vec(), vec![], whole[3][..whole[3].len() - 1].to_vec(), [&whole[3][..], &[0]].concat()]);
+    files.extend([
+        whole[3][..63].to_vec(),
+        vec![],
+        whole[3][..whole[3].len() - 1].to_vec(),
+        [&whole[3][..], &[0]].concat(),
+    ]);
     let large = images(&format, 1.0, [0.0; 3]).remove(1).bytes();
     let changed = |file: &[u8], bit: usize| {
         let mut file = file.to_vec();
@@ -325,7 +355,8 @@ fn images_agree(engine: &EngineParams, unit: &Params, host: &Path, step: usize) 
         file.copy_within(at(from)..at(from) + 4, at(to));
         files.push(file);
     }
-    let asked: Vec<u8> = files.iter().flat_map(|file| [format!("{}\n", file.len()).as_bytes(), file].concat()).collect();
+    let asked: Vec<u8> =
+        files.iter().flat_map(|file| [format!("{}\n", file.len()).as_bytes(), file].concat()).collect();
     let found = String::from_utf8(said(host, &["image"], &asked)).unwrap();
     assert_eq!(found.lines().count(), files.len());
     let (mut taken, mut refused) = (0, 0);

@@ -145,10 +145,19 @@ pub(super) fn files(design: &EngineDesign, prefix: &Prefix) -> [(String, String)
         retest_upper: prefix.of(RETEST).to_uppercase(),
         image: vec![Group { what: "Images.", constants: of_images(format) }],
         pose: vec![Group { what: "Numbers of a pose.", constants: of_poses(design) }],
-        head: ImageHeader::head(format).iter().flat_map(|word| word.to_le_bytes()).map(|x| x.to_string()).collect::<Vec<_>>().join(", "),
+        head: ImageHeader::head(format)
+            .iter()
+            .flat_map(|word| word.to_le_bytes())
+            .map(|x| x.to_string())
+            .collect::<Vec<_>>()
+            .join(", "),
         k: format.k(),
         vectors: vectors.iter().map(|vector| list(vector)).collect::<Vec<_>>().join(", "),
-        choices: format.directions.slots().map(|slot| list(&slot.iter().map(|&x| x as i8).collect::<Vec<_>>())).join(", "),
+        choices: format
+            .directions
+            .slots()
+            .map(|slot| list(&slot.iter().map(|&x| x as i8).collect::<Vec<_>>()))
+            .join(", "),
     };
     let render = |text: Result<String, askama::Error>| text.expect("the template renders");
     [
@@ -195,7 +204,11 @@ fn of_images(format: &EngineFormat) -> Vec<Constant> {
         number("block_code_bits", block.code_bits, "bits of a code"),
         number("block_most_code", format.most() as u32, "its greatest magnitude"),
         number("block_bits", block.bits, "bits that mean something"),
-        number("triangle_head_bits", triangle.number_bits + if format.sticky { 9 } else { 0 }, "the face and sticky bits"),
+        number(
+            "triangle_head_bits",
+            triangle.number_bits + if format.sticky { 9 } else { 0 },
+            "the face and sticky bits",
+        ),
         number("triangle_step", triangle.lane, "bits from number to number, and to the first one"),
         number("triangle_one", 1 << word, "1 as a coordinate"),
         number("origin_shift", format.origin_shift(), "from origins to the grid"),

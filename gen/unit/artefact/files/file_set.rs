@@ -102,6 +102,13 @@ impl FileSet {
         self.0.insert(name, text);
     }
 
+    /// Adds the files of another set, in a folder.
+    // For the ready designs.
+    #[doc(hidden)]
+    pub fn insert_folder(&mut self, folder: &str, files: Self) {
+        self.0.extend(files.0.into_iter().map(|(name, text)| (format!("{folder}/{name}"), text)));
+    }
+
     /// Names and texts, by name.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &str)> {
         self.0.iter().map(|(name, text)| (name.as_str(), text.as_str()))

@@ -155,7 +155,8 @@ pub(crate) fn files(design: &Design, format: &StreamFormat, prefix: &Prefix) -> 
         edge_test: p.edge_test,
     };
     let texts = [("efsat.h", Header { h: &host }.render()), ("efsat.py", Module { h: &host }.render())];
-    let [c, python] = texts.map(|(name, text)| (format!("host/{}", prefix.of(name)), text.expect("the template renders")));
+    let [c, python] =
+        texts.map(|(name, text)| (format!("host/{}", prefix.of(name)), text.expect("the template renders")));
     [c, python, retest(prefix)]
 }
 
