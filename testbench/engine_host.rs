@@ -1,5 +1,7 @@
 //! The host side of a generated engine without Rust: `efsat tree query`, and the files in C and Python against the packing here.
 
+mod in_c;
+
 use crate::tools::program::{object, refuses, succeeds};
 use crate::tools::{CHECKED, compiles_everywhere, has, run};
 use efsat::collide::hierarchy::Directions;

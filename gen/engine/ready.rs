@@ -75,7 +75,7 @@ pub fn ready_files(command_line: impl Fn(&Params, &Packaging) -> String) -> Resu
         let design = Design::new(&ready.params, false)?;
         let packaging = Packaging { stream_width: ready.stream_width, ..Packaging::default() };
         let files = design_files_with(&design, &packaging, &command_line(&ready.params, &packaging))?;
-        files.iter().for_each(|(name, text)| set.insert(format!("{}/{name}", ready.name), text));
+        set.insert_folder(ready.name, files);
         let cells = estimate::whole(&design.top, design.device);
         rows.push(Row {
             name: ready.name,
@@ -110,7 +110,7 @@ fn engine(
     let design = EngineDesign::new(&EngineParams::default(), unit)?;
     let vectors = samples::text(&design).map_err(DesignError::from)?;
     let files = engine_design_files(&design, &Prefix::default(), &design.command_line(), &vectors)?;
-    files.iter().for_each(|(file, text)| set.insert(format!("{name}/{file}"), text));
+    set.insert_folder(name, files);
     Ok(EngineRow {
         name,
         options,

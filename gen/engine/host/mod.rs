@@ -33,6 +33,8 @@ pub use build::BuildError;
 pub use image::{Header, Image, ImageError, memory};
 pub use images::Images;
 // For the memory model of the testbench.
+pub(crate) use image::LINE;
 #[doc(hidden)]
 pub use layout::{Layout, TRIANGLES_AT};
+pub(crate) use numbers::FINE;
 pub use numbers::{Numbers, Refusal};
