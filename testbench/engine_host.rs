@@ -210,7 +210,10 @@ fn files_in_c_and_python_pack_as_the_host_here_does() {
     {
         let (home, format) = (tempfile::tempdir().unwrap(), engine.format(&unit).unwrap());
         let of_engine = engine.options().into_iter().filter(|(name, _)| engine.has(name));
-        let options = of_engine.chain([("upper", unit.upper.name().to_owned())]);
+        let options = of_engine.chain(
+            [("method", unit.method.name()), ("upper", unit.upper.name())]
+                .map(|(name, value)| (name, value.to_owned())),
+        );
         let options: String = options.map(|(name, value)| format!(" --{name} {value}")).collect();
         succeeds(&home, &format!("generate --engine --out rtl{options}"));
         let (mut asked, mut due) = (String::new(), String::new());
@@ -268,7 +271,8 @@ fn queries_of_a_scene_are_written() {
         assert!(text.starts_with("frame,a,b,number,words\n"));
         text.lines().skip(1).map(row).collect()
     };
-    let model = Model::new(&EngineParams::default(), &Params::default()).unwrap();
+    let engine = EngineParams::default();
+    let model = Model::new(&engine, &engine.unit()).unwrap();
     let found = packets("q.csv");
     let heads: Vec<&str> = found.iter().map(|(head, _)| head.as_str()).collect();
     assert_eq!(heads, ["0,0,1,0", "1,0,1,1"]);

@@ -307,7 +307,7 @@ fn runs_are_answered_by_the_engine_too() {
     let files = "--csv rows.csv --pairs pairs.csv --picture p.svg --view v.html --frame 1";
     let plan = succeeds(dir, "plan-engine s.toml");
     assert!(plan.contains("\nefsat generate --engine") && plan.contains("its limit: "), "{plan}");
-    refuses(dir, "plan-engine nothing.toml", "nothing.toml: not found");
+    refuses(dir, "plan-engine nothing.toml", "nothing.toml: cannot be read");
     let report = object(dir, &format!("scene run s.toml --engine model --json {files}"));
     let exact = |name: &str| -> Vec<String> {
         let text = fs::read_to_string(dir.join(name)).unwrap();

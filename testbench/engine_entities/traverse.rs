@@ -466,13 +466,12 @@ fn leaf_pairs_and_counts_are_those_of_a_recursion() {
         ("pair_due <= some_leaves and not leaves_ended;", "pair_due <= some_leaves;"),
         ("if allowed(lane) = 0 then", "if allowed(lane) = 1 then"),
         ("+ unsigned(met_survivors(3 downto 3))", ""),
-        // A record is lost, or overtaken, or there are more than there is room for.
+        // A record is lost, or overtaken.
         ("(nodes_wait = '1' or nodes_free = '0')", "nodes_free = '0'"),
         (
             "next_leaves <= leaf_memory(to_integer(leaf_read)) when leaves_wait = '1'",
             "next_leaves <= leaf_memory(to_integer(leaf_read)) when brings_leaves = '0'",
         ),
-        ("if steady >= in_flight - 1 then", "if steady >= in_flight then"),
         ("taken_place <= taken_place + 1;", "taken_place <= taken_place;"),
         // Lanes are mixed up.
         ("own_lane <= next_node_lane;", "own_lane <= unsigned(oldest);"),
