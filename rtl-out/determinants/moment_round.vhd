@@ -1,5 +1,4 @@
 -- SPDX-License-Identifier: MIT OR Apache-2.0
--- SPDX-License-Identifier: MIT OR Apache-2.0
 --------------------------------------------------------------------------------
 -- A moment rounded to the working width: places bits are dropped, and one by rounding.
 -- Combinational.
