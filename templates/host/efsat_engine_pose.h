@@ -120,7 +120,6 @@ static inline void {{ h.prefix }}efsat_engine_combine(uint32_t choices[3], int64
 {
   static const unsigned slots[3][{{ h.upper }}_DIRECTIONS] = { {{ h.choices }} };
   static const unsigned lengths[3] = { {{ h.slots }} };
-  static const int sorted[{% if h.k == 18 %}2{% else %}1{% endif %}][3][3] = { {% if h.k == 6 %}{{"{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}"}}{% else if h.k == 14 %}{{"{{1, 0, 0}, {1, 1, 1}, {1, 1, -1}}"}}{% else if h.k == 18 %}{{"{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}}, {{1, 1, 0}, {1, 0, 1}, {0, 1, 1}}"}}{% else %}{{"{{1, 0, 0}, {1, 1, 0}, {1, 1, 1}}"}}{% endif %} };
   unsigned order[3] = {0, 1, 2}, form = 0, used = 0;
   for (unsigned i = 1; i < 3; i++)
     for (unsigned j = i; j > 0 && {{ h.prefix }}efsat_engine_magnitude(w[order[j]]) > {{ h.prefix }}efsat_engine_magnitude(w[order[j - 1]]); j--) {
@@ -130,10 +129,13 @@ static inline void {{ h.prefix }}efsat_engine_combine(uint32_t choices[3], int64
     }
   const int64_t x = {{ h.prefix }}efsat_engine_magnitude(w[order[0]]), y = {{ h.prefix }}efsat_engine_magnitude(w[order[1]]), z = {{ h.prefix }}efsat_engine_magnitude(w[order[2]]);
 {%- if h.k == 6 %}
+  static const int sorted[1][3][3] = { { {1, 0, 0}, {0, 1, 0}, {0, 0, 1} } };
   const int64_t factors[3] = {2 * x, 2 * y, 2 * z};
 {%- else if h.k == 14 %}
+  static const int sorted[1][3][3] = { { {1, 0, 0}, {1, 1, 1}, {1, 1, -1} } };
   const int64_t factors[3] = {2 * (x - y), y + z, y - z};
 {%- else if h.k == 18 %}
+  static const int sorted[2][3][3] = { { {1, 0, 0}, {1, 1, 0}, {1, 0, 1} }, { {1, 1, 0}, {1, 0, 1}, {0, 1, 1} } };
   int64_t factors[3] = {2 * (x - y - z), 2 * y, 2 * z};
   if (x < y + z) {
     form = 1;
@@ -142,6 +144,7 @@ static inline void {{ h.prefix }}efsat_engine_combine(uint32_t choices[3], int64
     factors[2] = y + z - x;
   }
 {%- else %}
+  static const int sorted[1][3][3] = { { {1, 0, 0}, {1, 1, 0}, {1, 1, 1} } };
   const int64_t factors[3] = {2 * (x - y), 2 * (y - z), 2 * z};
 {%- endif %}
   for (unsigned term = 0; term < 3; term++) {

@@ -121,7 +121,6 @@ static inline void efsat_engine_combine(uint32_t choices[3], int64_t doubled[3],
 {
   static const unsigned slots[3][EFSAT_ENGINE_DIRECTIONS] = { {0, 1, 14, 15, 16, 17}, {2, 3, 10, 11, 12, 13}, {4, 5, 6, 7, 8, 9} };
   static const unsigned lengths[3] = { 6, 6, 6 };
-  static const int sorted[2][3][3] = { {{1, 0, 0}, {1, 1, 0}, {1, 0, 1}}, {{1, 1, 0}, {1, 0, 1}, {0, 1, 1}} };
   unsigned order[3] = {0, 1, 2}, form = 0, used = 0;
   for (unsigned i = 1; i < 3; i++)
     for (unsigned j = i; j > 0 && efsat_engine_magnitude(w[order[j]]) > efsat_engine_magnitude(w[order[j - 1]]); j--) {
@@ -130,6 +129,7 @@ static inline void efsat_engine_combine(uint32_t choices[3], int64_t doubled[3],
       order[j - 1] = axis;
     }
   const int64_t x = efsat_engine_magnitude(w[order[0]]), y = efsat_engine_magnitude(w[order[1]]), z = efsat_engine_magnitude(w[order[2]]);
+  static const int sorted[2][3][3] = { { {1, 0, 0}, {1, 1, 0}, {1, 0, 1} }, { {1, 1, 0}, {1, 0, 1}, {0, 1, 1} } };
   int64_t factors[3] = {2 * (x - y - z), 2 * y, 2 * z};
   if (x < y + z) {
     form = 1;
