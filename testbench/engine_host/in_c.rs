@@ -281,11 +281,12 @@ fn poses_agree(
 fn poses_become_the_same_words_in_c() {
     let poses = if full() { 1_000_000 } else { 4_000 };
     let home = ready();
-    let counts = poses_agree(&EngineParams::default(), &Params::default(), false, home.path(), poses, 1);
+    let engine = EngineParams::default();
+    let counts = poses_agree(&engine, &engine.unit(), false, home.path(), poses, 1);
     // All but two scales, which a test of their own has.
     assert!([0, 1, 3, 4, 5].iter().all(|&code| counts[code] > 20), "{counts:?}");
     let scales = ready();
-    let numbers = Numbers::new(&EngineParams::default(), &Params::default()).unwrap();
+    let numbers = Numbers::new(&engine, &engine.unit()).unwrap();
     let of = |scale: f64| images(numbers.format(), scale, [0.0; 3]).remove(0);
     fs::write(scales.path().join("a"), of(1.0).bytes()).unwrap();
     fs::write(scales.path().join("b"), of(2.0).bytes()).unwrap();
@@ -315,7 +316,10 @@ fn poses_of_other_engines_become_the_same_words_in_c() {
     for (seed, (engine, unit, by_number)) in (2..).zip(cases) {
         let home = tempfile::tempdir().unwrap();
         let of_engine = engine.options().into_iter().filter(|(name, _)| engine.has(name) && !by_number);
-        let options = of_engine.chain([("upper", unit.upper.name().to_owned())]);
+        let options = of_engine.chain(
+            [("method", unit.method.name()), ("upper", unit.upper.name())]
+                .map(|(name, value)| (name, value.to_owned())),
+        );
         let options: String = options.map(|(name, value)| format!(" --{name} {value}")).collect();
         let by = if by_number { " --pairs-by-number" } else { "" };
         succeeds(&home, &format!("generate --engine --out rtl{by}{options}"));
@@ -388,5 +392,6 @@ fn few(format: &EngineFormat, count: u32) -> Vec<u8> {
 #[test]
 fn images_are_refused_in_c_as_here() {
     let home = ready();
-    images_agree(&EngineParams::default(), &Params::default(), home.path(), if full() { 1 } else { 10 });
+    let engine = EngineParams::default();
+    images_agree(&engine, &engine.unit(), home.path(), if full() { 1 } else { 10 });
 }
